@@ -1,4 +1,4 @@
-"""The site: `make docs`. Its own parts are in machinery/; nothing comes from the network, here or in a page."""
+"""Sphinx configuration of the site (`make docs`). Neither the build nor the pages access the network."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 DOCS = Path(__file__).parent
 sys.path[:0] = [str(DOCS), str(DOCS.parent / "src")]
-os.environ["PYTHONPATH"] = os.pathsep.join(sys.path[:2])  # of processes that run scripts of the gallery
+os.environ["PYTHONPATH"] = os.pathsep.join(sys.path[:2])  # for processes that run scripts of the gallery
 
 from machinery import commands, galleries, pages, reference, scraper, whole  # noqa: E402
 from machinery.public import by_home, public_modules  # noqa: E402
@@ -18,12 +18,12 @@ from machinery.public import by_home, public_modules  # noqa: E402
 from pointloom import __version__  # noqa: E402
 from pointloom.visualization.recording.shared_player import write_player  # noqa: E402
 
-public_modules()  # so that each can be imported by its public name
+public_modules()  # makes each importable by its public name
 
 project, author, release, version = "pointloom", "the authors of pointloom", __version__, __version__
 copyright = author
-language = "en"  # search fails in languages without words of its own for "found so many pages"
-# Where the newest release's pages lie; empty, there are no canonical links, no sitemap and no banner on older versions.
+language = "en"  # the search fails in languages without translated messages
+# URL of the site. If empty, there are no canonical links, no sitemap and no banner on older versions.
 SITE = pages.LOCATION["documentation"].rstrip("/")
 
 extensions = [
@@ -70,7 +70,7 @@ sphinx_gallery_conf = {
 html_theme = "pydata_sphinx_theme"
 html_title = f"pointloom {release}"
 html_short_title = "Point clouds, scans, RGB-D frames and photographs to registered clouds and meshes, on CUDA and CPU"
-(scraper.MADE / scraper.RECORDINGS).mkdir(parents=True, exist_ok=True)  # looked for before anything is made
+(scraper.MADE / scraper.RECORDINGS).mkdir(parents=True, exist_ok=True)  # must exist before the build
 html_static_path = ["static", "made"]
 html_css_files = ["site.css"]
 html_js_files = [("site.js", {"priority": 900})]
@@ -98,7 +98,7 @@ if SITE:
 
 
 def make_pages(app: Any) -> None:
-    """Before sphinx-gallery runs: what is made from the library."""
+    """Generate pages from the library before sphinx-gallery runs."""
     write_player(scraper.MADE)
     pages.bring(DOCS)
     commands.write_pages(DOCS / "commands")
@@ -106,28 +106,28 @@ def make_pages(app: Any) -> None:
 
 
 def make_gallery_index(app: Any) -> None:
-    """After it."""
+    """Write the index of the gallery after sphinx-gallery has run."""
     galleries.write_index(DOCS)
 
 
 def rewrite_links(app: Any, page: str, source: list[str]) -> None:
-    """Links of pages that are read on the code host as well."""
+    """Rewrite links of pages that are also read on the code host."""
     if Path(app.env.doc2path(page)).suffix == ".md":
         source[0] = pages.rewrite_links(page, source[0])
 
 
 def add_examples(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
-    """The pages of the gallery that use a name, below its docstring; pages that it names become links."""
+    """Append the gallery pages that use a name to its docstring, and link mentioned pages."""
     lines[:] = [reference.linked(line) for line in lines] + reference.examples_of(name)
 
 
 def short_signature(app: Any, what: str, name: str, thing: Any, options: Any, given: Any, result: Any) -> Any:
-    """Hints as they are written: `ArrayLike`, and not what it stands for."""
+    """Show type hints as written: `ArrayLike` instead of its definition."""
     return reference.signature_of(what, name, thing)
 
 
 def find_public_name(app: Any, env: Any, node: Any, content: Any) -> Any:
-    """A link to where a type is defined, as hints give it, leads to its public name."""
+    """Resolve references to the module that defines a type to its public name."""
     name = by_home().get(node.get("reftarget", ""))
     if node.get("refdomain") != "py" or name is None:
         return None
@@ -136,7 +136,7 @@ def find_public_name(app: Any, env: Any, node: Any, content: Any) -> Any:
 
 
 def setup(app: Any) -> dict[str, Any]:
-    """Join the parts."""
+    """Connect the event handlers."""
     app.connect("builder-inited", make_pages, priority=100)
     app.connect("builder-inited", make_gallery_index, priority=900)
     app.connect("source-read", rewrite_links)

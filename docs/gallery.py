@@ -1,6 +1,6 @@
-"""A picture for each step of an Open3D tutorial: `python docs/gallery.py` draws them all into docs/gallery.jpg.
+"""Draw an image for each step of an Open3D tutorial: `python docs/gallery.py` writes docs/gallery.jpg.
 
-Everything is made up: the furnished room, seen by a camera, and shapes. Each function returns what `loom.render` takes.
+All data is synthetic: RGB-D frames of a furnished room, and shapes. Each function returns arguments of `loom.render`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pointloom.datasets.scenes.room import room_sequence
 from pointloom.visualization.render.canvas import Canvas
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)
-SIZE = (400, 300)  # [px] of a picture
+SIZE = (400, 300)  # [px] of an image
 TITLE = 26  # [px] above it
 COLUMNS = 4
 
@@ -27,14 +27,14 @@ Scene = dict[str, Any]
 
 @functools.cache
 def frames() -> list[Any]:
-    """Four frames of a walk through the room, without noise."""
+    """Four frames of a camera moving through the room, without noise."""
     sequence = room_sequence(24, width=200, height=150, noise=False)
     return [sequence.read(index) for index in (0, 1, 2, 3)]
 
 
 @functools.cache
 def frame_cloud(index: int) -> loom.PointCloud:
-    """What a frame shows, in the room's coordinates."""
+    """The points of a frame in the coordinates of the room."""
     frame = frames()[index]
     image = loom.RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=6.0)
     return loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
@@ -42,13 +42,13 @@ def frame_cloud(index: int) -> loom.PointCloud:
 
 @functools.cache
 def room() -> loom.PointCloud:
-    """The four frames in one cloud."""
+    """The merged points of the four frames."""
     return loom.PointCloud.concatenate([frame_cloud(index) for index in range(4)])
 
 
 @functools.cache
 def room_mesh() -> loom.TriangleMesh:
-    """The four frames fused."""
+    """The mesh fused from the four frames."""
     volume = loom.TSDFVolume(voxel_size=0.03, truncation=0.12)
     for frame in frames():
         T = np.linalg.inv(frame.T_world_camera)
@@ -58,7 +58,7 @@ def room_mesh() -> loom.TriangleMesh:
 
 @functools.cache
 def solids() -> loom.PointCloud:
-    """A ball, a ring and a block on a floor, 30,000 points with normals."""
+    """A sphere, a torus and a box on a floor: 30,000 points with normals."""
     block = loom.TriangleMesh.create_box(0.5, 0.5, 0.5).translate([0.6, -0.2, 0.0])
     ball = loom.TriangleMesh.create_sphere(0.35).translate([-0.5, 0.5, 0.35])
     ring = loom.TriangleMesh.create_torus(0.4, 0.12).translate([-0.4, -0.5, 0.12])
@@ -71,29 +71,29 @@ def solids() -> loom.PointCloud:
 
 @functools.cache
 def objects() -> loom.PointCloud:
-    """The three without the floor."""
+    """The three objects without the floor."""
     return solids().select_by_mask(solids().points[:, 2] > 0.01)
 
 
 def loading() -> Scene:
-    """Load a cloud and look at it."""
+    """Load and display a cloud."""
     return {"geometries": room()}
 
 
 def height() -> Scene:
-    """A view of Open3D's, colors by height."""
+    """A view as in Open3D, colored by height."""
     return {"geometries": {"geometry": room(), "color_by": "height"}, "color_bar": True,
             "camera": {"zoom": 0.5, "front": [0.6, -0.5, 0.7], "up": [0, 0, 1]}}  # fmt: skip
 
 
 def normals() -> Scene:
-    """Down-sample by voxels, estimate normals."""
+    """Voxel downsampling and normals."""
     thin = objects().voxel_down_sample(0.06).estimate_normals(radius=0.15, max_nn=30)
     return {"geometries": thin, "point_show_normal": True, "point_size": 4.0}
 
 
 def cropping() -> Scene:
-    """Crop and paint; distances from the ball."""
+    """Crop, paint, distances between clouds."""
     box = loom.AxisAlignedBoundingBox([-0.9, 0.1, 0.01], [-0.1, 0.9, 0.8])
     ball = solids().crop(box)
     rest = solids().select_by_index(box.get_point_indices_within_bounding_box(solids().points), invert=True)
@@ -104,13 +104,13 @@ def cropping() -> Scene:
 
 
 def clusters() -> list[loom.PointCloud]:
-    """The objects, apart."""
+    """The objects as separate clouds."""
     labels = np.asarray(objects().cluster_dbscan(0.08, 8))
     return [objects().select_by_mask(labels == label) for label in range(labels.max() + 1)]
 
 
 def boxes() -> Scene:
-    """Boxes and hulls."""
+    """Bounding boxes and convex hulls."""
     drawn: list[Any] = [objects()]
     for part in clusters():
         drawn.append({"geometry": part.get_axis_aligned_bounding_box(), "color": (0.85, 0.1, 0.1)})
@@ -121,7 +121,7 @@ def boxes() -> Scene:
 
 
 def dbscan() -> Scene:
-    """DBSCAN and its labels."""
+    """DBSCAN clustering."""
     cloud = objects().copy()
     cloud["label"] = np.asarray(cloud.cluster_dbscan(0.08, 8))
     positions = [part.points.mean(axis=0) + np.array([0, 0, 0.45]) for part in clusters()]
@@ -130,7 +130,7 @@ def dbscan() -> Scene:
 
 
 def planes() -> Scene:
-    """The plane of the floor."""
+    """Plane segmentation."""
     _, inliers = solids().segment_plane(0.01, 3, 200)
     floor = solids().select_by_index(inliers).paint_uniform_color((0.9, 0.2, 0.2))
     rest = solids().select_by_index(inliers, invert=True).paint_uniform_color((0.45, 0.5, 0.55))
@@ -138,23 +138,23 @@ def planes() -> Scene:
 
 
 def hidden_points() -> Scene:
-    """What a camera in front would see."""
+    """Hidden point removal."""
     camera_position = np.array([2.5, -2.5, 2.0])
-    _, seen = solids().hidden_point_removal(camera_position, 300.0)
-    hidden = solids().select_by_index(seen, invert=True)
-    return {"geometries": {"seen": {"geometry": solids().select_by_index(seen), "color": BLUE},
+    _, visible = solids().hidden_point_removal(camera_position, 300.0)
+    hidden = solids().select_by_index(visible, invert=True)
+    return {"geometries": {"visible": {"geometry": solids().select_by_index(visible), "color": BLUE},
                            "hidden": {"geometry": hidden, "color": (0.75, 0.75, 0.75)}},
             "legend": True, "camera": {"front": [-0.6, -0.6, 0.6], "up": [0, 0, 1], "zoom": 0.7}}  # fmt: skip
 
 
 def outliers() -> Scene:
-    """Statistical outliers."""
+    """Statistical outlier removal."""
     rng = np.random.default_rng(3)
     noisy = loom.PointCloud(np.vstack([objects().points, rng.uniform([-1.2, -1.2, 0], [1.2, 1.2, 1.2], (300, 3))]))
     inliers, rows = noisy.remove_statistical_outlier(20, 2.0)
-    lost = noisy.select_by_index(rows, invert=True)
+    outlier_points = noisy.select_by_index(rows, invert=True)
     return {"geometries": {"inliers": inliers.paint_uniform_color((0.6, 0.6, 0.6)),
-                           "outliers": {"geometry": lost, "color": (0.9, 0.1, 0.1), "point_size": 5.0}},
+                           "outliers": {"geometry": outlier_points, "color": (0.9, 0.1, 0.1), "point_size": 5.0}},
             "legend": True}  # fmt: skip
 
 
@@ -165,7 +165,7 @@ def rgbd() -> Scene:
 
 
 def moved(cloud: loom.PointCloud, degrees: float, step: tuple[float, float, float]) -> loom.PointCloud:
-    """A cloud turned about z and pushed."""
+    """Rotate a cloud about z and translate it."""
     angle, T = math.radians(degrees), np.eye(4)
     T[:2, :2], T[:3, 3] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]], step
     return cloud.transform(T)
@@ -180,14 +180,14 @@ def before_icp() -> Scene:
 
 
 def after_icp() -> Scene:
-    """... and after it, with how far they lie apart."""
+    """After ICP: distances to the target."""
     target = objects().voxel_down_sample(0.02).estimate_normals(radius=0.08, max_nn=20)
     source = moved(target, 8, (0.1, 0.05, 0.12))
     plane = loom.registration.TransformationEstimationPointToPlane()
     result = loom.registration.registration_icp(source, target, 0.3, np.eye(4), plane)
     source = source.transform(result.transformation)
-    source["apart"] = source.compute_point_cloud_distance(target)
-    return {"geometries": {"geometry": source, "color_by": "apart", "limits": (0.0, 0.01)}, "color_bar": True}
+    source["distance"] = source.compute_point_cloud_distance(target)
+    return {"geometries": {"geometry": source, "color_by": "distance", "limits": (0.0, 0.01)}, "color_bar": True}
 
 
 def features() -> Scene:
@@ -201,7 +201,7 @@ def features() -> Scene:
 
 
 def alpha_shape() -> Scene:
-    """An alpha shape, its edges."""
+    """Edges of an alpha shape."""
     mesh = loom.TriangleMesh.create_from_point_cloud_alpha_shape(clusters()[-1].voxel_down_sample(0.04), 0.15)
     return {"geometries": {"geometry": mesh, "wireframe": True}}
 
@@ -214,7 +214,7 @@ def ball_pivoting() -> Scene:
 
 
 def poisson() -> Scene:
-    """Poisson, by density, without the sparse."""
+    """Poisson reconstruction, colored by density."""
     oriented = objects().orient_normals_consistent_tangent_plane(15)
     mesh, densities = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, 6)
     values = np.asarray(densities)
@@ -225,19 +225,19 @@ def poisson() -> Scene:
 
 
 def voxels() -> Scene:
-    """Voxels of a surface."""
+    """Voxelization of a mesh."""
     return {"geometries": loom.TriangleMesh.create_torus(0.4, 0.15).voxelize(0.04)}
 
 
 def path() -> Scene:
-    """Frames fused along the camera's path."""
+    """TSDF fusion and the camera trajectory."""
     poses = np.stack([frame.T_world_camera for frame in frames()])
     cameras = [{"geometry": loom.CameraFrustum(frames()[0].intrinsic, T, 0.3), "color": BLUE} for T in poses]
     return {"geometries": [room_mesh(), loom.Trajectory(poses), *cameras], "mesh_show_back_face": False}
 
 
 def by_normal() -> Scene:
-    """The same room as normals."""
+    """Colors by normal."""
     return {"geometries": {"geometry": room().estimate_normals(radius=0.1, max_nn=30), "color_by": "normal"}}
 
 
@@ -248,7 +248,7 @@ STEPS = (
 
 
 def main() -> None:
-    """Draw the sheet."""
+    """Draw all images."""
     rows = -(-len(STEPS) // COLUMNS)
     width, height = SIZE
     sheet = Canvas.blank(COLUMNS * width, rows * (height + TITLE), (1, 1, 1), "cpu")

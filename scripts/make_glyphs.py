@@ -1,9 +1,9 @@
-"""Draw the letters of text to src/pointloom/visualization/render/glyphs.npz, from Pillow's font (Aileron, CC0).
+"""Draw glyphs with Pillow's font (Aileron, CC0) and write src/pointloom/visualization/render/glyphs.npz.
 
     python scripts/make_glyphs.py [--show sheet.png]
 
-Letters that this subset of the font lacks are made of those that it has. Another version of Pillow or FreeType may draw
-other shades of gray: then the stored hashes of the tests change too.
+Characters missing from the font are composed of others. Another version of Pillow or FreeType may draw other shades of
+gray, which also changes the stored hashes of the tests.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from PIL import Image, ImageFont
 OUTPUT = Path(__file__).resolve().parents[1] / "src/pointloom/visualization/render/glyphs.npz"
 SIZES = (12, 14, 16, 20, 24, 32)
 ASCII = "".join(map(chr, range(32, 127)))
-FURTHER = "°±·…"  # that the font has
-MADE = "µ×²³–−\ufffd"  # that are made; the last stands for what is unknown
+FURTHER = "°±·…"  # contained in the font
+MADE = "µ×²³–−\ufffd"  # composed; the last one replaces unknown characters
 CHARACTERS = ASCII + FURTHER + MADE
 
 
 def draw(font, character):
-    """Coverage [h, w], and the columns and rows from the pen on the baseline to its first cell."""
+    """Coverage (h, w), and the column and row of its first pixel relative to the pen on the baseline."""
     mask, (left, top) = font.getmask2(character, mode="L", anchor="ls")
     width, height = mask.size
     cells = np.asarray(mask, np.uint8).reshape(height, width)
@@ -40,7 +40,7 @@ def stroke(length, thickness):
 
 
 def make(font, size, character):
-    """(coverage, left, top, advance) of a letter that the font lacks."""
+    """Compose a character missing from the font. Returns (coverage, left, top, advance)."""
     plus, left, top = draw(font, "+")
     advance = round(font.getlength("+"))
     middle = top + len(plus) // 2
@@ -72,7 +72,7 @@ def make(font, size, character):
 
 
 def main() -> None:
-    """Write the table, and a sheet to look at."""
+    """Write the glyphs, and an optional image of them."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--show", type=Path)
     options = parser.parse_args()
@@ -93,7 +93,7 @@ def main() -> None:
     codes = np.array([ord(character) for character in CHARACTERS], np.int32)
     coverage = np.concatenate(blocks)
     np.savez_compressed(OUTPUT, coverage=coverage, glyphs=table, codes=codes, sizes=np.array(SIZES, np.int32))
-    print(f"{OUTPUT.name}: {len(CHARACTERS)} letters in {len(SIZES)} sizes, {OUTPUT.stat().st_size:,} bytes")
+    print(f"{OUTPUT.name}: {len(CHARACTERS)} glyphs in {len(SIZES)} sizes, {OUTPUT.stat().st_size:,} bytes")
     if options.show:
         Image.fromarray(coverage[: len(coverage) // 256 * 256].reshape(-1, 256)).save(options.show)
 

@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "nightly"
 FUZZ = [".venv/bin/python", "benchmarks/fuzz/run.py", "--count", "3000", "--seed", "1"]
 
-# stage -> command and the settings that it adds to the environment
+# stage -> command and additional environment variables
 STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "gpu-kit": (["make", "gpu-run", "ARGS=--dry"], {}),
     "cuda-architectures": (["make", "check-cuda"], {}),

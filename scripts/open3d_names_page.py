@@ -1,6 +1,6 @@
-"""docs/open3d-names.md from the installed Open3D: each of its names, what it is here, whether the bridge has it.
+"""Text of docs/open3d-names.md: each name of the installed Open3D, its equivalent in pointloom, and in the bridge.
 
-`scripts/write_open3d_names.py` writes it; a test compares it with what would be written.
+`scripts/write_open3d_names.py` writes the page. A test compares the stored page with this text.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import pointloom as loom
 from pointloom.core.open3d_names import SHAPES, row_of
 from pointloom.registration.result import RegistrationResult
 
-HOMES = {  # where the names of a module of Open3D are here, first
+HOMES = {  # module of Open3D -> preferred module of pointloom
     "geometry": loom, "geometry.keypoint": loom, "io": loom, "io.rpc": loom, "camera": loom, "utility": loom,
     "utility.random": loom, "visualization": loom, "visualization.app": loom, "visualization.gui": loom,
     "visualization.rendering": loom, "visualization.webrtc_server": loom,
@@ -24,7 +24,7 @@ HOMES = {  # where the names of a module of Open3D are here, first
     "t.pipelines.registration": loom.registration, "t.pipelines.registration.robust_kernel": loom.registration,
     "t.pipelines.odometry": loom.odometry, "t.pipelines.slac": loom.reconstruction, "t.pipelines.slam": loom.slam,
 }  # fmt: skip
-CLASSES = {  # what has the members of a class of Open3D; None where rows alone tell
+CLASSES = {  # class of Open3D -> class of pointloom, or None if only the rows of the table describe its members
     "geometry.PointCloud": loom.PointCloud, "geometry.TriangleMesh": loom.TriangleMesh,
     "geometry.LineSet": loom.LineSet, "geometry.AxisAlignedBoundingBox": loom.AxisAlignedBoundingBox,
     "geometry.OrientedBoundingBox": loom.OrientedBoundingBox, "geometry.Image": None,
@@ -50,28 +50,28 @@ CLASSES = {  # what has the members of a class of Open3D; None where rows alone 
     "t.geometry.RaycastingScene": loom.RaycastingScene, "t.geometry.VoxelBlockGrid": loom.TSDFVolume,
     "t.pipelines.slam.Model": loom.slam.Model,
 }  # fmt: skip
-KINDS = {"Visualizer": ("Visualizer",), "VisualizerWithKeyCallback": ("Visualizer",)}  # rows of other classes
-NO_NAMES = {"m", "n", "capsule", "open3d", "name", "value"}  # what its bindings leave behind
+KINDS = {"Visualizer": ("Visualizer",), "VisualizerWithKeyCallback": ("Visualizer",)}  # classes whose rows also apply
+NO_NAMES = {"m", "n", "capsule", "open3d", "name", "value"}  # artifacts of its bindings
 GUI = ("visualization.gui", "visualization.rendering", "visualization.app", "visualization.webrtc_server", "io.rpc")
 IN_T = "; one class, on any device"
 HEAD = """# Every name of Open3D
 
-Made from Open3D {version} by `.venv/bin/python scripts/write_open3d_names.py`. What differs in what is called the same
-stands in [open3d.md](open3d.md).
+Generated from Open3D {version} by `.venv/bin/python scripts/write_open3d_names.py`. Differences between functions of
+the same name are listed in [open3d.md](open3d.md).
 
-- *here* is what to write with `import pointloom as loom`: "same" where it is called the same, what it is called
-  where it is called otherwise, or "not here", with the reason or what to take in its place.
-- *bridge* says whether `import pointloom.open3d as o3d` has the name as it is in Open3D, so that a script runs with
-  its import changed.
-- Open3D has each geometry twice, the second time as `t.geometry` on a chosen device. Here there is one `PointCloud`
-  and one `TriangleMesh`, on any device; the bridge has no `t`.
+- *pointloom* is the name with `import pointloom as loom`: "same", another name, or "not here" with a reason or an
+  alternative.
+- *bridge*: "yes" if `import pointloom.open3d as o3d` has the name as in Open3D, so that a script only needs another
+  import.
+- Open3D has two versions of each geometry, the second one as `t.geometry` on a chosen device. pointloom has one
+  `PointCloud` and one `TriangleMesh` for all devices. The bridge has no `t`.
 
 {counts}
 """
 
 
 class Entry(NamedTuple):
-    """What a name of Open3D is here."""
+    """The equivalent of a name of Open3D."""
 
     name: str
     here: str
@@ -86,20 +86,20 @@ class Entry(NamedTuple):
 
 
 def public(owner: Any) -> list[str]:
-    """The public names of one of Open3D's modules or classes, without its own modules."""
+    """The public names of a module or class of Open3D, without submodules."""
     names = [name for name in dir(owner) if not name.startswith("_") and name not in NO_NAMES]
     return [name for name in names if not isinstance(getattr(owner, name), ModuleType)]
 
 
 def of_path(root: Any, path: str) -> Any:
-    """What lies under a dotted path; None where there is nothing."""
+    """The attribute at a dotted path, or None if it does not exist."""
     for part in path.split("."):
         root = getattr(root, part, None)
     return root
 
 
 def members(kind: type | None) -> set[str]:
-    """The members of one of our classes, those that only its objects have too."""
+    """The members of a class of pointloom, including attributes of its instances."""
     if kind is None:
         return set()
     annotated = {name for base in kind.__mro__ for name in getattr(base, "__annotations__", {})}
@@ -107,7 +107,7 @@ def members(kind: type | None) -> set[str]:
 
 
 def _documented(kind: type) -> Iterator[str]:
-    """The names under "Attributes:" of a class' docstring."""
+    """The names under "Attributes:" in the docstring of a class."""
     _, _, rest = (inspect.getdoc(kind) or "").partition("Attributes:\n")
     for line in rest.splitlines():
         if not line.startswith("    "):
@@ -117,7 +117,7 @@ def _documented(kind: type) -> Iterator[str]:
 
 
 def names_of(open3d: Any, path: str) -> list[Entry]:
-    """What each name of a module of Open3D is here."""
+    """The equivalent of each name of a module of Open3D."""
     bridge, entries = _bridge(), []
     for name in public(of_path(open3d, path)):
         module = next((owner for owner in (HOMES[path], loom) if hasattr(owner, name)), None)
@@ -134,7 +134,7 @@ def names_of(open3d: Any, path: str) -> list[Entry]:
 
 
 def members_of(open3d: Any, path: str) -> list[Entry]:
-    """What each member of a class of Open3D is here."""
+    """The equivalent of each member of a class of Open3D."""
     kind, name = CLASSES[path], path.rpartition(".")[2]
     known, bridge = members(kind), of_path(_bridge(), path)
     sections = [*KINDS.get(name, ()), *(base.__name__ for base in (kind.__mro__ if kind else ())), name, SHAPES]
@@ -146,7 +146,7 @@ def members_of(open3d: Any, path: str) -> list[Entry]:
 
 
 def page() -> str:
-    """The whole page.
+    """The text of the page.
 
     Raises:
         ModuleNotFoundError: Open3D is not installed.
@@ -160,23 +160,21 @@ def page() -> str:
         for path, entries in tables.items():
             parts.append(f"### open3d.{path}\n\n{_where(path)}\n")
             rows = [f"| `{one.name}` | {_cell(one.here)} | {'yes' if one.in_bridge else ''} |" for one in entries]
-            parts.append("\n".join(["| Open3D | here | bridge |", "|---|---|---|", *rows]) + "\n")
+            parts.append("\n".join(["| Open3D | pointloom | bridge |", "|---|---|---|", *rows]) + "\n")
     return "\n".join(parts)
 
 
 def _where(path: str) -> str:
     if path in GUI:
-        return (
-            "Open3D's own windows and wires: `loom.draw` and `loom.Viewer` show a page, `loom.render` makes pictures."
-        )
+        return "Windows and connections of Open3D. Use `loom.draw` and `loom.Viewer`, or `loom.render` for images."
     if path in CLASSES:
         kind, row = CLASSES[path], row_of(path.rpartition(".")[2])
-        return f"Here `{_called(kind)}`." if kind and _home(kind) else f"Here {row}."
-    return f"Here `{_called(HOMES[path])}`."
+        return f"In pointloom: `{_called(kind)}`." if kind and _home(kind) else f"In pointloom: {row}."
+    return f"In pointloom: `{_called(HOMES[path])}`."
 
 
 def _counts(*tables: dict[str, list[Entry]]) -> str:
-    rows = ["| | names | same | other name or place | not here | in the bridge |", "|---|---|---|---|---|---|"]
+    rows = ["| | names | same | other name or module | not here | in the bridge |", "|---|---|---|---|---|---|"]
     for title, table in zip(("modules", "members"), tables, strict=True):
         all_entries = [one for entries in table.values() for one in entries]
         kinds = [sum(one.kind == kind for one in all_entries) for kind in ("same", "other", "not here")]
@@ -190,7 +188,7 @@ def _cell(text: str) -> str:
 
 
 def _called(owner: Any) -> str:
-    """How one of our modules or classes is written."""
+    """The name of a module or class of pointloom in code."""
     if owner is loom:
         return "loom"
     if isinstance(owner, ModuleType):
@@ -199,7 +197,7 @@ def _called(owner: Any) -> str:
 
 
 def _home(kind: type) -> Any:
-    """The public module that has one of our classes; None for a private one."""
+    """The public module of a class of pointloom, or None for a private class."""
     modules = (loom, loom.registration, loom.odometry, loom.slam)
     return next((module for module in modules if hasattr(module, kind.__name__)), None)
 

@@ -1,7 +1,7 @@
-"""What a package page shows beside pyproject.toml: the project's URLs, and the README with links that work there.
+"""Metadata of the package that is not in pyproject.toml: URLs, and the README with absolute links.
 
-The repository's address stands once, in pyproject.toml under [tool.hatch.metadata.hooks.custom]. Where it is empty
-there are no URLs, and the README's links stay relative. The build backend runs this (hatchling's metadata hooks).
+The URL of the repository is set in pyproject.toml under [tool.hatch.metadata.hooks.custom]. If it is empty, there are
+no URLs, and the links of the README stay relative. The build backend runs this as a metadata hook of hatchling.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ from typing import Any
 
 from hatchling.metadata.plugin.interface import MetadataHookInterface
 
-# [text](place) and ![text](place), where the place is no address and no part of the page itself.
+# [text](target) and ![text](target), except for URLs, absolute paths and anchors.
 _LINK = re.compile(r"(!?)(\[[^\]]*\]\()(?![a-z]+:|#|/)([^)\s]+)(\))")
 
 
 class Metadata(MetadataHookInterface):
-    """Gives the fields that pyproject.toml calls dynamic: readme and urls."""
+    """Set the dynamic fields of pyproject.toml: readme and urls."""
 
     def update(self, metadata: dict[str, Any]) -> None:
-        """Add them."""
+        """Add the fields to the metadata."""
         repository, branch = self.config["repository"], self.config["branch"]
         text = Path(self.root, "README.md").read_text(encoding="utf-8")
         metadata["readme"] = {"content-type": "text/markdown", "text": absolute_links(text, repository, branch)}
@@ -28,7 +28,7 @@ class Metadata(MetadataHookInterface):
 
 
 def absolute_links(text: str, repository: str, branch: str) -> str:
-    """Markdown whose links into the repository are addresses: of pages, and of files themselves for pictures."""
+    """Replace relative links of Markdown by URLs into the repository: raw files for images, pages for the rest."""
     if not repository:
         return text
     base = repository.rstrip("/")
@@ -41,7 +41,7 @@ def absolute_links(text: str, repository: str, branch: str) -> str:
 
 
 def project_urls(repository: str, branch: str, documentation: str = "") -> dict[str, str]:
-    """The project's addresses by name; none without a repository. Pages are those of the site, where it has a place."""
+    """URLs of the project by name; empty without a repository. The documentation is the site if its URL is set."""
     if not repository:
         return {}
     base = repository.rstrip("/")

@@ -1,16 +1,16 @@
-"""Write constraints/*.txt: every package that pointloom is tested with, by name, version and SHA-256 hashes.
+"""Write constraints/*.txt: name, version and SHA-256 hashes of every package that pointloom is tested with.
 
     .venv/bin/python scripts/update_constraints.py                           # after a change of dependencies
-    .venv/bin/python scripts/update_constraints.py --upgrade-package scipy   # one package to its newest
-    .venv/bin/python scripts/update_constraints.py --upgrade                 # all of them
+    .venv/bin/python scripts/update_constraints.py --upgrade-package scipy   # upgrade one package
+    .venv/bin/python scripts/update_constraints.py --upgrade                 # upgrade all packages
 
-uv resolves pyproject.toml for Linux x86-64 and every supported Python at once (`pip install uv` if it is missing; it
-takes the package index from its own settings). Versions that the files hold already stay as they are unless an
-upgrade is asked for. Only hashes of wheels that these machines can install are kept, and no address of an index.
+uv resolves pyproject.toml for Linux x86-64 and all supported Python versions (`pip install uv` if it is missing; it
+takes the package index from its settings). Existing versions stay unchanged unless an upgrade is requested. Only
+hashes of wheels for these platforms are written, and no URL of an index.
 
 The files build on each other: runtime.txt (with the build backend, for the editable install), test.txt (`make test`),
-full.txt (Open3D, Taichi, lint, types, the site), bench.txt (the libraries that the benchmarks compare with). The
-Makefile installs them as they stand, without pip's resolver, and then `pip check` looks for missing packages.
+full.txt (Open3D, Taichi, lint, types, the site), bench.txt (the baselines of the benchmarks). The Makefile installs
+them without pip's resolver, and then `pip check` looks for missing packages.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ from packaging.utils import canonicalize_name, parse_wheel_filename
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "constraints"
 PYTHONS = ((3, 11), (3, 12), (3, 13), (3, 14))
-GLIBC_MINOR = 35  # glibc 2.35 is Ubuntu 22.04's; Debian 12 has 2.36
+GLIBC_MINOR = 35  # Ubuntu 22.04 has glibc 2.35, Debian 12 has 2.36
 
-# file -> the dependency groups that it adds to the file before it
+# file -> dependency groups added to those of the previous file
 LAYERS = {"runtime": (), "test": ("test",), "full": ("oracle", "lint", "docs"), "bench": ("bench",)}
 TITLES = {
-    "runtime": "What pointloom runs on, and the build backend that installs it from a checkout.",
+    "runtime": "Runtime dependencies of pointloom, and the build backend for editable installs.",
     "test": "The tests of `make test`.",
     "full": "Open3D and Taichi for `make test-all`, lint, types and the site.",
-    "bench": "The libraries that the benchmarks compare with.",
+    "bench": "Baselines of the benchmarks.",
 }
 
 
@@ -48,7 +48,9 @@ def main() -> int:
     """Resolve the layers and write them; returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--upgrade", action="store_true", help="take the newest version of every package")
-    parser.add_argument("--upgrade-package", action="append", default=[], metavar="NAME", help="... of this one")
+    parser.add_argument(
+        "--upgrade-package", action="append", default=[], metavar="NAME", help="take the newest version of this package"
+    )
     options = parser.parse_args()
 
     released = {canonicalize_name(name) for name in options.upgrade_package}
@@ -74,7 +76,7 @@ def main() -> int:
 
 
 def layer_requirements() -> dict[str, list[str]]:
-    """The requirements of each layer, those of the layers below included, from pyproject.toml."""
+    """The requirements of each layer from pyproject.toml, including those of the layers below."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     requirements = [*project["project"]["dependencies"], *project["build-system"]["requires"]]
     layers = {}
@@ -86,18 +88,18 @@ def layer_requirements() -> dict[str, list[str]]:
 
 
 def present_pins() -> dict[str, str]:
-    """The versions that the files hold now."""
+    """The versions in the existing files."""
     text = "\n".join(path.read_text() for path in sorted(FOLDER.glob("*.txt")))
     return {canonicalize_name(name): pin for name, pin in re.findall(r"^([\w.-]+)==([^\s;\\]+)", text, re.MULTILINE)}
 
 
 def resolve(requirements: list[str], pins: dict[str, str]) -> list[dict[str, Any]]:
-    """uv's universal resolution, one entry a package, in alphabetical order."""
+    """Resolve requirements for all platforms with uv; one entry per package in alphabetical order."""
     uv = shutil.which("uv", path=Path(sys.executable).parent) or shutil.which("uv")
     if uv is None:
         sys.exit("update_constraints: uv is not installed; install it first: python -m pip install uv")
     with tempfile.TemporaryDirectory() as folder:
-        wanted, constraints, answer = (Path(folder, name) for name in ("in.txt", "pins.txt", "pylock.toml"))
+        wanted, constraints, lock_file = (Path(folder, name) for name in ("in.txt", "pins.txt", "pylock.toml"))
         wanted.write_text("\n".join(requirements) + "\n")
         constraints.write_text("".join(f"{name}=={pin}\n" for name, pin in pins.items()))
         command = [uv, "pip", "compile", "in.txt", "--constraints", "pins.txt", "--output-file", "pylock.toml"]
@@ -105,24 +107,24 @@ def resolve(requirements: list[str], pins: dict[str, str]) -> list[dict[str, Any
         command += ["--only-binary", ":all:", "--no-header", "--no-annotate", "--quiet"]
         if subprocess.run(command, cwd=folder, check=False).returncode:
             sys.exit("update_constraints: uv found no resolution (a pin may be out of bounds: --upgrade-package NAME)")
-        return tomllib.loads(answer.read_text())["packages"]
+        return tomllib.loads(lock_file.read_text())["packages"]
 
 
 def requirement_entry(package: dict[str, Any]) -> str | None:
-    """One requirement with its hashes; None where none of the supported Pythons takes it."""
+    """A requirement with its hashes, or None if no supported Python version needs it."""
     marker = Marker(package["marker"]) if "marker" in package else None
-    takers = [python for python in PYTHONS if marker is None or marker.evaluate(machine(python))]
-    if not takers:
+    pythons = [python for python in PYTHONS if marker is None or marker.evaluate(machine(python))]
+    if not pythons:
         return None
     hashes = set()
-    for python in takers:
+    for python in pythons:
         fitting = [wheel for wheel in package.get("wheels", []) if wheel_tags(wheel) & accepted_tags(python)]
         if not fitting:
             raise SystemExit(f"{package['name']} {package['version']}: no Linux x86-64 wheel for Python {python}")
         hashes |= {wheel["hashes"]["sha256"] for wheel in fitting}
     condition = ""
-    if takers != list(PYTHONS):
-        condition = " ; " + " or ".join("python_version == '{}.{}'".format(*python) for python in takers)
+    if pythons != list(PYTHONS):
+        condition = " ; " + " or ".join("python_version == '{}.{}'".format(*python) for python in pythons)
     return f"{package['name']}=={package['version']}{condition}" + "".join(
         f" \\\n    --hash=sha256:{digest}" for digest in sorted(hashes)
     )

@@ -1,7 +1,7 @@
-"""Write docs/pointloom.1, the page of `man pointloom`, from the commands; wheels install it under share/man/man1.
+"""Write the man page docs/pointloom.1 from the commands. Wheels install it under share/man/man1.
 
 .venv/bin/python scripts/write_man_page.py            # write it
-.venv/bin/python scripts/write_man_page.py --check    # exit code 1 where it is not what the commands say
+.venv/bin/python scripts/write_man_page.py --check    # exit code 1 if it differs from the help of the commands
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ PAGE = ROOT / "docs" / "pointloom.1"
 
 
 def escaped(text: str) -> str:
-    """Text that roff shows as it is, at the beginning of a line too."""
+    """Escape text for roff, including control characters at the beginning of a line."""
     text = text.replace("\\", "\\e").replace("-", "\\-")
     return re.sub(r"^([.'])", r"\\&\1", text, flags=re.MULTILINE)
 
 
 def paragraphs(help_text: str) -> list[str]:
-    """The paragraphs of a help text; those after click's mark, a backspace, keep their lines."""
+    """The paragraphs of a help text. Those marked by a backspace (click) keep their line breaks."""
     lines, keeps = [], False
     for part in re.split(r"\n\s*\n", help_text):
         rows = [row.strip("\b") for row in part.split("\n") if row.strip()]
@@ -36,7 +36,7 @@ def paragraphs(help_text: str) -> list[str]:
 
 
 def of_options(command: click.Command, context: click.Context) -> list[str]:
-    """Each option with what its help says."""
+    """The options with their help."""
     lines = []
     for parameter in command.get_params(context):
         row = parameter.get_help_record(context)
@@ -46,19 +46,19 @@ def of_options(command: click.Command, context: click.Context) -> list[str]:
 
 
 def of_command(name: str, command: click.Command, parent: click.Context) -> list[str]:
-    """A section of one command, and of each command that it has."""
+    """The section of a command, followed by those of its subcommands."""
     with click.Context(command, info_name=name, parent=parent) as context:
         usage = " ".join(command.collect_usage_pieces(context))
         head = [f'.SS "{escaped(name)}"', f".B pointloom {escaped(name)}", escaped(usage)]
         parts = [*head, *paragraphs(command.help or ""), *of_options(command, context)]
         if isinstance(command, click.Group):
-            for own in command.list_commands(context):
-                parts += of_command(f"{name} {own}", command.commands[own], parent)
+            for subcommand in command.list_commands(context):
+                parts += of_command(f"{name} {subcommand}", command.commands[subcommand], parent)
         return parts
 
 
 def man_page() -> str:
-    """The whole page."""
+    """The text of the page."""
     sys.path.insert(0, str(ROOT / "src"))  # this checkout's commands
     from pointloom import __version__
     from pointloom.cli.shell.cli import cli
@@ -85,7 +85,7 @@ def man_page() -> str:
 
 
 def main() -> int:
-    """Write the page, or hold it against the commands."""
+    """Write the page, or compare it with the commands."""
     page = man_page()
     if "--check" in sys.argv[1:]:
         if PAGE.read_text(encoding="utf-8") != page:

@@ -1,4 +1,4 @@
-"""Write Open3D's names: rows into docs/open3d.md, and docs/open3d-names.md from the installed Open3D.
+"""Write the table of names in docs/open3d.md, and docs/open3d-names.md from the installed Open3D.
 
 `.venv/bin/python scripts/write_open3d_names.py`
 """
@@ -13,17 +13,16 @@ PAGE = ROOT / "docs/open3d.md"
 EVERY_NAME = ROOT / "docs/open3d-names.md"
 HEAD = "## Every other name\n"
 TEXT = """
-What is called the same and found in the same place is not listed; what is in another module, or called otherwise, is
-told by the error that its name gives: `loom.KDTreeFlann` says the row below. [open3d-names.md](open3d-names.md) goes
-through Open3D itself, module by module, name by name.
+Names that are the same in the same module are not listed. Accessing another name raises an error with its row of this
+table, for example `loom.KDTreeFlann`. [open3d-names.md](open3d-names.md) lists all names of Open3D by module.
 
-| Open3D | here |
+| Open3D | pointloom |
 |---|---|
 """
 
 
 def main() -> None:
-    """Replace the last section of the one page, and the whole of the other."""
+    """Replace the last section of docs/open3d.md and all of docs/open3d-names.md."""
     rows = []
     for section, names in sections().items():
         rows += [f"| **{section}** | |", *(f"| `{name}` | {row} |" for name, row in names.items())]

@@ -1,1 +1,1 @@
-"""What makes the site beside Sphinx and sphinx-gallery: `make docs`."""
+"""Generators of pages for the site, in addition to Sphinx and sphinx-gallery (`make docs`)."""

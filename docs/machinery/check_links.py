@@ -1,8 +1,8 @@
-"""Hold that a built site is whole: every relative link leads to what is there, and nothing loads from elsewhere.
+"""Check a built site: every relative link has a target, and no page loads files from other sites.
 
     python docs/machinery/check_links.py build/docs/html
 
-Addresses elsewhere that pages link to are listed in `external-links.txt` beside the folder, and not visited.
+External links are listed in `external-links.txt` next to the folder and not visited.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 LOADS = {"script": "src", "img": "src", "iframe": "src", "source": "src", "video": "src", "link": "href"}
-TEMPLATE = "webpack-macros.html"  # a part of the theme that comes along, no page
+TEMPLATE = "webpack-macros.html"  # a part of the theme, not a page
 NO_LOAD = {"canonical", "next", "prev", "index", "search", "alternate", "author", "copyright"}
 
 
 class Page(HTMLParser):
-    """What a page links to, loads, and which parts of it can be linked to."""
+    """Links, loaded files and anchors of a page."""
 
     def __init__(self, text: str) -> None:
         super().__init__(convert_charrefs=True)
@@ -28,7 +28,7 @@ class Page(HTMLParser):
         self.feed(text)
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        """Take an element."""
+        """Record the attributes of an element."""
         values = {name: value or "" for name, value in attrs}
         self.parts |= {values[name] for name in ("id", "name") if name in values}
         if tag == "a" and "href" in values:
@@ -40,11 +40,11 @@ class Page(HTMLParser):
                 self.loads.add(candidate.split()[0])
 
 
-def faults_of(site: Path) -> tuple[list[str], list[str]]:
-    """What is wrong with a built site, and the addresses elsewhere that it links to."""
+def check_site(site: Path) -> tuple[list[str], list[str]]:
+    """Errors of a built site, and its external links."""
     paths = [path for path in sorted(site.rglob("*.html")) if path.name != TEMPLATE]
     pages = {path: Page(path.read_text(encoding="utf-8")) for path in paths}
-    faults, elsewhere = [], set()
+    errors, external = [], set()
     for path, page in pages.items():
         name = path.relative_to(site)
         for target in sorted(page.links | page.loads):
@@ -52,29 +52,29 @@ def faults_of(site: Path) -> tuple[list[str], list[str]]:
             if url.scheme in {"data", "mailto", "javascript"}:
                 continue
             if url.scheme or url.netloc:
-                elsewhere.add(target)
+                external.add(target)
                 if target in page.loads:
-                    faults.append(f"{name}: loads {target} from another site")
+                    errors.append(f"{name}: loads {target} from another site")
                 continue
             target_path = (path.parent / unquote(url.path)).resolve() if url.path else path
             target_path = target_path / "index.html" if target_path.is_dir() else target_path
             if not target_path.exists():
-                faults.append(f"{name}: {target} does not exist")
+                errors.append(f"{name}: {target} does not exist")
             elif target_path in pages and unquote(url.fragment) not in pages[target_path].parts:
-                faults.append(f"{name}: {target} has no such anchor")
-    return faults, sorted(elsewhere)
+                errors.append(f"{name}: {target} has no such anchor")
+    return errors, sorted(external)
 
 
 def main() -> int:
-    """Print all faults. The exit status is 1 if there are any."""
+    """Print all errors. The exit code is 1 if there are any."""
     site = Path(sys.argv[1]).resolve()
-    faults, elsewhere = faults_of(site)
-    (site.parent / "external-links.txt").write_text("\n".join(elsewhere) + "\n", encoding="utf-8")
-    for fault in faults:
-        print(fault)
+    errors, external = check_site(site)
+    (site.parent / "external-links.txt").write_text("\n".join(external) + "\n", encoding="utf-8")
+    for error in errors:
+        print(error)
     count = len(list(site.rglob("*.html")))
-    print(f"{site}: {count} pages, {len(faults)} faults, {len(elsewhere)} external links")
-    return 1 if faults else 0
+    print(f"{site}: {count} pages, {len(errors)} errors, {len(external)} external links")
+    return 1 if errors else 0
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The pages of the command line, made from the commands themselves: every command, its arguments, options, examples."""
+"""Pages of the command line, generated from the commands: arguments, options and examples."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HEAD = """``--help`` of each command prints the same text. Common options: :doc:
 
 
 def write_pages(folder: Path) -> None:
-    """Write a page for each command, and one that lists them."""
+    """Write a page for each command, and an index."""
     commands = dict(sorted(cli.commands.items()))
     rows = [
         f"   * - :doc:`pointloom {name} <{name}>`\n     - {plain(command.get_short_help_str(200))}"
@@ -35,7 +35,7 @@ def write_pages(folder: Path) -> None:
 
 
 def page_of(name: str, command: click.Command) -> str:
-    """The page of a command: how it is called, what it does, its options."""
+    """The page of a command: usage, description and options."""
     context = click.Context(command, info_name=f"pointloom {name}", **cli.context_settings)
     usage = " ".join([context.info_name or name, *command.collect_usage_pieces(context)])
     text = titled(f"pointloom {name}") + f".. code-block:: bash\n\n   {usage}\n\n{described(command)}"
@@ -50,12 +50,12 @@ def page_of(name: str, command: click.Command) -> str:
 
 
 def spelled(names: str) -> str:
-    """An option's names as Sphinx's directive takes them."""
+    """Names of an option in the format of Sphinx's directive."""
     return names.replace(" / ", ", ").replace("\\", "\\\\")
 
 
 def described(command: click.Command) -> str:
-    """A command's text: paragraphs, and what stands as it is after a line of \\b; lines of commands are examples."""
+    """The help text of a command. Paragraphs after a line of \\b become code blocks."""
     text = inspect.cleandoc(command.help or "").replace("\f", "")
     parts = []
     for paragraph in re.split(r"\n\s*\n", text):

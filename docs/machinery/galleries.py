@@ -1,4 +1,4 @@
-"""The sections of the gallery, as sphinx-gallery takes them, and the page that shows all of them."""
+"""Sections of the gallery for sphinx-gallery, and a page with all of them."""
 
 from __future__ import annotations
 

@@ -73,7 +73,7 @@ class PublicName:
 
 @cache
 def public_modules() -> dict[str, types.ModuleType]:
-    """The public modules by the name that users write, `pointloom` first; each can be imported by it afterward."""
+    """Public modules by public name, `pointloom` first. Each can be imported by this name afterward."""
     modules = {"pointloom": pointloom}
     for name in public_names._read("pointloom"):
         value = getattr(pointloom, name)

@@ -31,11 +31,11 @@ objects and do not change their inputs.
 # Sections of pointloom.registration by the subpackage that defines a name.
 SUBPACKAGES = {
     "icp": "ICP",
-    "globally": "From no guess",
-    "matching": "From no guess",
-    "pose_graphs": "Many clouds: pose graphs",
+    "globally": "Global registration",
+    "matching": "Global registration",
+    "pose_graphs": "Pose graphs",
     "lidar": "LiDAR",
-    "trajectories": "Paths",
+    "trajectories": "Trajectories",
     "robust_kernels": "Robust kernels",
 }
 DOCS = Path(__file__).parents[1]
@@ -56,7 +56,7 @@ def write_pages(folder: Path) -> None:
 
 
 def index_page() -> str:
-    """All names of `pointloom` by subject, and its modules."""
+    """Page of the names of `pointloom` by topic, and its modules."""
     sections: dict[str, list[PublicName]] = {}
     for public in names_of("pointloom").values():
         sections.setdefault(public.group, []).append(public)
@@ -69,11 +69,11 @@ def index_page() -> str:
     for group in [*ORDER, OTHER]:
         if group in sections:
             text += titled(group, "-") + _table(sections[group])
-    return text + "How many of these names have an example: :doc:`coverage`.\n\n" + _toctree(["coverage"])
+    return text + "Coverage of these names by examples: :doc:`coverage`.\n\n" + _toctree(["coverage"])
 
 
 def module_page(module: str) -> str:
-    """Docstring and names of a module; those of registration by subpackage."""
+    """Page of a module: its docstring and names; those of registration by subpackage."""
     text = titled(f"loom.{module.removeprefix('pointloom.')}") + f".. automodule:: {module}\n   :no-members:\n\n"
     names = list(names_of(module).values())
     if module != "pointloom.registration":
@@ -88,7 +88,7 @@ def module_page(module: str) -> str:
 
 
 def page_of(public: PublicName) -> str:
-    """Page of a class or function. A class begins with a table of its methods."""
+    """Page of a class or function. Classes with many methods have a table of them."""
     short = public.name.removeprefix("pointloom.")
     text = titled(f"loom.{short}") + f".. currentmodule:: {public.module}\n\n"
     if public.kind not in {"class", "exception"}:
@@ -98,7 +98,7 @@ def page_of(public: PublicName) -> str:
     text += "   :members: " + ", ".join(members) + "\n   :member-order: bysource\n" if members else ""
     if len(members) > 5:
         rows = "".join(f"   ~{_within(public)}.{member}\n" for member in members)
-        text += f"\n{titled('All at a glance', '-')}.. autosummary::\n   :nosignatures:\n\n{rows}"
+        text += f"\n{titled('Summary', '-')}.. autosummary::\n   :nosignatures:\n\n{rows}"
     return text
 
 
@@ -164,12 +164,12 @@ def missing() -> tuple[list[str], list[str]]:
 
 def coverage_line() -> str:
     """The counts of `missing` in one line."""
-    without, unseen = missing()
+    without, unused = missing()
     count, methods = len(all_names()), [f"{n}.{m}" for n in all_names() if _is_class(n) for m in members_of(n)]
-    seen = sum(name in users() for name in methods)
+    used = sum(name in users() for name in methods)
     return (
-        f"{count} public names: {count - len(without)} with an example in their docstring, {count - len(unseen)} in "
-        f"one of {len(examples())} pages of the gallery; {seen} of {len(methods)} methods and properties there"
+        f"{count} public names: {count - len(without)} with an example in their docstring, {count - len(unused)} in "
+        f"one of {len(examples())} pages of the gallery; {used} of {len(methods)} methods and properties are used there"
     )
 
 
@@ -179,9 +179,9 @@ def _is_class(name: str) -> bool:
 
 def coverage_page() -> str:
     """Page of names without examples."""
-    without, unseen = missing()
+    without, unused = missing()
     text = titled("Names and their examples") + coverage_line() + ".\n\n"
-    for title, names in (("No page of the gallery uses", unseen), ("No example in the docstring", without)):
+    for title, names in (("No page of the gallery uses", unused), ("No example in the docstring", without)):
         listed = "".join(f"- :py:obj:`{name}`\n" for name in names) or "None.\n"
         text += titled(title, "-") + listed + "\n"
     return text

@@ -1,7 +1,7 @@
-"""What a page of the gallery shows of what its script made: pictures, and recordings that play in the page.
+"""Scraper for sphinx-gallery: images and playable recordings of a script.
 
-A cell shows every new global that is a picture of `loom.render`, in the order in which names came, and the recording
-whose path a global named `page` holds. The player of all recordings lies once in the site.
+A cell shows every new global variable that is an image of `loom.render`, in order of definition, and the recording at
+the path in the global `page`. All recordings share one player.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pointloom.visualization.recording.recorder import Recorder
 from pointloom.visualization.recording.shared_player import share_player
 from pointloom.visualization.render.picture import Picture
 
-MADE = Path(__file__).parents[1] / "made"  # what lies in the site's _static folder
+MADE = Path(__file__).parents[1] / "made"  # copied to the _static folder of the site
 RECORDINGS, SHOWN = "recordings", "_pointloom_shown"
 PAGE, STILL = "page", (960, 640)
 
@@ -32,14 +32,14 @@ FRAME = """
 .. raw:: html
 
    <div class="loom-recording"><iframe src="{path}" title="{title}" loading="lazy" allowfullscreen></iframe>
-   <p><a href="{path}">On a page of its own</a> · drag to turn, wheel to come nearer, H for the keys</p></div>
+   <p><a href="{path}">Open on a separate page</a> · drag to rotate, wheel to zoom, H for shortcuts</p></div>
 
 """
 
 
 def show_results(block: Any, script: dict[str, Any], gallery: dict[str, Any]) -> str:
-    """The scraper, as sphinx-gallery calls it after each cell."""
-    shown: dict[int, Any] = script.setdefault(SHOWN, {})  # values are kept, so that no other one gets their id
+    """Scraper that sphinx-gallery calls after each cell."""
+    shown: dict[int, Any] = script.setdefault(SHOWN, {})  # keeps the values alive, so that their ids stay unique
     text = ""
     for name, value in list(script["example_globals"].items()):
         if id(value) in shown or name.startswith("_"):
@@ -54,7 +54,7 @@ def show_results(block: Any, script: dict[str, Any], gallery: dict[str, Any]) ->
 
 
 def show_picture(name: str, picture: Picture, script: dict[str, Any], gallery: dict[str, Any]) -> str:
-    """Save a picture where sphinx-gallery wants it."""
+    """Save an image at the path given by sphinx-gallery."""
     path = next(script["image_path_iterator"])
     loom.save_picture(path, picture)
     alt = f"{Path(script['src_file']).stem.removeprefix('plot_').replace('_', ' ')}: {name.replace('_', ' ')}"
@@ -62,14 +62,14 @@ def show_picture(name: str, picture: Picture, script: dict[str, Any], gallery: d
 
 
 def show_recording(page: Path, script: dict[str, Any], gallery: dict[str, Any]) -> str:
-    """Put a recording among the site's, without its player; where no picture came before it gives the thumbnail."""
+    """Add a recording without its player to the site. It gives the thumbnail if there is no image before it."""
     source = Path(script["src_file"])
     folder = MADE / RECORDINGS
     folder.mkdir(parents=True, exist_ok=True)
     count = sum(isinstance(value, Path) for value in script[SHOWN].values())
     name = f"{source.parent.name}_{source.stem.removeprefix('plot_')}_{count}.html"
     share_player(page, folder / name, "../")
-    if source.parent in page.resolve().parents:  # a script's folder stays as it was
+    if source.parent in page.resolve().parents:  # leave the folder of the script unchanged
         page.unlink()
     if len(script["image_path_iterator"]) == 0:
         save_still(script)
@@ -78,7 +78,7 @@ def show_recording(page: Path, script: dict[str, Any], gallery: dict[str, Any]) 
 
 
 def save_still(script: dict[str, Any]) -> None:
-    """The last frame of the script's recording as its first image; there is none where no global is the recorder."""
+    """Save the last frame of the recording as the first image, if a global variable is the recorder."""
     recorders = [value for value in script["example_globals"].values() if isinstance(value, Recorder)]
     timeline = recorders[-1].timeline if recorders else None
     if timeline is None or not timeline.frames:

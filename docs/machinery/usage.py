@@ -139,7 +139,7 @@ class _Reader(ast.NodeVisitor):
         self.generic_visit(node)
 
     def _note(self, name: str) -> None:
-        """Count a name, and the class of a method."""
+        """Record a name, and the class of a method."""
         if name in all_names():
             self.used.add(name)
         owner, _, member = name.rpartition(".")

@@ -11,7 +11,7 @@ from docutils import nodes
 
 from .reference import coverage_line
 
-LONGEST = 200  # characters of a page's description
+MAX_LENGTH = 200  # characters of a page's description
 
 
 def about(doctree: nodes.document) -> str:
@@ -22,7 +22,7 @@ def about(doctree: nodes.document) -> str:
             or type(paragraph.parent).__name__ == "desc_content"
         ):
             text = " ".join(paragraph.astext().split())
-            return text if len(text) <= LONGEST else text[: LONGEST - 1].rsplit(" ", 1)[0] + " …"
+            return text if len(text) <= MAX_LENGTH else text[: MAX_LENGTH - 1].rsplit(" ", 1)[0] + " …"
     return ""
 
 

@@ -1,4 +1,4 @@
-"""Calling the command line, and what it answers."""
+"""Run commands and return their output."""
 
 import json
 from pathlib import Path
@@ -14,14 +14,14 @@ def run(*words: object) -> Result:
 
 
 def answer(*words: object) -> dict:
-    """The one JSON object of a command that succeeds."""
+    """Run a command with --json, which must succeed, and return its report."""
     result = run(*words, "--json")
     assert result.exit_code == 0, result.stderr
     return json.loads(result.stdout)
 
 
 def unreliable(*words: object) -> dict:
-    """The one JSON object of a command whose result is unreliable; stderr shows the warnings."""
+    """Run a command with --json, whose result must be unreliable, and return its report."""
     result = run(*words, "--json")
     assert result.exit_code == 3, result.stderr
     report = json.loads(result.stdout)
@@ -34,7 +34,7 @@ def names_in(folder: Path) -> list[str]:
 
 
 def refusal(*words: object) -> str:
-    """What a command says on stderr that ends with an error."""
+    """Run a command, which must end with an error, and return its stderr."""
     result = run(*words)
     assert result.exit_code == 1, result.stdout
     assert result.stdout == ""
@@ -42,5 +42,5 @@ def refusal(*words: object) -> str:
 
 
 def chosen_device() -> str:
-    """Where a command works that is not told where: the first GPU, else the CPU."""
+    """The default device of commands: the first GPU, else the CPU."""
     return str(resolve_device("auto"))

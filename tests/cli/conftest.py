@@ -1,4 +1,4 @@
-"""Small files for the commands to work on."""
+"""Small input files for the commands."""
 
 import shutil
 import threading
@@ -15,12 +15,12 @@ from pointloom.kernels.language import compile_notices
 
 from ..rgbd.sequences import Part
 
-pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
+pytest.register_assert_rewrite("tests.app.commands")  # show the compared values of its asserts
 
 
 @pytest.fixture(autouse=True)
 def no_lines_of_progress(monkeypatch):
-    """A command that compiles its kernels says so, and tells how far it is."""
+    """Print no compile notices and no progress to stderr."""
     monkeypatch.setattr(console, "LINE_INTERVAL", float("inf"))
     monkeypatch.setattr(compile_notices, "NOTICE_DELAY", threading.TIMEOUT_MAX)
 
@@ -57,27 +57,27 @@ def frames(made_frames, tmp_path) -> Path:
 
 
 @pytest.fixture(scope="session")
-def walk() -> Part:
-    """The first 8 small frames of a camera that is carried through the room, 1 cm apart, with times."""
+def sequence() -> Part:
+    """The first 8 small frames of a camera moving through the room, 1 cm apart, with timestamps."""
     return Part(room_loop_sequence(600, width=160, height=120), 8)
 
 
 @pytest.fixture(scope="session")
-def recorded_walk(walk, tmp_path_factory) -> Path:
+def recorded_sequence(sequence, tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("walk") / "walk"
-    record_frames(walk, folder)
+    record_frames(sequence, folder)
     return folder
 
 
 @pytest.fixture
-def walked(recorded_walk, tmp_path) -> Path:
-    """A folder of the walk's frames, with their poses, that a test may damage."""
-    return Path(shutil.copytree(recorded_walk, tmp_path / "walk"))
+def sequence_folder(recorded_sequence, tmp_path) -> Path:
+    """A folder of the recorded frames, with their poses, that a test may damage."""
+    return Path(shutil.copytree(recorded_sequence, tmp_path / "walk"))
 
 
 @pytest.fixture
 def points(rng):
-    """A floor of 600 points, two blobs of 150 and 100 above it, a stray point, a repeated one, one that is NaN."""
+    """A floor of 600 points, blobs of 150 and 100 points above it, an outlier, a duplicate and a NaN point."""
     floor = np.column_stack([rng.random((600, 2)), np.zeros(600)])
     blobs = [
         center + 0.05 * rng.random((count, 3)) for center, count in (([0.2, 0.2, 0.5], 150), ([0.8, 0.8, 0.5], 100))
@@ -87,7 +87,7 @@ def points(rng):
 
 @pytest.fixture
 def scene(tmp_path, points) -> Path:
-    """`points` in float64, with their rows, a time in float64, normals and colors."""
+    """`points` in float64 with row numbers, a float64 time, normals and colors."""
     path, rows = tmp_path / "scene.npz", np.arange(len(points), dtype=np.int32)
     normals, colors = np.tile(np.float32([0, 0, 1]), (len(rows), 1)), np.full((len(rows), 3), 0.25, np.float32)
     np.savez(path, points=points, row=rows, time=rows / 3, normals=normals, colors=colors)

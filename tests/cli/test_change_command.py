@@ -1,4 +1,4 @@
-"""change: the library's M3C2 and distances from a mesh, what is written, and when it is unreliable."""
+"""change: M3C2 and cloud-to-mesh distances, outputs, and unreliable results."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ UTM = np.array([447_000.0, 5_411_000.0, 300.0])
 
 
 def survey(lift=0.0, pit=0.0, seed=0, count=6000):
-    """A slope of 20 x 20 m with 1 cm of noise, of which a corner of 6 x 6 m has sunk."""
+    """A slope of 20 x 20 m with 1 cm of noise and a lowered corner of 6 x 6 m."""
     rng = np.random.default_rng(seed)
     x, y = rng.random((2, count)) * 20
     z = 0.2 * x + 0.01 * rng.normal(size=count) + lift - np.where((x < 6) & (y < 6), pit, 0)
@@ -29,29 +29,33 @@ def files(tmp_path):
     return tmp_path
 
 
-def test_two_clouds_have_the_distances_of_m3c2(files, device):
+def test_two_clouds_are_compared_by_m3c2(files, device):
     words = ["--normals", "1,2", "--cylinder", "0.8", "--max-distance", "2", "--registration-error", "0.005"]
-    told = answer(
+    report = answer(
         "change", files / "before.npz", files / "after.npz", "-o", files / "out.npz", *words, "--device", device
     )
     before, after = (loom.read_point_cloud(files / f"{name}.npz") for name in ("before", "after"))
     expected = loom.change.m3c2(
         before, after, normal_radii=[1, 2], cylinder_radius=0.8, max_distance=2, registration_error=0.005
     )
-    found = loom.read_point_cloud(files / "out.npz")
-    np.testing.assert_array_equal(found["distance"], expected.distances.astype(np.float32))
-    np.testing.assert_array_equal(found["significant"] != 0, expected.is_significant)
-    np.testing.assert_array_equal(found["intensity"], before["intensity"])
-    np.testing.assert_array_equal(found["points_after"], expected.counts[:, 1])
-    assert (told["method"], told["cores"], told["known"]) == ("m3c2", 6000, int(np.isfinite(expected.distances).sum()))
-    assert told["significant"] == expected.is_significant.sum() and told["reliable"]
-    assert -0.31 < told["median"] < -0.2
-    sunk = (found.points[:, 0] - UTM[0] < 5) & (found.points[:, 1] - UTM[1] < 5)
-    assert (found["significant"] != 0)[sunk].all() and (found["significant"] != 0)[~sunk].mean() < 0.2
+    cloud = loom.read_point_cloud(files / "out.npz")
+    np.testing.assert_array_equal(cloud["distance"], expected.distances.astype(np.float32))
+    np.testing.assert_array_equal(cloud["significant"] != 0, expected.is_significant)
+    np.testing.assert_array_equal(cloud["intensity"], before["intensity"])
+    np.testing.assert_array_equal(cloud["points_after"], expected.counts[:, 1])
+    assert (report["method"], report["cores"], report["known"]) == (
+        "m3c2",
+        6000,
+        int(np.isfinite(expected.distances).sum()),
+    )
+    assert report["significant"] == expected.is_significant.sum() and report["reliable"]
+    assert -0.31 < report["median"] < -0.2
+    sunk = (cloud.points[:, 0] - UTM[0] < 5) & (cloud.points[:, 1] - UTM[1] < 5)
+    assert (cloud["significant"] != 0)[sunk].all() and (cloud["significant"] != 0)[~sunk].mean() < 0.2
 
 
-def test_lengths_that_are_not_given_follow_from_the_points(files):
-    told = answer(
+def test_default_lengths_are_derived_from_the_points(files):
+    report = answer(
         "change",
         files / "before.npz",
         files / "after.npz",
@@ -62,42 +66,42 @@ def test_lengths_that_are_not_given_follow_from_the_points(files):
         "--picture",
         files / "c.png",
     )
-    radius = told["lengths"]["cylinder_radius"]
+    radius = report["lengths"]["cylinder_radius"]
     within = survey().compute_nearest_neighbor_distance()
     assert 2 * np.median(within) < radius < 1
-    assert told["lengths"]["normal_radii"] == pytest.approx([radius, 2 * radius, 4 * radius])
+    assert report["lengths"]["normal_radii"] == pytest.approx([radius, 2 * radius, 4 * radius])
     painted = loom.read_point_cloud(files / "p.ply")
-    assert len(painted) == told["cores"] and 400 <= len(painted) < 500
+    assert len(painted) == report["cores"] and 400 <= len(painted) < 500
     colors = painted.colors.astype(float)
     gray = np.ptp(colors, axis=1) < 0.05
     assert 0.7 < gray.mean() < 0.95 and (colors[~gray, 2] > colors[~gray, 0]).mean() > 0.8  # blue: below
     assert loom.read_color(files / "c.png").shape == (960, 1280, 3)
 
 
-def test_a_cloud_is_held_against_a_mesh(files):
+def test_a_cloud_is_compared_with_a_mesh(files):
     corners = np.array([[0, 0, 0], [20, 0, 4], [20, 20, 4], [0, 20, 0.0]]) + UTM
     loom.write_triangle_mesh(files / "design.ply", loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]]))
     words = ["--cylinder", "0.8", "-o", files / "out.npz"]
-    told = answer("change", files / "design.ply", files / "after.npz", *words)
-    assert told["method"] == "cloud to mesh" and told["lengths"] == {"radius": 0.8}
-    found = loom.read_point_cloud(files / "out.npz")
-    sunk = (found.points[:, 0] - UTM[0] < 5) & (found.points[:, 1] - UTM[1] < 5)
-    np.testing.assert_allclose(found["distance"][sunk], -0.3 / np.sqrt(1.04), atol=0.01)
-    assert (found["significant"] != 0)[sunk].mean() > 0.95
+    report = answer("change", files / "design.ply", files / "after.npz", *words)
+    assert report["method"] == "cloud to mesh" and report["lengths"] == {"radius": 0.8}
+    cloud = loom.read_point_cloud(files / "out.npz")
+    sunk = (cloud.points[:, 0] - UTM[0] < 5) & (cloud.points[:, 1] - UTM[1] < 5)
+    np.testing.assert_allclose(cloud["distance"][sunk], -0.3 / np.sqrt(1.04), atol=0.01)
+    assert (cloud["significant"] != 0)[sunk].mean() > 0.95
     assert "Pass the mesh first" in refusal("change", files / "after.npz", files / "design.ply")
 
 
-def test_epochs_that_are_not_registered_or_do_not_overlap_are_unreliable(files):
-    told = unreliable("change", files / "before.npz", files / "lifted.npz")
-    assert "moved up, by 0.49" in str(told["warnings"]) and "register the epochs first" in str(told["warnings"])
+def test_unregistered_or_separate_epochs_are_unreliable(files):
+    report = unreliable("change", files / "before.npz", files / "lifted.npz")
+    assert "moved up, by 0.49" in str(report["warnings"]) and "register the epochs first" in str(report["warnings"])
     assert answer("change", files / "before.npz", files / "lifted.npz", "--registration-error", "0.4")["reliable"]
     loom.write_point_cloud(files / "far.npz", survey().translate([0, 0, 50.0]))
-    told = unreliable("change", files / "before.npz", files / "far.npz", "-o", files / "out.npz")
-    assert told["known"] == 0 and "barely overlap" in str(told["warnings"]) and told["median"] is None
+    report = unreliable("change", files / "before.npz", files / "far.npz", "-o", files / "out.npz")
+    assert report["known"] == 0 and "barely overlap" in str(report["warnings"]) and report["median"] is None
     assert np.isnan(loom.read_point_cloud(files / "out.npz")["distance"]).all()
 
 
-def test_what_cannot_be_compared_is_named(files, tmp_path):
+def test_clouds_that_cannot_be_compared_are_an_error(files, tmp_path):
     loom.write_point_cloud(files / "one.npz", loom.PointCloud(np.tile(UTM, (30, 1))))
     assert "Pass --cylinder" in refusal("change", files / "one.npz", files / "after.npz")
     loom.write_point_cloud(files / "none.npz", loom.PointCloud(np.full((3, 3), np.nan)))
@@ -105,7 +109,7 @@ def test_what_cannot_be_compared_is_named(files, tmp_path):
     assert "out.xyz" in refusal("change", files / "before.npz", files / "after.npz", "-o", files / "out.xyz")
 
 
-def test_files_of_two_coordinate_systems_are_refused(tmp_path):
+def test_files_of_two_coordinate_systems_are_rejected(tmp_path):
     laspy, pyproj = pytest.importorskip("laspy"), pytest.importorskip("pyproj")
     paths = []
     for number, code in enumerate((25832, 25833)):

@@ -1,4 +1,4 @@
-"""The command line: what loads, exit codes, what goes to stdout and to stderr, and what stays on disk."""
+"""The command line: imports, exit codes, stdout, stderr and files."""
 
 import json
 import signal
@@ -34,14 +34,14 @@ COMMANDS = (
 
 
 def start(program: str, *words: object) -> subprocess.Popen:
-    """A Python of its own that runs a program with these arguments."""
+    """Start a Python process that runs a program with these arguments."""
     setup = f"import sys; sys.path[:0] = [{str(ROOT / 'src')!r}]; sys.argv[1:] = {[str(word) for word in words]!r}\n"
     return subprocess.Popen(
         [sys.executable, "-c", setup + program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
 
 
-def test_help_loads_nothing_heavy():
+def test_help_imports_no_heavy_packages():
     program = f"""
 import json
 from pointloom.cli.shell.cli import cli
@@ -60,18 +60,18 @@ print(json.dumps(sorted(heavy & {{name.partition(".")[0] for name in sys.modules
     assert stdout.count("Usage: pointloom") == 1 + len(COMMANDS)
 
 
-def test_every_command_explains_itself_and_takes_json():
+def test_every_command_has_help_and_accepts_json():
     assert sorted(cli.commands) == sorted(COMMANDS)
     listing = run("--help").stdout
     for name in COMMANDS:
         assert f"  {name} " in listing
-        shown = run(name, "-h").stdout
-        assert "--json" in shown
-        assert shown.isascii()
-        assert f"\n  pointloom {name}" in shown  # an example
+        printed = run(name, "-h").stdout
+        assert "--json" in printed
+        assert printed.isascii()
+        assert f"\n  pointloom {name}" in printed  # an example
 
 
-def test_the_version_is_the_package_s():
+def test_the_version_matches_the_package():
     assert run("--version").stdout.split()[-1] == loom.__version__
 
 
@@ -93,38 +93,38 @@ OLD_NAMES = [
 
 
 @pytest.mark.parametrize(("command", "old", "new"), OLD_NAMES)
-def test_options_go_by_their_old_names_which_no_help_shows(command, old, new):
+def test_old_option_names_work_and_are_hidden(command, old, new):
     words = run(command, "--help").stdout.split()
     assert new in words and old not in words
-    said = [run(command, "a.ply", "b.ply", name, "-5").stderr for name in (old, new)]
-    assert said[0] == said[1] and f"invalid value for '{new}'" in said[0]
+    errors = [run(command, "a.ply", "b.ply", name, "-5").stderr for name in (old, new)]
+    assert errors[0] == errors[1] and f"invalid value for '{new}'" in errors[0]
 
 
-def test_every_command_that_writes_takes_o():
+def test_every_command_with_an_output_has_the_option_o():
     for name, command in cli.commands.items():
         if any(one.name in ("output", "named_output") for one in command.params):
             assert any({"-o", "--output"} <= set(one.opts) for one in command.params), name
 
 
-def test_an_extension_of_poses_is_one_format_in_every_command():
+def test_extensions_of_pose_files_mean_the_same_in_every_command():
     for name in ("fuse", "track", "reconstruct", "multiway", "odometry"):
         assert ".txt or .tum (TUM), .log (Open3D)" in " ".join(run(name, "--help").stdout.split()), name
 
 
 @pytest.mark.parametrize(
-    ("name", "content", "place"),
+    ("name", "content", "location"),
     [
         ("frame-000003.pose.txt", None, "frame-000003.pose.txt"),
         ("frame-000004.depth.png", b"\x89PNG\r\n\x1a\n", "frame-000004.depth.png (byte"),
         ("frame-000002.pose.txt", b"2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1\n", "frame-000002.pose.txt (line 1)"),
     ],
 )
-def test_a_damaged_frame_is_named_and_nothing_is_written(frames, tmp_path, name, content, place):
+def test_a_damaged_frame_is_named_and_nothing_is_written(frames, tmp_path, name, content, location):
     (frames / name).unlink()
     if content is not None:
         (frames / name).write_bytes(content)
-    said = refusal("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1")
-    assert said.startswith("error: ") and place in said
+    message = refusal("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1")
+    assert message.startswith("error: ") and location in message
     assert names_in(tmp_path) == ["frames"]
 
 
@@ -139,18 +139,18 @@ def test_a_damaged_frame_is_named_and_nothing_is_written(frames, tmp_path, name,
         (["--picture", "out.jpg"], "ends in .png"),
     ],
 )
-def test_fuse_says_what_it_cannot_do(frames, tmp_path, options, reason):
+def test_fuse_rejects_invalid_options(frames, tmp_path, options, reason):
     assert reason in refusal("fuse", frames, "-o", tmp_path / "out.ply", *options)
     assert names_in(tmp_path) == ["frames"]
 
 
-def test_a_folder_that_is_no_data_set_is_told_what_was_looked_for(tmp_path):
-    said = refusal("fuse", tmp_path, "-o", tmp_path / "out.ply")
+def test_the_error_for_an_unknown_layout_lists_the_expected_files(tmp_path):
+    message = refusal("fuse", tmp_path, "-o", tmp_path / "out.ply")
     for mark in ("frame-NNNNNN.depth.png (missing)", "trajectory.log (missing)", "groundtruth.txt (missing)"):
-        assert mark in said
+        assert mark in message
 
 
-def test_existing_outputs_are_kept_unless_forced(scene, mesh, frames, tmp_path):
+def test_existing_outputs_are_not_overwritten_without_force(scene, mesh, frames, tmp_path):
     output = tmp_path / "out.ply"
     commands = (
         *(["convert", scene], ["downsample", scene, "--voxel", "0.5"], ["normals", scene], ["clean", scene]),
@@ -172,7 +172,7 @@ def test_existing_outputs_are_kept_unless_forced(scene, mesh, frames, tmp_path):
         assert output.read_bytes().startswith(b"ply")
 
 
-def test_an_unwritable_place_is_found_before_the_work(cloud, tmp_path, monkeypatch):
+def test_an_unwritable_output_is_rejected_before_the_input_is_read(cloud, tmp_path, monkeypatch):
     assert "Make the folder first" in run("convert", "missing.ply", tmp_path / "no" / "out.ply").stderr
     monkeypatch.setattr("os.access", lambda *_: False)
     result = run("convert", "missing.ply", tmp_path / "out.ply")
@@ -180,7 +180,7 @@ def test_an_unwritable_place_is_found_before_the_work(cloud, tmp_path, monkeypat
     assert "is not writable" in result.stderr
 
 
-def test_with_json_an_error_is_one_object_too():
+def test_errors_with_json_are_one_object():
     for words, code in ((["downsample", "no.ply", "out.ply", "--voxel", "1"], 1), (["fuse", "--every", "x"], 2)):
         result = run(*words, "--json")
         assert result.exit_code == code
@@ -206,7 +206,7 @@ def fault(error):
         (RuntimeError("POINTLOOM_CPU: expected warp or taichi"), "error: POINTLOOM_CPU: expected"),
     ],
 )
-def test_whatever_is_raised_becomes_one_line(error, message, monkeypatch):
+def test_every_exception_is_reported_in_one_line(error, message, monkeypatch):
     monkeypatch.setattr("pointloom.cli.jobs.clouds.convert_file", fault(error))
     monkeypatch.delenv("POINTLOOM_TRACEBACK", raising=False)
     result = run("convert", "a.ply", "b.ply")
@@ -215,7 +215,7 @@ def test_whatever_is_raised_becomes_one_line(error, message, monkeypatch):
     assert len(result.stderr.splitlines()) == 1
 
 
-def test_the_traceback_comes_when_asked_for(monkeypatch):
+def test_the_traceback_is_printed_on_request(monkeypatch):
     monkeypatch.setattr("pointloom.cli.jobs.clouds.convert_file", fault(IndexError("list index")))
     monkeypatch.setenv("POINTLOOM_TRACEBACK", "1")
     result = run("convert", "a.ply", "b.ply")
@@ -315,7 +315,7 @@ def test_the_package_runs_as_a_module():
     assert stdout.split()[-1] == loom.__version__
 
 
-def test_fuse_says_which_camera_it_used(frames, tmp_path):
+def test_fuse_reports_the_camera(frames, tmp_path):
     words = ["fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--force"]
     given = json.loads((frames / "camera-intrinsics.json").read_text())
     report = answer(*words)["camera"]
@@ -326,20 +326,20 @@ def test_fuse_says_which_camera_it_used(frames, tmp_path):
     (frames / "camera-intrinsics.json").rename(other)
     assert answer(*words, "--intrinsic", other)["camera"]["source"] == str(other)
     np.savetxt(frames / "intrinsics.K.txt", K)
-    shown = run(*words)
-    assert shown.exit_code == 0
-    assert f"from {frames / 'intrinsics.K.txt'}" in shown.stdout
+    result = run(*words)
+    assert result.exit_code == 0
+    assert f"from {frames / 'intrinsics.K.txt'}" in result.stdout
 
 
-def test_a_camera_that_the_pictures_contradict_is_unreliable(frames, tmp_path):
+def test_a_camera_that_contradicts_the_images_is_unreliable(frames, tmp_path):
     (frames / "camera-intrinsics.json").unlink()
     (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
-    poor = "; ".join(unreliable("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["warnings"])
-    assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) is far" in poor
-    assert "images of 160 x 120; it may be for 640 x 480" in poor
+    message = "; ".join(unreliable("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["warnings"])
+    assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) is far" in message
+    assert "images of 160 x 120; it may be for 640 x 480" in message
 
 
-def test_fuse_tells_which_frames_have_no_partner(tmp_path):
+def test_fuse_reports_unmatched_frames(tmp_path):
     folder = tmp_path / "tum"
     (folder / "depth").mkdir(parents=True)
     for time in (1, 2, 3):
@@ -365,15 +365,15 @@ def test_doctor_runs_a_kernel_and_reports_the_number_of_threads(monkeypatch):
     assert answer("doctor")["why"] == ("1 thread" if count == 1 else f"{count} threads")
 
 
-def test_doctor_says_that_threads_are_untried_elsewhere(monkeypatch):
+def test_doctor_reports_that_threads_are_untested_on_this_system(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
     monkeypatch.setattr(doctor, "get_num_threads", lambda: 1)
     monkeypatch.setattr(doctor, "sys", SimpleNamespace(platform="darwin"))
-    said = "1 thread, since more are not tested on this system; set POINTLOOM_CPU_THREADS to use more"
-    assert answer("doctor")["why"] == said
+    expected = "1 thread, since more are not tested on this system; set POINTLOOM_CPU_THREADS to use more"
+    assert answer("doctor")["why"] == expected
 
 
-def test_doctor_says_why_a_warp_has_one_core(monkeypatch):
+def test_doctor_explains_a_warp_limited_to_one_core(monkeypatch):
     monkeypatch.setattr(doctor, "pool_code", SimpleNamespace(TESTED="1.19.0", is_usable=lambda: False))
     result = run("doctor")
     assert result.exit_code == 3
@@ -381,7 +381,7 @@ def test_doctor_says_why_a_warp_has_one_core(monkeypatch):
     assert "does not support cpu_access.h; install the tested version: pip install warp-lang==1.19.0" in result.stderr
 
 
-def test_doctor_says_that_a_number_of_threads_is_none(monkeypatch):
+def test_doctor_reports_an_invalid_number_of_threads(monkeypatch):
     monkeypatch.setenv("POINTLOOM_CPU_THREADS", "many")
     loom.set_num_threads(None)
     result = run("doctor")
@@ -389,7 +389,7 @@ def test_doctor_says_that_a_number_of_threads_is_none(monkeypatch):
     assert "CPU kernels do not run: POINTLOOM_CPU_THREADS: expected a whole number" in result.stderr
 
 
-def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
+def test_doctor_reports_an_outdated_driver(monkeypatch, tmp_path):
     (tmp_path / "version").write_text("NVRM version: NVIDIA UNIX x86_64 Kernel Module  470.57.02  Tue Jul 13\n")
     monkeypatch.setattr(cuda_driver, "PROC", tmp_path / "version")
     monkeypatch.setattr(doctor, "_gpus", list)
@@ -402,5 +402,5 @@ def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
 @pytest.mark.parametrize(
     ("count", "shown"), [(0, "0 B"), (1023, "1023 B"), (1024, "1.0 KiB"), (3 << 19, "1.5 MiB"), (3 << 30, "3.0 GiB")]
 )
-def test_sizes_of_memory_go_by_1024(count, shown):
+def test_memory_sizes_use_binary_units(count, shown):
     assert format_bytes(count) == shown

@@ -1,4 +1,4 @@
-"""`pointloom demo`: the files that it writes, and the errors of the mesh."""
+"""`pointloom demo`: its files and the errors of its mesh."""
 
 import json
 
@@ -20,12 +20,12 @@ SMALL = {"frame_count": 6, "voxel_size": 0.08}
 
 
 def errors_of(rmse):
-    """Errors of a surface whose root mean square is so many voxels."""
+    """Errors of a surface with the given root mean square [voxels]."""
     return SurfaceErrors(0.0, rmse, 0.0, 0.0, 1.0, voxel_size=1.0)
 
 
 @pytest.mark.slow
-def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
+def test_the_demo_writes_a_mesh_a_picture_and_a_report(device, tmp_path):
     report = run_demo(tmp_path / "demo", **SMALL, device=device).to_dict()
     assert names_in(tmp_path / "demo") == OUTPUTS
     assert json.loads((tmp_path / "demo" / "report.json").read_text()) == json.loads(json.dumps(report))
@@ -39,7 +39,7 @@ def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
 
 
 @pytest.mark.slow
-def test_the_errors_are_those_of_the_vertices(tmp_path):
+def test_the_errors_match_those_of_the_vertices(tmp_path):
     report = run_demo(tmp_path / "demo", **SMALL).to_dict()
     errors = surface_errors(read_triangle_mesh(tmp_path / "demo" / "room.ply").vertices)
     assert report["errors"]["rmse"] == pytest.approx(np.sqrt(np.mean(errors**2)), rel=1e-6)
@@ -60,7 +60,7 @@ def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
 
 
 @pytest.mark.slow
-def test_two_runs_give_the_same_bits_and_another_seed_others(tmp_path):
+def test_two_runs_are_bitwise_identical_and_another_seed_differs(tmp_path):
     for name, seed in (("first", 0), ("second", 0), ("third", 1)):
         run_demo(tmp_path / name, **SMALL, seed=seed)
     for output in OUTPUTS[1:]:
@@ -69,7 +69,7 @@ def test_two_runs_give_the_same_bits_and_another_seed_others(tmp_path):
 
 
 @pytest.mark.slow
-def test_an_existing_output_is_kept_unless_forced(tmp_path):
+def test_an_existing_output_is_not_overwritten_without_force(tmp_path):
     (tmp_path / "room.png").write_bytes(b"kept")
     with pytest.raises(FileError, match=r"room\.png"):
         run_demo(tmp_path, **SMALL)
@@ -107,18 +107,18 @@ def test_an_interruption_leaves_no_folder(tmp_path):
 
 def test_a_folder_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_bytes(b"")
-    for place in ("file", "file/demo", "no/demo"):
-        with pytest.raises(FileError, match=place):
-            run_demo(tmp_path / place, **SMALL)
+    for path in ("file", "file/demo", "no/demo"):
+        with pytest.raises(FileError, match=path):
+            run_demo(tmp_path / path, **SMALL)
 
 
 @pytest.mark.slow
 def test_the_command_prints_a_table_or_one_json_object(tmp_path):
     words = ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"]
-    shown = CliRunner().invoke(cli, words)
-    assert shown.exit_code == 0, shown.stderr
+    result = CliRunner().invoke(cli, words)
+    assert result.exit_code == 0, result.stderr
     for label in ("frames", "mesh", "seconds", "median", "root mean square", "95 % below", "within half a voxel"):
-        assert label in shown.stdout
+        assert label in result.stdout
     again = CliRunner().invoke(cli, [*words, "--force", "--json"])
     assert again.exit_code == 0, again.stderr
     assert json.loads(again.stdout) == json.loads((tmp_path / "demo" / "report.json").read_text())

@@ -11,14 +11,14 @@ from pointloom.io.pictures.image_files import read_color
 from pointloom.visualization.render.plots import trajectory_plot
 
 from .commands import answer, refusal, run, unreliable
-from .surface_poses import path_of, turned
+from .surface_poses import path_of, yaw_pose
 
 
 @pytest.fixture
 def paths(tmp_path) -> tuple[Path, Path]:
-    """A path of 40 poses, 4 % too long and turned away, and the true one."""
+    """A trajectory of 40 poses, 4% too long and rotated, and the true one."""
     truth = path_of(40)
-    estimate = turned(30, 1, 2, 3) @ truth
+    estimate = yaw_pose(30, 1, 2, 3) @ truth
     estimate[:, :3, 3] = 1.04 * (estimate[:, :3, 3] - estimate[0, :3, 3]) + estimate[0, :3, 3]
     files = tmp_path / "poses.txt", tmp_path / "truth.log"
     write_trajectory(files[0], Trajectory(estimate), format="kitti")
@@ -30,7 +30,7 @@ def paths(tmp_path) -> tuple[Path, Path]:
     ("align", "options"),
     [("none", {"align": None}), ("first", {"align": "first"}), ("se3", {}), ("sim3", {"with_scale": True})],
 )
-def test_evaluate_prints_what_the_library_finds(paths, align, options):
+def test_evaluate_matches_the_library(paths, align, options):
     report = answer("evaluate", *paths, "--alignment", align)
     expected = loom.registration.evaluate_trajectory(read_trajectory(paths[0]), read_trajectory(paths[1]), **options)
     assert (report["align"], report["compared"], report["scale"]) == (align, 40, expected.scale)
@@ -38,14 +38,14 @@ def test_evaluate_prints_what_the_library_finds(paths, align, options):
     assert report["absolute"]["deg"]["max"] == expected.absolute_rotation.max
     assert report["relative"]["m"]["median"] == expected.relative_translation.median
     np.testing.assert_array_equal(report["transformation"], expected.transformation)
-    shown = run("evaluate", *paths, "--alignment", align).stdout
-    assert f"40 poses, aligned by {align}" in shown
-    assert f"ATE       {expected.absolute_translation.rmse:.4g} m rmse" in shown
-    assert ("scale 0.961538" in shown) == (align == "sim3")
+    printed = run("evaluate", *paths, "--alignment", align).stdout
+    assert f"40 poses, aligned by {align}" in printed
+    assert f"ATE       {expected.absolute_translation.rmse:.4g} m rmse" in printed
+    assert ("scale 0.961538" in printed) == (align == "sim3")
 
 
-def test_segments_are_shown_for_lengths_that_the_path_has(tmp_path):
-    poses = np.array([turned(0, 2 * i, 0, 0) for i in range(120)])
+def test_segments_are_printed_for_lengths_within_the_trajectory(tmp_path):
+    poses = np.array([yaw_pose(0, 2 * i, 0, 0) for i in range(120)])
     write_trajectory(tmp_path / "b.txt", Trajectory(poses.copy()), format="kitti")
     poses[:, 0, 3] *= 1.01
     write_trajectory(tmp_path / "a.txt", Trajectory(poses), format="kitti")
@@ -61,7 +61,7 @@ def test_one_pose_has_no_relative_error(tmp_path):
     assert "RPE       none: too few poses" in run("evaluate", tmp_path / "a.log", tmp_path / "a.log").stdout
 
 
-def test_trajectories_that_do_not_belong_together_are_an_error(paths, tmp_path):
+def test_unrelated_trajectories_are_an_error(paths, tmp_path):
     write_trajectory(tmp_path / "c.txt", Trajectory(path_of(7)), format="kitti")
     assert f"poses.txt: has 40 poses, and {tmp_path / 'c.txt'} has 7" in refusal(
         "evaluate", paths[0], tmp_path / "c.txt"
@@ -72,17 +72,17 @@ def test_trajectories_that_do_not_belong_together_are_an_error(paths, tmp_path):
     assert "cannot be read" in refusal("evaluate", paths[0], tmp_path / "none.txt")
 
 
-def test_a_picture_shows_the_estimate_as_it_was_aligned(paths, tmp_path):
+def test_a_picture_shows_the_aligned_estimate(paths, tmp_path):
     answer("evaluate", *paths, "--alignment", "sim3", "--picture", tmp_path / "path.png")
     estimate, truth = map(read_trajectory, paths)
-    found = loom.registration.evaluate_trajectory(estimate, truth, with_scale=True)
-    aligned = estimate.poses[:, :3, 3] @ found.transformation[:3, :3].T + found.transformation[:3, 3]
+    result = loom.registration.evaluate_trajectory(estimate, truth, with_scale=True)
+    aligned = estimate.poses[:, :3, 3] @ result.transformation[:3, :3].T + result.transformation[:3, 3]
     title = "poses.txt against truth.log, aligned by sim3"
     expected = trajectory_plot(aligned, truth.poses[:, :3, 3], times=None, title=title)
     np.testing.assert_array_equal(read_color(tmp_path / "path.png"), expected)
 
 
-def test_a_picture_is_of_the_poses_that_were_compared(tmp_path):
+def test_a_picture_shows_only_the_compared_poses(tmp_path):
     poses = path_of(20)
     write_trajectory(tmp_path / "truth.tum", Trajectory(poses, timestamps=np.arange(20.0)))
     write_trajectory(tmp_path / "part.tum", Trajectory(poses[5:9], timestamps=np.arange(5.0, 9.0)))
@@ -90,8 +90,8 @@ def test_a_picture_is_of_the_poses_that_were_compared(tmp_path):
     assert report["compared"] == 4 and read_color(tmp_path / "part.png").shape == (960, 1280, 3)
 
 
-def test_where_a_picture_cannot_be_written_is_told_before_the_work(paths, tmp_path):
-    missing = tmp_path / "none.txt"  # which would be an error too, later
+def test_an_unwritable_picture_is_rejected_before_the_inputs_are_read(paths, tmp_path):
+    missing = tmp_path / "none.txt"  # would be an error too, but later
     assert "expected .png or .webp" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "a.jpg")
     assert "folder" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "nowhere" / "a.png")
     (tmp_path / "mine.png").write_text("mine")
@@ -103,19 +103,19 @@ KITTI_TR = np.array([[0, -1, 0, 0.02], [0, 0, -1, -0.07], [1, 0, 0, -0.27], [0, 
 
 
 def drive(count=400, step=1.0, seed=0, noise=0.0):
-    """The path of a car that steers, and of a sensor of it whose motions have some noise."""
+    """The trajectory of a steering car, with optional noise on its motions."""
     rng = np.random.default_rng(seed)
     poses = [np.eye(4)]
     for i in range(count - 1):
-        move = turned(np.degrees(0.004 * np.sin(i / 30)), step, 0, 0)
+        move = yaw_pose(np.degrees(0.004 * np.sin(i / 30)), step, 0, 0)
         move[:3, 3] += rng.normal(0, noise, 3)
         poses.append(poses[-1] @ move)
     return np.array(poses)
 
 
-@pytest.mark.parametrize("Tr", [KITTI_TR, np.linalg.inv(KITTI_TR), turned(30, 0, 0, 0)])
+@pytest.mark.parametrize("Tr", [KITTI_TR, np.linalg.inv(KITTI_TR), yaw_pose(30, 0, 0, 0)])
 @pytest.mark.parametrize("noise", [0.0, 0.02])
-def test_paths_of_two_sensors_are_told_and_compared_with_their_offset(Tr, noise):
+def test_trajectories_of_two_sensors_are_detected_and_compared_with_their_offset(Tr, noise):
     lidar = drive(noise=noise)
     camera = Trajectory(Tr @ drive() @ np.linalg.inv(Tr))
     error = loom.registration.evaluate_trajectory(Trajectory(lidar), camera)
@@ -127,25 +127,25 @@ def test_paths_of_two_sensors_are_told_and_compared_with_their_offset(Tr, noise)
 
 
 @pytest.mark.parametrize(
-    "spoil",
+    "distort",
     [
         lambda poses: poses,
-        lambda poses: turned(40, 5, 6, 7) @ poses,
-        lambda poses: poses @ turned(0, 0, 0, 0),
-        lambda poses: np.array([*poses[:200], *(turned(20, 3, 0, 0) @ poses[200:])]),
+        lambda poses: yaw_pose(40, 5, 6, 7) @ poses,
+        lambda poses: poses @ yaw_pose(0, 0, 0, 0),
+        lambda poses: np.array([*poses[:200], *(yaw_pose(20, 3, 0, 0) @ poses[200:])]),
         lambda poses: np.where(np.arange(16).reshape(4, 4) % 4 == 3, poses * [[1.2], [1.2], [1.2], [1]], poses),
         lambda poses: drive(seed=3, noise=0.3),
         lambda poses: np.tile(np.eye(4), (len(poses), 1, 1)),
     ],
     ids=["same", "moved", "itself", "jump", "too long", "noise", "resting"],
 )
-def test_other_errors_are_not_taken_for_a_second_sensor(spoil):
+def test_other_errors_are_not_reported_as_a_second_sensor(distort):
     truth = drive()
-    assert loom.registration.evaluate_trajectory(Trajectory(spoil(truth)), Trajectory(truth)).reliable
+    assert loom.registration.evaluate_trajectory(Trajectory(distort(truth)), Trajectory(truth)).reliable
 
 
 @pytest.mark.parametrize("key", ["Tr:", "Tr_velo_to_cam:", None])
-def test_evaluate_takes_the_extrinsic_of_kitti(tmp_path, key):
+def test_evaluate_accepts_the_extrinsic_of_kitti(tmp_path, key):
     lidar = drive(120)
     files = tmp_path / "lidar.kitti", tmp_path / "camera.kitti"
     for path, poses in zip(files, (lidar, KITTI_TR @ lidar @ np.linalg.inv(KITTI_TR)), strict=True):

@@ -1,4 +1,4 @@
-"""info, convert and normals: what they tell and write, and what they refuse."""
+"""info, convert and normals: reports, outputs and errors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..io.test_metashape import camera, document
 from .commands import answer, names_in, refusal, run, unreliable
 
 
-def test_info_tells_what_a_cloud_holds(tmp_path):
+def test_info_reports_the_contents_of_a_cloud(tmp_path):
     points = np.array([[5e5, 5e6, 1], [5e5 + 2, 5e6 + 4, 3], [np.nan, 0, 0]])
     path = tmp_path / "far.npz"
     loom.write_point_cloud(path, loom.PointCloud(points, normals=np.ones((3, 3)), label=np.arange(3)))
@@ -27,9 +27,9 @@ def test_info_tells_what_a_cloud_holds(tmp_path):
     assert report["attributes"] == {"normals": "float32 x 3", "label": "int64"}
     assert report["bounds"] == {"min": [5e5, 5e6, 1], "max": [5e5 + 2, 5e6 + 4, 3]}
     assert report["origin"] == [500001, 5000002, 2]
-    shown = run("info", path).stdout
-    assert "point cloud" in shown
-    assert "[500000.0000, 5000000.0000, 1.0000] to" in shown
+    printed = run("info", path).stdout
+    assert "point cloud" in printed
+    assert "[500000.0000, 5000000.0000, 1.0000] to" in printed
 
 
 def test_info_shows_control_characters(tmp_path):
@@ -41,11 +41,16 @@ def test_info_shows_control_characters(tmp_path):
         *(f"property float {name}" for name in ("x", "y", "z", evil)),
     ]
     path.write_text("\n".join([*lines, "end_header", "0 0 0 1", ""]))
-    told = [run("info", path), run("info", path, "--json"), run("convert", path, tmp_path / "b.pcd"), run("info", evil)]
-    assert all("owned" in one.output and "\x1b" not in one.output and "\x07" not in one.output for one in told)
+    results = [
+        run("info", path),
+        run("info", path, "--json"),
+        run("convert", path, tmp_path / "b.pcd"),
+        run("info", evil),
+    ]
+    assert all("owned" in one.output and "\x1b" not in one.output and "\x07" not in one.output for one in results)
 
 
-def test_info_knows_every_kind(mesh, frames, tmp_path):
+def test_info_reports_every_kind_of_file(mesh, frames, tmp_path):
     pose, K = frames / "frame-000000.pose.txt", tmp_path / "K.txt"
     K.write_text("525 0 80\n0 525 60\n0 0 1\n")
     write_trajectory(tmp_path / "t.log", Trajectory(np.tile(np.eye(4), (3, 1, 1))))
@@ -61,12 +66,12 @@ def test_info_knows_every_kind(mesh, frames, tmp_path):
     assert reports[1]["layout"] == "7scenes"
     assert 0.3 < reports[1]["first_frame_depth_m"]["median"] < 5
     assert reports[9]["depth"] == {}
-    shown = run("info", *paths)
-    assert shown.exit_code == 0, shown.stderr
-    assert all(str(path) in shown.stdout for path in paths)
+    result = run("info", *paths)
+    assert result.exit_code == 0, result.stderr
+    assert all(str(path) in result.stdout for path in paths)
 
 
-def test_info_tells_frames_without_poses_and_how_many_have_one(frames, tmp_path):
+def test_info_counts_frames_with_poses(frames, tmp_path):
     folder = tmp_path / "walk"
     shutil.copytree(frames, folder)
     (folder / "frame-000002.pose.txt").unlink()
@@ -78,7 +83,7 @@ def test_info_tells_frames_without_poses_and_how_many_have_one(frames, tmp_path)
     assert "poses" in run("info", folder).stdout
 
 
-def test_a_text_file_is_a_cloud_where_it_is_nothing_else(tmp_path):
+def test_text_files_of_no_other_kind_are_clouds(tmp_path):
     texts = {
         "cloud.txt": "0 0 0\n0 1 0\n0 0 2\n", "names.txt": "x y z t\n1 2 3 4\n", "table.csv": "x,y,z,ring\n1,2,3,4\n",
         "K.txt": "5e2 0 80\n0 5e2 60\n0.0 0 1e0\n", "path.txt": "1 0 0 0 0 0 0 1\n",
@@ -91,7 +96,7 @@ def test_a_text_file_is_a_cloud_where_it_is_nothing_else(tmp_path):
     assert reports[2]["attributes"] == {"ring": "float64"}
 
 
-def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_path):
+def test_commands_read_meshes_and_scans_of_other_formats(mesh, tmp_path):
     for suffix in (".obj", ".stl", ".off", ".glb", ".gltf"):
         answer("convert", mesh, tmp_path / f"a{suffix}")
         (report,) = answer("info", tmp_path / f"a{suffix}")["files"]
@@ -105,19 +110,19 @@ def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_p
     assert "clouds and meshes are not written to .csv" in refused.stderr
 
 
-def test_up_turns_what_says_which_axis_is_up(mesh, tmp_path):
+def test_up_rotates_formats_with_an_up_axis(mesh, tmp_path):
     answer("convert", mesh, tmp_path / "turned.glb", "--up", "z")
     answer("convert", tmp_path / "turned.glb", tmp_path / "again.ply", "--up", "z")
     answer("convert", tmp_path / "turned.glb", tmp_path / "as_it_is.gltf")
     x, y, z = loom.read_triangle_mesh(mesh).vertices.T
-    turned = loom.read_triangle_mesh(tmp_path / "as_it_is.gltf").vertices
-    np.testing.assert_allclose(turned, np.stack([x, z, -y], axis=1), atol=1e-6)
+    rotated = loom.read_triangle_mesh(tmp_path / "as_it_is.gltf").vertices
+    np.testing.assert_allclose(rotated, np.stack([x, z, -y], axis=1), atol=1e-6)
     np.testing.assert_allclose(loom.read_triangle_mesh(tmp_path / "again.ply").vertices.T, [x, y, z], atol=1e-6)
-    found = answer("compare-meshes", mesh, tmp_path / "turned.glb", "--up", "z", "--samples", "100")
-    assert found["hausdorff"] < 1e-6
+    report = answer("compare-meshes", mesh, tmp_path / "turned.glb", "--up", "z", "--samples", "100")
+    assert report["hausdorff"] < 1e-6
 
 
-def test_textures_are_told_converted_and_named_where_they_are_lost(tmp_path):
+def test_textures_are_converted_or_reported_as_left_out(tmp_path):
     plane = loom.TriangleMesh.create_plane(create_uv_map=True)
     plane.textures = [np.full((4, 6, 3), 9, np.uint8)]
     loom.write_triangle_mesh(tmp_path / "a.obj", plane)
@@ -137,9 +142,9 @@ def test_info_lists_the_clouds_of_a_folder(cloud, mesh, tmp_path):
     (report,) = answer("info", tmp_path)["files"]
     assert (report["kind"], report["points"]) == ("folder of clouds", 1504)
     assert [Path(file["path"]).name for file in report["files"]] == ["cloud.ply", "mesh.ply", "scan2.ply", "scan10.ply"]
-    shown = run("info", tmp_path).stdout
-    assert "scan2.ply: 500 points, [" in shown
-    assert "mesh.ply: 4 vertices, 2 triangles, [" in shown
+    printed = run("info", tmp_path).stdout
+    assert "scan2.ply: 500 points, [" in printed
+    assert "mesh.ply: 4 vertices, 2 triangles, [" in printed
 
 
 def test_a_broken_cloud_of_a_folder_is_an_error_and_the_others_are_listed(cloud, tmp_path):
@@ -153,7 +158,7 @@ def test_a_broken_cloud_of_a_folder_is_an_error_and_the_others_are_listed(cloud,
     assert f"(and 1 more files of {tmp_path})" in result.stderr
 
 
-def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
+def test_info_continues_after_a_broken_file(cloud, tmp_path):
     broken = tmp_path / "broken.ply"
     broken.write_bytes(cloud.read_bytes()[:-1])
     result = run("info", broken, tmp_path / "missing.pcd", cloud, tmp_path / "x.docx")
@@ -168,7 +173,7 @@ def test_info_goes_on_after_a_broken_file(cloud, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["odd.docx", "odd.obj", "odd.json", "odd.txt", "odd.png", "odd.npy"])
-def test_info_refuses_what_it_does_not_know(tmp_path, name):
+def test_info_rejects_unknown_files(tmp_path, name):
     (tmp_path / name).write_text("{}")
     assert refusal("info", tmp_path / name).startswith(f"error: {tmp_path / name}")
 
@@ -186,11 +191,11 @@ def test_info_refuses_what_it_does_not_know(tmp_path, name):
         ("mesh", ".pcd", ["triangles"]),
     ],
 )
-def test_convert_names_what_it_leaves_out(source, suffix, left_out, tmp_path, request):
+def test_convert_reports_omitted_attributes(source, suffix, left_out, tmp_path, request):
     output = tmp_path / f"out{suffix}"
     assert answer("convert", request.getfixturevalue(source), output)["left_out"] == left_out
-    shown = run("convert", request.getfixturevalue(source), output, "--force").stdout
-    assert ("left out" in shown) == bool(left_out)
+    printed = run("convert", request.getfixturevalue(source), output, "--force").stdout
+    assert ("left out" in printed) == bool(left_out)
     assert output.stat().st_size > 0
 
 
@@ -203,13 +208,13 @@ def test_convert_names_what_it_leaves_out(source, suffix, left_out, tmp_path, re
         ("out", "a name without extension"),
     ],
 )
-def test_convert_says_what_it_cannot_write(cloud, tmp_path, output, reason):
+def test_convert_rejects_unsupported_outputs(cloud, tmp_path, output, reason):
     assert reason in refusal("convert", cloud, tmp_path / output)
     assert ".ply .pcd .npz .xyzn" in refusal("normals", cloud, tmp_path / "out.xyz")
     assert names_in(tmp_path) == ["cloud.ply"]
 
 
-def test_text_is_written_where_the_format_has_it(cloud, tmp_path):
+def test_ascii_is_written_if_the_format_supports_it(cloud, tmp_path):
     answer("convert", cloud, tmp_path / "out.ply", "--ascii")
     assert b"format ascii" in (tmp_path / "out.ply").read_bytes()
     assert "Leave out --ascii" in refusal("convert", cloud, tmp_path / "out.npz", "--ascii")
@@ -226,7 +231,7 @@ def test_a_cloud_without_finite_points_is_unreliable(tmp_path):
 @pytest.mark.parametrize(
     ("options", "side"), [(["--direction", "0", "0", "-1"], -1), (["--toward", "0.5", "0.5", "9"], 1)]
 )
-def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side):
+def test_normals_are_oriented_as_requested(tmp_path, rng, device, options, side):
     flat = np.column_stack([rng.random((200, 2)), np.zeros(200)])
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(flat))
     words = ["normals", tmp_path / "a.ply", tmp_path / "b.ply", "--radius", "0.3", "--device", device, *options]
@@ -243,10 +248,10 @@ def test_a_radius_without_neighbors_is_unreliable(cloud, tmp_path):
     assert "out.ply" in result.stdout
 
 
-@pytest.mark.parametrize(("lonely", "exit_code"), [(40, 0), (60, 3)])
-def test_normals_are_unreliable_where_more_than_half_of_the_points_are_alone(tmp_path, lonely, exit_code):
-    together = np.random.default_rng(0).random((100 - lonely, 3)) * 0.1
-    alone = np.column_stack([np.arange(1, lonely + 1) * 10.0, np.zeros((lonely, 2))])
+@pytest.mark.parametrize(("isolated", "exit_code"), [(40, 0), (60, 3)])
+def test_normals_are_unreliable_if_over_half_of_the_points_are_isolated(tmp_path, isolated, exit_code):
+    together = np.random.default_rng(0).random((100 - isolated, 3)) * 0.1
+    alone = np.column_stack([np.arange(1, isolated + 1) * 10.0, np.zeros((isolated, 2))])
     loom.write_point_cloud(tmp_path / "in.ply", loom.PointCloud(np.concatenate([together, alone])))
     result = run("normals", tmp_path / "in.ply", tmp_path / "out.ply", "--radius", 1)
     assert result.exit_code == exit_code, result.stderr
@@ -256,23 +261,23 @@ def test_normals_are_unreliable_where_more_than_half_of_the_points_are_alone(tmp
 MODEL = ring_model()
 
 
-@pytest.mark.parametrize(("form", "place"), [("bin", "."), ("txt", "sparse/0")])
-def test_info_tells_what_a_model_of_colmap_holds(tmp_path, form, place):
-    loom.write_colmap_model(tmp_path / place, MODEL, format=form)
+@pytest.mark.parametrize(("form", "subfolder"), [("bin", "."), ("txt", "sparse/0")])
+def test_info_reports_a_colmap_model(tmp_path, form, subfolder):
+    loom.write_colmap_model(tmp_path / subfolder, MODEL, format=form)
     (report,) = answer("info", tmp_path)["files"]
     assert report["kind"] == "COLMAP model"
     assert report["form"] == {"bin": "binary", "txt": "text"}[form]
-    assert report["folder"] == (None if place == "." else place)
+    assert report["folder"] == (None if subfolder == "." else subfolder)
     assert (report["pictures"], report["points"], report["observations"]) == (6, 40, len(MODEL.observations))
     assert sorted(line.split()[0] for line in report["cameras"]) == ["OPENCV", "SIMPLE_RADIAL"]
     assert report["mean_views"] == pytest.approx(len(MODEL.observations) / 40)
     assert 0 < report["mean_error_px"] < 1
-    shown = run("info", tmp_path).stdout
-    assert "SIMPLE_RADIAL 640 x 480, 500, 320, 240, -0.05; 4 pictures" in shown
-    assert "arbitrary" in shown
+    printed = run("info", tmp_path).stdout
+    assert "SIMPLE_RADIAL 640 x 480, 500, 320, 240, -0.05; 4 pictures" in printed
+    assert "arbitrary" in printed
 
 
-def test_info_tells_what_metashape_exported(tmp_path):
+def test_info_reports_metashape_cameras(tmp_path):
     (tmp_path / "cameras.xml").write_text(document(camera() + camera("lost", None)))
     (report,) = answer("info", tmp_path / "cameras.xml")["files"]
     assert report["kind"] == "Metashape cameras"
@@ -281,7 +286,7 @@ def test_info_tells_what_metashape_exported(tmp_path):
     assert report["camera_bounds"] == {"min": [2, 3, 4], "max": [2, 3, 4]}
 
 
-def test_a_model_without_points_is_told(tmp_path):
+def test_info_reports_a_model_without_points(tmp_path):
     loom.write_colmap_model(tmp_path, loom.SfmModel(MODEL.names, MODEL.cameras, MODEL.T_camera_world))
     (report,) = answer("info", tmp_path)["files"]
     assert (report["points"], report["mean_views"], report["bounds"]) == (0, None, None)

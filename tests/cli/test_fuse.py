@@ -1,4 +1,4 @@
-"""A folder of frames to a mesh file: what is written, told and refused, and the view of the picture."""
+"""fuse: outputs, reports and errors, and the view of the picture."""
 
 import json
 from pathlib import Path
@@ -20,14 +20,14 @@ from .commands import names_in
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """12 small frames of the room, laid out as 7-Scenes."""
+    """12 small frames of the room in the layout of 7-Scenes."""
     folder = tmp_path_factory.mktemp("frames") / "room"
     write_room_sequence(folder, frame_count=12, width=160, height=120)
     return folder
 
 
 class Still(Wall):
-    """... as if from a folder."""
+    """Frames of a wall with the attributes of a folder of frames."""
 
     layout, left_out = "made up", ()
     intrinsic_source, warnings = "made up", ()
@@ -46,19 +46,19 @@ def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     json.dumps(report, allow_nan=False)
 
 
-def test_stl_comes_without_the_colors_that_it_cannot_hold(folder, tmp_path):
+def test_stl_is_written_without_colors(folder, tmp_path):
     report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.stl"), voxel_size=0.1).to_dict()
     assert (tmp_path / "mesh.stl").stat().st_size == 84 + 50 * report["triangles"]
 
 
 @pytest.mark.parametrize("depth_max", [0.05, 0.3])
-def test_frames_out_of_reach_are_unreliable(folder, tmp_path, depth_max):
+def test_frames_beyond_depth_max_are_unreliable(folder, tmp_path, depth_max):
     report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.02, depth_max=depth_max).to_dict()
     assert "depth_max" in str(report["warnings"])
     assert report["files"] == [] == names_in(tmp_path)
 
 
-def test_outputs_are_checked_before_the_frames_are(tmp_path):
+def test_outputs_are_checked_before_the_frames_are_read(tmp_path):
     (tmp_path / "there.ply").write_bytes(b"kept")
     for output, picture in (("there.ply", None), ("mesh.txt", None), ("no/mesh.ply", None), ("mesh.ply", "mesh.jpg")):
         with pytest.raises(FileError, match=r"there\.ply|mesh\.txt|no/mesh\.ply|mesh\.jpg"):
@@ -79,7 +79,7 @@ def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     assert (high < [2, 2, 4.5]).all()
 
 
-def test_a_floor_tells_what_is_up(rng):
+def test_the_up_axis_is_estimated_from_a_floor(rng):
     tilt = np.radians(20)
     up = np.array([0, np.cos(tilt), np.sin(tilt)])
     floor = up + rng.normal(0, 0.02, (500, 3))
@@ -89,7 +89,7 @@ def test_a_floor_tells_what_is_up(rng):
     assert np.degrees(np.arccos(level_up(normals, np.array([0, 1.0, 0])) @ up)) < 1
 
 
-def test_without_level_surfaces_the_guess_stands(rng):
+def test_without_level_surfaces_the_initial_up_axis_is_used(rng):
     guess = np.array([0, 1.0, 0])
     np.testing.assert_array_equal(level_up(np.tile([0, 0, 1.0], (100, 1)), guess), guess)
     np.testing.assert_array_equal(level_up(np.empty((0, 3)), guess), guess)
@@ -108,7 +108,7 @@ def cameras_that_look(way):
 
 
 @pytest.mark.parametrize("way", ["ahead", "all round", "down", "upside down"])
-def test_a_view_shows_the_whole_scene_however_the_cameras_looked(way):
+def test_a_view_shows_the_complete_scene_for_any_camera_poses(way):
     mesh = loom.fuse(Wall(), voxel_size=0.05).mesh
     view = view_scene(mesh, cameras_that_look(way), width=160, height=120)
     T = np.linalg.inv(view.T_world_camera)

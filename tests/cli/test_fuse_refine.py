@@ -1,4 +1,4 @@
-"""fuse --refine: given poses moved onto the model, those that do not fit kept, and both told."""
+"""fuse --refine: given poses are refined on the model or left unchanged, and both are reported."""
 
 from pathlib import Path
 
@@ -28,12 +28,12 @@ def shifts_from(truth: np.ndarray, path: Path) -> np.ndarray:
     return np.linalg.norm(read_trajectory(path).poses[:, :3, 3] - truth[:, :3, 3], axis=1)
 
 
-def test_poses_that_are_off_come_back(walked, tmp_path, rng, device):
-    truth = true_poses(walked)
-    shift_poses(walked, np.vstack([np.zeros(3), rng.normal(0, 0.015, (7, 3))]))
-    given = np.linalg.norm(true_poses(walked)[1:, :3, 3] - truth[1:, :3, 3], axis=1)
+def test_inaccurate_poses_are_corrected(sequence_folder, tmp_path, rng, device):
+    truth = true_poses(sequence_folder)
+    shift_poses(sequence_folder, np.vstack([np.zeros(3), rng.normal(0, 0.015, (7, 3))]))
+    given = np.linalg.norm(true_poses(sequence_folder)[1:, :3, 3] - truth[1:, :3, 3], axis=1)
     words = ["--refine", "--trajectory", tmp_path / "poses.log", "--device", device]
-    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", "--voxel", 0.03, *words)
+    report = answer("fuse", sequence_folder, "-o", tmp_path / "mesh.ply", "--voxel", 0.03, *words)
     refined = shifts_from(truth, tmp_path / "poses.log")
     assert refined[0] == 0
     assert np.median(refined[1:]) < 0.3 * np.median(given)
@@ -43,41 +43,43 @@ def test_poses_that_are_off_come_back(walked, tmp_path, rng, device):
     assert report["files"] == [str(tmp_path / "mesh.ply"), str(tmp_path / "poses.log")]
 
 
-def test_a_pose_that_does_not_fit_is_kept_and_counted(walked, tmp_path):
-    shift_poses(walked, [[0, 0, 1.5] if i == 4 else [0, 0, 0] for i in range(8)])
-    given = true_poses(walked)
+def test_a_pose_that_does_not_fit_is_left_unchanged_and_counted(sequence_folder, tmp_path):
+    shift_poses(sequence_folder, [[0, 0, 1.5] if i == 4 else [0, 0, 0] for i in range(8)])
+    given = true_poses(sequence_folder)
     words = ["--refine", "--trajectory", tmp_path / "poses.txt"]
-    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, *words)
+    report = answer("fuse", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE, *words)
     assert [entry["frame"] for entry in report["refinement"]["kept"]] == [4]
     np.testing.assert_allclose(read_trajectory(tmp_path / "poses.txt").poses[4], given[4], atol=1e-9)
-    shown = run("fuse", walked, "-o", tmp_path / "again.ply", *COARSE, "--refine", "--every", 2)
-    assert shown.exit_code == 0
-    assert "2 refined, by " in shown.stdout
-    assert "1 unchanged: frame " in shown.stdout
+    result = run("fuse", sequence_folder, "-o", tmp_path / "again.ply", *COARSE, "--refine", "--every", 2)
+    assert result.exit_code == 0
+    assert "2 refined, by " in result.stdout
+    assert "1 unchanged: frame " in result.stdout
 
 
-def test_poses_that_all_lie_elsewhere_are_unreliable(walked, tmp_path):
-    shift_poses(walked, [[0, 0, 2.0 * i] for i in range(8)])
-    report = unreliable("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--refine")
+def test_poses_that_all_disagree_are_unreliable(sequence_folder, tmp_path):
+    shift_poses(sequence_folder, [[0, 0, 2.0 * i] for i in range(8)])
+    report = unreliable("fuse", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE, "--refine")
     assert "7 of 8 poses could not be refined" in str(report["warnings"])
     assert report["triangles"] > 0
 
 
-def test_without_refine_poses_are_taken_as_they_are(walked, tmp_path):
-    report = answer("fuse", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--trajectory", tmp_path / "poses.log")
+def test_without_refine_poses_are_unchanged(sequence_folder, tmp_path):
+    report = answer(
+        "fuse", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE, "--trajectory", tmp_path / "poses.log"
+    )
     assert report["refinement"] is None
-    np.testing.assert_array_equal(read_trajectory(tmp_path / "poses.log").poses, true_poses(walked))
+    np.testing.assert_array_equal(read_trajectory(tmp_path / "poses.log").poses, true_poses(sequence_folder))
 
 
-def test_frames_without_poses_are_sent_to_reconstruct(walked, tmp_path):
-    for path in walked.glob("*.pose.txt"):
+def test_the_error_for_frames_without_poses_proposes_reconstruct(sequence_folder, tmp_path):
+    for path in sequence_folder.glob("*.pose.txt"):
         path.unlink()
-    assert "pointloom reconstruct" in refusal("fuse", walked, "-o", tmp_path / "a.ply", *COARSE)
+    assert "pointloom reconstruct" in refusal("fuse", sequence_folder, "-o", tmp_path / "a.ply", *COARSE)
 
 
-@pytest.mark.parametrize(("kept", "is_poor"), [(0, False), (5, False), (6, True), (9, True)])
-def test_more_than_half_kept_is_unreliable(kept, is_poor):
-    refined = (0.0,) * (10 - kept)
-    refinement = PoseRefinement({i + 1: "r" for i in range(kept)}, refined, refined)
+@pytest.mark.parametrize(("unchanged", "is_unreliable"), [(0, False), (5, False), (6, True), (9, True)])
+def test_more_than_half_of_the_poses_unchanged_is_unreliable(unchanged, is_unreliable):
+    refined = (0.0,) * (10 - unchanged)
+    refinement = PoseRefinement({i + 1: "r" for i in range(unchanged)}, refined, refined)
     assert refinement.frame_count == 11
-    assert (not refinement.reliable) == is_poor
+    assert (not refinement.reliable) == is_unreliable

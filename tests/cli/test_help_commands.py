@@ -1,4 +1,4 @@
-"""What helps with the commands: the tab key, the chapters, the man page, the guide for assistants."""
+"""Help for the commands: tab completion, chapters, the man page and the guide for assistants."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from .commands import run
 
 
 def completed(words: str, shell: str = "bash") -> list[tuple[str, str]]:
-    """Kinds and values that a shell is told for the last of some words, from click's own completion."""
+    """Kinds and values of the completions of the last word, from click."""
     given = words.split(" ")
     complete = SHELLS[shell](cli, {}, "pointloom", VARIABLE)
     return [(item.type, item.value) for item in complete.get_completions(given[1:-1], given[-1])]
@@ -46,7 +46,7 @@ def test_commands_options_and_choices_are_completed(folder):
     assert completed("pointloom normals --max-") == []  # an earlier name
 
 
-def test_files_are_completed_by_what_they_are_for(folder):
+def test_files_are_completed_by_type(folder):
     assert completed("pointloom clean ") == [("path", "scan.LAZ"), ("path", "scan.ply"), ("path", "scans/")]
     assert completed("pointloom clean scans/") == [("path", "scans/a.ply")]
     assert completed("pointloom evaluate p") == [("path", "poses.log")]
@@ -58,7 +58,7 @@ def test_files_are_completed_by_what_they_are_for(folder):
 
 
 @pytest.mark.parametrize("shell", SHELLS)
-def test_each_shell_gets_a_script_that_knows_of_files(shell, monkeypatch):
+def test_each_shell_gets_a_script_that_completes_files(shell, monkeypatch):
     result = run("completion", shell)
     assert result.exit_code == 0 and f"{VARIABLE}={shell}_complete" in result.stdout and "path" in result.stdout
     monkeypatch.setenv("SHELL", f"/usr/bin/{shell}")
@@ -69,7 +69,7 @@ def test_each_shell_gets_a_script_that_knows_of_files(shell, monkeypatch):
 
 @pytest.mark.slow
 def test_bash_itself_completes(folder):
-    """The function that bash calls, with the words of a line, against a process of the command."""
+    """Call the completion function as bash does; it runs the command."""
     bash = shutil.which("bash") or pytest.skip("no bash")
     command = folder / "pointloom"
     command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m pointloom "$@"\n')
@@ -78,12 +78,12 @@ def test_bash_itself_completes(folder):
     script += "COMP_WORDS=(pointloom clean s); COMP_CWORD=2; _pointloom_completion pointloom 2>&1\n"
     script += 'printf "%s\\n" "${COMPREPLY[@]}"'
     environment = os.environ | {"PATH": f"{folder}:{os.environ['PATH']}", "PYTHONPATH": str(ROOT / "src")}
-    told = subprocess.run([bash, "-c", script], capture_output=True, text=True, env=environment, timeout=300)
-    words = [line for line in told.stdout.splitlines() if "compopt" not in line]
-    assert words == ["scan.LAZ", "scan.ply", "scans"], told
+    result = subprocess.run([bash, "-c", script], capture_output=True, text=True, env=environment, timeout=300)
+    words = [line for line in result.stdout.splitlines() if "compopt" not in line]
+    assert words == ["scan.LAZ", "scan.ply", "scans"], result
 
 
-def test_the_chapters_name_what_is_there():
+def test_the_chapters_name_existing_commands_and_functions():
     numbers = [chapter.number for chapter in book.chapters()]
     assert numbers == list(range(1, 16))
     for chapter in book.chapters():
@@ -97,7 +97,7 @@ def test_the_chapters_name_what_is_there():
     assert not written or set(written) <= {chapter.slug for chapter in book.chapters()}
 
 
-def test_docs_finds_chapters_by_words_and_numbers():
+def test_docs_searches_chapters_by_words_and_numbers():
     assert run("docs").stdout.splitlines()[6] == " 7  ICP: bring two clouds together"
     icp = run("docs", "icp").stdout
     assert "loom.registration.registration_icp" in icp and "pointloom register" in icp and "Poisson" not in icp
@@ -108,7 +108,7 @@ def test_docs_finds_chapters_by_words_and_numbers():
     assert nothing.exit_code == 2 and "no chapter contains elephants; the chapters are 1 Read a cloud" in nothing.stderr
 
 
-def test_docs_says_where_pages_are_and_that_there_are_none(tmp_path, monkeypatch):
+def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):
     monkeypatch.setattr(book, "CHECKOUT", tmp_path)
     monkeypatch.setattr(book.importlib.metadata, "metadata", lambda _: _NoAddresses())
     assert "No built pages" in run("docs").stdout
@@ -128,7 +128,7 @@ class _NoAddresses:
         return None
 
 
-def test_the_guide_for_assistants_is_printed_as_it_is():
+def test_the_guide_for_assistants_is_printed_unchanged():
     text = run("docs", "--skill").stdout
     assert text == (ROOT / "src/pointloom/cli/shell/SKILL.md").read_text()
     head = text.split("---")[1]
@@ -145,7 +145,7 @@ def writer():
     return module
 
 
-def test_the_man_page_is_what_the_commands_say(writer):
+def test_the_man_page_matches_the_commands(writer):
     page = writer.man_page()
     assert (ROOT / "docs/pointloom.1").read_text() == page, "run scripts/write_man_page.py"
     assert [name for name in cli.commands if f'.SS "{writer.escaped(name)}"' not in page] == []
@@ -156,13 +156,13 @@ def test_the_man_page_is_what_the_commands_say(writer):
     assert installed["shared-data"] == {"docs/pointloom.1": "share/man/man1/pointloom.1"}
 
 
-def test_groff_has_nothing_to_say_of_the_man_page():
+def test_groff_reports_no_error_in_the_man_page():
     groff = shutil.which("groff") or pytest.skip("no groff")
-    told = subprocess.run(
+    result = subprocess.run(
         [groff, "-man", "-Tutf8", "-ww", "-z", str(ROOT / "docs/pointloom.1")], capture_output=True, timeout=60
     )
-    assert (told.returncode, told.stderr) == (0, b"")
+    assert (result.returncode, result.stderr) == (0, b"")
 
 
-def test_a_line_that_begins_with_a_point_is_text(writer):
+def test_a_line_that_begins_with_a_period_is_text(writer):
     assert writer.escaped(".ply a-b\n'x\\") == "\\&.ply a\\-b\n\\&'x\\e"

@@ -13,11 +13,11 @@ from .commands import answer, run
 
 @pytest.fixture
 def autzen(scan_file):
-    """110,000 points in feet, compressed; every 22nd in tests/data."""
+    """110,000 compressed points in feet; every 22nd point in tests/data."""
     return scan_file("lidar-pdal/laz/autzen_trim.laz")
 
 
-def test_info_tells_what_the_header_says(autzen, shipped_file):
+def test_info_reports_the_header(autzen, shipped_file):
     header = laspy.read(autzen).header
     count, low, high = header.point_count, header.mins, header.maxs
     small = shipped_file("lidar-pdal/autzen/autzen-utm.las")
@@ -33,14 +33,14 @@ def test_info_tells_what_the_header_says(autzen, shipped_file):
     assert first["attributes"]["gps_time"] == "float64"
     assert first["attributes"]["colors"] == "float32 x 3"
     assert second["version"] == "LAS 1.2"
-    shown = run("info", autzen).stdout
-    assert f"[{low[0]:.4f}, {low[1]:.4f}, {low[2]:.4f}] to" in shown
-    assert "[0.01, 0.01, 0.01]" in shown
-    assert "  foot (0.3048 m)\n" in shown
-    assert f"{count:,}" in shown and count >= 5000
+    printed = run("info", autzen).stdout
+    assert f"[{low[0]:.4f}, {low[1]:.4f}, {low[2]:.4f}] to" in printed
+    assert "[0.01, 0.01, 0.01]" in printed
+    assert "  foot (0.3048 m)\n" in printed
+    assert f"{count:,}" in printed and count >= 5000
 
 
-def test_info_names_the_scans_of_an_e57_file(tmp_path, rng):
+def test_info_lists_the_scans_of_an_e57_file(tmp_path, rng):
     cloud = loom.PointCloud(rng.random((9, 3)), scan_index=np.arange(9) % 2)
     loom.write_point_cloud(tmp_path / "a.e57", cloud)
     (report,) = answer("info", tmp_path / "a.e57")["files"]
@@ -64,7 +64,7 @@ def test_convert_between_las_files_keeps_integers_scale_and_coordinate_system(au
         assert reports[0]["bounds"][corner] == pytest.approx(reports[1]["bounds"][corner], rel=1e-14)
 
 
-def test_convert_carries_las_through_other_formats(autzen, tmp_path):
+def test_convert_preserves_las_attributes_in_other_formats(autzen, tmp_path):
     source = tmp_path / "in.las"
     las = laspy.read(autzen)
     las.points = las.points[:500]
@@ -72,26 +72,26 @@ def test_convert_carries_las_through_other_formats(autzen, tmp_path):
     for name in ("a.ply", "a.npz", "a.pcd"):
         assert answer("convert", source, tmp_path / name)["left_out"] == []
         assert answer("convert", tmp_path / name, tmp_path / f"{name}.laz")["left_out"] == []
-        found = laspy.read(tmp_path / f"{name}.laz")
-        np.testing.assert_allclose(found.xyz, las.xyz, rtol=0, atol=1e-6)
+        result = laspy.read(tmp_path / f"{name}.laz")
+        np.testing.assert_allclose(result.xyz, las.xyz, rtol=0, atol=1e-6)
         for field in ("intensity", "classification", "return_number", "gps_time", "scan_angle_rank"):
-            np.testing.assert_array_equal(np.asarray(found[field]), np.asarray(las[field]))
+            np.testing.assert_array_equal(np.asarray(result[field]), np.asarray(las[field]))
 
 
 @pytest.mark.filterwarnings("always::UserWarning")
-def test_convert_names_what_las_and_e57_cannot_hold(tmp_path, rng):
+def test_convert_reports_attributes_that_las_and_e57_do_not_support(tmp_path, rng):
     cloud = loom.PointCloud(rng.random((5, 3)), intensity=rng.random(5), label=np.arange(5), flag=np.ones(5, bool))
     loom.write_point_cloud(tmp_path / "a.npz", cloud)
     assert answer("convert", tmp_path / "a.npz", tmp_path / "a.las")["left_out"] == ["flag"]
     assert "'intensity' as 'intensity_value'" in run("convert", tmp_path / "a.npz", tmp_path / "b.laz").stderr
-    found = laspy.read(tmp_path / "a.las")
-    np.testing.assert_array_equal(found["label"], np.arange(5))
-    np.testing.assert_array_equal(found["intensity_value"], cloud["intensity"])
+    result = laspy.read(tmp_path / "a.las")
+    np.testing.assert_array_equal(result["label"], np.arange(5))
+    np.testing.assert_array_equal(result["intensity_value"], cloud["intensity"])
     assert answer("convert", tmp_path / "a.npz", tmp_path / "a.e57")["left_out"] == ["label", "flag"]
     np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "a.e57")["intensity"], cloud["intensity"])
 
 
-def test_damage_and_missing_packages_are_errors_of_one_line(autzen, tmp_path, monkeypatch):
+def test_damaged_files_and_missing_packages_are_one_line_errors(autzen, tmp_path, monkeypatch):
     broken = tmp_path / "broken.laz"
     broken.write_bytes(autzen.read_bytes()[: autzen.stat().st_size * 5 // 6])
     for command in (["info", broken], ["convert", broken, tmp_path / "out.ply"]):
@@ -107,7 +107,7 @@ def test_damage_and_missing_packages_are_errors_of_one_line(autzen, tmp_path, mo
 
 
 @pytest.mark.filterwarnings("always::pointloom.io.points.las_crs.GeographicWarning")
-def test_a_file_in_degrees_is_said_to_be_and_keeps_its_rows(tmp_path, rng):
+def test_a_file_in_degrees_causes_a_warning_and_keeps_its_rows(tmp_path, rng):
     degrees, points = tmp_path / "degrees.las", rng.random((200, 3)) * [1e-3, 1e-3, 50] + [-123, 44, 100]
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = [1e-7, 1e-7, 0.001], [-123, 44, 0]
@@ -119,16 +119,18 @@ def test_a_file_in_degrees_is_said_to_be_and_keeps_its_rows(tmp_path, rng):
     result = run("downsample", degrees, tmp_path / "some.laz", "--farthest", 50)
     assert result.exit_code == 0
     assert "degrees.las: x and y are degrees" in result.stderr
-    stored, kept = ({tuple(row) for row in laspy.read(path).xyz.tolist()} for path in (degrees, tmp_path / "some.laz"))
-    assert len(kept) == 50
-    assert kept <= stored
+    stored, selected = (
+        {tuple(row) for row in laspy.read(path).xyz.tolist()} for path in (degrees, tmp_path / "some.laz")
+    )
+    assert len(selected) == 50
+    assert selected <= stored
 
 
 @pytest.mark.filterwarnings("always::UserWarning")
 @pytest.mark.parametrize(("suffix", "is_rounded"), [(".ply", True), (".pcd", True), (".e57", True), (".laz", False)])
-def test_convert_warns_of_colors_that_are_rounded(tmp_path, suffix, is_rounded):
+def test_convert_warns_about_rounded_colors(tmp_path, suffix, is_rounded):
     for red, is_finer in ((1000, True), (257, False)):
         colors = np.array([[red, 0, 65535], [0, 0, 0]]) / 65535
         loom.write_point_cloud(tmp_path / "a.las", loom.PointCloud(np.eye(3)[:2], colors=colors))
-        said = run("convert", tmp_path / "a.las", tmp_path / f"out{suffix}", "--force").stderr
-        assert ("rounded to the 8 bits" in said) == (is_rounded and is_finer)
+        messages = run("convert", tmp_path / "a.las", tmp_path / f"out{suffix}", "--force").stderr
+        assert ("rounded to the 8 bits" in messages) == (is_rounded and is_finer)

@@ -1,4 +1,4 @@
-"""mesh: the library's surfaces, normals made where there are none, verdicts on what is torn or in pieces."""
+"""mesh: surfaces, estimated normals, and unreliable results."""
 
 import dataclasses
 import json
@@ -19,7 +19,7 @@ from .commands import answer, names_in, refusal, run, unreliable
 
 @pytest.fixture
 def ball(tmp_path):
-    """A file of 3,000 points of a ball without normals, with colors and intensities, one of them not finite."""
+    """A file of 3,001 points of a sphere without normals, with colors and intensities; one is not finite."""
     points = np.random.default_rng(0).normal(size=(3001, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     colors, intensity = np.abs(points), np.arange(3001, dtype=np.float32)
@@ -45,7 +45,7 @@ def closed(inwards: bool = False) -> TriangleMesh:
     )
 
 
-def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertices_gone(ball, tmp_path, device):
+def test_the_surface_matches_the_library_with_estimated_normals_and_trimming(ball, tmp_path, device):
     sparsest = ["--density-quantile", 0.01]
     words = ["--depth", 5, *sparsest, "--picture", tmp_path / "out.png", "--device", device]
     report = answer("mesh", ball, tmp_path / "out.ply", *words)
@@ -69,7 +69,7 @@ def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertice
 
 
 @pytest.mark.parametrize(("share", "quantile"), [(1.0, 0.0), (0.5, 0.01)])
-def test_what_is_not_made_up_is_not_cut(ball, tmp_path, share, quantile):
+def test_only_extrapolated_surfaces_are_trimmed(ball, tmp_path, share, quantile):
     points = loom.read_point_cloud(ball).remove_non_finite_points()
     heights = points.points[:, 2]
     loom.write_point_cloud(
@@ -80,7 +80,7 @@ def test_what_is_not_made_up_is_not_cut(ball, tmp_path, share, quantile):
     assert report["watertight"] is (quantile == 0)
 
 
-def test_a_surface_made_up_around_an_open_scan_is_unreliable_and_the_quantile_proposed_mends_it(tmp_path):
+def test_an_open_scan_is_unreliable_until_trimmed_at_the_proposed_quantile(tmp_path):
     points = np.random.default_rng(2).normal(size=(4000, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     points[:, 2] = -np.abs(points[:, 2])
@@ -90,13 +90,13 @@ def test_a_surface_made_up_around_an_open_scan_is_unreliable_and_the_quantile_pr
     assert report["made_up"] > 0.1 and report["area"] > 1.1 * 2 * np.pi
     assert report["far"] == pytest.approx(3 * 2 * np.sqrt(10 / 4000 / 2), rel=0.1)  # 10 of them lie in a cap of a 400th
     better = "; ".join(report["warnings"]).split("use density_quantile ")[1].split(";")[0]
-    mended = answer(*words, better, "--force")
-    assert mended["made_up"] <= 0.05 and 2 * np.pi < mended["area"] < report["area"]
-    shown = run(*words, better, "--force").stdout
-    assert ("extrapolated" in shown) == (mended["made_up"] > 0)
+    trimmed = answer(*words, better, "--force")
+    assert trimmed["made_up"] <= 0.05 and 2 * np.pi < trimmed["area"] < report["area"]
+    printed = run(*words, better, "--force").stdout
+    assert ("extrapolated" in printed) == (trimmed["made_up"] > 0)
 
 
-def test_normals_of_the_input_are_used_and_reported_where_they_disagree(ball, tmp_path):
+def test_normals_of_the_input_are_used_and_disagreement_is_reported(ball, tmp_path):
     cloud = loom.read_point_cloud(ball).remove_non_finite_points()
     cloud.normals = cloud.points * np.where(np.arange(3000) % 3 == 0, -1, 1)[:, None]
     loom.write_point_cloud(tmp_path / "mixed.ply", cloud)
@@ -108,16 +108,16 @@ def test_normals_of_the_input_are_used_and_reported_where_they_disagree(ball, tm
     assert report["normals"] == "made of the 30 nearest points of each and oriented" and report["disagreement"] == 0
 
 
-def test_stl_leaves_normals_and_colors_out_and_says_so(ball, tmp_path):
-    shown = run("mesh", ball, tmp_path / "out.stl", "--depth", 4)
-    assert shown.exit_code == 0, shown.stderr
+def test_stl_omits_normals_and_colors_and_reports_it(ball, tmp_path):
+    result = run("mesh", ball, tmp_path / "out.stl", "--depth", 4)
+    assert result.exit_code == 0, result.stderr
     for words in ("poisson, depth 4, density quantile 0.0", "3,000, 1 non-finite ignored", "normals, colors (the"):
-        assert words in shown.stdout
-    assert "not carried  intensity of the points" in shown.stdout
+        assert words in result.stdout
+    assert "not carried  intensity of the points" in result.stdout
     assert len(loom.read_triangle_mesh(tmp_path / "out.stl")) > 100
 
 
-def test_a_far_cloud_is_written_where_it_lies(ball, tmp_path):
+def test_a_cloud_far_from_the_origin_keeps_its_position(ball, tmp_path):
     far = np.array([691_000.25, 5_335_000.5, 519.75])
     cloud = loom.read_point_cloud(ball).remove_non_finite_points().translate(far)
     loom.write_point_cloud(tmp_path / "far.ply", cloud)
@@ -126,8 +126,8 @@ def test_a_far_cloud_is_written_where_it_lies(ball, tmp_path):
     assert np.abs(off).max() < 0.05
 
 
-def stand_in(monkeypatch, method, mesh):
-    """The library's surface replaced by one that is known, and what it was called with."""
+def replace_method(monkeypatch, method, mesh):
+    """Replace a surface method by one that returns `mesh`; return the list of its calls."""
     calls = []
 
     def make(cloud, *arguments, **named):
@@ -139,9 +139,9 @@ def stand_in(monkeypatch, method, mesh):
     return calls
 
 
-def test_radii_and_alpha_reach_the_library(ball, tmp_path, monkeypatch):
+def test_radii_and_alpha_are_passed_to_the_library(ball, tmp_path, monkeypatch):
     sphere = TriangleMesh.create_sphere()
-    balls, alphas = stand_in(monkeypatch, "ball", sphere), stand_in(monkeypatch, "alpha", sphere)
+    balls, alphas = replace_method(monkeypatch, "ball", sphere), replace_method(monkeypatch, "alpha", sphere)
     report = answer("mesh", ball, tmp_path / "a.ply", "--method", "ball", "--radii", "0.1,0.2")
     assert report["radii"] == [0.1, 0.2]
     assert answer("mesh", ball, tmp_path / "b.ply", "--method", "ball")["radii"] is None
@@ -152,13 +152,13 @@ def test_radii_and_alpha_reach_the_library(ball, tmp_path, monkeypatch):
     assert (report["alpha"], report["normals"], report["disagreement"]) == ("auto", "not needed", None)
     assert [arguments for _, arguments, _ in alphas] == [(0.3,), ("auto",)]
     assert not any(cloud.has_normals for cloud, _, _ in alphas)
-    shown = run("mesh", ball, tmp_path / "a.ply", "--method", "ball", "--force").stdout
-    assert "ball, radii derived from the point spacing" in shown
+    printed = run("mesh", ball, tmp_path / "a.ply", "--method", "ball", "--force").stdout
+    assert "ball, radii derived from the point spacing" in printed
 
 
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
 def test_an_empty_surface_is_unreliable_and_nothing_is_written(ball, tmp_path, monkeypatch, method):
-    stand_in(monkeypatch, method, TriangleMesh())
+    replace_method(monkeypatch, method, TriangleMesh())
     report = unreliable("mesh", ball, tmp_path / "out.ply", "--method", method, "--picture", tmp_path / "out.png")
     assert report["warnings"][0].startswith("the mesh is empty")
     assert report["files"] == [] and names_in(tmp_path) == ["ball.ply"]
@@ -171,15 +171,15 @@ def test_a_cloud_without_a_finite_point_is_unreliable(tmp_path):
         assert "; ".join(report["warnings"]) == "no point is finite, so there is no surface"
 
 
-def test_a_torn_surface_is_unreliable_and_written(ball, tmp_path, monkeypatch):
+def test_a_surface_with_holes_is_unreliable_and_written(ball, tmp_path, monkeypatch):
     mesh = grid()
-    stand_in(monkeypatch, "ball", mesh.remove_triangles_by_mask(np.arange(len(mesh)) % 5 == 0))
+    replace_method(monkeypatch, "ball", mesh.remove_triangles_by_mask(np.arange(len(mesh)) % 5 == 0))
     report = unreliable("mesh", ball, tmp_path / "out.ply", "--method", "ball")
     assert "the mesh has many holes: " in str(report["warnings"]) and "use larger radii" in str(report["warnings"])
     assert report["files"] == [str(tmp_path / "out.ply")]
 
 
-def test_the_figures_of_a_surface_are_those_of_its_edges_and_parts():
+def test_surface_statistics_describe_edges_and_parts():
     sheet = describe_surface(grid())
     assert (sheet.edges, sheet.boundary_edges, sheet.crowded_edges) == (385, 44, 0)
     assert (sheet.area, sheet.parts, sheet.largest_share, sheet.watertight) == (121.0, 1, 1.0, False)
@@ -196,10 +196,10 @@ NEEDLESS = NormalsUsed("not needed", given=False, disagreement=None)
 
 
 def warnings_of(method, made_up=0.05, **figures):
-    """What the command says of a surface at all limits but for some figures."""
+    """Warnings for a surface at all limits, except for some figures."""
     summary = dataclasses.replace(describe_surface(TriangleMesh()), **LIMITS | figures)
-    found = MadeUp(made_up, far=0.2, better_quantile=0.1)
-    result = SurfaceResult(TriangleMesh(), method, {}, NEEDLESS, 5, 5, (), summary, found)
+    extrapolated = MadeUp(made_up, far=0.2, better_quantile=0.1)
+    result = SurfaceResult(TriangleMesh(), method, {}, NEEDLESS, 5, 5, (), summary, extrapolated)
     return result.warnings
 
 
@@ -215,30 +215,32 @@ def warnings_of(method, made_up=0.05, **figures):
 def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it(figures, word):
     for method, remedy in (("poisson", "density_quantile"), ("ball", "radii")):
         assert not warnings_of(method)
-        said = str(warnings_of(method, **figures))
-        assert word in said and any(w in said for w in (remedy, "three or more triangles", "density_quantile 0.1"))
+        warnings = str(warnings_of(method, **figures))
+        assert word in warnings and any(
+            w in warnings for w in (remedy, "three or more triangles", "density_quantile 0.1")
+        )
 
 
-def test_an_alpha_shape_may_have_a_tenth_of_crowded_edges_and_hollows_are_told_apart_from_nothing():
+def test_an_alpha_shape_may_have_ten_percent_non_manifold_edges_and_reports_cavities():
     assert not warnings_of("alpha", crowded_edges=100)
     assert "10.1% of its edges have three or more triangles" in str(warnings_of("alpha", crowded_edges=101))
-    said = str(warnings_of("alpha", largest_share=0.5))
-    assert "50.0% of the area is in 2 islands or cavity walls" in said and "a larger alpha" in said
+    warnings = str(warnings_of("alpha", largest_share=0.5))
+    assert "50.0% of the area is in 2 islands or cavity walls" in warnings and "a larger alpha" in warnings
 
 
-def test_a_surface_that_leaves_half_of_its_points_out_is_unreliable():
+def test_a_surface_far_from_half_of_its_points_is_unreliable():
     rng = np.random.default_rng(0)
     near = rng.uniform(-1, 1, (800, 3)) * [1, 1, 0]
     sheet = TriangleMesh([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], [[0, 1, 2], [0, 2, 3]])
-    for far, is_poor in ((300, False), (900, True)):
+    for far, is_unreliable in ((300, False), (900, True)):
         points = np.vstack([near, rng.uniform(-1, 1, (far, 3)) * [1, 1, 0.1] + [0, 0, 0.5]])
         off = _find_off(loom.PointCloud(points), sheet)
-        assert off.median is not None and (off.problem is not None) == is_poor
+        assert off.median is not None and (off.problem is not None) == is_unreliable
     assert off.median == pytest.approx(0.4, abs=0.1) and "half of the points are farther than 0.4" in str(off.problem)
-    assert PointsOff().problem is None  # no surface is told elsewhere
+    assert PointsOff().problem is None  # a missing surface is reported elsewhere
 
 
-def test_an_alpha_shape_that_spans_a_hollow_is_unreliable():
+def test_an_alpha_shape_that_closes_a_cavity_is_unreliable():
     x, y = np.random.default_rng(1).uniform(-1, 1, (2, 1500))
     bowl = loom.PointCloud(np.column_stack([x, y, 0.2 * (x * x + y * y)]))  # a few spacings deep
     spanned, followed = (loom.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
@@ -246,11 +248,11 @@ def test_an_alpha_shape_that_spans_a_hollow_is_unreliable():
     assert "extrapolated" not in str(followed.warnings)
 
 
-def test_normals_are_unreliable_beyond_a_tenth():
-    made = NormalsUsed("made of the 30 nearest points", given=False, disagreement=0.1)
-    assert made.problem is None
-    said = dataclasses.replace(made, disagreement=0.2).problem
-    assert said is not None and "though they were oriented" in said
+def test_normals_are_unreliable_if_more_than_ten_percent_disagree():
+    normals = NormalsUsed("made of the 30 nearest points", given=False, disagreement=0.1)
+    assert normals.problem is None
+    problem = dataclasses.replace(normals, disagreement=0.2).problem
+    assert problem is not None and "though they were oriented" in problem
 
 
 def test_a_room_looks_inwards_and_an_object_or_a_sheet_does_not():
@@ -263,6 +265,6 @@ def test_outputs_are_checked_before_the_input_is_read(tmp_path):
     assert "meshes are not written to .pcd" in refusal("mesh", missing, tmp_path / "out.pcd")
     assert "expected .png or .webp" in refusal("mesh", missing, tmp_path / "out.ply", "--picture", "out.jpg")
     (tmp_path / "out.png").write_bytes(b"kept")
-    said = refusal("mesh", missing, tmp_path / "out.ply", "--picture", tmp_path / "out.png")
-    assert "out.png: exists already" in said
+    message = refusal("mesh", missing, tmp_path / "out.ply", "--picture", tmp_path / "out.png")
+    assert "out.png: exists already" in message
     assert "missing.ply" in refusal("mesh", missing, tmp_path / "out.ply")

@@ -1,4 +1,4 @@
-"""clean-mesh, simplify, smooth-mesh, sample-mesh, compare-meshes: the library's results, and verdicts on them."""
+"""clean-mesh, simplify, smooth-mesh, sample-mesh, compare-meshes: results and unreliable results."""
 
 from __future__ import annotations
 
@@ -19,44 +19,44 @@ def write(path, mesh: TriangleMesh):
 
 @pytest.fixture
 def ball(tmp_path):
-    """A file of a ball of 1,520 triangles."""
+    """A file of a sphere of 1,520 triangles."""
     return write(tmp_path / "ball.ply", TriangleMesh.create_sphere(1.0, 20))
 
 
 @pytest.fixture
 def torn(tmp_path):
-    """A ball without a cap, its triangles partly turned over, some twice, with a small part beside it."""
+    """A sphere without a cap, with some flipped and duplicate triangles and a separate triangle."""
     ball = TriangleMesh.create_sphere(1.0, 20)
-    kept = ball.triangles[ball.vertices[ball.triangles].mean(axis=1)[:, 2] < 0.97]
-    triangles = kept.copy()
+    remaining = ball.triangles[ball.vertices[ball.triangles].mean(axis=1)[:, 2] < 0.97]
+    triangles = remaining.copy()
     triangles[::5] = triangles[::5, ::-1]
     corners = len(ball.vertices) + np.arange(3)
     vertices = np.vstack([ball.vertices, [[3, 0, 0], [3.1, 0, 0], [3, 0.1, 0]]])
-    return write(tmp_path / "torn.ply", TriangleMesh(vertices, np.vstack([triangles, kept[1:5], corners[None]])))
+    return write(tmp_path / "torn.ply", TriangleMesh(vertices, np.vstack([triangles, remaining[1:5], corners[None]])))
 
 
-def test_a_mesh_is_mended_as_the_library_mends_it(torn, tmp_path, device):
+def test_a_mesh_is_repaired_as_by_the_library(torn, tmp_path, device):
     options = ("--fill", 0.5, "--min-triangles", 2, "--device", device)
     report = answer("clean-mesh", torn, tmp_path / "out.ply", *options)
-    mended, done = loom.read_triangle_mesh(torn, device=device).repair(hole_size=0.5)
-    wanted = mended.remove_small_components(min_triangles=2)
+    repaired, done = loom.read_triangle_mesh(torn, device=device).repair(hole_size=0.5)
+    expected = repaired.remove_small_components(min_triangles=2)
     written = loom.read_triangle_mesh(tmp_path / "out.ply")
-    np.testing.assert_array_equal(written.vertices, wanted.vertices)
-    np.testing.assert_array_equal(written.triangles, wanted.triangles)
+    np.testing.assert_array_equal(written.vertices, expected.vertices)
+    np.testing.assert_array_equal(written.triangles, expected.triangles)
     assert report["filled_holes"] == done.filled_holes == 1 and report["removed_duplicated_triangles"] == 4
     assert (report["removed_parts"], report["parts"]) == (1, 1)
     assert report["is_watertight"] and report["boundary_edges"] == 0 and report["self_intersections"] == 0
-    assert report["reliable"] and report["triangles"] == len(wanted)
+    assert report["reliable"] and report["triangles"] == len(expected)
 
 
-def test_what_is_right_stays_and_the_summary_says_so(ball, tmp_path):
+def test_a_mesh_without_defects_is_unchanged(ball, tmp_path):
     result = run("clean-mesh", ball, tmp_path / "out.ply")
     assert result.exit_code == 0
     assert "nothing to repair" in result.stdout and "no defects" in result.stdout
     assert (tmp_path / "out.ply").read_bytes() == ball.read_bytes()
 
 
-def test_merging_most_vertices_is_unreliable(ball, tmp_path):
+def test_merging_too_many_vertices_is_unreliable(ball, tmp_path):
     report = unreliable("clean-mesh", ball, tmp_path / "out.ply", "--merge", 0.9)
     assert "merge_distance below 0.9 m" in str(report["warnings"])
 
@@ -68,12 +68,12 @@ def test_a_mesh_that_lost_part_of_its_surface_is_unreliable(tmp_path):
     assert "of the area was lost" in str(report["warnings"]) and report["is_watertight"] and report["lost_area"] > 1
 
 
-def test_a_strip_with_one_side_is_unreliable(tmp_path):
+def test_a_moebius_strip_is_unreliable(tmp_path):
     strip = write(tmp_path / "strip.ply", TriangleMesh.create_moebius())
     assert "is not orientable" in str(unreliable("clean-mesh", strip, tmp_path / "out.ply")["warnings"])
 
 
-def test_where_nothing_is_left_nothing_is_written(ball, tmp_path):
+def test_an_empty_result_is_not_written(ball, tmp_path):
     report = unreliable("clean-mesh", ball, tmp_path / "out.ply", "--min-triangles", 100_000)
     assert "no triangles remain" in str(report["warnings"]) and report["files"] == []
     assert names_in(tmp_path) == ["ball.ply"]
@@ -82,13 +82,13 @@ def test_where_nothing_is_left_nothing_is_written(ball, tmp_path):
 @pytest.mark.parametrize(
     ("option", "amount", "target"), [("--triangles", 300, 300), ("--ratio", 0.25, 380), ("--voxel", 0.1, None)]
 )
-def test_a_mesh_is_thinned_to_its_target(ball, tmp_path, device, option, amount, target):
+def test_a_mesh_is_simplified_to_its_target(ball, tmp_path, device, option, amount, target):
     report = answer("simplify", ball, tmp_path / "out.ply", option, amount, "--device", device)
     mesh = loom.read_triangle_mesh(ball, device=device)
-    wanted = mesh.simplify_quadric_decimation(target) if target else mesh.simplify_vertex_clustering(0.1, "quadric")
+    expected = mesh.simplify_quadric_decimation(target) if target else mesh.simplify_vertex_clustering(0.1, "quadric")
     written = loom.read_triangle_mesh(tmp_path / "out.ply")
-    np.testing.assert_array_equal(written.triangles, wanted.triangles)
-    assert (report["target"], report["triangles"]) == (target, len(wanted))
+    np.testing.assert_array_equal(written.triangles, expected.triangles)
+    assert (report["target"], report["triangles"]) == (target, len(expected))
     assert 0 < report["errors"]["rms"] <= report["errors"]["max"] and (target is None or report["errors"]["max"] < 0.03)
 
 
@@ -106,11 +106,11 @@ def test_a_surface_that_moved_far_is_unreliable(ball, tmp_path):
         ("sharpen", ["--strength", 0.1], lambda mesh: mesh.filter_sharpen(3, 0.1)),
     ],
 )
-def test_a_mesh_is_smoothed_as_the_library_smooths_it(ball, tmp_path, method, options, make):
+def test_a_mesh_is_smoothed_as_by_the_library(ball, tmp_path, method, options, make):
     report = answer("smooth-mesh", ball, tmp_path / "out.ply", "--method", method, "--iterations", 3, *options)
-    wanted = make(loom.read_triangle_mesh(ball))
-    np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "out.ply").vertices, wanted.vertices)
-    assert report["area"] == wanted.get_surface_area() and report["moved"]["max"] > 0
+    expected = make(loom.read_triangle_mesh(ball))
+    np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "out.ply").vertices, expected.vertices)
+    assert report["area"] == expected.get_surface_area() and report["moved"]["max"] > 0
 
 
 def test_a_mesh_that_shrank_is_unreliable(ball, tmp_path):
@@ -119,7 +119,7 @@ def test_a_mesh_that_shrank_is_unreliable(ball, tmp_path):
 
 
 @pytest.mark.parametrize("even", [False, True])
-def test_points_are_drawn_as_the_library_draws_them(ball, tmp_path, even):
+def test_points_are_sampled_as_by_the_library(ball, tmp_path, even):
     options = ["--even"] if even else []
     report = answer("sample-mesh", ball, tmp_path / "out.ply", "--points", 400, "--seed", 3, *options)
     mesh = loom.read_triangle_mesh(ball)
@@ -136,17 +136,17 @@ def test_a_mesh_without_area_gives_no_points(tmp_path):
 
 @pytest.fixture
 def larger(tmp_path):
-    """The ball, a hundredth larger."""
+    """The sphere, 1% larger."""
     return write(tmp_path / "larger.ply", TriangleMesh.create_sphere(1.01, 20))
 
 
-def test_two_meshes_are_compared_as_the_library_compares_them(ball, larger, tmp_path, device):
+def test_two_meshes_are_compared_as_by_the_library(ball, larger, tmp_path, device):
     words = (ball, larger, "--threshold", "0.005,0.02", "--samples", 5000, "--device", device)
     report = answer("compare-meshes", *words)
     meshes = [loom.read_triangle_mesh(path, device=device) for path in (ball, larger)]
-    wanted = meshes[0].compute_metrics(meshes[1], [0.005, 0.02], 5000)
-    assert (report["chamfer"], report["hausdorff"]) == (wanted.chamfer, wanted.hausdorff)
-    assert report["fscore"] == {"0.005": wanted.fscore[0], "0.02": wanted.fscore[1]}
+    expected = meshes[0].compute_metrics(meshes[1], [0.005, 0.02], 5000)
+    assert (report["chamfer"], report["hausdorff"]) == (expected.chamfer, expected.hausdorff)
+    assert report["fscore"] == {"0.005": expected.fscore[0], "0.02": expected.fscore[1]}
     assert 0.009 < report["hausdorff"] <= report["hausdorff_bound"] < 0.012
 
 
@@ -159,7 +159,7 @@ def test_an_error_map_is_written(ball, larger, tmp_path):
     assert report["files"] == [str(tmp_path / "map.ply")]
 
 
-def test_a_picture_shows_the_distances_and_how_often_each_occurs(ball, larger, tmp_path, device):
+def test_a_picture_shows_the_distances_and_their_histogram(ball, larger, tmp_path, device):
     words = ("--picture", tmp_path / "map.png", "--samples", 1000, "--device", device)
     report = answer("compare-meshes", ball, larger, *words)
     assert report["files"] == [str(tmp_path / "map.png")] and report["seconds"]["picture"] > 0
@@ -170,8 +170,8 @@ def test_a_picture_shows_the_distances_and_how_often_each_occurs(ball, larger, t
     assert (np.ptp(bars, axis=2) > 40).sum() > 1000 and (bars[:, -3:] == 255).all()
 
 
-def test_where_a_picture_cannot_be_written_is_told_before_the_work(ball, tmp_path):
-    missing = tmp_path / "none.ply"  # which would be an error too, later
+def test_an_unwritable_picture_is_rejected_before_the_inputs_are_read(ball, tmp_path):
+    missing = tmp_path / "none.ply"  # would be an error too, but later
     assert "expected .png or .webp" in refusal("compare-meshes", missing, ball, "--picture", tmp_path / "map.jpg")
     (tmp_path / "mine.png").write_text("mine")
     both = ("--picture", tmp_path / "mine.png", "--error-map", tmp_path / "map.ply")
@@ -183,13 +183,13 @@ def test_where_a_picture_cannot_be_written_is_told_before_the_work(ball, tmp_pat
     ]
 
 
-def test_surfaces_farther_apart_than_asked_are_unreliable(ball, larger, tmp_path):
+def test_surfaces_beyond_max_distance_are_unreliable(ball, larger, tmp_path):
     assert "more than 0.001 m" in str(unreliable("compare-meshes", ball, larger, "--max-distance", 0.001)["warnings"])
     assert answer("compare-meshes", ball, larger, "--max-distance", 0.1)["reliable"]
 
 
 @pytest.mark.slow
-def test_meshes_of_other_units_are_unreliable(ball, tmp_path):
+def test_meshes_in_different_units_are_unreliable(ball, tmp_path):
     other = write(tmp_path / "mm.ply", TriangleMesh.create_sphere(1000.0, 20))
     assert "Check units" in str(unreliable("compare-meshes", ball, other)["warnings"])
 
@@ -197,7 +197,7 @@ def test_meshes_of_other_units_are_unreliable(ball, tmp_path):
 @pytest.mark.parametrize(
     "words", [("clean-mesh",), ("simplify", "--ratio", 0.5), ("smooth-mesh",), ("sample-mesh", "--points", 5)]
 )
-def test_files_that_are_no_meshes_are_named(tmp_path, words):
+def test_files_without_triangles_are_named(tmp_path, words):
     (tmp_path / "broken.ply").write_bytes(b"ply\nformat ascii 1.0\nelement vertex 3\n")
     loom.write_point_cloud(tmp_path / "cloud.ply", loom.PointCloud([[0, 0, 0]]))
     for name in ("broken.ply", "cloud.ply", "missing.ply"):

@@ -1,4 +1,4 @@
-"""multiway: many clouds in one frame."""
+"""multiway: registration of many clouds into one frame."""
 
 from pathlib import Path
 
@@ -9,18 +9,18 @@ import pointloom as loom
 from pointloom.cameras.trajectory import read_trajectory
 
 from .commands import answer, names_in, refusal, run, unreliable
-from .surface_poses import VOXEL, bumpy, moved, turned
+from .surface_poses import VOXEL, bumpy, moved, yaw_pose
 
-PLACES = (turned(0, 0, 0, 0), turned(120, 3, 0, 1), turned(-70, -2, 5, 0))  # T_scene_cloud
+POSES = (yaw_pose(0, 0, 0, 0), yaw_pose(120, 3, 0, 1), yaw_pose(-70, -2, 5, 0))  # T_scene_cloud
 
 
 @pytest.fixture
 def views(tmp_path, rng) -> Path:
-    """A folder of 3 clouds, each two thirds of one surface from another place, in names whose order is by number."""
+    """A folder of 3 clouds, each two thirds of a surface from another pose; their names sort by number."""
     folder, points = tmp_path / "views", bumpy(rng)
     folder.mkdir()
     parts = (points[points[:, 0] < 0.4], points[points[:, 0] > -0.4], points[abs(points[:, 1]) < 0.7])
-    for number, part, T in zip((2, 9, 10), parts, PLACES, strict=True):
+    for number, part, T in zip((2, 9, 10), parts, POSES, strict=True):
         cloud = loom.PointCloud(moved(part, np.linalg.inv(T)), ring=np.full(len(part), number, np.uint8))
         if number == 9:
             cloud["time"] = np.zeros(len(part))
@@ -28,17 +28,17 @@ def views(tmp_path, rng) -> Path:
     return folder
 
 
-def test_multiway_brings_all_clouds_into_one_frame(views, tmp_path):
+def test_multiway_registers_all_clouds_into_one_frame(views, tmp_path):
     outputs = tmp_path / "poses.log", tmp_path / "graph.json", tmp_path / "all.ply"
     words = ["multiway", views, *VOXEL, "-o", outputs[0], "--graph", outputs[1], "--merged", outputs[2]]
     report = answer(*words)
     assert report["clouds"] == ["view2.ply", "view9.ply", "view10.ply"]
     assert (report["reference"], report["not_placed"], report["left_out"]) == ("view2.ply", [], ["time"])
     assert report["files"] == [str(path) for path in outputs]
-    found = read_trajectory(outputs[0])
-    assert found.ids is not None
-    assert found.ids.tolist() == [[0, 0, 3], [1, 1, 3], [2, 2, 3]]
-    for pose, T in zip(found.poses, PLACES, strict=True):
+    trajectory = read_trajectory(outputs[0])
+    assert trajectory.ids is not None
+    assert trajectory.ids.tolist() == [[0, 0, 3], [1, 1, 3], [2, 2, 3]]
+    for pose, T in zip(trajectory.poses, POSES, strict=True):
         np.testing.assert_allclose(pose, T, atol=0.02)
     graph = loom.registration.read_pose_graph(outputs[1])
     assert (len(graph.nodes), len(graph.edges)) == (3, report["edges"])
@@ -48,13 +48,13 @@ def test_multiway_brings_all_clouds_into_one_frame(views, tmp_path):
     ]
     x, y, z = merged.points.T
     np.testing.assert_allclose(z, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x), atol=0.03)
-    shown = run(*words, "--force").stdout
-    assert "3 of 3 placed" in shown
-    assert "that of view2.ply" in shown
-    assert "left out  time" in shown
+    printed = run(*words, "--force").stdout
+    assert "3 of 3 placed" in printed
+    assert "that of view2.ply" in printed
+    assert "left out  time" in printed
 
 
-def test_a_cloud_that_cannot_be_placed_is_unreliable(views, tmp_path, rng):
+def test_a_cloud_that_cannot_be_registered_is_unreliable(views, tmp_path, rng):
     loom.write_point_cloud(views / "view5.ply", loom.PointCloud(rng.random((4000, 3))))
     report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--loops", 3)
     assert report["not_placed"] == ["view5.ply"]
@@ -65,7 +65,7 @@ def test_a_cloud_that_cannot_be_placed_is_unreliable(views, tmp_path, rng):
     assert ids[:, 0].tolist() == [0, 2, 3]
 
 
-def test_clouds_that_have_nothing_in_common_write_nothing(views, tmp_path, rng):
+def test_clouds_without_overlap_write_nothing(views, tmp_path, rng):
     for path in sorted(views.iterdir())[:2]:
         loom.write_point_cloud(path, loom.PointCloud(rng.random((4000, 3))))
     report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--merged", tmp_path / "all.ply")
@@ -74,7 +74,7 @@ def test_clouds_that_have_nothing_in_common_write_nothing(views, tmp_path, rng):
     assert names_in(tmp_path) == ["views"]
 
 
-def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
+def test_multiway_rejects_invalid_calls_first(views, tmp_path):
     output = tmp_path / "poses.log"
     assert "poses are not written to .csv" in refusal("multiway", views, "-o", tmp_path / "poses.csv")
     assert "the next run would read it as one of the clouds" in refusal(
@@ -91,10 +91,10 @@ def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
     assert names_in(tmp_path) == ["views"]
 
 
-def test_a_job_gives_the_poses_of_one_process_and_a_status_of_each_pair(views, tmp_path, rng):
+def test_a_job_gives_the_poses_of_one_process_and_the_status_of_each_pair(views, tmp_path, rng):
     loom.write_point_cloud(views / "view20.ply", loom.PointCloud(rng.random((4000, 3))))
-    places = loom.Trajectory(np.array(PLACES), ids=np.array([[k, k, 3] for k in range(3)]))
-    loom.write_trajectory(tmp_path / "places.log", places, format="log")
+    initial = loom.Trajectory(np.array(POSES), ids=np.array([[k, k, 3] for k in range(3)]))
+    loom.write_trajectory(tmp_path / "places.log", initial, format="log")
     how = ["multiway", views, *VOXEL, "--force", "-o"]
     unreliable(*how, tmp_path / "memory.log")
     by_job = [*how, tmp_path / "job.log", "--job", tmp_path / "job", "--device", "cpu"]
@@ -104,33 +104,33 @@ def test_a_job_gives_the_poses_of_one_process_and_a_status_of_each_pair(views, t
     statuses = {(pair["target"], pair["source"]): (pair["by"], pair["status"]) for pair in report["tried"]}
     assert len(statuses) == 6
     assert statuses["view2.ply", "view9.ply"] == ("place", "kept")
-    by, doubt = statuses["view2.ply", "view20.ply"]
-    assert by == "look" and doubt not in ("kept", "dropped", "apart", "")
+    by, status = statuses["view2.ply", "view20.ply"]
+    assert by == "look" and status not in ("kept", "dropped", "apart", "")
     written = (tmp_path / "job.log").stat().st_mtime_ns
     assert unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)["tried"] == report["tried"]
     assert (tmp_path / "job.log").stat().st_mtime_ns > written
-    said = refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
-    assert "voxel_size 0.2" in said
+    message = refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
+    assert "voxel_size 0.2" in message
 
 
-def test_a_scan_that_cannot_be_read_ends_a_job_by_name_and_the_same_command_goes_on(views, tmp_path):
+def test_an_unreadable_scan_stops_a_job_that_the_same_command_resumes(views, tmp_path):
     words = ["multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--job", tmp_path / "job", "--device", "cpu"]
-    whole = (views / "view9.ply").read_bytes()
-    (views / "view9.ply").write_bytes(whole[:5000])
-    said = refusal(*words)
-    assert "2 of 3 tasks done" in said and "view9.ply" in said and "run the same command again" in said
-    (views / "view9.ply").write_bytes(whole)
+    content = (views / "view9.ply").read_bytes()
+    (views / "view9.ply").write_bytes(content[:5000])
+    message = refusal(*words)
+    assert "2 of 3 tasks done" in message and "view9.ply" in message and "run the same command again" in message
+    (views / "view9.ply").write_bytes(content)
     assert answer(*words)["not_placed"] == []
 
 
-def test_places_of_other_scans_are_refused(views, tmp_path):
+def test_initial_poses_of_other_scans_are_rejected(views, tmp_path):
     words = ["multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--job", tmp_path / "job", "--places"]
     for name, numbers in (("high.log", [0, 3]), ("twice.log", [1, 1])):
-        found = loom.Trajectory(np.array(PLACES[:2]), ids=np.array([[k, k, 3] for k in numbers]))
-        loom.write_trajectory(tmp_path / name, found, format="log")
+        trajectory = loom.Trajectory(np.array(POSES[:2]), ids=np.array([[k, k, 3] for k in numbers]))
+        loom.write_trajectory(tmp_path / name, trajectory, format="log")
         assert f"{name}: expected poses with different numbers from 0 to 2, one per scan, got 2 poses" in refusal(
             *words, tmp_path / name
         )
-    loom.write_trajectory(tmp_path / "few.kitti", loom.Trajectory(np.array(PLACES[:2])), format="kitti")
+    loom.write_trajectory(tmp_path / "few.kitti", loom.Trajectory(np.array(POSES[:2])), format="kitti")
     assert "few.kitti: expected poses" in refusal(*words, tmp_path / "few.kitti")
     assert not (tmp_path / "job").exists()

@@ -1,4 +1,4 @@
-"""odometry: the path of a drive, its errors, and what the command refuses."""
+"""odometry: the trajectory, its errors, and invalid calls."""
 
 import dataclasses
 import io
@@ -19,7 +19,7 @@ from .surface_poses import moved, path_of
 
 @pytest.fixture
 def drive(tmp_path, rng) -> Path:
-    """A folder of 5 scans of a room, .bin as KITTI has them, whose names have numbers without leading zeros."""
+    """A folder of 5 scans of a room as KITTI .bin files; the numbers in their names have no leading zeros."""
     room = rng.uniform(-8, 8, (5000, 3)) * [1, 1, 0.3]
     room[np.arange(5000), np.arange(5000) % 3] = np.where(rng.random(5000) < 0.5, -1, 1) * 8.0
     folder = tmp_path / "drive"
@@ -33,26 +33,26 @@ def drive(tmp_path, rng) -> Path:
 INDOORS = ["--max-range", 30, "--min-range", 0.5]
 
 
-def test_odometry_writes_the_path_and_its_errors(drive, tmp_path, device):
+def test_odometry_writes_the_trajectory_and_its_errors(drive, tmp_path, device):
     poses, truth = tmp_path / "poses.txt", tmp_path / "truth.tum"
     write_trajectory(truth, Trajectory(path_of(5)))
     report = answer("odometry", drive, "-o", poses, *INDOORS, "--truth", truth, "--device", device)
-    found = read_trajectory(poses)
-    np.testing.assert_allclose(found.poses, path_of(5), atol=0.02)
+    trajectory = read_trajectory(poses)
+    np.testing.assert_allclose(trajectory.poses, path_of(5), atol=0.02)
     expected = loom.registration.run_odometry(drive, max_range=30, min_range=0.5)
-    np.testing.assert_allclose(found.poses, expected.poses, atol=1e-5)
+    np.testing.assert_allclose(trajectory.poses, expected.poses, atol=1e-5)
     assert (report["scans"], report["points"], report["predicted"]) == (5, 25000, [])
     assert report["errors"]["absolute"]["m"]["rmse"] < 0.01
-    error = loom.registration.evaluate_trajectory(found, Trajectory(path_of(5)))
+    error = loom.registration.evaluate_trajectory(trajectory, Trajectory(path_of(5)))
     assert report["errors"]["relative"]["m"]["rmse"] == pytest.approx(error.relative_translation.rmse, rel=1e-6)
     assert report["files"] == [str(poses)]
 
 
 @pytest.mark.slow
-def test_odometry_writes_each_format_and_sums_up(drive, tmp_path):
-    shown = run("odometry", drive, "-o", tmp_path / "poses.txt", *INDOORS)
-    assert shown.exit_code == 0, shown.stderr
-    assert "5, 25,000 points, " in shown.stdout and "scans/s" in shown.stdout and "ATE" not in shown.stdout
+def test_odometry_writes_each_format_and_a_summary(drive, tmp_path):
+    result = run("odometry", drive, "-o", tmp_path / "poses.txt", *INDOORS)
+    assert result.exit_code == 0, result.stderr
+    assert "5, 25,000 points, " in result.stdout and "scans/s" in result.stdout and "ATE" not in result.stdout
     tum = read_trajectory(tmp_path / "poses.txt")
     assert tum.timestamps.tolist() == [0, 1, 2, 3, 4]
     words = ["odometry", drive, *INDOORS, "-o"]
@@ -75,38 +75,38 @@ def test_a_scan_that_does_not_overlap_is_unreliable(drive, tmp_path, rng):
     assert "1 of 5 scans" in str(report["warnings"])
     assert "broken at scan 2" in str(report["warnings"])
     assert len(read_trajectory(tmp_path / "poses.txt")) == 5
-    shown = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
-    assert "predicted  1: scan 2" in shown.stdout
+    result = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
+    assert "predicted  1: scan 2" in result.stdout
 
 
 @pytest.mark.slow
-def test_a_path_that_was_lost_is_unreliable_and_names_the_scans(real_file, tmp_path):
+def test_lost_odometry_is_unreliable_and_names_the_scans(real_file, tmp_path):
     folder = tmp_path / "submaps"
     folder.mkdir()
     for number in range(5):  # submaps of a drive, 3 to 12 m apart
         points = np.fromfile(real_file(f"reg-gtsam-points/kitti_07_dump/{number:06}/points.bin"), "<f4")
         loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(points.reshape(-1, 3)[::3]))
     report = unreliable("odometry", folder, "-o", tmp_path / "a.txt", "--device", "cpu")
-    assert report["strayed"][0] == 3  # the first two are turned by 32 and 49 degrees, and found
+    assert report["strayed"][0] == 3  # the first two are rotated by 32 and 49 degrees, and registered
     assert "scans do not match the map of earlier scans (scan 3" in str(report["warnings"])
     assert "probably lost from scan 3 on" in str(report["warnings"])
 
 
-def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
+def test_scans_that_do_not_converge_are_named(drive, tmp_path, monkeypatch):
     steps = iter([False, True, True, False, True, True])
 
-    def restless(self, *args, **kwargs):
-        step = found(self, *args, **kwargs)
+    def not_converged(self, *args, **kwargs):
+        step = match(self, *args, **kwargs)
         return dataclasses.replace(step, status="max_iteration", converged=False) if next(steps) else step
 
-    found = LidarOdometry._match
-    monkeypatch.setattr(LidarOdometry, "_match", restless)
+    match = LidarOdometry._match
+    monkeypatch.setattr(LidarOdometry, "_match", not_converged)
     report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", *INDOORS)
     assert report["unsettled"] == [1, 2, 4]
     assert report["warnings"] == ["3 of 5 scans did not converge on the map (scan 1-2, 4)"]
     steps = iter([False, False, True, False, False])
-    shown = run("odometry", drive, "-o", tmp_path / "b.txt", *INDOORS)
-    assert shown.exit_code == 3  # a quarter of four
+    result = run("odometry", drive, "-o", tmp_path / "b.txt", *INDOORS)
+    assert result.exit_code == 3  # a quarter of four
 
 
 def test_scans_out_of_range_write_nothing(drive, tmp_path):
@@ -118,7 +118,7 @@ def test_scans_out_of_range_write_nothing(drive, tmp_path):
     assert not (tmp_path / "a.txt").exists()
 
 
-def test_odometry_refuses_what_cannot_be_done_before_the_work(drive, tmp_path):
+def test_odometry_rejects_invalid_calls_first(drive, tmp_path):
     poses, truth = tmp_path / "poses.txt", tmp_path / "truth.txt"
     assert "poses are not written to .json" in refusal("odometry", drive, "-o", tmp_path / "a.json")
     assert "poses as tum are not written to .kitti" in refusal(
@@ -137,7 +137,7 @@ def test_odometry_refuses_what_cannot_be_done_before_the_work(drive, tmp_path):
     assert names_in(tmp_path) == ["drive", "poses.txt", "truth.txt"]
 
 
-def test_progress_tells_the_rate(monkeypatch, capsys):
+def test_progress_reports_the_rate(monkeypatch, capsys):
     monkeypatch.setattr(console, "LINE_INTERVAL", 0.0)
     with console.Progress(rates=True) as progress:
         progress("scans", 3, 10)

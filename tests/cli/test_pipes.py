@@ -1,4 +1,4 @@
-"""`-` for standard input and output: the same bytes as from and to files, and one line where it cannot be."""
+"""`-` for standard input and output: the same bytes as with files, and one-line errors."""
 
 import json
 import os
@@ -33,7 +33,7 @@ def start(*words: object, **streams) -> subprocess.Popen:
     )
 
 
-def test_the_extensions_of_pipes_are_those_of_files():
+def test_pipes_support_the_extensions_of_files():
     meshes = [suffix for suffix in tables.MESHES if suffix != ".ply"]
     assert sorted(pipes.READ) == sorted(suffix[1:] for suffix in [*READERS, *meshes])
     assert sorted(pipes.RECORDINGS) == sorted(recording._READERS)
@@ -41,7 +41,7 @@ def test_the_extensions_of_pipes_are_those_of_files():
 
 
 @pytest.mark.parametrize("extension", ["ply", "npz"])
-def test_what_comes_through_pipes_is_what_files_hold(cloud, tmp_path, extension):
+def test_pipes_carry_the_same_bytes_as_files(cloud, tmp_path, extension):
     out = tmp_path / f"out.{extension}"
     assert run("downsample", cloud, out, "--every", "3").exit_code == 0
     piped = feed(cloud.read_bytes(), "downsample", "-", "-", "--every", "3", "--from", "ply", "--to", extension)
@@ -67,7 +67,7 @@ def test_register_reads_one_of_its_clouds_from_a_pipe(cloud):
     np.testing.assert_allclose(report["transformation"], np.eye(4), atol=1e-6)
 
 
-def test_a_damaged_cloud_in_a_pipe_is_named_so(cloud):
+def test_a_damaged_cloud_in_a_pipe_is_named(cloud):
     for words in (["convert", "-", "-", "--from", "ply", "--to", "pcd"], ["info", "-", "--from", "ply"]):
         result = feed(cloud.read_bytes()[:-1], *words)
         assert result.exit_code == 1
@@ -82,7 +82,7 @@ def test_an_unreliable_result_writes_nothing_to_the_pipe(tmp_path):
     assert (result.exit_code, result.stdout_bytes) == (3, b"")
 
 
-def test_json_and_the_cloud_do_not_mix(cloud):
+def test_json_and_the_cloud_cannot_share_standard_output(cloud):
     result = run("convert", cloud, "-", "--to", "ply", "--json")
     assert result.exit_code == 2
     assert "--json and - both use standard output" in result.stderr
@@ -96,14 +96,14 @@ def test_json_and_the_cloud_do_not_mix(cloud):
         (["convert", "CLOUD", "-", "--to", "ply"], "output"),
     ],
 )
-def test_a_terminal_is_no_pipe(cloud, words, end):
-    ours, theirs = os.openpty()
+def test_a_terminal_is_rejected_as_a_pipe(cloud, words, end):
+    controller, terminal = os.openpty()
     words = [str(cloud) if word == "CLOUD" else word for word in words]
-    stdin, stdout = (theirs, subprocess.PIPE) if end == "input" else (subprocess.DEVNULL, theirs)
+    stdin, stdout = (terminal, subprocess.PIPE) if end == "input" else (subprocess.DEVNULL, terminal)
     process = start(*words, stdin=stdin, stdout=stdout)
     _, stderr = process.communicate(timeout=300)
-    os.close(theirs)
-    os.close(ours)
+    os.close(terminal)
+    os.close(controller)
     assert process.returncode == 2
     assert f"standard {end} is a terminal" in stderr.decode()
 
@@ -124,7 +124,7 @@ def test_a_full_disk_behind_standard_output_is_one_line(cloud, words):
 
 
 @pytest.mark.slow
-def test_a_reader_that_has_enough_is_told_nothing(cloud):
+def test_a_closed_pipe_prints_no_error(cloud):
     read, write = os.pipe()
     os.close(read)
     process = start("info", cloud, "--json", stdout=write)
@@ -133,7 +133,7 @@ def test_a_reader_that_has_enough_is_told_nothing(cloud):
     assert (process.returncode, stderr) == (1, b"")
 
 
-def test_textures_that_would_lie_beside_a_pipe_are_refused(tmp_path):
+def test_separate_texture_files_are_rejected_for_a_pipe(tmp_path):
     mesh = loom.TriangleMesh.create_plane(create_uv_map=True)
     mesh.textures = [np.full((4, 4, 3), 200, np.uint8)]
     loom.write_triangle_mesh(tmp_path / "plane.glb", mesh)

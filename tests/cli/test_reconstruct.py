@@ -1,4 +1,4 @@
-"""reconstruct: a mesh of frames without poses, by either method, and what is told of what is not in it."""
+"""reconstruct: a mesh of frames without poses by both methods, and reports of omitted frames."""
 
 import json
 from pathlib import Path
@@ -24,16 +24,16 @@ COARSE = ["--voxel", 0.05]
 
 
 def cover(folder: Path, *numbers: int) -> None:
-    """Blank depth, as of a covered lens."""
+    """Set the depth of frames to zero, as with a covered lens."""
     for number in numbers:
         path = folder / f"frame-{number:06d}.depth.png"
         write_png(path, np.zeros_like(read_depth(path)))
 
 
-def test_frames_become_a_mesh_a_path_and_a_picture(walked, tmp_path, device):
+def test_frames_become_a_mesh_a_trajectory_and_a_picture(sequence_folder, tmp_path, device):
     mesh, poses, picture = tmp_path / "mesh.ply", tmp_path / "poses.log", tmp_path / "mesh.png"
     words = ["--trajectory", poses, "--picture", picture, "--device", device]
-    report = answer("reconstruct", walked, "-o", mesh, *COARSE, *words)
+    report = answer("reconstruct", sequence_folder, "-o", mesh, *COARSE, *words)
     assert report["method"] == "slam"
     assert (report["frames"], report["tracked"], report["lost"]) == (8, 8, [])
     assert len(read_triangle_mesh(mesh)) == report["triangles"] > 1000
@@ -44,25 +44,25 @@ def test_frames_become_a_mesh_a_path_and_a_picture(walked, tmp_path, device):
     assert names_in(tmp_path) == ["mesh.ply", "mesh.png", "poses.log", "walk"]
 
 
-def test_reconstruct_sums_up(walked, tmp_path):
-    shown = run("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE, "--every", 4)
-    assert shown.exit_code == 0, shown.stderr
+def test_reconstruct_prints_a_summary(sequence_folder, tmp_path):
+    result = run("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE, "--every", 4)
+    assert result.exit_code == 0, result.stderr
     for part in ("2 of 2, ", "ATE", "RPE", "loops", "voxels of 50 mm", "mesh.ply"):
-        assert part in shown.stdout
-    assert shown.stderr == ""
+        assert part in result.stdout
+    assert result.stderr == ""
 
 
 @pytest.mark.slow
-def test_lost_frames_give_an_unreliable_result_with_a_mesh(walked, tmp_path):
-    cover(walked, 5, 6)
-    report = unreliable("reconstruct", walked, "-o", tmp_path / "mesh.ply", *COARSE)
+def test_lost_frames_give_an_unreliable_result_with_a_mesh(sequence_folder, tmp_path):
+    cover(sequence_folder, 5, 6)
+    report = unreliable("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE)
     assert [entry["frame"] for entry in report["lost"]] == [5, 6]
     assert "2 of 8 frames were lost (frame 5-6) and are left out: " in str(report["warnings"])
     assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
 
 
 class Closure:
-    """What `close_loops` gives, made up: each loop lifts the last submap by 6 cm."""
+    """A synthetic result of `close_loops`: each loop lifts the last submap by 6 cm."""
 
     refused, loops = (), ()
 
@@ -73,7 +73,7 @@ class Closure:
 
 @pytest.fixture
 def made_up(monkeypatch):
-    """Submaps of some 3 frames, without loops."""
+    """Submaps of 3 frames, without loops until the fixture is called with some."""
     monkeypatch.setattr(looped_model, "SUBMAP_FRAMES", 3)
     monkeypatch.setattr(dense_slam, "close_loops", Closure)
     return lambda loops: monkeypatch.setattr(Closure, "loops", loops)
@@ -81,12 +81,16 @@ def made_up(monkeypatch):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("colored", [True, False], ids=["with color", "without"])
-def test_loops_move_all_frames_between(walked, tmp_path, made_up, colored):
-    for path in [] if colored else walked.glob("*.color.png"):
+def test_loops_correct_all_frames_between(sequence_folder, tmp_path, made_up, colored):
+    for path in [] if colored else sequence_folder.glob("*.color.png"):
         path.unlink()
-    plain = answer("reconstruct", walked, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log")
+    plain = answer(
+        "reconstruct", sequence_folder, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log"
+    )
     made_up([SimpleNamespace(source=1, target=0)])
-    report = answer("reconstruct", walked, "-o", tmp_path / "b.ply", *COARSE, "--trajectory", tmp_path / "b.log")
+    report = answer(
+        "reconstruct", sequence_folder, "-o", tmp_path / "b.ply", *COARSE, "--trajectory", tmp_path / "b.log"
+    )
     assert (plain["submaps"], plain["loops"], plain["corrected_m"]) == (3, [], 0)
     assert report["loops"] == [[0, 1]]
     lifts = (read_trajectory(tmp_path / "b.log").poses - read_trajectory(tmp_path / "a.log").poses)[:, 2, 3]
@@ -99,11 +103,11 @@ def test_loops_move_all_frames_between(walked, tmp_path, made_up, colored):
     assert all(len(mesh) > 1000 for mesh in meshes)
 
 
-def test_without_loops_the_surface_is_not_made_anew():
+def test_without_loops_the_surface_is_not_rebuilt():
     slam = SimpleNamespace(volume="tracked", model=SimpleNamespace(frame_count=1))
 
     def close_loops(progress):
-        slam.volume = "made anew"
+        slam.volume = "rebuilt"
         return SimpleNamespace(T_world_submap=[0], refused=[], loops=[])
 
     slam.close_loops = close_loops
@@ -111,10 +115,10 @@ def test_without_loops_the_surface_is_not_made_anew():
 
 
 @pytest.mark.slow
-def test_without_loops_the_surface_is_the_tracked_one(walked, tmp_path, made_up):
-    """Not the one that is made anew from the submaps, in which frames that two of them share count twice."""
-    plain = answer("reconstruct", walked, "-o", tmp_path / "plain.ply", *COARSE)
-    dataset = open_folder(walked)
+def test_without_loops_the_surface_is_the_tracked_one(sequence_folder, tmp_path, made_up):
+    """It is not rebuilt from the submaps, where frames shared by two submaps would count twice."""
+    plain = answer("reconstruct", sequence_folder, "-o", tmp_path / "plain.ply", *COARSE)
+    dataset = open_folder(sequence_folder)
     sizes = {"voxel_size": 0.05, "depth_max": 4.0, "device": "cpu"}
     slam = make_slam(dataset, **sizes)
     track_with(slam, dataset, **sizes)
@@ -123,11 +127,13 @@ def test_without_loops_the_surface_is_the_tracked_one(walked, tmp_path, made_up)
     assert plain["submaps"] == 3
 
 
-def test_a_frame_that_cannot_be_read_shifts_no_pose_of_another(walked, tmp_path, made_up):
+def test_an_unreadable_frame_does_not_shift_other_poses(sequence_folder, tmp_path, made_up):
     made_up([SimpleNamespace(source=1, target=0)])
-    path = walked / "frame-000002.depth.png"
+    path = sequence_folder / "frame-000002.depth.png"
     path.write_bytes(path.read_bytes()[:-200])
-    report = unreliable("reconstruct", walked, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log")
+    report = unreliable(
+        "reconstruct", sequence_folder, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log"
+    )
     assert [entry["frame"] for entry in report["unreadable"]] == [2]
     assert read_trajectory(tmp_path / "a.log").ids[:, 0].tolist() == [0, 1, 3, 4, 5, 6, 7]
     assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
@@ -135,15 +141,15 @@ def test_a_frame_that_cannot_be_read_shifts_no_pose_of_another(walked, tmp_path,
 
 @pytest.fixture
 def small_fragments(tmp_path) -> list:
-    """A configuration by which 8 frames are two fragments."""
+    """Options that split 8 frames into two fragments."""
     path = tmp_path / "system.json"
     path.write_text(json.dumps({"n_frames_per_fragment": 4, "depth_max": 4.0, "voxel_size": 0.1}))
     return ["--method", "fragments", "--config", path, *COARSE]
 
 
-def test_fragments_become_a_mesh_and_leave_their_stages(walked, tmp_path, small_fragments):
+def test_fragments_become_a_mesh_and_keep_their_stages(sequence_folder, tmp_path, small_fragments):
     mesh, poses = tmp_path / "mesh.stl", tmp_path / "poses.txt"
-    report = answer("reconstruct", walked, "-o", mesh, *small_fragments, "--trajectory", poses)
+    report = answer("reconstruct", sequence_folder, "-o", mesh, *small_fragments, "--trajectory", poses)
     assert (report["used"], report["voxel_size"], report["depth_max"]) == (8, 0.05, 4.0)
     assert len(report["fragments"]) == 2
     assert report["errors"]["absolute"]["m"]["rmse"] < 0.02
@@ -154,37 +160,37 @@ def test_fragments_become_a_mesh_and_leave_their_stages(walked, tmp_path, small_
 
 
 @pytest.mark.slow
-def test_slac_takes_up_the_stages_and_bends_the_frames(walked, tmp_path, small_fragments):
-    words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
+def test_slac_resumes_the_stages_and_deforms_the_frames(sequence_folder, tmp_path, small_fragments):
+    words = ["reconstruct", sequence_folder, *small_fragments, "--work", tmp_path / "work"]
     plain = answer(*words, "-o", tmp_path / "plain.ply")
     report = answer(*words, "-o", tmp_path / "bent.ply", "--slac", "--resume")
     assert (plain["slac"], report["resumed"]["fragments"]) == (None, 2)
     assert report["slac"]["edges"] == report["edges"] >= 1
     assert report["slac"]["anchors"] > 50
     assert (tmp_path / "plain.ply").read_bytes() != (tmp_path / "bent.ply").read_bytes()
-    shown = run(*words, "-o", tmp_path / "again.ply", "--slac", "--resume")
-    assert shown.exit_code == 0
-    assert f"mm apart on {report['slac']['used']} of {report['edges']} overlaps, " in shown.stdout
+    result = run(*words, "-o", tmp_path / "again.ply", "--slac", "--resume")
+    assert result.exit_code == 0
+    assert f"mm apart on {report['slac']['used']} of {report['edges']} overlaps, " in result.stdout
     assert (tmp_path / "again.ply").read_bytes() == (tmp_path / "bent.ply").read_bytes()
 
 
 @pytest.mark.slow
-def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fragments):
-    words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
-    (tmp_path / "work" / "fragments").mkdir(parents=True)  # all that a run left that was interrupted at once
+def test_an_earlier_run_is_resumed_or_replaced_only_on_request(sequence_folder, tmp_path, small_fragments):
+    words = ["reconstruct", sequence_folder, *small_fragments, "--work", tmp_path / "work"]
+    (tmp_path / "work" / "fragments").mkdir(parents=True)  # as an immediately interrupted run leaves it
     answer(*words, "-o", tmp_path / "a.ply")
-    said = refusal(*words, "-o", tmp_path / "b.ply")
-    assert "contains an earlier run. Give --resume to continue it, --force to start over" in said
+    message = refusal(*words, "-o", tmp_path / "b.ply")
+    assert "contains an earlier run. Give --resume to continue it, --force to start over" in message
     report = answer(*words, "-o", tmp_path / "b.ply", "--resume")
     assert report["resumed"]["fragments"] == 2
     assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
     assert answer(*words, "-o", tmp_path / "b.ply", "--force")["resumed"]["fragments"] == 0
-    shown = run(*words, "-o", tmp_path / "c.ply", "--resume")
-    assert "2 of 2 joined, 0 loops; 2 reused from an earlier run" in shown.stdout
+    result = run(*words, "-o", tmp_path / "c.ply", "--resume")
+    assert "2 of 2 joined, 0 loops; 2 reused from an earlier run" in result.stdout
 
 
 @pytest.mark.slow
-def test_an_interrupted_run_is_taken_up(walked, tmp_path):
+def test_an_interrupted_run_is_resumed(sequence_folder, tmp_path):
     outputs = ModelOutputs(tmp_path / "mesh.ply")
 
     def interrupt(stage, done, total):
@@ -193,53 +199,55 @@ def test_an_interrupted_run_is_taken_up(walked, tmp_path):
 
     with pytest.raises(KeyboardInterrupt):
         stages = StageOptions(work=tmp_path / "work")
-        reconstruct_folder(walked, outputs, stages=stages, voxel_size=0.05, progress=interrupt)
+        reconstruct_folder(sequence_folder, outputs, stages=stages, voxel_size=0.05, progress=interrupt)
     assert names_in(tmp_path) == ["walk", "work"]
     stages = StageOptions(work=tmp_path / "work", resume=True)
-    report = reconstruct_folder(walked, outputs, stages=stages, voxel_size=0.05).to_dict()
+    report = reconstruct_folder(sequence_folder, outputs, stages=stages, voxel_size=0.05).to_dict()
     assert report["resumed"]["fragments"] == 1
     assert report["files"] == [str(tmp_path / "mesh.ply")]
 
 
 @pytest.mark.slow
-def test_frames_that_are_not_in_the_model_are_told(walked, tmp_path, small_fragments):
-    cover(walked, 7)
-    report = unreliable("reconstruct", walked, "-o", tmp_path / "mesh.ply", *small_fragments)
+def test_frames_that_are_not_in_the_model_are_reported(sequence_folder, tmp_path, small_fragments):
+    cover(sequence_folder, 7)
+    report = unreliable("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *small_fragments)
     assert report["used"] == 7
     assert "1 of 8 frames are not in the model" in str(report["warnings"])
-    shown = run("reconstruct", walked, "-o", tmp_path / "b.ply", *small_fragments)
-    assert shown.exit_code == 3
-    assert "lost       frame-000007: " in shown.stdout
+    result = run("reconstruct", sequence_folder, "-o", tmp_path / "b.ply", *small_fragments)
+    assert result.exit_code == 3
+    assert "lost       frame-000007: " in result.stdout
 
 
-def test_reconstruct_refuses_what_cannot_be_done_before_the_work(walked, tmp_path):
+def test_reconstruct_rejects_invalid_calls_first(sequence_folder, tmp_path):
     mesh = tmp_path / "mesh.ply"
-    assert "meshes are not written to .pcd" in refusal("reconstruct", walked, "-o", tmp_path / "a.pcd")
-    assert "poses are not written to .json" in refusal("reconstruct", walked, "-o", mesh, "--trajectory", "a.json")
-    assert "ends in .png" in refusal("reconstruct", walked, "-o", mesh, "--picture", tmp_path / "a.jpg")
+    assert "meshes are not written to .pcd" in refusal("reconstruct", sequence_folder, "-o", tmp_path / "a.pcd")
+    assert "poses are not written to .json" in refusal(
+        "reconstruct", sequence_folder, "-o", mesh, "--trajectory", "a.json"
+    )
+    assert "ends in .png" in refusal("reconstruct", sequence_folder, "-o", mesh, "--picture", tmp_path / "a.jpg")
     assert "does not exist" in refusal("reconstruct", tmp_path / "none", "-o", mesh)
-    fragments = ["reconstruct", walked, "-o", mesh, "--method", "fragments"]
-    assert "contains files that do not belong to a run" in refusal(*fragments, "--work", walked)
+    fragments = ["reconstruct", sequence_folder, "-o", mesh, "--method", "fragments"]
+    assert "contains files that do not belong to a run" in refusal(*fragments, "--work", sequence_folder)
     assert "Make the folder first" in refusal(*fragments, "--work", tmp_path / "no" / "work")
     assert "none.json" in refusal(*fragments, "--config", tmp_path / "none.json")
     mesh.write_bytes(b"kept")
-    assert "Give another name, or --force" in refusal("reconstruct", walked, "-o", mesh)
+    assert "Give another name, or --force" in refusal("reconstruct", sequence_folder, "-o", mesh)
     assert mesh.read_bytes() == b"kept"
     assert names_in(tmp_path) == ["mesh.ply", "walk"]
 
 
-def test_an_interruption_leaves_nothing(walked, tmp_path):
+def test_an_interruption_leaves_nothing(sequence_folder, tmp_path):
     def interrupt(stage, done, total):
         if done == 3:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        reconstruct_folder(walked, ModelOutputs(tmp_path / "mesh.ply"), progress=interrupt)
+        reconstruct_folder(sequence_folder, ModelOutputs(tmp_path / "mesh.ply"), progress=interrupt)
     assert names_in(tmp_path) == ["walk"]
 
 
 @on_sets(
-    "folder words placed",
+    "folder words tracked",
     shipped=[("rgbd-cupoch-redwood5", [], 3)],
     real=[
         ("rgbd-cupoch-redwood5", [], 5),
@@ -247,14 +255,14 @@ def test_an_interruption_leaves_nothing(walked, tmp_path):
         ("rgbd-slambook-ch7", ["--depth-scale", 5000], 2),
     ],
 )
-def test_a_few_real_frames_become_a_mesh(scan_file, tmp_path, folder, words, placed):
+def test_a_few_real_frames_become_a_mesh(scan_file, tmp_path, folder, words, tracked):
     if words:
         K = [525.0, 0, 0, 0, 525.0, 0, 319.5, 239.5, 1]
         camera = tmp_path / "camera.json"
         camera.write_text(json.dumps({"width": 640, "height": 480, "intrinsic_matrix": K}))
         words = [*words, "--intrinsic", camera]
-    shown = run("reconstruct", scan_file(folder), "-o", tmp_path / "mesh.ply", *words, "--json", "--device", "cpu")
-    report = json.loads(shown.stdout)
-    assert shown.exit_code == (3 if report["lost"] else 0)
-    assert report["tracked"] >= placed
+    result = run("reconstruct", scan_file(folder), "-o", tmp_path / "mesh.ply", *words, "--json", "--device", "cpu")
+    report = json.loads(result.stdout)
+    assert result.exit_code == (3 if report["lost"] else 0)
+    assert report["tracked"] >= tracked
     assert report["triangles"] > 3000

@@ -1,4 +1,4 @@
-"""--record of the commands: what is written, told and refused."""
+"""--record: recordings, reports and errors."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ def test_register_records_every_iteration_and_finds_the_same_pose(pair, tmp_path
 
 def test_register_records_a_search_as_a_start_and_a_result(pair, tmp_path):
     file = tmp_path / "icp.html"
-    shown = run("register", *pair, *VOXEL, "--record", file)
-    assert shown.exit_code == 0, shown.stderr
-    assert str(file) in shown.stdout
+    result = run("register", *pair, *VOXEL, "--record", file)
+    assert result.exit_code == 0, result.stderr
+    assert str(file) in result.stdout
     text = file.read_text()
     assert "initial poses" in text
     assert "registered: converged" in text
@@ -91,7 +91,7 @@ def test_commands_of_frames_record_the_camera_and_the_surface(frames, tmp_path, 
     assert "the surface of" in text
 
 
-def test_a_place_that_cannot_be_written_is_told_before_any_work(pair, tmp_path):
+def test_an_unwritable_recording_is_rejected_first(pair, tmp_path):
     assert "does not exist" in refusal("register", *pair, "--record", tmp_path / "no" / "r.gif")
     (tmp_path / "r.gif").write_bytes(b"keep")
     assert "exists already" in refusal("register", *pair, "--record", tmp_path / "r.gif")

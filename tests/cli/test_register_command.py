@@ -1,4 +1,4 @@
-"""register: what it finds, what it writes, what it tells, and what it refuses."""
+"""register: poses, outputs, reports and errors."""
 
 from pathlib import Path
 
@@ -13,12 +13,12 @@ from pointloom.registration.voxel_size import choose_voxel_size
 
 from ..registration.room_corners import ONE, OTHER, corner
 from .commands import answer, chosen_device, names_in, refusal, run, unreliable
-from .surface_poses import NEAR, POSE, VOXEL, bumpy, colors_at, moved, turned
+from .surface_poses import NEAR, POSE, VOXEL, bumpy, colors_at, moved, yaw_pose
 
 
 @pytest.fixture
 def pair(tmp_path, rng) -> tuple[Path, Path]:
-    """Two thirds of a surface that overlap by one third, the first of them under POSE's inverse, with attributes."""
+    """Two parts of a surface that overlap by one third; the first is moved by POSE's inverse and has attributes."""
     points = bumpy(rng)
     target, source = points[points[:, 0] < 0.4], points[points[:, 0] > -0.4]
     paths = tmp_path / "a.ply", tmp_path / "b.ply"
@@ -48,12 +48,12 @@ def test_register_finds_the_pose_from_anywhere(pair, tmp_path, device):
     assert report["files"] == [str(pose), str(aligned)]
     assert (report["init"], report["method"], report["voxel_size"]) == ("global", "point-to-plane", 0.06)
     assert report["score"] > 0.5
-    assert 0.4 < report["fitness"] < 0.8  # the half that overlaps, and what lies within 2 voxels of it
+    assert 0.4 < report["fitness"] < 0.8  # the overlapping half and points within 2 voxels of it
     assert abs(report["rotation_deg"] - 90) < 0.5
-    source, found = loom.read_point_cloud(pair[0]), loom.read_point_cloud(aligned)
-    np.testing.assert_allclose(found.points, moved(source.points, T), atol=1e-5)
-    np.testing.assert_array_equal(found["time"], source["time"])
-    np.testing.assert_array_equal(found.colors, source.colors)
+    source, cloud = loom.read_point_cloud(pair[0]), loom.read_point_cloud(aligned)
+    np.testing.assert_allclose(cloud.points, moved(source.points, T), atol=1e-5)
+    np.testing.assert_array_equal(cloud["time"], source["time"])
+    np.testing.assert_array_equal(cloud.colors, source.colors)
 
 
 def test_a_pose_file_starts_another_run(pair, tmp_path):
@@ -65,7 +65,7 @@ def test_a_pose_file_starts_another_run(pair, tmp_path):
     assert run("info", tmp_path / "T.txt").exit_code == 0
 
 
-def test_vertices_of_a_mesh_and_scans_of_kitti_count(near, tmp_path):
+def test_register_accepts_meshes_and_kitti_scans(near, tmp_path):
     source, target = (loom.read_point_cloud(path).points for path in near)
     np.column_stack([source, np.arange(len(source))]).astype(np.float32).tofile(tmp_path / "a.bin")
     loom.write_triangle_mesh(tmp_path / "m.ply", loom.TriangleMesh(target, [[0, 1, 2]]))
@@ -77,7 +77,7 @@ def test_vertices_of_a_mesh_and_scans_of_kitti_count(near, tmp_path):
 @pytest.mark.parametrize(
     ("method", "estimated"), [("point-to-point", []), ("symmetric", ["source", "target"]), ("colored", ["target"])]
 )
-def test_each_method_refines_a_start_nearby(near, method, estimated):
+def test_each_method_refines_a_nearby_initial_pose(near, method, estimated):
     assert method in METHODS
     report = answer("register", *near, *VOXEL, "--init", "identity", "--method", method)
     np.testing.assert_allclose(report["transformation"], NEAR, atol=0.01)
@@ -86,7 +86,7 @@ def test_each_method_refines_a_start_nearby(near, method, estimated):
     assert report["max_correspondence_distance"] == 0.12
 
 
-def test_a_distance_that_is_given_is_the_only_one(near):
+def test_a_given_distance_is_used_for_a_single_scale(near):
     report = answer("register", *near, *VOXEL, "--init", "identity", "--distance", "0.2")
     clouds = [loom.read_point_cloud(path, device="auto").voxel_down_sample(0.06) for path in near]
     normals = clouds[1].estimate_normals(radius=3 * 0.06, max_nn=30)
@@ -97,10 +97,10 @@ def test_a_distance_that_is_given_is_the_only_one(near):
     assert report["iterations"] == expected.iterations
 
 
-def test_the_voxel_size_is_chosen_from_the_clouds_and_told(near, rng):
+def test_the_voxel_size_is_chosen_from_the_clouds_and_reported(near, rng):
     clouds = [loom.read_point_cloud(path) for path in near]
     size = choose_voxel_size(*clouds)
-    assert 0.02 < size < 0.05  # three quarters of the points lie within a metre of the middle
+    assert 0.02 < size < 0.05  # three quarters of the points are within 1 m of the center
     report = answer("register", *near, "--init", "identity")
     assert (report["voxel_size"], report["voxel_size_given"]) == (size, False)
     large = loom.PointCloud(clouds[0].points * 100)
@@ -114,10 +114,10 @@ def test_the_voxel_size_is_chosen_from_the_clouds_and_told(near, rng):
     assert choose_voxel_size(sparse) >= np.median(spacing.min(axis=1))
 
 
-def test_a_summary_tells_how_the_pose_came_about(near, tmp_path):
-    shown = run("register", *near, "--init", "identity", "-o", tmp_path / "T.txt")
-    assert shown.exit_code == 0, shown.stderr
-    assert shown.stderr == ""
+def test_the_summary_describes_the_registration(near, tmp_path):
+    result = run("register", *near, "--init", "identity", "-o", tmp_path / "T.txt")
+    assert result.exit_code == 0, result.stderr
+    assert result.stderr == ""
     rows = np.loadtxt(tmp_path / "T.txt")
     for words in (
         "5,000 onto 5,000",
@@ -130,13 +130,13 @@ def test_a_summary_tells_how_the_pose_came_about(near, tmp_path):
         f"on {chosen_device()}",
         "T.txt",
     ):
-        assert words in shown.stdout
+        assert words in result.stdout
 
 
 def test_the_picture_shows_both_clouds_before_and_after(near, tmp_path):
     far = tmp_path / "far.ply"
     cloud = loom.read_point_cloud(near[0])
-    loom.write_point_cloud(far, cloud.transform(turned(0, 0, 0, 1)))
+    loom.write_point_cloud(far, cloud.transform(yaw_pose(0, 0, 0, 1)))
     answer("register", far, near[1], *VOXEL, "--picture", tmp_path / "a.png")
     image = np.asarray(Image.open(tmp_path / "a.png")).astype(int)
     assert image.shape == (960, 1928, 3)
@@ -148,22 +148,22 @@ def test_the_picture_shows_both_clouds_before_and_after(near, tmp_path):
     assert sides[0] > 60 > 20 > sides[1]  # [px] apart before, together after
 
 
-def test_coordinates_of_maps_do_no_harm(near, tmp_path):
-    place = np.array([5e5, 5.4e6, 300])
+def test_map_coordinates_lose_no_accuracy(near, tmp_path):
+    offset = np.array([5e5, 5.4e6, 300])
     for path in near:
         cloud = loom.read_point_cloud(path)
-        loom.write_point_cloud(path, loom.PointCloud(cloud.points + place), overwrite=True)
-    expected = turned(0, *place) @ NEAR @ turned(0, *-place)
+        loom.write_point_cloud(path, loom.PointCloud(cloud.points + offset), overwrite=True)
+    expected = yaw_pose(0, *offset) @ NEAR @ yaw_pose(0, *-offset)
     report = answer("register", *near, *VOXEL, "--init", "identity", "--aligned", tmp_path / "c.ply")
     T = np.array(report["transformation"])
-    np.testing.assert_allclose(moved(place, T), moved(place, expected), atol=0.01)
-    assert report["shift_m"] < 0.1  # where the cloud is, not at zero
-    found, source = loom.read_point_cloud(tmp_path / "c.ply").points, loom.read_point_cloud(near[0]).points
-    np.testing.assert_allclose(found, moved(source, T), atol=1e-5)
+    np.testing.assert_allclose(moved(offset, T), moved(offset, expected), atol=0.01)
+    assert report["shift_m"] < 0.1  # measured at the cloud, not at the origin
+    aligned, source = loom.read_point_cloud(tmp_path / "c.ply").points, loom.read_point_cloud(near[0]).points
+    np.testing.assert_allclose(aligned, moved(source, T), atol=1e-5)
 
 
-def test_surfaces_that_do_not_meet_are_unreliable_and_written(pair, tmp_path):
-    np.savetxt(tmp_path / "T.txt", turned(120, 0.3, 0.3, 0) @ POSE)
+def test_surfaces_that_do_not_overlap_are_unreliable_and_written(pair, tmp_path):
+    np.savetxt(tmp_path / "T.txt", yaw_pose(120, 0.3, 0.3, 0) @ POSE)
     report = unreliable("register", *pair, *VOXEL, "--init", tmp_path / "T.txt", "-o", tmp_path / "out.txt")
     assert "not above 0.5: the surfaces hardly overlap; try --init global" in str(report["warnings"])
     assert report["score"] < 0.5
@@ -171,7 +171,7 @@ def test_surfaces_that_do_not_meet_are_unreliable_and_written(pair, tmp_path):
 
 
 @pytest.mark.parametrize("init", ["identity", "global"])
-def test_rooms_that_share_nothing_but_walls_are_unreliable(tmp_path, rng, init):
+def test_scans_that_share_only_walls_are_unreliable(tmp_path, rng, init):
     paths = tmp_path / "a.ply", tmp_path / "b.ply"
     for path, boxes in zip(paths, (ONE, OTHER), strict=True):
         loom.write_point_cloud(path, loom.PointCloud(corner(rng, boxes, 20000)))
@@ -195,7 +195,7 @@ def test_without_a_correspondence_nothing_is_written(pair, tmp_path):
 
 def test_a_small_share_of_correspondences_is_unreliable(near, tmp_path):
     target = loom.read_point_cloud(near[1]).points
-    far = moved(target, turned(0, 0, 0, 50))
+    far = moved(target, yaw_pose(0, 0, 0, 50))
     loom.write_point_cloud(tmp_path / "c.ply", loom.PointCloud(np.vstack([target[:80], far])))
     report = unreliable("register", tmp_path / "c.ply", near[1], *VOXEL, "--init", "identity")
     assert 0 < report["fitness"] < 0.1
@@ -216,7 +216,7 @@ def test_outputs_are_checked_before_the_clouds_are_read(tmp_path, option, name, 
 
 
 @pytest.mark.parametrize(("option", "name"), [("-o", "T.txt"), ("--aligned", "c.ply")])
-def test_outputs_that_exist_are_kept_unless_forced(near, tmp_path, option, name):
+def test_existing_outputs_are_not_overwritten_without_force(near, tmp_path, option, name):
     (tmp_path / name).write_bytes(b"kept")
     words = ["register", *near, *VOXEL, "--init", "identity", option, tmp_path / name]
     assert f"{name}: exists already" in refusal(*words)
@@ -246,7 +246,7 @@ def test_clouds_that_cannot_be_registered_are_named(near, tmp_path):
     assert names_in(tmp_path) == ["a.ply", "b.ply", "bad.ply"]
 
 
-def test_a_start_that_is_no_pose_is_an_error(near, tmp_path):
+def test_an_invalid_initial_pose_is_an_error(near, tmp_path):
     start = tmp_path / "T.txt"
     for text, why in (
         ("1 0 0 0\n" * 3, "expected 4 rows of a pose, got 3"),
@@ -256,7 +256,7 @@ def test_a_start_that_is_no_pose_is_an_error(near, tmp_path):
         assert why in refusal("register", *near, "--init", start)
 
 
-def test_what_is_not_free_stays_as_the_start_has_it(near, tmp_path):
+def test_fixed_degrees_of_freedom_keep_their_initial_values(near, tmp_path):
     np.savetxt(tmp_path / "start.txt", np.eye(4))
     report = answer("register", *near, *VOXEL, "--init", tmp_path / "start.txt", "--free", "x,y,z,yaw")
     T = np.array(report["transformation"])
@@ -267,7 +267,7 @@ def test_what_is_not_free_stays_as_the_start_has_it(near, tmp_path):
     assert np.array(searched["transformation"])[2, 2] == 1
 
 
-def test_a_pose_that_is_known_holds_a_plane(tmp_path, rng):
+def test_a_prior_pose_constrains_a_plane(tmp_path, rng):
     floor = np.column_stack([rng.uniform(-2, 2, (4000, 2)), rng.normal(0, 1e-3, 4000)])
     paths = tmp_path / "a.ply", tmp_path / "b.ply"
     for path, shift in zip(paths, (0.1, 0.0), strict=True):
@@ -276,6 +276,8 @@ def test_a_pose_that_is_known_holds_a_plane(tmp_path, rng):
     known[0, 3] = 0.1
     np.savetxt(tmp_path / "gnss.txt", known)
     prior = "--prior", tmp_path / "gnss.txt", "--prior-sigma", "0.05", "1"
-    report = unreliable("register", *paths, "--voxel", "0.1", "--init", "identity", *prior)  # planes prove nothing
+    report = unreliable(
+        "register", *paths, "--voxel", "0.1", "--init", "identity", *prior
+    )  # planes alone are no evidence
     assert len(report["prior_directions"]) == 3
     np.testing.assert_allclose(np.array(report["transformation"])[:3, 3], [0.1, 0, 0], atol=0.01)

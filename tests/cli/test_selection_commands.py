@@ -1,4 +1,4 @@
-"""clean, cluster, crop, plane and downsample: each command by itself."""
+"""clean, cluster, crop, plane and downsample."""
 
 import numpy as np
 import pytest
@@ -10,11 +10,11 @@ from .commands import answer, names_in, refusal, run, unreliable
 from .toolbox_scene import FIRST_BLOB, FLOOR, NOT_FINITE, REPEATED, SECOND_BLOB, STRAY, rows_of
 
 
-def test_clean_removes_what_is_not_finite_and_statistical_outliers(scene, tmp_path, points, device):
+def test_clean_removes_non_finite_points_and_statistical_outliers(scene, tmp_path, points, device):
     report = answer("clean", scene, tmp_path / "out.npz", "--device", device)
     finite = loom.PointCloud(points, device=device).remove_non_finite_points()
     _, expected = finite.remove_statistical_outlier(20, 2.0)
-    assert rows_of(tmp_path / "out.npz") == expected.tolist()  # the point that is not finite is the last
+    assert rows_of(tmp_path / "out.npz") == expected.tolist()  # the non-finite point is the last one
     removed = len(finite) - len(expected)
     statistical = {"removed": removed, "neighbors": 20, "ratio": 2.0}
     assert report["filters"] == {"non_finite": {"removed": 1}, "statistical": statistical}
@@ -23,7 +23,7 @@ def test_clean_removes_what_is_not_finite_and_statistical_outliers(scene, tmp_pa
 
 
 @pytest.mark.parametrize(
-    ("options", "filters", "gone"),
+    ("options", "filters", "removed_rows"),
     [
         (["--non-finite"], {"non_finite": 1}, {NOT_FINITE}),
         (["--duplicates"], {"non_finite": 1, "duplicate": 1}, {NOT_FINITE, REPEATED}),
@@ -35,19 +35,19 @@ def test_clean_removes_what_is_not_finite_and_statistical_outliers(scene, tmp_pa
         ),
     ],
 )
-def test_clean_runs_the_filters_that_are_asked_for(scene, points, tmp_path, options, filters, gone):
-    output, removed = tmp_path / "out.npz", tmp_path / "removed.npz"
-    report = answer("clean", scene, output, *options, "--removed", removed)
+def test_clean_runs_the_requested_filters(scene, points, tmp_path, options, filters, removed_rows):
+    output, removed_file = tmp_path / "out.npz", tmp_path / "removed.npz"
+    report = answer("clean", scene, output, *options, "--removed", removed_file)
     assert {name: figures["removed"] for name, figures in report["filters"].items()} == filters
-    assert rows_of(output) == [row for row in range(len(points)) if row not in gone]
-    assert rows_of(removed) == sorted(gone)
-    assert report["files"] == [str(removed), str(output)]
-    shown = run("clean", scene, output, *options, "--force").stdout
-    assert "1 non-finite" in shown
-    assert ("(radius 0.3, min neighbors 1)" in shown) == ("radius" in filters)
+    assert rows_of(output) == [row for row in range(len(points)) if row not in removed_rows]
+    assert rows_of(removed_file) == sorted(removed_rows)
+    assert report["files"] == [str(removed_file), str(output)]
+    printed = run("clean", scene, output, *options, "--force").stdout
+    assert "1 non-finite" in printed
+    assert ("(radius 0.3, min neighbors 1)" in printed) == ("radius" in filters)
 
 
-def test_clean_writes_no_file_of_removed_points_where_none_is(cloud, tmp_path):
+def test_clean_writes_no_empty_file_of_removed_points(cloud, tmp_path):
     report = answer("clean", cloud, tmp_path / "out.ply", "--non-finite", "--removed", tmp_path / "gone.ply")
     assert report["files"] == [str(tmp_path / "out.ply")]
     assert names_in(tmp_path) == ["cloud.ply", "out.ply"]
@@ -61,7 +61,7 @@ def test_clean_checks_the_file_of_removed_points_first(cloud, tmp_path):
     assert names_in(tmp_path) == ["cloud.ply", "gone.ply"]
 
 
-def test_a_radius_that_removes_most_points_is_unreliable(cloud, tmp_path):
+def test_a_radius_that_removes_too_many_points_is_unreliable(cloud, tmp_path):
     words = ["clean", cloud, tmp_path / "out.ply", "--min-neighbors", "3", "--radius"]
     report = unreliable(*words, "0.05")
     assert "have fewer than 3 others within 0.05 m" in str(report["warnings"])
@@ -72,7 +72,7 @@ def test_a_radius_that_removes_most_points_is_unreliable(cloud, tmp_path):
     assert "nothing was written" in str(report["warnings"])
 
 
-def test_cluster_labels_are_the_library_s(scene, points, tmp_path, device):
+def test_cluster_labels_match_the_library(scene, points, tmp_path, device):
     output = tmp_path / "out.npz"
     report = answer("cluster", scene, output, "--radius", "0.2", "--device", device)
     labels = loom.read_point_cloud(output)["label"]
@@ -82,18 +82,18 @@ def test_cluster_labels_are_the_library_s(scene, points, tmp_path, device):
     assert (report["clusters"], report["noise"], report["replaced"]) == (3, 2, [])
     sizes = [(cluster["label"], cluster["points"]) for cluster in report["largest"]]
     assert sizes == [(0, 601), (1, 150), (2, 100)]
-    shown = run("cluster", scene, output, "--radius", "0.2", "--force").stdout
-    assert "601 (label 0), 150 (label 1), 100 (label 2)" in shown
-    assert "2 of 853 points, 0.2%" in shown
+    printed = run("cluster", scene, output, "--radius", "0.2", "--force").stdout
+    assert "601 (label 0), 150 (label 1), 100 (label 2)" in printed
+    assert "2 of 853 points, 0.2%" in printed
 
 
 def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
     report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--largest", "2")
     assert report["points"] == 751
-    found = loom.read_point_cloud(tmp_path / "out.npz")
-    assert np.unique(found["label"]).tolist() == [0, 1]
-    assert found["row"].tolist() == [*FLOOR, *FIRST_BLOB, REPEATED]
-    # the largest are those of the most points, whatever their labels
+    clusters = loom.read_point_cloud(tmp_path / "out.npz")
+    assert np.unique(clusters["label"]).tolist() == [0, 1]
+    assert clusters["row"].tolist() == [*FLOOR, *FIRST_BLOB, REPEATED]
+    # the largest clusters have the most points, regardless of their labels
     words = [
         "cluster",
         tmp_path / "out.npz",
@@ -116,34 +116,34 @@ def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
 def test_cluster_paints_labels_and_noise(scene, tmp_path):
     report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--paint")
     assert report["replaced"] == ["colors"]
-    found = loom.read_point_cloud(tmp_path / "out.npz")
-    expected = np.vstack([TAB20 / 255, np.zeros(3)]).astype(np.float32)[found["label"]]
-    np.testing.assert_array_equal(found.colors, expected)
-    assert not found.colors[STRAY].any()
+    painted = loom.read_point_cloud(tmp_path / "out.npz")
+    expected = np.vstack([TAB20 / 255, np.zeros(3)]).astype(np.float32)[painted["label"]]
+    np.testing.assert_array_equal(painted.colors, expected)
+    assert not painted.colors[STRAY].any()
     assert len(np.unique(TAB20, axis=0)) == 20
-    shown = run("cluster", tmp_path / "out.npz", tmp_path / "b.xyzrgb", "--radius", "0.2", "--paint").stdout
-    assert "colors, label of the input" in shown
+    printed = run("cluster", tmp_path / "out.npz", tmp_path / "b.xyzrgb", "--radius", "0.2", "--paint").stdout
+    assert "colors, label of the input" in printed
     assert len(loom.read_point_cloud(tmp_path / "b.xyzrgb")) == 853
 
 
-def test_cluster_wants_a_format_that_holds_what_it_finds(scene, tmp_path):
+def test_cluster_rejects_formats_without_labels_or_colors(scene, tmp_path):
     for suffix, options, reason in ((".xyzrgb", [], "labels are not"), (".xyz", ["--paint"], "labels or colors")):
         assert reason in refusal("cluster", scene, tmp_path / f"out{suffix}", "--radius", "0.2", *options)
 
 
-def test_cluster_proposes_an_eps_where_all_is_noise(scene, tmp_path):
+def test_cluster_proposes_an_eps_if_all_is_noise(scene, tmp_path):
     words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
     report = unreliable(*words, "0.0001")
     assert (report["clusters"], report["noise"], report["points"]) == (0, 853, 853)
     better = "; ".join(report["warnings"]).split("that many within ")[1].split(" m")[0]
     report = answer(*words, better, "--force")
-    assert report["noise"] < 427  # half of the points are cores then
+    assert report["noise"] < 427  # then half of the points are core points
     report = unreliable(*words, "0.0001", "--largest", "1", "--force")
     assert (report["points"], report["files"]) == (0, [])
     assert "fewer --neighbors" in str(unreliable(*words, "0.2", "--neighbors", "900", "--force")["warnings"])
 
 
-def test_cluster_proposes_an_eps_where_one_cluster_holds_everything(scene, tmp_path):
+def test_cluster_proposes_an_eps_if_one_cluster_contains_everything(scene, tmp_path):
     words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
     report = unreliable(*words, "100")
     assert report["files"] == [str(tmp_path / "out.npz")]
@@ -152,7 +152,7 @@ def test_cluster_proposes_an_eps_where_one_cluster_holds_everything(scene, tmp_p
     assert answer(*words, better, "--force")["clusters"] == 3
 
 
-def test_crop_keeps_what_lies_in_the_box(scene, tmp_path, device):
+def test_crop_selects_the_points_in_the_box(scene, tmp_path, device):
     words = ["crop", scene, tmp_path / "out.npz", "--force", "--device", device, "--box"]
     answer(*words, 0, 0, 0.1, 0.5, 0.5, 1)
     assert rows_of(tmp_path / "out.npz") == [*FIRST_BLOB]
@@ -162,7 +162,7 @@ def test_crop_keeps_what_lies_in_the_box(scene, tmp_path, device):
     assert rows_of(tmp_path / "out.npz") == [*FLOOR, REPEATED, NOT_FINITE]
 
 
-def test_crop_takes_a_polygon_of_open3d(scene, points, tmp_path, device):
+def test_crop_accepts_a_polygon_of_open3d(scene, points, tmp_path, device):
     corners = [[0.5, 0.5, 0], [1, 0.5, 0], [1, 1, 0], [0.5, 1, 0]]
     volume = loom.SelectionPolygonVolume(corners, "Z", axis_min=0.1, axis_max=1)
     volume.to_json(tmp_path / "volume.json")
@@ -174,29 +174,29 @@ def test_crop_takes_a_polygon_of_open3d(scene, points, tmp_path, device):
     assert refusal(*words).startswith(f"error: {tmp_path / 'volume.json'}")
 
 
-def test_a_crop_that_leaves_nothing_is_unreliable(scene, tmp_path):
+def test_an_empty_crop_is_unreliable(scene, tmp_path):
     report = unreliable("crop", scene, tmp_path / "out.npz", "--box", 20, 20, 20, 30, 30, 30)
     assert report["files"] == []
     assert "to [9.0000, 9.0000, 9.0000]" in str(report["warnings"])  # where the points are
     assert names_in(tmp_path) == ["scene.npz"]
 
 
-def test_plane_writes_what_lies_on_it(scene, points, tmp_path, device):
+def test_plane_writes_its_inliers(scene, points, tmp_path, device):
     words = ["plane", scene, tmp_path / "out.npz", "--distance", "0.01", "--device", device]
     report = answer(*words)
-    (found,) = report["planes"]
+    (plane,) = report["planes"]
     model, inliers = loom.PointCloud(points, device=device).segment_plane(0.01, num_iterations=1000)
     assert rows_of(tmp_path / "out.npz") == inliers.tolist() == [*FLOOR, REPEATED]
-    np.testing.assert_array_equal(found["model"], model)
+    np.testing.assert_array_equal(plane["model"], model)
     np.testing.assert_allclose(model, [0, 0, 1, 0], atol=1e-12)
-    assert (report["points"], found["points"], found["share"]) == (601, 601, 601 / 852)
+    assert (report["points"], plane["points"], plane["share"]) == (601, 601, 601 / 852)
     answer(*words, "--invert", "--force")
     assert rows_of(tmp_path / "out.npz") == [*FIRST_BLOB, *SECOND_BLOB, STRAY, NOT_FINITE]
-    shown = run(*words, "--force").stdout
-    assert "0.000000000 0.000000000 1.000000000 0.000000: 601 points, 70.5%" in shown
+    printed = run(*words, "--force").stdout
+    assert "0.000000000 0.000000000 1.000000000 0.000000: 601 points, 70.5%" in printed
 
 
-def test_plane_labels_several(tmp_path, rng):
+def test_plane_labels_several_planes(tmp_path, rng):
     floor = np.column_stack([rng.random((500, 2)), np.zeros(500)])
     wall = np.column_stack([np.zeros(300), rng.random((300, 2)) + 0.1])
     points = np.vstack([floor, wall, rng.random((40, 3)) + 0.2]) + np.array([5e5, 5e6, 100])
@@ -214,12 +214,12 @@ def test_plane_labels_several(tmp_path, rng):
         assert np.abs(part @ [a, b, c] + d).max() < 0.005  # in the coordinates of the file
     assert len(answer(*words, "--min-points", "400", "--force")["planes"]) == 1
     assert len(answer(*words[:-1], "1", "--force")["planes"]) == 1
-    shown = run(*words, "--force").stdout
-    assert f"840, {report['on_none']} of them not on a plane" in shown
-    assert "plane of the input" in shown
+    printed = run(*words, "--force").stdout
+    assert f"840, {report['on_none']} of them not on a plane" in printed
+    assert "plane of the input" in printed
 
 
-def test_the_seed_of_planes_chooses_the_samples(cloud, tmp_path):
+def test_the_seed_of_planes_determines_the_samples(cloud, tmp_path):
     words = ["plane", cloud, tmp_path / "out.ply", "--distance", "0.02", "--iterations", "20", "--force"]
     models = [answer(*words, "--seed", seed)["planes"][0]["model"] for seed in (1, 1, 2)]
     assert models[0] == models[1] != models[2]
@@ -252,7 +252,7 @@ def test_a_cloud_without_a_plane_is_unreliable(cloud, tmp_path):
         (["--voxel", "0.3", "--nearest"], lambda cloud: cloud.voxel_down_sample(0.3, "nearest")),
     ],
 )
-def test_downsample_chooses_as_the_library_does(scene, points, tmp_path, device, options, choose):
+def test_downsample_matches_the_library(scene, points, tmp_path, device, options, choose):
     report = answer("downsample", scene, tmp_path / "out.npz", *options, "--device", device)
     expected = choose(loom.PointCloud(points, device=device, row=np.arange(len(points))))["row"].tolist()
     assert rows_of(tmp_path / "out.npz") == expected
@@ -262,10 +262,10 @@ def test_downsample_chooses_as_the_library_does(scene, points, tmp_path, device,
 def test_downsample_writes_the_means_of_voxels(scene, tmp_path, device):
     report = answer("downsample", scene, tmp_path / "out.npz", "--voxel", "0.3", "--device", device)
     expected = loom.read_point_cloud(scene, device=device).voxel_down_sample(0.3)
-    found = loom.read_point_cloud(tmp_path / "out.npz")
+    result = loom.read_point_cloud(tmp_path / "out.npz")
     assert report["points"] == len(expected)
     for name in ("points", "colors", "normals", "time"):
-        np.testing.assert_array_equal(found[name], expected[name])
+        np.testing.assert_array_equal(result[name], expected[name])
 
 
 @pytest.mark.parametrize(
@@ -278,11 +278,11 @@ def test_downsample_writes_the_means_of_voxels(scene, tmp_path, device):
         ("--voxel 90 --nearest", "1 of 853, one a voxel of 90 m, the nearest to the mean"),
     ],
 )
-def test_downsample_says_how_it_chose(scene, tmp_path, options, way):
+def test_downsample_reports_its_method(scene, tmp_path, options, way):
     assert way in run("downsample", scene, tmp_path / "out.ply", *options.split()).stdout
 
 
-def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(tmp_path):
+def test_farthest_points_start_at_a_finite_point_and_are_limited(tmp_path):
     points = [[np.nan, 0, 0], [0, 0, 0], [1, 0, 0], [5, 0, 0]]
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, row=np.arange(4, dtype=np.int32)))
     words = ["downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--force", "--farthest"]
@@ -292,6 +292,6 @@ def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(t
     assert "a.ply: expected at least 4 finite points, got 3" in refusal(*words, 4)
 
 
-def test_a_share_below_one_point_is_unreliable(cloud, tmp_path):
+def test_a_ratio_below_one_point_is_unreliable(cloud, tmp_path):
     assert unreliable("downsample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
     assert names_in(tmp_path) == ["cloud.ply"]

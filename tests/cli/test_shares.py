@@ -1,4 +1,4 @@
-"""Shares as people read them: nothing is 0.0% but nothing."""
+"""Formatted fractions: only 0 is printed as 0.0%, and only 1 as 100.0%."""
 
 import math
 
@@ -18,11 +18,11 @@ from pointloom.core.wording import format_share
         (0.9996, "99.96%"), (1 - 1e-6, "99.9999%"), (0.905, "90.5%"), (math.nan, "nan%"), (1e-7, "0.00001%"),
     ],
 )  # fmt: skip
-def test_a_share_has_digits_enough(share, text):
+def test_fractions_have_enough_digits(share, text):
     assert format_share(share) == text
 
 
-def test_a_little_noise_is_not_none():
+def test_a_small_fraction_of_noise_is_not_printed_as_0():
     largest = (ClusterSize(0, 113_611),)
     done = Done("cluster", "a.ply", {}, (), (), None)
     report = ClusterReport(done, "cpu", 113_662, 113_662, 0.05, 10, clusters=1, largest=largest, noise=51)
@@ -31,8 +31,8 @@ def test_a_little_noise_is_not_none():
 
 @settings(max_examples=25)
 @given(st.integers(1, 10**9).flatmap(lambda total: st.tuples(st.integers(0, total), st.just(total))))
-def test_only_none_and_all_look_like_none_and_all(counts):
+def test_only_0_and_1_are_printed_as_0_and_100_percent(counts):
     count, total = counts
-    shown = float(format_share(count / total).rstrip("%"))
-    assert (shown == 0) == (count == 0)
-    assert (shown == 100) == (count == total)
+    printed = float(format_share(count / total).rstrip("%"))
+    assert (printed == 0) == (count == 0)
+    assert (printed == 100) == (count == total)

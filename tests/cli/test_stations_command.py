@@ -1,4 +1,4 @@
-"""The command `stations`: an E57 file in and out, tables of targets and control, a report, and exit code 3."""
+"""stations: E57 input and output, tables of targets and control points, reports, and exit code 3."""
 
 import json
 
@@ -14,12 +14,12 @@ from ..registration.station_scenes import BOXES, COURT, scan_all
 from .commands import answer, run, unreliable
 
 FAR = np.array([456_000.0, 5_400_000.0, 300.0])
-PLACES = {"A": [2, -3, 0.5], "B": [9, 4, 1.5], "C": [16, 2, 2], "D": [5, 12, 1]}
+TARGETS = {"A": [2, -3, 0.5], "B": [9, 4, 1.5], "C": [16, 2, 2], "D": [5, 12, 1]}
 
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory):
-    """Three scans with rough poses, tables of what they saw, and the same with two names exchanged."""
+    """Three scans with approximate poses, a table of their targets, and the same with two names exchanged."""
     folder = tmp_path_factory.mktemp("stations")
     clouds, truth = scan_all(BOXES, COURT[:3], 1, columns=120, rows=40)
     truth[:, :3, 3] += FAR
@@ -29,32 +29,32 @@ def files(tmp_path_factory):
     for file, swapped in (("right.csv", {}), ("wrong.csv", {"A": "B", "B": "A"})):
         rows = ["station;name;x;y;z;sigma"]
         for i, T in enumerate(truth):
-            for name, place in PLACES.items():
-                x, y, z = T[:3, :3].T @ (np.array(place) + FAR - T[:3, 3])
+            for name, position in TARGETS.items():
+                x, y, z = T[:3, :3].T @ (np.array(position) + FAR - T[:3, 3])
                 rows.append(f"{i};{swapped.get(name, name) if i == 1 else name};{x:.5f};{y:.5f};{z:.5f};0.002")
         (folder / file).write_text("\n".join(rows) + "\n")
-    control = [f"{name} {x} {y} {z}" for name, (x, y, z) in ((n, np.array(p) + FAR) for n, p in PLACES.items())]
+    control = [f"{name} {x} {y} {z}" for name, (x, y, z) in ((n, np.array(p) + FAR) for n, p in TARGETS.items())]
     (folder / "control.csv").write_text("# a comment\n" + "\n".join(control))
     np.save(folder / "truth.npy", truth)
     return folder
 
 
-def test_scans_go_in_and_come_out_with_their_poses_and_a_report(files):
+def test_scans_are_written_with_their_poses_and_a_report(files):
     words = ("--targets", files / "right.csv", "--control", files / "control.csv", "--voxel", 0.3)
-    told = answer(
+    report = answer(
         "stations", files / "scans.e57", "-o", files / "out.e57", *words, "--report", files / "report", "--force"
     )
-    assert told["reliable"]
-    assert [s["name"] for s in told["stations"]] == ["north", "mid", "east"]
+    assert report["reliable"]
+    assert [s["name"] for s in report["stations"]] == ["north", "mid", "east"]
     before, after = loom.read_stations(files / "scans.e57"), loom.read_stations(files / "out.e57")
     assert np.abs(after.poses - np.load(files / "truth.npy"))[:, :3, 3].max() < 3e-3
     assert after.names == ("north", "mid", "east")
     for a, b in zip(before.clouds, after.clouds, strict=True):
         assert np.array_equal(a.points, b.points)
-    with pye57.E57(str(files / "out.e57")) as file:  # as others read it
+    with pye57.E57(str(files / "out.e57")) as file:  # as another library reads it
         assert np.abs(file.get_header(1).translation - after.poses[1][:3, 3]).max() < 1e-9
     assert "STATIONS" in (files / "report" / "report.txt").read_text()
-    assert json.loads((files / "report" / "report.json").read_text())["redundancy"] == told["redundancy"]
+    assert json.loads((files / "report" / "report.json").read_text())["redundancy"] == report["redundancy"]
     assert read_color(files / "report" / "plan.png").shape[:2] == (960, 1280)
     assert (
         "--force" in run("stations", files / "scans.e57", "-o", files / "new.e57", "--report", files / "report").stderr
@@ -62,23 +62,23 @@ def test_scans_go_in_and_come_out_with_their_poses_and_a_report(files):
 
 
 @pytest.mark.slow
-def test_exchanged_names_end_in_exit_code_3(files):
+def test_exchanged_names_cause_exit_code_3(files):
     words = ("--targets", files / "wrong.csv", "--control", files / "control.csv", "--voxel", 0.3, "--force")
-    told = unreliable("stations", files / "scans.e57", "-o", files / "wrong.e57", *words)
-    assert "look exchanged" in str(told["warnings"])
-    assert {(o["name"], o["exchanged"]) for o in told["outliers"]} == {("A from mid", "B"), ("B from mid", "A")}
+    report = unreliable("stations", files / "scans.e57", "-o", files / "wrong.e57", *words)
+    assert "look exchanged" in str(report["warnings"])
+    assert {(o["name"], o["exchanged"]) for o in report["outliers"]} == {("A from mid", "B"), ("B from mid", "A")}
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "message"),
     [
         ("north,A,1,2", "line 1"), ("north,A,1,2,3\nsouth,A,1,2,3", "got 'south'"), ("", "no row"),
         ("north,A,1,2,3\nmid,A,1,x,3", "line 2"), ("north,A,1,2,3,-1", "line 1"), ("north,A,1,2,nan", "line 1"),
     ],
 )  # fmt: skip
-def test_tables_that_make_no_sense_are_refused(tmp_path, text, said):
+def test_invalid_tables_are_rejected(tmp_path, text, message):
     (tmp_path / "t.csv").write_text(text)
-    with pytest.raises(loom.FileError, match=said):
+    with pytest.raises(loom.FileError, match=message):
         read_targets(tmp_path / "t.csv", ["north", "mid"])
 
 
@@ -90,7 +90,7 @@ def test_control_has_one_sigma_or_three(tmp_path):
         read_control(tmp_path / "none.csv")
 
 
-def test_calls_that_make_no_sense_are_refused(files):
+def test_invalid_calls_are_rejected(files):
     assert "--free" in run("stations", files / "scans.e57", "-o", files / "x.e57", "--free", "x,up").stderr
     assert "scans" in run("stations", files / "scans.e57", "-o", files / "scans.e57", "--force").stderr
     assert ".e57" in run("stations", files / "right.csv", "-o", files / "x.e57").stderr

@@ -1,4 +1,4 @@
-"""The command `texture`: files, figures, and what makes a result poor."""
+"""texture: outputs, figures, and unreliable results."""
 
 import json
 
@@ -16,14 +16,14 @@ from .commands import answer, names_in, refusal, run, unreliable
 
 @pytest.fixture(scope="module")
 def scan(tmp_path_factory):
-    """Frames of the room, and a mesh of them without colors."""
+    """Frames of the room and their mesh without colors."""
     folder = tmp_path_factory.mktemp("texture")
     write_room_sequence(folder / "room", frame_count=12, width=160, height=120)
     fused = loom.fuse(open_dataset(folder / "room"), voxel_size=0.06).mesh
     bare = loom.TriangleMesh(fused.vertices, fused.triangles)
     loom.write_triangle_mesh(folder / "bare.ply", bare)
     uvs = np.zeros((len(bare), 3, 2))
-    side = int(np.ceil(np.sqrt(len(bare))))  # a small square for each triangle: an atlas that anybody can make
+    side = int(np.ceil(np.sqrt(len(bare))))  # a trivial atlas: a small square for each triangle
     row, column = np.divmod(np.arange(len(bare)), side)
     for k, (x, y) in enumerate(((0.1, 0.1), (0.9, 0.1), (0.1, 0.9))):
         uvs[:, k] = np.stack([column + x, row + y], 1) / side
@@ -42,15 +42,15 @@ def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
     mesh = loom.read_triangle_mesh(tmp_path / "out.ply")
     assert len(mesh) == report["triangles"] and np.ptp(mesh.vertex_colors) > 0.5
     bare, frames = loom.read_triangle_mesh(scan / "bare.ply", device="cpu"), loom.open_dataset(scan / "room")
-    found = loom.color_map.texture_mesh(bare, frames)  # the same call in Python
-    loom.write_triangle_mesh(tmp_path / "called.ply", found.mesh)
+    result = loom.color_map.texture_mesh(bare, frames)  # the same call in Python
+    loom.write_triangle_mesh(tmp_path / "called.ply", result.mesh)
     assert (tmp_path / "called.ply").read_bytes() == (tmp_path / "out.ply").read_bytes()
-    figures = json.loads(json_text(found.to_dict()))
+    figures = json.loads(json_text(result.to_dict()))
     assert figures == {key: report[key] for key in figures}
 
 
 @pytest.mark.slow
-def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
+def test_a_texture_is_filled_if_the_mesh_has_texture_coordinates(scan, tmp_path):
     words = ["texture", scan / "mapped.obj", scan / "room", "-o", tmp_path / "out.glb", "--size", "256"]
     report = answer(*words, "--method", "non-rigid", "--every", "2", "--device", "cpu")
     assert report["size"] == 256 and report["texel_share"] > 0.3
@@ -59,7 +59,7 @@ def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
     assert mesh.vertex_colors is None
 
 
-def test_poses_stay_where_no_method_is_asked(scan, tmp_path):
+def test_poses_are_unchanged_without_a_method(scan, tmp_path):
     words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--method", "none"]
     report = answer(*words, "--every", "2", "--picture", tmp_path / "out.png")
     assert report["turned"] == pytest.approx(0, abs=1e-5) and report["moved"] < 1e-12 and report["frames"] == 6
@@ -68,7 +68,7 @@ def test_poses_stay_where_no_method_is_asked(scan, tmp_path):
     assert names_in(tmp_path) == ["out.ply", "out.png"]
 
 
-def test_the_summary_tells_what_was_done(scan, tmp_path):
+def test_the_summary_matches_the_library(scan, tmp_path):
     result = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "2")
     assert result.exit_code == 0, result.stderr
     for word in ("of the vertices", "residual", "moved", "out.ply"):
@@ -77,7 +77,7 @@ def test_the_summary_tells_what_was_done(scan, tmp_path):
     assert "\n".join(result.stdout.splitlines()[1:-3]) == str(loom.color_map.texture_mesh(bare, frames))
 
 
-def test_frames_of_another_place_are_unreliable_and_write_nothing(scan, tmp_path):
+def test_frames_that_do_not_show_the_mesh_are_unreliable_and_write_nothing(scan, tmp_path):
     mesh = loom.read_triangle_mesh(scan / "bare.ply")
     loom.write_triangle_mesh(tmp_path / "far.ply", loom.TriangleMesh(mesh.vertices + 100.0, mesh.triangles))
     report = unreliable("texture", tmp_path / "far.ply", scan / "room", "-o", tmp_path / "out.ply")
@@ -92,7 +92,7 @@ def test_frames_that_show_little_are_unreliable(scan, tmp_path):
     assert (tmp_path / "out.ply").exists()
 
 
-def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):
+def test_invalid_input_is_an_error_that_names_it(scan, tmp_path):
     out = tmp_path / "out.ply"
     assert "not written to .stl" in refusal("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.stl")
     assert "no.ply" in refusal("texture", tmp_path / "no.ply", scan / "room", "-o", out)
@@ -105,14 +105,14 @@ def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):
     assert out.read_bytes() == b"old"
 
 
-def test_frames_without_color_are_refused(scan, tmp_path):
+def test_frames_without_color_are_rejected(scan, tmp_path):
     write_room_sequence(tmp_path / "gray", frame_count=2, width=64, height=48)
     for path in (tmp_path / "gray").glob("*.color.png"):
         path.unlink()
     assert "frames without" in refusal("texture", scan / "bare.ply", tmp_path / "gray", "-o", tmp_path / "out.ply")
 
 
-def test_pictures_of_a_model_give_a_texture(tmp_path):
+def test_images_of_a_model_give_a_texture(tmp_path):
     from ..meshing.picture_scenes import CAMERA, wall_scene
 
     scene = wall_scene((0.8, 1.1, 1.0))

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointloom.cli.jobs import tiles as told_by
+from pointloom.cli.jobs import tiles as tile_jobs
 from pointloom.cli.shell import tile_command
 from pointloom.cli.shell.cli import cli
 from pointloom.io.points.copc import open_copc
@@ -31,7 +31,7 @@ FAILING = """
 import time
 
 def fails_once(cloud):
-    if not __import__("pathlib").Path("mended").exists():
+    if not __import__("pathlib").Path("fixed").exists():
         raise RuntimeError("two\\nlines")
     return cloud
 
@@ -45,7 +45,7 @@ def is_slow(cloud):
 
 @pytest.fixture
 def job(tmp_path, monkeypatch):
-    """A folder with a survey of two files and steps.toml, in which commands are called."""
+    """A working directory with a survey of two files and steps.toml."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
     (tmp_path / "survey").mkdir()
@@ -65,7 +65,7 @@ def plan_with(job, call):
     assert run("tile", "plan", "survey", "--steps", "own.toml", "-o", "job", "--size", "20").exit_code == 0
 
 
-def test_the_commands_give_what_the_functions_give(job):
+def test_the_commands_match_the_functions(job):
     report = answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "10")
     assert (report["command"], report["waiting"], report["sources_waiting"]) == ("tile plan", 25, 2)
     status = answer("tile", "status", "job")
@@ -74,13 +74,13 @@ def test_the_commands_give_what_the_functions_give(job):
     assert report["is_finished"] and report["points_in"] == report["points"] == 2050
     assert answer("tile", "finish", "job", "-o", "out.laz")["files"] == ["out.laz"]
     assert not (job / "job" / "buckets").exists()
-    shown = run("tile", "status", "job").stdout
-    assert "25 of 25 done" in shown and "temporary" not in shown
+    printed = run("tile", "status", "job").stdout
+    assert "25 of 25 done" in printed and "temporary" not in printed
     expected, _ = tiled([*(job / "survey").glob("*.laz")], RADIUS, job / "other", size=40.0)
     np.testing.assert_array_equal(rows_of(finished(job / "job")), rows_of(expected))
 
 
-def test_planning_takes_an_area_points_and_copc(job):
+def test_planning_accepts_an_area_a_point_count_and_copc(job):
     words = ["tile", "plan", "survey", "--steps", "steps.toml", "-o"]
     assert answer(*words, "a", "--points", "500")["waiting"] == 9
     area = "500001,4000001,500009,4000009"
@@ -91,7 +91,7 @@ def test_planning_takes_an_area_points_and_copc(job):
     assert answer("tile", "finish", "b", "--force")["is_finished"]
 
 
-def test_finish_makes_the_file_that_is_asked_for(job):
+def test_finish_writes_the_requested_file(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
     answer("tile", "run", "job")
     count = answer("tile", "status", "job")["points_out"]
@@ -105,12 +105,12 @@ def test_finish_makes_the_file_that_is_asked_for(job):
 def test_finish_refuses_names_of_other_formats(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
     answer("tile", "run", "job", "--serial")
-    for words, said in (
+    for words, message in (
         ("--output copc -o out.laz", "is not a file name for output='copc'. Use the extension .copc.laz"),
         ("--output laz -o out.copc.laz", "is not a file name for output='laz'"),
         ("-o out.xyz", "is not a file name of a LAS or LAZ file. Use the extension .laz or .las or .copc.laz"),
     ):
-        assert said in " ".join(refusal("tile", "finish", "job", *words.split()).split())
+        assert message in " ".join(refusal("tile", "finish", "job", *words.split()).split())
     assert names_in(job) == ["job", *OWN, "steps.toml", "survey"]
 
 
@@ -121,7 +121,7 @@ def test_parts_of_an_array_share_the_tiles(job):
     assert answer("tile", "run", "job", "--part", "2/2")["is_finished"]
 
 
-def test_failed_tiles_are_named_with_the_command_that_repeats_each(job):
+def test_failed_tiles_are_named_with_the_command_to_repeat_them(job):
     plan_with(job, "fails_once")
     result = run("tile", "run", "job", "--serial")
     assert result.exit_code == 3
@@ -129,7 +129,7 @@ def test_failed_tiles_are_named_with_the_command_that_repeats_each(job):
     (line,) = [line for line in result.stdout.splitlines() if line.startswith("  1_1 ")]
     assert line.endswith("RuntimeError: two lines; run it alone with `pointloom tile run job --tile 1_1`")
     assert run("tile", "status", "job").exit_code == 3
-    (job / "mended").touch()
+    (job / "fixed").touch()
     repeated = run("tile", "run", "job", "--tile", "1_1", "--json")
     assert (repeated.exit_code, json.loads(repeated.stdout)["done"]) == (3, 1)
     report = answer("tile", "retry", "job")
@@ -137,26 +137,27 @@ def test_failed_tiles_are_named_with_the_command_that_repeats_each(job):
     assert answer("tile", "run", "job")["is_finished"]
 
 
-def test_a_damaged_file_is_an_error_in_the_words_of_the_commands(job):
+def test_a_damaged_file_is_an_error_that_names_the_commands(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "20")
     assert "Call pointloom tile run" in refusal("tile", "finish", "job")
     with Manifest(job / "job") as manifest, manifest.change() as base:
         base.execute("UPDATE sources SET state = 'failed', error = 'it is torn' WHERE id = 1")
-    said = refusal("tile", "run", "job")
+    message = refusal("tile", "run", "job")
     assert (
-        "part1.laz: its points cannot be sorted into tiles: it is torn" in said and "run pointloom tile retry" in said
+        "part1.laz: its points cannot be sorted into tiles: it is torn" in message
+        and "run pointloom tile retry" in message
     )
     assert run("tile", "status", "job").exit_code == 3
 
 
 @pytest.mark.parametrize("command", ["run", "status", "retry", "finish"])
-def test_a_folder_without_a_plan_is_told(job, command):
+def test_a_folder_without_a_plan_is_rejected(job, command):
     assert "plan.sqlite: does not exist. Run pointloom tile plan first" in refusal("tile", command, "nowhere")
     assert not (job / "nowhere").exists()
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         ("survey --steps no.toml", "no.toml: cannot be read"),
         ("survey --steps own_steps.py", "own_steps.py: not TOML"),
@@ -165,18 +166,18 @@ def test_a_folder_without_a_plan_is_told(job, command):
         ("survey --steps steps.toml --only 1,2,3,4", "overlaps the tiles"),
     ],
 )
-def test_bad_plans_are_refused_and_leave_nothing(job, words, said):
-    assert said in refusal("tile", "plan", *words.split(), "-o", "job")
+def test_bad_plans_are_rejected_and_leave_nothing(job, words, message):
+    assert message in refusal("tile", "plan", *words.split(), "-o", "job")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("how", [["--serial"], ["--workers", "2"]])
-def test_ctrl_c_ends_in_one_line_and_the_next_run_goes_on(job, how):
-    """Four times, at which no tile is held to have killed its workers."""
+def test_ctrl_c_prints_one_line_and_the_next_run_continues(job, how):
+    """Repeated four times; no tile may be counted as having killed its workers."""
     plan_with(job, "is_slow")
     setup = (
         f"import sys; sys.path[:0] = [{str(ROOT / 'src')!r}, {str(job)!r}]; from pointloom.cli.shell.cli import main; "
-        "from pointloom.cli.shell import console; console.LINE_INTERVAL = 1e9; "  # no progress, however slow it is
+        "from pointloom.cli.shell import console; console.LINE_INTERVAL = 1e9; "  # no progress, even on slow machines
     )
     words = [sys.executable, "-c", f"{setup}main()", "tile", "run", "job", *how]
     os.mkfifo("begun")
@@ -202,15 +203,15 @@ def test_ctrl_c_ends_in_one_line_and_the_next_run_goes_on(job, how):
 def test_long_lists_of_names_are_cut():
     names = {f"{k}_0": "torn" for k in range(30)}
     status = TileStatus("job", 0, 0, 0, 0, 30, 0, 0, 10, 0, 0, 0, names)
-    report = told_by.report_of("run", status)
+    report = tile_jobs.report_of("run", status)
     assert "; ".join(report.warnings).endswith("18_0, 19_0 and 10 more") and len(report.to_dict()["troubles"]) == 30
 
 
-def test_the_options_are_those_of_the_library():
+def test_the_options_match_the_library():
     assert planning.OUTPUTS == tile_command.OUTPUTS
     assert (*finish.FILES,) == tile_command.FILES
     commands = cli.commands["tile"].commands
     assert sorted(commands) == ["finish", "plan", "retry", "run", "status"]
     for name in commands:
-        shown = run("tile", name, "--help").stdout
-        assert "--json" in shown and f"\n  pointloom tile {name}" in shown and shown.isascii()
+        printed = run("tile", name, "--help").stdout
+        assert "--json" in printed and f"\n  pointloom tile {name}" in printed and printed.isascii()

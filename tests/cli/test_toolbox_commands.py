@@ -1,4 +1,4 @@
-"""clean, cluster, plane, crop and downsample: what holds for all of them."""
+"""clean, cluster, plane, crop and downsample: common behavior."""
 
 import json
 
@@ -21,7 +21,7 @@ each_command = pytest.mark.parametrize("command", CALLS)
 
 
 @each_command
-def test_rows_are_written_as_the_file_has_them(scene, points, tmp_path, device, command):
+def test_attributes_are_written_unchanged(scene, points, tmp_path, device, command):
     output = tmp_path / "out.npz"
     report = answer(command, scene, output, *CALLS[command], "--device", device)
     assert (report["command"], report["points_in"], report["left_out"]) == (command, len(points), [])
@@ -37,14 +37,14 @@ def test_rows_are_written_as_the_file_has_them(scene, points, tmp_path, device, 
 
 
 @each_command
-def test_a_summary_says_what_was_left_out(scene, tmp_path, command):
+def test_the_summary_lists_omitted_attributes(scene, tmp_path, command):
     options = [*CALLS[command], *(["--largest", "1"] if command == "cluster" else [])]
-    shown = run(command, scene, tmp_path / "out.xyz", *options)
-    assert shown.exit_code == 0, shown.stderr
-    assert "left out" in shown.stdout
+    result = run(command, scene, tmp_path / "out.xyz", *options)
+    assert result.exit_code == 0, result.stderr
+    assert "left out" in result.stdout
     for word in ("normals, colors", "time", "seconds", f"on {chosen_device()}", "out.xyz"):
-        assert word in shown.stdout
-    assert shown.stderr == ""
+        assert word in result.stdout
+    assert result.stderr == ""
 
 
 @each_command
@@ -75,7 +75,7 @@ def test_a_cloud_without_finite_points_is_unreliable(tmp_path, command):
 
 
 @each_command
-def test_the_vertices_of_a_mesh_count(mesh, tmp_path, command):
+def test_commands_accept_the_vertices_of_a_mesh(mesh, tmp_path, command):
     options = ["--radius", "2", "--neighbors", "5", "--largest", "1"] if command == "cluster" else CALLS[command]
     result = run(command, mesh, tmp_path / "out.ply", *options, "--json")
     report = json.loads(result.stdout)
@@ -83,7 +83,7 @@ def test_the_vertices_of_a_mesh_count(mesh, tmp_path, command):
     assert report["left_out"] == ["triangles"]
 
 
-def test_the_whole_chain_works_on_a_lidar_tile(scan_file, tmp_path):
+def test_a_chain_of_commands_works_on_a_lidar_tile(scan_file, tmp_path):
     laspy = pytest.importorskip("laspy")
     source, last = scan_file("lidar-pdal/laz/autzen_trim.laz"), tmp_path / "0.laz"
     steps = (
@@ -102,6 +102,6 @@ def test_the_whole_chain_works_on_a_lidar_tile(scan_file, tmp_path):
     assert after.header.scales.tolist() == before.header.scales.tolist()
     assert len({report["coordinate_system"] for report in answer("info", source, last)["files"]}) == 1
     stamps = {time: row for row, time in enumerate(zip(before.X, before.Y, before.Z, before.gps_time, strict=True))}
-    rows = [stamps[key] for key in zip(after.X, after.Y, after.Z, after.gps_time, strict=True)]  # the very integers
+    rows = [stamps[key] for key in zip(after.X, after.Y, after.Z, after.gps_time, strict=True)]  # exact integers
     np.testing.assert_array_equal(after.intensity, before.intensity[rows])
     assert {"label", "plane"} <= {*after.point_format.extra_dimension_names}

@@ -1,4 +1,4 @@
-"""track: the path of a camera, its errors, what is told of frames that were lost, and what the command refuses."""
+"""track: the camera trajectory, its errors, reports of lost frames, and invalid calls."""
 
 import json
 from pathlib import Path
@@ -17,7 +17,7 @@ from .commands import answer, names_in, refusal, run, unreliable
 
 
 class Guided:
-    """A tracker that was told the path: what the command makes of its verdicts is to be seen, not how it finds them."""
+    """A tracker that returns the true poses with given statuses; only the command is tested."""
 
     def __init__(self, fates: dict[int, str] | None = None):
         self.fates, self.seen, self.folded = fates or {}, 0, []
@@ -50,7 +50,7 @@ class Guided:
 
 @pytest.fixture
 def guided(monkeypatch):
-    """Makes trackers that know the path, with the fates of some frames."""
+    """Make trackers that return the true poses, with the statuses of some frames."""
 
     def use(fates=None):
         tracker = Guided(fates)
@@ -68,35 +68,35 @@ def without_poses(frames: Path) -> Path:
     return frames
 
 
-def test_track_writes_the_path_and_its_errors(guided, frames, tmp_path):
+def test_track_writes_the_trajectory_and_its_errors(guided, frames, tmp_path):
     tracker = guided()
     report = answer("track", frames, "-o", tmp_path / "poses.log")
-    found = read_trajectory(tmp_path / "poses.log")
+    trajectory = read_trajectory(tmp_path / "poses.log")
     truth = np.array([np.loadtxt(path) for path in sorted(frames.glob("*.pose.txt"))])
-    np.testing.assert_allclose(found.poses, np.linalg.inv(truth[0]) @ truth, atol=1e-12)
-    assert found.ids[:, 0].tolist() == [0, 1, 2, 3, 4, 5]
+    np.testing.assert_allclose(trajectory.poses, np.linalg.inv(truth[0]) @ truth, atol=1e-12)
+    assert trajectory.ids[:, 0].tolist() == [0, 1, 2, 3, 4, 5]
     assert (report["frames"], report["tracked"], report["lost"], report["uncertain"]) == (6, 6, [], [])
     assert report["errors"]["absolute"]["m"]["rmse"] < 1e-9
     assert report["files"] == [str(tmp_path / "poses.log")]
     assert tracker.folded == [f"frame-{i:06d}" for i in range(6)]
 
 
-def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
+def test_a_lost_frame_has_no_pose_and_is_reported(guided, frames, tmp_path):
     tracker = guided({2: "lost", 3: "lost", 5: "uncertain"})
     report = unreliable("track", frames, "-o", tmp_path / "poses.log")
     assert [entry["frame"] for entry in report["lost"]] == [2, 3]
     assert report["uncertain"] == [5]
     assert "2 of 6 frames were lost (frame 2-3) and are left out: no depth in reach" in str(report["warnings"])
-    found = read_trajectory(tmp_path / "poses.log")
-    assert found.ids[:, 0].tolist() == [0, 1, 4, 5]
+    trajectory = read_trajectory(tmp_path / "poses.log")
+    assert trajectory.ids[:, 0].tolist() == [0, 1, 4, 5]
     assert report["errors"]["compared"] == 4
-    assert report["errors"]["absolute"]["m"]["rmse"] < 1e-9  # each pose beside its own truth
+    assert report["errors"]["absolute"]["m"]["rmse"] < 1e-9  # each pose is compared with its own ground truth
     assert "frame-000002" not in tracker.folded
     guided({2: "lost", 3: "lost", 5: "uncertain"})
-    shown = run("track", frames, "-o", tmp_path / "again.txt")
-    assert shown.exit_code == 3
+    result = run("track", frames, "-o", tmp_path / "again.txt")
+    assert result.exit_code == 3
     for part in ("ATE", "RPE", "frames/s", "off the model", "lost       2: frame 2-3", "uncertain  1: frame 5"):
-        assert part in shown.stdout
+        assert part in result.stdout
 
 
 def test_a_broken_picture_in_the_middle_is_left_out_and_named(guided, frames, tmp_path):
@@ -116,12 +116,12 @@ def test_a_missing_picture_is_left_out_and_named(guided, frames, tmp_path):
     assert "1 of 6 frames lack an image and are left out, the first frame-000004.color.png" in str(report["warnings"])
 
 
-def test_frames_out_of_reach_are_unreliable(guided, frames, tmp_path):
+def test_frames_beyond_depth_max_are_unreliable(guided, frames, tmp_path):
     report = unreliable("track", frames, "-o", tmp_path / "poses.txt", "--depth-max", "0.1")
     assert "raise depth_max" in str(report["warnings"])
 
 
-def test_a_covered_lens_all_along_writes_nothing(guided, frames, tmp_path):
+def test_frames_without_any_depth_write_nothing(guided, frames, tmp_path):
     for path in frames.glob("*.depth.png"):
         write_png(path, np.zeros_like(read_depth(path)))
     report = unreliable("track", frames, "-o", tmp_path / "poses.txt")
@@ -129,7 +129,7 @@ def test_a_covered_lens_all_along_writes_nothing(guided, frames, tmp_path):
     assert names_in(tmp_path) == ["frames"]
 
 
-def test_track_refuses_what_cannot_be_done_before_the_work(guided, frames, tmp_path):
+def test_track_rejects_invalid_calls_first(guided, frames, tmp_path):
     poses = tmp_path / "poses.txt"
     assert "poses are not written to .ply" in refusal("track", frames, "-o", tmp_path / "a.ply")
     assert "does not exist" in refusal("track", tmp_path / "none", "-o", poses)
@@ -145,13 +145,13 @@ def test_track_refuses_what_cannot_be_done_before_the_work(guided, frames, tmp_p
     assert names_in(tmp_path) == ["frames", "poses.txt"]
 
 
-def test_a_camera_of_another_size_is_told_by_the_option(guided, frames, tmp_path):
+def test_a_camera_of_another_size_is_an_error_that_names_the_option(guided, frames, tmp_path):
     camera = tmp_path / "camera.json"
     content = json.loads((frames / "camera-intrinsics.json").read_text())
     camera.write_text(json.dumps(content | {"width": 640, "height": 480}))
-    said = refusal("track", frames, "-o", tmp_path / "a.txt", "--intrinsic", camera)
-    assert "is 160 x 120, but the intrinsic given is for 640 x 480" in said
-    assert "Give --intrinsic of these images" in said
+    message = refusal("track", frames, "-o", tmp_path / "a.txt", "--intrinsic", camera)
+    assert "is 160 x 120, but the intrinsic given is for 640 x 480" in message
+    assert "Give --intrinsic of these images" in message
 
 
 def test_an_interruption_leaves_nothing(guided, frames, tmp_path):

@@ -1,4 +1,4 @@
-"""What commands say of lengths in a file whose unit is another one than meters."""
+"""Lengths printed by commands for files in units other than meters."""
 
 import re
 
@@ -12,7 +12,7 @@ from .commands import answer, run
 
 @pytest.fixture
 def feet(tmp_path, rng):
-    """A patch of points in feet, as a .ply that tells so."""
+    """A patch of points in feet, in a .ply file with its unit."""
     path = tmp_path / "feet.ply"
     points = np.column_stack([rng.random((2000, 2)) * 10, 0.001 * rng.normal(size=2000)])
     loom.write_point_cloud(path, loom.PointCloud(points, unit="foot"))
@@ -20,7 +20,7 @@ def feet(tmp_path, rng):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (["downsample", "--voxel", 1], "one a voxel of 1 ft"),
         (["cluster", "--eps", 0.001], "eps 0.001 ft"),
@@ -30,9 +30,9 @@ def feet(tmp_path, rng):
         (["mesh", "--method", "alpha", "--alpha", 1], "ft^2"),
     ],
 )
-def test_lengths_are_said_in_the_unit_of_the_file(words, said, feet, tmp_path):
+def test_lengths_are_printed_in_the_unit_of_the_file(words, message, feet, tmp_path):
     result = run(words[0], feet, tmp_path / "out.ply", *words[1:], "--device", "cpu")
-    assert re.search(said.replace("^", r"\^"), result.stdout + result.stderr), result.stdout + result.stderr
+    assert re.search(message.replace("^", r"\^"), result.stdout + result.stderr), result.stdout + result.stderr
     note = f"note: the unit of {feet} is foot (0.3048 m): all lengths, input and output, are in this unit\n"
     assert note in result.stderr
     if (tmp_path / "out.ply").exists():
@@ -40,14 +40,14 @@ def test_lengths_are_said_in_the_unit_of_the_file(words, said, feet, tmp_path):
         assert report["unit"] == "foot"
 
 
-def test_programs_are_told_the_unit_too(feet, tmp_path):
+def test_json_contains_the_unit(feet, tmp_path):
     report = answer("downsample", feet, tmp_path / "out.npz", "--voxel", 1, "--device", "cpu")
     assert report["unit"] == "foot"
     result = run("downsample", feet, tmp_path / "out.npz", "--voxel", 1, "--json", "--force", "--device", "cpu")
     assert result.stderr == ""
 
 
-def test_a_file_in_metres_or_of_unknown_unit_is_spoken_of_as_ever(tmp_path):
+def test_files_in_meters_or_of_unknown_unit_are_reported_in_meters(tmp_path):
     for unit in (None, "metre"):
         loom.write_point_cloud(tmp_path / "a.npz", loom.PointCloud(np.eye(3), unit=unit))
         result = run("downsample", tmp_path / "a.npz", tmp_path / "b.ply", "--voxel", 1, "--force", "--device", "cpu")
@@ -57,7 +57,7 @@ def test_a_file_in_metres_or_of_unknown_unit_is_spoken_of_as_ever(tmp_path):
 
 
 @pytest.mark.filterwarnings("always::pointloom.UnitWarning")
-def test_two_files_in_two_units_are_a_warning(feet, tmp_path):
+def test_files_in_different_units_cause_a_warning(feet, tmp_path):
     other = tmp_path / "meters.ply"
     cloud = loom.read_point_cloud(feet)
     loom.write_point_cloud(other, cloud.to_unit("metre"))
@@ -69,7 +69,7 @@ def test_two_files_in_two_units_are_a_warning(feet, tmp_path):
 
 
 @pytest.mark.filterwarnings("always::pointloom.UnitWarning")
-def test_a_file_that_cannot_tell_the_unit_is_said_to(feet, tmp_path):
+def test_formats_without_a_unit_cause_a_warning(feet, tmp_path):
     result = run("convert", feet, tmp_path / "a.xyz")
     assert result.exit_code == 0 and "coordinates are in foot" in result.stderr
     result = run("convert", feet, tmp_path / "a.e57")

@@ -1,4 +1,4 @@
-"""view: pictures and pages of files, and the viewer's server from a terminal."""
+"""view: pictures and pages of files, and the viewer's server."""
 
 import json
 import os
@@ -30,7 +30,7 @@ def trajectory(tmp_path):
     return tmp_path / "poses.log"
 
 
-# A job that a script puts in the background begins with Ctrl-C ignored, and so would what it starts.
+# Background jobs of a script, and their child processes, start with Ctrl-C ignored.
 VIEW = """
 import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -55,7 +55,7 @@ def red_pixels(path):
 
 
 @pytest.mark.slow
-def test_what_is_up_is_told_or_that_of_the_file(tmp_path):
+def test_the_up_axis_is_given_or_read_from_the_file(tmp_path):
     cone = loom.TriangleMesh.create_cone(0.5, 3.0)
     loom.write_triangle_mesh(tmp_path / "cone.glb", cone, up="z")
     loom.write_triangle_mesh(tmp_path / "cone.ply", loom.read_triangle_mesh(tmp_path / "cone.glb"))
@@ -95,14 +95,14 @@ def test_pictures_and_pages_need_no_server(cloud, tmp_path):
     assert {"a.png", "a.html"} <= set(names_in(tmp_path))
 
 
-def test_a_page_of_its_own_is_written(cloud, tmp_path):
+def test_a_standalone_page_is_written(cloud, tmp_path):
     result = run("view", cloud, "--save-html", tmp_path / "out.html")
     assert result.exit_code == 0
     assert f"files    {tmp_path / 'out.html'}" in result.stdout
     assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
 
 
-def test_colors_and_view_change_the_picture(cloud, tmp_path):
+def test_color_and_view_options_change_the_image(cloud, tmp_path):
     bounds = ([0, 0, 0], [1, 1, 1])
     loom.write_view(tmp_path / "view.json", loom.View.from_open3d(bounds, front=[0, 0, 1], up=[0, 1, 0]), bounds)
     pictures = []
@@ -112,7 +112,7 @@ def test_colors_and_view_change_the_picture(cloud, tmp_path):
     assert len(set(pictures)) == 3
 
 
-def test_a_cloud_may_come_through_a_pipe(cloud, tmp_path):
+def test_a_cloud_is_read_from_a_pipe(cloud, tmp_path):
     words = ["view", "-", "--from", "ply", "--color-by", "height", "--save-html", tmp_path / "a.html"]
     words += ["--screenshot", tmp_path / "a.png"]
     result = CliRunner().invoke(cli, [*map(str, words), "--json"], input=cloud.read_bytes())
@@ -127,7 +127,7 @@ def test_a_cloud_may_come_through_a_pipe(cloud, tmp_path):
     assert "truncated" in result.stderr
 
 
-def test_without_the_extra_the_line_to_run_is_said_before_files_are_read(tmp_path, monkeypatch):
+def test_without_the_extra_the_install_command_is_printed_before_files_are_read(tmp_path, monkeypatch):
     loaded = ("websockets", "pointloom.visualization.viewer.link")
     for name in [name for name in sys.modules if name.startswith(loaded)]:
         monkeypatch.delitem(sys.modules, name)
@@ -138,7 +138,7 @@ def test_without_the_extra_the_line_to_run_is_said_before_files_are_read(tmp_pat
     )
 
 
-def test_volumes_and_polygons_are_shown(tmp_path, mesh):
+def test_volumes_and_polygons_are_displayed(tmp_path, mesh):
     volume = loom.TSDFVolume(voxel_size=0.1)
     camera = loom.PinholeCameraIntrinsic(32, 24, 30, 30, 15.5, 11.5)
     volume.integrate(np.ones((24, 32), np.float32), camera, np.eye(4))
@@ -184,22 +184,22 @@ def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monke
     Path("cloud.png").write_text("kept")
     before = names_in(tmp_path)
     output = [] if any(word.startswith("--s") for word in words) else ["--screenshot", "out.png"]
-    told = refusal("view", *words, *output)
-    assert told.startswith("error: ")
-    assert told.count("\n") == 1
-    assert reason in told
+    message = refusal("view", *words, *output)
+    assert message.startswith("error: ")
+    assert message.count("\n") == 1
+    assert reason in message
     assert names_in(tmp_path) == before
     assert Path("cloud.png").read_text() == "kept"
 
 
 @pytest.mark.slow
-def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
+def test_the_address_is_printed_to_stderr_and_ctrl_c_frees_the_port(cloud):
     with socket.create_server(("127.0.0.1", 0)) as line:
         port = line.getsockname()[1]
     process = start(cloud, "--port", port)
     assert process.stderr is not None
-    told = process.stderr.readline()
-    assert re.fullmatch(rf"viewer: http://127\.0\.0\.1:{port}/\?token=[\w-]+ \(Ctrl-C ends it\)\n", told)
+    address_line = process.stderr.readline()
+    assert re.fullmatch(rf"viewer: http://127\.0\.0\.1:{port}/\?token=[\w-]+ \(Ctrl-C ends it\)\n", address_line)
     assert f"ssh -L {port}:127.0.0.1:{port} " in process.stderr.readline()
     with socket.create_connection(("127.0.0.1", port), timeout=5):
         pass
@@ -210,7 +210,7 @@ def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
         pass
 
 
-def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
+def test_a_large_file_is_displayed_while_it_is_read(tmp_path, rng, monkeypatch):
     loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(rng.random((30_000, 3))))
     shown, waited = [], []
 
@@ -232,12 +232,12 @@ def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
 
 
 @pytest.mark.slow
-def test_json_tells_the_address_and_nothing_else(cloud):
+def test_json_prints_the_address_and_nothing_else(cloud):
     process = start(cloud, "--port", 0, "--json")
     assert process.stderr is not None
     assert process.stderr.readline().startswith("viewer: ")
     assert process.stdout is not None
-    lines = [process.stdout.readline()]  # while it serves: whoever started it reads the address
+    lines = [process.stdout.readline()]  # printed while it serves, so that the caller can read the address
     while lines[-1].rstrip() != "}":
         lines.append(process.stdout.readline())
     process.send_signal(signal.SIGTERM)

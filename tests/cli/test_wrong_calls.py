@@ -1,4 +1,4 @@
-"""Calls that cannot be: exit code 2, one line that names the option and the remedy, nothing written."""
+"""Invalid calls: exit code 2, a line that names the option and the fix, and no output files."""
 
 import pytest
 
@@ -114,7 +114,7 @@ CALLS = [
 
 
 @pytest.mark.parametrize(("words", "hint"), CALLS)
-def test_a_wrong_call_exits_with_2_and_says_how_to_mend_it(tmp_path, monkeypatch, words, hint):
+def test_a_wrong_call_exits_with_2_and_explains_the_fix(tmp_path, monkeypatch, words, hint):
     monkeypatch.chdir(tmp_path)
     result = run(*words.split())
     assert (result.exit_code, result.stdout) == (2, "")

@@ -1,4 +1,4 @@
-"""What the scene of the toolbox commands holds, by row."""
+"""Rows of the scene used by tests of the toolbox commands."""
 
 from pathlib import Path
 

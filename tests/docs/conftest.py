@@ -1,4 +1,4 @@
-"""The site's machinery lies beside its pages, in docs/machinery."""
+"""Make docs/machinery importable."""
 
 import importlib.util
 import sys

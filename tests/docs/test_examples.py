@@ -1,4 +1,4 @@
-"""Every chapter and page of the gallery runs alone, from any folder, finds what it says, and warns of nothing."""
+"""Every chapter and gallery page runs alone, from any folder, without warnings."""
 
 import runpy
 from pathlib import Path
@@ -10,7 +10,7 @@ CHAPTERS = sorted(EXAMPLES.glob("chapters/plot_*.py"))
 OTHERS = sorted(set(EXAMPLES.glob("*/plot_*.py")) - set(CHAPTERS))
 
 
-# What a second of CPU does not do; `make docs` runs all of them too.
+# Chapters that take longer than a second; `make docs` runs all of them too.
 LONG = {"01", "02", "03", "06", "07", "08", "09", "10", "11", "13", "14", "15"}
 CHAPTERS_BY_TIME = [
     pytest.param(path, marks=[pytest.mark.slow] if path.stem.split("_")[1] in LONG else []) for path in CHAPTERS

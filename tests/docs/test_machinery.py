@@ -1,4 +1,4 @@
-"""What the site is made from: names and their examples, commands, links, pictures and recordings of scripts."""
+"""Generated pages of the documentation: public names, commands and links."""
 
 import re
 
@@ -13,7 +13,7 @@ from .conftest import DOCS
 pytestmark = pytest.mark.slow  # needs Sphinx, which `make test` does not install
 
 
-def test_every_name_of_the_stub_has_a_page_and_a_place_in_the_index():
+def test_every_public_name_has_a_page_and_an_index_entry():
     listed = set(re.findall(r"^   ([\w.]+)$", reference.index_page(), flags=re.MULTILINE))
     for module in public.public_modules():
         if module != "pointloom":
@@ -25,7 +25,7 @@ def test_every_name_of_the_stub_has_a_page_and_a_place_in_the_index():
 
 
 @pytest.mark.parametrize("name", sorted(cli.commands))
-def test_the_page_of_a_command_says_all_that_its_help_says(name):
+def test_the_page_of_a_command_contains_its_help(name):
     command = cli.commands[name]
     text = commands.page_of(name, command)
     for option in command.params:
@@ -35,7 +35,7 @@ def test_the_page_of_a_command_says_all_that_its_help_says(name):
     assert "\b" not in text
 
 
-def test_every_page_beside_the_guides_stands_in_one_of_the_sites_lists():
+def test_every_page_is_listed_in_the_site():
     lists = (DOCS / "guides.md").read_text() + (DOCS / "index.md").read_text() + "versions\nREADME\nindex\n"
     assert {path.stem for path in DOCS.glob("*.md")} - set(re.findall(r"^[\w-]+$", lists, flags=re.MULTILINE)) == set()
 
@@ -51,5 +51,5 @@ def test_every_page_beside_the_guides_stands_in_one_of_the_sites_lists():
         ("gpu", "```\n[a](../README.md)\n```", "```\n[a](../README.md)\n```"),
     ],
 )
-def test_links_between_pages_of_the_repository_stay_links_in_the_site(page, text, expected):
+def test_links_between_pages_are_rewritten_for_the_site(page, text, expected):
     assert pages.rewrite_links(page, text) == expected

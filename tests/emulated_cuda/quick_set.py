@@ -249,7 +249,7 @@ CHOSEN_TESTS = {
         "test_a_wall_without_texture_is_no_success[cuda:0-0.6-Method.Intensity",
     ),
     "tests/rgbd/slam/test_stream_check.py": ("test_reported_frames_are_uncertain_and_make_the_path_unreliable",),
-    "tests/tiling/test_clusters.py": ("test_cores_get_other_names_by_which_borders_choose",),
+    "tests/tiling/test_clusters.py": ("test_border_points_take_the_lowest_label_of_renamed_cores",),
 }
 
 PREFIXES = (*CHOSEN, *(f"{file}::{name}" for file, names in CHOSEN_TESTS.items() for name in names))

@@ -14,7 +14,7 @@ from pointloom.registration.lidar.lidar_steps import summarize_steps
 from pointloom.registration.pose_graphs.multiway import FragmentsResult
 
 from ..cli.commands import answer, run
-from ..cli.surface_poses import turned
+from ..cli.surface_poses import yaw_pose
 
 reg = loom.registration
 
@@ -22,8 +22,8 @@ reg = loom.registration
 @pytest.fixture
 def paths() -> tuple[Trajectory, Trajectory]:
     """A path of 120 poses, 1 % too long and rotated, and the true one."""
-    truth = np.array([turned(0, 2 * i, 0, 0) for i in range(120)])
-    estimate = turned(30, 1, 2, 3) @ truth
+    truth = np.array([yaw_pose(0, 2 * i, 0, 0) for i in range(120)])
+    estimate = yaw_pose(30, 1, 2, 3) @ truth
     estimate[:, :3, 3] *= 1.01
     return Trajectory(estimate), Trajectory(truth)
 

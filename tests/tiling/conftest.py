@@ -1,4 +1,4 @@
-"""A small survey, a job of four tiles on it, and the rows that the job gives."""
+"""A small survey, a job of four tiles, and its expected rows."""
 
 from __future__ import annotations
 
@@ -26,12 +26,17 @@ def two_workers():
     distributed, config = pytest.importorskip("distributed"), pytest.importorskip("dask.config")
     # By default distributed sets OMP_NUM_THREADS and others in the environment of this process.
     environment = {"distributed.nanny.pre-spawn-environ": {"PYTHONHASHSEED": "random"}}
-    told = {"threads_per_worker": 1, "memory_limit": 0, "dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL"}
+    options = {
+        "threads_per_worker": 1,
+        "memory_limit": 0,
+        "dashboard_address": "127.0.0.1:0",
+        "silence_logs": "CRITICAL",
+    }
     with (
         config.set(environment),
-        distributed.LocalCluster(2, host="127.0.0.1", scheduler_kwargs={"allowed_failures": 2}, **told) as found,
+        distributed.LocalCluster(2, host="127.0.0.1", scheduler_kwargs={"allowed_failures": 2}, **options) as cluster,
     ):
-        yield found.scheduler_address
+        yield cluster.scheduler_address
 
 
 @pytest.fixture(scope="session")

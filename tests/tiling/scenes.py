@@ -1,4 +1,4 @@
-"""Small surveys in several files, and the answer of one machine to what tiles do with them."""
+"""Small surveys in several files, and the expected results of tiled steps, computed in memory."""
 
 from __future__ import annotations
 
@@ -16,36 +16,36 @@ from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
 from pointloom.tiling.manifest import Manifest
 
-STEP = 1e-7  # [m] below what float32 tells apart here, so that files hold means and moved points to the bit
+STEP = 1e-7  # [m] below float32 resolution here, so that files store means and moved points exactly
 CORNER = np.array([500_000.0, 4_000_000.0, 100.0])
 SIDE = 40.0
-# Sides of tiles [m]: 4 tiles with points on their borders and corner (and slivers); all in one; no round number.
+# Sides of tiles [m]: 4 tiles with points on their borders and slivers, one tile, and a number that is not round.
 SIZES = [20.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (100.0, 17.3))]
 RADIUS = [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}]
 
 
 def survey(folder, *, count=6000, files=2, suffix=".laz", seed=0):
-    """Files of a hilly ground with strays above it; each point is a multiple of 5 cm, so that many are equally near.
+    """Write files of hilly ground with outliers above it, on a grid of 5 cm, so that many distances are equal.
 
-    Some points lie on the borders and corners of tiles of 10 and 20 m, and some stand in both of the first files.
+    Some points are on the borders and corners of tiles of 10 and 20 m, and some are in both of the first files.
     """
     rng = np.random.default_rng(seed)
-    places = rng.random((count, 2)) * SIDE
-    places[: count // 20] = rng.integers(0, 5, (count // 20, 2)) * 10.0
-    places[count // 20 : count // 10, 0] = rng.integers(0, 9, count // 10 - count // 20) * 5.0
-    height = np.sin(places[:, 0] / 5) + 0.1 * rng.normal(size=count)
+    positions = rng.random((count, 2)) * SIDE
+    positions[: count // 20] = rng.integers(0, 5, (count // 20, 2)) * 10.0
+    positions[count // 20 : count // 10, 0] = rng.integers(0, 9, count // 10 - count // 20) * 5.0
+    height = np.sin(positions[:, 0] / 5) + 0.1 * rng.normal(size=count)
     height[::97] += rng.random(len(height[::97])) * 5
-    points = np.round(np.column_stack([places, height]) / 0.05) * 0.05 + CORNER
+    points = np.round(np.column_stack([positions, height]) / 0.05) * 0.05 + CORNER
     points[0], points[1] = CORNER, CORNER + np.array([SIDE, SIDE, 0])
     paths, cuts = [], np.array_split(rng.permutation(count), files)
     for number, rows in enumerate(cuts):
         if number == 1:
             rows = np.concatenate([rows, cuts[0][:50]])
-        here = points[rows]
-        table = PointTable(here, attributes={
-            "intensity": rng.integers(0, 60000, len(here)).astype(np.uint16),
-            "gps_time": rng.random(len(here)),
-            "range": rng.random(len(here)).astype(np.float32),
+        file_points = points[rows]
+        table = PointTable(file_points, attributes={
+            "intensity": rng.integers(0, 60000, len(file_points)).astype(np.uint16),
+            "gps_time": rng.random(len(file_points)),
+            "range": rng.random(len(file_points)).astype(np.float32),
         })  # fmt: skip
         path = folder / f"part{number}{suffix}"
         write_las(path, table, scale=STEP, offset=CORNER)
@@ -53,8 +53,8 @@ def survey(folder, *, count=6000, files=2, suffix=".laz", seed=0):
     return paths
 
 
-def whole_cloud(paths, origin):
-    """All points of the files in their order, about an origin, as one machine reads them."""
+def read_cloud(paths, origin):
+    """Read all points of the files in order, relative to an origin."""
     tables = [read_las(path) for path in paths]
     names = tables[0].attributes
     attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in names}
@@ -65,7 +65,7 @@ def whole_cloud(paths, origin):
 
 
 def in_memory(cloud, steps, corner):
-    """The steps on a cloud by the operations that users call."""
+    """Apply steps to a cloud by the public operations."""
     for step in steps:
         params = {name: value for name, value in step.items() if name != "step"}
         if step["step"] == "voxel_down_sample":
@@ -86,7 +86,7 @@ def in_memory(cloud, steps, corner):
 
 
 def rows_of(cloud):
-    """What a cloud holds as a sorted array of rows of bytes; positions in steps of the files."""
+    """Points and attributes of a cloud as a sorted array of int64 rows; positions in units of STEP."""
     columns = [np.rint((cloud.points - cloud.origin) / STEP).astype(np.int64)]
     names = [name for name in cloud.attributes if name in ("intensity", "gps_time", "range")]
     columns += [np.asarray(cloud[name], np.float64)[:, None].view(np.int64) for name in sorted(names)]
@@ -97,9 +97,9 @@ def rows_of(cloud):
 
 
 def kill_runner(call, job, stage, workers=0):
-    """Start a run of a job, and kill its runner when a task of this stage is done; its workers end, too."""
-    told = "lambda *words: print(*words, flush=True)"
-    program = f"import sys, pointloom as loom; {call}(sys.argv[1], workers={workers}, progress={told})"
+    """Start a run of a job and kill it when a task of this stage is done; its workers end too."""
+    report = "lambda *words: print(*words, flush=True)"
+    program = f"import sys, pointloom as loom; {call}(sys.argv[1], workers={workers}, progress={report})"
     runner = subprocess.Popen(
         [sys.executable, "-c", program, str(job)],
         env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
@@ -109,7 +109,7 @@ def kill_runner(call, job, stage, workers=0):
     with runner:
         done = re.compile(rf"{stage}.* [1-9]\d* \d+\n")
         assert any(done.fullmatch(line) for line in runner.stdout)
-        # The workers have the pipe, too: its end tells that none is left.
+        # The workers share the pipe: it is closed when the last one ends.
         runner.kill()
         runner.stdout.read()
 
@@ -119,14 +119,14 @@ def plan_of(folder):
         return manifest.plan
 
 
-def tiled(paths, steps, folder, device="cpu", **how):
-    """Plan, run and finish; the result as read back about the plan's origin, and the plan."""
-    loom.tiling.plan_tiles(paths, steps, folder, **how)
+def tiled(paths, steps, folder, device="cpu", **options):
+    """Plan, run and finish a job; return the result relative to the origin of the plan, and the plan."""
+    loom.tiling.plan_tiles(paths, steps, folder, **options)
     status = loom.tiling.run_tiles(folder, device=device)
     assert status.is_finished, status
     return finished(folder), plan_of(folder)
 
 
 def finished(folder):
-    """The result of a folder about the plan's origin."""
-    return whole_cloud([loom.tiling.finish_tiles(folder)], np.array(plan_of(folder)["origin"]))
+    """The result of a job, relative to the origin of the plan."""
+    return read_cloud([loom.tiling.finish_tiles(folder)], np.array(plan_of(folder)["origin"]))

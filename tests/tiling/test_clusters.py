@@ -1,4 +1,4 @@
-"""Clusters through any number of tiles have the labels of one machine."""
+"""Clusters across any number of tiles have the labels of a single machine."""
 
 import os
 import signal
@@ -21,7 +21,7 @@ from pointloom.tiling import label_join, tasks
 from pointloom.tiling.status import tile_status
 from pointloom.tiling.steps import parse
 
-from .scenes import CORNER, STEP, finished, in_memory, plan_of, survey, tiled, whole_cloud
+from .scenes import CORNER, STEP, finished, in_memory, plan_of, read_cloud, survey, tiled
 
 DBSCAN = {"step": "cluster_dbscan", "eps": 0.9, "min_points": 5}
 EUCLIDEAN = {"step": "cluster_euclidean", "tolerance": 0.7, "min_cluster_size": 2}
@@ -35,7 +35,7 @@ def labels_in_memory(cloud, step):
 
 
 def labeled(cloud):
-    """Rows of position, label and what tells a point from its twin, sorted."""
+    """Sorted rows of position, label and time, which distinguishes coincident points."""
     columns = [np.rint((cloud.points - cloud.origin) / STEP).astype(np.int64), np.asarray(cloud["cluster"])[:, None]]
     if "gps_time" in cloud.attributes:
         columns.append(np.asarray(cloud["gps_time"], np.float64)[:, None].view(np.int64))
@@ -43,19 +43,19 @@ def labeled(cloud):
     return rows[np.lexsort(rows.T)]
 
 
-def check(paths, steps, folder, device="cpu", **how):
-    """Hold that tiles give the labels of one machine; those labels."""
-    found, plan = tiled(paths, steps, folder, device, **how)
-    cloud = whole_cloud(paths, np.array(plan["origin"]))
+def check(paths, steps, folder, device="cpu", **options):
+    """Check that tiles give the labels of a single machine; return these labels."""
+    result, plan = tiled(paths, steps, folder, device, **options)
+    cloud = read_cloud(paths, np.array(plan["origin"]))
     cloud = in_memory(cloud, steps[:-1], plan["voxel_corner"])
     expected = labels_in_memory(cloud, steps[-1])
-    np.testing.assert_array_equal(labeled(found), labeled(expected))
-    assert np.asarray(found["cluster"]).dtype == np.int32
+    np.testing.assert_array_equal(labeled(result), labeled(expected))
+    assert np.asarray(result["cluster"]).dtype == np.int32
     return np.asarray(expected["cluster"])
 
 
 def write(folder, points, files=1):
-    """Points in files, in their order."""
+    """Write points to files in their order."""
     paths = []
     for number, rows in enumerate(np.array_split(np.asarray(points, np.float64) + CORNER, files)):
         paths.append(folder / f"part{number}.laz")
@@ -76,13 +76,13 @@ def files(tmp_path_factory):
         *(pytest.param(*pair, marks=pytest.mark.slow) for pair in [(DBSCAN, 10.0), (EUCLIDEAN, 8.1), (DBSCAN, 100.0)]),
     ],
 )
-def test_labels_of_tiles_of_any_size_are_those_of_one_machine(device, files, tmp_path, step, size):
+def test_labels_match_one_machine_for_any_tile_size(device, files, tmp_path, step, size):
     labels = check(files, [step], tmp_path / "job", device, size=size)
     assert labels.max() > 20
     assert (labels < 0).any()
 
 
-def test_labels_after_other_steps_are_those_of_one_machine(files, tmp_path):
+def test_labels_after_other_steps_match_one_machine(files, tmp_path):
     steps = [
         {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
         {"step": "voxel_down_sample", "voxel_size": 0.4},
@@ -94,14 +94,14 @@ def test_labels_after_other_steps_are_those_of_one_machine(files, tmp_path):
 
 @pytest.mark.slow
 def test_a_spiral_through_all_tiles_is_one_cluster(tmp_path):
-    turn = np.sqrt(np.linspace(1, 400, 3000)) * 2 * np.pi * 0.45
-    points = np.column_stack([20 + 0.3 * turn * np.cos(turn), 20 + 0.3 * turn * np.sin(turn), np.zeros(len(turn))])
+    angle = np.sqrt(np.linspace(1, 400, 3000)) * 2 * np.pi * 0.45
+    points = np.column_stack([20 + 0.3 * angle * np.cos(angle), 20 + 0.3 * angle * np.sin(angle), np.zeros(len(angle))])
     paths = write(tmp_path, np.random.default_rng(1).permutation(points), files=3)
     labels = check(paths, [{"step": "cluster_dbscan", "eps": 0.4, "min_points": 3}], tmp_path / "job", size=6.0)
     assert labels.max() == 0
 
 
-def test_clusters_that_meet_at_a_corner_alone_are_one(tmp_path):
+def test_clusters_that_touch_only_at_a_corner_are_joined(tmp_path):
     ramp = np.arange(0, 20.01, 0.25)
     diagonal = np.column_stack([ramp, ramp, np.zeros(len(ramp))])
     ends = [[0, 0, 0], [20, 20, 0], [0, 20, 9]]
@@ -111,8 +111,8 @@ def test_clusters_that_meet_at_a_corner_alone_are_one(tmp_path):
     assert (labels == -1).sum() == 1
 
 
-def test_a_border_point_between_clusters_takes_the_one_of_the_lowest_row(tmp_path):
-    """The middle point, on a tile's border, is as near to a core on the left as to one on the right."""
+def test_a_border_point_between_clusters_joins_that_of_the_lowest_row(tmp_path):
+    """The middle point, on the border of a tile, is equally near to a core point on each side."""
     side = np.array([[0.0, 0, 0], [-0.2, 0, 0], [-0.2, 0.2, 0], [-0.3, 0.1, 0]])
     left, right = side + np.array([9.1, 5, 0]), side * np.array([-1, 1, 1]) + np.array([10.9, 5, 0])
     far = [[0, 0, 0], [20, 10, 0]]
@@ -127,11 +127,11 @@ def test_a_border_point_between_clusters_takes_the_one_of_the_lowest_row(tmp_pat
 
 
 @pytest.mark.slow
-def test_reaches_larger_than_tiles_and_twins_of_other_files(tmp_path):
+def test_radii_larger_than_tiles_and_duplicates_in_other_files(tmp_path):
     rng = np.random.default_rng(5)
     points = np.round(rng.random((400, 3)) * (9, 9, 1) / 0.05) * 0.05
     points[:40, :2] = rng.integers(0, 4, (40, 2)) * 3.0  # corners of tiles
-    points = np.concatenate([[[0, 0, 0], [9, 9, 0]], points, points[::9]])  # twins, most of them in another file
+    points = np.concatenate([[[0, 0, 0], [9, 9, 0]], points, points[::9]])  # duplicates, most of them in another file
     paths = write(tmp_path, points, files=3)
     labels = check(paths, [{"step": "cluster_dbscan", "eps": 3.4, "min_points": 150}], tmp_path / "job", size=3.0)
     assert labels.max() >= 0
@@ -139,7 +139,7 @@ def test_reaches_larger_than_tiles_and_twins_of_other_files(tmp_path):
 
 
 @pytest.mark.slow
-def test_sizes_bound_connected_parts(files, tmp_path):
+def test_cluster_sizes_are_bounded(files, tmp_path):
     bounded = EUCLIDEAN | {"min_cluster_size": 3, "max_cluster_size": 40}
     labels = check(files, [bounded], tmp_path / "job", size=9.0)
     assert labels.max() > 5
@@ -148,8 +148,8 @@ def test_sizes_bound_connected_parts(files, tmp_path):
 
 
 @pytest.mark.slow
-def test_parts_of_an_array_job_join_what_all_of_them_left(files, tmp_path):
-    """A part ends where it needs the others' tiles; whoever comes when all are through a pass joins it, once."""
+def test_parts_of_an_array_job_join_the_tiles_of_all_parts(files, tmp_path):
+    """A part stops when it needs tiles of others; the next run after a pass is complete joins it once."""
     loom.tiling.plan_tiles(files, [DBSCAN], tmp_path / "job", size=11.0)
     for part in ((1, 3), (2, 3), (3, 3)):
         assert loom.tiling.run_tiles(tmp_path / "job", part=part).done < 16
@@ -159,23 +159,23 @@ def test_parts_of_an_array_job_join_what_all_of_them_left(files, tmp_path):
     with pytest.raises(loom.FileError, match="is not finished"):
         loom.tiling.finish_tiles(tmp_path / "job")
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished
-    found = finished(tmp_path / "job")
-    cloud = whole_cloud(files, found.origin)
-    np.testing.assert_array_equal(labeled(found), labeled(labels_in_memory(cloud, DBSCAN)))
+    result = finished(tmp_path / "job")
+    cloud = read_cloud(files, result.origin)
+    np.testing.assert_array_equal(labeled(result), labeled(labels_in_memory(cloud, DBSCAN)))
     assert not (tmp_path / "job" / "left").exists()
 
 
-def test_what_a_tile_left_is_held_against_the_manifest(files, tmp_path, monkeypatch):
+def test_the_intermediate_file_of_a_tile_is_checked_against_the_manifest(files, tmp_path, monkeypatch):
     loom.tiling.plan_tiles(files, [DBSCAN], tmp_path / "job", size=20.0)
     join = tasks.join_step
 
-    def spoiled(folder, number, step, left, owner):
-        path = folder / "left" / str(number) / f"{left.tiles[0]}.npy"
+    def damaged_join(folder, number, step, intermediate, owner):
+        path = folder / "left" / str(number) / f"{intermediate.tiles[0]}.npy"
         path.write_bytes(path.read_bytes()[:-100])
-        return join(folder, number, step, left, owner)
+        return join(folder, number, step, intermediate, owner)
 
     with monkeypatch.context() as patch:
-        patch.setattr(tasks, "join_step", spoiled)
+        patch.setattr(tasks, "join_step", damaged_join)
         with pytest.raises(loom.FileError, match=r"/job:.*1"):
             loom.tiling.run_tiles(tmp_path / "job")
     status = tile_status(tmp_path / "job")
@@ -183,9 +183,9 @@ def test_what_a_tile_left_is_held_against_the_manifest(files, tmp_path, monkeypa
     assert not [*(tmp_path / "job" / "joined").iterdir()]
 
 
-@pytest.mark.parametrize(("step", "most"), [(DBSCAN, 2), pytest.param(EUCLIDEAN, 7, marks=pytest.mark.slow)])
-def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files, tmp_path, monkeypatch, step, most):
-    monkeypatch.setattr(label_join, "MAX_RANKED", most)
+@pytest.mark.parametrize(("step", "max_clusters"), [(DBSCAN, 2), pytest.param(EUCLIDEAN, 7, marks=pytest.mark.slow)])
+def test_the_order_of_clusters_is_independent_of_the_sort_batch_size(files, tmp_path, monkeypatch, step, max_clusters):
+    monkeypatch.setattr(label_join, "MAX_RANKED", max_clusters)
     ranked = []
     rank = label_join._rank_stretch
 
@@ -197,30 +197,30 @@ def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files
 
     monkeypatch.setattr(label_join, "_rank_stretch", counted)
     labels = check(files, [step], tmp_path / "job", size=21.0)
-    assert len(ranked) > 1 and max(ranked) <= 2 * most and sum(ranked) == labels.max() + 1
+    assert len(ranked) > 1 and max(ranked) <= 2 * max_clusters and sum(ranked) == labels.max() + 1
 
 
-def test_more_clusters_than_32_bits_can_name_have_labels_of_64(files, tmp_path, monkeypatch):
+def test_more_clusters_than_int32_allows_have_int64_labels(files, tmp_path, monkeypatch):
     for module in (label_join, parse):
         monkeypatch.setattr(module, "MAX_INT32", 5)
-    found, plan = tiled(files, [DBSCAN], tmp_path / "job", size=21.0)
-    assert np.asarray(found["cluster"]).dtype == np.int64
-    cloud = labels_in_memory(whole_cloud(files, np.array(plan["origin"])), DBSCAN)
-    np.testing.assert_array_equal(labeled(found), labeled(cloud))
+    result, plan = tiled(files, [DBSCAN], tmp_path / "job", size=21.0)
+    assert np.asarray(result["cluster"]).dtype == np.int64
+    cloud = labels_in_memory(read_cloud(files, np.array(plan["origin"])), DBSCAN)
+    np.testing.assert_array_equal(labeled(result), labeled(cloud))
 
 
-def test_steps_behind_clusters_keep_the_labels(files, tmp_path):
-    """Those of the whole, from before the step; of two such steps the second one's."""
+def test_steps_after_clustering_keep_the_labels(files, tmp_path):
+    """Labels are from before the step; of two clustering steps, those of the second one."""
     steps = [EUCLIDEAN, DBSCAN, {"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.8}]
-    found, plan = tiled(files, steps, tmp_path / "job", size=21.0)
-    cloud = labels_in_memory(whole_cloud(files, np.array(plan["origin"])), DBSCAN)
+    result, plan = tiled(files, steps, tmp_path / "job", size=21.0)
+    cloud = labels_in_memory(read_cloud(files, np.array(plan["origin"])), DBSCAN)
     cloud = in_memory(cloud, steps[2:], plan["voxel_corner"])
     assert 1000 < len(cloud) < 3000
-    np.testing.assert_array_equal(labeled(found), labeled(cloud))
+    np.testing.assert_array_equal(labeled(result), labeled(cloud))
 
 
 @pytest.mark.slow
-def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, tmp_path):
+def test_a_tile_damaged_after_the_result_was_written_is_recomputed(files, tmp_path):
     job = tmp_path / "job"
     text = "[[step]]\nstep = 'cluster_dbscan'\neps = 0.9\nmin_points = 5\n"
     (tmp_path / "steps.toml").write_text(text)
@@ -231,8 +231,8 @@ def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, t
     with pytest.raises(loom.FileError, match=r"1_1\.laz"):
         loom.tiling.finish_tiles(job, overwrite=True)
     assert loom.tiling.run_tiles(job).is_finished
-    found = whole_cloud([loom.tiling.finish_tiles(job, overwrite=True)], np.array(plan_of(job)["origin"]))
-    np.testing.assert_array_equal(labeled(found), expected)
+    result = read_cloud([loom.tiling.finish_tiles(job, overwrite=True)], np.array(plan_of(job)["origin"]))
+    np.testing.assert_array_equal(labeled(result), expected)
 
 
 KILLED = """
@@ -252,14 +252,14 @@ SOURCES = str(Path(__file__).parents[2] / "src")
 @pytest.mark.parametrize(
     ("module", "name"),
     [
-        ("tasks", "join_step"),  # all tiles are through the first pass, nothing is joined
-        ("label_join", "_rank_stretch"),  # tiles' arrays are there without the labels
-        ("border_merging", "json"),  # all is written, and has not its name yet
-        ("border_merging", "Joined"),  # it has its name, the manifest does not say so
+        ("tasks", "join_step"),  # all tiles finished the first pass, nothing is joined
+        ("label_join", "_rank_stretch"),  # arrays of the tiles exist without labels
+        ("border_merging", "json"),  # all files are written but not renamed yet
+        ("border_merging", "Joined"),  # the file is renamed, the manifest is not updated
         ("work_tile", "read_joined"),  # in the second pass
     ],
 )
-def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name):
+def test_runs_killed_between_passes_are_resumed(files, tmp_path, module, name):
     job = tmp_path / "job"
     loom.tiling.plan_tiles(files, [DBSCAN], job, size=14.0)
     program = KILLED.format(module=module, name=name)
@@ -270,7 +270,7 @@ def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name
     assert status.done == 0 and (status.which_pass, status.passes) == (2, 2)
     assert loom.tiling.run_tiles(job).is_finished
     assert not [*(job / "joined").glob("*.part")]
-    cloud = labels_in_memory(whole_cloud(files, np.array(plan_of(job)["origin"])), DBSCAN)
+    cloud = labels_in_memory(read_cloud(files, np.array(plan_of(job)["origin"])), DBSCAN)
     np.testing.assert_array_equal(labeled(finished(job)), labeled(cloud))
 
 
@@ -278,13 +278,13 @@ def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name
     ("names", "expected"),
     [((5, 3), (5, 3, 3)), ((2, 7), (2, 2, 7)), ((-1, 4), (-1, 4, 4)), ((4, -1), (4, 4, -1)), ((-1, -1), (-1, -1, -1))],
 )
-def test_cores_get_other_names_by_which_borders_choose(device, names, expected):
-    """The point between two clusters takes the lower name; those of a cluster without one are no cores to it."""
-    along = np.array([0.0, 0.1, 0.2, 0.3, 1.2, 2.1, 2.2, 2.3, 2.4])
+def test_border_points_take_the_lowest_label_of_renamed_cores(device, names, expected):
+    """The point between two clusters takes the lower label; clusters without a label do not count."""
+    x = np.array([0.0, 0.1, 0.2, 0.3, 1.2, 2.1, 2.2, 2.3, 2.4])
     order = np.random.default_rng(2).permutation(9)
-    order = order[np.argsort(along[order] > 1, kind="stable")]  # the left cluster's rows come first
+    order = order[np.argsort(x[order] > 1, kind="stable")]  # the left cluster's rows come first
     points = np.zeros((9, 3), np.float32)
-    points[:, 0] = along[order]
+    points[:, 0] = x[order]
     tree = PointTree(upload(points, vec3, device))
     labels = full(9, NOISE, int32, tree.device)
     cores, count = cluster_cores(tree, 0.95, 4, labels)

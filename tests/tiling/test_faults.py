@@ -1,4 +1,4 @@
-"""What goes wrong is an error by name, or a tile named at the end; nothing is lost or doubled."""
+"""Errors name the file or the tile, and no points are lost or duplicated."""
 
 import os
 import struct
@@ -37,16 +37,16 @@ from .scenes import CORNER, RADIUS, SIDE, STEP, finished, plan_of, rows_of, surv
         (["voxel_down_sample"], "dictionary"),
     ],
 )
-def test_bad_steps_are_refused_when_planned(files, tmp_path, steps, message):
+def test_invalid_steps_are_rejected_when_planned(files, tmp_path, steps, message):
     with pytest.raises(ValueError, match=message):
         loom.tiling.plan_tiles(files, steps, tmp_path / "job")
     assert not (tmp_path / "job").exists()
 
 
-def test_steps_may_stand_in_a_file(files, job, tmp_path):
-    told, plan = tmp_path / "steps.toml", plan_of(job)
-    told.write_text('[[step]]\nname = "remove_radius_outlier"\nnb_points = 4\nradius = 0.9\n')
-    loom.tiling.plan_tiles(files, told, job, size=30.0)
+def test_steps_may_be_given_in_a_file(files, job, tmp_path):
+    path, plan = tmp_path / "steps.toml", plan_of(job)
+    path.write_text('[[step]]\nname = "remove_radius_outlier"\nnb_points = 4\nradius = 0.9\n')
+    loom.tiling.plan_tiles(files, path, job, size=30.0)
     assert plan_of(job) == plan
 
 
@@ -64,15 +64,15 @@ def test_steps_may_stand_in_a_file(files, job, tmp_path):
         "\xff",
     ],
 )
-def test_wrong_steps_in_a_file_are_an_error_that_names_it(files, tmp_path, text):
-    told = tmp_path / "steps.toml"
-    told.write_text(text, "latin-1")
+def test_invalid_steps_in_a_file_are_an_error_that_names_it(files, tmp_path, text):
+    path = tmp_path / "steps.toml"
+    path.write_text(text, "latin-1")
     with pytest.raises(FileError, match=r"steps\.toml"):
-        loom.tiling.plan_tiles(files, told, tmp_path / "job")
+        loom.tiling.plan_tiles(files, path, tmp_path / "job")
 
 
 @pytest.mark.parametrize("what", ["scale", "attributes", "unit"])
-def test_files_that_go_ill_together_are_told_by_name(files, tmp_path, what):
+def test_incompatible_files_are_named(files, tmp_path, what):
     cloud = loom.PointCloud(np.full((5, 3), CORNER), origin=CORNER, intensity=np.arange(5, dtype=np.uint16))
     if what != "attributes":
         cloud["gps_time"], cloud["range"] = np.zeros(5), np.zeros(5, np.float32)
@@ -86,14 +86,14 @@ def test_files_that_go_ill_together_are_told_by_name(files, tmp_path, what):
 
 
 @pytest.mark.parametrize("name", ["missing.laz", "cloud.ply", "empty"])
-def test_sources_that_cannot_be_read_are_told_by_name(tmp_path, name):
+def test_unreadable_sources_are_named(tmp_path, name):
     (tmp_path / "empty").mkdir()
     (tmp_path / "cloud.ply").write_text("ply")
     with pytest.raises(FileError, match=name):
         loom.tiling.plan_tiles(tmp_path / name, RADIUS, tmp_path / "job")
 
 
-def test_a_header_that_lies_about_the_bounds_is_an_error_at_the_pass(tmp_path):
+def test_wrong_bounds_in_a_header_are_an_error_during_the_pass(tmp_path):
     (path, _) = survey(tmp_path, count=1000, suffix=".las")
     content = bytearray(path.read_bytes())
     struct.pack_into("<d", content, 179, CORNER[0] + SIDE / 2)  # the highest x
@@ -104,7 +104,7 @@ def test_a_header_that_lies_about_the_bounds_is_an_error_at_the_pass(tmp_path):
     assert tile_status(tmp_path / "job").sources_waiting == 0
 
 
-def test_a_plan_that_changed_is_refused_with_what_changed(files, tmp_path):
+def test_a_changed_plan_is_rejected_with_the_differences(files, tmp_path):
     first = loom.tiling.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0)
     assert loom.tiling.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0) == first
     with pytest.raises(FileError, match=r"size 20\.0, was 10\.0"):
@@ -113,19 +113,19 @@ def test_a_plan_that_changed_is_refused_with_what_changed(files, tmp_path):
         loom.tiling.plan_tiles(files[:1], RADIUS, tmp_path / "job", size=10.0)
 
 
-def test_a_file_that_changes_in_between_is_refused(files, job):
+def test_a_file_modified_after_planning_is_rejected(files, job):
     os.utime(files[1], ns=(0, 0))
     with pytest.raises(FileError, match=r"part1\.laz"):
         loom.tiling.run_tiles(job)
 
 
-def test_another_version_is_refused(job, monkeypatch):
+def test_another_version_is_rejected(job, monkeypatch):
     monkeypatch.setattr(plan_module, "__version__", "9.9")
     with pytest.raises(FileError, match=r"/plan\.sqlite:.*9\.9"):
         loom.tiling.run_tiles(job)
 
 
-def test_a_folder_of_other_things_is_refused(files, tmp_path):
+def test_a_folder_with_other_files_is_rejected(files, tmp_path):
     with pytest.raises(FileError, match="contains files"):
         loom.tiling.plan_tiles(files, RADIUS, tmp_path)
     with pytest.raises(FileError, match="plan_tiles"):
@@ -138,7 +138,7 @@ def test_parts_of_an_array_job_do_all_tiles_once(job, expected):
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
-def test_a_part_ends_where_it_needs_the_numbers_of_others(files, tmp_path):
+def test_a_part_stops_when_it_needs_results_of_other_parts(files, tmp_path):
     job = tmp_path / "job"
     steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 1.5}]
     loom.tiling.plan_tiles(files, steps, job, size=20.0)
@@ -147,7 +147,7 @@ def test_a_part_ends_where_it_needs_the_numbers_of_others(files, tmp_path):
     assert loom.tiling.run_tiles(job, part=(1, 2)).is_finished
 
 
-def test_two_runs_at_once_share_the_tiles(job, expected):
+def test_concurrent_runs_share_the_tiles(job, expected):
     with ThreadPoolExecutor() as pool:
         [*pool.map(loom.tiling.run_tiles, [job, job])]
     status = tile_status(job)
@@ -155,7 +155,7 @@ def test_two_runs_at_once_share_the_tiles(job, expected):
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
-def test_what_a_dead_worker_claimed_is_done_again_and_a_live_ones_is_not(job):
+def test_claims_of_dead_workers_are_released_and_of_live_ones_are_not(job):
     with Manifest(job) as manifest:
         manifest.claim("sources", "dead")
         with worker_lock(job) as alive:
@@ -166,7 +166,7 @@ def test_what_a_dead_worker_claimed_is_done_again_and_a_live_ones_is_not(job):
     assert loom.tiling.run_tiles(job).is_finished
 
 
-def test_a_task_at_which_workers_die_is_set_aside(job):
+def test_a_task_that_kills_its_workers_is_quarantined(job):
     with Manifest(job) as manifest:
         for death in range(3):
             assert manifest.claim("tiles", f"dead {death}")["id"] == 0
@@ -180,7 +180,7 @@ def test_a_task_at_which_workers_die_is_set_aside(job):
     assert loom.tiling.run_tiles(job).is_finished
 
 
-def test_the_death_of_a_run_that_only_distributes_tiles_counts_against_none(job):
+def test_the_death_of_a_distributing_run_counts_against_no_tile(job):
     with Manifest(job) as manifest:
         for death in range(3):
             assert manifest.claim("tiles", f"dead {death}{DISTRIBUTES}")["id"] == 0
@@ -206,17 +206,17 @@ def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
     assert loom.tiling.run_tiles(job).is_finished
 
 
-def test_a_file_names_no_function(files, tmp_path):
+def test_a_steps_file_cannot_name_a_function(files, tmp_path):
     called = tmp_path / "called"
-    told = tmp_path / "steps.toml"
-    told.write_text(f'[[step]]\nstep = "function"\ncall = "os:mkdir"\nreach = 0\narguments = {{path = "{called}"}}\n')
+    path = tmp_path / "steps.toml"
+    path.write_text(f'[[step]]\nstep = "function"\ncall = "os:mkdir"\nreach = 0\narguments = {{path = "{called}"}}\n')
     with pytest.raises(FileError, match=r"steps\.toml"):
-        loom.tiling.plan_tiles(files, told, tmp_path / "job")
+        loom.tiling.plan_tiles(files, path, tmp_path / "job")
     assert not called.exists() and not (tmp_path / "job").exists()
 
 
 @pytest.mark.parametrize("runner", [None, pytest.param("two_workers", marks=pytest.mark.slow)])
-def test_a_manifest_allows_no_function(files, tmp_path, monkeypatch, runner, request):
+def test_a_manifest_cannot_allow_functions(files, tmp_path, monkeypatch, runner, request):
     job = tmp_path / "job"
     loom.tiling.plan_tiles(files, [{"step": "function", "call": fails_in_the_east, "reach": 0}], job, size=20.0)
     monkeypatch.setattr(plan_module, "_passed", {})  # as in another process
@@ -231,13 +231,13 @@ def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
     points = np.concatenate([rng.random((300, 3)), rng.random((300, 3)) + np.array([30, 20, 0])]) + CORNER
     write_las(tmp_path / "two.laz", PointTable(points), scale=0.01, offset=CORNER)
     steps = [{"step": "estimate_normals", "max_nn": 500}]
-    found, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "job", size=7.0)
+    result, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "job", size=7.0)
     other, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "one", size=100.0)
     assert tile_status(tmp_path / "job").empty > 3
-    np.testing.assert_array_equal(rows_of(found), rows_of(other))
+    np.testing.assert_array_equal(rows_of(result), rows_of(other))
 
 
-def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
+def test_a_tile_with_too_many_points_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(plan_module, "MIN_POINTS", 500)
     rng = np.random.default_rng(3)
     points = np.concatenate([rng.random((1500, 3)) * 2, rng.random((200, 3)) * SIDE]) + CORNER
@@ -247,7 +247,7 @@ def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
     assert status.failed == 1 and "expected at most 500 points" in status.troubles["0_0"]
 
 
-def test_a_damaged_file_is_an_error_by_name_and_leaves_no_bucket(files, tmp_path):
+def test_a_damaged_file_is_named_and_leaves_no_bucket(files, tmp_path):
     content = bytearray(files[1].read_bytes())
     (begin,) = struct.unpack_from("<I", content, 96)
     struct.pack_into("<i", content, begin + 8, 2**31 - 1)  # x of the first point
@@ -260,23 +260,23 @@ def test_a_damaged_file_is_an_error_by_name_and_leaves_no_bucket(files, tmp_path
 
 @pytest.mark.slow
 @pytest.mark.parametrize("runner", [None, "two_workers"])
-def test_progress_is_told_of_files_and_of_every_pass_over_the_tiles(files, tmp_path, runner, request):
+def test_progress_is_reported_for_files_and_each_pass_over_the_tiles(files, tmp_path, runner, request):
     scheduler = runner and request.getfixturevalue(runner)
     steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 4, "std_ratio": 3.0}]
     loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=20.0)
-    told = []
-    loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: told.append(words))
-    assert list(dict.fromkeys(stage for stage, _, _ in told)) == ["files", "pass 1 of 2", "pass 2 of 2"]
-    assert told[0] == ("files", 0, 2) and told[-1] == ("pass 2 of 2", 9, 9)
+    events = []
+    loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: events.append(words))
+    assert list(dict.fromkeys(stage for stage, _, _ in events)) == ["files", "pass 1 of 2", "pass 2 of 2"]
+    assert events[0] == ("files", 0, 2) and events[-1] == ("pass 2 of 2", 9, 9)
     for stage, total in (("files", 2), ("pass 1 of 2", 9), ("pass 2 of 2", 9)):
-        done = [count for name, count, of in told if name == stage and of == total]
+        done = [count for name, count, of in events if name == stage and of == total]
         assert done == sorted(done) and done[-1] == total
-    told.clear()
-    loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: told.append(words))
-    assert told[-1] == ("pass 2 of 2", 9, 9)
+    events.clear()
+    loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: events.append(words))
+    assert events[-1] == ("pass 2 of 2", 9, 9)
 
 
-def test_one_tile_is_done_alone_and_again_if_it_failed(job):
+def test_one_tile_is_run_alone_and_repeated_if_it_failed(job):
     for wrong in ("3_0", "0", "-1_0", "1_1 ", 4, ("1_1",)):
         with pytest.raises(ValueError, match="tile:"):
             loom.tiling.run_tiles(job, tile=wrong)
@@ -284,15 +284,15 @@ def test_one_tile_is_done_alone_and_again_if_it_failed(job):
         loom.tiling.run_tiles(job, tile="1_1", part=(1, 2))
     with Manifest(job) as manifest, manifest.change() as base:
         base.execute("UPDATE tiles SET state = 'aside', attempts = 3, error = 'a\nb' WHERE ix = 1 AND iy = 1")
-    (said,) = tile_status(job).troubles.values()
-    assert said == f"a b; run it alone with `pointloom tile run {job} --tile 1_1`"
+    (message,) = tile_status(job).troubles.values()
+    assert message == f"a b; run it alone with `pointloom tile run {job} --tile 1_1`"
     for _ in range(2):
         status = loom.tiling.run_tiles(job, tile="1_1")
         assert (status.done, status.waiting, status.aside) == (1, 3, 0)
     assert [path.name for path in (job / "tiles").iterdir()] == ["1_1.laz"]
 
 
-def test_an_interrupted_run_holds_nothing_against_its_tile(job, monkeypatch):
+def test_an_interrupted_run_does_not_count_as_a_failure_of_its_tile(job, monkeypatch):
 
     def interrupted(*_):
         raise KeyboardInterrupt

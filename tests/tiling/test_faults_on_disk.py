@@ -1,4 +1,4 @@
-"""Full disks, files that are damaged or written to meanwhile, copies of open jobs: an error by name, or done again."""
+"""Full disks, damaged or modified files and copies of open jobs: an error names the file, or work is repeated."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def assert_goes_on(job, expected):
 
 @contextlib.contextmanager
 def files_up_to(size):
-    """No file may grow beyond so many bytes, as on a full disk."""
+    """Limit the size of files [bytes], as on a full disk."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
     try:
@@ -44,7 +44,7 @@ def files_up_to(size):
 
 
 def on_a_full_disk(monkeypatch, table, size):
-    """Tasks of a table find no room for files beyond a size."""
+    """Limit the size of files written by tasks of a table."""
     work = tasks.do_task
 
     def full(plan, folder, task, owner):
@@ -54,7 +54,7 @@ def on_a_full_disk(monkeypatch, table, size):
     monkeypatch.setattr(tasks, "do_task", full)
 
 
-def test_a_disk_that_is_full_while_rows_are_laid_is_named_and_leaves_nothing(job, expected, monkeypatch):
+def test_a_full_disk_while_points_are_sorted_is_an_error_and_leaves_nothing(job, expected, monkeypatch):
     with monkeypatch.context() as patch:
         on_a_full_disk(patch, "sources", 2000)
         with pytest.raises(FileError, match=r"/part0\.laz:"):
@@ -64,7 +64,7 @@ def test_a_disk_that_is_full_while_rows_are_laid_is_named_and_leaves_nothing(job
     assert_goes_on(job, expected)
 
 
-def test_a_disk_that_is_full_while_tiles_are_written_fails_them_by_name(job, expected, monkeypatch):
+def test_a_full_disk_while_tiles_are_written_fails_each_tile(job, expected, monkeypatch):
     with monkeypatch.context() as patch:
         on_a_full_disk(patch, "tiles", 300)  # less than a header
         status = loom.tiling.run_tiles(job)
@@ -74,13 +74,13 @@ def test_a_disk_that_is_full_while_tiles_are_written_fails_them_by_name(job, exp
     assert_goes_on(job, expected)
 
 
-def test_a_disk_without_room_for_the_manifests_log_is_no_reason_to_plan_anew(job, expected):
+def test_a_full_disk_for_the_log_of_the_manifest_does_not_require_a_new_plan(job, expected):
     with files_up_to(0), pytest.raises(FileError, match=r"plan\.sqlite"):
         tile_status(job)
     assert_goes_on(job, expected)
 
 
-def test_a_manifest_that_has_no_room_is_named_and_nothing_is_lost(job, expected):
+def test_a_full_manifest_is_an_error_and_nothing_is_lost(job, expected):
     with Manifest(job) as manifest:
         manifest.base.execute("PRAGMA max_page_count = 1")
         full = pytest.raises(FileError, match=r"/plan\.sqlite:")
@@ -93,7 +93,7 @@ def test_a_manifest_that_has_no_room_is_named_and_nothing_is_lost(job, expected)
 
 
 @pytest.mark.parametrize("name", ["result.laz", "result.copc.laz"])
-def test_a_disk_that_is_full_at_the_end_keeps_what_was_there_and_the_tiles(job, expected, name, monkeypatch):
+def test_a_full_disk_at_the_end_keeps_the_previous_result_and_the_tiles(job, expected, name, monkeypatch):
     loom.tiling.run_tiles(job)
     (job / name).write_bytes(b"before")
 
@@ -111,7 +111,7 @@ def test_a_disk_that_is_full_at_the_end_keeps_what_was_there_and_the_tiles(job, 
 
 
 @pytest.mark.parametrize("fault", ["flipped", "cut", "gone"])
-def test_a_tile_that_is_no_longer_what_was_written_is_named_and_made_again(job, expected, fault):
+def test_a_modified_tile_is_named_and_recomputed(job, expected, fault):
     loom.tiling.run_tiles(job)
     path = job / "tiles" / "1_1.laz"
     content = bytearray(path.read_bytes())
@@ -125,7 +125,7 @@ def test_a_tile_that_is_no_longer_what_was_written_is_named_and_made_again(job, 
     assert_goes_on(job, expected)
 
 
-def test_a_tile_that_is_gone_once_the_rows_by_tile_are_too_has_them_laid_again(job, expected):
+def test_a_missing_tile_without_buckets_is_recomputed_from_the_sources(job, expected):
     loom.tiling.run_tiles(job)
     finished(job)
     for name in ("0_0", "1_1"):
@@ -141,7 +141,7 @@ def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
     content = (tmp_path / "whole.copc.laz").read_bytes()
     rng = np.random.default_rng(0)
     begin = sources.open_las(tmp_path / "whole.copc.laz").header.begin
-    told = {"same": 0, "named": 0}
+    outcomes = {"same": 0, "named": 0}
     expected = None
     for number in range(8):
         path, job = tmp_path / f"flipped{number}.copc.laz", tmp_path / f"job{number}"
@@ -152,10 +152,10 @@ def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
         status = loom.tiling.run_tiles(job)
         if number == 0:
             expected = status.points_out
-        told["named" if status.failed else "same"] += 1
+        outcomes["named" if status.failed else "same"] += 1
         assert all("damaged" in error for error in status.troubles.values()), status
         assert status.failed or status.points_out == expected or number
-    assert told["named"] >= 4, told
+    assert outcomes["named"] >= 4, outcomes
 
 
 @pytest.mark.parametrize("fault", ["flipped", "cut"])
@@ -172,25 +172,25 @@ def test_a_bucket_that_is_damaged_fails_its_tile_by_name(job, fault):
     assert ("does not match its checksum" if fault == "flipped" else "damaged") in status.troubles["0_0"]
 
 
-def test_rows_that_are_laid_already_are_not_laid_again_under_those_who_read_them(job):
-    """A worker of a cluster may outlive its runner, and begin a file that another run has laid meanwhile."""
+def test_existing_buckets_are_not_rewritten_while_they_are_read(job):
+    """A worker of a cluster may outlive its run and start a file that another run has finished meanwhile."""
     loom.tiling.run_tiles(job)
     manifest, plan = open_plan(job)
     with manifest, worker_lock(job) as alive:
         before = (job / "buckets" / "000000" / "index.json").stat()
         (row,) = manifest.rows("SELECT points, full, bytes FROM sources WHERE id = 0")
-        found = buckets.fill_buckets(plan, job, 0, "late")
-        assert (found.points, found.full, found.size) == tuple(row) and sum(found.tiles.values()) == found.points
+        result = buckets.fill_buckets(plan, job, 0, "late")
+        assert (result.points, result.full, result.size) == tuple(row) and sum(result.tiles.values()) == result.points
         assert (job / "buckets" / "000000" / "index.json").stat() == before
         shutil.rmtree(job / "buckets" / "000000")
         for owner in (alive, "remote-1", "dead"):
             (job / "buckets" / f"000000.{owner}.part").mkdir()
-        assert buckets.fill_buckets(plan, job, 0, "again") == found
+        assert buckets.fill_buckets(plan, job, 0, "again") == result
         left = sorted(path.name for path in (job / "buckets").glob("*.part"))
         assert left == sorted([f"000000.{alive}.part", "000000.remote-1.part"])
 
 
-def test_rows_by_tile_that_were_removed_are_laid_again_by_retry(job, expected):
+def test_removed_buckets_are_rebuilt_by_retry(job, expected):
     with Manifest(job) as manifest:
         manifest.claim("tiles", "dead")
     loom.tiling.run_tiles(job)
@@ -203,7 +203,7 @@ def test_rows_by_tile_that_were_removed_are_laid_again_by_retry(job, expected):
     assert_goes_on(job, expected)
 
 
-def test_what_a_killed_finish_left_is_removed_and_two_at_once_are_refused(job, expected):
+def test_files_of_a_killed_finish_are_removed_and_concurrent_finishes_are_rejected(job, expected):
     loom.tiling.run_tiles(job)
     (job / ".result.laz.killed.part").write_bytes(b"half")
     with exclusive(job, "finish"), pytest.raises(FileError, match="/job:"):
@@ -212,13 +212,13 @@ def test_what_a_killed_finish_left_is_removed_and_two_at_once_are_refused(job, e
     assert not [*job.rglob("*.part")] and not [*(job / "locks").iterdir()]
 
 
-def test_a_file_that_is_written_to_while_its_rows_are_laid_is_refused(job, files, monkeypatch):
+def test_a_file_modified_while_it_is_sorted_into_tiles_is_rejected(job, files, monkeypatch):
     fill = buckets._fill
 
     def touched(plan, file, part):
-        found = fill(plan, file, part)
+        result = fill(plan, file, part)
         os.utime(files[0], ns=(1, 1))
-        return found
+        return result
 
     monkeypatch.setattr(buckets, "_fill", touched)
     with pytest.raises(FileError, match=r"part0\.laz"):
@@ -226,7 +226,7 @@ def test_a_file_that_is_written_to_while_its_rows_are_laid_is_refused(job, files
     assert tile_status(job).done == 0 and not (job / "buckets" / "000000").exists()
 
 
-def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp_path, monkeypatch):
+def test_an_octree_modified_while_it_is_read_fails_the_tile(files, tmp_path, monkeypatch):
     path = tmp_path / "whole.copc.laz"
     loom.write_point_cloud(path, loom.read_point_cloud(files[0]), scale=1e-4)
     loom.tiling.plan_tiles(path, RADIUS, tmp_path / "job", size=100.0)
@@ -236,8 +236,8 @@ def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp
     assert status.failed == 1 and "has changed since" in status.troubles["0_0"]
 
 
-def test_a_copy_of_a_job_that_is_worked_on_is_a_job(job, tmp_path, expected):
-    """The folder is copied while its manifest is open and a tile is claimed; the copy has no such worker."""
+def test_a_copy_of_a_running_job_is_a_valid_job(job, tmp_path, expected):
+    """The folder is copied while its manifest is open and a tile is claimed; the copy has no live worker."""
     with Manifest(job) as manifest, worker_lock(job) as alive:
         manifest.claim("sources", alive)
         shutil.copytree(job, tmp_path / "copy")
@@ -246,7 +246,7 @@ def test_a_copy_of_a_job_that_is_worked_on_is_a_job(job, tmp_path, expected):
 
 
 @pytest.mark.slow
-def test_a_manifest_that_was_copied_without_its_log_or_in_part_is_gone_on_with_or_refused(files, tmp_path, expected):
+def test_a_manifest_copied_without_its_log_is_resumed_and_a_truncated_one_is_rejected(files, tmp_path, expected):
     job, copy = tmp_path / "job", tmp_path / "copy"
     loom.tiling.plan_tiles(files, RADIUS, job, size=10.0)
     with Manifest(job) as manifest:  # open, so that the log is not yet in the file
@@ -262,9 +262,9 @@ def test_a_manifest_that_was_copied_without_its_log_or_in_part_is_gone_on_with_o
         loom.tiling.run_tiles(copy)
 
 
-@pytest.mark.skipif(os.geteuid() != 0, reason="another user's rights are taken on by root alone")
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root can take the permissions of another user")
 @pytest.mark.parametrize("what", ["sources", "job", "file"])
-def test_folders_and_files_without_rights_are_named(files, tmp_path, what):
+def test_folders_and_files_without_permission_are_named(files, tmp_path, what):
     data, job = tmp_path / "data", tmp_path / "job"
     data.mkdir()
     shutil.copy(files[0], data / "one.laz")
@@ -298,12 +298,12 @@ def test_two_runs_with_workers_on_one_folder_do_all_tiles_once(files, tmp_path, 
 
 
 def rewritten(job, change):
-    """Change the plan of a manifest and its hash, as a stranger's program can."""
+    """Change the plan of a manifest and its hash, as an untrusted program could."""
     with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
         plan = json.loads(base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()[0])
         change(plan)
-        told = {"plan": canonical(plan), "hash": hash_of(plan)}
-        base.executemany("UPDATE meta SET value = ? WHERE key = ?", [(value, key) for key, value in told.items()])
+        values = {"plan": canonical(plan), "hash": hash_of(plan)}
+        base.executemany("UPDATE meta SET value = ? WHERE key = ?", [(value, key) for key, value in values.items()])
 
 
 PLANS = {
@@ -322,7 +322,7 @@ PLANS = {
 
 
 @pytest.mark.parametrize("change", PLANS.values(), ids=PLANS)
-def test_a_plan_of_wrong_values_is_an_error_that_names_the_manifest(job, change):
+def test_a_plan_with_invalid_values_is_an_error_that_names_the_manifest(job, change):
     rewritten(job, change)
     for call in (tile_status, loom.tiling.run_tiles, loom.tiling.finish_tiles):
         with pytest.raises(FileError, match=r"plan\.sqlite"):
@@ -340,18 +340,18 @@ FOREIGN = {
 
 
 @pytest.mark.parametrize("change", FOREIGN.values(), ids=FOREIGN)
-def test_a_manifest_of_somebody_else_removes_and_runs_nothing(job, tmp_path, change):
-    kept = tmp_path / "kept.txt"
-    kept.write_text("mine")
+def test_an_untrusted_manifest_removes_and_runs_nothing(job, tmp_path, change):
+    unrelated = tmp_path / "kept.txt"
+    unrelated.write_text("mine")
     with contextlib.closing(sqlite3.connect(job / NAME)) as base:
-        base.executescript(change.format(path=kept))
+        base.executescript(change.format(path=unrelated))
     with pytest.raises(FileError, match=r"plan\.sqlite"):
         loom.tiling.run_tiles(job)
-    assert kept.read_text() == "mine"
+    assert unrelated.read_text() == "mine"
 
 
 @pytest.mark.parametrize("name", ["locks", "tiles", "buckets", NAME])
-def test_a_job_writes_through_no_link(job, tmp_path, name):
+def test_a_job_does_not_write_through_symbolic_links(job, tmp_path, name):
     elsewhere = tmp_path / "elsewhere"
     if (job / name).exists():
         (job / name).rename(elsewhere)

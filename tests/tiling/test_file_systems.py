@@ -1,4 +1,4 @@
-"""A job's folder that several machines have: no log in shared memory, and the same rows."""
+"""Folders of jobs that are shared by machines: no write-ahead log, and the same rows."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def mounts(tmp_path, monkeypatch):
         ("", False),
     ],
 )
-def test_the_mount_that_holds_a_folder_says_whether_machines_share_it(folder, expected, tmp_path, mounts):
+def test_the_mount_of_a_folder_determines_whether_it_is_shared(folder, expected, tmp_path, mounts):
     assert is_shared(tmp_path / folder) is expected
 
 
@@ -70,14 +70,14 @@ def test_parts_of_an_array_job_share_a_folder_without_a_log(tmp_path, monkeypatc
     job = tmp_path / "job"
     loom.tiling.plan_tiles(files, STEPS, job, size=20.0)
     assert mode_of(job) == "delete"
-    for _ in range(2):  # of two passes a part ends where it needs the other's
+    for _ in range(2):  # with two passes, a part stops when it needs another part
         with ThreadPoolExecutor() as pool:
             [*pool.map(lambda part: loom.tiling.run_tiles(job, part=part), [(1, 3), (2, 3), (3, 3)])]
     assert mode_of(job) == "delete" and not [*job.glob("*-wal")]
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
-def test_a_job_that_was_planned_beside_its_disk_leaves_the_log_where_it_is_mounted(tmp_path, monkeypatch):
+def test_a_job_planned_on_a_local_disk_drops_the_log_where_it_is_shared(tmp_path, monkeypatch):
     job = tmp_path / "job"
     loom.tiling.plan_tiles(survey(tmp_path, count=200), STEPS, job, size=20.0)
     with Manifest(job) as here, monkeypatch.context() as patch:

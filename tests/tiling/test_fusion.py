@@ -1,4 +1,4 @@
-"""A volume by cubes gives the mesh of one volume, whatever the cubes' size; what goes wrong is named and mended."""
+"""Fusion by cubes gives the mesh of one volume for any cube size, and recovers from errors."""
 
 import json
 import os
@@ -24,38 +24,38 @@ from pointloom.tiling.manifest import Manifest, worker_lock
 from .scenes import kill_runner
 
 VOXEL = 0.08
-# Six blocks, three, all of the room in eight cubes about its corner.
+# [m] six blocks, three blocks, and the whole room in eight cubes.
 SIZES = [4.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (2.0, 20.0))]
 
 
 @pytest.fixture(scope="module")
-def walk(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("walk") / "room"
+def frames(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("frames") / "room"
     write_room_sequence(folder, frame_count=14, width=80, height=60)
     return folder
 
 
 @pytest.fixture
-def own_walk(walk, tmp_path):
-    return Path(shutil.copytree(walk, tmp_path / "own"))
+def frames_copy(frames, tmp_path):
+    return Path(shutil.copytree(frames, tmp_path / "own"))
 
 
 @pytest.fixture(scope="module")
-def whole(walk):
-    return triangles_of(fused(walk))
+def expected(frames):
+    return triangles_of(fused(frames))
 
 
-def fused(walk, **how):
-    """The mesh of one volume as it stands in a file."""
-    intrinsic = how.pop("intrinsic", None)
-    mesh = loom.fuse(loom.open_frames(walk, intrinsic=intrinsic), **{"voxel_size": VOXEL} | how).mesh
+def fused(frames, **options):
+    """The mesh of one volume, read from a file."""
+    intrinsic = options.pop("intrinsic", None)
+    mesh = loom.fuse(loom.open_frames(frames, intrinsic=intrinsic), **{"voxel_size": VOXEL} | options).mesh
     with TemporaryDirectory() as folder:
         loom.write_triangle_mesh(Path(folder) / "mesh.ply", mesh)
         return read_ply_mesh(Path(folder) / "mesh.ply")
 
 
 def triangles_of(mesh, *, sort=True):
-    """Each triangle as the bits of its corners' positions and colors, in a fixed order."""
+    """Bit patterns of the corner positions and colors of each triangle, in a fixed order."""
     values = np.asarray(mesh.vertices, np.float64).view(np.int64)
     if mesh.vertex_colors is not None:
         colors = np.rint(np.asarray(mesh.vertex_colors, np.float64) * 255).astype(np.int64)
@@ -64,38 +64,38 @@ def triangles_of(mesh, *, sort=True):
     return rows[np.lexsort(rows.T)] if sort else rows
 
 
-def by_cubes(walk, job, *, device="cpu", workers=0, **how):
-    loom.tiling.plan_fusion(walk, job, **{"voxel_size": VOXEL} | how)
+def by_cubes(frames, job, *, device="cpu", workers=0, **options):
+    loom.tiling.plan_fusion(frames, job, **{"voxel_size": VOXEL} | options)
     status = loom.tiling.run_job(job, device=device, workers=workers)
     assert status.is_finished, status
     return read_ply_mesh(loom.tiling.finish_fusion(job))
 
 
-def moved(walk, shift):
-    """The frames of a folder, taken elsewhere."""
-    for path in walk.glob("*.pose.txt"):
+def moved(frames, shift):
+    """Translate the poses of the frames in a folder."""
+    for path in frames.glob("*.pose.txt"):
         pose = np.loadtxt(path)
         pose[:3, 3] += shift
         np.savetxt(path, pose, fmt="%.17g")
-    return walk
+    return frames
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_cubes_of_any_size_have_the_triangles_of_one_volume(device, walk, whole, tmp_path, size):
-    found = by_cubes(walk, tmp_path / "job", device=device, size=size)
-    np.testing.assert_array_equal(triangles_of(found), whole)
+def test_cubes_of_any_size_match_one_volume(device, frames, expected, tmp_path, size):
+    mesh = by_cubes(frames, tmp_path / "job", device=device, size=size)
+    np.testing.assert_array_equal(triangles_of(mesh), expected)
 
 
 @pytest.mark.slow
-def test_scenes_far_away_are_those_of_one_volume(own_walk, tmp_path):
-    moved(own_walk, (20_000.0, -3_000.0, 100.0))
-    one = fused(own_walk, weight_threshold=0)
-    found = by_cubes(own_walk, tmp_path / "job", size=2.0, weight_threshold=0)
-    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
-    assert len(found.vertices) == len(one.vertices)
+def test_scenes_far_from_the_origin_match_one_volume(frames_copy, tmp_path):
+    moved(frames_copy, (20_000.0, -3_000.0, 100.0))
+    one = fused(frames_copy, weight_threshold=0)
+    mesh = by_cubes(frames_copy, tmp_path / "job", size=2.0, weight_threshold=0)
+    np.testing.assert_array_equal(triangles_of(mesh), triangles_of(one))
+    assert len(mesh.vertices) == len(one.vertices)
 
 
-def test_a_wall_exactly_on_the_sides_of_cubes_is_neither_lost_nor_doubled(tmp_path):
+def test_a_wall_on_the_sides_of_cubes_is_neither_lost_nor_duplicated(tmp_path):
     folder, camera = tmp_path / "wall", loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
     folder.mkdir()
     for number in range(2):
@@ -103,39 +103,41 @@ def test_a_wall_exactly_on_the_sides_of_cubes_is_neither_lost_nor_doubled(tmp_pa
         np.savetxt(folder / f"frame-{number:06d}.pose.txt", np.eye(4))
     how = {"voxel_size": 0.08, "truncation": 0.32, "weight_threshold": 0}
     one = fused(folder, intrinsic=camera, **how)
-    found = by_cubes(folder, tmp_path / "job", size=0.64, intrinsic=camera, **how)
-    assert found.vertex_colors is None
+    mesh = by_cubes(folder, tmp_path / "job", size=0.64, intrinsic=camera, **how)
+    assert mesh.vertex_colors is None
     assert (np.asarray(one.vertices)[:, 2] == np.float32(1.28)).all()
-    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
-    assert len(found.vertices) == len(one.vertices)
+    np.testing.assert_array_equal(triangles_of(mesh), triangles_of(one))
+    assert len(mesh.vertices) == len(one.vertices)
 
 
 @pytest.mark.slow
-def test_parts_fit_each_other_to_the_bit(walk, whole, tmp_path):
+def test_parts_match_bitwise_at_their_borders(frames, expected, tmp_path):
     job = tmp_path / "job"
-    by_cubes(walk, job, size=2.0)
+    by_cubes(frames, job, size=2.0)
     folder = loom.tiling.finish_fusion(job, tmp_path / "parts")
     files = sorted(folder.glob("*.ply"))
     listed = [part["file"] for part in json.loads((folder / "parts.json").read_text())["parts"]]
     assert sorted(listed) == [path.name for path in files]
     parts = [read_ply_mesh(path) for path in files]
     rows = np.concatenate([triangles_of(part, sort=False) for part in parts])
-    np.testing.assert_array_equal(rows[np.lexsort(rows.T)], whole)
+    np.testing.assert_array_equal(rows[np.lexsort(rows.T)], expected)
     assert loom.tiling.finish_fusion(job, folder) == folder
     with pytest.raises(FileError, match="exists already"):
         loom.tiling.finish_fusion(job, folder, overwrite=False)
     with pytest.raises(FileError, match=r"written as a \.ply file or a folder"):
         loom.tiling.finish_fusion(job, tmp_path / "mesh.obj")
     with pytest.raises(FileError, match=r"contains other files"):
-        loom.tiling.finish_fusion(job, walk)
+        loom.tiling.finish_fusion(job, frames)
 
 
-def test_a_cube_holds_its_own_blocks_and_one_layer(walk, tmp_path, monkeypatch):
-    """What is in memory is a cube's, and each frame is read for the cubes that it touches alone."""
-    held, read = [], Counter()
+def test_a_cube_contains_its_blocks_and_one_layer_around_them(frames, tmp_path, monkeypatch):
+    """Only one cube is in memory, and each frame is read only for the cubes that it touches."""
+    block_counts, read = [], Counter()
     extract = VolumePart.extract_part
     monkeypatch.setattr(
-        VolumePart, "extract_part", lambda self, least: held.append(self.block_count) or extract(self, least)
+        VolumePart,
+        "extract_part",
+        lambda self, min_weight: block_counts.append(self.block_count) or extract(self, min_weight),
     )
     integrate = fusion.FusionJob._integrate
     monkeypatch.setattr(
@@ -143,19 +145,19 @@ def test_a_cube_holds_its_own_blocks_and_one_layer(walk, tmp_path, monkeypatch):
         "_integrate",
         lambda self, volume, frame: read.update([type(volume).__name__]) or integrate(self, volume, frame),
     )
-    by_cubes(walk, tmp_path / "job", size=3 * 8 * VOXEL)
+    by_cubes(frames, tmp_path / "job", size=3 * 8 * VOXEL)
     cubes = job_status(tmp_path / "job").done - 1
-    assert max(held) <= 4**3 and len(held) == cubes
+    assert max(block_counts) <= 4**3 and len(block_counts) == cubes
     assert read["BlockFinder"] == 14
     assert 14 <= read["VolumePart"] < 14 * cubes / 3
 
 
 @pytest.mark.slow
-def test_a_frame_that_is_broken_in_the_middle_is_named_and_mended(own_walk, whole, tmp_path):
-    job, path = tmp_path / "job", own_walk / "frame-000007.depth.png"
+def test_a_damaged_frame_is_named_and_can_be_replaced(frames_copy, expected, tmp_path):
+    job, path = tmp_path / "job", frames_copy / "frame-000007.depth.png"
     content = path.read_bytes()
     path.write_bytes(content[:-200] + bytes(200))
-    loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=2.0)
+    loom.tiling.plan_fusion(frames_copy, job, voxel_size=VOXEL, size=2.0)
     status = loom.tiling.run_job(job)
     assert (status.failed, status.stage, status.is_finished) == (1, "frames", False)
     assert "frame-000007.depth.png" in str(status) and "frames 0 to 13" in status.troubles
@@ -164,33 +166,33 @@ def test_a_frame_that_is_broken_in_the_middle_is_named_and_mended(own_walk, whol
     path.write_bytes(content)
     assert retry_job(job).waiting == 1
     assert loom.tiling.run_job(job).is_finished
-    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), expected)
 
 
 @pytest.mark.slow
-def test_frames_without_a_pose_are_named_or_left_out(own_walk, tmp_path):
-    (own_walk / "frame-000003.pose.txt").unlink()
-    (own_walk / "frame-000005.color.png").unlink()
-    path = own_walk / "frame-000009.depth.png"
+def test_frames_without_a_pose_are_named_or_left_out(frames_copy, tmp_path):
+    (frames_copy / "frame-000003.pose.txt").unlink()
+    (frames_copy / "frame-000005.color.png").unlink()
+    path = frames_copy / "frame-000009.depth.png"
     path.write_bytes(path.read_bytes()[:-200] + bytes(200))
     with pytest.raises(FileError, match=r"frame-000005"):
-        loom.tiling.plan_fusion(own_walk, tmp_path / "job", voxel_size=VOXEL)
+        loom.tiling.plan_fusion(frames_copy, tmp_path / "job", voxel_size=VOXEL)
     assert not (tmp_path / "job").exists()
-    found = by_cubes(own_walk, tmp_path / "job", size=2.0, leave_out=True)
-    said = str(job_status(tmp_path / "job"))
-    assert all(f"frame-00000{number}" in said for number in (3, 5, 9))
+    mesh = by_cubes(frames_copy, tmp_path / "job", size=2.0, leave_out=True)
+    message = str(job_status(tmp_path / "job"))
+    assert all(f"frame-00000{number}" in message for number in (3, 5, 9))
     for number in (3, 5, 9):
-        for kept in own_walk.glob(f"frame-00000{number}.*"):
-            kept.unlink()
+        for frame_file in frames_copy.glob(f"frame-00000{number}.*"):
+            frame_file.unlink()
     threshold = 1  # of 12 frames that could be planned with, and of the 11 that can be read
-    one = fused(own_walk, weight_threshold=threshold)
-    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
+    one = fused(frames_copy, weight_threshold=threshold)
+    np.testing.assert_array_equal(triangles_of(mesh), triangles_of(one))
 
 
-def test_a_missing_pose_alone_is_told_with_the_remedy(own_walk, tmp_path):
-    (own_walk / "frame-000003.pose.txt").unlink()
+def test_a_missing_pose_is_an_error_that_names_leave_out(frames_copy, tmp_path):
+    (frames_copy / "frame-000003.pose.txt").unlink()
     with pytest.raises(FileError, match=r"frame-000003.*leave_out"):
-        loom.tiling.plan_fusion(own_walk, tmp_path / "job", voxel_size=VOXEL)
+        loom.tiling.plan_fusion(frames_copy, tmp_path / "job", voxel_size=VOXEL)
 
 
 @pytest.mark.parametrize(
@@ -204,34 +206,34 @@ def test_a_missing_pose_alone_is_told_with_the_remedy(own_walk, tmp_path):
         ({"depth_max": float("nan")}, "depth_max"),
     ],
 )
-def test_bad_arguments_are_told_before_anything_is_made(walk, tmp_path, how, message):
+def test_invalid_arguments_are_rejected_before_files_are_written(frames, tmp_path, how, message):
     with pytest.raises(ValueError, match=message):
-        loom.tiling.plan_fusion(walk, tmp_path / "job", **{"voxel_size": VOXEL} | how)
+        loom.tiling.plan_fusion(frames, tmp_path / "job", **{"voxel_size": VOXEL} | how)
     assert not (tmp_path / "job").exists()
 
 
-def test_a_cube_of_one_block_may_be_given_as_its_size(walk, tmp_path):
-    loom.tiling.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=8 * VOXEL)
+def test_a_cube_of_one_block_may_be_given_as_its_size(frames, tmp_path):
+    loom.tiling.plan_fusion(frames, tmp_path / "job", voxel_size=VOXEL, size=8 * VOXEL)
     with Manifest(tmp_path / "job", is_job=True) as manifest:
         assert manifest.plan["blocks"] == 1
 
 
-def test_another_plan_other_frames_and_another_kind_of_job_are_refused(own_walk, tmp_path):
+def test_another_plan_other_frames_and_another_kind_of_job_are_rejected(frames_copy, tmp_path):
     job = tmp_path / "job"
-    first = loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=20.0)
-    assert loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=20.0) == first
+    first = loom.tiling.plan_fusion(frames_copy, job, voxel_size=VOXEL, size=20.0)
+    assert loom.tiling.plan_fusion(frames_copy, job, voxel_size=VOXEL, size=20.0) == first
     with pytest.raises(FileError, match=r"blocks 6, was 31"):
-        loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=4.0)
+        loom.tiling.plan_fusion(frames_copy, job, voxel_size=VOXEL, size=4.0)
     with pytest.raises(FileError, match="plan_fusion"):
         loom.tiling.run_tiles(job)
     loom.tiling.run_job(job)
-    path = own_walk / "frame-000007.depth.png"
-    told = path.stat()
+    path = frames_copy / "frame-000007.depth.png"
+    stat = path.stat()
     os.utime(path, ns=(0, 0))
     with pytest.raises(FileError, match=r"/own:.*0.*13"):
         loom.tiling.run_job(job)
-    os.utime(path, ns=(told.st_atime_ns, told.st_mtime_ns))
-    moved(own_walk, (0.1, 0, 0))
+    os.utime(path, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+    moved(frames_copy, (0.1, 0, 0))
     with pytest.raises(FileError, match="/own:"):
         loom.tiling.run_job(job)
     with pytest.raises(FileError, match="plan_fusion"):
@@ -239,18 +241,18 @@ def test_another_plan_other_frames_and_another_kind_of_job_are_refused(own_walk,
 
 
 @pytest.mark.slow
-def test_a_damaged_surface_is_named(walk, tmp_path):
+def test_a_damaged_surface_is_named(frames, tmp_path):
     job = tmp_path / "job"
-    by_cubes(walk, job, size=2.0)
+    by_cubes(frames, job, size=2.0)
     path = max((job / "cubes").iterdir(), key=lambda path: path.stat().st_size)
     path.write_bytes(path.read_bytes()[:1000])
     with pytest.raises(FileError, match=rf"{path.name}:"):
         loom.tiling.finish_fusion(job)
 
 
-def test_what_a_dead_worker_claimed_is_done_again_and_three_deaths_set_it_aside(walk, whole, tmp_path):
+def test_tasks_of_dead_workers_are_repeated_and_quarantined_after_three_deaths(frames, expected, tmp_path):
     job = tmp_path / "job"
-    loom.tiling.plan_fusion(walk, job, voxel_size=VOXEL, size=20.0)
+    loom.tiling.plan_fusion(frames, job, voxel_size=VOXEL, size=20.0)
     with Manifest(job, is_job=True) as manifest:
         for death in range(3):
             assert manifest.claim("tasks", f"dead {death}")["name"] == "frames 0 to 13"
@@ -262,37 +264,37 @@ def test_what_a_dead_worker_claimed_is_done_again_and_three_deaths_set_it_aside(
         manifest.release_claims()
         assert job_status(job).running == 1
     assert loom.tiling.run_job(job).is_finished
-    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), expected)
 
 
 @pytest.mark.slow
-def test_shares_and_two_runs_at_once_do_every_task_once(walk, whole, tmp_path, monkeypatch):
+def test_parts_and_concurrent_runs_do_every_task_once(frames, expected, tmp_path, monkeypatch):
     job, done = tmp_path / "job", Counter()
     do = fusion.FusionJob.do
     monkeypatch.setattr(
-        fusion.FusionJob, "do", lambda self, stage, name, told: done.update([name]) or do(self, stage, name, told)
+        fusion.FusionJob, "do", lambda self, stage, name, reports: done.update([name]) or do(self, stage, name, reports)
     )
-    loom.tiling.plan_fusion(walk, job, voxel_size=VOXEL, size=2.0)
+    loom.tiling.plan_fusion(frames, job, voxel_size=VOXEL, size=2.0)
     assert loom.tiling.run_job(job, part=(1, 3)).done == 0
     assert not loom.tiling.run_job(job, part=(2, 3)).is_finished
     with ThreadPoolExecutor() as pool:
         [*pool.map(loom.tiling.run_job, [job, job])]
     assert job_status(job).is_finished and set(done.values()) == {1}
-    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), expected)
 
 
-def test_progress_is_told_of_frames_and_of_cubes(walk, tmp_path, monkeypatch):
+def test_progress_is_reported_for_frames_and_cubes(frames, tmp_path, monkeypatch):
     monkeypatch.setattr(fusion, "CHUNK", 4)
-    told = []
-    loom.tiling.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=20.0)
-    loom.tiling.run_job(tmp_path / "job", progress=lambda *words: told.append(words))
-    assert list(dict.fromkeys(stage for stage, _, _ in told)) == ["frames", "cubes"]
-    assert told[0] == ("frames", 0, 4) and ("frames", 4, 4) in told
-    assert told[-1][1] == told[-1][2] > 0
+    events = []
+    loom.tiling.plan_fusion(frames, tmp_path / "job", voxel_size=VOXEL, size=20.0)
+    loom.tiling.run_job(tmp_path / "job", progress=lambda *words: events.append(words))
+    assert list(dict.fromkeys(stage for stage, _, _ in events)) == ["frames", "cubes"]
+    assert events[0] == ("frames", 0, 4) and ("frames", 4, 4) in events
+    assert events[-1][1] == events[-1][2] > 0
 
 
 @pytest.mark.slow
-def test_the_task_of_a_worker_that_is_killed_is_done_again(walk, whole, tmp_path):
+def test_the_task_of_a_killed_worker_is_repeated(frames, expected, tmp_path):
     psutil, killed = pytest.importorskip("psutil"), []
 
     def kill_one(stage, done, _):
@@ -301,17 +303,17 @@ def test_the_task_of_a_worker_that_is_killed_is_done_again(walk, whole, tmp_path
             killed.append(workers[0])
             workers[0].kill()
 
-    loom.tiling.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=0.65)
+    loom.tiling.plan_fusion(frames, tmp_path / "job", voxel_size=VOXEL, size=0.65)
     assert loom.tiling.run_job(tmp_path / "job", workers=2, progress=kill_one).is_finished and killed
-    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(tmp_path / "job"))), whole)
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(tmp_path / "job"))), expected)
 
 
 @pytest.mark.slow
-def test_a_runner_that_is_killed_is_gone_on_with(walk, whole, tmp_path):
+def test_a_killed_run_is_resumed(frames, expected, tmp_path):
     job = tmp_path / "job"
-    loom.tiling.plan_fusion(walk, job, voxel_size=VOXEL, size=0.65)
+    loom.tiling.plan_fusion(frames, job, voxel_size=VOXEL, size=0.65)
     kill_runner("loom.tiling.run_job", job, "cubes")
     before = job_status(job)
     assert before.done and not before.is_finished
     assert loom.tiling.run_job(job).is_finished
-    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), expected)

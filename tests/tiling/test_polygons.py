@@ -1,4 +1,4 @@
-"""Areas as polygons: which tiles they touch, which points they hold, in which coordinates they lie."""
+"""Areas as polygons: the tiles they touch, the points they contain, and their coordinate systems."""
 
 import json
 
@@ -9,7 +9,7 @@ import pointloom as loom
 from pointloom.tiling.polygons import overlapping_boxes, parse_area, to_json
 from pointloom.tiling.status import tile_status
 
-from .scenes import CORNER, SIDE, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
+from .scenes import CORNER, SIDE, in_memory, plan_of, read_cloud, rows_of, survey, tiled
 
 OUTER = np.array([[2.5, 3], [38, 5], [33, 36], [12, 31]])
 HOLE = np.array([[15, 12], [25, 14], [20, 24]])
@@ -32,60 +32,60 @@ def moved(*rings):
 
 
 @pytest.mark.parametrize("size", [20.0, pytest.param(6.0, marks=pytest.mark.slow)])
-def test_points_in_polygons_are_those_of_one_machine(files, tmp_path, size):
-    told = geojson(moved(OUTER, HOLE), moved(OTHER))
+def test_points_in_polygons_match_one_machine(files, tmp_path, size):
+    polygons = geojson(moved(OUTER, HOLE), moved(OTHER))
     for invert in (False, True):
-        step = {"step": "crop", "polygon": told, "invert": invert}
-        found, plan = tiled(files, [step], tmp_path / f"job{invert}", size=size)
-        whole = whole_cloud(files, np.array(plan["origin"]))
+        step = {"step": "crop", "polygon": polygons, "invert": invert}
+        result, plan = tiled(files, [step], tmp_path / f"job{invert}", size=size)
+        cloud = read_cloud(files, np.array(plan["origin"]))
         volumes = [
             loom.SelectionPolygonVolume(np.pad(ring, ((0, 0), (0, 1))), "Z", -1e9, 1e9)
             for ring in moved(OUTER, HOLE, OTHER)
         ]
-        inside = [np.isin(np.arange(len(whole)), volume.crop_in_polygon(whole)) for volume in volumes]
+        inside = [np.isin(np.arange(len(cloud)), volume.crop_in_polygon(cloud)) for volume in volumes]
         keep = (inside[0] ^ inside[1]) | inside[2]
-        np.testing.assert_array_equal(rows_of(found), rows_of(whole.select_by_mask(keep != invert)))
-        assert 0 < keep.sum() < len(whole)
+        np.testing.assert_array_equal(rows_of(result), rows_of(cloud.select_by_mask(keep != invert)))
+        assert 0 < keep.sum() < len(cloud)
 
 
-def test_only_tiles_that_polygons_touch_are_made(files, tmp_path):
+def test_only_tiles_that_polygons_touch_are_computed(files, tmp_path):
     (tmp_path / "area.geojson").write_text(json.dumps(geojson(moved(OUTER, HOLE))))
     steps = [{"step": "remove_radius_outlier", "nb_points": 3, "radius": 1.5}]
     loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=7.0, only=tmp_path / "area.geojson")
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished
-    found = whole_cloud([loom.tiling.finish_tiles(tmp_path / "job")], np.array(plan_of(tmp_path / "job")["origin"]))
-    whole, plan = whole_cloud(files, found.origin), plan_of(tmp_path / "job")
-    kept = in_memory(whole, steps, plan["voxel_corner"])
-    cells = np.floor((kept.points[:, :2] - plan["corner"]) / plan["size"]).clip(0, np.array(plan["shape"]) - 1)
+    result = read_cloud([loom.tiling.finish_tiles(tmp_path / "job")], np.array(plan_of(tmp_path / "job")["origin"]))
+    cloud, plan = read_cloud(files, result.origin), plan_of(tmp_path / "job")
+    filtered = in_memory(cloud, steps, plan["voxel_corner"])
+    cells = np.floor((filtered.points[:, :2] - plan["corner"]) / plan["size"]).clip(0, np.array(plan["shape"]) - 1)
     lows = np.array(plan["corner"]) + cells * plan["size"]
     meets = overlapping_boxes([[OUTER + CORNER[:2], HOLE + CORNER[:2]]], lows, lows + plan["size"])
-    np.testing.assert_array_equal(rows_of(found), rows_of(kept.select_by_mask(meets)))
-    assert 0 < meets.sum() < len(kept)
+    np.testing.assert_array_equal(rows_of(result), rows_of(filtered.select_by_mask(meets)))
+    assert 0 < meets.sum() < len(filtered)
     status = loom.tiling.plan_tiles(files, steps, tmp_path / "other", size=7.0, only=moved(HOLE)[0])
     assert status.waiting < 16 < tile_status(tmp_path / "job").done
 
 
-def test_boxes_that_meet_are_those_of_a_fine_raster():
+def test_overlapping_boxes_match_a_fine_raster():
     rng = np.random.default_rng(3)
     for _ in range(8):
         ring, hole = rng.random((7, 2)) * 10, rng.random((4, 2)) * 10
         lows = np.stack(np.meshgrid(np.arange(10), np.arange(10)), axis=-1).reshape(-1, 2).astype(float)
-        found = overlapping_boxes([[ring, hole]], lows, lows + 1)
-        places = (np.stack(np.meshgrid(np.arange(400), np.arange(400)), axis=-1).reshape(-1, 2) + 0.5) / 40
-        odd = np.zeros(len(places), bool)
+        overlaps = overlapping_boxes([[ring, hole]], lows, lows + 1)
+        positions = (np.stack(np.meshgrid(np.arange(400), np.arange(400)), axis=-1).reshape(-1, 2) + 0.5) / 40
+        odd = np.zeros(len(positions), bool)
         for corners in (ring, hole):
             for a, b in zip(np.roll(corners, 1, axis=0), corners, strict=True):
-                spans = (a[1] < places[:, 1]) != (b[1] < places[:, 1])
+                spans = (a[1] < positions[:, 1]) != (b[1] < positions[:, 1])
                 with np.errstate(all="ignore"):
-                    odd ^= spans & (a[0] + (places[:, 1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) < places[:, 0])
-        cells = (places[odd] // 1).astype(int)
-        seen = np.zeros(100, bool)
-        seen[cells[:, 1] * 10 + cells[:, 0]] = True
-        assert not (seen & ~found).any()
-        assert (found & ~seen).sum() < 30  # edges of width none pass through some
+                    odd ^= spans & (a[0] + (positions[:, 1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) < positions[:, 0])
+        cells = (positions[odd] // 1).astype(int)
+        covered = np.zeros(100, bool)
+        covered[cells[:, 1] * 10 + cells[:, 0]] = True
+        assert not (covered & ~overlaps).any()
+        assert (overlaps & ~covered).sum() < 30  # edges pass through some without covering them
 
 
-def test_forms_of_an_area_are_one_area(tmp_path):
+def test_all_formats_of_an_area_give_the_same_area(tmp_path):
     ring = [[1.0, 2.0], [5.0, 2.0], [3.0, 6.5]]
     closed = [*ring, ring[0]]
     text = "POLYGON Z ((1 2 7, 5 2 7, 3 6.5 8, 1 2 7))"
@@ -110,14 +110,14 @@ def test_forms_of_an_area_are_one_area(tmp_path):
         ("nowhere.geojson", "nowhere.geojson.*cannot be read"),
     ],
 )
-def test_what_is_no_area_is_said(files, tmp_path, area, message):
+def test_invalid_areas_are_rejected(files, tmp_path, area, message):
     with pytest.raises((ValueError, loom.FileError), match=message):
         loom.tiling.plan_tiles(files, [{"step": "crop", "polygon": area}], tmp_path / "job")
     with pytest.raises((ValueError, loom.FileError), match=message):
         loom.tiling.plan_tiles(files, [], tmp_path / "job", only=area)
 
 
-def test_areas_in_degrees_are_brought_to_the_survey_when_that_is_said(tmp_path):
+def test_areas_in_degrees_are_transformed_to_the_survey_if_their_crs_is_given(tmp_path):
     pyproj = pytest.importorskip("pyproj")
     import laspy
 
@@ -136,9 +136,9 @@ def test_areas_in_degrees_are_brought_to_the_survey_when_that_is_said(tmp_path):
     back = pyproj.Transformer.from_crs("EPSG:25832", "EPSG:4326", always_xy=True)
     degrees = np.column_stack(back.transform(*(OUTER + CORNER[:2]).T))
     step = {"step": "crop", "polygon": degrees.tolist(), "polygon_crs": "EPSG:4326"}
-    found, _ = tiled([tmp_path / "a.laz"], [step], tmp_path / "job", size=21.0)
+    result, _ = tiled([tmp_path / "a.laz"], [step], tmp_path / "job", size=21.0)
     straight, _ = tiled([tmp_path / "a.laz"], [{"step": "crop", "polygon": moved(OUTER)[0]}], tmp_path / "b", size=41.0)
-    assert abs(len(found) - len(straight)) <= 1 and 500 < len(found) < 1900
+    assert abs(len(result) - len(straight)) <= 1 and 500 < len(result) < 1900
     with pytest.raises(ValueError, match=r"^steps:.*4326"):
         loom.tiling.plan_tiles(tmp_path / "a.laz", [step | {"polygon_crs": None}], tmp_path / "x")
     with pytest.raises(ValueError, match=r"^steps:.*0"):

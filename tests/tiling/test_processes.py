@@ -1,4 +1,4 @@
-"""Worker processes of dask.distributed: tiles, and functions over many arguments."""
+"""Worker processes of dask.distributed: tiles, and functions mapped over arguments."""
 
 from __future__ import annotations
 
@@ -47,18 +47,18 @@ def expected(files, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def scheduler():
-    """Address of a scheduler with one worker, both threads of this process."""
+    """Address of a scheduler with one worker, both in threads of this process."""
     with distributed.LocalCluster(
         1, processes=False, threads_per_worker=1, host="127.0.0.1", protocol="tcp", dashboard_address="127.0.0.1:0"
-    ) as found:
-        yield found.scheduler_address
+    ) as cluster:
+        yield cluster.scheduler_address
 
 
 def test_a_cluster_gives_the_rows_of_one_process(files, expected, scheduler, tmp_path):
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
-    told = []
-    status = loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: told.append(words))
-    assert status.is_finished and told[-1] == ("pass 2 of 2", 4, 4)
+    events = []
+    status = loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: events.append(words))
+    assert status.is_finished and events[-1] == ("pass 2 of 2", 4, 4)
     np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
 
 
@@ -67,7 +67,7 @@ def failing(cloud):
 
 
 @pytest.mark.slow
-def test_a_step_that_fails_on_a_cluster_is_named_by_tile(files, scheduler, tmp_path):
+def test_a_step_that_fails_on_a_cluster_is_reported_for_each_tile(files, scheduler, tmp_path):
     steps = [{"step": "function", "call": failing, "reach": 0}]
     loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=30.0)
     status = loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler)
@@ -75,7 +75,7 @@ def test_a_step_that_fails_on_a_cluster_is_named_by_tile(files, scheduler, tmp_p
     assert all("this step always fails" in text for text in status.troubles.values())
 
 
-def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_path, monkeypatch):
+def test_a_missing_scheduler_is_named_and_nothing_is_lost(files, tmp_path, monkeypatch):
     monkeypatch.setattr(processes, "CONNECT_TIMEOUT", 0.2)
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     with pytest.raises(loom.FileError, match=r"no scheduler at tcp://127\.0\.0\.1:9"):
@@ -83,7 +83,7 @@ def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_p
     assert tile_status(tmp_path / "job").waiting == 4
 
 
-def test_a_worker_of_another_version_is_refused(files, scheduler, tmp_path, monkeypatch):
+def test_a_worker_of_another_version_is_rejected(files, scheduler, tmp_path, monkeypatch):
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     monkeypatch.setattr(processes, "_prepare", _another_version)
     with pytest.raises(loom.FileError, match=r"on the worker at .*, got 0\.0\.1"):
@@ -95,7 +95,7 @@ def _another_version(device):
     return "0.0.1"
 
 
-def test_workers_and_a_scheduler_are_refused(files, tmp_path):
+def test_workers_and_a_scheduler_are_rejected(files, tmp_path):
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     with pytest.raises(ValueError, match="expected one of them, got both"):
         loom.tiling.run_tiles(tmp_path / "job", workers=2, scheduler="tcp://127.0.0.1:9")
@@ -109,7 +109,7 @@ def test_workers_without_distributed_are_an_error_that_names_the_extra(files, tm
 
 
 def dies(cloud, folder, deaths):
-    """Kill the worker, so often."""
+    """Kill the worker up to `deaths` times."""
     if len([*Path(folder).iterdir()]) < deaths:
         (Path(folder) / str(os.getpid())).touch()
         os.kill(os.getpid(), signal.SIGKILL)
@@ -117,7 +117,7 @@ def dies(cloud, folder, deaths):
 
 
 @pytest.mark.slow
-def test_a_tile_at_which_workers_die_is_done_again_and_set_aside_after_three_deaths(
+def test_a_tile_that_kills_workers_is_repeated_and_quarantined_after_three_deaths(
     files, expected, two_workers, tmp_path
 ):
     for deaths in (2, 3):
@@ -155,7 +155,7 @@ def test_a_script_may_start_workers_and_prints_nothing_of_them(files, expected, 
 
 
 @pytest.mark.slow
-def test_workers_of_a_runner_that_is_killed_end_and_the_job_goes_on(files, expected, tmp_path):
+def test_workers_of_a_killed_run_end_and_the_job_is_resumed(files, expected, tmp_path):
     job = tmp_path / "job"
     loom.tiling.plan_tiles(files, STEPS, job, size=4.0)
     kill_runner("loom.tiling.run_tiles", job, "pass 2", workers=2)
@@ -167,7 +167,7 @@ def test_workers_of_a_runner_that_is_killed_end_and_the_job_goes_on(files, expec
 
 
 @pytest.mark.slow
-def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tmp_path, monkeypatch):
+def test_a_cluster_without_workers_or_that_disconnects_is_an_error(files, tmp_path, monkeypatch):
     monkeypatch.setattr(processes, "MAX_WITHOUT_WORKERS", 0.3)
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     alone = {"host": "127.0.0.1", "protocol": "tcp", "dashboard_address": "127.0.0.1:0"}
@@ -175,9 +175,9 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
         with pytest.raises(loom.FileError, match="no worker was connected to"):
             loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
         monkeypatch.setattr(processes, "MAX_WITHOUT_WORKERS", 60)
-        asked, ended = threading.Event(), processes._ended
-        monkeypatch.setattr(processes, "_ended", lambda *given: (asked.set(), ended(*given))[1])
-        closing = threading.Thread(target=lambda: asked.wait(60) and empty.close())
+        checked, ended = threading.Event(), processes._ended
+        monkeypatch.setattr(processes, "_ended", lambda *given: (checked.set(), ended(*given))[1])
+        closing = threading.Thread(target=lambda: checked.wait(60) and empty.close())
         closing.start()
         with pytest.raises(loom.FileError, match="was lost"):
             loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
@@ -187,17 +187,17 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("openssl") is None, reason="certificates are made by openssl")
-def test_a_scheduler_with_certificates_takes_those_who_have_them(files, expected, tmp_path):
+def test_a_scheduler_with_certificates_accepts_clients_that_have_them(files, expected, tmp_path):
     key, certificate = str(tmp_path / "key.pem"), str(tmp_path / "certificate.pem")
-    made = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost"]
-    subprocess.run([*made, "-keyout", key, "-out", certificate], check=True, capture_output=True)
+    command = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost"]
+    subprocess.run([*command, "-keyout", key, "-out", certificate], check=True, capture_output=True)
     roles = {f"tls_{role}_{what}": value for role in ("scheduler", "worker", "client")
              for what, value in (("key", key), ("cert", certificate))}  # fmt: skip
     security = distributed.Security(tls_ca_file=certificate, require_encryption=True, **roles)
-    told = {"host": "127.0.0.1", "protocol": "tls", "dashboard_address": "127.0.0.1:0", "security": security}
+    options = {"host": "127.0.0.1", "protocol": "tls", "dashboard_address": "127.0.0.1:0", "security": security}
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
-    with distributed.LocalCluster(1, processes=False, threads_per_worker=1, **told) as found:
-        address = found.scheduler_address
+    with distributed.LocalCluster(1, processes=False, threads_per_worker=1, **options) as cluster:
+        address = cluster.scheduler_address
         with pytest.raises(loom.FileError, match=r"no scheduler at tls://.*TLS"):
             loom.tiling.run_tiles(tmp_path / "job", scheduler=address)
         assert loom.tiling.run_tiles(tmp_path / "job", scheduler=address, security=security).is_finished
@@ -209,7 +209,7 @@ def add(more, value):
 
 
 def die(folder, deaths, value):
-    """Kill this process at a value, so often."""
+    """Kill this process at value 2, up to `deaths` times."""
     if value == 2 and len([*folder.iterdir()]) < deaths:
         (folder / str(os.getpid())).touch()
         os.kill(os.getpid(), signal.SIGKILL)
@@ -220,19 +220,19 @@ def refuse(value):
     raise loom.FileError("made.laz", f"holds {value}", remedy="Take another")
 
 
-def test_no_processes_map_in_this_one(tmp_path):
+def test_without_processes_map_runs_in_this_process(tmp_path):
     with Processes(0, tmp_path) as pool:
         assert [*pool.map(partial(add, 1), [(1,)])] == [(os.getpid(), 2)]
 
 
 @pytest.mark.slow
-def test_processes_map_in_order_and_repeat_what_a_dead_one_had(tmp_path):
+def test_processes_map_in_order_and_repeat_tasks_of_dead_ones(tmp_path):
     (tmp_path / "again").mkdir()
     with Processes(2, tmp_path / "made.laz") as pool:
         for more in (10, 20):
-            found = [*pool.map(partial(add, more), ((k,) for k in range(9)))]
-            assert [value for _, value in found] == [more + k for k in range(9)]
-            assert os.getpid() not in {process for process, _ in found}
+            results = [*pool.map(partial(add, more), ((k,) for k in range(9)))]
+            assert [value for _, value in results] == [more + k for k in range(9)]
+            assert os.getpid() not in {process for process, _ in results}
         with pytest.raises(loom.FileError, match=r"holds 3\. Take another"):
             [*pool.map(refuse, [(3,)])]
         assert [*pool.map(partial(die, tmp_path / "again", 2), ((k,) for k in range(5)))] == [*range(5)]
@@ -272,12 +272,12 @@ def test_any_number_of_workers_writes_the_same_octree(tmp_path, monkeypatch):
     keep = {"step": "remove_radius_outlier", "nb_points": 1, "radius": 50.0}
     loom.tiling.plan_tiles(survey(tmp_path, count=4000), [keep], tmp_path / "job", size=15.0)
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished
-    made = []
+    contents = []
     for workers in (0, 2):
-        told: list[tuple[str, int, int]] = []
+        events: list[tuple[str, int, int]] = []
         path = tmp_path / f"{workers}.copc.laz"
-        tell = lambda *step, told=told: told.append(step)  # noqa: E731
-        loom.tiling.finish_tiles(tmp_path / "job", path, workers=workers, progress=tell)
-        made.append(path.read_bytes())
-        assert told[-1][1] == told[-1][2] and len({step[1] for step in told}) > 4
-    assert made[0] == made[1]
+        report = lambda *step, events=events: events.append(step)  # noqa: E731
+        loom.tiling.finish_tiles(tmp_path / "job", path, workers=workers, progress=report)
+        contents.append(path.read_bytes())
+        assert events[-1][1] == events[-1][2] and len({step[1] for step in events}) > 4
+    assert contents[0] == contents[1]

@@ -1,4 +1,4 @@
-"""Scans placed by a job are those placed in memory by the same pairs; what goes wrong is named and mended."""
+"""A job gives the registration computed in memory, and recovers from errors."""
 
 import errno
 from collections import Counter
@@ -20,14 +20,14 @@ STRAY = 3  # the scan that overlaps no other
 
 
 def relief(x, y):
-    """A surface that looks different everywhere."""
+    """A surface without symmetry."""
     z = 0.25 * np.sin(2.1 * x) * np.cos(1.7 * y) + 0.12 * np.sin(4.3 * y + x) + 0.08 * np.cos(5.9 * x - 2 * y)
     return z + 0.15 * np.exp(-4 * ((x - 0.7) ** 2 + (y + 0.4) ** 2))
 
 
 @pytest.fixture(scope="module")
 def surveyed(tmp_path_factory):
-    """Files of four scans along a relief, the last of something else, and the places of the first three."""
+    """Files of four scans along a relief, the last of another object, and their poses."""
     folder, rng = tmp_path_factory.mktemp("scans"), np.random.default_rng(3)
     paths, poses = [], []
     for k in range(4):
@@ -44,13 +44,13 @@ def surveyed(tmp_path_factory):
     return paths, np.array(poses)
 
 
-def in_memory(paths, device="cpu", **how):
+def in_memory(paths, device="cpu", **options):
     clouds = [loom.read_point_cloud(path, device=device) for path in paths]
-    return loom.registration.register_fragments(clouds, voxel_size=SIZE, **how)
+    return loom.registration.register_fragments(clouds, voxel_size=SIZE, **options)
 
 
-def by_tasks(paths, job, device="cpu", **how):
-    loom.tiling.plan_registration(paths, job, voxel_size=SIZE, **how)
+def by_tasks(paths, job, device="cpu", **options):
+    loom.tiling.plan_registration(paths, job, voxel_size=SIZE, **options)
     status = loom.tiling.run_job(job, device=device)
     assert status.is_finished, status
     return loom.tiling.finish_registration(job)
@@ -61,53 +61,55 @@ def expected(surveyed):
     return in_memory(surveyed[0])
 
 
-def assert_same(found, expected):
-    """The same pairs, groups, edges and poses, bit for bit."""
-    assert [pair[:2] for pair in found.pairs] == [pair[:2] for pair in expected.pairs]
-    assert [edge.uncertain for edge in found.pose_graph.edges] == [edge.uncertain for edge in expected.pose_graph.edges]
-    np.testing.assert_array_equal(found.groups, expected.groups)
-    np.testing.assert_array_equal(found.placed, expected.placed)
-    assert found.reference == expected.reference
-    np.testing.assert_array_equal(found.poses, expected.poses)
-    for mine, theirs in zip(found.pairs, expected.pairs, strict=True):
-        np.testing.assert_array_equal(mine.transformation, theirs.transformation)
-        assert mine.fitness == theirs.fitness
-        np.testing.assert_array_equal(mine.score, theirs.score)
-    for mine, theirs in zip(found.pose_graph.edges, expected.pose_graph.edges, strict=True):
-        np.testing.assert_array_equal(mine.information, theirs.information)
+def assert_same(result, expected):
+    """Check that pairs, groups, edges and poses are bitwise identical."""
+    assert [pair[:2] for pair in result.pairs] == [pair[:2] for pair in expected.pairs]
+    assert [edge.uncertain for edge in result.pose_graph.edges] == [
+        edge.uncertain for edge in expected.pose_graph.edges
+    ]
+    np.testing.assert_array_equal(result.groups, expected.groups)
+    np.testing.assert_array_equal(result.placed, expected.placed)
+    assert result.reference == expected.reference
+    np.testing.assert_array_equal(result.poses, expected.poses)
+    for actual, other in zip(result.pairs, expected.pairs, strict=True):
+        np.testing.assert_array_equal(actual.transformation, other.transformation)
+        assert actual.fitness == other.fitness
+        np.testing.assert_array_equal(actual.score, other.score)
+    for actual, other in zip(result.pose_graph.edges, expected.pose_graph.edges, strict=True):
+        np.testing.assert_array_equal(actual.information, other.information)
 
 
-def test_scans_are_placed_as_in_memory_and_every_pair_has_a_status(device, surveyed, expected, tmp_path):
-    found = by_tasks(surveyed[0], tmp_path / "job", device)
-    assert found.placed.tolist() == [True, True, True, False]
-    assert_same(found, expected if device == "cpu" else in_memory(surveyed[0], device))
-    told = {pair[:2]: pair for pair in found.tried}  # of a pair that is found at last as a loop, that
-    assert set(told) == {(j, i) for i in range(4) for j in range(i + 1, 4)}
-    assert [pair.by for pair in found.tried[:6]] == ["order"] * 6 and {p.by for p in found.tried[6:]} == {"loop"}
-    for pair in found.pairs:
-        assert told[pair[:2]].status == "kept"
-        np.testing.assert_array_equal(told[pair[:2]].score, pair.score)
-    for pair in found.tried:
+def test_scans_are_registered_as_in_memory_and_every_pair_has_a_status(device, surveyed, expected, tmp_path):
+    result = by_tasks(surveyed[0], tmp_path / "job", device)
+    assert result.placed.tolist() == [True, True, True, False]
+    assert_same(result, expected if device == "cpu" else in_memory(surveyed[0], device))
+    tried = {pair[:2]: pair for pair in result.tried}  # if a pair was registered later as a loop, that entry
+    assert set(tried) == {(j, i) for i in range(4) for j in range(i + 1, 4)}
+    assert [pair.by for pair in result.tried[:6]] == ["order"] * 6 and {p.by for p in result.tried[6:]} == {"loop"}
+    for pair in result.pairs:
+        assert tried[pair[:2]].status == "kept"
+        np.testing.assert_array_equal(tried[pair[:2]].score, pair.score)
+    for pair in result.tried:
         if STRAY in pair[:2]:
             assert pair.status not in ("kept", "dropped", "apart", "") and pair.score <= 0.5
-    assert found.not_placed == [str(surveyed[0][STRAY])]
-    assert found.to_dict()["tried"][0]["source"] == str(surveyed[0][1])
+    assert result.not_placed == [str(surveyed[0][STRAY])]
+    assert result.to_dict()["tried"][0]["source"] == str(surveyed[0][1])
 
 
 @pytest.mark.slow
-def test_level_scans_are_placed_as_in_memory_and_none_tilts(surveyed, tmp_path):
+def test_level_scans_are_registered_as_in_memory_without_tilt(surveyed, tmp_path):
     paths = []
     for k, (path, T) in enumerate(zip(surveyed[0][:3], surveyed[1][:3], strict=True)):
-        turn = Rotation.from_euler("z", 50 * k, degrees=True).as_matrix()
+        rotation = Rotation.from_euler("z", 50 * k, degrees=True).as_matrix()
         paths.append(tmp_path / f"{k}.ply")
-        loom.write_point_cloud(paths[-1], loom.read_point_cloud(path).transform(T).rotate(turn, center=[k, 0, 0]))
+        loom.write_point_cloud(paths[-1], loom.read_point_cloud(path).transform(T).rotate(rotation, center=[k, 0, 0]))
     how = {"free": ["x", "y", "z", "yaw"]}
-    found = by_tasks(paths, tmp_path / "job", **how)
-    assert found.placed.all() and np.abs(found.poses[:, 2, :2]).max() < 1e-15
-    assert_same(found, in_memory(paths, **how))
+    result = by_tasks(paths, tmp_path / "job", **how)
+    assert result.placed.all() and np.abs(result.poses[:, 2, :2]).max() < 1e-15
+    assert_same(result, in_memory(paths, **how))
 
 
-def test_given_pairs_and_known_ones_are_those_of_memory(surveyed, expected, tmp_path):
+def test_given_and_known_pairs_match_registration_in_memory(surveyed, expected, tmp_path):
     first = expected.pairs[0]
     known = [FragmentPair(first.source, first.target, first.transformation, 0.0, 1.0)]
     how = {"pairs": [(2, 1), (0, 2)], "known": known}
@@ -117,9 +119,9 @@ def test_given_pairs_and_known_ones_are_those_of_memory(surveyed, expected, tmp_
     assert names == ["pair 0 1", "pair 0 2", "pair 1 2"]
 
 
-def test_known_places_choose_the_pairs_and_looks_the_rest(surveyed, expected, tmp_path):
+def test_pairs_are_chosen_by_known_poses_and_by_similarity(surveyed, expected, tmp_path):
     paths, poses = surveyed
-    found = by_tasks(paths, tmp_path / "job", places=[poses[0], poses[1], poses[2][:3, 3], None], place_error=0.05)
+    result = by_tasks(paths, tmp_path / "job", places=[poses[0], poses[1], poses[2][:3, 3], None], place_error=0.05)
     with Manifest(tmp_path / "job", is_job=True) as manifest:
         near, alike = (
             [row["name"] for row in manifest.rows("SELECT name FROM tasks WHERE stage = ? ORDER BY id", stage)]
@@ -127,18 +129,18 @@ def test_known_places_choose_the_pairs_and_looks_the_rest(surveyed, expected, tm
         )
     assert set(near) == {"pair 0 1", "pair 0 2", "pair 1 2"}
     assert alike == ["pair 0 3", "pair 1 3", "pair 2 3"]
-    assert_same(found, expected)
+    assert_same(result, expected)
 
 
-def test_boxes_meet_where_places_say_so():
+def test_boxes_at_given_poses_intersect():
     low, high = np.array([-1.0, -1, 0]), np.array([1.0, 2, 1])
-    turned = np.eye(4)
-    turned[:2, :2] = [[0, -1], [1, 0]]
-    turned[0, 3] = 4.0
-    first, second = box_at_pose(low, high, np.eye(4), 0.0), box_at_pose(low, high, turned, 0.0)
+    rotated = np.eye(4)
+    rotated[:2, :2] = [[0, -1], [1, 0]]
+    rotated[0, 3] = 4.0
+    first, second = box_at_pose(low, high, np.eye(4), 0.0), box_at_pose(low, high, rotated, 0.0)
     np.testing.assert_array_equal(second, ([2, -1, 0], [5, 1, 1]))
     assert meeting_boxes([first, None, second]) == []
-    assert meeting_boxes([box_at_pose(low, high, np.eye(4), 0.5), None, box_at_pose(low, high, turned, 0.5)]) == [
+    assert meeting_boxes([box_at_pose(low, high, np.eye(4), 0.5), None, box_at_pose(low, high, rotated, 0.5)]) == [
         (0, 2)
     ]
     row = [box_at_pose(low, high, np.array([x, 0.0, 0.0]), 0.0) for x in (0, 1, 3, 3.5)]
@@ -147,11 +149,11 @@ def test_boxes_meet_where_places_say_so():
     ball = box_at_pose(low, high, np.array([0.0, 0, 10]), 0.25)
     np.testing.assert_allclose(ball[1] - ball[0], 2 * (np.sqrt(1 + 4 + 1) + 0.25))
     np.testing.assert_array_equal(groups_of(5, [(3, 1), (4, 3)]), [0, 1, 2, 1, 1])
-    looks = np.array([[0.0, 5], [1, 5], [0.1, 5], [9, 5]])
-    assert most_similar(looks, 0, np.array([1, 2, 3]), 2) == [2, 1]
+    descriptors = np.array([[0.0, 5], [1, 5], [0.1, 5], [9, 5]])
+    assert most_similar(descriptors, 0, np.array([1, 2, 3]), 2) == [2, 1]
 
 
-def test_a_scan_that_cannot_be_read_is_named_and_mended(surveyed, expected, tmp_path):
+def test_an_unreadable_scan_is_named_and_can_be_replaced(surveyed, expected, tmp_path):
     paths = []
     for path in surveyed[0]:
         paths.append(tmp_path / path.name)
@@ -171,10 +173,10 @@ def test_a_scan_that_cannot_be_read_is_named_and_mended(surveyed, expected, tmp_
         loom.tiling.run_job(job)
 
 
-def test_a_damaged_surface_fails_its_pairs_by_name(surveyed, tmp_path):
+def test_a_damaged_surface_fails_its_pairs(surveyed, tmp_path):
     job = tmp_path / "job"
     loom.tiling.plan_registration(surveyed[0][:2], job, voxel_size=SIZE)
-    loom.tiling.run_job(job, part=(2, 3))  # a scan each; the pair is of the first share
+    loom.tiling.run_job(job, part=(2, 3))  # one scan each; the pair belongs to the first part
     loom.tiling.run_job(job, part=(3, 3))
     surface = job / "surfaces" / "1.npz"
     data = bytearray(surface.read_bytes())
@@ -184,7 +186,7 @@ def test_a_damaged_surface_fails_its_pairs_by_name(surveyed, tmp_path):
     assert status.failed == 1 and "1.npz: a scan's surface cannot be read" in status.troubles["pair 0 1"]
 
 
-def test_a_full_disk_fails_the_scan_and_leaves_nothing_half(surveyed, tmp_path, monkeypatch):
+def test_a_full_disk_fails_the_scan_and_leaves_no_partial_files(surveyed, tmp_path, monkeypatch):
     def full(file, **arrays):
         file.write(b"half")
         raise OSError(errno.ENOSPC, "No space left on device")
@@ -196,15 +198,15 @@ def test_a_full_disk_fails_the_scan_and_leaves_nothing_half(surveyed, tmp_path, 
     assert not [*(tmp_path / "job" / "surfaces").iterdir()]
 
 
-def test_an_interrupted_run_does_no_pair_again(surveyed, expected, tmp_path, monkeypatch):
+def test_an_interrupted_run_repeats_no_pair(surveyed, expected, tmp_path, monkeypatch):
     job, tried = tmp_path / "job", Counter()
     do = scans_job.RegistrationJob.do
 
-    def stop(self, stage, name, told):
+    def stop(self, stage, name, reports):
         if stage == 1 and len(tried) == 3:
             raise KeyboardInterrupt
         tried.update([name] if stage == 1 else [])
-        return do(self, stage, name, told)
+        return do(self, stage, name, reports)
 
     loom.tiling.plan_registration(surveyed[0], job, voxel_size=SIZE)
     monkeypatch.setattr(scans_job.RegistrationJob, "do", stop)
@@ -214,18 +216,18 @@ def test_an_interrupted_run_does_no_pair_again(surveyed, expected, tmp_path, mon
     monkeypatch.setattr(
         scans_job.RegistrationJob,
         "do",
-        lambda self, stage, name, told: tried.update([name] if stage == 1 else []) or do(self, stage, name, told),
+        lambda self, stage, name, reports: tried.update([name] if stage == 1 else []) or do(self, stage, name, reports),
     )
     assert loom.tiling.run_job(job).is_finished
     assert set(tried.values()) == {1} and len(tried) == 6
     assert_same(loom.tiling.finish_registration(job), expected)
 
 
-def test_a_scan_without_a_surface_is_told_and_left_out(surveyed, tmp_path):
+def test_a_scan_without_a_surface_is_reported_and_left_out(surveyed, tmp_path):
     loom.write_point_cloud(tmp_path / "few.ply", loom.PointCloud(np.random.default_rng(0).random((3, 3)) * 100))
     paths = [surveyed[0][0], tmp_path / "few.ply", surveyed[0][1]]
-    found = by_tasks(paths, tmp_path / "job")
-    assert found.placed.tolist() == [True, False, True]
+    result = by_tasks(paths, tmp_path / "job")
+    assert result.placed.tolist() == [True, False, True]
     assert "few.ply: has no surface" in str(job_status(tmp_path / "job"))
 
 
@@ -244,7 +246,7 @@ def test_a_scan_without_a_surface_is_told_and_left_out(surveyed, tmp_path):
         ({"alike": -1}, "alike"),
     ],
 )
-def test_bad_arguments_are_told_before_anything_is_made(surveyed, tmp_path, how, message):
+def test_invalid_arguments_are_rejected_before_files_are_written(surveyed, tmp_path, how, message):
     with pytest.raises(ValueError, match=message):
         loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=SIZE, **how)
     with pytest.raises(FileError, match=r"none\.ply"):
@@ -252,8 +254,8 @@ def test_bad_arguments_are_told_before_anything_is_made(surveyed, tmp_path, how,
     assert not (tmp_path / "job").exists()
 
 
-def test_what_is_told_of_a_job_is_json(surveyed, tmp_path):
-    told = loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=SIZE)
-    assert told.to_dict()["job"] == "registration"
+def test_the_status_of_a_job_is_json(surveyed, tmp_path):
+    status = loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=SIZE)
+    assert status.to_dict()["job"] == "registration"
     with pytest.raises(FileError, match=r"/job:.*voxel_size.*0\.1.*0\.08"):
         loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=0.1)

@@ -1,4 +1,4 @@
-"""Points of tiles in another coordinate system: by PROJ, the same rows whatever the tiles' size."""
+"""Reprojected points of tiles match PROJ for any tile size."""
 
 import numpy as np
 import pytest
@@ -27,39 +27,39 @@ def survey(tmp_path):
     return tmp_path / "a.laz"
 
 
-def made(survey, steps, folder, name="out.laz", **how):
-    loom.tiling.plan_tiles(survey, steps, folder, **how)
+def made(survey, steps, folder, name="out.laz", **options):
+    loom.tiling.plan_tiles(survey, steps, folder, **options)
     status = loom.tiling.run_tiles(folder)
     assert status.is_finished, status
     return loom.tiling.finish_tiles(folder, folder.parent / name)
 
 
 @pytest.mark.parametrize("name", ["out.laz", pytest.param("out.copc.laz", marks=pytest.mark.slow)])
-def test_points_are_those_of_proj_whatever_the_tiles_size(survey, tmp_path, name):
-    found = []
+def test_points_match_proj_for_any_tile_size(survey, tmp_path, name):
+    results = []
     for size in (15.0, 100.0):
         path = made(survey, [STEP], tmp_path / f"job{size:g}", name, size=size)
         cloud = loom.read_point_cloud(path)
         order = np.argsort(np.asarray(cloud["intensity"]), kind="stable")
-        found.append(cloud.points[order])
+        results.append(cloud.points[order])
         header = open_las(path).header
         assert pyproj.CRS.from_wkt(find_text(header)).equals(pyproj.CRS("EPSG:25833"), ignore_axis_order=True)
-    np.testing.assert_array_equal(*found)
+    np.testing.assert_array_equal(*results)
     points = loom.read_point_cloud(survey).points
-    way = pyproj.Transformer.from_crs("EPSG:25832", "EPSG:25833", always_xy=True)
-    expected = np.column_stack([*way.transform(*points[:, :2].T), points[:, 2]])
-    assert np.abs(found[0] - expected).max() < 0.00051
+    transformer = pyproj.Transformer.from_crs("EPSG:25832", "EPSG:25833", always_xy=True)
+    expected = np.column_stack([*transformer.transform(*points[:, :2].T), points[:, 2]])
+    assert np.abs(results[0] - expected).max() < 0.00051
 
 
-def test_steps_before_count_in_the_source(survey, tmp_path):
+def test_steps_before_reprojection_use_source_coordinates(survey, tmp_path):
     thin = {"step": "thin", "spacing": 2.0}
     thinned = loom.read_point_cloud(made(survey, [thin], tmp_path / "b", "b.laz", size=21.0))
     path = made(survey, [thin, STEP | {"to_crs": "EPSG:2056"}], tmp_path / "c", "c.laz", size=21.0)
     assert len(loom.read_point_cloud(path)) == len(thinned) < 1500
 
 
-def test_heights_keep_their_system_or_are_refused(survey, tmp_path):
-    """25832 with heights to 25833 without: the heights' system is still told. Feet beside meters are refused."""
+def test_heights_keep_their_system_or_are_rejected(survey, tmp_path):
+    """The vertical system is kept if the target has none; systems that mix feet and meters are rejected."""
     how = {"from_crs": "EPSG:25832+5783"}
     header = open_las(made(survey, [STEP | how], tmp_path / "a", "b.laz", size=50.0)).header
     parts = pyproj.CRS.from_wkt(find_text(header)).sub_crs_list
@@ -68,7 +68,7 @@ def test_heights_keep_their_system_or_are_refused(survey, tmp_path):
         loom.tiling.plan_tiles(survey, [STEP | {"to_crs": "EPSG:2994"}], tmp_path / "job")
 
 
-def test_points_without_a_place_are_counted(survey):
+def test_points_without_transformed_coordinates_are_counted(survey):
     (step,) = parse_steps([STEP])
     step.adapt([describe(survey)])
     with pytest.raises(ValueError, match=r"^steps:.*1.*2.*25833"):
@@ -83,12 +83,12 @@ def test_points_without_a_place_are_counted(survey):
         ({"to_crs": 3}, "to_crs: expected a system such as"),
     ],
 )
-def test_systems_that_cannot_be_are_refused(survey, tmp_path, step, message):
+def test_invalid_coordinate_systems_are_rejected(survey, tmp_path, step, message):
     with pytest.raises(ValueError, match=message):
         loom.tiling.plan_tiles(survey, [{"step": "reproject"} | step], tmp_path / "job")
 
 
-def test_what_goes_wrong_is_named(survey, tmp_path):
+def test_reprojection_errors_are_named(survey, tmp_path):
     with pytest.raises(ValueError, match=r"^steps:"):
         loom.tiling.plan_tiles(survey, [STEP, {"step": "thin", "spacing": 1.0}], tmp_path / "job")
     plain = tmp_path / "plain.laz"

@@ -1,4 +1,4 @@
-"""Tiles give the bits of the operations in memory, whatever their size."""
+"""Results of tiles are bitwise identical to operations in memory for any tile size."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from pointloom.tiling import plan as plan_module
 from pointloom.tiling import work_tile
 from pointloom.tiling.manifest import UNSORTED, Manifest
 
-from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
+from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, read_cloud, rows_of, survey, tiled
 
 MIDDLE = (CORNER + np.array([SIDE / 2, SIDE / 2, 0])).tolist()
 CHAINS = {
@@ -41,16 +41,16 @@ def files(tmp_path_factory):
 
 
 def in_one_piece(files, steps, plan):
-    return in_memory(whole_cloud(files, np.array(plan["origin"])), steps, plan["voxel_corner"])
+    return in_memory(read_cloud(files, np.array(plan["origin"])), steps, plan["voxel_corner"])
 
 
-def check(files, steps, job, **how):
-    """Hold that tiles give the rows of one machine; the result."""
-    found, plan = tiled(files, steps, job, **how)
+def check(files, steps, job, **options):
+    """Check that tiles give the rows of a single machine; return the result."""
+    result, plan = tiled(files, steps, job, **options)
     expected = in_one_piece(files, steps, plan)
     assert len(expected) > 0
-    np.testing.assert_array_equal(rows_of(found), rows_of(expected))
-    return found
+    np.testing.assert_array_equal(rows_of(result), rows_of(expected))
+    return result
 
 
 @pytest.mark.parametrize(
@@ -61,15 +61,15 @@ def check(files, steps, job, **how):
         pytest.param("a chain", 100.0, marks=pytest.mark.slow),
     ],
 )
-def test_tiles_of_any_size_give_the_bits_of_one_machine(files, tmp_path, chain, size):
+def test_tiles_of_any_size_are_bitwise_identical_to_one_machine(files, tmp_path, chain, size):
     check(files, CHAINS[chain], tmp_path / "job", size=size)
 
 
-def test_a_halo_that_is_too_small_is_doubled(files, tmp_path, monkeypatch):
+def test_a_too_small_halo_is_doubled(files, tmp_path, monkeypatch):
     init = work_tile.Plan.__init__
 
-    def with_small_guesses(self, told):
-        init(self, told)
+    def with_small_guesses(self, plan):
+        init(self, plan)
         for step in self.steps:
             step.radius = 0.6
 
@@ -78,7 +78,7 @@ def test_a_halo_that_is_too_small_is_doubled(files, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("suffix", [pytest.param(".las", marks=pytest.mark.slow), ".copc.laz"])
-def test_every_kind_of_file_gives_the_same(tmp_path, suffix):
+def test_every_file_format_gives_the_same_result(tmp_path, suffix):
     files = survey(tmp_path, count=2000)
     others = [tmp_path / f"other{number}{suffix}" for number in range(2)]
     for path, like in zip(others, files, strict=True):
@@ -87,23 +87,23 @@ def test_every_kind_of_file_gives_the_same(tmp_path, suffix):
 
 
 def test_the_result_may_be_a_copc_file(files, tmp_path):
-    found = check(files, CHAINS["voxels"], tmp_path / "job", size=30.0, output="copc")
+    result = check(files, CHAINS["voxels"], tmp_path / "job", size=30.0, output="copc")
     part = loom.read_copc(tmp_path / "job" / "result.copc.laz", within=loom.AxisAlignedBoundingBox(CORNER, MIDDLE))
-    assert 0 < len(part) < len(found)
+    assert 0 < len(part) < len(result)
 
 
 @pytest.mark.slow
-def test_steps_without_reach_lose_no_point_on_borders_that_are_rounded(tmp_path):
+def test_steps_with_radius_zero_lose_no_point_on_rounded_borders(tmp_path):
     corner, cells, size = np.array([636_001.76, 848_935.2]), 14, 41.3
-    places = np.random.default_rng(0).integers(0, cells + 1, (3000, 2)) * size
-    points = np.column_stack([corner + places, np.arange(3000) * 0.01])
+    positions = np.random.default_rng(0).integers(0, cells + 1, (3000, 2)) * size
+    points = np.column_stack([corner + positions, np.arange(3000) * 0.01])
     points[0, :2] = corner
     path = tmp_path / "grid.laz"
     write_las(path, PointTable(points, attributes={"gps_time": np.arange(3000.0)}), scale=1e-5, offset=points[0])
     steps = [{"step": "crop", "min_bound": [0, 0, -1], "max_bound": [1e7, 1e7, 1e4]}]
-    found, plan = tiled([path], steps, tmp_path / "job", size=size)
+    result, plan = tiled([path], steps, tmp_path / "job", size=size)
     assert np.prod(plan["shape"]) >= cells**2
-    np.testing.assert_array_equal(np.sort(found["gps_time"]), np.arange(3000.0))
+    np.testing.assert_array_equal(np.sort(result["gps_time"]), np.arange(3000.0))
 
 
 def brighter(cloud, by):
@@ -111,26 +111,26 @@ def brighter(cloud, by):
     return cloud.select_by_mask(np.asarray(cloud["intensity"]) > 1000)
 
 
-def test_a_function_with_its_reach_is_a_step(files, tmp_path):
+def test_a_function_with_its_radius_is_a_step(files, tmp_path):
     steps = [{"step": "function", "call": brighter, "reach": 0, "arguments": {"by": 2}}]
-    found, plan = tiled(files, steps, tmp_path / "job", size=30.0)
-    expected = brighter(whole_cloud(files, np.array(plan["origin"])), 2)
-    np.testing.assert_array_equal(rows_of(found), rows_of(expected))
+    result, plan = tiled(files, steps, tmp_path / "job", size=30.0)
+    expected = brighter(read_cloud(files, np.array(plan["origin"])), 2)
+    np.testing.assert_array_equal(rows_of(result), rows_of(expected))
 
 
-def test_an_area_is_done_alone(files, tmp_path):
+def test_only_the_given_area_is_computed(files, tmp_path):
     low = CORNER[:2] + 12
     only = [*low, *(low + 2)]
-    found, plan = tiled(files, CHAINS["radius outliers"], tmp_path / "job", size=10.0, only=only)
-    expected = in_memory(whole_cloud(files, np.array(plan["origin"])), CHAINS["radius outliers"], None)
+    result, plan = tiled(files, CHAINS["radius outliers"], tmp_path / "job", size=10.0, only=only)
+    expected = in_memory(read_cloud(files, np.array(plan["origin"])), CHAINS["radius outliers"], None)
     offsets = (expected.points - CORNER)[:, :2]
     mask = ((offsets > 9.999) & (offsets < 19.999)).all(axis=1)
-    np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+    np.testing.assert_array_equal(rows_of(result), rows_of(expected.select_by_mask(mask)))
 
 
 def strips(folder):
-    """The survey as four files side by side."""
-    cloud = whole_cloud(survey(folder), CORNER)
+    """Write the survey as four adjacent files."""
+    cloud = read_cloud(survey(folder), CORNER)
     strip = ((cloud.points[:, 0] - CORNER[0]) // (SIDE / 4)).clip(0, 3)
     paths = [folder / f"strip{number}.laz" for number in range(4)]
     for number, path in enumerate(paths):
@@ -138,33 +138,33 @@ def strips(folder):
     return paths
 
 
-def laid(job):
+def sorted_sources(job):
     with Manifest(job) as manifest:
         return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", UNSORTED)]
 
 
-def test_files_that_are_far_from_the_area_are_not_laid(tmp_path):
+def test_files_far_from_the_area_are_not_sorted_into_tiles(tmp_path):
     files = strips(tmp_path)
     low = CORNER[:2] + 2
     steps = CHAINS["radius outliers"]
-    found, plan = tiled(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
-    assert laid(tmp_path / "job") == [0, 1]
-    expected = in_memory(whole_cloud(files, np.array(plan["origin"])), steps, None)
+    result, plan = tiled(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
+    assert sorted_sources(tmp_path / "job") == [0, 1]
+    expected = in_memory(read_cloud(files, np.array(plan["origin"])), steps, None)
     mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
-    np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+    np.testing.assert_array_equal(rows_of(result), rows_of(expected.select_by_mask(mask)))
 
 
 @pytest.mark.slow
-def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch, two_workers):
+def test_a_source_file_is_sorted_into_tiles_on_demand(tmp_path, monkeypatch, two_workers):
     files = strips(tmp_path)
     steps = [{"step": "estimate_normals", "max_nn": 12}]
     low = CORNER[:2] + 2
     with monkeypatch.context() as patch:
         patch.setattr(plan_module, "far_files", lambda *_: {1, 2, 3})
         loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
-    assert laid(tmp_path / "job") == [0]
+    assert sorted_sources(tmp_path / "job") == [0]
     assert loom.tiling.run_tiles(tmp_path / "job", scheduler=two_workers).is_finished
-    assert laid(tmp_path / "job") == [0, 1]
-    expected = in_memory(whole_cloud(files, np.array(plan_of(tmp_path / "job")["origin"])), steps, None)
+    assert sorted_sources(tmp_path / "job") == [0, 1]
+    expected = in_memory(read_cloud(files, np.array(plan_of(tmp_path / "job")["origin"])), steps, None)
     mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
     np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), rows_of(expected.select_by_mask(mask)))

@@ -1,4 +1,4 @@
-"""A queue of sequences makes of each what the system makes of it alone; those that fail are named."""
+"""A queue of sequences gives the results of single runs; sequences that fail are named."""
 
 import contextlib
 import shutil
@@ -20,9 +20,9 @@ CONFIG = loom.reconstruction.ReconstructionConfig(**SIZES)
 
 
 @pytest.fixture(scope="module")
-def walks(tmp_path_factory):
-    """Folders of two walks, the second of which cannot be read."""
-    folder = tmp_path_factory.mktemp("walks")
+def sequences(tmp_path_factory):
+    """Folders of two sequences."""
+    folder = tmp_path_factory.mktemp("sequences")
     write_room_sequence(folder / "kitchen", frame_count=6, width=80, height=60)
     (folder / "upstairs").mkdir()
     write_room_sequence(folder / "upstairs" / "kitchen", frame_count=4, width=80, height=60, seed=3)
@@ -30,25 +30,27 @@ def walks(tmp_path_factory):
 
 
 @pytest.fixture
-def broken(walks, tmp_path):
-    copies = [Path(shutil.copytree(walk, tmp_path / name)) for walk, name in zip(walks, ("a", "b"), strict=True)]
+def broken(sequences, tmp_path):
+    copies = [
+        Path(shutil.copytree(folder, tmp_path / name)) for folder, name in zip(sequences, ("a", "b"), strict=True)
+    ]
     (copies[1] / "camera-intrinsics.json").write_text("{")
     return copies
 
 
-def test_a_sequence_is_what_the_system_makes_of_it_alone(walks, tmp_path):
-    assert plan_sequences(walks[1:], tmp_path / "job", config=CONFIG).waiting == 1
+def test_a_sequence_gives_the_files_of_a_single_run(sequences, tmp_path):
+    assert plan_sequences(sequences[1:], tmp_path / "job", config=CONFIG).waiting == 1
     status = loom.tiling.run_job(tmp_path / "job")
     assert status.is_finished, status
-    alone = loom.reconstruction.run_system(loom.open_frames(walks[1]), CONFIG, tmp_path / "alone")
+    alone = loom.reconstruction.run_system(loom.open_frames(sequences[1]), CONFIG, tmp_path / "alone")
     for path in alone.files:
-        made = tmp_path / "job" / "sequences" / "kitchen" / Path(path).relative_to(tmp_path / "alone")
-        assert made.read_bytes() == Path(path).read_bytes()
+        output = tmp_path / "job" / "sequences" / "kitchen" / Path(path).relative_to(tmp_path / "alone")
+        assert output.read_bytes() == Path(path).read_bytes()
     assert alone.files
 
 
 @pytest.mark.slow
-def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, monkeypatch):
+def test_an_unreadable_sequence_fails_alone_and_can_be_replaced(broken, tmp_path, monkeypatch):
     job, started = tmp_path / "job", []
     run_system = run_jobs.run_system
     monkeypatch.setattr(
@@ -69,9 +71,9 @@ def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, mon
 
 
 @pytest.mark.slow
-def test_an_interrupted_sequence_goes_on_where_it_was(walks, tmp_path, monkeypatch):
+def test_an_interrupted_sequence_is_resumed(sequences, tmp_path, monkeypatch):
     job = tmp_path / "job"
-    plan_sequences(walks[:1], job, config=CONFIG)
+    plan_sequences(sequences[:1], job, config=CONFIG)
 
     def stop(stage, done, total):
         if stage == "integrate":
@@ -79,19 +81,23 @@ def test_an_interrupted_sequence_goes_on_where_it_was(walks, tmp_path, monkeypat
 
     run_system = run_jobs.run_system
     monkeypatch.setattr(run_jobs, "run_system", lambda *args, **how: run_system(*args, **how, progress=stop))
-    made = job / "sequences" / "kitchen"
+    output = job / "sequences" / "kitchen"
     with pytest.raises(KeyboardInterrupt):
         loom.tiling.run_job(job)
     assert job_status(job).waiting == 1
-    before = {path: path.stat().st_mtime_ns for path in made.rglob("*.ply")}
+    before = {path: path.stat().st_mtime_ns for path in output.rglob("*.ply")}
     assert before
     monkeypatch.setattr(run_jobs, "run_system", run_system)
     assert loom.tiling.run_job(job).is_finished
     assert all(path.stat().st_mtime_ns == time for path, time in before.items())
 
 
-def test_what_is_no_queue_is_refused(walks, tmp_path):
-    cases = [([], "one folder"), ([walks[0], walks[0]], "kitchen"), ([walks[0], tmp_path / "nowhere"], "nowhere")]
+def test_invalid_queues_are_rejected(sequences, tmp_path):
+    cases = [
+        ([], "one folder"),
+        ([sequences[0], sequences[0]], "kitchen"),
+        ([sequences[0], tmp_path / "nowhere"], "nowhere"),
+    ]
     for folders, expected in cases:
         with pytest.raises((ValueError, FileError), match=expected):
             plan_sequences(folders, tmp_path / "job")
@@ -99,16 +105,16 @@ def test_what_is_no_queue_is_refused(walks, tmp_path):
 
 
 @pytest.mark.slow
-def test_workers_share_the_queue(walks, tmp_path):
-    plan_sequences(walks, tmp_path / "job", config=CONFIG)
+def test_workers_share_the_queue(sequences, tmp_path):
+    plan_sequences(sequences, tmp_path / "job", config=CONFIG)
     assert loom.tiling.run_job(tmp_path / "job", workers=2).is_finished
     assert np.all([(tmp_path / "job" / "sequences" / name).is_dir() for name in ("kitchen", "kitchen_2")])
 
 
 @pytest.mark.parametrize("name", ["../../outside", "/tmp/outside", "..", "a/b", "a\0b"])
-def test_the_name_of_a_task_is_no_path(walks, tmp_path, name):
+def test_task_names_cannot_be_paths(sequences, tmp_path, name):
     job = tmp_path / "job"
-    plan_sequences(walks[1:], job, config=CONFIG)
+    plan_sequences(sequences[1:], job, config=CONFIG)
     with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
         base.execute("UPDATE tasks SET name = ?", (name,))
     status = loom.tiling.run_job(job)

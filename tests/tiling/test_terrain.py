@@ -1,4 +1,4 @@
-"""Ground, heights above it and rasters of tiles are those of one machine, whatever the tiles' size."""
+"""Ground, heights above ground and rasters of tiles match a single machine for any tile size."""
 
 from __future__ import annotations
 
@@ -13,24 +13,26 @@ from pointloom.io.table import PointTable
 from pointloom.tiling.manifest import Manifest
 
 CORNER = np.array([500_000.0, 4_000_000.0, 100.0])
-WIDE = np.array([180.0, 130.0])
-GROUND = {"step": "classify_ground", "cell_size": 1.0, "max_window": 3.0}  # reaches 63 m
+EXTENT = np.array([180.0, 130.0])
+GROUND = {"step": "classify_ground", "cell_size": 1.0, "max_window": 3.0}  # has a radius of 63 m
 ABOVE = {"step": "height_above_ground", "reach": 9.0}
 
 
 def hills(seed=0, count=15_000):
-    """A hilly ground with houses, trees, a pond without points, strays below, and points on borders and corners."""
+    """Hilly ground with houses, trees, a pond without points, outliers below, and points on tile borders."""
     rng = np.random.default_rng(seed)
-    places = rng.random((count, 2)) * WIDE
-    places[:600] = rng.integers(0, 7, (600, 2)) * [30.0, 20.0]
-    x, y = places.T
+    positions = rng.random((count, 2)) * EXTENT
+    positions[:600] = rng.integers(0, 7, (600, 2)) * [30.0, 20.0]
+    x, y = positions.T
     height = 4 * np.sin(x / 25) + 3 * np.cos(y / 19)
-    house = (x % 40 < 5) & (y % 30 < 5)
-    height += np.where(house, 6.0, 0.03 * rng.normal(size=count)) + (rng.random(count) < 0.1) * rng.random(count) * 9
+    is_building = (x % 40 < 5) & (y % 30 < 5)
+    height += (
+        np.where(is_building, 6.0, 0.03 * rng.normal(size=count)) + (rng.random(count) < 0.1) * rng.random(count) * 9
+    )
     height[::501] -= 12
-    pond = np.hypot(x - 110, y - 70) < 12
-    points = np.column_stack([places, np.round(height, 3)])[~pond] + CORNER
-    points[0], points[1] = CORNER, CORNER + np.array([*WIDE, 0])
+    is_pond = np.hypot(x - 110, y - 70) < 12
+    points = np.column_stack([positions, np.round(height, 3)])[~is_pond] + CORNER
+    points[0], points[1] = CORNER, CORNER + np.array([*EXTENT, 0])
     return points
 
 
@@ -40,27 +42,27 @@ def files(tmp_path_factory):
     rng = np.random.default_rng(1)
     paths = []
     for number, rows in enumerate(np.array_split(rng.permutation(len(points)), 2)):
-        here = points[rows]
-        table = PointTable(here, attributes={
-            "intensity": rng.integers(0, 60000, len(here)).astype(np.uint16),
-            "return_number": rng.integers(1, 4, len(here)).astype(np.uint8),
-            "number_of_returns": np.full(len(here), 3, np.uint8),
-            "classification": np.where(rng.random(len(here)) < 0.02, 7, 0).astype(np.uint8),
+        file_points = points[rows]
+        table = PointTable(file_points, attributes={
+            "intensity": rng.integers(0, 60000, len(file_points)).astype(np.uint16),
+            "return_number": rng.integers(1, 4, len(file_points)).astype(np.uint8),
+            "number_of_returns": np.full(len(file_points), 3, np.uint8),
+            "classification": np.where(rng.random(len(file_points)) < 0.02, 7, 0).astype(np.uint8),
         })  # fmt: skip
         paths.append(folder / f"hills{number}.laz")
         write_las(paths[-1], table, scale=1e-3, offset=CORNER)
     return paths
 
 
-def whole(paths, plan):
+def complete_cloud(paths, plan):
     tables = [read_las(path) for path in paths]
     names = tables[0].attributes
     attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in names}
     return loom.PointCloud(np.concatenate([table.points for table in tables]), origin=plan["origin"], **attributes)
 
 
-def classified(cloud, **how):
-    ground = loom.classify_ground(cloud, cell_size=1.0, max_window=3.0, corner=(0, 0), **how)
+def classified(cloud, **options):
+    ground = loom.classify_ground(cloud, cell_size=1.0, max_window=3.0, corner=(0, 0), **options)
     cloud = cloud.copy()
     before = np.asarray(cloud["classification"])
     cloud["classification"] = np.where(ground, 2, np.where(before == 0, 1, before)).astype(np.uint8)
@@ -75,8 +77,8 @@ def rows_of(cloud, *names):
     return rows[np.lexsort(rows.T)]
 
 
-def run(paths, steps, folder, **how):
-    loom.tiling.plan_tiles(paths, steps, folder, **how)
+def run(paths, steps, folder, **options):
+    loom.tiling.plan_tiles(paths, steps, folder, **options)
     status = loom.tiling.run_tiles(folder)
     assert status.is_finished, status
     result = loom.tiling.finish_tiles(folder)
@@ -85,9 +87,9 @@ def run(paths, steps, folder, **how):
 
 
 @pytest.mark.parametrize("size", [60.0, pytest.param(61.3, marks=pytest.mark.slow)])
-def test_tiles_of_any_size_have_the_ground_and_heights_of_one_machine(files, tmp_path, size):
+def test_ground_and_heights_match_one_machine_for_any_tile_size(files, tmp_path, size):
     result, plan = run(files, [GROUND, ABOVE], tmp_path / "job", size=size)
-    cloud = classified(whole(files, plan))
+    cloud = classified(complete_cloud(files, plan))
     cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9.0)
     labels = np.asarray(cloud["classification"])
     assert 0.5 < (labels == 2).mean() < 0.95
@@ -108,13 +110,13 @@ RASTERS = [
 
 @pytest.mark.slow
 @pytest.mark.parametrize("size", [61.3, 400.0])
-def test_the_mosaic_of_tiles_is_the_raster_of_one_machine(files, tmp_path, size):
+def test_the_mosaic_of_tiles_matches_one_machine(files, tmp_path, size):
     rasterio = pytest.importorskip("rasterio")
     _, plan = run(files, [GROUND, *RASTERS], tmp_path / "job", size=size)
-    cloud = classified(whole(files, plan))
+    cloud = classified(complete_cloud(files, plan))
     for step in RASTERS:
-        told = {key: value for key, value in step.items() if key not in ("step", "fill")}
-        raster = loom.rasterize(cloud, **told)
+        options = {key: value for key, value in step.items() if key not in ("step", "fill")}
+        raster = loom.rasterize(cloud, **options)
         if "fill" in step:
             raster = raster.fill_gaps(step["fill"])
             assert raster.filled.any() and np.isnan(raster.values).any()
@@ -131,16 +133,16 @@ def test_an_area_has_the_cells_of_its_tiles(files, tmp_path):
     steps = [{"step": "rasterize", "cell": 1.5, "kind": "lowest"}]
     low = CORNER[:2] + 70
     _, plan = run(files, steps, tmp_path / "job", size=30.0, only=[*low, *(low + 40)])
-    raster = loom.rasterize(whole(files, plan), 1.5, "lowest")
+    raster = loom.rasterize(complete_cloud(files, plan), 1.5, "lowest")
     with rasterio.open(tmp_path / "job" / "result.lowest.tif") as file:
-        found, bounds = file.read(1, masked=True).filled(np.nan), file.bounds
-    assert found.shape == (40, 40)
+        values, bounds = file.read(1, masked=True).filled(np.nan), file.bounds
+    assert values.shape == (40, 40)
     row, column = round((raster.bounds[3] - bounds.top) / 1.5), round((bounds.left - raster.bounds[0]) / 1.5)
-    np.testing.assert_array_equal(found, raster.values[row : row + 40, column : column + 40])
+    np.testing.assert_array_equal(values, raster.values[row : row + 40, column : column + 40])
 
 
 @pytest.mark.slow
-def test_a_job_that_leaves_no_point_has_its_rasters(files, tmp_path):
+def test_a_job_without_remaining_points_writes_its_rasters(files, tmp_path):
     rasterio = pytest.importorskip("rasterio")
     away = {"step": "crop", "min_bound": (CORNER - 50).tolist(), "max_bound": (CORNER - 40).tolist()}
     steps = [RASTERS[5] | {"fill": None}, RASTERS[3]]
@@ -177,7 +179,7 @@ def test_large_mosaics_have_overviews_in_the_order_of_the_cloud(files, tmp_path)
     step = {"step": "rasterize", "cell": 0.1, "kind": "density"}
     rasters, plan = run(files, [step], tmp_path / "job", size=60.0)
     path = rasters.with_name("result.density.tif")
-    full = loom.rasterize(whole(files, plan), 0.1, "density").values
+    full = loom.rasterize(complete_cloud(files, plan), 0.1, "density").values
     with rasterio.open(path) as file:
         assert file.tags(ns="IMAGE_STRUCTURE")["LAYOUT"] == "COG"
         assert file.overviews(1) == file.overviews(2) == [2, 4, 8]
@@ -190,24 +192,24 @@ def test_large_mosaics_have_overviews_in_the_order_of_the_cloud(files, tmp_path)
     assert not [*path.parent.glob(".*.part")]
 
 
-def test_a_tile_without_points_has_the_ground_that_is_near(tmp_path):
+def test_a_tile_without_points_has_the_ground_nearby(tmp_path):
     rasterio = pytest.importorskip("rasterio")
-    places = np.random.default_rng(0).random((4000, 2)) * [90, 30]
-    places = places[(places[:, 0] < 29) | (places[:, 0] > 61)]
-    classes = np.full(len(places), 2, np.uint8)
-    table = PointTable(np.column_stack([places, places[:, 0]]), attributes={"classification": classes})
+    positions = np.random.default_rng(0).random((4000, 2)) * [90, 30]
+    positions = positions[(positions[:, 0] < 29) | (positions[:, 0] > 61)]
+    classes = np.full(len(positions), 2, np.uint8)
+    table = PointTable(np.column_stack([positions, positions[:, 0]]), attributes={"classification": classes})
     write_las(tmp_path / "gap.laz", table, scale=1e-3)
     step = {"step": "rasterize", "cell": 1.0, "reach": 8.0}
     _, plan = run([tmp_path / "gap.laz"], [step], tmp_path / "job", size=30.0)
-    raster = loom.rasterize(whole([tmp_path / "gap.laz"], plan), 1.0, reach=8.0)
+    raster = loom.rasterize(complete_cloud([tmp_path / "gap.laz"], plan), 1.0, reach=8.0)
     with rasterio.open(tmp_path / "job" / "result.dtm.tif") as file:
-        found = file.read(1)
+        values = file.read(1)
     assert np.isfinite(raster.values[:, 30:36]).all() and np.isnan(raster.values[:, 40:50]).all()
-    np.testing.assert_array_equal(found, np.where(np.isfinite(raster.values), raster.values, np.float32(-9999)))
+    np.testing.assert_array_equal(values, np.where(np.isfinite(raster.values), raster.values, np.float32(-9999)))
 
 
 @pytest.mark.parametrize(
-    ("step", "said"),
+    ("step", "message"),
     [
         ({"kind": "dem"}, "kind: expected 'dtm'"),
         ({"method": "tin"}, "any distance"),
@@ -218,12 +220,12 @@ def test_a_tile_without_points_has_the_ground_that_is_near(tmp_path):
         ({"fill": 0}, "fill"),
     ],
 )
-def test_a_raster_that_cannot_be_is_refused_before_anything_runs(files, tmp_path, step, said):
-    with pytest.raises(ValueError, match=said):
+def test_invalid_rasters_are_rejected_before_the_run(files, tmp_path, step, message):
+    with pytest.raises(ValueError, match=message):
         loom.tiling.plan_tiles(files, [{"step": "rasterize", "cell": 1.0} | step], tmp_path / "job")
 
 
-def test_two_rasters_of_one_name_are_refused(files, tmp_path):
+def test_rasters_of_the_same_name_are_rejected(files, tmp_path):
     steps = [{"step": "rasterize", "cell": 1.0}, {"step": "rasterize", "cell": 2.0}]
     with pytest.raises(ValueError, match=r"^steps:"):
         loom.tiling.plan_tiles(files, steps, tmp_path / "job")
@@ -232,7 +234,7 @@ def test_two_rasters_of_one_name_are_refused(files, tmp_path):
 @pytest.mark.slow
 @pytest.mark.parametrize("size", [70.0, 95.3, 1000.0])
 @pytest.mark.parametrize("name", ["lidar-pcl-terrain/samp11-utm.pcd", "lidar-pdal/laz/autzen_trim.laz"])
-def test_real_surveys_are_the_same_by_tiles(scan_file, tmp_path, name, size):
+def test_real_surveys_match_one_machine(scan_file, tmp_path, name, size):
     rasterio = pytest.importorskip("rasterio")
     path, scale = scan_file(name), 3.28 if "pdal" in name else 1.0  # feet
     if path.suffix == ".pcd":
@@ -241,13 +243,13 @@ def test_real_surveys_are_the_same_by_tiles(scan_file, tmp_path, name, size):
         write_las(
             path, PointTable(cloud.points, attributes={"classification": np.zeros(len(cloud), np.uint8)}), scale=1e-3
         )
-    told = {"cell_size": scale, "max_window": 6 * scale, "elevation_threshold": 0.5 * scale, "scaling": 1.25 * scale}
-    steps = [{"step": "classify_ground"} | told, {"step": "height_above_ground", "reach": 9 * scale, "cell": scale}]
+    options = {"cell_size": scale, "max_window": 6 * scale, "elevation_threshold": 0.5 * scale, "scaling": 1.25 * scale}
+    steps = [{"step": "classify_ground"} | options, {"step": "height_above_ground", "reach": 9 * scale, "cell": scale}]
     kinds = {"dtm": 2.0 * scale, "chm": 3.0 * scale, "density": 5.0}
     steps += [{"step": "rasterize", "cell": cell, "kind": kind, "reach": 9 * scale} for kind, cell in kinds.items()]
     result, plan = run([path], steps, tmp_path / "job", size=size * scale)
-    cloud = whole([path], plan)
-    ground = loom.classify_ground(cloud, **told, corner=(0, 0))
+    cloud = complete_cloud([path], plan)
+    ground = loom.classify_ground(cloud, **options, corner=(0, 0))
     cloud["classification"] = np.where(ground, 2, 1).astype(np.uint8)
     cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9 * scale, cell=scale)
     names = ("classification", "height_above_ground")

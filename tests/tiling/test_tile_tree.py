@@ -1,4 +1,4 @@
-"""COPC from tiles on disk: the octree of one machine, whatever is held at once; faults are named and leave no file."""
+"""COPC from tiles on disk: the octree computed in memory, for any memory limit; errors leave no file."""
 
 from contextlib import nullcontext
 
@@ -22,8 +22,8 @@ from .scenes import CORNER, survey
 KEEP = [{"step": "crop", "min_bound": (CORNER - 10).tolist(), "max_bound": (CORNER + 1e4).tolist()}]
 
 
-def job_of(cloud, folder, size, **how):
-    """A finished job that keeps all points."""
+def job_of(cloud, folder, size, **options):
+    """A completed run that keeps all points."""
     loom.write_point_cloud(folder / "cloud.laz", cloud, scale=0.001)
     loom.tiling.plan_tiles(folder / "cloud.laz", KEEP, folder / "job", size=size)
     assert loom.tiling.run_tiles(folder / "job").is_finished
@@ -31,7 +31,7 @@ def job_of(cloud, folder, size, **how):
 
 
 def dense_in_a_corner(count=15_000):
-    """A surface so dense in one corner that points share the voxels of the coarsest level."""
+    """A surface so dense in one corner that points share voxels of the coarsest level."""
     rng = np.random.default_rng(7)
     xy = rng.random((count, 2)) ** 6 * 40
     points = np.column_stack([xy, np.sin(xy[:, 0]) + 0.01 * rng.normal(size=count)]) + CORNER
@@ -39,7 +39,7 @@ def dense_in_a_corner(count=15_000):
 
 
 def in_memory(job, path):
-    """The COPC file that one machine makes of the merged points."""
+    """Write the merged points to a COPC file in memory."""
     merged = loom.tiling.finish_tiles(job, path.with_name("merged.laz"))
     header = open_las(merged).header
     write_copc(path, read_las(merged), scale=header.scales, offset=header.offsets, like=header)
@@ -51,25 +51,25 @@ def job(tmp_path_factory):
     return job_of(dense_in_a_corner(), tmp_path_factory.mktemp("dense"), 9.0)
 
 
-def test_what_is_held_at_once_gives_the_bytes_of_the_file_made_in_memory(job, tmp_path):
-    found = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
-    assert found.read_bytes() == in_memory(job, tmp_path / "b.copc.laz").read_bytes()
+def test_the_file_is_bitwise_identical_to_the_one_made_in_memory(job, tmp_path):
+    result = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    assert result.read_bytes() == in_memory(job, tmp_path / "b.copc.laz").read_bytes()
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("most", [9000, 2000])
-def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job, tmp_path, monkeypatch, most):
-    monkeypatch.setattr(tile_tree, "MAX_POINTS", most)
+@pytest.mark.parametrize("max_points", [9000, 2000])
+def test_sequential_cells_give_the_nodes_of_the_file_made_in_memory(job, tmp_path, monkeypatch, max_points):
+    monkeypatch.setattr(tile_tree, "MAX_POINTS", max_points)
     monkeypatch.setattr(tile_tree, "MIN_POINTS", 200)
     monkeypatch.setattr("pointloom.io.points.copc_writer._MIN_NODE_POINTS", 200)
     monkeypatch.setattr(tile_tree, "_CACHE_BYTES", 1)
-    found = open_copc(loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz"))
-    wanted = open_copc(in_memory(job, tmp_path / "b.copc.laz"))
-    assert wanted.nodes["level"].max() >= 4
+    result = open_copc(loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz"))
+    expected = open_copc(in_memory(job, tmp_path / "b.copc.laz"))
+    assert expected.nodes["level"].max() >= 4
     names = ["level", "cell", "count"]
-    np.testing.assert_array_equal(found.nodes[names], wanted.nodes[names])
-    for k in range(len(found.nodes)):
-        assert found.unpack(np.array([k])) == wanted.unpack(np.array([k]))
+    np.testing.assert_array_equal(result.nodes[names], expected.nodes[names])
+    for k in range(len(result.nodes)):
+        assert result.unpack(np.array([k])) == expected.unpack(np.array([k]))
 
 
 @pytest.mark.slow
@@ -80,14 +80,14 @@ def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job,
     paths, counts = zip(*((path, open_las(path).header.point_count) for path in (job / "tiles").iterdir()), strict=True)
     tree = tile_tree.TileTree([*paths], [*counts], lambda *_: None)
     assert max(leaf.depth for leaf in tree.leaves) > 7
-    seen: dict[int, list] = {}
+    levels: dict[int, list] = {}
     for node in tree.nodes():
-        seen.setdefault(node.level, []).append(tree.positions(node.rows))
+        levels.setdefault(node.level, []).append(tree.positions(node.rows))
         low = tree.corner + np.array(node.cell) * tree.side / 2**node.level
-        assert (seen[node.level][-1] >= low - 1e-9).all()
-        assert (seen[node.level][-1] <= low + tree.side / 2**node.level + 1e-9).all()
-    coarse = np.concatenate(seen[0])
-    everything = np.concatenate([points for held in seen.values() for points in held])
+        assert (levels[node.level][-1] >= low - 1e-9).all()
+        assert (levels[node.level][-1] <= low + tree.side / 2**node.level + 1e-9).all()
+    coarse = np.concatenate(levels[0])
+    everything = np.concatenate([points for level_points in levels.values() for points in level_points])
     cells, every = (
         np.unique(np.minimum((points - tree.corner) // (tree.side / 128), 127), axis=0)
         for points in (coarse, everything)
@@ -95,7 +95,7 @@ def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job,
     assert len(coarse) == len(cells) == len(every) and len(everything) == sum(counts)
 
 
-def test_laspy_reads_it_whole_and_by_window(job, tmp_path, monkeypatch):
+def test_laspy_reads_all_points_and_windows(job, tmp_path, monkeypatch):
     monkeypatch.setattr(tile_tree, "MAX_POINTS", 4000)
     path = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
     stored = read_las(path).points
@@ -113,7 +113,7 @@ def rank_kernel(numbers: array(dtype=int32), ranks: array(dtype=int32)):
 
 
 @pytest.mark.slow
-def test_priorities_are_those_of_the_kernel():
+def test_priorities_match_the_kernel():
     numbers = np.array([0, 1, 7, 2**31 - 1, 2**31, 2**32 + 5, 3_000_000_000, 9_876_543_210])
     ranks = empty(len(numbers), int32, "cpu")
     launch(rank_kernel, len(numbers), [upload(numbers.astype(np.int32), int32, "cpu"), ranks])
@@ -123,9 +123,9 @@ def test_priorities_are_those_of_the_kernel():
 @pytest.mark.parametrize(
     "points",
     [np.tile(CORNER, (500, 1)), CORNER + np.arange(500)[:, None] * np.array([0.05, 0, 0]), CORNER[None]],
-    ids=["one place", "a line", "one point"],
+    ids=["coincident", "a line", "one point"],
 )
-def test_points_in_one_place_and_on_a_line(tmp_path, points):
+def test_coincident_and_collinear_points(tmp_path, points):
     job = job_of(loom.PointCloud(points), tmp_path, 7.0)
     path = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
     np.testing.assert_array_equal(
@@ -133,7 +133,7 @@ def test_points_in_one_place_and_on_a_line(tmp_path, points):
     )
 
 
-def test_more_points_in_one_place_than_can_be_held_are_an_error(tmp_path, monkeypatch):
+def test_too_many_coincident_points_are_an_error(tmp_path, monkeypatch):
     monkeypatch.setattr(tile_tree, "MAX_POINTS", 100)
     job = job_of(loom.PointCloud(np.tile(CORNER, (500, 1))), tmp_path, 7.0)
     with pytest.raises(FileError, match=r"/tiles:.*500.*voxel_down_sample"):
@@ -166,7 +166,7 @@ def test_a_full_disk_leaves_no_file(job, tmp_path, monkeypatch):
     assert not [*tmp_path.iterdir()]
 
 
-def test_a_target_that_is_not_to_be_replaced_is_refused_at_once(job, tmp_path):
+def test_an_existing_target_is_rejected_first_without_overwrite(job, tmp_path):
     (tmp_path / "a.copc.laz").write_bytes(b"mine")
     with pytest.raises(FileError, match="exists already"):
         loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz", overwrite=False)
@@ -190,13 +190,13 @@ def test_tiles_keep_missing_values_apart_and_the_records_of_a_single_file(tmp_pa
         loom.tiling.plan_tiles([tmp_path / f"{k}.las" for k in range(count)], [], tmp_path / "job", size=10.0)
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished
     for name in ("a.laz", "a.copc.laz"):
-        found = laspy.read(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / name))
-        assert np.isnan(found["height"]).sum() == 100 * count
-        (record,) = found.vlrs.get("ExtraBytesVlr")[0].extra_bytes_structs
+        result = laspy.read(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / name))
+        assert np.isnan(result["height"]).sum() == 100 * count
+        (record,) = result.vlrs.get("ExtraBytesVlr")[0].extra_bytes_structs
         assert (record.min, record.max, record.description) == (1.01, 1 + 2.99, b"above ground")
-        assert bool(found.vlrs.get_by_id("mine")) == (found.header.file_source_id == 9) == (count == 1)
+        assert bool(result.vlrs.get_by_id("mine")) == (result.header.file_source_id == 9) == (count == 1)
 
 
-def test_outputs_that_there_are_not_are_refused(tmp_path):
+def test_unknown_outputs_are_rejected(tmp_path):
     with pytest.raises(ValueError, match=r"^output:"):
         loom.tiling.finish_tiles(tmp_path, tmp_path / "x", output="ept")

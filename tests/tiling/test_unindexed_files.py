@@ -1,4 +1,4 @@
-"""Tiles of files that are no LAS: the points of each format, held to their rules, in bounded memory."""
+"""Tiles of files other than LAS: points and errors of each format, in bounded memory."""
 
 import json
 
@@ -33,7 +33,7 @@ def rows(cloud):
 
 
 def write(cloud, path):
-    """As the format of the name has it."""
+    """Write a cloud in the format of the extension."""
     if path.suffix == ".csv":
         table = np.column_stack([cloud.points, np.round(cloud.colors * 255), cloud["intensity"]])
         body = "\n".join(",".join(f"{v:.3f}" if k < 3 else f"{v:.0f}" for k, v in enumerate(row)) for row in table)
@@ -46,7 +46,7 @@ def write(cloud, path):
 
 @pytest.fixture(scope="module")
 def of_las(tmp_path_factory):
-    """The same steps on the points as LAS."""
+    """Result of the same steps on a LAS file."""
     folder = tmp_path_factory.mktemp("las")
     write(cloud(), folder / "a.laz")
     loom.tiling.plan_tiles(folder / "a.laz", STEPS, folder / "job", size=20.0)
@@ -58,7 +58,7 @@ SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in ("a.pcd", "a.pts"
 
 
 @pytest.mark.parametrize("name", ["a.ply", "a.csv", *SLOW])
-def test_points_of_every_format_are_those_of_las(tmp_path, name, monkeypatch, of_las):
+def test_points_of_every_format_match_las(tmp_path, name, monkeypatch, of_las):
     monkeypatch.setattr(text_parts, "BLOCK", 10_000)
     monkeypatch.setattr(unindexed_files, "ROWS", 1500)
     path, job = tmp_path / name, tmp_path / "job"
@@ -66,17 +66,17 @@ def test_points_of_every_format_are_those_of_las(tmp_path, name, monkeypatch, of
     loom.tiling.plan_tiles(path, STEPS, job, size=20.0)
     assert loom.tiling.run_tiles(job).is_finished
     assert loom.tiling.plan_tiles(path, STEPS, job, size=20.0).is_finished  # the same plan
-    found = loom.read_point_cloud(loom.tiling.finish_tiles(job))
-    np.testing.assert_array_equal(rows(found), rows(of_las))
-    assert len(found) > 3500
+    result = loom.read_point_cloud(loom.tiling.finish_tiles(job))
+    np.testing.assert_array_equal(rows(result), rows(of_las))
+    assert len(result) > 3500
     if name != "a.xyzrgb":
-        np.testing.assert_array_equal(np.sort(found["intensity"]), np.sort(of_las["intensity"]))
+        np.testing.assert_array_equal(np.sort(result["intensity"]), np.sort(of_las["intensity"]))
     with pytest.raises(loom.FileError, match="has changed since"):
         path.write_bytes(path.read_bytes() + b"\n")
         loom.tiling.run_tiles(job)
 
 
-def test_text_in_parts_is_text_read_whole(tmp_path, monkeypatch):
+def test_text_read_in_parts_matches_text_read_at_once(tmp_path, monkeypatch):
     for block in (64, 1000, 1 << 20):
         monkeypatch.setattr(text_parts, "BLOCK", block)
         for name, body in [
@@ -89,14 +89,14 @@ def test_text_in_parts_is_text_read_whole(tmp_path, monkeypatch):
         ]:
             path = tmp_path / name
             path.write_bytes(body.encode())
-            whole, parts = READERS[path.suffix](path), [*TextInParts(path).parts(7)]
+            complete, parts = READERS[path.suffix](path), [*TextInParts(path).parts(7)]
             for field in ("points", "normals", "colors"):
                 values = [getattr(part, field) for part in parts]
-                expected = getattr(whole, field)
+                expected = getattr(complete, field)
                 assert (expected is None) == (values[0] is None)
                 if expected is not None:
                     np.testing.assert_array_equal(np.concatenate(values), expected)
-            for key, values in whole.attributes.items():
+            for key, values in complete.attributes.items():
                 np.testing.assert_array_equal(np.concatenate([part.attributes[key] for part in parts]), values)
 
 
@@ -115,7 +115,7 @@ def test_text_in_parts_is_text_read_whole(tmp_path, monkeypatch):
         ("a.docx", "1 2 3", "expected one of"),
     ],
 )  # fmt: skip
-def test_bad_files_are_named_and_leave_nothing(tmp_path, monkeypatch, name, body, message):
+def test_invalid_files_are_named_and_leave_nothing(tmp_path, monkeypatch, name, body, message):
     monkeypatch.setattr(text_parts, "BLOCK", 64)
     (tmp_path / name).write_text(body)
     with pytest.raises(loom.FileError, match=message):
@@ -123,19 +123,19 @@ def test_bad_files_are_named_and_leave_nothing(tmp_path, monkeypatch, name, body
     assert not (tmp_path / "job").exists() or not [*(tmp_path / "job").iterdir()]
 
 
-def test_values_that_las_has_in_another_range_get_a_name_of_their_own(tmp_path):
+def test_values_out_of_range_for_las_get_another_name(tmp_path):
     points = np.random.default_rng(0).random((500, 3)) * 10
     loom.write_point_cloud(
         tmp_path / "a.ply", loom.PointCloud(points, intensity=points[:, 0], label=np.arange(500, dtype=np.int32))
     )
     loom.tiling.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
     loom.tiling.run_tiles(tmp_path / "job")
-    found = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job"))
-    np.testing.assert_allclose(found["intensity_value"], found.points[:, 0], atol=1e-6)
-    assert set(np.asarray(found["label"]).tolist()) <= set(range(500))
+    result = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job"))
+    np.testing.assert_allclose(result["intensity_value"], result.points[:, 0], atol=1e-6)
+    assert set(np.asarray(result["label"]).tolist()) <= set(range(500))
 
 
-def test_units_that_differ_and_a_plan_cut_short(tmp_path, monkeypatch):
+def test_different_units_and_an_interrupted_plan(tmp_path, monkeypatch):
     points = np.random.default_rng(0).random((50, 3))
     meters = loom.PointCloud(points, unit="m")
     loom.write_point_cloud(tmp_path / "a.ply", meters)
@@ -153,20 +153,20 @@ def test_units_that_differ_and_a_plan_cut_short(tmp_path, monkeypatch):
 def item_of(path):
     """The STAC item of a file."""
     header = open_las(path).header
-    told = {"pc:count": header.point_count, "proj:bbox": np.ravel(header.bounds).tolist()}
-    return {"properties": told, "assets": {"data": {"href": f"./{path.name}", "roles": ["data"]}}}
+    properties = {"pc:count": header.point_count, "proj:bbox": np.ravel(header.bounds).tolist()}
+    return {"properties": properties, "assets": {"data": {"href": f"./{path.name}", "roles": ["data"]}}}
 
 
 @pytest.mark.slow
-def test_an_index_stands_for_its_files(tmp_path):
+def test_an_index_gives_the_points_of_its_files(tmp_path):
     (tmp_path / "made").mkdir()
-    whole = cloud()
-    for k, rows in enumerate(np.array_split(np.arange(len(whole)), 2)):
-        loom.write_point_cloud(tmp_path / "made" / f"{k}.laz", whole.select_by_index(rows))
+    full_cloud = cloud()
+    for k, rows in enumerate(np.array_split(np.arange(len(full_cloud)), 2)):
+        loom.write_point_cloud(tmp_path / "made" / f"{k}.laz", full_cloud.select_by_index(rows))
     items = {"features": [item_of(tmp_path / "made" / f"{k}.laz") for k in range(2)]}
     index = tmp_path / "made" / "index.vpc"
     index.write_text(json.dumps(items))
-    assert loom.tiling.plan_tiles(index, STEPS, tmp_path / "job").points == len(whole)
+    assert loom.tiling.plan_tiles(index, STEPS, tmp_path / "job").points == len(full_cloud)
     assert plan_files(tmp_path / "job") == [str(tmp_path / "made" / f"{k}.laz") for k in range(2)]
     for change, message in [
         (lambda one: one["properties"].update({"pc:count": 7}), "lists 7 points of"),
@@ -194,7 +194,7 @@ def plan_files(folder):
     return [source["path"] for source in plan_of(folder)["sources"]]
 
 
-def test_an_index_may_call_its_points_and_their_files_otherwise(tmp_path):
+def test_an_index_may_use_other_asset_names(tmp_path):
     points = np.random.default_rng(0).random((50, 3))
     loom.write_point_cloud(tmp_path / "a b.laz", loom.PointCloud(points))
     assets = {
@@ -209,7 +209,7 @@ def test_an_index_may_call_its_points_and_their_files_otherwise(tmp_path):
         loom.tiling.plan_tiles(tmp_path / "one.vpc", STEPS, tmp_path / "other")
 
 
-def test_files_that_do_not_go_together_are_named_as_they_were_given_and_leave_nothing(tmp_path):
+def test_incompatible_files_are_named_as_given_and_leave_nothing(tmp_path):
     points = np.random.default_rng(0).random((50, 3))
     loom.write_point_cloud(tmp_path / "a.laz", loom.PointCloud(points))
     loom.write_point_cloud(tmp_path / "b.ply", loom.PointCloud(points, extra=points[:, 0]))
@@ -218,23 +218,23 @@ def test_files_that_do_not_go_together_are_named_as_they_were_given_and_leave_no
     assert not (tmp_path / "job").exists()
 
 
-def test_names_that_las_cannot_have_are_others(tmp_path):
+def test_names_invalid_in_las_are_replaced(tmp_path):
     points = np.random.default_rng(0).random((50, 3))
     columns = {"a" * 33: points[:, 0], "intensity": points[:, 1], "intensity_value": points[:, 2]}
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, **columns))
     loom.tiling.plan_tiles(tmp_path / "a.ply", [], tmp_path / "job")
     loom.tiling.run_tiles(tmp_path / "job")
-    found = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / "a.laz"))
+    result = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / "a.laz"))
     for name, axis in {"a" * 32: 0, "intensity_value_2": 1, "intensity_value": 2}.items():
-        np.testing.assert_allclose(found[name], found.points[:, axis], atol=1e-4)
+        np.testing.assert_allclose(result[name], result.points[:, axis], atol=1e-4)
 
 
-def test_a_made_file_that_is_gone_is_told_before_tiles_are_run(tmp_path):
+def test_a_missing_converted_file_is_reported_before_tiles_are_run(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.random.default_rng(0).random((50, 3))))
     loom.tiling.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
     assert not tile_status(tmp_path / "job").troubles
     (tmp_path / "job" / "sources" / "000000.laz").unlink()
-    (told,) = tile_status(tmp_path / "job").troubles.items()
-    assert told[0].endswith("a.ply") and "was converted from" in told[1]
+    (trouble,) = tile_status(tmp_path / "job").troubles.items()
+    assert trouble[0].endswith("a.ply") and "was converted from" in trouble[1]
     with pytest.raises(loom.FileError, match=r"/000000\.laz:.*a\.ply"):
         loom.tiling.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
