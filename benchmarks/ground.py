@@ -33,12 +33,12 @@ def tiles(folder: Path) -> dict[str, tuple[NDArray[np.float64], NDArray[np.bool_
     """Points and true ground of each tile by name."""
     from pointloom import read_point_cloud
 
-    found = {}
+    tile_paths = {}
     for path in sorted(folder.glob("samp*-utm.pcd")):
         points = read_point_cloud(path).points
         ground = read_point_cloud(path.with_name(f"{path.stem}-ground.pcd")).points
-        found[path.stem.removesuffix("-utm")] = points, np.isin(_rows(points), _rows(ground))
-    return found
+        tile_paths[path.stem.removesuffix("-utm")] = points, np.isin(_rows(points), _rows(ground))
+    return tile_paths
 
 
 def _rows(points: NDArray[np.float64]) -> NDArray[np.void]:
@@ -46,16 +46,16 @@ def _rows(points: NDArray[np.float64]) -> NDArray[np.void]:
     return np.ascontiguousarray(points.astype(np.float32)).view("V12").ravel()
 
 
-def compare(found: NDArray[np.bool_], truth: NDArray[np.bool_]) -> Errors:
+def compare(result: NDArray[np.bool_], truth: NDArray[np.bool_]) -> Errors:
     """The errors of a classification (Sithole and Vosselman 2004, section 4)."""
     count = len(truth)
-    lost, kept = (truth & ~found).sum(), (~truth & found).sum()
-    chance = (truth.sum() * found.sum() + (~truth).sum() * (~found).sum()) / count**2
-    right = 1 - (lost + kept) / count
+    missed, accepted = (truth & ~result).sum(), (~truth & result).sum()
+    chance = (truth.sum() * result.sum() + (~truth).sum() * (~result).sum()) / count**2
+    right = 1 - (missed + accepted) / count
     return Errors(
         objects=100 * (~truth).sum() / count,
         first=100 * lost / truth.sum(),
-        second=100 * kept / (~truth).sum(),
+        second=100 * accepted / (~truth).sum(),
         total=100 * (1 - right),
         kappa=100 * (right - chance) / (1 - chance),
     )
