@@ -54,7 +54,7 @@ def compare(result: NDArray[np.bool_], truth: NDArray[np.bool_]) -> Errors:
     right = 1 - (missed + accepted) / count
     return Errors(
         objects=100 * (~truth).sum() / count,
-        first=100 * lost / truth.sum(),
+        first=100 * missed / truth.sum(),
         second=100 * accepted / (~truth).sum(),
         total=100 * (1 - right),
         kappa=100 * (right - chance) / (1 - chance),
