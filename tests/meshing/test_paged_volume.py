@@ -222,7 +222,7 @@ def test_a_killed_process_leaves_its_last_save(tmp_path, at):
     program = f"""
 import os, signal, sys
 sys.path.insert(0, {str(Path.cwd())!r})
-from tests.meshing.test_paged_volume import frame, paged, walk
+from tests.meshing.test_paged_volume import frame, integrate_frames, paged
 import pointloom.meshing.volume.page_files as files
 written = 0
 def counting(function):
@@ -238,7 +238,7 @@ os.link = counting(os.link)
 files.Path.unlink = counting(files.Path.unlink)
 volume = paged({str(tmp_path / "v")!r}, "cpu")
 for k in range(12):
-    walk(volume, [k])
+    integrate_frames(volume, [k])
     if k % 2:
         volume.save()
         print(k + 1, flush=True)

@@ -96,7 +96,7 @@ def test_a_repetitive_corridor_is_reported_and_targets_fix_it():
     slipped = truth.copy()
     slipped[1][0, 3] += 4.0  # shifted by one door
     result = register_stations(clouds, poses=slipped, voxel_size=0.2)
-    assert "free" in str(result.warnings)
+    assert "not connected" in str(result.warnings)
     assert "apart, their positions" in result.report()
     positions = {"A": [1, 1.4, 0], "B": [9, -1.4, 0.4], "C": [5, -1.4, 0.2]}
     seen = [

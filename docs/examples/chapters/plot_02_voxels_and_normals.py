@@ -48,7 +48,7 @@ with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     print(len(cloud.voxel_down_sample(10.0)), "point is left")
 print(caught[0].category.__name__, "-", caught[0].message)
-assert "voxel_size: 10 m is more than" in str(caught[0].message)
+assert "voxel_size: 10 m exceeds the extent" in str(caught[0].message)
 
 # %%
 # Before and after, seen from behind the camera's shoulder. Before, the points thin out with the distance; after, their
