@@ -1,4 +1,4 @@
-"""Rows of Gauss-Newton systems of the ICP family, and their float64 sums over the correspondences of each job.
+"""Linear systems of ICP: Gauss-Newton rows of the correspondences, and their float64 sums (normal equations) per job.
 
 About the target's origin: p is a posed source point, q its target point, d = p - q; x = (rotation, translation) moves p
 by x_r x p + x_t. Sums: 21 of J^T J, 6 of J^T r, r^2, |d|^2, pairs, p and q.

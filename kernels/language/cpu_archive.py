@@ -60,6 +60,16 @@ def contains(machine_code: str) -> bool:
     return _folder() is not None and Path(machine_code).parent == _folder()
 
 
+def described() -> str:
+    """One line for reports: the code in use, or the reason for none."""
+    path = _folder()
+    if path is not None:
+        return f"{path} (compiled ahead)"
+    if folder() is None:
+        return "compiled at first use: no code was compiled ahead"
+    return f"compiled at first use: {folder()} does not fit this processor, Warp or these sources"
+
+
 def disable() -> None:
     """Compile kernels in this process, for those that compile ahead."""
     global _is_disabled

@@ -20,7 +20,7 @@ from ...core.timing import Clock
 from ...core.wording import format_bytes
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import current_cpu_compiler, vec3
-from ...kernels.language import compiled_ahead, cpu_pool, pool_code
+from ...kernels.language import compiled_ahead, cpu_archive, cpu_pool, pool_code
 from ...kernels.memory import upload
 
 _PACKAGES = ("numpy", "scipy", "warp-lang", "click", "rich", "Pillow")
@@ -93,6 +93,7 @@ class Diagnosis(Report):
     cuda: Cuda
     cpu_compiler: str
     why: str
+    cpu_code: str
     trials: list[Trial]
     warnings: tuple[str, ...]
 
@@ -111,6 +112,7 @@ class Diagnosis(Report):
             ("driver", f"{cuda.installed_driver or 'none'}, needed for GPUs: {cuda.needed_driver or 'not known'}"),
             ("GPU code", cuda.compiled_ahead),
             ("CPU kernels", f"{self.cpu_compiler}: {self.why}"),
+            ("CPU code", self.cpu_code),
             ("trials", "\n".join(str(trial) for trial in self.trials)),
             ("state", "healthy" if not self.warnings else "has problems, see below"),
         ]
@@ -142,6 +144,7 @@ def diagnose() -> Diagnosis:
         ),
         cpu_compiler=chosen,
         why=why,
+        cpu_code=cpu_archive.described(),
         trials=trials,
         warnings=failed(_why_slow(chosen, why, trials), _why_gpu_is_idle(gpus)),
     )
