@@ -46,7 +46,7 @@ def give_back(device: Device) -> int:
 
 
 class _Allocation:
-    """Lock for an allocation; converts Warp's out-of-memory error to MemoryError."""
+    """Lock for an allocation. Converts Warp's out-of-memory error to MemoryError."""
 
     def __init__(self, device: Device | str) -> None:
         self.lock = lock_for(device)

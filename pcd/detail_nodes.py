@@ -1,6 +1,6 @@
 """Nodes of a multi-resolution tree over points with known levels (kernels/sampling/detail_levels.py).
 
-A node contains a cell's points of one level. Few deeper points are merged into it; too many are split.
+A node contains a cell's points of one level. Few deeper points are merged into it. Too many are split.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..kernels.sampling.detail_levels import DEPTH, LEVELS
 
 # Deeper points merged into their parent: this many, or a quarter of its own. An unmerged cell beside it is then at most
-# a quarter thinner, which is not visible; smaller nodes cost more to address than to send.
+# a quarter thinner, which is not visible. Smaller nodes cost more to address than to send.
 MIN_POINTS = 2048
 SHARE = 4
 

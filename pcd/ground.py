@@ -39,7 +39,7 @@ def classify_ground(
 ) -> NDArray[np.bool_]:
     """Classify ground points of a scan with z up (SMRF).
 
-    The lowest points on a grid are opened with growing windows; drops beyond the terrain's slope are objects. Points
+    The lowest points on a grid are opened with growing windows. Drops beyond the terrain's slope are objects. Points
     near the interpolated bare earth are ground. The defaults are the paper's; docs/terrain.md has their errors on real
     tiles. 28 B per cell. Bitwise reproducible. Pingel, Clarke and McBride, "An improved simple morphological filter for
     the terrain classification of airborne LIDAR data", ISPRS 2013, with octagons instead of disks.

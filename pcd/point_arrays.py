@@ -292,7 +292,7 @@ class PointArrays(InUnit, KnownNames):
 
     @returns_new
     def copy(self) -> Self:
-        """Copy that shares arrays; assignments to one do not affect the other."""
+        """Copy that shares arrays. Assignments to one do not affect the other."""
         return self._with_arrays(dict(self._arrays), grid=self.grid)
 
     @property

@@ -117,7 +117,7 @@ class SelectionPolygonVolume:
             raise FileError(path, str(error)) from error
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write the volume as Open3D's JSON without loss of digits; replaces an existing file.
+        """Write the volume as Open3D's JSON without loss of digits. Replaces an existing file.
 
         Raises:
             FileError: If the file cannot be written.

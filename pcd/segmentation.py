@@ -65,7 +65,7 @@ class Segmentation(Selection):
             print_progress: Report start and duration on stderr.
 
         Returns:
-            Labels, int32 (n,), from 0; -1 for noise and points that are not finite.
+            Labels, int32 (n,), from 0, or -1 for noise and points that are not finite.
 
         Raises:
             ValueError, TypeError: If an argument is not positive, or the extent exceeds `NearestNeighborSearch`.
@@ -101,7 +101,7 @@ class Segmentation(Selection):
             min_cluster_size, max_cluster_size: Allowed number of points; None: no maximum. Other clusters are dropped.
 
         Returns:
-            Labels, int32 (n,), from 0; -1 for points of dropped clusters and points that are not finite.
+            Labels, int32 (n,), from 0, or -1 for points of dropped clusters and points that are not finite.
 
         Raises:
             ValueError, TypeError: If an argument is not positive, or the extent exceeds `NearestNeighborSearch`.
@@ -509,7 +509,7 @@ class Segmentation(Selection):
             max_nn: Neighbors per point, including itself; curvature uses the same neighbors.
 
         Returns:
-            Labels, int32 (n,), from 0 for the largest region, ties by first point; -1 for none.
+            Labels, int32 (n,), from 0 for the largest region, ties by first point, or -1 for none.
 
         Raises:
             ValueError: If the cloud has no normals, or an argument is out of range.

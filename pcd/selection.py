@@ -495,7 +495,7 @@ class Selection(PointArrays):
         """Select points by farthest point sampling, returned in cloud order.
 
         Equals Open3D's selection, except for squared distances that differ by less than 1e-7 (float32). Ties go to the
-        lowest index; duplicate positions are chosen only if all n points are requested. Points that are not finite are
+        lowest index. Duplicate positions are chosen only if all n points are requested. Points that are not finite are
         never chosen. About O(n log(num_samples)) on surfaces, 20 B per point. Bitwise identical on every device.
 
         Args:

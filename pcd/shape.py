@@ -45,7 +45,7 @@ class Shape(Assessed):
         extent: (low, high) of the points in `frame` about `center`, float64 (2, 3).
         support, rms: Number of points, and root mean squared distance [m].
         coverage: Fraction of the surface near points, 0..1: of sectors (cylinder, cone) or cells (sphere, torus).
-        covariance: Of `unknowns`, [m] and [rad]; infinite if undetermined.
+        covariance: Of `unknowns`, [m] and [rad], infinite if undetermined.
         frame: Rows u, v, axis, the directions of `unknowns`, float64 (3, 3).
         warnings: Failed quality checks. Empty if the shape is reliable.
     """

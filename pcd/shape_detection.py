@@ -224,7 +224,7 @@ class _Rounds:
         self._shapes, self._of, self._counts = shapes[order], of[order], counts[order]
 
     def _best(self) -> DetectedShape | None:
-        """Best of the first candidates, fitted to its largest component; invalid ones are dropped."""
+        """Best of the first candidates, fitted to its largest component. Invalid ones are dropped."""
         first = slice(min(TRIED, len(self._counts)))
         refined = self.search.each_refined(self._of[first].tolist(), self._shapes[first], self.limits)
         refitted = [None if candidate is None else self._refitted(candidate) for candidate in refined]

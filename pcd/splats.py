@@ -294,7 +294,7 @@ class GaussianSplats(Movable, RasterizationMixin):
             transformation: 4x4 matrix: a rotation, one scale, a translation.
 
         Raises:
-            ValueError: If the matrix is not a similarity; harmonics cannot be sheared, reflected or stretched.
+            ValueError: If the matrix is not a similarity. Harmonics cannot be sheared, reflected or stretched.
         """
         return self._mapped("transformation", check_transformation("transformation", transformation))
 

@@ -127,7 +127,7 @@ class Raster:
             overwrite: Allow replacing an existing file.
 
         Raises:
-            FileError: If the file cannot be written, rasterio is missing, or it does not know the `crs`.
+            FileError: If the file cannot be written, rasterio is missing, or it does not support the `crs`.
 
         Example:
             >>> import numpy as np, pointloom as loom

@@ -25,7 +25,7 @@ class VoxelTrace:
     Attributes:
         cloud: Mean of each voxel.
         cubic_id: Last point in each octant, int32 (m, 8), -1 if empty. 1 (x) + 2 (y) + 4 (z) for upper halves.
-        voxel_of_point: Voxel of each point, int32 (n,); -1 for points that are not finite.
+        voxel_of_point: Voxel of each point, int32 (n,), or -1 for points that are not finite.
         indices: Finite points by voxel, ascending in each, int32.
         offsets: Start of each voxel in `indices`, int32 (m + 1,).
     """

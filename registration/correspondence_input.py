@@ -30,7 +30,7 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
 
 
 def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
-    """Correspondences as int32 [m, 2]; negative indices are rejected."""
+    """Correspondences as int32 [m, 2]. Negative indices are rejected."""
     pairs = check_rows("corres", corres, 2)
     if pairs.dtype.kind not in "iu" and pairs.size:
         raise TypeError(f"corres: expected integers (source index, target index), got {pairs.dtype}")

@@ -1,4 +1,4 @@
-"""Rigid motions in float64 on the host; twists are (rotation [rad], translation [m]), T_a_b maps from b to a."""
+"""Rigid motions in float64 on the host. Twists are (rotation [rad], translation [m]), T_a_b maps from b to a."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def rotations_of(vectors: NDArray[np.float64]) -> Matrix:
 
 
 def scale_of(T: Matrix) -> float:
-    """Scale of a similarity; negative for a reflection."""
+    """Scale of a similarity, negative for a reflection."""
     return cube_root(float(det(T[:3, :3])))
 
 

@@ -19,7 +19,7 @@ def shift_points_kernel(points: array(dtype=vec3), shift: vec3d, start: int, out
 
 
 def concatenate_points(arrays: Sequence[Points], shifts: Sequence[np.ndarray]) -> Points:
-    """Concatenate arrays of vec3, each with a float64 (3) shift; unshifted ones stay bitwise identical."""
+    """Concatenate arrays of vec3, each with a float64 (3) shift. Unshifted ones stay bitwise identical."""
     out = empty(sum(a.size for a in arrays), vec3, arrays[0].device)
     start = 0
     for points, shift in zip(arrays, shifts, strict=True):

@@ -38,7 +38,7 @@ class HashTable:
         self.capacity, self.mask = capacity, capacity - 1
 
     def append(self, all_keys: Keys, count: int, new_count: int) -> None:
-        """Insert the last `new_count` of the first `count` keys of a device array; grows as needed."""
+        """Insert the last `new_count` of the first `count` keys of a device array. Grows as needed."""
         if new_count == 0:
             return
         first = count - new_count

@@ -1,7 +1,7 @@
 """Counter-based random numbers: a function of (seed, counter, stream), independent of threads.
 
 Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011. The words are bitwise identical
-on all devices; floats made with log and cos may differ in the last bit between devices.
+on all devices. Floats made with log and cos may differ in the last bit between devices.
 """
 
 from ..lang import cos, float32, func, int64, log, sin, sqrt, uint32, uint64, vec2, vec4, vector

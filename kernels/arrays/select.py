@@ -23,7 +23,7 @@ def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
 
 @kernel
 def scatter_positions_kernel(mask: array(dtype=uint8), ranks: array(dtype=int32), positions: array(dtype=int32)):
-    """Positions of the set elements in order; ranks count from one."""
+    """Positions of the set elements in order. Ranks count from one."""
     i = tid()
     if mask[i] != 0:
         positions[ranks[i] - 1] = i
@@ -109,7 +109,7 @@ def positions_beside(masks: Sequence[Mask], beside: Sequence[AnyArray]) -> tuple
 
 @kernel
 def gather_counts_kernel(ranks: array(dtype=int32), firsts: array(dtype=int32), counts: array(dtype=int32)):
-    """Set elements before each of some positions; ranks are inclusive."""
+    """Set elements before each of some positions. Ranks are inclusive."""
     i = tid()
     count = 0
     if firsts[i] > 0:

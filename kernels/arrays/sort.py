@@ -42,7 +42,7 @@ class SortKeys:
         self.keys, self.positions = empty(room or count, int64, device), empty(room, int32, device)
 
     def sort(self, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[LongIntegers, Integers]:
-        """(sorted keys, order) as of `argsort_keys`; consumes the keys."""
+        """(sorted keys, order) as of `argsort_keys`. Consumes the keys."""
         if not self.device.is_cuda or not self.count:
             return argsort_keys(self.keys, bit_count, starts)
         _sort_pairs(self.keys, self.positions, self.count, bit_count)

@@ -32,7 +32,7 @@ def draw_keys_kernel(seed: int, dropped_bits: int, keys: array(dtype=int64)):
 
 @kernel
 def mark_rows_kernel(rows: array(dtype=int32), mask: array(dtype=uint8)):
-    """Flag the listed rows; duplicate writers write the same."""
+    """Flag the listed rows. Duplicate writers write the same."""
     i = tid()
     mask[rows[i]] = 1
 

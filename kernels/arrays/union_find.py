@@ -60,7 +60,7 @@ def read_root(parents: array(dtype=int32), x: int) -> int:
 
 @kernel
 def flatten_sets_kernel(parents: array(dtype=int32)):
-    """Link each number to its root; negative parents belong to no set."""
+    """Link each number to its root. Negative parents belong to no set."""
     i = tid()
     if parents[i] >= 0:
         parents[i] = read_root(parents, i)

@@ -225,7 +225,7 @@ def bend_normals_kernel(
 
 @kernel
 def measure_volumes_kernel(graph: DeformationGraph, influence: Influence, volumes: array(dtype=float32)):
-    """Volume ratio at each point; negative if the deformation folds over, NaN for invalid points."""
+    """Volume ratio at each point, negative if the deformation folds over, NaN for invalid points."""
     i = tid()
     p = influence.points[i]
     volume = p[0] + p[1] + p[2]  # NaN or infinite: no volume
@@ -309,7 +309,7 @@ def neighbors_of(graph: DeformationGraph, influence: Influence) -> VertexNeighbo
 
 @kernel
 def measure_strain_kernel(graph: DeformationGraph, around: VertexNeighbors, strains: array(dtype=float64)):
-    """Relative deviation of a node's neighbors from its rotation; -1 without neighbors."""
+    """Relative deviation of a node's neighbors from its rotation, or -1 without neighbors."""
     i = tid()
     squares = float64(0.0)
     length = float64(0.0)

@@ -80,7 +80,7 @@ def pair_points_kernel(
     partners: array(dtype=int32),
     distances: array(dtype=float64),
 ):
-    """Partner of each point, its row, and the distance; -1 for none."""
+    """Partner of each point, its row, and the distance, or -1 for none."""
     i = tid()
     partner = key_index(nearest[i])
     is_paired = 0
@@ -112,7 +112,7 @@ def pair_points_kernel(
 def measure_residuals_kernel(
     moved: array(dtype=vec3), partners: array(dtype=int32), surface: Surface, residuals: array(dtype=float64)
 ):
-    """Distance of each point from its partner's plane; -1 without one."""
+    """Distance of each point from its partner's plane, or -1 without one."""
     i = tid()
     residual = float64(-1.0)
     if partners[i] >= 0:

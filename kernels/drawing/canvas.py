@@ -170,7 +170,7 @@ def blend_kernel(left: int, top: int, columns: int, paint: Paint, sheet: Sheet):
 
 @kernel
 def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Paint, sheet: Sheet):
-    """Blend the cells within `radius` cells of covered ones; coverage stays."""
+    """Blend the cells within `radius` cells of covered ones. Coverage stays."""
     i = tid()
     column = left + i % columns
     row = top + i // columns
@@ -240,7 +240,7 @@ def blend(sheet: Sheet, box: tuple[int, int, int, int], paint: Paint) -> None:
 
 
 def blend_halo(sheet: Sheet, box: tuple[int, int, int, int], radius: int, paint: Paint) -> None:
-    """Blend a halo of `radius` cells around the covered cells in a box; coverage stays."""
+    """Blend a halo of `radius` cells around the covered cells in a box. Coverage stays."""
     left, top, columns, rows = box
     launch(blend_halo_kernel, columns * rows, [left, top, columns, radius, paint, sheet])
 

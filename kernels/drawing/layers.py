@@ -24,7 +24,7 @@ def take_words_kernel(own: DepthBuffer, layer: DepthBuffer):
 
 @kernel
 def find_more_kernel(layer: DepthBuffer, solid: DepthBuffer, flag: array(dtype=int32)):
-    """Flag a layer that holds anything before what is solid."""
+    """Flag a layer with any content in front of the solid one."""
     i = tid()
     if layer.words[i] != solid.words[i]:
         atomic_max(flag, 0, 1)  # all writers write 1

@@ -45,7 +45,7 @@ def depth_inside(k: int, q: vec3, margin: float, view: View) -> float:
 
 @func
 def clip_line(p: vec3, q: vec3, margin: float, view: View) -> vec2:
-    """Visible parameter range of a line (Liang and Barsky 1984); reversed if none."""
+    """Visible parameter range of a line (Liang and Barsky 1984), reversed if none."""
     first = 0.0
     last = 1.0
     planes = int(5)

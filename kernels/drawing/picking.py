@@ -57,7 +57,7 @@ class Click:
 
 @func
 def sqdist_to_click(i: int, p: vec3d, click: Click) -> float64:
-    """Squared distance [px^2] from the click of a visible point; -1 if it cannot be selected."""
+    """Squared distance [px^2] from the click of a visible point, or -1 if it cannot be selected."""
     result = float64(-1.0)
     if p[2] > 0.0:
         x = p[0] - click.position[0]

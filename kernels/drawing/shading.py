@@ -52,7 +52,7 @@ class Veil:
 
 @func
 def seen_share(cell: int, veil: Veil) -> float:
-    """Fraction of a part's light that a cell shows; reduces the remainder."""
+    """Fraction of a part's light that a cell shows. Reduces the remainder."""
     share = 1.0
     if veil.left.shape[0] > 0:
         left = veil.left[cell]

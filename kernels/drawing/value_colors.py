@@ -93,7 +93,7 @@ def note_label(label: int, present: array(dtype=int32)):
 def label_color(
     label: int64, palette: array(dtype=vec3), palette_size: int, noise: vec3, present: array(dtype=int32)
 ) -> vec3:
-    """Color of a label, which is recorded; negative is noise, and the palette repeats."""
+    """Color of a label, which is recorded. Negative is noise, and the palette repeats."""
     color = noise
     if label >= 0:
         color = palette[int(label % int64(palette_size))]

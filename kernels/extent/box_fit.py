@@ -90,7 +90,7 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
 
 
 GOLDEN = 0.3819660112501051
-STEP = 0.05  # [rad] between samples on an arc; arcs of detailed hulls are shorter
+STEP = 0.05  # [rad] between samples on an arc. Arcs of detailed hulls are shorter
 MIN_SAMPLES, MAX_SAMPLES = 5, 40  # samples per range of solutions
 SPLIT = 16  # finer steps across a minimum: detailed hulls have several kinks in one
 ROUGH, FINE = 20, 60  # golden section steps: to 1e-4 of a step, and to rounding near the best box
@@ -228,7 +228,7 @@ def search_dip(
 
 @func
 def floor_beside(before: float64, here: float64, after: float64) -> float64:
-    """Lower estimate of the volume near a local minimum sample, from the slopes; infinite elsewhere."""
+    """Lower estimate of the volume near a local minimum sample, from the slopes, infinite elsewhere."""
     infinite = float64(INFINITY)
     low = float64(INFINITY)
     if here < infinite and here <= before and here <= after:

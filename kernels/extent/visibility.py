@@ -61,7 +61,7 @@ def flip_point(d: vec3d, radius: float64) -> vec3d:
 
 @func
 def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=int32)) -> int:
-    """Cell of a face position with blocks of `width` cells; -1 without a block."""
+    """Cell of a face position with blocks of `width` cells, or -1 without a block."""
     block = blocks[(face * BLOCKS + row // width) * BLOCKS + column // width]
     cell = -1
     if block >= 0:
@@ -73,7 +73,7 @@ def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=in
 def corner_at(
     face: int, row: int, column: int, width: int, blocks: array(dtype=int32), nearest: array(dtype=vec3d)
 ) -> vec3d:
-    """Nearest point of a cell, g = 0 if empty; rings end at face edges."""
+    """Nearest point of a cell, g = 0 if empty. Rings end at face edges."""
     corner = vec3d(0.0, 0.0, 0.0)
     edge = BLOCKS * width
     if row >= 0 and row < edge and column >= 0 and column < edge:
@@ -183,7 +183,7 @@ def find_nearest_kernel(
 
 @kernel
 def gather_nearest_kernel(keys: array(dtype=int64), views: array(dtype=vec3d), nearest: array(dtype=vec3d)):
-    """(u, v, g) of each cell's point; zeros if empty."""
+    """(u, v, g) of each cell's point, or zeros if empty."""
     i = tid()
     view = vec3d(0.0, 0.0, 0.0)
     if keys[i] > 0:

@@ -91,7 +91,7 @@ def smallest_lane(sqdists: lanes) -> int:
 
 @func
 def measure_children(node: int, boxes: array(dtype=float32), y: axes) -> lanes:
-    """Squared distances to the boxes of a node's children; infinite for missing children."""
+    """Squared distances to the boxes of a node's children, infinite for missing children."""
     at = node * SIDES
     sqdists = lanes(0.0)
     for k in range(BOXED):

@@ -159,7 +159,7 @@ def gather_sample_kernel(source: FeatureRows, sample: array(dtype=float32, ndim=
 def project_rows_kernel(
     source: FeatureRows, basis: array(dtype=float64, ndim=2), coordinates: array(dtype=float32, ndim=2)
 ):
-    """Coordinates of a row; basis[c] holds the mean of column c and the axes' components."""
+    """Coordinates of a row. basis[c] contains the mean of column c and the axes' components."""
     i = tid()
     row = source.rows[i]
     along = leading(0.0)
@@ -232,7 +232,7 @@ def is_one_row(first: int, last: int, tree: FeatureTree) -> int:
 
 @kernel
 def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(dtype=int32), tree: FeatureTree):
-    """Interleaved coordinates, box, `alike` flag and maximum length of a group; padding is at infinity."""
+    """Interleaved coordinates, box, `alike` flag and maximum length of a group. Padding is at infinity."""
     i = tid()
     first = i * GROUP
     size = max(0, min(GROUP, order.shape[0] - first))
@@ -284,7 +284,7 @@ def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
 
 
 def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
-    """Mean and leading axes of samples of two FeatureRows, float64 (d, 1 + LEADING); zeros for missing axes."""
+    """Mean and leading axes of samples of two FeatureRows, float64 (d, 1 + LEADING), or zeros for missing axes."""
     samples = concatenate_rows([side.sample().flatten() for side in (source, target)])
     rows = download(samples).astype(np.float64).reshape(-1, source.columns)  # sync
     basis = np.zeros((source.columns, 1 + LEADING))

@@ -170,7 +170,7 @@ def mask_points_kernel(
 
 @kernel
 def mark_chosen_kernel(rows: array(dtype=int32), positions: array(dtype=int32), count: int, marks: array(dtype=int32)):
-    """Flag the chosen points by tree position; repeated writers all write 1."""
+    """Flag the chosen points by tree position. Repeated writers all write 1."""
     i = tid()
     position = positions[rows[i]]
     if position < count:

@@ -80,7 +80,7 @@ def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
     flat = int(abs(a) < FLAT_SLOPE * distance) + int(normal_dot > FLAT_COSINE)
     alike = int(abs(sqlength1 - sqlength2) < SAME_LENGTH)
     gap = distance if flat + alike == 3 else tie
-    # Every comparison is false for NaN, and all of them have to hold.
+    # Every comparison is false for NaN, and all of them must be true.
     sure = (
         int(sqdist > SMALL)
         + int(across > square * STEEP)

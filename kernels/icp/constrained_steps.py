@@ -254,7 +254,7 @@ def undetermined(
 
 @func
 def align_with_prior(basis: square, kinds: vec6d, information: square) -> tuple[square, vec6d]:
-    """Align the loose directions with the prior's information; those it determines become BY_PRIOR."""
+    """Align the loose directions with the prior's information. Those it determines become BY_PRIOR."""
     n = int(UNKNOWNS)
     loose = square(0.0)
     trace = float64(0.0)
@@ -333,7 +333,7 @@ def reduced_step(
     freedom: Freedom,
     progress: Progress,
 ) -> vec6d:
-    """Step in a basis of the free motions from the reduced system and the prior; stores undetermined motions."""
+    """Step in a basis of the free motions from the reduced system and the prior. Stores undetermined motions."""
     n = int(UNKNOWNS)
     own = between(q, geometry, q)
     padded = own

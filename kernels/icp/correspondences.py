@@ -52,7 +52,7 @@ SLACK = 1.0e-6  # of a coordinate: exceeds the rounding of a moved point and its
 def measure_lanes(
     first: int, points: array(dtype=vec3), xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, best: lane_results
 ) -> lane_results:
-    """Update the lanes with a leaf's points; padding is at infinity."""
+    """Update the lanes with a leaf's points. Padding is at infinity."""
     updated = best
     for i in range(first, first + LEAF):
         p = points[i]

@@ -51,7 +51,7 @@ def triangle_of(matrix: square) -> triangle:
 
 @func
 def trace_of_inverse(matrix: square) -> float64:
-    """Trace of the inverse of a 6x6 matrix by LDL^T; huge if singular."""
+    """Trace of the inverse of a 6x6 matrix by LDL^T, huge if singular."""
     a = factor_system(triangle_of(matrix))
     trace = float64(0.0)
     for k in range(6):

@@ -87,7 +87,7 @@ def weight_of(i: int, matches: Matches) -> float64:
 
 @func
 def pair_of(i: int, matches: Matches) -> tuple[vec3d, vec3d, float64]:
-    """Posed source point, target point, and 1; zeros without a pair."""
+    """Posed source point, target point, and 1, or zeros without a pair."""
     p = vec3d(0.0)
     q = vec3d(0.0)
     paired = float64(0.0)

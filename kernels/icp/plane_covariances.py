@@ -68,14 +68,14 @@ def cover_planes_kernel(
 
 
 def plane_covariances_from_normals(normals: Vectors, epsilon: float) -> Array2[float32]:
-    """Plane covariances (n, 9) of normals of any length; identity for zero, NaN for non-finite."""
+    """Plane covariances (n, 9) of normals of any length, or identity for zero, NaN for non-finite."""
     covariances = empty((normals.size, 9), float32, normals.device)
     launch(cover_planes_kernel, normals.size, [normals, 1, epsilon, covariances])
     return covariances
 
 
 def plane_covariances(tree: "PointTree", k: int = 20, epsilon: float = 1e-3) -> Array2[float32]:
-    """Covariances (n, 9) of planes fitted to the k nearest points; identity for fewer than 5 neighbors."""
+    """Covariances (n, 9) of planes fitted to the k nearest points, or identity for fewer than 5 neighbors."""
     points = tree.source
     normals = estimate_normals(tree, points, k, INFINITY)
     covariances = empty((points.size, 9), float32, points.device)

@@ -296,7 +296,7 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
 
 @func
 def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
-    """Step of a job by its sums; stores free motions."""
+    """Step of a job by its sums. Stores free motions."""
     step = vec6d(0.0)
     sums = progress.totals[i]
     size = progress.sizes[i]

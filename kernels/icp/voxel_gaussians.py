@@ -133,7 +133,7 @@ def cell_of(p: vec3, grid: CellGrid) -> vec3d:
 
 @func
 def key_of_cell(at: vec3d, segment: int, grid: CellGrid) -> int64:
-    """Key of a cell in a segment; -1 outside the grid."""
+    """Key of a cell in a segment, or -1 outside the grid."""
     zero = float64(0.0)
     key = int64(-1)
     if at[0] >= zero and at[1] >= zero and at[2] >= zero:  # false for NaN

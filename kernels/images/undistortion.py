@@ -61,7 +61,7 @@ class LensOptics:
 
 @func
 def shortened(r: float64, lens: LensOptics) -> float64:
-    """Factor of the radial mapping at radius r; -1 if there is no such ray."""
+    """Factor of the radial mapping at radius r, or -1 if there is no such ray."""
     factor = float64(1.0)
     if lens.kind == EQUIDISTANT and r > 0.0:
         factor = angle_of(r, 1.0) / r

@@ -29,7 +29,7 @@ STACK = 8 << 20  # stack bytes of a worker; macOS gives 512 kB, and kernels with
 
 
 def _functions_of_system() -> tuple[list[Any], Any]:
-    """System functions to wait, wake, yield, create a semaphore; waits get two extra arguments (macOS, Windows)."""
+    """System functions to wait, wake, yield, create a semaphore. Waits get two extra arguments (macOS, Windows)."""
     if sys.platform == "win32":
         system = ctypes.WinDLL("kernel32")  # type: ignore[attr-defined]
         make = system.CreateSemaphoreW

@@ -74,7 +74,7 @@ class BareNumbers:
         return self.given(node, kind.scalar) if isinstance(kind, Type) and not kind.shape else node
 
     def beside(self, parts: list[ast.expr]) -> list[Inferred]:
-        """Types of operands; literals take the type of the others."""
+        """Types of operands. Literals take the type of the others."""
         kinds = [None if number_of(part) is not None else self.infer(part) for part in parts]
         scalars = {kind.scalar for kind in kinds if isinstance(kind, Type)}
         for k, part in enumerate(parts):

@@ -136,7 +136,7 @@ def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tupl
 
 
 class Recorder:
-    """Stands in for Taichi's program to record a launch."""
+    """Replaces Taichi's program to record a launch."""
 
     def __init__(self, program: Any) -> None:
         self.program = program

@@ -97,7 +97,7 @@ def _take_lock(descriptor: int, stack: contextlib.ExitStack) -> None:
 
 
 def _remove_left_lock(path: Path) -> None:
-    """Remove the lock file of a dead Taichi process: no live one holds it that long."""
+    """Remove the lock file of a dead Taichi process: a live one releases it sooner."""
     with contextlib.suppress(FileNotFoundError):
         while 0 <= time.time() - path.stat().st_mtime < STALE_AFTER:
             time.sleep(0.02)
@@ -127,7 +127,7 @@ class OwnProgram:
             ti.kernel(_nothing)()
 
     def end(self) -> None:
-        """End the program while errors can be caught; compiled kernels are saved."""
+        """End the program while errors can be caught. Compiled kernels are saved."""
         if self._impl.get_runtime().prog is not self._program():
             return
         with self._folder.locked():
@@ -231,7 +231,7 @@ class ToTaichi(ast.NodeTransformer):
         numbers = [self._number(argument) for argument in node.args]
         if not is_vector and scalar in {"float", "float32", "float64"} and isinstance(numbers[0], int):
             node.args = [ast.Constant(float(numbers[0]))]  # Taichi's float64(1) is an error
-        elif is_vector and scalar == "float64":  # Taichi's vec3d(0.1) holds float32(0.1)
+        elif is_vector and scalar == "float64":  # Taichi's vec3d(0.1) stores float32(0.1)
             node.args = [
                 argument if number is None else _call("f64", ast.Constant(float(number)))
                 for argument, number in zip(node.args, numbers, strict=True)

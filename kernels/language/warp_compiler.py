@@ -359,7 +359,7 @@ class CudaReduction(_Reduction):
 
 
 class CudaSegmentReduction(_Reduction):
-    """CUDA kernels of many sums; folds of a vector length are shared within a module."""
+    """CUDA kernels of many sums. Folds of a vector length are shared within a module."""
 
     _folds: dict[tuple[str, Any], Any] = {}  # noqa: RUF012
 

@@ -62,7 +62,7 @@ def list_rotated_kernel(triangles: array(dtype=vec3i), rotated: array(dtype=vec3
 
 @kernel
 def mask_old_kernel(order: array(dtype=int32), marks: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 if a triangle equals its predecessor in sorted order; equal ones are sorted by index."""
+    """1 if a triangle equals its predecessor in sorted order. Equal ones are sorted by index."""
     i = tid()
     mask[order[i]] = uint8(1 if i > 0 and marks[i] == 0 else 0)
 

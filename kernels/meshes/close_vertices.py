@@ -164,7 +164,7 @@ def square_gap(p: vec3, q: vec3) -> float64:
 
 @func
 def find_earlier_vertex(v: int, cells: Cells) -> int:
-    """Earliest staying vertex before v within the radius; -1 if none, -2 if a candidate is undecided."""
+    """Earliest staying vertex before v within the radius, or -1 if none, -2 if a candidate is undecided."""
     p = cells.points[v]
     half = cells.side * 0.5
     first = block_of(widen(p) - vec3d(half, half, half), cells.side)

@@ -1,6 +1,6 @@
 """New vertices from sets of corners. Each takes the row of its lowest earlier vertex.
 
-The first set at a vertex keeps its index; further sets are appended by their lowest corners. About 20 B per corner.
+The first set at a vertex keeps its index. Further sets are appended by their lowest corners. About 20 B per corner.
 """
 
 from ..array_types import Indices, Integers, Triangles

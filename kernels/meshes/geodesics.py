@@ -92,7 +92,7 @@ def spread_distances_kernel(
     after: array(dtype=float64),
     next_active: array(dtype=uint8),
 ):
-    """Shortest distance over a vertex's triangles; activates neighbors if it decreased (all write the same value)."""
+    """Shortest distance over a vertex's triangles. Activates neighbors if it decreased (all write the same value)."""
     i = tid()
     distance = before[i]
     if active[i] == 1:
@@ -139,7 +139,7 @@ def finish_rounds_kernel(wave: Wave, running: array(dtype=int32)):
 
 
 def geodesic_distances(vertices: Points, triangles: Triangles, sources: Integers) -> Doubles:
-    """Geodesic distance of each vertex from the nearest source, float64 [m]; inf if unreachable."""
+    """Geodesic distance of each vertex from the nearest source, float64 [m], or inf if unreachable."""
     device, count = vertices.device, vertices.size
     wave, running = Wave(vertices, triangles), full(1, 1, int32, device)
     before, after = full(count, INFINITY, float64, device), empty(count, float64, device)

@@ -135,7 +135,7 @@ def square_side(a: vec3d, b: vec3d) -> float64:
 
 @kernel
 def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, span: int):
-    """Best triangle at each chord that spans `span` sides; shorter chords are complete."""
+    """Best triangle at each chord that spans `span` sides. Shorter chords are complete."""
     p = tid()
     first = loops.starts[loops.owners[p]]
     count = loops.starts[loops.owners[p] + 1] - first

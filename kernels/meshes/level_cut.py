@@ -203,7 +203,7 @@ def mix_piece_corners_kernel(
 
 class LevelCut:
     """Mesh cut along a level. `sides` are signs of vertices, `above` marks pieces above or on the level, `sources` are
-    their triangles. The vertex on cut edge i has index m + i; trailing vertices may be unused."""
+    their triangles. The vertex on cut edge i has index m + i. Trailing vertices may be unused."""
 
     def __init__(self, triangles: Triangles, values: Doubles, level: float) -> None:
         """Cut by finite float64 values [m]. One sync."""

@@ -64,7 +64,7 @@ def list_owner_indices_kernel(owners: array(dtype=int32), indices: array(dtype=i
 
 @kernel
 def average_members_kernel(rows: array(dtype=vec3), groups: UniqueKeys, unit: int, means: array(dtype=vec3)):
-    """Mean row of the vertices merged into one, by index; single vertices keep their bits. With `unit`, normalized."""
+    """Mean row of the vertices merged into one, by index. Single vertices keep their bits. With `unit`, normalized."""
     i = tid()
     first = groups.starts[i]
     last = groups.starts[i + 1]

@@ -77,7 +77,7 @@ def find_marked_kernel(labels: array(dtype=int64), marks: array(dtype=uint8), ha
 
 
 def has_marked(labels: LongIntegers, marks: Mask, count: int) -> np.ndarray:
-    """True for components with a marked triangle, NumPy [count]; marks are those of first triangles. One sync."""
+    """True for components with a marked triangle, NumPy [count]. Marks are those of first triangles. One sync."""
     has_mark = zeros(count, uint8, labels.device)
     launch(find_marked_kernel, marks.size, [labels, marks, has_mark])
     return download(has_mark) != 0  # sync
@@ -197,7 +197,7 @@ def fold_part_blocks_kernel(
 def label_parts(
     edges: tuple[LongIntegers, Integers], count: int, chosen: Mask | None = None
 ) -> tuple[LongIntegers, Indices]:
-    """(labels int64 [t], count int32 [1]) by first triangle; unselected triangles get the label t. No sync."""
+    """(labels int64 [t], count int32 [1]) by first triangle. Unselected triangles get the label t. No sync."""
     keys, order = edges
     device, chosen = keys.device, full(count, 1, uint8, keys.device) if chosen is None else chosen
     parents, roots, labels = positions(count, device), empty(count, int32, device), empty(count, int64, device)

@@ -35,7 +35,7 @@ def mark_new_triangles_kernel(triangles: array(dtype=vec3i), order: array(dtype=
 
 
 def sort_triangles(triangles: Triangles, vertex_count: int) -> Indices:
-    """Rows of triangles in lexicographic order; equal ones keep their order."""
+    """Rows of triangles in lexicographic order. Equal ones keep their order."""
     device, count, bits = triangles.device, triangles.size, max(1, vertex_count.bit_length())
     keys = empty(count, int64, device)
     launch(list_third_keys_kernel, count, [triangles, keys])

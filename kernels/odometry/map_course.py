@@ -34,7 +34,7 @@ LIMIT, SCALE, TOLERANCE, REQUIRED_PAIRS, MAX_ITERATIONS, TO_PLANES, FIRST, COUNT
     16, 27
 )
 ORDER = 27
-LEGS = TRIANGLE  # column in the last row, behind the held matrix, with the number of legs
+LEGS = TRIANGLE  # column in the last row, behind the regularization matrix, with the number of legs
 # columns of a result: pose (16), then these, and the cost and count of informative pairs
 STATE, ITERATIONS, SQSUM, PAIRED = range(16, 20)
 RESULT = 22
@@ -42,9 +42,9 @@ RESULT = 22
 
 @struct
 class Course:
-    """State of a course: `points` with the reduced scan behind; `planes` and `known` map positions (-1) per point. A
-    row per leg in `orders` (last: held matrix, leg count) and `results` (last: plane information); `states`: leg and
-    iteration; `poses` T_map_sensor; `plane_radius` [m].
+    """State of a course: `points` with the reduced scan behind. `planes` and `known`: map positions (-1) per point. A
+    row per leg in `orders` (last: regularization matrix, leg count) and `results` (last: plane information). `states`:
+    leg and iteration; `poses` T_map_sensor; `plane_radius` [m].
     """
 
     points: array(dtype=vec3)

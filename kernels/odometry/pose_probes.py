@@ -1,7 +1,7 @@
 """Change of a scan's plane distances at other poses, which shows the motions it constrains.
 
 Only points with planes at both poses count: scan rings differ between scans, so point distances would favor no motion.
-Related to Tuna et al. 2023, "X-ICP"; here the curvature of the error is measured with new pairs at each pose.
+Related to Tuna et al. 2023, "X-ICP". Here the curvature of the error is measured with new pairs at each pose.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ from .voxel_map_search import find_nearest_in_map, moments_in_map
 
 @func
 def plane_square(x: vec3d, limit: float, radius: float, voxel_map: VoxelMap) -> float:
-    """Squared distance [m^2] from the plane around the nearest map point; -1 without a plane."""
+    """Squared distance [m^2] from the plane around the nearest map point, or -1 without a plane."""
     square = -1.0
     nearest_point = find_nearest_in_map(x, limit, voxel_map)
     if nearest_point[4] >= 0.0:

@@ -61,7 +61,7 @@ class TouchedVoxels:
 
 @func
 def touched_key(i: int, touched: TouchedVoxels, cells: LocalCells) -> int64:
-    """Map key of a touched voxel; -1 behind the last."""
+    """Map key of a touched voxel, or -1 behind the last."""
     key = int64(-1)
     if i < touched.summary[0]:
         if touched.keys[i] != cells.skipped:

@@ -91,7 +91,7 @@ class Voters:
 def choose_voters_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), ranks: array(dtype=int32), voters: Voters
 ):
-    """Choose evenly spaced flagged points as voters; ranks are prefix sums of the flags."""
+    """Choose evenly spaced flagged points as voters. Ranks are prefix sums of the flags."""
     i = tid()
     total = ranks[ranks.shape[0] - 1]
     step = max(1, (total + VOTERS - 1) // VOTERS)

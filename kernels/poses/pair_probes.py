@@ -61,7 +61,7 @@ def measure_offsets_kernel(
     cosine: float,
     squares: array(dtype=float32, ndim=2),
 ):
-    """Squared distance to the nearest point along its normal; -1 if the normals disagree."""
+    """Squared distance to the nearest point along its normal, or -1 if the normals disagree."""
     i = tid()
     count = squares.shape[1]
     square = -1.0

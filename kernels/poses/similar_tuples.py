@@ -51,7 +51,7 @@ def list_tuples_kernel(tuples: array(dtype=int32, ndim=2), chosen: array(dtype=i
 
 
 def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float, max_triples: int) -> Integers:
-    """Rows of the first triples that pass, int32 (3 t), t <= `max_triples`; repeats are weights. One sync per batch."""
+    """Rows of the first triples that pass, int32 (3 t), t <= `max_triples`. Repeats are weights. One sync per batch."""
     device, batches, total, done = pairs.device, [], 0, 0
     batch = CUDA_BATCH if device.is_cuda else CPU_BATCH
     while done < trials and total < max_triples and pairs.count:

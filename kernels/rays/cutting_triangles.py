@@ -1,9 +1,9 @@
 """Intersecting triangle pairs of one mesh or of two.
 
-One thread per triangle traverses the tree and tests candidates by signs in float64; undecided pairs are tested exactly
+One thread per triangle traverses the tree and tests candidates by signs in float64. Undecided pairs are tested exactly
 (triangle_sides.py). Within a mesh, pairs that share a vertex are skipped, as in Open3D. Triangles meet if an edge of
 one meets the other (signs as in Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation
-predicates", 2003); coplanar ones are tested in all three axis projections. Degenerate triangles count as edges.
+predicates", 2003). Coplanar ones are tested in all three axis projections. Degenerate triangles count as edges.
 Predicates are called in loops because compilers inline every call.
 """
 

@@ -279,7 +279,7 @@ def cross_products(ax: float, ay: float, bx: float, by: float) -> float64:
 
 @func
 def meet_edge(ax: float, ay: float, az: float, bx: float, by: float, bz: float) -> weights_and_depth:
-    """Weights of two points at the zero between them, and the depth, bitwise symmetric; zeros stay exact."""
+    """Weights of two points at the zero between them, and the depth, bitwise symmetric. Zeros stay exact."""
     swapped = 1 if bx < ax or (bx == ax and by < ay) else 0
     p = float64(bx if swapped == 1 else ax)
     q = float64(ax if swapped == 1 else bx)

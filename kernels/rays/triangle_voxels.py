@@ -262,7 +262,7 @@ class Columns:
         return totals
 
     def take(self, totals: np.ndarray, hit_totals: np.ndarray | None) -> None:
-        """Store the host values of `arrays`; incomplete ones must be read again."""
+        """Store the host values of `arrays`. Incomplete ones must be read again."""
         self._total = total_of(totals)
         check_total(self._total, "columns of voxels over all triangles")
         size = self._total * COLUMN_BYTES

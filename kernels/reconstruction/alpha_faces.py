@@ -301,7 +301,7 @@ def grow_star(
     stars: Stars,
     given: Predicates,
 ) -> int:
-    """Build the star of a from its `near` nearest points and a tree traversal; insertion is inlined once only."""
+    """Build the star of a from its `near` nearest points and a tree traversal. Insertion is inlined once only."""
     p = tree.points[a]
     first = thread * stars.room
     begin_star(a, first, stars, given)

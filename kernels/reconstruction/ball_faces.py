@@ -217,7 +217,7 @@ def side_of_normals(n: vec3d, a: vec3, b: vec3, c: vec3) -> int:
 
 @func
 def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
-    """sqrt(R) of the ball on 0, b and c; -1 if collinear or if the circle is larger than the ball."""
+    """sqrt(R) of the ball on 0, b and c, or -1 if collinear or if the circle is larger than the ball."""
     n = cross(b, c)
     nn = dot(n, n)
     bb = dot(b, b)

@@ -41,7 +41,7 @@ class OctreeLevel:
 
 @func
 def slot_beside(around: array(dtype=int32), block: int, x: int, y: int, z: int) -> int:
-    """Slot at (x, y, z), each -2..3, from the first slot of a block; -1 for none."""
+    """Slot at (x, y, z), each -2..3, from the first slot of a block, or -1 for none."""
     other = around[AROUND * block + 9 * ((x >> 1) + 1) + 3 * ((y >> 1) + 1) + (z >> 1) + 1]
     slot = -1
     if other >= 0:

@@ -122,7 +122,7 @@ def list_unknowns_kernel(
     corners: array(dtype=int32),
     firsts: array(dtype=int32),
 ):
-    """Slots of unknowns by color and block, and the start of each color; ranks count from one."""
+    """Slots of unknowns by color and block, and the start of each color. Ranks count from one."""
     i = tid()
     color = i // blocks
     if mask[i] != 0:

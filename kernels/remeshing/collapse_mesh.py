@@ -292,7 +292,7 @@ def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
 
 @func
 def row_at(mesh: CollapseMesh, i: int, rows: array(dtype=int32)) -> int:
-    """The i-th moved vertex, or vertex i if there are no rows and the record requests all; -1 for none."""
+    """The i-th moved vertex, or vertex i if there are no rows and the record requests all, or -1 for none."""
     v = -1
     if rows.shape[0] > 0:
         if i < mesh.numbers[CHOSEN]:

@@ -57,7 +57,7 @@ def gather_edges_kernel(
     uvs: array(dtype=vec2),
     materials: array(dtype=int32),
 ):
-    """Arrays of the remaining half-edges; costs stay with new unique numbers."""
+    """Arrays of the remaining half-edges. Costs stay with new unique numbers."""
     i = tid()
     if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
         return

@@ -237,7 +237,7 @@ def unite_creases_kernel(mesh: CreasedMesh, sets: array(dtype=int32)):
 
 @kernel
 def stretch_sets_kernel(mesh: CreasedMesh, sets: array(dtype=int32), extents: array(dtype=float32, ndim=2)):
-    """Bounding box of each set; maxima do not depend on the order."""
+    """Bounding box of each set. Maxima do not depend on the order."""
     e = tid()
     if is_crease(mesh, e) == 0:
         return
@@ -262,7 +262,7 @@ def choose_large_kernel(extents: array(dtype=float32, ndim=2), min_size: float64
 
 
 def drop_short_creases(mesh: CreasedMesh, min_size: float) -> Bytes:
-    """Creases without connected sets smaller than `min_size`; boundaries are found again."""
+    """Creases without connected sets smaller than `min_size`. Boundaries are found again."""
     device, count = mesh.vertices.device, mesh.vertices.size
     sets = positions(count, device)
     launch(unite_creases_kernel, mesh.edges.count, [mesh, sets])

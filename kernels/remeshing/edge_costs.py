@@ -135,7 +135,7 @@ def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, max_error: float64) -> 
 
 @kernel
 def price_edges_kernel(mesh: CollapseMesh, max_error: float64, keys: array(dtype=int64), bins: array(dtype=int32)):
-    """Keys of edges at owners, and a histogram of costs. Unmoved edges keep theirs; rejected ones are reevaluated."""
+    """Keys of edges at owners, and a histogram of costs. Unmoved edges keep theirs. Rejected ones are reevaluated."""
     i = tid()
     if i >= 3 * mesh.numbers[SLOTS]:
         return

@@ -239,7 +239,7 @@ def collapse_short_edges(
     mesh: CreasedMesh, shortest: float, longest: float, few: float, rounds: Integers | None = None
 ) -> tuple[CreasedMesh, int | None]:
     """Collapse edges below `shortest` unless an edge exceeds `longest`. `few`, `rounds` as in `end_rounds` (no sync
-    with `rounds`). Returns (mesh, number of collapses or None); unused vertices stay."""
+    with `rounds`). Returns (mesh, number of collapses or None). Unused vertices stay."""
     device, edges = mesh.vertices.device, mesh.edges.count
     keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
     ended = zeros(1, int32, device) if rounds is None else rounds

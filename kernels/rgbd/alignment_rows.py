@@ -51,7 +51,7 @@ class AlignmentState:
 
 @struct
 class AlignmentRules:
-    """Weights: `shift`: target level minus source level; shares of both terms; `max_deviation` in noise
+    """Weights: `shift`: target level minus source level; fractions of the two terms; `max_deviation` in noise
     deviations; finest `first_level`. A `short_step` [px at 1 m] ends a level.
     """
 

@@ -91,7 +91,7 @@ def encode_frame(
     codes: Bytes | None = None,
     row: int = 0,
 ) -> Bytes:
-    """Code of a small image (40 x 30, say), in `row` of `codes` if given. Depth 0, brightness below 0: missing."""
+    """Code of a small image (such as 40 x 30), in `row` of `codes` if given. Depth 0, brightness below 0: missing."""
     if codes is None:
         codes = empty(FERNS, uint8, depth.device)
     launch(encode_ferns_kernel, FERNS, [depth, brightness, first, width, height, seed, row * FERNS, codes])

@@ -1,7 +1,7 @@
 """Image pyramid of an RGB-D frame: depth, brightness and surface plane per pixel and level.
 
 Pixel k of a level covers 2 k and 2 k + 1 of the finer one (Newcombe et al. 2011, "KinectFusion", section 3.2). Depth is
-the mean over the nearest surface; holes neither count nor spread. Planes are fitted to inverse depths of a window
+the mean over the nearest surface. Holes neither count nor spread. Planes are fitted to inverse depths of a window
 (Holzer et al. 2012), which are linear on planes and, for stereo and structured light, uniformly noisy.
 """
 
@@ -151,7 +151,7 @@ def take_level_kernel(
     depths: array(dtype=float32),
     brightnesses: array(dtype=float32),
 ):
-    """Copy depth and brightness; invalid values become none."""
+    """Copy depth and brightness. Invalid values become none."""
     i = tid()
     d = depth[i]
     b = brightness[i]

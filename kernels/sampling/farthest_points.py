@@ -84,7 +84,7 @@ class SampleDistances:
 
 @kernel
 def start_keys_kernel(state: SampleDistances):
-    """Coordinates by axis and initial keys; padding is never chosen."""
+    """Coordinates by axis and initial keys. Padding is never chosen."""
     i = tid()
     p = vec3(0.0, 0.0, 0.0)
     key = int64(0)

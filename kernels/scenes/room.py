@@ -82,7 +82,7 @@ def node_index(i: int, light: LightGrid) -> vec3i:
 
 @kernel
 def sample_distances_kernel(light: LightGrid, low: vec3d, step: float64, solids: Solids, distances: array(dtype=vec2)):
-    """Distance field [m] at the nodes; light is still unknown."""
+    """Distance field [m] at the nodes. Light is still unknown."""
     i = tid()
     node = node_index(i, light)
     p = low + vec3d(float64(node[0]), float64(node[1]), float64(node[2])) * step
@@ -279,7 +279,7 @@ def render_pixels_kernel(
     incidence: array(dtype=float32),
     colors: array(dtype=uint8),
 ):
-    """Depth, incidence cosine and color of each pixel; zeros if empty."""
+    """Depth, incidence cosine and color of each pixel, or zeros if empty."""
     i = tid()
     column = i % camera.width
     row = i // camera.width

@@ -66,7 +66,7 @@ class GroupScratch:
         self.ids, self.keys = empty(self.stride * self.gather, int32, device), empty(self.stride * row, int64, device)
 
     def _allocate_for_warps(self, device: Device, row: int) -> None:
-        """One launch whose warps process several groups: as many warps as the device holds, or as fit into memory."""
+        """One launch whose warps process several groups: limited by the device's threads and memory."""
         warps = max(1, min(device.sm_count * SM_THREADS, MAX_KEYS // row) // WARP)
         while True:
             self.run, self.max_threads = max(1, -(-self.groups // warps)), max(1, self.groups)

@@ -117,7 +117,7 @@ def count_finite_kernel(keys: array(dtype=int64), starts: array(dtype=int32), bi
 
 @kernel
 def gather_points_kernel(points: array(dtype=vec3), sorted_rows: array(dtype=int32), clouds: ManyClouds):
-    """Sorted points; padding has row -1 and infinite coordinates."""
+    """Sorted points. Padding has row -1 and infinite coordinates."""
     i = tid()
     owner = clouds.owners[i // BUCKET]
     rank = i - clouds.first_positions[owner]
@@ -144,7 +144,7 @@ def gather_codes_kernel(keys: array(dtype=int64), bits: int, clouds: ManyClouds)
 
 @func
 def given_row(i: int, clouds: ManyClouds) -> int:
-    """Input row, over all clouds, of the point at a position; -1 for padding."""
+    """Input row, over all clouds, of the point at a position, or -1 for padding."""
     row = clouds.order[i]
     at = -1
     if row >= 0:

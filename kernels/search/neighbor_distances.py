@@ -35,7 +35,7 @@ count_sum = vector(2, float64)
 def average_distances_kernel(
     part: LaunchPart, tree: PointTree, labels: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
-    """Mean distance of the k nearest points including the point itself; infinite for fewer than k."""
+    """Mean distance of the k nearest points including the point itself, infinite for fewer than k."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, labels, scratch, LARGEST_SQDIST, 0):
         total = float64(0.0)

@@ -255,7 +255,7 @@ def square_distance(p: vec3, q: vec3) -> float:
 
 @func
 def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> box_distances:
-    """Squared distances [m^2] from the box (a, b), or point (p, p), to a node's child boxes; infinite if empty."""
+    """Squared distances [m^2] from the box (a, b), or point (p, p), to a node's child boxes, infinite if empty."""
     at = node * SIDES
     distances = box_distances(0.0)
     for j in range(FAN):

@@ -1,6 +1,6 @@
 """Points with many neighbors: the counting step of DBSCAN.
 
-One thread per leaf of eight lanes; counting stops once each lane has enough.
+One thread per leaf of eight lanes. Counting stops once each lane has enough.
 """
 
 from ..array_types import Mask

@@ -58,7 +58,7 @@ def measure_boxes_kernel(
     lows: array(dtype=float32),
     highs: array(dtype=float32),
 ):
-    """Extent of a slice of a patch's points along each axis; minima and maxima do not depend on the order."""
+    """Extent of a slice of a patch's points along each axis. Minima and maxima do not depend on the order."""
     i = tid()
     box = i // SLICES
     part = i % SLICES

@@ -81,7 +81,7 @@ def fold_top_distances_kernel(
     first: int,
     sums: array(dtype=float64),
 ):
-    """Ordered sums of their rows; infinite for other planes."""
+    """Ordered sums of their rows, infinite for other planes."""
     i = tid()
     total = float64(INFINITY)
     if counts[first + i] == top[0]:

@@ -116,7 +116,7 @@ class RivalStarts:
         self.unread = [values for kind in self.kinds for values in part.draw_unread(kind, DRAWN, 0, 0, wide)]
 
     def find(self, drawn: Sequence[NDArray[Any]], every: ShapeSearch) -> list[Rival]:
-        """Best shape of each other kind, from the arrays of `unread`; support is counted in `every`. Two syncs."""
+        """Best shape of each other kind, from the arrays of `unread`. Support is counted in `every`. Two syncs."""
         kinds, starts = [self.shape.kind], [self.shape.fit.shape]
         for kind, (shapes, _) in zip(self.kinds, drawn_of(drawn), strict=True):
             kinds += [kind] * len(shapes[:STARTS])

@@ -90,7 +90,7 @@ def is_proper(kind: int, shape: NDArray[np.float64]) -> bool:
 
 
 def flat_fit(sums: NDArray[np.float64], count: int) -> FlatFit:
-    """Plane from sums around the center; float64 resolves distances of 1e-8 of the point extent."""
+    """Plane from sums around the center. Float64 resolves distances of 1e-8 of the point extent."""
     sums = sums.reshape(-1) / max(count, 1)
     mean, products = sums[:3], np.zeros((3, 3))
     products[np.triu_indices(3)] = sums[3:9]

@@ -68,7 +68,7 @@ def blend_splats_kernel(
     left: array(dtype=float32),
     light: array(dtype=vec3),
 ):
-    """Add splats to an image whose cells hold the solid surfaces."""
+    """Add splats to an image whose cells contain the solid surfaces."""
     i = tid()
     pixel = pixel_of_thread(i, lists)
     if pixel >= 0:

@@ -47,7 +47,7 @@ class TileLists:
 
 @func
 def pixel_of_thread(i: int, lists: TileLists) -> int:
-    """Pixel of a thread; -1 outside the image."""
+    """Pixel of a thread, or -1 outside the image."""
     tile = i // TILE_PIXELS
     column = (tile % lists.columns) * TILE + i % TILE
     row = (tile // lists.columns) * TILE + (i // TILE) % TILE

@@ -137,7 +137,7 @@ def source_cost(
 
 @func
 def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width: int, height: int) -> int:
-    """Pixel of least cost in a region of the other color; -1 outside."""
+    """Pixel of least cost in a region of the other color, or -1 outside."""
     best = -1
     low = float(NO_COST)
     side = region % 4
@@ -179,7 +179,7 @@ def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width
 def mean_of_best(i: int, chosen: int, count: int, costs: array(dtype=float32)) -> float:
     total = 0.0
     last = -1.0
-    for k in range(chosen):  # next greater cost each time; equal ones count once
+    for k in range(chosen):  # next greater cost each time. Equal ones count once
         low = float(NO_COST)
         for s in range(count):
             c = costs[i * count + s]

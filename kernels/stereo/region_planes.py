@@ -123,7 +123,7 @@ def take_priors(
     planes: Array1[vec4],
     costs: Scalars,
 ) -> None:
-    """Apply priors to the planes; overwrites the `costs` of each source."""
+    """Apply priors to the planes. Overwrites the `costs` of each source."""
     count = reference.width * reference.height
     launch(take_priors_kernel, count, [chosen, geometric, reference, sources, priors, planes, costs])
 

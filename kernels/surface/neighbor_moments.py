@@ -32,7 +32,7 @@ def moments_within(start: int, p: vec3, max_sqdist: float, widest: float, tree: 
     total = integer_moments(0)
     for j, sqdist in points_within(start, p, max_sqdist, tree):
         total = add_integer_moments(total, p, tree.points[j], steps)
-    if total[0] > int64(MAX_EXACT_POINTS):  # too many for these steps; testing in the loop would take 50 % longer
+    if total[0] > int64(MAX_EXACT_POINTS):  # too many for these steps. Testing in the loop would take 50 % longer
         steps = steps_for(widest, int(total[0]))
         total = integer_moments(0)
         for j, sqdist in points_within(start, p, max_sqdist, tree):

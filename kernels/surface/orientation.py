@@ -196,7 +196,7 @@ def nearest_of_others(rank: int, bridges: Bridges) -> int64:
 
 @kernel(max_registers=128)  # for two blocks per SM
 def find_bridges_kernel(bridges: Bridges):
-    """Shortest bridge from each point of a leaf; pruning never drops the component's shortest bridge."""
+    """Shortest bridge from each point of a leaf. Pruning never drops the component's shortest bridge."""
     i = tid()
     reached = is_near_other_component(i, bridges)
     for rank in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):

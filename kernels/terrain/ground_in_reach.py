@@ -43,7 +43,7 @@ from ..segmentation.ground import (
 from .cells import FixedCells, column_of, row_of_cell
 
 SMALL_SPRINGS = (2, 2)  # passes per level, from the finest, before the openings
-SPRINGS = (2, 2, 2)  # for the ground; coarser levels have none
+SPRINGS = (2, 2, 2)  # for the ground. Coarser levels have none
 
 
 @kernel

@@ -147,7 +147,7 @@ def match_depth_kernel(
 def match_frame_kernel(
     vertices: array(dtype=vec3), image: int, pictures: PosedPictures, farthest: float64, mask: array(dtype=uint8)
 ):
-    """1 if the vertex is in the image up to a depth; occlusion is tested elsewhere."""
+    """1 if the vertex is in the image up to a depth. Occlusion is tested elsewhere."""
     i = tid()
     projected = project_vertex(vertices[i], image, pictures)
     visible = 0

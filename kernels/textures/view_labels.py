@@ -88,7 +88,7 @@ def pass_messages_kernel(
 
 @kernel
 def take_best_kernel(graph: LabelGraph, beliefs: array(dtype=int32), labels: array(dtype=int32)):
-    """Candidate with the least belief, the first of equals; -1 if there is none."""
+    """Candidate with the least belief, the first of equals, or -1 if there is none."""
     i = tid()
     label = -1
     min_belief = int(FAR)

@@ -167,7 +167,7 @@ def write_entries(
             system.band[first + 1, last - 1] = total[1]
             system.band[first + 1, last] = (total[2] + tie) * damping
         else:
-            # the later anchor's rows hold the entry
+            # the later anchor's rows contain the entry
             other = first + 2 * (beside[0] * grid[1] + beside[1])
             if row + beside[1] >= 0 and row + beside[1] < grid[1] and column + beside[0] < grid[0]:
                 at = last + first - other

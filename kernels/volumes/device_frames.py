@@ -1,6 +1,6 @@
 """Depth integration on a GPU without a sync: touched and missing blocks are found on the device.
 
-Rays mark blocks in a grid over the frame's box; marked cells are numbered by a prefix sum in key order, as on the CPU.
+Rays mark blocks in a grid over the frame's box. Marked cells are numbered by a prefix sum in key order, as on the CPU.
 Launch sizes depend only on the camera and the maximum depth, so they are recorded once (frame_record.py). 1.5 B per
 cell and 12 B per block of a ray. Room for all blocks that rays could touch is reserved, or, if too large, for the
 counted ones after one sync.

@@ -1,6 +1,6 @@
 """Exact squared distances to the nearest occupied voxel, in blocks of 8^3 voxels.
 
-Blocks within the distance limit of an occupied block along each axis are created; those without any known distance are
+Blocks within the distance limit of an occupied block along each axis are created. Those without any known distance are
 then removed. A dense box has all its blocks. 8 B per voxel (squared distance and index), 16 B more during construction,
 24 B if signed. 32 to 56 B per block.
 """

@@ -300,7 +300,7 @@ def list_sqdists_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, sqdists: ar
 
 @kernel
 def list_nearest_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, rows: array(dtype=int32)):
-    """Row of the nearest occupied voxel to each voxel of a box; -1 if unknown."""
+    """Row of the nearest occupied voxel to each voxel of a box, or -1 if unknown."""
     i = tid()
     voxel = lattice_voxel(i, low, size, grid)
     row = -1

@@ -40,7 +40,7 @@ class FrameRecord:
 
 
 class FrameCounts:
-    """Numbers of touched and valid blocks after a frame; waits for the device on first use."""
+    """Numbers of touched and valid blocks after a frame. Waits for the device on first use."""
 
     def __init__(self, record: FrameRecord) -> None:
         self._record, self._counts = record, None

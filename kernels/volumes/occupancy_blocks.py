@@ -47,7 +47,7 @@ from .occupancy_rays import (
 from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, SIDE, BlockMarks, voxel_cell, voxel_in_block
 from .voxel_blocks import begin_blocks
 
-UNKNOWN = 1.0e9  # log odds of unobserved voxels; observed ones are clamped far below
+UNKNOWN = 1.0e9  # log odds of unobserved voxels. Observed ones are clamped far below
 KNOWN_BELOW = 1.0e8
 FIRST_CAPACITY = 256
 MAX_CELLS = 1 << 26  # blocks in the box of a scan: 64 MB of flags

@@ -89,7 +89,7 @@ class Faults(NamedTuple):
 
 @func
 def ray_range(i: int, rays: ScanRays) -> float64:
-    """Range of a point [m]; -1 if it is ignored."""
+    """Range of a point [m], or -1 if it is ignored."""
     along = rays.points[i] - rays.scanners[i * rays.step]
     distance = float64(-1.0)
     if isfinite(along):

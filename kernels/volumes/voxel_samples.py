@@ -53,7 +53,7 @@ def voxel_around(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
 
 @func
 def cell_voxels(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> cube:
-    """Eight voxels of a cell, x slowest, coordinates in -8..14; -1 without a block."""
+    """Eight voxels of a cell, x slowest, coordinates in -8..14, or -1 without a block."""
     voxels = cube(-1)
     if min(x, min(y, z)) >= 0 and max(x, max(y, z)) < SIDE - 1:  # all eight in one block
         first = block * BLOCK_VOXELS + (x * SIDE + y) * SIDE + z

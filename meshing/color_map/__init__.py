@@ -1,4 +1,4 @@
-"""Vertex colors and textures of a mesh from posed images (Zhou and Koltun 2014); public names are loaded on first use.
+"""Vertex colors and textures of a mesh from posed images (Zhou and Koltun 2014). Public names are loaded on first use.
 
 Example:
     >>> import numpy as np, pointloom as loom

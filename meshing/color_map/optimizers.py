@@ -239,7 +239,7 @@ def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_
 def _world_poses(
     mesh: TriangleMesh, images: PosedImages, given: Trajectory, poses: NDArray[Any]
 ) -> NDArray[np.float64]:
-    """T_world_camera of each image; unmoved poses stay bitwise equal."""
+    """T_world_camera of each image. Unmoved poses stay bitwise equal."""
     start = images.T_camera_world.copy()
     start[:, :3, 3] += matmul(start[:, :3, :3], mesh.origin)
     result = given.poses.copy()

@@ -21,7 +21,7 @@ class PicturedMesh(Report, Assessed):
 
     Attributes:
         mesh: With one texture, without vertex colors.
-        views: Source image of each triangle, int32 (t,); -1 for none.
+        views: Source image of each triangle, int32 (t,), or -1 for none.
         picture_count, chart_count, pair_count, outlier_count: Number of images, charts (connected triangles of one
             image), visible triangle-image pairs, and excluded pairs.
         size, scale: Texels per side, and per image pixel (at most 1).

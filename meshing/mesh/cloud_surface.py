@@ -69,7 +69,7 @@ def create_surface(
     See `TriangleMesh.create_from_point_cloud_poisson`, `..._ball_pivoting` and `..._alpha_shape`. Bitwise reproducible.
 
     Args:
-        cloud: The points; existing normals are used.
+        cloud: The points. Existing normals are used.
         method: "poisson", "ball" (pivoting) or "alpha" (shape).
         depth: Poisson: octree depth, 2..20, default 8.
         density_quantile: Poisson: fraction of the vertices with the lowest densities to remove, below 1. If None: 0.01

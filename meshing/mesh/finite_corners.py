@@ -29,7 +29,7 @@ def find_wrong_corner(mesh: MeshArrays) -> str | None:
 
 
 def check_finite_corners(operation: str, mesh: MeshArrays) -> None:
-    """Raise ValueError if a triangle has a corner that is not finite; unused vertices may be."""
+    """Raise ValueError if a triangle has a corner that is not finite. Unused vertices are not checked."""
     fault = find_wrong_corner(mesh)
     if fault is not None:
         raise ValueError(f"{operation}: expected triangles with finite corners, but {fault}; {REMEDY}")

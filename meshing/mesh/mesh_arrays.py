@@ -434,7 +434,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @returns_new
     def copy(self) -> Self:
-        """Copy that shares arrays; assignments to one do not affect the other."""
+        """Copy that shares arrays. Assignments to one do not affect the other."""
         return self._with_arrays()
 
     def __copy__(self) -> Self:

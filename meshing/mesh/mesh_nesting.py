@@ -15,7 +15,7 @@ from ...kernels.meshes.mesh_edits import gather_triangles
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.rays.winding_numbers import Dipoles, add_winding_numbers
 
-SAMPLES = 3  # points of a part; most must be inside another
+SAMPLES = 3  # points of a part. Most must be inside another
 INWARDS = 1.0e-4  # of a triangle's size: depth of its test point behind it, so that parts may touch
 
 
@@ -29,7 +29,7 @@ class Parts:
 
 
 def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict[int, list[int]]:
-    """Closed parts that enclose each closed part, ascending; outermost parts are omitted. A part is inside another if
+    """Closed parts that enclose each closed part, ascending. Outermost parts are omitted. A part is inside another if
     its box is, and two of three points behind its largest triangles have winding number > 0.5."""
     inner = np.flatnonzero(parts.closed & (parts.sides != 0))
     if len(inner) < 2:

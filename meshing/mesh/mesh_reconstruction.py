@@ -54,7 +54,7 @@ from .mesh_measures import MeshMeasures
 MIN_DEPTH = 2  # densities use the level two above the finest, and level 0 has no information
 MAX_POINT_WEIGHT = 1000.0  # at ten times this, float32 rounding causes bumps of a tenth of a cell
 MAX_ENVELOPE = 10_000  # triangles: a minute for a million corners
-OPPOSED = 0.1  # fraction of disagreeing neighbors; seams of a good cloud are below, random signs give 0.5
+OPPOSED = 0.1  # fraction of disagreeing neighbors. Seams of a good cloud are below, random signs give 0.5
 MIN_SAMPLES = 0.001  # vertices are then five levels coarser than their points
 NO_NORMALS = "call cloud = cloud.estimate_normals()"  # remedy in errors
 FIRST_RADIUS = 1.5  # times the spacing: bridges grid cells (circumradius 0.7) and some gaps
@@ -283,8 +283,8 @@ class MeshReconstruction(MeshMeasures):
     ) -> Any:
         """Alpha shape: boundary of the Delaunay tetrahedra with circumradius at most alpha.
 
-        Dense regions are solid; hollows wider than 2 alpha stay open. The surface is closed, with an even number of
-        triangles per edge. It is empty if no tetrahedron is kept. Exact for the stored float32 coordinates; cospherical
+        Dense regions are solid. Hollows wider than 2 alpha stay open. The surface is closed, with an even number of
+        triangles per edge. It is empty if no tetrahedron is kept. Exact for the stored float32 coordinates. Cospherical
         points are resolved by index order. Bitwise identical on every device. About 300 B per point and up to 500 MB of
         scratch memory. An alpha of the cloud's size is slow if many points are on its hull. Edelsbrunner and Mücke,
         "Three-dimensional alpha shapes", TOG 1994, regularized.

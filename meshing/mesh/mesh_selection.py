@@ -308,7 +308,7 @@ class MeshSelection(MeshArrays):
         """Remove triangles by index. All vertices stay.
 
         Args:
-            triangle_indices: In -t..t-1, in any order; repeats count once.
+            triangle_indices: In -t..t-1, in any order. Repeats count once.
 
         Raises:
             IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
@@ -327,7 +327,7 @@ class MeshSelection(MeshArrays):
         """Remove vertices by index, and the triangles that use them.
 
         Args:
-            vertex_indices: In -m..m-1, in any order; repeats count once.
+            vertex_indices: In -m..m-1, in any order. Repeats count once.
 
         Returns:
             The remaining mesh in order. Vertices without triangles stay: see `remove_unreferenced_vertices`.
@@ -349,7 +349,7 @@ class MeshSelection(MeshArrays):
         """Select vertices by index, in the given order, and the triangles between them.
 
         Args:
-            indices: In -m..m-1; repeats count once.
+            indices: In -m..m-1. Repeats count once.
             cleanup: Remove duplicated, unreferenced and degenerate vertices and triangles, as Open3D.
 
         Returns:

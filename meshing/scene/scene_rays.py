@@ -42,7 +42,7 @@ class SceneRays(SceneGeometries):
 
         Returns:
             Arrays in the leading shape of the rays:
-            t_hit: float32 (...), parameter >= 0; infinite without a hit.
+            t_hit: float32 (...), parameter >= 0, infinite without a hit.
             geometry_ids: uint32 (...), as returned by `add_triangles`. INVALID_ID without a hit.
             primitive_ids: uint32 (...), triangle index in its mesh. INVALID_ID without a hit.
             primitive_uvs: float32 (..., 2), weights of the second and third corner.

@@ -207,7 +207,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         """Compute the field around listed voxels.
 
         Args:
-            coordinates: Occupied voxels, integers (n, 3), in any order; repeats count once.
+            coordinates: Occupied voxels, integers (n, 3), in any order. Repeats count once.
             voxel_size: Edge of a voxel [m].
             max_distance: Maximum known distance [m], at most 16,383 voxels.
             origin: Lowest corner of voxel (0, 0, 0) [m], shape (3,).

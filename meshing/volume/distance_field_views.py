@@ -92,7 +92,7 @@ class FieldViews:
         """Field as a dense NumPy array of shape (x, y, z).
 
         Args:
-            bounds: Lowest and highest corner [m], shape (2, 3); overlapping voxels are included. If None: `bounds`.
+            bounds: Lowest and highest corner [m], shape (2, 3). Overlapping voxels are included. If None: `bounds`.
             values: "distances" [m], float32, `max_distance` if unknown; "squared" [voxels^2], int32, 2^31 - 1 if
                 unknown; "nearest", int32 rows of `occupied_voxels`, -1 if unknown; or "known", bool.
 

@@ -31,8 +31,8 @@ class RayHits:
 
     Attributes:
         states: int8 (n,): 1 occupied, -1 unknown, 0 none up to the ray's end.
-        distances: From the ray's origin to the voxel [m], float64 (n,); infinite if none.
-        voxels: int32 (n, 3), as `OccupancyGrid.voxel_indices`; zeros if none.
+        distances: From the ray's origin to the voxel [m], float64 (n,), infinite if none.
+        voxels: int32 (n, 3), as `OccupancyGrid.voxel_indices`, or zeros if none.
     """
 
     states: NDArray[np.int8]
@@ -161,7 +161,7 @@ class OccupancyQuestions:
         """Probabilities as a dense array, float32 (x, y, z). NaN if unknown.
 
         Args:
-            bounds: Lowest and highest corner [m], shape (2, 3); overlapping voxels are included. If None: `bounds`.
+            bounds: Lowest and highest corner [m], shape (2, 3). Overlapping voxels are included. If None: `bounds`.
 
         Raises:
             ValueError: If the bounds are invalid or contain more than 2^31 voxels.

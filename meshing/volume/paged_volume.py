@@ -90,7 +90,7 @@ class PagedTSDFVolume(HintedNames):
 
     @classmethod
     def load(cls, folder: FilePath, *, max_blocks: int = 100_000, device: Any = None) -> PagedTSDFVolume:
-        """Load a volume as last saved; unsaved leftovers are removed by the next `save`.
+        """Load a volume as last saved. Unsaved leftovers are removed by the next `save`.
 
         Raises:
             FileError: If there is none, it is damaged, or in use. Damaged pages are reported when needed.
@@ -116,7 +116,7 @@ class PagedTSDFVolume(HintedNames):
         self.close()
 
     def close(self) -> None:
-        """Release the folder for other processes; unsaved data is lost."""
+        """Release the folder for other processes. Unsaved data is lost."""
         self._volume.folder.close()
 
     def __repr__(self) -> str:

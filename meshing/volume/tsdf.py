@@ -291,7 +291,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         depth_max: float = OPEN3D_DEPTH_MAX,
         weight_threshold: float = 3.0,
     ) -> RayCast:
-        """Render the surface from a camera; back faces are transparent.
+        """Render the surface from a camera. Back faces are transparent.
 
         Args:
             intrinsic: The camera. Its size is that of the image.

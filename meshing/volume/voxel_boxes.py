@@ -29,7 +29,7 @@ def check_voxel_size(value: Any) -> float:
 
 
 def voxels_of_blocks(keys: NDArray[np.int64]) -> Corners:
-    """First voxel of blocks along each axis, and the one after the last; zeros if none."""
+    """First voxel of blocks along each axis, and the one after the last, or zeros if none."""
     if not len(keys):
         return np.zeros(3, np.int64), np.zeros(3, np.int64)
     blocks = SIDE * block_box(keys)

@@ -85,7 +85,7 @@ class ControlGrid:
         return self._origin.copy()
 
     def touch(self, cloud: PointCloud) -> None:
-        """Add the anchors around a cloud's points without displacement; existing ones are unchanged.
+        """Add the anchors around a cloud's points without displacement. Existing ones are unchanged.
 
         Raises:
             TypeError, ValueError: Not a cloud, or points more than 2^19 cells from the grid origin.
@@ -157,7 +157,7 @@ class ControlGrid:
             depth_max: Maximum depth [m].
 
         Returns:
-            Depth [m], float32 [h, w]. 0 where empty. The nearest point wins a pixel; stretched regions may have holes.
+            Depth [m], float32 [h, w]. 0 where empty. The nearest point wins a pixel. Stretched regions may have holes.
 
         Raises:
             TypeError, ValueError: Wrong shapes or sizes, or an extrinsic that is not rigid.

@@ -378,7 +378,7 @@ class NonRigidResult(Report, Assessed):
     Attributes:
         deformation: The Deformation from source to target.
         warped: The deformed source.
-        correspondences: Target index of each source point, int32 [n]; -1 without partner.
+        correspondences: Target index of each source point, int32 [n], or -1 without partner.
         residuals: Distance from the partner's plane [m], float64 [n]. NaN without partner.
         matched: Fraction of source points on the target, 0..1.
         covered: Fraction of target points that the deformed source reaches.

@@ -153,7 +153,7 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
 
     Args:
         rotation_threshold: Maximum absolute angles x, y, z [rad] of the rotation Rz Ry Rx, shape [3] (as in Open3D
-            0.20, whose documentation says rotation vector).
+            0.20, documented as rotation vector).
 
     Raises:
         ValueError: A wrong shape, or a negative threshold.

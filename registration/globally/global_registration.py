@@ -100,7 +100,7 @@ def register_globally(
         agree. Otherwise `warnings` names the failure: too little surface, no consistent correspondences, a rejected
         best pose, an undetermined motion (sphere, tube), evidence from planes only, a conflict with free space, or
         several equally good poses (symmetric scene).
-        Fitness and error are those of the downsampled clouds within 1.5 voxels. `correspondence_set` holds indices into
+        Fitness and error are those of the downsampled clouds within 1.5 voxels. `correspondence_set` are indices into
         the given clouds and is computed on first access.
 
     Raises:

@@ -55,7 +55,7 @@ CHANCE = 4.4
 SAMPLES = 64  # sample points for pose comparison
 ENOUGH = 30  # matches below which they may be chance
 # Minimum number and fraction of matches outside the planes: 31 of 3,638 and 32 of 1,720 supported wrong poses in
-# benchmarks/box_rooms.py (aligned 0.44 and 0.64); correct poses of kitchens have 26 of 200, hills 0.37 aligned.
+# benchmarks/box_rooms.py (aligned 0.44 and 0.64). Correct poses of kitchens have 26 of 200, hills 0.37 aligned.
 ENOUGH_BESIDE, PART_BESIDE = 100, 0.05
 FEW_ALIGNED, MANY_ALIGNED = 0.37, 0.47  # range of `aligned` in which this check sets in
 

@@ -91,7 +91,7 @@ def check_information(name: str, matrix: Any) -> Matrix:
 
 
 def _weights_of(name: str, sigma: Any) -> NDArray[np.float64]:
-    """1 / sigma^2 of three axes; zeros if unknown."""
+    """1 / sigma^2 of three axes, or zeros if unknown."""
     if sigma is None:
         return np.zeros(3)
     values = check_finite(name, check_numeric(name, sigma))

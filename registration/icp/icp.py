@@ -96,7 +96,7 @@ def registration_icp(
             2002). None: estimated in each iteration by the fractional RMSD (Phillips et al. 2007), for an overlap below
             half and a nearly correct pose. 1 (Open3D): points beyond the other cloud's border bias the pose. Below 1,
             fitness and inlier_rmse refer to the kept pairs; compare poses by `evaluate_registration`.
-        max_normal_angle: Maximum angle between the normals of a pair [rad]; both clouds need normals.
+        max_normal_angle: Maximum angle between the normals of a pair [rad]. Both clouds need normals.
         degeneracy: Motions whose eigenvalue is below this fraction of the largest are left out and reported. 0 keeps
             all, as Open3D: useful for flat surfaces with gentle slopes, but noise may move the source.
         callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and `inlier_rmse`

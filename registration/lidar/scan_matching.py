@@ -1,7 +1,7 @@
 """Alignment of a downsampled scan with the map: robust ICP, the adaptive threshold, and localizability.
 
 Equation numbers are those of Vizzo et al. 2023 (KISS-ICP). Localizability is tested per direction as in Tuna et al.,
-"X-ICP: Localizability-Aware LiDAR Registration for Robust Localization in Extreme Environments", 2023; suspected
+"X-ICP: Localizability-Aware LiDAR Registration for Robust Localization in Extreme Environments", 2023. Suspected
 directions are verified by matching the scan at shifted poses.
 """
 
@@ -28,7 +28,7 @@ Matrix = NDArray[np.float64]
 
 SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
 MOVED = 5.0  # times min_motion from the start, below which the initial threshold is used
-MAX_ITERATIONS = 50  # three are usual; oscillating pairs do not converge with more
+MAX_ITERATIONS = 50  # three are usual. Oscillating pairs do not converge with more
 TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
 ROUGH = 1e-2  # likewise if other iterations follow
 LOST_SHARE = 0.1  # minimum fraction of points with a correspondence

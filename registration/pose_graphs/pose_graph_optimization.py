@@ -43,7 +43,7 @@ class GlobalOptimizationOption:
         max_correspondence_distance: Correspondence distance [m] used when the edges were measured. An uncertain edge
             with this root mean square residual gets the confidence 1/4 (if it has the mean number of correspondences).
         edge_prune_threshold: Uncertain edges with at most this confidence are removed, 0..1.
-        preference_loop_closure: Factor of the line process weight; larger keeps more uncertain edges.
+        preference_loop_closure: Factor of the line process weight. Larger keeps more uncertain edges.
         reference_node: Node whose pose is fixed; -1 fixes the mean motion of all poses to the identity.
 
     Raises:

@@ -63,7 +63,7 @@ class RefinementReport:
         overlaps: A FragmentOverlap for each edge, in order.
         rmse: Root mean square point-to-plane distance [m] before each step and at the end, float64 [iterations + 1].
         correspondences: Number of point pairs, likewise, int64.
-        stretch: The grid's part of the error [m^2], likewise; zeros if rigid.
+        stretch: The grid's part of the error [m^2], likewise, or zeros if rigid.
         turns: Conjugate gradient iterations of each step, int64 [iterations].
     """
 

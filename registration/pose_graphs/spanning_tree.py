@@ -40,7 +40,7 @@ def spanning_tree(
 
 
 def chain(first: Array, roots: Iterable[int], pairs: Sequence[Pair], tree: Sequence[int]) -> Array:
-    """Propagate poses [n, 4, 4] along the tree from the roots; unreached ones are unchanged."""
+    """Propagate poses [n, 4, 4] along the tree from the roots. Unreached ones are unchanged."""
     poses, visited, waiting = first.copy(), set(roots), list(tree)
     while waiting:
         rest = []

@@ -1,6 +1,6 @@
 """Up direction of an SfM model from level cameras, or from known attitudes.
 
-Photographers hold the camera level, so the x axes of the images are horizontal: up is the smallest eigenvector of the
+Photographers keep the camera level, so the x axes of the images are horizontal: up is the smallest eigenvector of the
 sum of x xT (as in OpenSfM and nerfstudio). Gimbal attitudes are better, and work for nadir images.
 """
 
@@ -36,7 +36,7 @@ class UpDirection(Assessed):
 
     Attributes:
         direction: Unit vector in model coordinates, shape [3]. None if unknown.
-        sigma: Standard deviation [degrees]; infinite if unknown.
+        sigma: Standard deviation [degrees], infinite if unknown.
         by: "attitudes", "cameras", or "".
         warnings: Why the direction is unknown. Empty if it is known.
     """

@@ -20,7 +20,7 @@ from .up_direction import upright_rotation
 
 Array = NDArray[np.float64]
 
-MAX_ITERATIONS = 50  # Gauss-Newton iterations; five are usual
+MAX_ITERATIONS = 50  # Gauss-Newton iterations. Five are usual
 PAIRS = 4000  # tested camera pairs
 STILL = 1e-12  # step at convergence
 OPEN = 1e-14  # relative to the largest eigenvalue, undetermined below

@@ -252,7 +252,7 @@ class CameraModel:
 
         Args:
             blank_share: 0 to 1, position between the two sizes.
-            max_size: Maximum side length [px]; larger images are scaled down.
+            max_size: Maximum side length [px]. Larger images are scaled down.
             size: Width and height [px] to resize to, ignoring proportions. Not with `max_size`.
 
         Returns:

@@ -77,7 +77,7 @@ def erode_depth_edges(
 
     Args:
         depth: Shape (h, w), or an RGBDImage, whose colors are unchanged.
-        radius: Pixels to remove on each side of an edge and around a hole [px]; diagonals count as one.
+        radius: Pixels to remove on each side of an edge and around a hole [px]. Diagonals count as one.
         depth_threshold: Depth difference of neighboring pixels that makes an edge [m].
         depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
         device: Device for an array; None: the GPU that it is on, else the CPU.

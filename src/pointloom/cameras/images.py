@@ -42,7 +42,7 @@ class RGBDImage(HintedNames):
         color: 8-bit colors, shape (h, w, 3), or gray (h, w).
         depth: Shape (h, w). Integers of 16 bits and more, or floats.
         depth_scale: Depth units per meter; None: 1000 for integers, 1 for floats.
-        depth_trunc: Maximum depth [m]; larger depths become 0 (no measurement).
+        depth_trunc: Maximum depth [m]. Larger depths become 0 (no measurement).
         device: Device of the images; None: the GPU that the depth is on, else the CPU.
 
     Raises:

@@ -20,7 +20,7 @@ PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = range(5)
 
 Array = NDArray[np.float64]
 
-MAX_ITERATIONS = 100  # Newton iterations: a few suffice; bisection of the rest takes about fifty
+MAX_ITERATIONS = 100  # Newton iterations: a few suffice. Bisection of the rest takes about fifty
 ROUNDED = 4e-15  # relative residual of a solved equation, from rounding
 NEGLIGIBLE = 1e-15  # fraction of a polynomial's largest term over the image
 DIRECTIONS, STEPS = 64, 128  # directions and steps of the search for `max_radius` of an asymmetric lens
@@ -213,7 +213,7 @@ def _turning_radius(lens: Lens) -> float:
 
 
 def _smallest_root(coefficients: NDArray[np.floating]) -> float:
-    """Smallest positive root of a polynomial (constant first); infinite if none, 0 for infinite coefficients."""
+    """Smallest positive root of a polynomial (constant first), infinite if none, 0 for infinite coefficients."""
     if not np.isfinite(coefficients).all():
         return 0.0
     significant = np.flatnonzero(np.abs(coefficients) > NEGLIGIBLE * np.abs(coefficients).max())

@@ -112,7 +112,7 @@ def check_pose(path: str | os.PathLike[str], rows: Any, where: str) -> NDArray[n
 def log_poses(
     path: str | os.PathLike[str], lines: list[Line], *, gaps: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Poses and numbers of a .log file; lost poses are NaN, or an error without `gaps`."""
+    """Poses and numbers of a .log file. Lost poses are NaN, or an error without `gaps`."""
     if len(lines) % 5:
         reason = f"ends within a pose: {len(lines)} lines, expected 5 per pose"
         raise FileError(path, reason, where=f"line {lines[-1][0]}", remedy="The file may be truncated")
@@ -139,7 +139,7 @@ def _parse_ids(path: str | os.PathLike[str], line: Line) -> list[int]:
 def timed_poses(
     path: str | os.PathLike[str], lines: list[Line], *, gaps: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Poses and times of TUM lines; lost poses are NaN, or an error without `gaps`."""
+    """Poses and times of TUM lines. Lost poses are NaN, or an error without `gaps`."""
     for number, columns in lines:
         parse_floats(path, (number, columns[:1]), 1)
     table = np.array([_parse(path, line, 8, gaps=gaps) for line in lines])
@@ -162,7 +162,7 @@ def timed_poses(
 
 
 def kitti_poses(path: str | os.PathLike[str], lines: list[Line], *, gaps: bool) -> NDArray[np.float64]:
-    """Poses of lines of 12 numbers; lost poses are NaN, or an error without `gaps`."""
+    """Poses of lines of 12 numbers. Lost poses are NaN, or an error without `gaps`."""
     poses = []
     for line in lines:
         values = _parse(path, line, 12, gaps=gaps)

@@ -83,7 +83,7 @@ def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False)
     """Read a trajectory. The extension and the number of columns determine the format.
 
     - `.log`: three integers and four matrix rows per pose, camera to world (Open3D, Redwood).
-    - `.json`: Open3D's PinholeCameraTrajectory, extrinsics world to camera, column by column; intrinsics are ignored.
+    - `.json`: Open3D's PinholeCameraTrajectory, extrinsics world to camera, column by column. Intrinsics are ignored.
     - `.txt` with 8 columns, `.tum`: `timestamp tx ty tz qx qy qz qw`. Quaternions within 1e-2 of unit length are
       normalized.
     - `.txt` with 12 columns, `.kitti`: the upper three matrix rows, camera to world.
@@ -163,7 +163,7 @@ def write_trajectory(
     intrinsic: PinholeCameraIntrinsic | None = None,
     overwrite: bool = True,
 ) -> None:
-    """Write a trajectory with all digits; reading it returns the same poses.
+    """Write a trajectory with all digits. Reading it returns the same poses.
 
     Only TUM stores timestamps and only .log stores ids. As in Open3D, missing TUM times are the first id or the index,
     and missing .log ids are `i i i+1`. TUM stores the rotation nearest to the matrix.

@@ -65,7 +65,7 @@ def hand_out(
         array = view_as(array, array.dtype, shape)
     if library == WARP:
         return array
-    with lock_for(array.device):  # its stream waits for ours
+    with lock_for(array.device):  # its stream waits for pointloom's
         return _import(library).from_dlpack(array)
 
 

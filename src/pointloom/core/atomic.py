@@ -43,7 +43,7 @@ def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> P
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[IO[bytes]]:
     """A binary file that appears when the block succeeds and is removed otherwise.
-    New files get the default permissions of `open`; replaced files keep theirs."""
+    New files get the default permissions of `open`. Replaced files keep theirs."""
     path = check_writable(path, overwrite=overwrite)
     handled, mode, part, file = sys.exception(), _mode_of(path), part_name(path), None
     opener = functools.partial(os.open, mode=0o666 if mode is None else mode)
@@ -145,7 +145,7 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
 @contextlib.contextmanager
 def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Iterator[Path]:
     """A folder that appears when the block succeeds and is removed otherwise.
-    New folders get default permissions; replaced folders keep theirs. After a crash during replacement, the next
+    New folders get default permissions. Replaced folders keep theirs. After a crash during replacement, the next
     `check_folder` or `restore_folder` restores the previous folder."""
     path = check_folder(path, marker, overwrite=overwrite)
     mode, part = _mode_of(path), part_name(path)

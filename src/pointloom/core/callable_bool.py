@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class CallableBool(int):
-    """1 or 0, printed as True or False; calling it returns the bool."""
+    """1 or 0, printed as True or False. Calling it returns the bool."""
 
     def __new__(cls, value: object) -> CallableBool:
         return super().__new__(cls, bool(value))

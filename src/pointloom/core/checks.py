@@ -135,7 +135,7 @@ def check_colors(name: str, colors: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def check_numeric(name: str, values: Any) -> NDArray[Any]:
-    """Convert real numbers or booleans to a NumPy array; masked floats become NaN.
+    """Convert real numbers or booleans to a NumPy array. Masked floats become NaN.
     Raises `ValueError` for masked integers and `TypeError` for GPU memory, which is never copied to the host silently.
     """
     if is_on_gpu(values):
@@ -207,7 +207,7 @@ def check_count(
 
 
 def check_indices(name: str, values: Any, count: int, *, of: str, hint: str = "") -> NDArray[Any]:
-    """Indices of `count` rows as a flat array (k,) from 0; negative ones count from the end.
+    """Indices of `count` rows as a flat array (k,) from 0. Negative ones count from the end.
     `of` names the container and `hint` a remedy in the message of `TypeError` or `IndexError`."""
     rows = check_numeric(name, values).reshape(-1)
     if not rows.size:
@@ -274,7 +274,7 @@ def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
 
 
 def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
-    """An angle up to a full turn [rad]; larger values are probably degrees and raise."""
+    """An angle up to a full turn [rad]. Larger values are probably degrees and raise."""
     angle = check_positive(name, value, allow_zero=allow_zero)
     if angle > 2 * math.pi:
         raise ValueError(

@@ -12,7 +12,7 @@ def free_memory(device: Any = None) -> int:
     """Return unused GPU memory to the system, for other programs and libraries.
 
     A GPU caches up to half of its memory (docs/gpu.md). This releases the cache and the streams and graphs of
-    completed operations; live objects keep their memory. The next operation allocates again and takes slightly longer.
+    completed operations. Live objects keep their memory. The next operation allocates again and takes slightly longer.
 
     Args:
         device: The GPU. None for all that this process has used.

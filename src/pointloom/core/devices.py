@@ -13,7 +13,7 @@ def resolve_device(device: Any = None) -> Any:
     """The Warp device for "cpu", "cuda", "cuda:N", "auto" (first GPU, else CPU), a Warp device, or None ("cpu").
 
     Raises:
-        DeviceError: No such device, or CUDA in a forked process; there is no silent fallback.
+        DeviceError: No such device, or CUDA in a forked process. There is no silent fallback.
     """
     import warp as wp
 

@@ -44,7 +44,7 @@ def device_for(values: Any, device: Any) -> Any:
 
 
 def take_numbers(name: str, values: Any, device: Any = None) -> wp.array:
-    """A contiguous GPU array of real numbers, any shape; vector components become the last axis."""
+    """A contiguous GPU array of real numbers, any shape. Vector components become the last axis."""
     array = share(name, values)
     if device is not None:
         check_same_device(name, array.device, device)

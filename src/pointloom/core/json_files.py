@@ -15,7 +15,7 @@ MAX_DIGITS = 300  # digits of an integer that float64 represents
 
 
 def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
-    """Read a JSON object strictly; syntax errors report the line."""
+    """Read a JSON object strictly. Syntax errors report the line."""
     try:
         content = json.loads(
             data := path_of(path).read_bytes(),

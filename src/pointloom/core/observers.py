@@ -22,7 +22,7 @@ _standing: contextvars.ContextVar[dict[str, Any] | None] = contextvars.ContextVa
 def watch(callback: Watcher) -> Iterator[None]:
     """Call `callback(event, data)` for events reported inside the block, in this thread.
 
-    Observers nest, the outermost is called first. An exception in a callback ends the algorithm; algorithms called by
+    Observers nest, the outermost is called first. An exception in a callback ends the algorithm. Algorithms called by
     it report nothing. `data` is a dict.
 
     Example:

@@ -11,7 +11,7 @@ NEARLY_SINGULAR = 1e-3  # a determinant, as a fraction of the cube of the Froben
 MAX_NEWTON_STEPS = 20
 NEARLY_ONE = 0.1
 ROUNDING = 1e-15  # smaller steps count as zero, so a rotation is unchanged bitwise
-CONVERGED = 1e-9  # change of a step; convergence is quadratic, so only rounding remains
+CONVERGED = 1e-9  # change of a step. Convergence is quadratic, so only rounding remains
 
 
 def quaternions_to_rotations(quaternions: NDArray[np.float64]) -> NDArray[np.float64]:

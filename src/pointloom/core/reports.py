@@ -43,7 +43,7 @@ def values_of(report: Any) -> dict[str, Any]:
 
 
 def rows_of(fields: Iterable[tuple[str, str]]) -> list[str]:
-    """Labels and values in two columns; multi-line values keep their column."""
+    """Labels and values in two columns. Multi-line values keep their column."""
     pairs = list(fields)
     width = max((len(escaped(label)) for label, _ in pairs), default=0)
     rows = []

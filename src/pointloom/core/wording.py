@@ -75,7 +75,7 @@ def plain(value: Any) -> Any:
 
 
 def rounded(values: Any, size: float) -> Any:
-    """Round numbers, arrays (to lists) or nested lists to a millionth of `size`; tiny sizes keep all digits."""
+    """Round numbers, arrays (to lists) or nested lists to a millionth of `size`. Tiny sizes keep all digits."""
     if isinstance(values, list | tuple):
         return type(values)(rounded(value, size) for value in values)
     if hasattr(values, "tolist"):

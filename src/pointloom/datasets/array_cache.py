@@ -1,6 +1,6 @@
 """Disk cache for generated arrays in the user's cache folder.
 
-File names contain generator, parameters and a source digest. Files are atomic and checksummed; damaged ones are
+File names contain generator, parameters and a source digest. Files are atomic and checksummed. Damaged ones are
 regenerated, and the least recently used are removed above 1 GB.
 """
 
@@ -83,7 +83,7 @@ def _write(path: Path, key: str, arrays: Arrays) -> None:
 
 
 def _make_room(newest: Path) -> None:
-    """Remove the least recently used files until the limit holds. The newest stays."""
+    """Remove the least recently used files until the limit is met. The newest stays."""
     files = sorted(((file.stat().st_mtime, file) for file in newest.parent.glob("*.npz")), reverse=True)
     total = 0
     for _, file in files:

@@ -1,4 +1,4 @@
-"""Rows of numbers as text, for ASCII PLY, PCD and XYZ; blank lines are ignored.
+"""Rows of numbers as text, for ASCII PLY, PCD and XYZ. Blank lines are ignored.
 
 Two vectorized passes find and parse the tokens. Only on failure are lines scanned to report the first error.
 """

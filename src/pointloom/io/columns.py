@@ -13,7 +13,7 @@ from ..core.coordinates import choose_origin, quiet
 from ..core.errors import FileError
 from ..core.escaped_text import escaped
 
-# Rounding errors of colors up to this are clipped; larger ones are errors.
+# Rounding errors of colors up to this are clipped. Larger ones are errors.
 COLOR_SLACK = 1e-3
 
 

@@ -16,7 +16,7 @@ from ..core.errors import FileError, PointloomError
 from ..core.interrupts import signal_exception
 from ..core.paths import path_of
 
-# A header without an end would otherwise be searched in gigabytes of payload; real ones are below 100 KiB.
+# A header without an end would otherwise be searched in gigabytes of payload. Real ones are below 100 KiB.
 MAX_HEADER_BYTES = 1 << 20
 
 # More digits than any count needs; int() of longer text would be slow or rejected by Python.
@@ -58,7 +58,7 @@ def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
 
 
 def open_source(path: str | os.PathLike[str]) -> Source:
-    """Map a regular, non-empty file read-only; slices are `bytes`, and NumPy can view it without a copy."""
+    """Map a regular, non-empty file read-only. Slices are `bytes`, and NumPy can view it without a copy."""
     path = path_of(path)
     restore_folder(path.parent)
     handled = sys.exception()

@@ -2,8 +2,8 @@
 
 A face becomes a fan around its first corner if all triangles have its orientation. Otherwise a quad is split along its
 other diagonal (nonplanar quads: the shorter one), a larger face by ear clipping, in lockstep for many polygons and
-deterministic. Self-intersecting faces stay fans, with a warning. Meisters, "Polygons have ears" (1975). Held, "FIST"
-(2001).
+deterministic. Self-intersecting faces stay fans, with a warning. Meisters, "Polygons have ears" (1975). M. Held,
+"FIST" (2001).
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _STRAIGHT = 1e-12
 # Relaxation levels of an ear: no corner in or on its triangle, none inside, zero area accepted, no condition.
 _OPEN, _FLAT, _ANY = 1, 2, 3
 
-# Steps per corner until a polygon is abandoned, so that self-intersecting ones terminate; most take two.
+# Steps per corner until a polygon is abandoned, so that self-intersecting ones terminate. Most take two.
 _MAX_STEPS = 12
 _MAX_STEPS_OF_LARGE = 4
 

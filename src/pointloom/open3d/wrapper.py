@@ -141,7 +141,7 @@ class Wrapper(KnownNames):
 
 
 def unwrap(value: Any, kind: type[Wrapper] | None = None, name: str = "") -> Any:
-    """Unwrap a `Wrapper`, or a list of them; pointloom objects and arrays are returned unchanged.
+    """Unwrap a `Wrapper`, or a list of them. Pointloom objects and arrays are returned unchanged.
 
     Raises TypeError if it is not of type `kind`; `name` is the argument's name for the message.
     """

@@ -54,7 +54,7 @@ def folder_of(folder: Path, number: int) -> Path:
 
 
 def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
-    """Sort the rows of a file into tiles; removes unfinished data of dead workers. An existing folder is complete and
+    """Sort the rows of a file into tiles. Removes unfinished data of dead workers. An existing folder is complete and
     kept, since a worker may still read it. Raises FileError if the file is damaged, has points outside its header's
     bounds, or the disk is full."""
     source, done = plan.files[number], folder_of(folder, number)

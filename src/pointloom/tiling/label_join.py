@@ -115,7 +115,7 @@ def _disagreement(left: BorderData, tile: int, home: int) -> FileError:
 
 
 def _united(count: int, links: NDArray[np.int64]) -> NDArray[np.int32]:
-    """Set index of each item; linked items are in one set."""
+    """Set index of each item. Linked items are in one set."""
     from scipy.sparse import coo_array  # slow import
     from scipy.sparse.csgraph import connected_components
 

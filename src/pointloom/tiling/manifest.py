@@ -1,7 +1,7 @@
 """Manifest of a job: one SQLite file with its plan, tasks and owners.
 
 Changes are transactions, so processes of one machine, or of several on a file system with locks, can share a folder. An
-owner holds a locked file, which the system releases when its process ends. Then its claims are returned.
+owner has a locked file, which the system releases when its process ends. Then its claims are returned.
 """
 
 from __future__ import annotations

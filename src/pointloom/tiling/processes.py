@@ -30,7 +30,7 @@ from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, worker_lock
 LOOK = 0.2  # [s] between queries for tasks that other runs may release
 CONNECT_TIMEOUT = 10.0  # [s] for a connection to a scheduler
 MAX_WITHOUT_WORKERS = 60.0  # [s]
-CHECK_INTERVAL = 20.0  # [s] without a result, before the scheduler is asked whether it still has the task
+CHECK_INTERVAL = 20.0  # [s] without a result, before a query whether the scheduler still has the task
 _QUIET = ("client", "core", "scheduler", "comm", "batched", "nanny")  # loggers of distributed
 _PRELOAD = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"  # Ctrl-C ends the process that started them
 Result = TypeVar("Result")
@@ -363,7 +363,7 @@ LOCKS = "pointloom-gpus"  # in the machine's temporary folder
 
 @contextmanager
 def reserved_device(device: str) -> Iterator[str]:
-    """Reserve the CPU (no lock) or a free GPU: "cpu", "cuda" or "cuda:1"; yields Warp's device name."""
+    """Reserve the CPU (no lock) or a free GPU: "cpu", "cuda" or "cuda:1". Yields Warp's device name."""
     first = resolve_device(device)
     if not first.is_cuda:
         yield device
@@ -384,7 +384,7 @@ def reserved_device(device: str) -> Iterator[str]:
 
 
 def _lock(uuid: str) -> int | None:
-    """Descriptor of a GPU's lock, or None if another process holds it."""
+    """Descriptor of a GPU's lock, or None if another process has it."""
     folder = Path(tempfile.gettempdir()) / LOCKS
     path = folder / uuid
     try:

@@ -22,7 +22,7 @@ class TileStatus:
     Attributes:
         folder: Folder of the job.
         waiting, running, done, empty, failed, aside: Number of tiles in each state. Empty ones have no points left,
-            failed ones raised an error, quarantined ones (aside) killed their workers.
+            failed ones raised an error, quarantined ones (`aside`) killed their workers.
         sources_waiting: Files not yet sorted into tiles.
         points, points_in, points_out: Points of the files, of finished tiles without halos, and after the steps.
         bucket_bytes: Temporary disk space [B].

@@ -1,4 +1,4 @@
-"""Facts about a file or folder: a class for each kind that `pointloom info` knows."""
+"""Facts about a file or folder: a class for each kind that `pointloom info` supports."""
 
 from __future__ import annotations
 

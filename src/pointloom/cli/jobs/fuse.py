@@ -59,7 +59,7 @@ def fuse_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> FuseReport:
-    """Fuse a folder of frames into a mesh file and its image; outputs are checked before the work.
+    """Fuse a folder of frames into a mesh file and its image. Outputs are checked before the work.
 
     An empty mesh and its poses are not written. See `loom.fuse` for the other arguments and errors.
     """

@@ -29,7 +29,7 @@ def mesh_file(
     columns: Sequence[str] | None = None,
     **options: Any,
 ) -> ResultReport:
-    """Write a surface through the points of a cloud and its image; outputs are checked before the work.
+    """Write a surface through the points of a cloud and its image. Outputs are checked before the work.
 
     An empty mesh is not written. STL has no normals and colors. `options` are those of `create_surface`.
     """

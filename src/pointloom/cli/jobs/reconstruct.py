@@ -94,7 +94,7 @@ def reconstruct_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> ReconstructReport:
-    """Reconstruct a mesh from a folder of frames; outputs are checked first, and an empty mesh is not written.
+    """Reconstruct a mesh from a folder of frames. Outputs are checked first, and an empty mesh is not written.
 
     Poses in the folder are only used as truth. `stages` selects the method with fragments. None tracks each frame
     against the model with loop closure.

@@ -72,7 +72,7 @@ def register_files(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> RegisterReport:
-    """Register a source file to a target file; outputs are checked first, and not written without correspondences.
+    """Register a source file to a target file. Outputs are checked first, and not written without correspondences.
 
     Args:
         output: A .txt file for T_target_source, 4 rows of 4 numbers with all digits.

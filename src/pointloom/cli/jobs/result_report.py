@@ -12,7 +12,7 @@ from .job import JobReport
 
 @dataclass(frozen=True)
 class ResultReport(JobReport):
-    """Report of a command that wrote a library result; warnings use the wording of the command line."""
+    """Report of a command that wrote a library result. Warnings use the wording of the command line."""
 
     result: Report
     device: str

@@ -51,7 +51,7 @@ def texture_folder(
     progress: ReportProgress | None = None,
     **layout: Any,
 ) -> TextureReport:
-    """Write a mesh with the colors of posed frames; outputs are checked before the work.
+    """Write a mesh with the colors of posed frames. Outputs are checked before the work.
 
     Args:
         folder: See `open_dataset`, with `layout` and `every`.

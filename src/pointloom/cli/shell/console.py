@@ -106,7 +106,7 @@ def print_json(report: dict[str, Any]) -> None:
 
 
 def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "", err: bool = False) -> None:
-    """Print labels and values in two columns below a title; multi-line values stay in their column."""
+    """Print labels and values in two columns below a title. Multi-line values stay in their column."""
     if title:
         _echo(escaped(title), err)
     for row in rows_of(fields):

@@ -17,7 +17,7 @@ from ..scenes.room import look_along
 @dataclasses.dataclass(frozen=True, eq=False)
 class MeshView:
     """A rendered view, float64 (h, w): `depth` along the axis [m], 0 for background, `cosine` of view and normal.
-    `colors` (0..1), world `normals` and `points` [m] are (h, w, 3); background points are the camera position."""
+    `colors` (0..1), world `normals` and `points` [m] are (h, w, 3). Background points are the camera position."""
 
     depth: NDArray[np.float64]
     colors: NDArray[np.float64]

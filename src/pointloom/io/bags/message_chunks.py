@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from ...core.errors import FileError
 from ..optional_imports import foreign_errors, import_for
 
-MAX_CHUNK = 1 << 31  # [B] unpacked; writers start a new chunk at about 1 MB
+MAX_CHUNK = 1 << 31  # [B] unpacked. Writers start a new chunk at about 1 MB
 _MAX_SMALL, _MAX_RATIO = 1 << 28, 1000  # [B] larger chunks are compressed by at most this ratio
 
 

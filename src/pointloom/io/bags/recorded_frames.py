@@ -58,7 +58,7 @@ def depth_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint16] 
 
 
 def color_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint8]:
-    """A color image, uint8 RGB (h, w, 3); gray is replicated, transparency dropped."""
+    """A color image, uint8 RGB (h, w, 3). Gray is replicated, transparency dropped."""
     if kind == COMPRESSED:
         return np.ascontiguousarray(decode_texture(path, np.asarray(message.data, np.uint8).tobytes())[:, :, :3])
     if message.encoding not in COLORS:

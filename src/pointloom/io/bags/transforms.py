@@ -79,8 +79,8 @@ class RecordedTransforms:
             time: Time [s], scalar or shape (n,). None if all transforms between the frames are fixed.
 
         Returns:
-            float64 (4, 4), or (n, 4, 4) for several times. Translations are interpolated linearly, rotations by slerp;
-            there is no extrapolation.
+            float64 (4, 4), or (n, 4, 4) for several times. Translations are interpolated linearly, rotations by slerp.
+            There is no extrapolation.
 
         Raises:
             FileError: A missing frame, frames that are not connected, a frame with two parents, or a time outside the

@@ -101,7 +101,7 @@ INTRINSIC_NAMES = ("camera-intrinsics.json", "camera.json", "camera_intrinsic.js
 # A 3x3 matrix in text: 7-Scenes and 3DMatch have the first.
 MATRIX_NAMES = ("camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "K.txt")
 
-# Patterns of other names that may hold a camera.
+# Patterns of other names that may contain a camera.
 _LIKE_A_CAMERA = re.compile(r"(.*intrinsic.*|.*calib.*|.*camera.*|.*\bK)\.(txt|json|ya?ml|xml)", re.I)
 
 # Real depth cameras have their principal point within 5 % of the size from the center. One farther off

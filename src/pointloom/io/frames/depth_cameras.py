@@ -1,6 +1,6 @@
 """Common code of depth camera drivers: frame checks, error messages, undistortion.
 
-Undistortion uses the nearest pixel for depth, which must not be mixed, and bilinear interpolation for color; unseen
+Undistortion uses the nearest pixel for depth, which must not be mixed, and bilinear interpolation for color. Unseen
 pixels are 0. Brown 1966. The rational form with k4 to k6 as in OpenCV, "Camera calibration and 3D reconstruction".
 """
 
@@ -97,7 +97,7 @@ def _undistort(positions: NDArray[np.float64], k: NDArray[np.float64]) -> NDArra
     return estimate
 
 
-LONGEST_WAIT = 3600.0  # [s] maximum timeout; drivers count milliseconds in 32 bits
+LONGEST_WAIT = 3600.0  # [s] maximum timeout. Drivers count milliseconds in 32 bits
 
 
 def import_driver(module: str, camera: str, extra: str) -> Any:

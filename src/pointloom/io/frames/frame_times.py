@@ -9,7 +9,7 @@ from statistics import median
 # A gap is a time step this many times the usual one: one dropped frame makes 2, a hanging camera far more.
 GAP = 5.0
 
-MAX_REMARKS = 100  # stored notes; further ones are only counted
+MAX_REMARKS = 100  # stored notes. Further ones are only counted
 
 
 class TimeWatch:

@@ -76,7 +76,7 @@ def open_folder(
     every: int = 1,
     depth_scale: float | None = None,
 ) -> RGBDDataset:
-    """Open a folder with `open_frames`, poses optional; incomplete frames are skipped and listed."""
+    """Open a folder with `open_frames`, poses optional. Incomplete frames are skipped and listed."""
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     options = {"layout": layout, "every": every, "depth_scale": depth_scale}
     return open_frames(folder, intrinsic=camera, skip_missing="pictures", **options)
@@ -123,7 +123,7 @@ def read_in_order(
     with ThreadPoolExecutor(2, thread_name_prefix="pointloom-read") as pool:
         try:
             for i in indices:
-                # a copied context, so that the caller's compiler choice holds in the thread
+                # a copied context, so that the caller's compiler choice applies in the thread
                 pending.append(pool.submit(contextvars.copy_context().run, read, i))
                 if len(pending) > ahead:
                     yield pending.popleft().result

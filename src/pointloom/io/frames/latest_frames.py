@@ -81,7 +81,7 @@ class LatestFrames:
     def __iter__(self) -> Iterator[Frame]:
         if self._thread is not None:
             raise ValueError("source: its frames can be read only once, and iteration has already started")
-        context = contextvars.copy_context()  # the caller's compiler choice holds in the thread
+        context = contextvars.copy_context()  # the caller's compiler choice applies in the thread
         self._thread = threading.Thread(target=context.run, args=(self._read,), name="pointloom-latest", daemon=True)
         self._thread.start()
         return self._take()

@@ -84,7 +84,7 @@ class FrameRecorder:
 
         Raises:
             TypeError, ValueError: An invalid frame. Color in some frames only. Depth beyond 16 bits.
-            FileError: It cannot be written, for example on a full disk; earlier frames stay valid.
+            FileError: It cannot be written, for example on a full disk. Earlier frames stay valid.
         """
         if not all(hasattr(frame, name) for name in ("depth", "color", "name", "T_world_camera", "timestamp")):
             raise TypeError(f"frame: expected a frame of an RGBDSource, got {type(frame).__name__}")
@@ -125,7 +125,7 @@ def record_frames(source: RGBDSource, folder: str | os.PathLike[str], *, progres
     Raises:
         TypeError: No source of frames.
         ValueError: Inconsistent frames.
-        FileError: The folder is not empty, or a file cannot be written; earlier frames stay valid.
+        FileError: The folder is not empty, or a file cannot be written. Earlier frames stay valid.
 
     Notes:
         Float depth [m] is rounded to millimeters.

@@ -38,7 +38,7 @@ class RGBDSource(Protocol):
 
     @property
     def depth_scale(self) -> float:
-        """Units per meter of integer depth; float32 depth is in meters."""
+        """Units per meter of integer depth. Float32 depth is in meters."""
         ...
 
     def __iter__(self) -> Iterator[Frame]: ...

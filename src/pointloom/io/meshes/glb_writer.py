@@ -1,6 +1,6 @@
 """Write a mesh as glTF 2.0 (.glb, or .gltf with m.bin and m_0.png, ...): one node, one mesh, a primitive per texture.
 
-Positions are float32 relative to the node translation; seam vertices are duplicated. An attribute NAME becomes _NAME if
+Positions are float32 relative to the node translation. Seam vertices are duplicated. An attribute NAME becomes _NAME if
 its type is exact in glTF. Images with alpha use MASK for 0 and 255, else BLEND. Vertex colors become linear. Khronos,
 "glTF 2.0".
 """

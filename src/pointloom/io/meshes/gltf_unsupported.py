@@ -1,4 +1,4 @@
-"""Collect glTF content that a mesh cannot hold, for one warning."""
+"""Collect glTF content that a mesh cannot store, for one warning."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class LeftBehind:
         self._words: dict[str, set[Hashable]] = {}
 
     def add(self, words: str, thing: Hashable = None) -> None:
-        """Note dropped content; items of the same description are counted."""
+        """Note dropped content. Items of the same description are counted."""
         self._words.setdefault(words, set()).update(() if thing is None else (thing,))
 
     def add_material(self, number: int) -> None:

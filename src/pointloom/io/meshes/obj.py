@@ -66,7 +66,7 @@ class Material:
 
 
 def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
-    """Read the materials of an MTL file in file order; faults are dropped or clamped with a warning."""
+    """Read the materials of an MTL file in file order. Faults are dropped or clamped with a warning."""
     text = bytes(open_source(path)[:]).decode("utf-8", "surrogateescape").removeprefix("\ufeff")
     materials: dict[str, Material] = {}
     notes: list[str] = []

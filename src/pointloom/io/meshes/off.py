@@ -1,7 +1,7 @@
 """OFF text files: vertices with normals (NOFF), colors (COFF) and texture coordinates (STOFF), and polygons.
 
 Colors are 0..255 if one is above 2, or all are integers and one is above 1. Else 0..1. Vertex alpha becomes the
-attribute `alpha` if not opaque, face colors the triangle attribute `colors` if complete; palette indices are dropped.
+attribute `alpha` if not opaque, face colors the triangle attribute `colors` if complete. Palette indices are dropped.
 Geomview, "OFF Files".
 """
 
@@ -32,7 +32,7 @@ _HEAD = re.compile(rb"\s*(ST)?(C)?(N)?(4)?(n)?OFF(?=[\s\d]|$)([ \t]+BINARY)?")
 
 
 def read_off(path: str | os.PathLike[str]) -> MeshTable:
-    """Read a triangle mesh from OFF, with float64 vertices; polygons are triangulated."""
+    """Read a triangle mesh from OFF, with float64 vertices. Polygons are triangulated."""
     path = Path(path)
     body = unix_lines(bytes(open_source(path)[:]))
     body = _COMMENT.sub(b"", body)

@@ -25,7 +25,7 @@ from ..table import MeshTable
 
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute_bytes", "<u2")])
 
-# Must not begin with "solid", by which readers tell the text form.
+# Must not begin with "solid", by which readers recognize the text form.
 _HEADER = b"binary STL written by pointloom".ljust(80)
 _HEADER_BYTES = 84
 _FLAG = 0x8000

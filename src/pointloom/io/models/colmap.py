@@ -124,7 +124,7 @@ def write_colmap_model(
     Raises:
         TypeError: No SfmModel.
         ValueError: No image, an unknown format, a camera model that COLMAP does not support, or an invalid name.
-        FileError: The folder cannot be written, or holds a model that may not be replaced.
+        FileError: The folder cannot be written, or contains a model that may not be replaced.
 
     Notes:
         Atomic: files are written to a hidden folder first and then moved. After a crash the next read or write

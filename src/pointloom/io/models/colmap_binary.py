@@ -51,7 +51,7 @@ class _Reader:
             raise FileError(self.path, reason, where=f"byte {self.at}", remedy=_CUT)
 
     def count(self, what: str, smallest: int) -> int:
-        """A record count that the remaining file can hold."""
+        """A record count that fits into the remaining file."""
         (count,) = self.take(_COUNT, f"the number of {what}")
         if count * smallest > self.size - self.at:
             reason = f"expected {count:,} {what}, but only {self.size - self.at:,} bytes follow"

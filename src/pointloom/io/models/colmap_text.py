@@ -1,6 +1,6 @@
 """COLMAP's text files: cameras.txt, images.txt, points3D.txt.
 
-`#` lines and blank lines are skipped, except that the line after an image always holds its keypoints and may be blank.
+`#` lines and blank lines are skipped, except that the line after an image always has its keypoints and may be blank.
 Image names may contain blanks.
 """
 
@@ -22,7 +22,7 @@ from .colmap_binary import unknown_model
 from .colmap_records import Picture, Points, Records, camera_of
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*", re.M)
-_EXACT = 2**53  # up to here float64 holds whole numbers
+_EXACT = 2**53  # up to here integers are exact in float64
 _ROWS = 1 << 14
 
 

@@ -1,6 +1,6 @@
 """Cameras of Agisoft Metashape: the XML of File > Export > Export Cameras.
 
-Poses are relative to a chunk or component (world = scale R x + t); geographic projects are geocentric (ECEF) [m]. P1
+Poses are relative to a chunk or component (world = scale R x + t). Geographic projects are geocentric (ECEF) [m]. P1
 and P2 are swapped relative to OpenCV. The principal point is relative to the image center. Document types are rejected.
 """
 
@@ -23,7 +23,7 @@ from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
 LARGEST = 1 << 28  # [B] about 100,000 cameras. The parsed tree takes ten times as much
-DEEPEST = 64  # maximum nesting; real files have eight
+DEEPEST = 64  # maximum nesting. Real files have eight
 
 FRAME, FISHEYE = ("frame",), ("fisheye", "equidistant_fisheye")
 NUMBERS = ("f", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2", "b1", "b2")

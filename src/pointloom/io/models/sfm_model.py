@@ -243,7 +243,7 @@ class SfmModel:
         )  # fmt: skip
 
     def trajectory(self, timestamps: ArrayLike | None = None) -> Trajectory:
-        """The poses in the order of the names, for `write_trajectory`, `fuse` and others; ids are image indices.
+        """The poses in the order of the names, for `write_trajectory`, `fuse` and others. Ids are image indices.
 
         Args:
             timestamps: Time of each image, shape (n,) [s], or None.

@@ -215,7 +215,7 @@ def decode_depth(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint16
 
 
 def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
-    """Read a PNG or JPEG image as RGB; gray is replicated, transparency is dropped.
+    """Read a PNG or JPEG image as RGB. Gray is replicated, transparency is dropped.
 
     Returns:
         Shape (h, w, 3), uint8, writable.

@@ -1,6 +1,6 @@
 """Read E57 scans with pye57 (libE57Format), transformed by their pose T_world_scan.
 
-All scans together get the attribute `scan_index` and keep only common fields. Invalid points are dropped; invalid
+All scans together get the attribute `scan_index` and keep only common fields. Invalid points are dropped. Invalid
 intensities and times become NaN, invalid colors white with a warning. Lengths are meters. Images are not read. ASTM
 E2807-11; extension "nor" (normals) of libe57.org.
 """
@@ -224,7 +224,7 @@ def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype
 def _to_cartesian(
     x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64], *, is_spherical: bool
 ) -> NDArray[np.float64]:
-    """Positions (n, 3); spherical input is range [m], azimuth and elevation [rad] (ASTM E2807-11, section 8.4.4)."""
+    """Positions (n, 3). Spherical input is range [m], azimuth and elevation [rad] (ASTM E2807-11, section 8.4.4)."""
     if is_spherical:
         distance, azimuth, elevation = x, y, z
         flat = distance * np.cos(elevation)
@@ -233,7 +233,7 @@ def _to_cartesian(
 
 
 def read_pose(path: Any, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Rotation (3, 3) and translation (3,) of T_world_scan; identity without a pose."""
+    """Rotation (3, 3) and translation (3,) of T_world_scan, or identity without a pose."""
     quaternion, translation = np.array([0, 0, 0, 1.0]), np.zeros(3)
     if scan.isDefined("pose/rotation"):
         quaternion = np.array([scan["pose"]["rotation"][axis].value() for axis in "xyzw"], np.float64)
@@ -273,7 +273,7 @@ def _color_limits(scan: Any, fields: dict[str, Any]) -> list[tuple[float, float]
 
 
 def merge_scans(tables: list[PointTable]) -> PointTable:
-    """Concatenate scans with their common fields; attribute types are promoted."""
+    """Concatenate scans with their common fields. Attribute types are promoted."""
     names = [name for name in tables[0].attributes if all(name in table.attributes for table in tables)]
     normals = [table.normals for table in tables if table.normals is not None]
     colors = [table.colors for table in tables if table.colors is not None]

@@ -34,7 +34,7 @@ from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 # Fewer for long records, since compressed bytes do not bound them.
 _BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 24
 
-_PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that hold several dimensions
+_PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that contain several dimensions
 _COORDINATES = ("X", "Y", "Z")
 COLORS: tuple[str, ...] = ("red", "green", "blue")
 NORMALS: tuple[str, ...] = ("NormalX", "NormalY", "NormalZ")

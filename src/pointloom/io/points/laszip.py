@@ -27,7 +27,7 @@ _FIELDS = struct.Struct("<HHBBHIIqqH")
 _CHUNK_SIZE_AT = 12
 _ITEM = struct.Struct("<HHH")
 _VARIABLE = 0xFFFFFFFF  # chunk size meaning that the table has the size of each chunk
-_POINTWISE, _LAYERED = 2, 3  # the compressors that lazrs knows
+_POINTWISE, _LAYERED = 2, 3  # the compressors that lazrs supports
 
 # Unpacked bytes up to which several chunks are unpacked at a time: 40 times those of the usual 50,000 points.
 _PARALLEL_CHUNK_BYTES = 1 << 26
@@ -150,7 +150,7 @@ def _read_chunk_table(
     if len(source) < first + 8:
         raise FileError(path, "truncated: no compressed points follow the header", where=f"byte {len(source)}")
     (table,) = struct.unpack_from("<q", source, header.begin)
-    if table == -1:  # written by streaming writers. The last bytes of the file hold the offset
+    if table == -1:  # written by streaming writers. The last bytes of the file are the offset
         (table,) = struct.unpack_from("<q", source, len(source) - 8)
     if not first <= table <= len(source) - 8:
         reason = f"truncated or damaged: the table of chunks should be at byte {table} of {len(source)}"

@@ -1,6 +1,6 @@
 """LZF, the compression of PCD files, in Python and NumPy: about 0.2 us a token for reading, 0.4 us for writing.
 
-A control byte < 32 precedes that many + 1 literals. Others hold length - 2 in the upper 3 bits (7: add the next byte)
+A control byte < 32 precedes that many + 1 literals. Others store length - 2 in the upper 3 bits (7: add the next byte)
 and the upper 5 bits of distance - 1, whose lower 8 follow. Marc Lehmann, liblzf 3.6 (lzf_d.c, lzf_c.c).
 """
 

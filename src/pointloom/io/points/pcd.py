@@ -130,7 +130,7 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
             for k in range(column, column + field.count):
                 if field.name in PACKED and field.dtype == np.float32:
                     parts.append(_packed_floats(table[:, k], unmeasured))
-                elif field.dtype.kind in "iu" and field.dtype.itemsize == 8:  # float64 holds 53 bits of these
+                elif field.dtype.kind in "iu" and field.dtype.itemsize == 8:  # float64 stores 53 bits of these
                     words = rows.words() if words is None else words
                     parts.append(_exact_integers(path, rows, words[k::width], field))
                 else:
@@ -152,7 +152,7 @@ def _unmeasured(header: PcdHeader, table: NDArray[np.float64]) -> NDArray[np.boo
 
 
 def _packed_floats(column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -> NDArray[np.float32] | None:
-    """Packed text colors as floats with the same bits. None if some are "nan". Integers are the packed value itself."""
+    """Packed text colors as floats, bitwise identical. None if some are "nan". Integers are the packed value itself."""
     if (np.isnan(column) & ~unmeasured).any():
         return None
     known = np.where(np.isnan(column), 0.0, column)

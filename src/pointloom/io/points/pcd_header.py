@@ -145,7 +145,7 @@ def _parse_fields(path: Any, lines: _Lines) -> list[Field]:
 
 
 def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
-    """Width and height, checked against POINTS; older files may omit some of the three, or have 0 for a grid."""
+    """Width and height, checked against POINTS. Older files may omit some of the three, or have 0 for a grid."""
     numbers = {key: _parse_one(path, lines, key) for key in ("WIDTH", "HEIGHT", "POINTS") if key in lines}
     height = numbers.get("HEIGHT", 1)
     if "WIDTH" not in numbers:

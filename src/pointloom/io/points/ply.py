@@ -165,7 +165,7 @@ def _table_of(
 
 
 def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
-    """Read a PLY file as a triangle mesh, with values of faces as triangle attributes; polygons are triangulated."""
+    """Read a PLY file as a triangle mesh, with values of faces as triangle attributes. Polygons are triangulated."""
     path = Path(path)
     source = open_source(path)
     header = read_header(path, source)

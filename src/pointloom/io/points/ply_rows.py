@@ -1,7 +1,7 @@
 """The PLY payload: rows of each element as columns, with every byte or line checked.
 
 Constant-length rows are strided views. Other binary rows are scanned once for their offsets (about 0.2 us a row) and
-gathered with NumPy; variable-length text rows are parsed by column.
+gathered with NumPy. Variable-length text rows are parsed by column.
 """
 
 from __future__ import annotations

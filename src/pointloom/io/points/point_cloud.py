@@ -39,11 +39,11 @@ def read_point_cloud(
     trailing bytes or counts that do not match the file size raise `FileError` before memory is allocated.
 
     Text: a header line names the columns: x y z, nx ny nz, r g b (0..1, or integers in 0..255). Other names are
-    attributes. Without a header, 3 columns are x y z and more columns require `columns`. A .bin holds float32 columns,
+    attributes. Without a header, 3 columns are x y z and more columns require `columns`. A .bin has float32 columns,
     by default x, y, z, intensity as in KITTI.
 
     LAS and LAZ keep the unit and coordinate system of the file, see `cloud.unit`. Their dimensions become attributes
-    with laspy's names; no_data values of extra dimensions become NaN. Call `project_to_utm` after a GeographicWarning.
+    with laspy's names. In extra dimensions, no_data values become NaN. Call `project_to_utm` after a GeographicWarning.
     E57 and PTX scans are transformed by their poses [m]. Directions without a return are dropped. LAS and E57 need an
     extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
 

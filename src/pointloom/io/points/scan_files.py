@@ -16,7 +16,7 @@ from .formats import READERS
 from .point_cloud import read_point_cloud
 from .text_table import check_columns
 
-# Tables beside scans are poses, times and notes; alone they are the scans.
+# Tables beside scans are poses, times and notes. Alone they are the scans.
 _TABLES = (".csv", ".txt")
 
 Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
@@ -25,8 +25,8 @@ Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
 def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
     """The scans of a folder in natural order: scan2 precedes scan10.
 
-    All formats of `read_point_cloud`; .csv and .txt only if there is nothing else, since they often hold times or
-    poses.
+    All formats of `read_point_cloud`. Files .csv and .txt are used only if there is nothing else: they often contain
+    times or poses.
 
     Raises:
         FileError: No folder, no scan, or scans of several formats, whose order is unknown.

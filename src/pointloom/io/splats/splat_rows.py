@@ -53,7 +53,7 @@ def read_splat(path: str | os.PathLike[str]) -> PointTable:
 
 
 def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
-    """Write splats as rows of 32 bytes; higher harmonics and other attributes are dropped with a warning."""
+    """Write splats as rows of 32 bytes. Higher harmonics and other attributes are dropped with a warning."""
     columns = table.attributes
     spare = [name for name in columns if name not in ("f_dc", "opacity", "scale", "rot")]
     points = table.points.astype(np.float32)

@@ -1,4 +1,4 @@
-"""PinholeCameraParameters and PinholeCameraTrajectory; extrinsics are world to camera, inverse to pointloom's poses."""
+"""PinholeCameraParameters and PinholeCameraTrajectory. Extrinsics are world to camera, inverse to pointloom's poses."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class PinholeCameraParameters(KnownNames):
 
 
 class PinholeCameraTrajectory(KnownNames):
-    """`parameters`: an assignable list of cameras; appended ones are kept (Open3D drops them)."""
+    """`parameters`: an assignable list of cameras. Appended ones are kept (Open3D drops them)."""
 
     def __init__(self, other: PinholeCameraTrajectory | None = None):
         self._parameters = [] if other is None else [PinholeCameraParameters(one) for one in other._parameters]

@@ -167,7 +167,7 @@ class MeshFactories(MeshBase):
     def create_from_point_cloud_alpha_shape(
         cls, pcd: Any, alpha: float, tetra_mesh: Any = None, pt_map: Any = None
     ) -> Self:
-        """Alpha shape of a cloud; given tetrahedra are ignored and computed again."""
+        """Alpha shape of a cloud. Given tetrahedra are ignored and computed again."""
         return cls._of(NativeMesh.create_from_point_cloud_alpha_shape(unwrap(pcd, PointCloud, "pcd"), alpha))
 
     @classmethod
@@ -227,7 +227,7 @@ class TriangleNormals(MeshFactories):
         return self._faces if isinstance(self._faces, np.ndarray) else self._faces.triangle_normals.astype(np.float64)
 
     def _become(self, new: Any) -> Self:
-        """Replace the mesh; computed normals become those of the new triangles, assigned ones are kept."""
+        """Replace the mesh. Computed normals become those of the new triangles, assigned ones are kept."""
         before, old = self._faces, self._wrapped
         super()._become(new)
         if before is not old:
@@ -628,7 +628,7 @@ class TriangleMesh(TriangleNormals):
         return self._native.get_volume()
 
     def euler_poincare_characteristic(self) -> int:
-        """V - E + F; unreferenced vertices count, as in Open3D."""
+        """V - E + F. Unreferenced vertices count, as in Open3D."""
         mesh = self._native
         unused = len(mesh.vertices) - len(np.unique(mesh.triangles))
         return mesh.euler_poincare_characteristic() + unused

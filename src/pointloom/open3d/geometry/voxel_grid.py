@@ -1,4 +1,4 @@
-"""VoxelGrid: the voxels that a mesh or a cloud touches; carving is not supported."""
+"""VoxelGrid: the voxels that a mesh or a cloud touches. Carving is not supported."""
 
 from __future__ import annotations
 

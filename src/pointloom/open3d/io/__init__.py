@@ -1,4 +1,4 @@
-"""File input and output under Open3D's names. Missing or damaged files raise errors; writers return True or raise."""
+"""File input and output under Open3D's names. Missing or damaged files raise errors. Writers return True or raise."""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

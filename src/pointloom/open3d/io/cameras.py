@@ -1,4 +1,4 @@
-"""Files of cameras and trajectories; extrinsics are world to camera, as in Open3D."""
+"""Files of cameras and trajectories. Extrinsics are world to camera, as in Open3D."""
 
 from __future__ import annotations
 

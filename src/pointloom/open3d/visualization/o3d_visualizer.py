@@ -69,7 +69,7 @@ class O3DVisualizer(KnownNames):
         time: float = 0.0,
         is_visible: bool = True,
     ) -> None:
-        """Show a geometry under a name, or a dictionary with "name", "geometry" and more; materials are ignored.
+        """Show a geometry under a name, or a dictionary with "name", "geometry" and more. Materials are ignored.
 
         Raises ValueError if the name is in use.
         """

@@ -47,7 +47,7 @@ def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
 
 
 def _picture_on_a_surface(pixels: Any) -> TriangleMesh:
-    """A rectangle of an image's size [px] with the image as texture; larger types than bytes are scaled to gray."""
+    """A rectangle of an image's size [px] with the image as texture. Larger types than bytes are scaled to gray."""
     if pixels.dtype != np.uint8:
         values = np.nan_to_num(pixels.astype(np.float64), posinf=0.0)
         pixels = (255 * np.clip(values / (values.max(initial=0.0) or 1.0), 0, 1)).astype(np.uint8)

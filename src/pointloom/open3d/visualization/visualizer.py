@@ -390,7 +390,7 @@ class RenderOption(KnownNames):
         super().__setattr__(name, value)
 
     def load_from_json(self, filename: str | os.PathLike[str]) -> None:
-        """Read a file of `save_to_json` or Open3D; lights are ignored. Raises FileError."""
+        """Read a file of `save_to_json` or Open3D. Lights are ignored. Raises FileError."""
         content = read_json_object(filename)
         if content.get("class_name") != VERSION["class_name"]:
             raise FileError(filename, f"expected 'RenderOption', got {str(content.get('class_name'))[:40]!r}")

@@ -100,7 +100,7 @@ def draw(
     show_axes: bool | None = None,
     **others: Any,
 ) -> None:
-    """Show a geometry, a list of them, or of dictionaries with "geometry" and "name"; materials are ignored.
+    """Show a geometry, a list of them, or of dictionaries with "geometry" and "name". Materials are ignored.
 
     Callbacks of `actions` and animations run in a thread of the page and may add and change geometries.
     """

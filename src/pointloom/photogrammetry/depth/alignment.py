@@ -2,7 +2,7 @@
 
 Fitted in inverse depth as in the training of relative networks (Ranftl et al. 2020, section 5), with relative residuals
 |scale d + shift - y| / y, y = 1 / z, truncated at `TOLERANCE` (MSAC, Torr and Zisserman 2000), then refitted to the
-inliers with weights 1 / y^2. On the host; hypotheses are scored on a subset of the references.
+inliers with weights 1 / y^2. On the host. Hypotheses are scored on a subset of the references.
 """
 
 from __future__ import annotations

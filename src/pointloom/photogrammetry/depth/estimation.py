@@ -255,7 +255,7 @@ class DepthEstimate:
 
         Args:
             keep_edges: Keep flying pixels at depth edges. If False, pixels are removed that deviate from the planes on
-                both sides by more than 3% in inverse depth; slanted planes are kept.
+                both sides by more than 3% in inverse depth. Slanted planes are kept.
             stride: Use every stride-th row and column.
             device: Device of the cloud.
 
@@ -320,7 +320,7 @@ def estimate_depth(
         FileError: An unreadable file, or a model that does not match the preset or outputs no map.
         ValueError: An option out of range, or references that do not fit the image or no scale and shift (fewer than 20
             within 10%; of up to 50 distances not more than half).
-        DeviceError: A device that is missing or not usable by onnxruntime; there is no silent fallback.
+        DeviceError: A device that is missing or not usable by onnxruntime. There is no silent fallback.
 
     Notes:
         1 / z = scale * d + shift is fitted by RANSAC and refined on the inliers with weights z^2. Only the scale for

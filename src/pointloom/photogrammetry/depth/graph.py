@@ -19,7 +19,7 @@ WEIGHTS_REMEDY = "Put its weight file (often NAME.onnx_data) into the same folde
 
 @dataclasses.dataclass(frozen=True)
 class Node:
-    """An operation of a `domain` (empty: ONNX) with its scalar or text attributes; omitted inputs are empty names."""
+    """An operation of a `domain` (empty: ONNX) with its scalar or text attributes. Omitted inputs are empty names."""
 
     operation: str
     domain: str

@@ -243,7 +243,7 @@ class DepthModel:
     """A depth network from an ONNX file, for many images.
 
     Args:
-        path: The .onnx file; external weights must be in its folder.
+        path: The .onnx file. External weights must be in its folder.
         preset: Type of network, see docs/depth.md.
         device: "cpu" or None; "cuda", "cuda:N": requires onnxruntime with CUDA; "auto": a GPU if usable, see
             `provider`.

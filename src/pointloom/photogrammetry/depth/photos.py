@@ -41,7 +41,7 @@ class Photo:
 
 
 def take_photo(picture: Any) -> Photo:
-    """Load an image from a file or an array; drops transparency, and converts 16 bits to 8 over their full range."""
+    """Load an image from a file or an array. Drops transparency, and converts 16 bits to 8 over their full range."""
     if isinstance(picture, str | os.PathLike):
         return _read_photo(picture)
     array = check_numeric("picture", picture)

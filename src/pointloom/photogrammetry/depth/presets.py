@@ -16,7 +16,7 @@ from .heads import BINS, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID
 IMAGENET_MEAN, IMAGENET_STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)
 ZERO, ONE, HALF = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (0.5, 0.5, 0.5)
 
-MAX_INPUT = 2**23  # maximum input pixels: 30 times the usual size; attention over more needs 100 GB
+MAX_INPUT = 2**23  # maximum input pixels: 30 times the usual size. Attention over more needs 100 GB
 
 
 @dataclasses.dataclass(frozen=True)

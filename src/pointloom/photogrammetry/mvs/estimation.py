@@ -115,7 +115,7 @@ def estimate_depth_maps(
         device: "cpu", "cuda:0", "auto"; None: the CPU.
         folder: Folder for the maps, one file per image; None: in memory.
         going: Checkpoint folder: a repeated call with the same arguments resumes from it, bitwise identical. Delete it
-            afterward; do not use it with other arguments.
+            afterward. Do not use it with other arguments.
         device_bytes: Device memory limit for images and maps, exceeded if one image with its sources needs more.
         progress: Called with ("depth", steps done, steps in all).
 
@@ -130,8 +130,8 @@ def estimate_depth_maps(
         DeviceError: No such device.
 
     Notes:
-        Bitwise reproducible for any number of threads. Device memory: 20 B per pixel of each image held, up to 96 B
-        more for the current one; host memory (or `folder`): 32 B per pixel of all images. Galliani et al. 2015. Xu and
+        Bitwise reproducible for any number of threads. Device memory: 20 B per pixel of each cached image, up to 96 B
+        more for the current one. Host memory (or `folder`): 32 B per pixel of all images. Galliani et al. 2015. Xu and
         Tao, "Multi-scale geometric consistency guided multi-view stereo", CVPR 2019, and "Planar prior assisted
         PatchMatch multi-view stereo", AAAI 2020.
 

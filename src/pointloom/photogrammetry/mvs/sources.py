@@ -27,7 +27,7 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
 
     Each next source adds most to the image's sparse points. A point counts until three good views see it. View weight
     by angle: full from 3 to 10 degrees, less below, decaying by e per 10 degrees above. Images without shared points
-    use sample points in intersecting frusta, else cameras with the same direction a few baselines aside (median
+    use sample points in intersecting frusta, else cameras with the same direction a few baselines apart (median
     distance of neighboring cameras).
 
     Args:
@@ -122,7 +122,7 @@ def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], max_count: int) -> tuple[int, ...]:
-    """Sources by common sample points. None if no camera sees them from aside."""
+    """Sources by common sample points. None if no camera sees them at an angle."""
     poses = np.array([camera.T_camera_world for camera in cameras])
     samples, seen, angles = sample_visibility(i, [camera.intrinsic for camera in cameras], poses)
     weights = _worth_of(angles) * seen

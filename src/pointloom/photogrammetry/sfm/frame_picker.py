@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-ANALYSIS_SIZE = 640  # [px] longer side for analysis; finer blur is irrelevant
+ANALYSIS_SIZE = 640  # [px] longer side for analysis. Finer blur is irrelevant
 THUMBNAIL_SIZE = 80  # [px] longer side of thumbnails
 
 NEIGHBORS = 7  # frames on both sides for the median sharpness

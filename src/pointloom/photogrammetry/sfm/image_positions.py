@@ -1,4 +1,4 @@
-"""Camera positions and attitudes from EXIF (2.32, section 4.6.6) and the XMP of drones; implausible values are
+"""Camera positions and attitudes from EXIF (2.32, section 4.6.6) and the XMP of drones. Implausible values are
 rejected.
 
 XMP is searched by name, not parsed as XML, so no entity is expanded. Namespaces: `drone-dji:`, `drone-parrot:`, and

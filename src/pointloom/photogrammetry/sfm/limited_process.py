@@ -141,7 +141,7 @@ def _memory_of(pid: int) -> int:
 
 
 def free_memory() -> float:
-    """Memory that a child may use [B]; infinite if unknown."""
+    """Memory that a child may use [B], infinite if unknown."""
     if sys.platform == "linux":
         with contextlib.suppress(OSError, ValueError, IndexError):
             for line in Path("/proc/meminfo").read_text().splitlines():

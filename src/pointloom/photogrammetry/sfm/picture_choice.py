@@ -37,7 +37,7 @@ _GRAY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
 _BITS = 8
 _TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
 _COPIED_TAGS = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
-_LONGEST_EXIF = 65_000  # bytes. A JPEG segment holds 65533
+_LONGEST_EXIF = 65_000  # bytes. A JPEG segment stores up to 65533
 _SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
 
 

@@ -150,7 +150,7 @@ def _natural_order(model: SfmModel) -> list[int]:
 
 
 def match_by_looks(features: FeatureRays, pairs: Pairs) -> PairMatches:
-    """Mutual nearest descriptors with a ratio test; products are integers below 2^24, exact in float32."""
+    """Mutual nearest descriptors with a ratio test. Products are integers below 2^24, exact in float32."""
     tables: dict[int, tuple[NDArray[np.int64], NDArray[np.float32]]] = {}
 
     def table(picture: int) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
@@ -256,7 +256,7 @@ class _Matches:
 
 
 def _before_both(poses: Array, x: Array, y: Array) -> NDArray[np.bool_]:
-    """True if rays intersect before both cameras; nearly parallel ones do, far away."""
+    """True if rays intersect before both cameras. Nearly parallel ones do, far away."""
     first, second = poses[:, 0], poses[:, 1]
     a = np.einsum("kji,kj->ki", first[:, :3, :3], x)
     b = np.einsum("kji,kj->ki", second[:, :3, :3], y)

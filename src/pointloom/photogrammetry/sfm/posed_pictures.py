@@ -36,7 +36,7 @@ class PosedPictures:
 
 
 def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> PosedPictures:
-    """Match cameras to images by name, with or without folders and extension; ambiguous names never match."""
+    """Match cameras to images by name, with or without folders and extension. Ambiguous names never match."""
     chosen: dict[int, Path] = {}
     missing = []
     by_name, by_stem = _paths_by(paths, "name"), _paths_by(paths, "stem")

@@ -175,7 +175,7 @@ class TrainingFolder(Report):
         sizes: Unique image widths and heights [px].
         point_count: Sparse points.
         mask_count: Masks: for all images, or none.
-        origin: Offset subtracted from all coordinates, float64; zeros if none.
+        origin: Offset subtracted from all coordinates, float64, or zeros if none.
         off_center: Maximum offset of a principal point from the image center [px], which Inria's trainer ignores.
     """
 
@@ -300,7 +300,7 @@ def _check_given(model: Any, **flags: Any) -> None:
 
 
 def _origin_of(model: SfmModel) -> NDArray[np.float64]:
-    """The model's position in whole meters; zeros if float32 suffices."""
+    """The model's position in whole meters, or zeros if float32 suffices."""
     return choose_origin(np.concatenate([model.centers, model.points]))
 
 

@@ -1,6 +1,6 @@
 """Georeferencing of a model by ground control points and known lengths.
 
-Marked points are triangulated and aligned by one weighted similarity without deformation of the model; outliers are
+Marked points are triangulated and aligned by one weighted similarity without deformation of the model. Outliers are
 removed and reported. Check points and GPS are only compared.
 """
 

@@ -1,7 +1,7 @@
 """Outlier detection in ground control by least trimmed squares.
 
 FAST-LTS over triples (Rousseeuw and Van Driessen 2006), with the small sample correction of Rousseeuw and Leroy 1987.
-Three points only check their own triangle; four do not identify a wrong one.
+Three points only check their own triangle. Four do not identify a wrong one.
 """
 
 from __future__ import annotations

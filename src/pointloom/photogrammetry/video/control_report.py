@@ -140,7 +140,7 @@ class ControlFit(Assessed):
     Attributes:
         frame: Geographic frame, meters about the median point. None without a coordinate system.
         crs: Coordinate system of the points as given, or "".
-        origin: Offset of coordinates without a system, shape [3] [m]; zeros if small.
+        origin: Offset of coordinates without a system, shape [3] [m], or zeros if small.
         T_world_model: Similarity, float64 [4, 4].
         scale: Meters per model unit.
         scale_sigma: Relative standard deviation of the scale.

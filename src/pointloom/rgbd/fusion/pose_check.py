@@ -1,4 +1,4 @@
-"""Check of given poses: frames at wrong poses do not lie on the fused surface."""
+"""Check of given poses: frames at wrong poses do not agree with the fused surface."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from ...kernels.rgbd.level_copies import level_rows
 from ...kernels.rgbd.open3d_images import fill_missing, mark_missing
 from ...kernels.rgbd.pyramid import FrameLevels, make_levels
 
-MAX_PIXELS = 100_000  # finest level: half VGA; larger ones cost four times as much with little gain
+MAX_PIXELS = 100_000  # finest level: half VGA. Larger ones cost four times as much with little gain
 MIN_SIDE = 24  # [px] of the coarsest level
 PLANE_RADIUS = 2  # [px] radius of plane windows
 

@@ -40,7 +40,7 @@ class OdometryOption:
     """Options of `compute_rgbd_odometry` with Open3D's fields and defaults.
 
     Args:
-        iteration_number_per_pyramid_level: Maximum steps per level, the coarsest first; further levels repeat the first
+        iteration_number_per_pyramid_level: Maximum steps per level, the coarsest first. Further levels repeat the first
             number. Exact numbers of steps and levels with `weights="open3d"`.
         depth_diff_max: Maximum depth difference of a pixel pair [m] with `weights="open3d"`. Otherwise by the noise.
         depth_min, depth_max: Valid depth range [m].

@@ -29,7 +29,7 @@ class OdometryResult(AssessedRecord):
         smallest_eigenvalue: Mean squared cost of 1 cm along the least determined motion, in noise variances; below
             0.015 the motion is undetermined.
         iterations: Steps in all levels.
-        contradiction: Contradiction of the inliers by normals, distances or brightness, or empty; ignores occlusion.
+        contradiction: Contradiction of the inliers by normals, distances or brightness, or empty. Ignores occlusion.
         covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6], due to noise.
             Valid if the motion is not contradicted.
     """

@@ -69,7 +69,7 @@ class ReconstructionConfig:
         depth_diff_max: Maximum depth difference of matching pixels in odometry [m].
         odometry_method: "hybrid", "intensity" or "point_to_plane" (always for frames without color).
         n_frames_per_fragment: Maximum frames per fragment.
-        n_frames_least: Minimum frames per fragment; shorter ones are left out and reported.
+        n_frames_least: Minimum frames per fragment. Shorter ones are left out and reported.
         n_keyframes_per_n_frame: Frames between keyframes, which are used for loop closures.
         preference_loop_closure_odometry: For the pose graph of a fragment, as `GlobalOptimizationOption`.
         voxel_size: Voxel edge of the fragment registration [m]; refined at a half and a quarter of it.

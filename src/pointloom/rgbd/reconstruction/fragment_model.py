@@ -62,7 +62,7 @@ class FragmentsAccount(Assessed):
     """Result of a reconstruction by fragments.
 
     Attributes:
-        trajectory: Poses of the frames in the model; ids are frame numbers.
+        trajectory: Poses of the frames in the model. Ids are frame numbers.
         system: The report of `run_system`.
         device: Compute device.
         voxel_size: Voxel edge of the mesh [m].

@@ -269,7 +269,7 @@ class DenseSLAM:
             The results of these frames.
 
         Raises:
-            TypeError, ValueError: As `track`; earlier frames stay processed.
+            TypeError, ValueError: As `track`. Earlier frames stay processed.
         """
         report_progress, first = check_progress(progress), len(self.results)
         try:
@@ -560,7 +560,7 @@ class StreamLag:
             self._lags = [*self._lags[1 - AGREED :], lag]
             if len(self._lags) == AGREED and np.ptp(self._lags) <= 1:
                 self.frames, self.seconds, self.correlation = lag, abs(lag) * step, float(together[best])
-        elif together[best] > TOGETHER:  # no lag; too little motion is no evidence
+        elif together[best] > TOGETHER:  # no lag. Too little motion is no evidence
             self._lags, self.frames = [], None
 
     def _step(self) -> float:

@@ -30,7 +30,7 @@ from .submaps import Submap
 
 Matrix = NDArray[np.float64]
 
-FAR = 5.0  # [voxels] initial correspondence distance; larger errors are also registered globally
+FAR = 5.0  # [voxels] initial correspondence distance. Larger errors are also registered globally
 MAX_DISTANCE = 1.5  # [voxels] final correspondence distance
 OVERLAP = 0.2  # minimum overlap of the smaller submap
 SURE = 0.5  # minimum score of a predicted pose
@@ -109,7 +109,7 @@ class Candidate:
 
 
 def shortest_ways(count: int, links: Sequence[tuple[int, int, float]]) -> Matrix:
-    """Shortest path lengths between all of `count` nodes over links (a, b, length); infinite if unconnected."""
+    """Shortest path lengths between all of `count` nodes over links (a, b, length), infinite if unconnected."""
     near: list[list[tuple[int, float]]] = [[] for _ in range(count)]
     for a, b, length in links:
         near[a].append((b, length))
@@ -168,7 +168,7 @@ def verify_near(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidat
 
 
 def verify_far(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate], seed: int) -> list[Loop]:
-    """Register the candidates globally; those without a result are left out."""
+    """Register the candidates globally. Those without a result are left out."""
     loops = []
     for c in candidates:
         result = register_described(surfaces[c.source].described, surfaces[c.target].described, seed=seed)
@@ -219,7 +219,7 @@ def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, informati
 
 
 def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loop]:
-    """Refine loops with voxels of half the size; those without point pairs are removed."""
+    """Refine loops with voxels of half the size. Those without point pairs are removed."""
     refined = []
     for first in range(0, len(loops), AT_ONCE):
         part = loops[first : first + AT_ONCE]

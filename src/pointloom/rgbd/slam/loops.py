@@ -188,7 +188,7 @@ class _Search:
         return refine(self.surfaces, [loop for loop in loops if not loop.refused])
 
     def _take(self, new_loops: list[Loop]) -> None:
-        """Optimize with more loops; newly connected groups are aligned first."""
+        """Optimize with more loops. Newly connected groups are aligned first."""
         groups = self._groups()
         for loop in sorted(new_loops, key=lambda loop: (-loop.score, loop.target, loop.source)):
             a, b = groups[loop.target], groups[loop.source]

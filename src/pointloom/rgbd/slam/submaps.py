@@ -243,7 +243,7 @@ class SubmapRecorder:
         return max(len(recording.numbers) / self._max_frames, recording.way / self._max_way)
 
     def finish(self) -> list[Submap]:
-        """Complete and return all submaps without those that have no own frames; later frames begin a new one."""
+        """Complete and return all submaps without those that have no own frames. Later frames begin a new one."""
         last = self.submaps[-1].frames[-1] if self.submaps else -1
         for recording in self._open:
             if recording.numbers and recording.numbers[-1] > last:

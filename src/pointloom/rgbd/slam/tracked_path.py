@@ -27,7 +27,7 @@ class TrackedPath(Assessed):
     """Result of `track`. Frames are numbered from 0.
 
     Attributes:
-        trajectory: Known poses T_world_camera of the largest map; ids are frame numbers. Timestamps if all have them.
+        trajectory: Known poses T_world_camera of the largest map. Ids are frame numbers. Timestamps if all have them.
         true_poses: The true pose of each, float64 [4, 4] [m], or None if unknown.
         frame_count: Number of frames.
         uncertain: Frames with an uncertain pose.

@@ -432,7 +432,7 @@ def _about(position: NDArray[np.float64]) -> Matrix:
     return adjoint_of(make_pose(np.eye(3), -position))
 
 
-VOXELS = 2.0  # model voxels per registration voxel; larger ones miss small overlaps
+VOXELS = 2.0  # model voxels per registration voxel. Larger ones miss small overlaps
 MIN_VOXEL = 0.04  # [m] below it normals of a single frame are noise
 SURE = 0.8  # minimum score. Half of it may be wrong for poses on a tenth of a frame
 FIRST, RETRY_INTERVAL = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterward
@@ -469,7 +469,7 @@ class ShapeSearch:
 
 
 FARTHEST = 4.0  # [m] maximum distance of a rival: the range of a depth camera
-APART = 0.15  # [m] minimum distance of rivals; nearer ones are within one alignment
+APART = 0.15  # [m] minimum distance of rivals. Nearer ones are within one alignment
 MAX_RIVALS = 6  # examined rivals
 POINTS = 300  # shifted points per frame
 BLOCK = 8  # voxels per coarse step

@@ -61,7 +61,7 @@ def track(
 
     Returns:
         The poses T_world_camera, with the first frame with depth as the world, and the status of each frame. Lost or
-        unreadable frames have no pose, but a reason. A camera that is lost for long starts a new map; unjoined ones are
+        unreadable frames have no pose, but a reason. A camera that is lost for long starts a new map. Unjoined ones are
         in `TrackedPath.other_maps`.
 
     Raises:

@@ -152,7 +152,7 @@ def _table(job: FusionJob, arrays: _Surface, rows: Any, triangles: NDArray[Any])
 
 
 def _numbered(folder: Path, cubes: list[tuple[str, Cube]]) -> Iterator[_Numbered]:
-    """Cubes with global vertex numbers; shared vertices keep the number of the first cube."""
+    """Cubes with global vertex numbers. Shared vertices keep the number of the first cube."""
     begin, sides = 0, dict[Cube, _Sides]()
     for name, cube in cubes:
         sides = {other: side for other, side in sides.items() if other[0] >= cube[0] - 1}

@@ -76,7 +76,7 @@ class JobStatus:
         folder, job: Its folder, and "fusion", "sequences" or "registration".
         stage: Name of the current stage's tasks.
         waiting, running, done, failed, aside: Number of tasks in each state, in the stages so far. Failed tasks raised
-            an error; quarantined ones (aside) killed their workers.
+            an error, quarantined ones (`aside`) killed their workers.
         is_finished: True if all stages are done.
         troubles: (task, error) of failed and quarantined tasks.
         notes: What was skipped, and why.

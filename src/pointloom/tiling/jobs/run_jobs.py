@@ -104,7 +104,7 @@ def plan_sequences(
         refine, slac: As of `run_system`.
 
     Returns:
-        A JobStatus; tasks are named after the folders, with "_2" for repeated names.
+        A JobStatus. Tasks are named after the folders, with "_2" for repeated names.
 
     Raises:
         FileError: If a sequence is not a folder, or the job's folder contains something else.

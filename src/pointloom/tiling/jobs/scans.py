@@ -340,7 +340,7 @@ Box = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
 def look_of(features: NDArray[np.float32]) -> NDArray[np.float64]:
-    """Descriptor of a scan: means and standard deviations of its points' features; zeros if empty."""
+    """Descriptor of a scan: means and standard deviations of its points' features, or zeros if empty."""
     finite = features[np.isfinite(features).all(axis=1)].astype(np.float64)
     if not len(finite):
         return np.zeros(2 * features.shape[1])

@@ -36,7 +36,7 @@ def paint(cloud: PointCloud, change: Any, *, limit: float | None = None) -> Poin
     Args:
         cloud: Core points of the measurement.
         change: Result of `m3c2` or `cloud_to_mesh`, or distances (n,) [m], all taken as significant.
-        limit: Distance of the darkest red [m]; blue is its negative. If None, the 98th percentile of the changes.
+        limit: Distance of the darkest red [m]. Blue is its negative. If None, the 98th percentile of the changes.
 
     Returns:
         The colored cloud. Points without significant change or without a distance are gray.

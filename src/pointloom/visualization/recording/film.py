@@ -223,7 +223,7 @@ def _sized(view: View, width: int, height: int) -> View:
 
 
 class Stills:
-    """Renders the frames of a timeline; unchanged shapes stay on the device (None: CPU)."""
+    """Renders the frames of a timeline. Unchanged shapes stay on the device (None: CPU)."""
 
     def __init__(self, timeline: Timeline, view: View, background: Triple, device: Any):
         self._timeline, self._background, self._device = timeline, background, resolve_device(device)

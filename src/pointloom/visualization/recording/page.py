@@ -73,7 +73,7 @@ def write_page(
 
 
 def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[Any]], name: str) -> None:
-    """Fill the placeholders of player.html; inserted text is not searched for placeholders."""
+    """Fill the placeholders of player.html. Inserted text is not searched for placeholders."""
     script, style = player_script(), player_style()
     texts = {
         "script": script,

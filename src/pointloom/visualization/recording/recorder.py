@@ -80,7 +80,7 @@ def record(
 
     Notes:
         Results are bitwise identical with and without a recording, but ICP waits for the device once per iteration. If
-        the block ends with an error or Ctrl-C, the frames until then are written and the title says so. Without any
+        the block ends with an error or Ctrl-C, the frames until then are written and the title reports it. Without any
         frame, a warning is issued and no file is written. Other threads are not recorded. Unchanged shapes are stored
         once, up to 512 MB in total; beyond it frames are dropped as for `max_frames`.
 
@@ -204,7 +204,7 @@ class Recorder:
         self._up = self._up or up_of_geometry(geometry, chosen.pose)
 
     def update(self, name: str, geometry: Any, **style: Any) -> None:
-        """Replace a geometry; style and pose are kept unless given. Raises `KeyError` or as `add`."""
+        """Replace a geometry. Style and pose are kept unless given. Raises `KeyError` or as `add`."""
         entry = self._known(name)
         chosen = dataclasses.replace(entry.style, **fields_of(style))
         pose = entry.pose if chosen.pose is None else None

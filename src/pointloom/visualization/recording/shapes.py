@@ -44,7 +44,7 @@ class Sketch:
 
 
 def sketch(geometry: Any, style: Style, max_points: int) -> Sketch:
-    """Convert a geometry; larger clouds are sampled and larger meshes simplified to `max_points`."""
+    """Convert a geometry. Larger clouds are sampled and larger meshes simplified to `max_points`."""
     parts = parts_of(geometry, style)
     origin = parts[0].origin if parts else np.zeros(3)
     shapes = [_shape(part, part.origin - origin, max_points) for part in parts]

@@ -109,7 +109,7 @@ def make_palette(pictures: Sequence[Picture], background: tuple[int, int, int]) 
 def write_gif(file: IO[bytes], pictures: Iterable[Picture], palette: NDArray[np.uint8], fps: float) -> int:
     """Write images (h, w, 3), uint8, as a looping animation. Returns the number of frames.
 
-    At most 50 `fps`; delays are multiples of 1/100 s, chosen so that the total time is correct.
+    At most 50 `fps`. Delays are multiples of 1/100 s, chosen so that the total time is correct.
     """
     from PIL import Image
 

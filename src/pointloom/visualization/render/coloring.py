@@ -78,7 +78,7 @@ def color_cloud(
     Args:
         by: "rgb", "normal" (components from -1 to 1 as red, green and blue), "height" or "z", "x", "y", "label", the
             name of a scalar attribute, or an array (n,). Integers in an array or under names such as label, cluster and
-            classification are labels unless `colormap` or `limits` is given; everything else is values.
+            classification are labels unless `colormap` or `limits` is given. Everything else is values.
         colormap: "viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm" (neutral center) or
             "jet". None for viridis.
         limits: Values (low, high) at both ends of the colormap. If None, the range of coordinates, and the 2nd and 98th

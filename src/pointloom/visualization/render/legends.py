@@ -172,7 +172,7 @@ def draw_labels(
     color: Color = BLACK,
     halo: Color = WHITE,
 ) -> int:
-    """Write texts (text, x, y) [px] with a dot and an outline; those outside the image are omitted.
+    """Write texts (text, x, y) [px] with a dot and an outline. Those outside the image are omitted.
 
     Returns the number of texts omitted because they would overlap an earlier one.
     """

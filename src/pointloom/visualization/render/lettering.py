@@ -45,7 +45,7 @@ class Lettering:
     def set(self, text: str, size: float) -> NDArray[np.int32]:
         """Positions of letters: rows (atlas index, width, height, column, row) relative to the pen.
 
-        Rows count downwards from the baseline; blanks have no entry.
+        Rows count downwards from the baseline. Blanks have no entry.
         """
         glyphs = self._rows(text, size)
         pens = np.cumsum(glyphs[:, 5]) - glyphs[:, 5]

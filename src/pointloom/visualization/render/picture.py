@@ -12,7 +12,7 @@ from PIL import Image
 from ..notebook_output import still_jpeg
 
 CHANNELS = 3, 4
-MAX_PNG_BYTES = 2**21  # in a notebook; larger images are shown as a JPEG of at most 200 kB
+MAX_PNG_BYTES = 2**21  # in a notebook. Larger images are shown as a JPEG of at most 200 kB
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):

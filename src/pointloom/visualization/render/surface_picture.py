@@ -12,7 +12,7 @@ BACKDROP = (0.88, 0.89, 0.91)  # contrast to white surfaces
 
 
 def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
-    """Render a mesh; back faces are hidden if the faces look inwards, as for a room."""
+    """Render a mesh. Back faces are hidden if the faces look inwards, as for a room."""
     return render(mesh, background=BACKDROP, mesh_show_back_face=not looks_inwards(mesh))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 
-MAX_DIGITS = 7  # of a label; longer ones use an offset
+MAX_DIGITS = 7  # of a label. Longer ones use an offset
 LARGE, SMALL = 1e7, 1e-4  # ticks from LARGE on, and up to SMALL, share a power of 10
 TINY = 1e-12  # relative: smaller ranges count as empty
 
@@ -61,7 +61,7 @@ def choose_ticks(low: float, high: float, max_count: int) -> Ticks:
 
 
 def with_ends(ticks: Ticks, apart: float) -> Ticks:
-    """Add both ends of the axis with one more digit; ticks nearer to an end than `apart` of the axis are removed.
+    """Add both ends of the axis with one more digit. Ticks nearer to an end than `apart` of the axis are removed.
 
     Example:
         >>> with_ends(choose_ticks(0.13, 1.94, 4), 0.1).texts

@@ -70,7 +70,7 @@ class View:
             ValueError: A direction of zero length, `up` along `front`, or a value out of range.
 
         Notes:
-            Open3D uses a parallel projection for 5 degrees; here it is perspective.
+            Open3D uses a parallel projection for 5 degrees. Here it is perspective.
 
         Example:
             >>> view = View.from_open3d(([0, 0, 0], [1, 1, 2]), zoom=0.5)

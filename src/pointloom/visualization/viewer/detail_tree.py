@@ -51,7 +51,7 @@ class Node:
 
 
 class DetailTree(NodesInView):
-    """Points in nodes from coarse to fine. Each finite point is in one node; deeper nodes add points.
+    """Points in nodes from coarse to fine. Each finite point is in one node. Deeper nodes add points.
 
     No two points of the nodes down to level L share a voxel of size side / 2^L / 128, except for the few points of
     missing deeper nodes, which join their parent.

@@ -66,7 +66,7 @@ class RequestGuard:
 
 
 def _is_same(origin: str, host: tuple[str, str]) -> bool:
-    """True if the origin is that host; https may be used by a proxy."""
+    """True if the origin is that host. HTTPS may be used by a proxy."""
     scheme, _, rest = origin.partition("://")
     default = {"http": "80", "https": "443"}.get(scheme.lower())
     named = split_host(rest)

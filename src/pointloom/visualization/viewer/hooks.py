@@ -340,7 +340,7 @@ class Hooks:
         return self._controls().add_text(label, value, callback, folder)
 
     def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
-        """Call a function when a key is pressed in a page; replaces the default action of the key.
+        """Call a function when a key is pressed in a page. Replaces the default action of the key.
 
         Args:
             key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
@@ -404,7 +404,7 @@ class Hooks:
         return self._calls().every(1.0 / check_positive("rate", rate, maximum=FASTEST), callback)
 
     def set_time(self, t: float) -> None:
-        """Start a new time step; later changes of the scene belong to it.
+        """Start a new time step. Later changes of the scene belong to it.
 
         From the second step on, all pages share a timeline of the history. At its end it follows the newest step.
 

@@ -34,7 +34,7 @@ class Key:
     group: str = "View"
 
 
-# "-", "=" and "plus" are not available to programs; alternatives for keyboards without them follow.
+# "-", "=" and "plus" are not available to programs. Alternatives for keyboards without them follow.
 KEYS = (
     Key(("R",), "R", "Reset view", "reset_view"),
     Key(("-", "pagedown"), "-", "Smaller points", "shrink_points", False, "Points"),

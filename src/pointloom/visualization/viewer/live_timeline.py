@@ -43,7 +43,7 @@ class State:
 class LiveTimeline:
     """Time steps of a viewer. Requires the viewer's lock. Beyond `max_bytes` the oldest steps are dropped.
 
-    `times` are the stored times, ascending, and `bytes` is the memory used; shared arrays count once.
+    `times` are the stored times, ascending, and `bytes` is the memory used. Shared arrays count once.
     """
 
     def __init__(self, viewer: Viewer, max_bytes: float):
@@ -208,7 +208,7 @@ class LiveTimeline:
             self._control.value = self._sent_value = value
 
     def _on_update(self, event: Any) -> None:
-        """Handle a drag in a page; newer page events win over changes by the program meanwhile."""
+        """Handle a drag in a page. Newer page events win over changes by the program meanwhile."""
         viewer = self._viewer
         if event.client_id is None or not viewer.take_lock():
             return

@@ -38,7 +38,7 @@ class Appearance(Scene):
         """Apply several changes in all pages at once.
 
         Batches may be nested. Changes by other threads are delayed until the batch ends, at most one second. An
-        exception ends the batch; changes made before it are displayed.
+        exception ends the batch. Changes made before it are displayed.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -169,7 +169,7 @@ class Viewer(Appearance):
         port: Port of the server. If it is in use, the next free one. 0 takes any.
         host: Address to listen on. Any address except 127.0.0.1 makes the viewer reachable from the network.
         title: Title of the page.
-        max_points: Maximum number of points of all clouds in a page; larger scenes are sent in levels of detail.
+        max_points: Maximum number of points of all clouds in a page. Larger scenes are sent in levels of detail.
         point_size: Diameter of points without a size of their own [px].
         background: Red, green and blue, 0 to 1.
         size: Width and height of screenshots if no page is open, and height of the frame in a notebook [px].
@@ -357,7 +357,7 @@ class Viewer(Appearance):
 
     @logged
     def set_pose(self, name: str, T: Any) -> None:
-        """Move a geometry; sends 84 bytes to each page, independent of its size.
+        """Move a geometry. Sends 84 bytes to each page, independent of its size.
 
         Args:
             name: Name of a geometry in the scene.
@@ -432,7 +432,7 @@ class Viewer(Appearance):
     def wait(self, seconds: float | None = None, *, linger: float = LINGER) -> bool:
         """Wait until all pages were closed for a while, or the viewer is closed.
 
-        When the last page closes, a message on stderr tells how to end the wait at once. Reopening or reloading a page
+        When the last page closes, a message on stderr shows how to end the wait at once. Reopening or reloading a page
         continues it.
 
         Args:

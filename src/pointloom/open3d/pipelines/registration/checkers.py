@@ -1,4 +1,4 @@
-"""Checks of sampled correspondences and their pose; thresholds are assignable, as in Open3D."""
+"""Checks of sampled correspondences and their pose. Thresholds are assignable, as in Open3D."""
 
 from __future__ import annotations
 

@@ -82,7 +82,7 @@ class PageCamera:
         return self.state.orthographic
 
     def put(self, **fields: Any) -> None:
-        """Set fields of the camera; given fields are sent even if unchanged. Raises ValueError or TypeError.
+        """Set fields of the camera. Given fields are sent even if unchanged. Raises ValueError or TypeError.
 
         Fields: `position`, `pivot`, `up`, `rotation` from camera to page, `fov` [rad], `near`, `far`, zoom limits
         `closest` and `farthest`, `orthographic`.
@@ -93,7 +93,7 @@ class PageCamera:
             self._channel.send({"op": "camera", **sent})
 
     def on_update(self, callback: Callable[[PageCamera], Any]) -> Callable[[PageCamera], Any]:
-        """Add a callback for moves by the page; waiting moves are merged."""
+        """Add a callback for moves by the page. Waiting moves are merged."""
         self._on_update.append(callback)
         return callback
 

@@ -23,7 +23,7 @@ log = logging.getLogger("pointloom.viewer")
 
 
 class Worker:
-    """Runs callbacks in order in its own thread, started by the first one; exceptions are logged."""
+    """Runs callbacks in order in its own thread, started by the first one. Exceptions are logged."""
 
     def __init__(self, name: str):
         self._name = name
@@ -111,7 +111,7 @@ class PageClient:
         return callback
 
     def take(self, message: dict[str, Any]) -> None:
-        """Handle a checked message; never blocks or runs a callback."""
+        """Handle a checked message. Never blocks or runs a callback."""
         handler = getattr(self, f"_take_{message['say']}", None)
         if handler is None:
             return

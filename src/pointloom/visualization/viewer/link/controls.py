@@ -45,7 +45,7 @@ def equal(a: Any, b: Any) -> bool:
 
 
 class Handle:
-    """A panel element. Its fields are set by assignment; unchanged values are not sent.
+    """A panel element. Its fields are set by assignment. Unchanged values are not sent.
 
     Calls after removal, or after its page was closed, have no effect.
     """

@@ -129,7 +129,7 @@ class Outbox:
         return taken
 
     def _drop(self, op: Op, gone: Iterable[int]) -> bool:
-        """Remove waiting operations of dropped objects. True if the page knows any of them."""
+        """Remove waiting operations of dropped objects. True if the page has any of them."""
         kind = DROP[op["op"]]
         waiting = self._waiting.get((kind, op["id"]))
         for number in gone:
@@ -154,7 +154,7 @@ class Shown:
         return op["op"] in PERSISTENT and self._ops.get(key_of(op)) == op
 
     def put(self, op: Op, gone: Iterable[int]) -> None:
-        """Record a shared operation; transient ones are ignored."""
+        """Record a shared operation. Transient ones are ignored."""
         name = op["op"]
         if name in DROP:
             for number in gone:
@@ -183,7 +183,7 @@ class Shown:
 class Delivery:
     """Takes operations from any thread, records the shared state and fills the outboxes of pages.
 
-    No call waits for a page. The server's thread sends. `lock` protects state and outboxes and is held briefly.
+    No call waits for a page. The server's thread sends. `lock` protects state and outboxes, each time briefly.
     """
 
     def __init__(self) -> None:
@@ -201,7 +201,7 @@ class Delivery:
 
     @contextlib.contextmanager
     def atomic(self) -> Iterator[None]:
-        """Batch operations, so that pages apply them together; batches may be nested and overlap between threads."""
+        """Batch operations, so that pages apply them together. Batches may be nested and overlap between threads."""
         with self.lock:
             if self._open == 0:
                 self._batch += 1

@@ -37,7 +37,7 @@ PROTOCOL = f"pointloom.{VERSION}"
 OTHER_VERSION = 4001  # close code for a cached page of another version
 MAX_CLIENTS = 32
 MAX_OWN_BYTES = 1 << 30  # backlog limit of one page
-# A page is closed after this time without reading or a pong; pings are sent in between.
+# A page is closed after this time without reading or a pong. Pings are sent in between.
 STALL_SECONDS = 60.0
 PING_SECONDS = 20.0
 WATCH_SECONDS = 1.0  # interval of checks
@@ -290,7 +290,7 @@ async def _send(connection: ServerConnection, visitor: Visitor, woken: asyncio.E
 
 
 async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
-    """Forward messages; malformed ones end the connection, unexpected ones are ignored."""
+    """Forward messages. Malformed ones end the connection, unexpected ones are ignored."""
     begun, count = time.monotonic(), 0
     while True:
         raw = await connection.recv()

@@ -73,7 +73,7 @@ if hasattr(os, "register_at_fork"):
 class PageServer:
     """Serves the page on a listening socket `bound` and connects the program to all pages.
 
-    Thread-safe; never waits for a page and never raises an error caused by a page. `guard` decides which requests are
+    Thread-safe. Never waits for a page and never raises an error caused by a page. `guard` decides which requests are
     answered.
 
     Attributes:

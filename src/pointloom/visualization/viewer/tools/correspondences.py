@@ -27,7 +27,7 @@ from ....registration.rigid import fit_pose
 
 MIN_PAIRS = 3
 THIN = 0.02  # minimum spread of the pairs across their line, over that along it, to define the rotation about it
-MAX_POINTS = 200_000  # per cloud; larger ones are sampled for an interactive response
+MAX_POINTS = 200_000  # per cloud. Larger ones are sampled for an interactive response
 DISTANCE_FACTOR = 3.0  # correspondence distance over the RMS of the pairs or the point spacing
 
 Matrix = NDArray[np.float64]

@@ -128,7 +128,7 @@ class Stage:
         return item.pose_of(item.points)
 
     def targets(self, names: Iterable[str] | None = None) -> list[Target]:
-        """Objects to pick: all visible ones, or the named clouds; clipped points are hidden."""
+        """Objects to pick: all visible ones, or the named clouds. Clipped points are hidden."""
         targets: list[Target] = []
         chosen = None if names is None else set(names)
         for item in self.items():

@@ -173,7 +173,7 @@ class Toolbox:
         with self._top:
             self._controls = gui.add_folder(None)
         self._top.visible = True
-        self._client.scene.on_click(self._on_click)  # before the hint that asks for a click
+        self._client.scene.on_click(self._on_click)  # before the hint that requests a click
         try:
             self.stage.set_status(kind.hint)
             with self._controls:
@@ -215,7 +215,7 @@ class Toolbox:
             self.start(kind)
 
     def close(self) -> None:
-        """End after the page has gone; waiting jobs are dropped."""
+        """End after the page has gone. Waiting jobs are dropped."""
         with self._lock:
             self._closed = True
         self._worker.shutdown(wait=False, cancel_futures=True)
@@ -275,7 +275,7 @@ AS_SEEN = "along the view"
 
 
 class ClipControls:
-    """Sliders for a clip box and a clip plane of one page; clipped points cannot be picked."""
+    """Sliders for a clip box and a clip plane of one page. Clipped points cannot be picked."""
 
     def __init__(self, stage: Stage, folder: Any):
         self._stage = stage
