@@ -75,16 +75,16 @@ class WorldFrame:
     def _middle(self) -> Array:
         return geocentric(np.array([[self.latitude, self.longitude, self.altitude]]))[0]
 
-    def to_enu(self, places: ArrayLike) -> Array:
+    def to_enu(self, points: ArrayLike) -> Array:
         """Convert to meters east, north and up.
 
         Args:
-            places: Latitude, longitude [degrees] and altitude [m], shape (n, 3).
+            points: Latitude, longitude [degrees] and altitude [m], shape (n, 3).
 
         Raises:
             ValueError: If the shape is wrong or a position is out of range.
         """
-        return matmul(geocentric(places) - self._middle, self._rotation.T)
+        return matmul(geocentric(points) - self._middle, self._rotation.T)
 
     def to_geodetic(self, points: ArrayLike) -> Array:
         """Convert to latitude, longitude [degrees] and altitude [m].
@@ -116,12 +116,12 @@ class WorldFrame:
         return f"meters east, north and up of {position} at {self.altitude:.2f} m; EPSG:{self.epsg}"
 
 
-def geocentric(places: ArrayLike) -> Array:
+def geocentric(points: ArrayLike) -> Array:
     """Geocentric coordinates [m], (n, 3), of latitude, longitude [degrees] and altitude [m]."""
-    rows = check_finite("places", check_rows("places", places, 3).astype(np.float64))
+    rows = check_finite("points", check_rows("points", points, 3).astype(np.float64))
     if (np.abs(rows) > (90.0, 360.0, HIGHEST)).any():
         wrong = rows[np.flatnonzero((np.abs(rows) > (90.0, 360.0, HIGHEST)).any(axis=1))[0]]
-        raise ValueError(f"places: expected latitude, longitude [degrees] and altitude [m], got {wrong.tolist()}")
+        raise ValueError(f"points: expected latitude, longitude [degrees] and altitude [m], got {wrong.tolist()}")
     a, b, height = np.radians(rows[:, 0]), np.radians(rows[:, 1]), rows[:, 2]
     across = RADIUS / np.sqrt(1 - _SQUARED * np.sin(a) ** 2)
     level = (across + height) * np.cos(a)

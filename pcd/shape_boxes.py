@@ -82,7 +82,7 @@ class BoxShape(Assessed):
 
 @explain_argument_errors
 def find_boxes(
-    cloud: PointCloud, found: DetectedShapes, distance_threshold: float = 0.01, angle_threshold_deg: float = 3.0
+    cloud: PointCloud, shapes: DetectedShapes, distance_threshold: float = 0.01, angle_threshold_deg: float = 3.0
 ) -> list[BoxShape]:
     """Combine detected planes into boxes: cartons, beams, buildings, or a room seen from inside.
 
@@ -92,7 +92,7 @@ def find_boxes(
 
     Args:
         cloud: The cloud of the shapes.
-        found: Result of `detect_shapes`.
+        shapes: Result of `detect_shapes`.
         distance_threshold: Maximum gap between faces, and overlap beyond an edge [m]; four times that of
             `detect_shapes`.
         angle_threshold_deg: Maximum deviation from a right angle [degrees].
@@ -102,37 +102,37 @@ def find_boxes(
         extent of points, because no face limits them.
 
     Raises:
-        ValueError: If `found` belongs to another cloud, or a threshold is out of range.
-        TypeError: If `found` is not a result of `detect_shapes`.
+        ValueError: If `shapes` belongs to another cloud, or a threshold is out of range.
+        TypeError: If `shapes` is not a result of `detect_shapes`.
 
     Example:
         >>> import numpy as np, pointloom as loom
         >>> carton = loom.TriangleMesh.create_box(0.4, 0.3, 0.2).sample_points_uniformly(6000, seed=1)
         >>> carton = carton.estimate_normals()
-        >>> found = loom.detect_shapes(carton, 0.005, kinds="plane")
-        >>> [np.sort(box.size).round(2).tolist() for box in loom.find_boxes(carton, found, 0.02)]
+        >>> shapes = loom.detect_shapes(carton, 0.005, kinds="plane")
+        >>> [np.sort(box.size).round(2).tolist() for box in loom.find_boxes(carton, shapes, 0.02)]
         [[0.2, 0.3, 0.4]]
     """
     check_cloud("cloud", cloud)
-    if not isinstance(found, DetectedShapes):
-        raise TypeError(f"found: expected the DetectedShapes from detect_shapes, got {type(found).__name__}")
-    if len(found.labels) != len(cloud):
-        raise ValueError(f"found: expected shapes of a cloud of {len(cloud):,} points, got {len(found.labels):,}")
+    if not isinstance(shapes, DetectedShapes):
+        raise TypeError(f"shapes: expected the DetectedShapes from detect_shapes, got {type(shapes).__name__}")
+    if len(shapes.labels) != len(cloud):
+        raise ValueError(f"shapes: expected shapes of a cloud of {len(cloud):,} points, got {len(shapes.labels):,}")
     gap = check_positive("distance_threshold", distance_threshold)
     angle = check_positive("angle_threshold_deg", angle_threshold_deg)
     if angle > MAX_DEGREES:
         raise ValueError(f"angle_threshold_deg: expected up to {MAX_DEGREES:g}, got {shown(angle_threshold_deg)}")
-    planes = {k: shape for k, shape in enumerate(found.shapes) if shape.kind == "plane"}
+    planes = {k: shape for k, shape in enumerate(shapes.shapes) if shape.kind == "plane"}
     free, groups = sorted(planes, key=lambda k: (-planes[k].support, k)), []
     if len(free) < 2 or not len(cloud):
         return []
-    sides = _Sides(cloud, found, planes, gap)
+    sides = _Sides(cloud, shapes, planes, gap)
     while free:
         group = _group_of(free[0], free, planes, sides, float(np.sin(np.radians(angle))))
         free = [k for k in free if k not in group]
         if len(group) > 1:
             groups.append(group)
-    boxes = [_box_of(cloud, found, planes, group) for group in groups]
+    boxes = [_box_of(cloud, shapes, planes, group) for group in groups]
     return sorted(boxes, key=lambda box: -box.support)
 
 

@@ -225,8 +225,8 @@ def test_a_large_file_is_displayed_while_it_is_read(tmp_path, rng, monkeypatch):
         DetailTree, "from_file", lambda *given, **more: (look(viewers[0]), open_tree(*given, **more))[1]
     )
     monkeypatch.setattr(loom.Viewer, "wait", look)
-    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open", "--linger", 5)
-    assert waited == [{}, {"linger": 5.0}]
+    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open", "--keep-alive", 5)
+    assert waited == [{}, {"keep_alive": 5.0}]
     assert result.exit_code == 0 and result.stderr.count("viewer: http://127.0.0.1:") == 1
     assert shown == [{"large.ply: a preview": 10_000}, {"large.ply": 30_000}]
 

@@ -70,9 +70,9 @@ def test_invalid_detections_are_rejected(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device).estimate_normals()
     detection = loom.detect_shapes(cloud, 0.01, num_iterations=100)
     assert loom.find_boxes(cloud, detection) == []
-    with pytest.raises(TypeError, match="found:"):
+    with pytest.raises(TypeError, match="shapes:"):
         loom.find_boxes(cloud, 3)
-    with pytest.raises(ValueError, match="found:"):
+    with pytest.raises(ValueError, match="shapes:"):
         loom.find_boxes(loom.PointCloud(np.eye(3)[:2], device=device), detection)
     with pytest.raises(ValueError, match="angle_threshold_deg:"):
         loom.find_boxes(cloud, detection, angle_threshold_deg=60)

@@ -8,5 +8,5 @@ from collections.abc import Callable
 ReportProgress = Callable[[str, int, int], None]
 
 
-def say_nothing(stage: str, done: int, total: int) -> None:
+def ignore_progress(stage: str, done: int, total: int) -> None:
     """A `ReportProgress` that does nothing."""

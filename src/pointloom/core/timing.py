@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from .progress import ReportProgress, say_nothing
+from .progress import ReportProgress, ignore_progress
 
 
 class Clock:
@@ -35,7 +35,7 @@ class Clock:
     def __init__(self, progress: ReportProgress | None = None):
         self.seconds: dict[str, float] = {}
         self.cpu_seconds: dict[str, float] = {}
-        self._progress = progress or say_nothing
+        self._progress = progress or ignore_progress
         self.restart()
 
     def restart(self) -> None:

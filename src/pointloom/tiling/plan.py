@@ -15,7 +15,7 @@ from ..core.checks import check_count, check_finite, check_positive, check_progr
 from ..core.coordinates import choose_origin
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
-from ..core.progress import ReportProgress, say_nothing
+from ..core.progress import ReportProgress, ignore_progress
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
@@ -116,7 +116,7 @@ def plan_tiles(
     only: Any = None,
     only_crs: str | None = None,
     output: str = "laz",
-    progress: ReportProgress = say_nothing,
+    progress: ReportProgress = ignore_progress,
 ) -> TileStatus:
     """Plan a tiled job in a folder: files, steps and tiles. Of LAS only headers are read.
 

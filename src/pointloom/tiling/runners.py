@@ -10,7 +10,7 @@ from typing import Any
 from ..core.checks import check_count, check_progress, shown
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
-from ..core.progress import ReportProgress, say_nothing
+from ..core.progress import ReportProgress, ignore_progress
 from .buckets import FOLDER as BUCKETS
 from .manifest import FINAL_STATES, TABLES, Manifest
 from .plan import Plan, allow_functions, open_plan
@@ -30,7 +30,7 @@ def run_tiles(
     security: Any = None,
     device: str = "cpu",
     functions: Iterable[Callable[..., Any]] = (),
-    progress: ReportProgress = say_nothing,
+    progress: ReportProgress = ignore_progress,
 ) -> TileStatus:
     """Process the tiles of a folder. Finished ones stay.
 
@@ -136,7 +136,7 @@ def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
 
 def _report_progress(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     """Report sorted files, then tiles finished or through the current pass."""
-    if report is say_nothing:
+    if report is ignore_progress:
         return
     if any(source["kind"] != "copc" for source in plan.files):
         files = manifest.counts("sources")

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
-from ..core.progress import ReportProgress, say_nothing
+from ..core.progress import ReportProgress, ignore_progress
 from ..io.points.laz_chunks import LazChunks, is_alike
 from ..kernels.lang import vec3d
 from ..kernels.lru_cache import LruCache
@@ -97,7 +97,7 @@ class TileTree:
         return _positions(rows, self.scales, self.offsets)
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_pool": None, "_report": say_nothing, "_kept": LruCache(_CACHE_BYTES)}
+        return self.__dict__ | {"_pool": None, "_report": ignore_progress, "_kept": LruCache(_CACHE_BYTES)}
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
         """(halvings, codes, counts) of cells with points. Also stores chunk boxes."""

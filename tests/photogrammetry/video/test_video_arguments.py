@@ -27,7 +27,7 @@ loom.video.ControlMark(point="A", picture="a.jpg", pixel=[3.0, 4.0], where="line
 loom.video.ScaleBar(a="A", b="B", meters=1.5, sigma=0.01)
 read_ground_control(path=gcp, scale_bars=None)
 loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
-frame.to_enu(places=[[47.5, 8.25, 430.0]])
+frame.to_enu(points=[[47.5, 8.25, 430.0]])
 frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
 frame.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
 loom.video.Outputs(mesh="room.ply", cloud="c.ply", trajectory="p.log", picture="room.png", training="scene", {MAPS})

@@ -9,7 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.visualization.viewer import client_presence, scene
-from pointloom.visualization.viewer.client_presence import LINGER, Presence
+from pointloom.visualization.viewer.client_presence import KEEP_ALIVE, Presence
 from pointloom.visualization.viewer.link import hub
 
 from . import events
@@ -31,7 +31,7 @@ class Waiting:
         polls: Number of checks for the end of the wait.
     """
 
-    def __init__(self, viewer, linger, monkeypatch):
+    def __init__(self, viewer, keep_alive, monkeypatch):
         self.clock_offset, self.polls, self.over = 0.0, 0, threading.Event()
         clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.clock_offset)
         for module in (client_presence, scene, hub):
@@ -46,7 +46,7 @@ class Waiting:
 
         monkeypatch.setattr(Presence, "_is_over", look)
         events.announce(monkeypatch, Presence, "_is_over")
-        threading.Thread(target=lambda: (viewer.wait(linger=linger), self.over.set()), daemon=True).start()
+        threading.Thread(target=lambda: (viewer.wait(keep_alive=keep_alive), self.over.set()), daemon=True).start()
 
     def goes_on(self):
         """True if it still waits after another poll."""
@@ -113,20 +113,20 @@ def viewer_stub(seconds):
 
 
 @pytest.mark.parametrize(
-    ("seconds", "linger", "over", "words"),
+    ("seconds", "keep_alive", "over", "words"),
     [
         (None, 0, False, ""),
-        (61, LINGER, True, ""),
-        (59, LINGER, False, "ending in 60 s"),
+        (61, KEEP_ALIVE, True, ""),
+        (59, KEEP_ALIVE, False, "ending in 60 s"),
         (1e9, math.inf, False, "waiting for another"),
         (0, 0, True, ""),
     ],
 )
-def test_polling_reports_once_that_the_last_page_has_gone(capfd, monkeypatch, seconds, linger, over, words):
+def test_polling_reports_once_that_the_last_page_has_gone(capfd, monkeypatch, seconds, keep_alive, over, words):
     monkeypatch.setattr(client_presence, "time", types.SimpleNamespace(monotonic=lambda: NOW))
     one = Presence(viewer_stub(seconds))
-    assert [one.wait(0, linger) for _ in range(3)] == [over] * 3
-    with pytest.raises(ValueError, match="linger"):
+    assert [one.wait(0, keep_alive) for _ in range(3)] == [over] * 3
+    with pytest.raises(ValueError, match="keep_alive"):
         one.wait(0, -1)
     lines = stderr_of(capfd).splitlines()
     assert len(lines) == bool(words) and words in "".join(lines)

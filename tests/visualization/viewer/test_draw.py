@@ -113,7 +113,7 @@ def test_nothing_to_draw_is_an_empty_page():
         (np.zeros((1, 3)), {"width": 0}, ValueError),
         (np.zeros((1, 3)), {"zoom": -1}, ValueError),
         (np.zeros((1, 3)), {"port": 70_000}, ValueError),
-        (np.zeros((1, 3)), {"linger": -1}, ValueError),
+        (np.zeros((1, 3)), {"keep_alive": -1}, ValueError),
         (np.zeros((1, 3)), {"host": "no.such.host.invalid"}, PointloomError),
     ],
 )
@@ -130,7 +130,7 @@ def test_draw_waits_until_the_last_page_has_gone(cloud, monkeypatch):
     monkeypatch.setattr(drawing, "announce", lambda viewer: (made.put(viewer), original_announce(viewer)))
     monkeypatch.setattr(Presence, "_is_over", lambda *args: looks.append(is_over(*args)) or looks[-1])
     announce(monkeypatch, Presence, "_is_over")
-    thread = threading.Thread(target=lambda: draw([cloud], block=None, linger=0), daemon=True)
+    thread = threading.Thread(target=lambda: draw([cloud], block=None, keep_alive=0), daemon=True)
     thread.start()
     viewer = made.get(timeout=60)
     with visitor_of(viewer.server):

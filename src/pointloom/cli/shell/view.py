@@ -31,7 +31,7 @@ _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray
 @click.option("--save-html", type=FILE, metavar="HTML", help="Write a page that needs no server, and exit.")
 @click.option("--no-open", is_flag=True, help="Do not open a browser.")
 @click.option(
-    "--linger", type=click.FloatRange(min=0), default=60, show_default=True, metavar="S",
+    "--keep-alive", type=click.FloatRange(min=0), default=60, show_default=True, metavar="S",
     help="Time until the command exits after the last page closed [s]. inf: never.",
 )  # fmt: skip
 @click.option("--color-by", metavar="NAME", help="Color by rgb, height, normal, label, or an attribute of the clouds.")
@@ -55,7 +55,7 @@ def view(
 ) -> int:
     """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or remotely over SSH.
 
-    The URL, and the ssh command for a remote browser, are printed to stderr. The command exits --linger seconds after
+    The URL, and the ssh command for a remote browser, are printed to stderr. The command exits --keep-alive seconds after
     the last page closed, with a notice on stderr, or with Ctrl-C.
 
     \b

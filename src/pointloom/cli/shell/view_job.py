@@ -11,7 +11,7 @@ import numpy as np
 
 from ...core.atomic import check_writable
 from ...core.errors import FileError
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress, ignore_progress
 from ...core.reports import Assessed, Fields, Report
 from ...core.timing import Clock
 from ...core.up_axis import check_up
@@ -83,7 +83,7 @@ class ViewJob:
         self.named: list[Named] = []
         self.trees: dict[str, Any] = {}  # DetailTree, CopcTree
 
-    def read(self, notify: ReportProgress = say_nothing, *, in_parts: bool = False) -> None:
+    def read(self, notify: ReportProgress = ignore_progress, *, in_parts: bool = False) -> None:
         """Read the files with progress. With `in_parts`, only the coarse levels of large COPC files."""
         style = {"point_size": self.point_size} if self.point_size is not None else {}
         with Progress() as progress:
@@ -158,7 +158,7 @@ class ViewJob:
                 open_up()
             if as_json:
                 print_json(self._ends.rename(self._report()).to_dict() | {"url": viewer.url, "ssh": viewer.ssh_line})
-            viewer.wait(linger=self.server["linger"])
+            viewer.wait(keep_alive=self.server["keep_alive"])
         return 0
 
     def _draw(self, named: list[Named], path: Path) -> None:

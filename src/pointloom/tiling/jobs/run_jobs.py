@@ -14,7 +14,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_progress
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of, plain_name, refuse_link
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress, ignore_progress
 from ...io.frames.datasets import open_frames
 from ...rgbd.reconstruction.config import ReconstructionConfig
 from ...rgbd.reconstruction.job import run_system
@@ -172,7 +172,7 @@ def run_job(
     workers: int = 0,
     part: tuple[int, int] | None = None,
     device: str = "cpu",
-    progress: ReportProgress = say_nothing,
+    progress: ReportProgress = ignore_progress,
 ) -> JobStatus:
     """Run the tasks of a job. Finished ones stay.
 
@@ -320,7 +320,7 @@ def _job_of(folder: str, inode: int) -> Job:
 
 
 def _report_progress(manifest: Manifest, job: Job, report: ReportProgress) -> None:
-    if report is say_nothing:
+    if report is ignore_progress:
         return
     stage = stage_of(manifest)
     over = over_in(manifest, stage)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.devices import resolve_device
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress, ignore_progress
 from ...kernels.lang import int32, vec3
 from ...kernels.memory import empty, upload
 from ..render.canvas import Canvas
@@ -117,7 +117,7 @@ class Film:
         picture = canvas.to_numpy()
         return np.vstack([picture, self._plots.draw(number)]) if self._names else picture
 
-    def frames(self, report_progress: ReportProgress = say_nothing) -> Iterator[Picture]:
+    def frames(self, report_progress: ReportProgress = ignore_progress) -> Iterator[Picture]:
         for number in range(len(self)):
             report_progress("drawing", number, len(self))
             yield self.draw(number)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 LOOK = 0.2  # [s] between checks
-LINGER = 60.0  # [s] after the last page has closed: pages may reload over a slow connection
+KEEP_ALIVE = 60.0  # [s] after the last page has closed: pages may reload over a slow connection
 
 
 class Presence:
@@ -23,30 +23,30 @@ class Presence:
     def __init__(self, viewer: Viewer):
         self._viewer, self._is_reported, self._lock = viewer, False, threading.Lock()
 
-    def wait(self, seconds: float | None, linger: float) -> bool:
-        linger = check_positive("linger", linger, allow_zero=True, allow_infinite=True)
+    def wait(self, seconds: float | None, keep_alive: float) -> bool:
+        keep_alive = check_positive("keep_alive", keep_alive, allow_zero=True, allow_infinite=True)
         end = math.inf if seconds is None else time.monotonic() + check_positive("seconds", seconds, allow_zero=True)
         viewer = self._viewer
         while not viewer._ended.wait(min(LOOK, max(end - time.monotonic(), 0.0))):
             gone = viewer._last_seen
             seen = None if gone is None else max(gone, viewer.server.last_request)
-            left = self._is_over(bool(viewer.sessions), seen, linger)
+            left = self._is_over(bool(viewer.sessions), seen, keep_alive)
             if left or time.monotonic() >= end:
                 return left
         return True
 
-    def _is_over(self, is_open: bool, seen: float | None, linger: float) -> bool:
-        """True if no page was connected for `linger` [s] since `seen`. Prints when the last closes or one returns."""
+    def _is_over(self, is_open: bool, seen: float | None, keep_alive: float) -> bool:
+        """True if no page was connected for `keep_alive` [s] since `seen`. Prints when the last closes or one returns."""
         with self._lock:
             if is_open or seen is None:
                 if self._is_reported:
                     self._is_reported = False
                     write_to_stderr("a page is open again")
                 return False
-            over = time.monotonic() - seen >= linger
-            if not self._is_reported and linger > 0 and not over:
+            over = time.monotonic() - seen >= keep_alive
+            if not self._is_reported and keep_alive > 0 and not over:
                 self._is_reported = True
-                ending = "waiting for another" if math.isinf(linger) else f"ending in {linger:g} s"
+                ending = "waiting for another" if math.isinf(keep_alive) else f"ending in {keep_alive:g} s"
                 write_to_stderr(
                     f"the last page has closed; {ending} (open {self._viewer.url} again to stay, Ctrl-C ends now)"
                 )

@@ -27,7 +27,7 @@ from ..notebook_output import MAX_WIDTH, in_notebook, ipython_shell, page_output
 from ..render.geometries import Named, named_geometries, parts_of
 from ..render.picture import Picture
 from ..render.scene import Scene
-from .client_presence import LINGER
+from .client_presence import KEEP_ALIVE
 from .screenshots import as_entry, write_geometries
 from .server import ViewerError
 from .viewer import MAX_POINTS, Viewer
@@ -55,12 +55,12 @@ def draw(
     block: bool | None = None,
     open_browser: bool = True,
     inline: bool | None = None,
-    linger: float = LINGER,
+    keep_alive: float = KEEP_ALIVE,
 ) -> Viewer | InlinePage | Picture:
     """Show geometries in the browser, on this machine or over SSH, or in a notebook.
 
     In a script, the address is printed on stderr, a browser is opened if there is a display, and the call returns
-    `linger` seconds after the last page was closed, or at Ctrl-C. In a notebook it returns at once and the cell shows
+    `keep_alive` seconds after the last page was closed, or at Ctrl-C. In a notebook it returns at once and the cell shows
     the page: live if the browser can reach this machine, else as a self-contained page.
 
     If the environment variable POINTLOOM_DRAW is "picture", nothing is opened, and a call that would wait returns the
@@ -81,7 +81,7 @@ def draw(
         inline: Embed the scene in the notebook without a server, in at most 4 MB (clouds are sampled, meshes
             simplified, with a notice). If None: embed on Colab, Kaggle, JupyterHub, Binder, Databricks, in VS Code and
             over SSH, unless the environment variable POINTLOOM_INLINE is 1 (always) or 0 (never).
-        linger: Time without a page after which the wait ends [s].
+        keep_alive: Time without a page after which the wait ends [s].
 
     Returns:
         The viewer, closed if `draw` waited. An `InlinePage` if inline or if no server can run in a notebook. An image
@@ -100,7 +100,7 @@ def draw(
     """
     named = _with_back_faces(named_geometries(geometries), mesh_show_back_face)
     size = (check_count("width", width), check_count("height", height))
-    linger = check_positive("linger", linger, allow_zero=True, allow_infinite=True)
+    keep_alive = check_positive("keep_alive", keep_alive, allow_zero=True, allow_infinite=True)
     view = {"zoom": zoom, "front": front, "lookat": lookat, "up": up, "field_of_view": field_of_view}
     notebook = in_notebook()
     reason = wants_inline(inline, notebook=notebook and not block)
@@ -129,7 +129,7 @@ def draw(
         if notebook and not block:
             return viewer
         if block is None or block:
-            wait_for_pages(viewer, linger)
+            wait_for_pages(viewer, keep_alive)
     except BaseException:
         viewer.close()
         raise
@@ -147,10 +147,10 @@ def unattended() -> bool:
     return mode == "picture"
 
 
-def wait_for_pages(viewer: Viewer, linger: float = LINGER) -> None:
+def wait_for_pages(viewer: Viewer, keep_alive: float = KEEP_ALIVE) -> None:
     """Wait as `Viewer.wait`, then close. Ctrl-C ends the wait without an error."""
     try:
-        viewer.wait(linger=linger)
+        viewer.wait(keep_alive=keep_alive)
     except KeyboardInterrupt:
         pass
     finally:

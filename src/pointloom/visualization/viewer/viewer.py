@@ -22,7 +22,7 @@ from ..notebook_output import in_notebook, live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
-from .client_presence import LINGER, Presence
+from .client_presence import KEEP_ALIVE, Presence
 from .copc_tree import CopcTree
 from .items import Frame, make_item
 from .scene import Scene, check_color, check_size
@@ -429,7 +429,7 @@ class Viewer(Appearance):
                 raise KeyError(f"client: expected one of the pages {sorted(self.sessions)}, got {client!r}")
             return self.sessions[client].camera_view()
 
-    def wait(self, seconds: float | None = None, *, linger: float = LINGER) -> bool:
+    def wait(self, seconds: float | None = None, *, keep_alive: float = KEEP_ALIVE) -> bool:
         """Wait until all pages were closed for a while, or the viewer is closed.
 
         When the last page closes, a message on stderr shows how to end the wait at once. Reopening or reloading a page
@@ -437,13 +437,13 @@ class Viewer(Appearance):
 
         Args:
             seconds: Timeout [s]. The result is False if it expires, else True. None: no timeout.
-            linger: Time without a page after which the wait ends [s]; `math.inf`: wait for another page forever.
+            keep_alive: Time without a page after which the wait ends [s]; `math.inf`: wait for another page forever.
 
         Raises:
             KeyboardInterrupt: Ctrl-C.
             ValueError: Negative time.
         """
-        return self._presence.wait(seconds, linger)
+        return self._presence.wait(seconds, keep_alive)
 
     def close(self) -> None:
         """Free port, threads and memory. Pages show that the viewer is closed and how to restart it."""
