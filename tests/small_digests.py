@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 import scipy.linalg  # noqa: F401  loads SciPy's own OpenBLAS
 
+from pointloom.kernels import lang  # noqa: F401  starts Warp without its banner
 from pointloom.kernels.language import cpu_code, pool_code
 
 from .small_scenes import ON_CLOUDS, ONCE, SmallScenes, digest

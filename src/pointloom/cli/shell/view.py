@@ -55,8 +55,8 @@ def view(
 ) -> int:
     """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or remotely over SSH.
 
-    The URL, and the ssh command for a remote browser, are printed to stderr. The command exits --keep-alive seconds after
-    the last page closed, with a notice on stderr, or with Ctrl-C.
+    The URL, and the ssh command for a remote browser, are printed to stderr. The command exits --keep-alive seconds
+    after the last page closed, with a notice on stderr, or with Ctrl-C.
 
     \b
     clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx

@@ -36,7 +36,7 @@ class Presence:
         return True
 
     def _is_over(self, is_open: bool, seen: float | None, keep_alive: float) -> bool:
-        """True if no page was connected for `keep_alive` [s] since `seen`. Prints when the last closes or one returns."""
+        """True if no page was connected for `keep_alive` [s] since `seen`. Prints when the last closes or one opens."""
         with self._lock:
             if is_open or seen is None:
                 if self._is_reported:

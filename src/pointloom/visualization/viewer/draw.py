@@ -60,8 +60,8 @@ def draw(
     """Show geometries in the browser, on this machine or over SSH, or in a notebook.
 
     In a script, the address is printed on stderr, a browser is opened if there is a display, and the call returns
-    `keep_alive` seconds after the last page was closed, or at Ctrl-C. In a notebook it returns at once and the cell shows
-    the page: live if the browser can reach this machine, else as a self-contained page.
+    `keep_alive` seconds after the last page was closed, or at Ctrl-C. In a notebook it returns at once and the cell
+    shows the page: live if the browser can reach this machine, else as a self-contained page.
 
     If the environment variable POINTLOOM_DRAW is "picture", nothing is opened, and a call that would wait returns the
     initial image.
