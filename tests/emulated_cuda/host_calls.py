@@ -78,7 +78,7 @@ class DeviceScenes(SmallScenes):
     def surfaces(self, count: int) -> Any:
         """A surface of some points."""
         if count not in (made := self.__dict__.setdefault("_surfaces", {})):
-            made[count] = self.place(count, 10)
+            made[count] = self.sample(count, 10)
         return made[count]
 
 

@@ -107,7 +107,7 @@ def take_points(
     float64_points = points if points.dtype == vec3d else view_as(_as(array, float64), vec3d, (count,))
     local, lost = subtract_origin(float64_points, start)
     if is_far and download(lost)[0]:  # sync
-        raise ValueError(f"{name}: expected positions within the float32 range about their center {start.tolist()}")
+        raise ValueError(f"{name}: the positions are beyond the float32 range about their center {start.tolist()}")
     return local, start
 
 
