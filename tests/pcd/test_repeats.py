@@ -14,7 +14,7 @@ OPERATIONS = OPERATIONS[: OPERATIONS.index("icp, point to point")]
 def scenes():
     """A function (device) -> two equal scenes, so that search trees are built twice."""
     made = {}
-    return lambda device: made.setdefault(device, [SmallScenes(device).place(COUNT, 10) for _ in range(2)])
+    return lambda device: made.setdefault(device, [SmallScenes(device).sample(COUNT, 10) for _ in range(2)])
 
 
 @pytest.mark.parametrize("name", OPERATIONS)
