@@ -31,6 +31,7 @@ MODES = ("stored", "live", "write")
 FOLDER = Path(__file__).parent / "oracle_answers"
 MAX_BYTES = 100_000  # of one answer's file: larger ones belong to tests that take `o3d`
 RTOL = 1e-6  # relative to the largest value: Open3D adds in the order of its threads
+RTOL_OF = {"rgbd/odometry_information": 1e-5}  # sums of float32: two runs of Open3D differed by 3.8e-6
 HAS_OPEN3D = importlib.util.find_spec("open3d") is not None
 
 
@@ -142,6 +143,7 @@ def compare_answers(stored: Any, computed: Any, name: str) -> None:
     for one, other in zip(before, now, strict=True):
         if one.dtype.kind == "f":
             size = np.abs(other[np.isfinite(other)]).max(initial=0.0)
-            np.testing.assert_allclose(one, other, rtol=RTOL, atol=RTOL * size, err_msg=message)
+            rtol = RTOL_OF.get(name, RTOL)
+            np.testing.assert_allclose(one, other, rtol=rtol, atol=rtol * size, err_msg=message)
         else:
             np.testing.assert_array_equal(one, other, err_msg=message)
