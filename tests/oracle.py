@@ -31,6 +31,8 @@ MODES = ("stored", "live", "write")
 FOLDER = Path(__file__).parent / "oracle_answers"
 MAX_BYTES = 100_000  # of one answer's file: larger ones belong to tests that take `o3d`
 RTOL = 1e-6  # relative to the largest value: Open3D adds in the order of its threads
+# Fraction of values that may differ: two runs of Open3D round an image position differently for one of 882 vertices.
+MAX_DIFFERING = {"meshing/color_map/non-rigid": 0.002}
 RTOL_OF = {"rgbd/odometry_information": 1e-5}  # sums of float32: two runs of Open3D differed by 3.8e-6
 HAS_OPEN3D = importlib.util.find_spec("open3d") is not None
 
@@ -144,6 +146,10 @@ def compare_answers(stored: Any, computed: Any, name: str) -> None:
         if one.dtype.kind == "f":
             size = np.abs(other[np.isfinite(other)]).max(initial=0.0)
             rtol = RTOL_OF.get(name, RTOL)
+            if name in MAX_DIFFERING and one.shape == other.shape:
+                differing = ~np.isclose(one, other, rtol=rtol, atol=rtol * size)
+                assert differing.mean() <= MAX_DIFFERING[name], message
+                continue
             np.testing.assert_allclose(one, other, rtol=rtol, atol=rtol * size, err_msg=message)
         else:
             np.testing.assert_array_equal(one, other, err_msg=message)
