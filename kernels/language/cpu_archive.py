@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import logging
 import os
 import platform
 import sys
@@ -21,6 +20,7 @@ from typing import Any
 import warp as wp
 
 from . import cpu_code
+from .compile_notices import LOGGER
 from .compiled_ahead import digest_of_sources
 
 VARIABLE = "POINTLOOM_CPU_KERNELS"
@@ -31,7 +31,6 @@ PREFIX = __name__.partition("language.")[0]
 _V3 = {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"}
 LEVELS = {"x86-64-v4": _V3 | {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"}, "x86-64-v3": _V3}
 _is_disabled = False
-LOGGER = logging.getLogger("pointloom")
 
 
 def made_from() -> dict[str, str]:

@@ -23,7 +23,7 @@ from typing import IO, Any
 import warp as wp
 
 from . import cpu_archive, cuda_code, pool_code
-from .cache_folders import cache_folder, can_be_written, other_writers, temporary_cache
+from .cache_folders import cache_folder, can_be_written, is_writable, other_writers, temporary_cache
 
 STDERR = 2
 
@@ -101,10 +101,12 @@ def _start_quietly() -> None:
             RuntimeWarning,
             stacklevel=2,
         )
-    if not named and (writers or not can_be_written(folder)):
+    needs_no_cache = cpu_archive.folder() is not None
+    is_usable = can_be_written if needs_no_cache else is_writable
+    if not named and (writers or not is_usable(folder)):
         wp.config.kernel_cache_dir = temporary_cache()
     with contextlib.nullcontext() if _has_driver() else lines_removed_from_stderr("NVIDIA CUDA driver"):
-        if wp.config.kernel_cache_dir is None and cpu_archive.folder() is not None:
+        if wp.config.kernel_cache_dir is None and needs_no_cache:
             _start_without_cache(folder)
         else:
             wp.init()

@@ -143,11 +143,14 @@ def _result_of(client: Any, future: Any) -> Any:
 
 
 def _is_lost(client: Any, future: Any) -> bool:
-    return future.status in ("pending", "finished") and not client.run_on_scheduler(_has_task, future.key)
-
-
-def _has_task(key: str, dask_scheduler: Any = None) -> bool:
-    return key in dask_scheduler.tasks
+    """True if the scheduler does not have the task. False if it runs no functions, or cannot be reached."""
+    if future.status not in ("pending", "finished"):
+        return False
+    key = future.key
+    try:  # a lambda is sent by value: the scheduler need not have pointloom
+        return not client.run_on_scheduler(lambda dask_scheduler: key in dask_scheduler.tasks)
+    except Exception:  # its errors come as they were raised there
+        return False
 
 
 def _run_here(manifest: Manifest, book: Book, device: str, notify: Callable[[], None]) -> None:
