@@ -10,19 +10,16 @@ import argparse
 import hashlib
 import importlib
 import json
-import multiprocessing
-import os
 import shutil
 import sys
 import tempfile
 import time
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
 
 from . import lang  # before Warp: it silences the banner
-from .cuda_cache import INTERRUPTED, _leave_ctrl_c_to_the_parent, find_files
+from .cuda_cache import INTERRUPTED, find_files, in_processes
 from .language import cpu_archive, cpu_code, pool_code
 from .language.kernel_cache import machine_code_of
 from .language.module_loading import load_module
@@ -81,20 +78,11 @@ def compile_level(files: Sequence[str], level: str, output: Path) -> None:
     part = output / f".{level}.part"
     shutil.rmtree(part, ignore_errors=True)
     part.mkdir(parents=True)
-    spawn = multiprocessing.get_context("spawn")
-    with (
-        tempfile.TemporaryDirectory() as work,
-        ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn, initializer=_leave_ctrl_c_to_the_parent) as pool,
-    ):
-        asked = {pool.submit(compile_file, file, level, Path(work), part): file for file in files}
-        for count, done in enumerate(as_completed(asked), 1):
-            try:
-                sums = [total + more for total, more in zip(sums, done.result(), strict=True)]
-            except Exception as error:  # a language rule, LLVM, a full disk
-                pool.shutdown(wait=False, cancel_futures=True)
-                raise RuntimeError(f"{asked[done]}: {type(error).__name__}: {error}") from error
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as work:  # a terminated process may still write
+        for count, (_, result) in enumerate(in_processes(compile_file, files, level, Path(work), part), 1):
+            sums = [total + more for total, more in zip(sums, result, strict=True)]
             if not count % 40:
-                print(f"{level}: {count} of {len(asked)} files", flush=True)
+                print(f"{level}: {count} of {len(files)} files", flush=True)
     (part / cpu_archive.MANIFEST).write_text(json.dumps(cpu_archive.made_from(), indent=1), encoding="utf-8")
     shutil.rmtree(output / level, ignore_errors=True)
     part.rename(output / level)

@@ -23,10 +23,10 @@ import signal
 import sys
 import time
 import zipfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from . import lang  # before Warp: it silences the banner
 from .language import casts
@@ -38,6 +38,7 @@ import warp as wp  # isort: skip
 # Turing, Ampere (server, desktop), Ada, Hopper, Blackwell (server, desktop)
 ARCHITECTURES = (75, 80, 86, 89, 90, 100, 120)
 CASTS = casts.__name__
+Result = TypeVar("Result")
 INTERRUPTED = 130  # exit status of shells after Ctrl-C
 
 
@@ -106,20 +107,21 @@ def _leave_ctrl_c_to_the_parent() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def compile_all(files: Iterable[str], work: Path, targets: list[tuple[int, bool]]) -> Iterator[tuple[str, list[Built]]]:
-    """Compile files in one process per core, in order of completion. Raises RuntimeError for a file that fails."""
+def in_processes(call: Callable[..., Result], files: Iterable[str], *arguments: Any) -> Iterator[tuple[str, Result]]:
+    """Each file and `call(file, *arguments)`, in one process per core, in order of completion.
+    Raises RuntimeError for a file that fails."""
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn, initializer=_leave_ctrl_c_to_the_parent) as pool:
-        futures = {pool.submit(compile_file, file, work, targets): file for file in files}
+        futures = {pool.submit(call, file, *arguments): file for file in files}
         try:
             for done in as_completed(futures):
                 try:
                     yield futures[done], done.result()
-                except Exception as error:  # a language rule, NVRTC, a full disk
+                except Exception as error:  # a language rule, NVRTC, LLVM, a full disk
                     raise RuntimeError(f"{futures[done]}: {type(error).__name__}: {error}") from error
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
-            for child in multiprocessing.active_children():  # their writes are atomic
+            for child in multiprocessing.active_children():  # their results are used only when complete
                 child.terminate()
             raise
 
@@ -185,7 +187,7 @@ def build(files: list[str], targets: list[tuple[int, bool]], work: Path, output:
     work.mkdir(parents=True, exist_ok=True)
     output.mkdir(parents=True, exist_ok=True)
     start, built = time.perf_counter(), []
-    for count, (file, results) in enumerate(compile_all(files, work.resolve(), targets), 1):
+    for count, (file, results) in enumerate(in_processes(compile_file, files, work.resolve(), targets), 1):
         built += results
         seconds = sum(code.seconds for each in results for code in each.code.values())
         kernels = sum(each.kernels for each in results)

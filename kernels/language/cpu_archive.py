@@ -106,8 +106,7 @@ def _read(module: str) -> tuple[dict[str, Any], str]:
 @cache
 def _folder() -> Path | None:
     """Folder of the highest level that this processor has, or None."""
-    base, level = folder(), level_of_processor()
-    if base is None or not level:
+    if (base := folder()) is None or not (level := level_of_processor()):
         return None
     path = base / level
     try:

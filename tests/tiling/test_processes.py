@@ -8,7 +8,6 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
@@ -240,9 +239,9 @@ def test_processes_map_in_order_and_repeat_tasks_of_dead_ones(tmp_path):
             [*pool.map(partial(die, tmp_path / "again", 99), ((k,) for k in range(5)))]
 
 
-def wait_for(path, value):
-    while not path.exists():
-        time.sleep(0.01)
+def wait_for_event(value):
+    distributed.Event("started").set()
+    distributed.Event("go").wait()
     return value
 
 
@@ -257,11 +256,10 @@ def forget_tasks(dask_scheduler):
 def test_tasks_that_the_scheduler_lost_are_submitted_again(tmp_path, monkeypatch):
     monkeypatch.setattr(processes, "CHECK_INTERVAL", 0.2)
     with Processes(1, tmp_path / "made.laz") as pool, ThreadPoolExecutor(1) as thread:
-        results = thread.submit(lambda: [*pool.map(partial(wait_for, tmp_path / "go"), ((k,) for k in range(2)))])
-        while not pool._client.run_on_scheduler(lambda dask_scheduler: len(dask_scheduler.tasks) == 2):
-            assert not results.done()
+        results = thread.submit(lambda: [*pool.map(wait_for_event, ((k,) for k in range(2)))])
+        assert distributed.Event("started", client=pool._client).wait(60)
         pool._client.run_on_scheduler(forget_tasks)
-        (tmp_path / "go").touch()
+        distributed.Event("go", client=pool._client).set()
         assert results.result(60) == [0, 1]
 
 
