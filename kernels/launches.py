@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .array_types import Device
-from .language import kernel_cache, pool_code, taichi_compiler, warp_compiler
+from .language import cpu_code, kernel_cache, pool_code, taichi_compiler, warp_compiler
 from .language.arguments import MAX_THREADS, checked_arguments
 from .language.compile_notices import announced, compiling
 from .language.cuda_launches import UNFIT, PreparedKernel, PreparedSum
@@ -73,7 +73,7 @@ class LaunchSequence:
 
 _sequence: LaunchSequence | None = None  # the launches being recorded. Requires the lock
 _launched: set[tuple[int, str]] = set()  # kernels launched on a GPU, by device
-_by_warp: dict[Any, WarpLaunch] = {}  # on the CPU, by the kernel or sum
+_by_warp: dict[Any, WarpLaunch | PlainLaunch] = {}  # on the CPU, by the kernel or sum
 _by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
@@ -117,17 +117,32 @@ def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: i
         _sequence.launches.append(again)
 
 
-def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch:
+class PlainLaunch:
+    """A launch by Warp on one core, for a Warp without the parts that WarpLaunch uses."""
+
+    def __init__(self, kernel: Any) -> None:
+        self._kernel = kernel
+
+    def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Callable[[], None]:
+        """A repeatable launch, as of WarpLaunch."""
+        return lambda: wp.launch(self._kernel, thread_count + last_count, values, device="cpu")
+
+
+def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
     """Load the machine code of an earlier process, or compile with Warp and store it."""
     cached = what.cached
     if cached is not None and (address := kernel_cache.address_of(cached)):
         return WarpLaunch.of_cached(cached, address, lambda: what.on_host)
     kernel = what.on_host
     load_module(kernel.module, wp.get_device("cpu"))
-    made = WarpLaunch(kernel, values)
-    machine_code = kernel_cache.machine_code_of(kernel)
+    try:
+        made = WarpLaunch(kernel, values)
+        symbol, machine_code = made.symbol, kernel_cache.machine_code_of(kernel)
+        cpu_code.full_bounds(1)
+    except (AttributeError, TypeError):  # a Warp with other private parts
+        return PlainLaunch(kernel)
     if made.layout and machine_code and pool_code.is_usable():
-        cached = kernel_cache.CachedKernel(what.field_paths, made.plan, made.layout, made.symbol, machine_code)
+        cached = kernel_cache.CachedKernel(what.field_paths, made.plan, made.layout, symbol, machine_code)
         kernel_cache.store(what.module, what.name, cached)
     return made
 

@@ -26,6 +26,8 @@ STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "cuda-architectures": (["make", "check-cuda"], {}),
     "fuzz": (FUZZ, {}),
     "nightly-tests": (["make", "test-all", "ARGS=-m nightly"], {}),
+    "oldest-versions": ([".venv/bin/python", "scripts/test_versions.py", "oldest"], {}),
+    "newest-versions": ([".venv/bin/python", "scripts/test_versions.py", "newest"], {}),
     "taichi": (["make", "test-all", "ARGS=--taichi"], {}),
     "gallery": (["make", "docs"], {}),
     "flakes": (["make", "flakes"], {}),

@@ -14,6 +14,10 @@ from pathlib import Path
 import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
+from packaging.version import Version
+
+from pointloom.cli.shell import doctor
+from pointloom.kernels.language import warp_parts
 
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "src" / "pointloom"
@@ -198,6 +202,12 @@ def test_the_constraints_pin_every_dependency_within_its_bounds(layer):
         version, hashes = pins[canonicalize_name(requirement.name)]
         assert requirement.specifier.contains(version), f"{requirement} is pinned at {version}"
         assert hashes
+
+
+def test_the_newest_tested_versions_are_those_of_the_constraints():
+    pins = constraints("runtime")
+    assert doctor._TESTED == {name: Version(pins[name][0]).release[:2] for name in doctor._TESTED}
+    assert warp_parts.TESTED[-1] == pins["warp-lang"][0]
 
 
 def needs_of(requirement: Requirement) -> list[Requirement]:

@@ -18,7 +18,7 @@ from typing import Any
 import warp as wp
 
 from ..array_types import Device
-from . import compiled_ahead
+from . import compiled_ahead, cuda_code
 from .cache_folders import ROOM, CacheError, discard, is_intact, is_writable, seal, temporary_cache
 from .compile_notices import compiling
 
@@ -35,12 +35,24 @@ PAUSE = 0.01  # [s] between polls
 def load_module(module: Any, device: Device) -> None:
     """Load a Warp module for a device. Take the lock first."""
     block_dim = 1 if device.is_cpu else module.options["block_dim"]  # as in launches
-    if (device.context, block_dim) in module.execs:
+    try:
+        if (device.context, block_dim) in module.execs:
+            return
+        if device.is_cuda:
+            cuda_code.adapt(module, device.alias)
+        name = module.get_module_identifier(block_dim)
+        _files_of(module, device, block_dim)
+    except (AttributeError, TypeError):  # a Warp with other names: without locks between processes
+        compiling()
+        _load(module, device, block_dim)
         return
-    target = "cpu" if device.is_cpu else f"sm{device.arch}"
-    with locked(f"{module.get_module_identifier(block_dim)}.{target}"):
+    with locked(f"{name}.{'cpu' if device.is_cpu else f'sm{device.arch}'}"):
         if device.is_cpu or not _is_loaded_from_archive(module, device, block_dim):
             _load_or_compile(module, device, block_dim)
+
+
+def _load(module: Any, device: Device, block_dim: int) -> None:
+    wp.load_module(module, device, block_dim=block_dim, max_workers=0)
 
 
 def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
@@ -48,7 +60,7 @@ def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
     files = _files_of(module, device, block_dim)
     if is_intact(*files):
         try:
-            module.load(device, block_dim)
+            _load(module, device, block_dim)
             return
         except Exception as error:
             if type(error) is not Exception:  # Warp raises no more specific type
@@ -58,7 +70,7 @@ def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
         wp.config.kernel_cache_dir = temporary_cache()
     compiling()
     try:
-        module.load(device, block_dim)
+        _load(module, device, block_dim)
     except OSError as error:
         folders = " and ".join(dict.fromkeys(map(str, (named, wp.config.kernel_cache_dir))))
         raise CacheError(
@@ -80,7 +92,7 @@ def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool
         return False
     try:
         files = archive.unpack(module, device, block_dim)
-    except (OSError, ValueError, KeyError, zipfile.BadZipFile, lzma.LZMAError) as error:
+    except (OSError, ValueError, KeyError, AttributeError, zipfile.BadZipFile, lzma.LZMAError) as error:
         compiled_ahead.refuse(archive.path, f"cannot be read: {error}")
         return False
     if files is None:

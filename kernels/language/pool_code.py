@@ -20,8 +20,7 @@ from . import cpu_code, kernel_cache
 from .cache_folders import CacheError
 from .device_lock import lock
 from .module_loading import load_module
-
-TESTED = "1.19.0"  # last version of Warp that the header was tested with
+from .warp_parts import TESTED
 
 # Layout of the pool in 64-bit words, eight per cache line: 0 workers inside a launch, or CLOSED; 1 next chunk;
 # 2 launch; 3 pool; from 4 on, one line per worker: whether it sleeps, its semaphore.
@@ -201,7 +200,7 @@ def pool_code() -> PoolCode | None:
     except Exception as error:  # Warp raises no more specific type
         warnings.warn(
             f"pointloom uses one CPU core, and slower code: Warp {wp.config.version} does not take cpu_access.h "
-            f"({str(error).strip().splitlines()[-1][:200]}); what it was tried with: pip install warp-lang=={TESTED}",
+            f"({str(error).strip().splitlines()[-1][:200]}); tested version: pip install warp-lang=={TESTED[-1]}",
             RuntimeWarning,
             stacklevel=2,
         )

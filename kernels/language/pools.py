@@ -6,7 +6,6 @@ import ctypes
 from typing import Any
 
 import warp as wp
-from warp._src import context
 
 from .device_lock import lock, release_all
 from .driver import driver
@@ -28,7 +27,7 @@ def trim(device: Any) -> int:
     with lock:
         release_all()
         wp.synchronize_device(device)  # sync
-        context.runtime.core.wp_cuda_device_graph_mem_trim(device.ordinal)
+        _check(device, driver().cuDeviceGraphMemTrim(_number(device)))
         if not device.is_mempool_enabled:
             return 0
         pool = _pool(device)
@@ -38,10 +37,15 @@ def trim(device: Any) -> int:
 
 
 def _pool(device: Any) -> ctypes.c_void_p:
-    number, pool = ctypes.c_int(), ctypes.c_void_p()
-    _check(device, driver().cuDeviceGet(ctypes.byref(number), ctypes.c_int(device.ordinal)))
-    _check(device, driver().cuDeviceGetDefaultMemPool(ctypes.byref(pool), number))
+    pool = ctypes.c_void_p()
+    _check(device, driver().cuDeviceGetDefaultMemPool(ctypes.byref(pool), _number(device)))
     return pool
+
+
+def _number(device: Any) -> ctypes.c_int:
+    number = ctypes.c_int()
+    _check(device, driver().cuDeviceGet(ctypes.byref(number), ctypes.c_int(device.ordinal)))
+    return number
 
 
 def _attribute(device: Any, pool: ctypes.c_void_p, name: int) -> int:

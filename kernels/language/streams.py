@@ -8,16 +8,17 @@ releases must wait for it, since Warp releases on the legacy stream.
 from __future__ import annotations
 
 import ctypes
+import functools
 import weakref
 from collections.abc import Callable
 from typing import Any
 
 import warp as wp
-from warp._src import context
 
 from .driver import driver
 
 _NON_BLOCKING = 1  # CU_STREAM_NON_BLOCKING
+_NO_TIMING = 2  # CU_EVENT_DISABLE_TIMING
 
 # Non-blocking streams in use that no release has waited for: by handle the GPU, and whether the stream exists
 _used: dict[int, tuple[Any, Callable[[], Any]]] = {}
@@ -57,9 +58,9 @@ def order_releases() -> None:
         handle, (device, stream) = _used.popitem()
         with device.context_guard:
             if stream() is None:
-                context.runtime.core.wp_cuda_context_synchronize(device.context)  # sync
+                _check(device, driver().cuCtxSynchronize())  # sync
                 continue
-            is_recorded = context.runtime.core.wp_cuda_stream_is_capturing(handle)
+            is_recorded = _is_recorded(handle, device)
             if not is_recorded:
                 wait_for(None, handle, device)
             if is_recorded or handle == device.stream.cuda_stream:
@@ -69,5 +70,27 @@ def order_releases() -> None:
 
 def wait_for(stream: int | None, other: int, device: Any) -> None:
     """Make a stream wait for another (CUDA handles, None: legacy), without a `wp.Stream`, which would unregister it."""
-    event = device.stream.cached_event.cuda_event
-    context.runtime.core.wp_cuda_stream_wait_stream(stream, other, event, False)
+    with device.context_guard:
+        event = _event(device.alias)
+        _check(device, driver().cuEventRecord(event, ctypes.c_void_p(other)))
+        _check(device, driver().cuStreamWaitEvent(ctypes.c_void_p(stream), event, ctypes.c_uint(0)))
+
+
+@functools.cache
+def _event(_: str) -> ctypes.c_void_p:
+    """An event of a GPU, whose context is current. Its waits end with the call that makes them."""
+    event = ctypes.c_void_p()
+    if error := driver().cuEventCreate(ctypes.byref(event), ctypes.c_uint(_NO_TIMING)):
+        raise RuntimeError(f"the driver makes no event (CUDA error {error})")
+    return event
+
+
+def _is_recorded(handle: int, device: Any) -> bool:
+    status = ctypes.c_int()
+    _check(device, driver().cuStreamIsCapturing(ctypes.c_void_p(handle), ctypes.byref(status)))
+    return status.value != 0
+
+
+def _check(device: Any, error: int) -> None:
+    if error:
+        raise RuntimeError(f"{device}: the driver does not order its streams (CUDA error {error})")

@@ -1,7 +1,8 @@
 """Private parts of Warp in use, and checks that this Warp has them.
 
 Fast launches and arrays (cuda_launches.py, device_arrays.py) bypass Warp's Python. If a part is missing, `wp.launch`
-and `wp.empty` are used. pyproject.toml pins the tested version, 1.19.
+and `wp.empty` are used. On the CPU, kernels are then launched by Warp on one core (`launches.PlainLaunch`).
+tests/kernels/language/test_warp_parts.py removes each part in turn.
 """
 
 from __future__ import annotations
@@ -11,11 +12,16 @@ import functools
 from typing import Any, NoReturn
 
 import warp as wp
-from warp._src import context, types
 
+try:
+    from warp._src import context, types
+except ImportError:  # a Warp with other modules
+    context = types = None  # type: ignore[assignment]
+
+TESTED = ("1.19.0",)  # versions of Warp that all tests pass with
 MAX_AXES = 4  # of an array
 CURRENT_STREAM = 0xFFFFFFFFFFFFFFFF  # stands for a context's own
-MEMORY_OF_POOL = context.MemoryKind.CUDA_MEMPOOL
+MEMORY_OF_POOL = getattr(getattr(context, "MemoryKind", None), "CUDA_MEMPOOL", None)
 DESCRIPTION = ("data", "grad", "shape", "strides", "ndim", "flags")  # array descriptor of kernels: array_t
 DESCRIPTION_BYTES = 56
 BOUNDS = ("shape", "size", "coord_mult")  # first kernel argument: launch_bounds_1d_t
@@ -44,7 +50,7 @@ def core() -> Any:
 
 def missing() -> list[str]:
     """Parts that this Warp lacks or has in another form."""
-    names = []
+    names = [] if MEMORY_OF_POOL is not None else ["MemoryKind.CUDA_MEMPOOL"]
     if tuple(name for name, *_ in types.array_t._fields_) != DESCRIPTION or _size(types.array_t) != DESCRIPTION_BYTES:
         names.append("array_t: an array as kernels get it")
     bounds = types.launch_bounds_t(1)
@@ -89,21 +95,27 @@ def raise_launch_error(kernel: Any, device: Any, hooks: Any) -> NoReturn:
 
 def makes_arrays_plainly(device: Any) -> bool:
     """True if a GPU array is plain memory of Warp's pool."""
-    return (
-        device._custom_allocator is None
-        and device.current_allocator is device.mempool_allocator
-        and context.runtime._apic_capture is None
-        and is_known()
-    )
+    try:
+        return (
+            device._custom_allocator is None
+            and device.current_allocator is device.mempool_allocator
+            and context.runtime._apic_capture is None
+            and is_known()
+        )
+    except AttributeError:
+        return False
 
 
 def launches_plainly() -> bool:
     """True if launches have no hooks, printing, or checks."""
-    runtime, config = context.runtime, wp.config
-    return not (
-        runtime._apic_capture is not None
-        or runtime.tape is not None
-        or config.print_launches
-        or config.verify_cuda
-        or config.launch_array_access_mode != config.LaunchArrayAccessMode.RELAXED
-    )
+    try:
+        runtime, config = context.runtime, wp.config
+        return not (
+            runtime._apic_capture is not None
+            or runtime.tape is not None
+            or config.print_launches
+            or config.verify_cuda
+            or config.launch_array_access_mode != config.LaunchArrayAccessMode.RELAXED
+        )
+    except AttributeError:
+        return False

@@ -374,11 +374,20 @@ def test_doctor_reports_that_threads_are_untested_on_this_system(monkeypatch):
 
 
 def test_doctor_explains_a_warp_limited_to_one_core(monkeypatch):
-    monkeypatch.setattr(doctor, "pool_code", SimpleNamespace(TESTED="1.19.0", is_usable=lambda: False))
+    monkeypatch.setattr(doctor, "pool_code", SimpleNamespace(is_usable=lambda: False))
     result = run("doctor")
     assert result.exit_code == 3
     assert "warp: one core only, since Warp" in result.stdout
     assert "does not support cpu_access.h; install the tested version: pip install warp-lang==1.19.0" in result.stderr
+
+
+def test_doctor_names_packages_newer_than_the_tested_ones(monkeypatch):
+    assert not answer("doctor")["untested"] and "untested" not in run("doctor").stdout
+    versions = {"pointloom": "0.1.0", "numpy": "2.99.1", "scipy": "1.11.0", "warp-lang": "2.0.0rc1"}
+    monkeypatch.setattr(doctor, "_versions", lambda: versions)
+    assert answer("doctor")["untested"] == ["numpy 2.99.1", "warp-lang 2.0.0rc1"]
+    result = run("doctor")
+    assert result.exit_code == 0 and "numpy 2.99.1, warp-lang 2.0.0rc1: newer than the tested versions" in result.stdout
 
 
 def test_doctor_reports_an_invalid_number_of_threads(monkeypatch):

@@ -10,6 +10,7 @@ from .streams import NON_BLOCKING, Stream, Streams, address_of
 
 NAMES = ("libcuda.so.1", "libcuda.so", "nvcuda.dll")
 SUCCESS, INVALID_VALUE, INVALID_DEVICE, INVALID_CONTEXT, INVALID_HANDLE = 0, 1, 101, 201, 400
+CAPTURE_UNSUPPORTED = 900
 RESERVED, USED = 5, 7  # attributes of a pool
 
 
@@ -40,6 +41,41 @@ class Driver:
         if stream_object is None:
             return INVALID_HANDLE
         self._streams.flush(stream_object)
+        return SUCCESS
+
+    def cuStreamIsCapturing(self, stream: Any, out: Any) -> int:
+        """Whether launches on a stream are recorded."""
+        out._obj.value = self._streams.wp_cuda_stream_is_capturing(stream)
+        return SUCCESS
+
+    def cuEventCreate(self, out: Any, _: Any) -> int:
+        """An event that nothing was recorded in yet."""
+        if self._streams.contexts[-1] is None:
+            return INVALID_CONTEXT
+        out._obj.value = self._streams.wp_cuda_event_create()
+        return SUCCESS
+
+    def cuEventRecord(self, event: Any, stream: Any) -> int:
+        """Record what a stream has queued, and which recording it belongs to."""
+        self._streams.wp_cuda_event_record(event, stream)
+        self._streams.named(event).capture = self._streams.stream(stream).capture
+        return SUCCESS
+
+    def cuStreamWaitEvent(self, stream: Any, event: Any, _: Any) -> int:
+        """Queue a wait for an event. A stream that waits for a recorded one joins its recording."""
+        waiting, capture = self._streams.stream(stream), self._streams.named(event).capture
+        if capture and not waiting.capture:
+            waiting.capture = capture
+        elif not waiting.capture:
+            self._streams.wp_cuda_stream_wait_event(stream, event)
+        return SUCCESS
+
+    def cuCtxSynchronize(self) -> int:
+        """Wait for all streams."""
+        return SUCCESS if self._streams.wp_cuda_context_synchronize(None) else CAPTURE_UNSUPPORTED
+
+    def cuDeviceGraphMemTrim(self, _: Any) -> int:
+        """Release memory of graphs, which keep none here."""
         return SUCCESS
 
     def cuDeviceGet(self, out: Any, ordinal: Any) -> int:

@@ -57,6 +57,7 @@ class Event:
 
     def __init__(self, stream: Stream | None = None):
         self.stream = stream
+        self.capture: Any = None  # the recording that it belongs to
         self.passed: float | None = 0.0 if stream is None else None
 
 

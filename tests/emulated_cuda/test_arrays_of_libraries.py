@@ -36,21 +36,22 @@ def traffic(emulated, monkeypatch):
     @contextlib.contextmanager
     def watched():
         sizes = {"wp_memcpy_d2h": [], "wp_memcpy_h2d": [], "wp_cuda_context_synchronize": []}
-        core = wp._src.context.runtime.core
-
-        def watch(name, size):
-            through = getattr(core, name)
-
-            def call(*arguments):
-                sizes[name].append(size(arguments))
-                return through(*arguments)
-
-            return call
-
         with monkeypatch.context() as patch:
+
+            def watch(library, name, size, noted):
+                through = getattr(library, name)
+
+                def call(*arguments):
+                    sizes[noted].append(size(arguments))
+                    return through(*arguments)
+
+                patch.setattr(library, name, call, raising=False)
+
+            core, waits = wp._src.context.runtime.core, "wp_cuda_context_synchronize"
             for name in ("wp_memcpy_d2h", "wp_memcpy_h2d"):
-                patch.setattr(core, name, watch(name, lambda arguments: arguments[3]))
-            patch.setattr(core, "wp_cuda_context_synchronize", watch("wp_cuda_context_synchronize", lambda _: 0))
+                watch(core, name, lambda arguments: arguments[3], name)
+            watch(core, waits, lambda _: 0, waits)
+            watch(emulated.driver, "cuCtxSynchronize", lambda _: 0, waits)
             yield sizes
 
     return watched

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 import os
 import platform
+import re
 import sys
 import warnings
 from dataclasses import dataclass
@@ -20,10 +21,11 @@ from ...core.timing import Clock
 from ...core.wording import format_bytes
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import current_cpu_compiler, vec3
-from ...kernels.language import compiled_ahead, cpu_archive, cpu_pool, pool_code
+from ...kernels.language import compiled_ahead, cpu_archive, cpu_pool, pool_code, warp_parts
 from ...kernels.memory import upload
 
 _PACKAGES = ("numpy", "scipy", "warp-lang", "click", "rich", "Pillow")
+_TESTED = {"numpy": (2, 4), "scipy": (1, 17), "warp-lang": (1, 19)}  # newest versions that all tests passed with
 _TRIAL_POINTS = 100_000
 
 NO_COMPILER = "none"
@@ -86,9 +88,11 @@ class Trial:
 
 @dataclass(frozen=True)
 class Diagnosis(Report):
-    """State of the machine, with dependency versions (or "missing") and the compiler of CPU kernels (or "none")."""
+    """State of the machine, with dependency versions (or "missing"), those that are newer than the tested ones, and the
+    compiler of CPU kernels (or "none")."""
 
     versions: dict[str, str]
+    untested: list[str]
     machine: Machine
     cuda: Cuda
     cpu_compiler: str
@@ -106,6 +110,7 @@ class Diagnosis(Report):
         gpus = [f"{gpu.name} {gpu.title}, {format_bytes(gpu.memory_bytes)}, sm_{gpu.arch}" for gpu in cuda.devices]
         return [
             ("versions", ", ".join(f"{name} {version}" for name, version in self.versions.items())),
+            *([("untested", f"{', '.join(self.untested)}: newer than the tested versions")] if self.untested else []),
             ("system", f"{machine.system}, Python {machine.python}"),
             ("cores", f"{cores}, {format_bytes(machine.memory_bytes)} of memory"),
             ("GPUs", "\n".join(gpus) or f"none: {cuda.why_none}"),
@@ -127,6 +132,7 @@ def diagnose() -> Diagnosis:
         chosen, why = _choose()
     return Diagnosis(
         versions=versions,
+        untested=_untested(versions),
         machine=Machine(
             system=platform.platform(),
             python=platform.python_version(),
@@ -194,7 +200,7 @@ def _why_one_core() -> str | None:
     if pool_code.is_usable():
         return None
     version = importlib.metadata.version("warp-lang")
-    remedy = f"install the tested version: pip install warp-lang=={pool_code.TESTED}"
+    remedy = f"install the tested version: pip install warp-lang=={warp_parts.TESTED[-1]}"
     return f"one core only, since Warp {version} does not support cpu_access.h; {remedy}"
 
 
@@ -220,6 +226,15 @@ def _versions() -> dict[str, str]:
         except importlib.metadata.PackageNotFoundError:
             versions[package] = "missing"
     return versions
+
+
+def _untested(versions: dict[str, str]) -> list[str]:
+    """Packages newer than the tested minor versions, with their versions."""
+    return [
+        f"{name} {versions[name]}"
+        for name, newest in _TESTED.items()
+        if tuple(int(part) for part in re.findall(r"\d+", versions[name])[:2]) > newest
+    ]
 
 
 def _usable_cores() -> int:
