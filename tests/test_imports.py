@@ -206,6 +206,7 @@ DEVICE_FILES = {
     "kernels/language/warp_compiler.py",
     "kernels/memory.py",
     "kernels/launches.py",
+    "kernels/language/cuda_code.py",
 }
 # What Warp does to arrays outside the lock: methods of an array, and functions of its module.
 DEVICE_METHODS = {"numpy", "list", "fill_", "zero_", "assign", "contiguous"}
