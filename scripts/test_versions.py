@@ -17,9 +17,9 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def requirements(choice: str, project: dict[str, list[str]]) -> list[str]:
-    """The runtime dependencies: as listed, or at their lower bounds."""
+    """The runtime dependencies: as listed, or the last release of the lower bounds."""
     listed = project["dependencies"]
-    return listed if choice == "newest" else [text.replace(">=", "==") for text in listed]
+    return listed if choice == "newest" else [text.replace(">=", "==") + ".*" for text in listed]
 
 
 def main(choice: str, *arguments: str) -> int:
