@@ -131,6 +131,9 @@ OPERATIONS: dict[str, FirstUse] = {
     "registration_icp, point to plane": FirstUse(pair, icp),
     "register_globally": FirstUse(pair, lambda p: loom().registration.register_globally(*p, voxel_size=0.25)),
     "tsdf, integrate and mesh": FirstUse(frame, fuse),
+    "create_from_point_cloud_poisson": FirstUse(
+        lambda device: pair(device)[0], lambda c: loom().TriangleMesh.create_from_point_cloud_poisson(c, depth=6)
+    ),
     "marching_cubes": FirstUse(field, lambda f: loom().marching_cubes(f[0], device=f[1])),
 }
 
