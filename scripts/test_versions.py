@@ -1,4 +1,4 @@
-"""Run the quick tests with the oldest or the newest allowed versions of the runtime dependencies.
+"""Run the quick tests with the oldest or the newest allowed versions of Warp, NumPy and SciPy.
 
     python scripts/test_versions.py {oldest,newest} [paths and options of pytest]
 
@@ -14,12 +14,14 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+NUMERIC = {"numpy", "scipy", "warp-lang"}
 
 
 def requirements(choice: str, project: dict[str, list[str]]) -> list[str]:
-    """The runtime dependencies: as listed, or the last release of the lower bounds."""
-    listed = project["dependencies"]
-    return listed if choice == "newest" else [text.replace(">=", "==") + ".*" for text in listed]
+    """The runtime dependencies. "oldest": the last releases of the lower bounds of NUMERIC."""
+    bounds = [(text.partition(">=")[0], text) for text in project["dependencies"]]
+    is_oldest = choice == "oldest"
+    return [text.replace(">=", "==") + ".*" if is_oldest and name in NUMERIC else text for name, text in bounds]
 
 
 def main(choice: str, *arguments: str) -> int:
