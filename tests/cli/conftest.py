@@ -14,6 +14,7 @@ from pointloom.io.frames.recordings import record_frames
 from pointloom.kernels.language import compile_notices
 
 from ..rgbd.sequences import Part
+from .surface_poses import NEAR, bumpy, colors_at, moved, path_of
 
 pytest.register_assert_rewrite("tests.app.commands")  # show the compared values of its asserts
 
@@ -76,13 +77,33 @@ def sequence_folder(recorded_sequence, tmp_path) -> Path:
 
 
 @pytest.fixture
+def near(tmp_path, rng) -> tuple[Path, Path]:
+    """A surface sampled twice, the second 2 degrees and 4 cm off, with colors."""
+    paths = tmp_path / "a.ply", tmp_path / "b.ply"
+    for path, points, T in zip(paths, (bumpy(rng), bumpy(rng)), (np.linalg.inv(NEAR), np.eye(4)), strict=True):
+        loom.write_point_cloud(path, loom.PointCloud(moved(points, T), colors=colors_at(points)))
+    return paths
+
+
+@pytest.fixture
+def drive(tmp_path, rng) -> Path:
+    """A folder of 5 scans of a room as KITTI .bin files; the numbers in their names have no leading zeros."""
+    room = rng.uniform(-8, 8, (5000, 3)) * [1, 1, 0.3]
+    room[np.arange(5000), np.arange(5000) % 3] = np.where(rng.random(5000) < 0.5, -1, 1) * 8.0
+    folder = tmp_path / "drive"
+    folder.mkdir()
+    for number, T in zip((8, 9, 10, 11, 100), path_of(5), strict=True):
+        points = moved(room, np.linalg.inv(T))
+        np.column_stack([points, np.ones(len(points))]).astype(np.float32).tofile(folder / f"scan{number}.bin")
+    return folder
+
+
+@pytest.fixture
 def points(rng):
     """A floor of 600 points, blobs of 150 and 100 points above it, an outlier, a duplicate and a NaN point."""
     floor = np.column_stack([rng.random((600, 2)), np.zeros(600)])
-    blobs = [
-        center + 0.05 * rng.random((count, 3)) for center, count in (([0.2, 0.2, 0.5], 150), ([0.8, 0.8, 0.5], 100))
-    ]
-    return np.vstack([floor, *blobs, [[9, 9, 9]], floor[:1], [[np.nan, 0, 0]]])
+    centers = [[0.2, 0.2, 0.5]] * 150 + [[0.8, 0.8, 0.5]] * 100
+    return np.vstack([floor, centers + 0.05 * rng.random((250, 3)), [[9, 9, 9]], floor[:1], [[np.nan, 0, 0]]])
 
 
 @pytest.fixture

@@ -30,5 +30,4 @@ VOXEL = ["--voxel", 0.06]
 
 
 def path_of(count: int) -> np.ndarray:
-    """Poses of a scanner that rotates and moves forward."""
     return np.array([yaw_pose(2 * i, 0.1 * i, 0.02 * i * i, 0) for i in range(count)])

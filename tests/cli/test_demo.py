@@ -25,22 +25,16 @@ def errors_of(rmse):
 
 
 @pytest.mark.slow
-def test_the_demo_writes_a_mesh_a_picture_and_a_report(device, tmp_path):
+def test_the_demo_writes_a_mesh_with_its_errors_a_picture_and_a_report(device, tmp_path):
     report = run_demo(tmp_path / "demo", **SMALL, device=device).to_dict()
     assert names_in(tmp_path / "demo") == OUTPUTS
     assert json.loads((tmp_path / "demo" / "report.json").read_text()) == json.loads(json.dumps(report))
     mesh = read_triangle_mesh(tmp_path / "demo" / "room.ply")
-    assert len(mesh) == report["triangles"] > 1000
-    assert mesh.vertex_colors is not None
+    assert len(mesh) == report["triangles"] > 1000 and mesh.vertex_colors is not None
     picture = np.asarray(Image.open(tmp_path / "demo" / "room.png"))
     assert picture.std() > 20
     stages = "build", "render", "integrate", "extract", "check", "measure", "picture"
     assert tuple(report["seconds"]) == stages
-
-
-@pytest.mark.slow
-def test_the_errors_match_those_of_the_vertices(tmp_path):
-    report = run_demo(tmp_path / "demo", **SMALL).to_dict()
     errors = surface_errors(read_triangle_mesh(tmp_path / "demo" / "room.ply").vertices)
     assert report["errors"]["rmse"] == pytest.approx(np.sqrt(np.mean(errors**2)), rel=1e-6)
     assert report["errors"]["median_voxels"] == pytest.approx(np.median(errors) / 0.08, rel=1e-6)
@@ -54,9 +48,7 @@ def test_vertices_within_half_a_voxel_are_counted():
 @pytest.mark.slow
 def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
     report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False).to_dict()
-    assert report["errors"]["rmse_voxels"] < 0.3
-    assert report["reliable"]
-    assert LARGEST_RMSE["no noise"] == 0.3
+    assert report["errors"]["rmse_voxels"] < 0.3 and report["reliable"] and LARGEST_RMSE["no noise"] == 0.3
 
 
 @pytest.mark.slow
@@ -73,24 +65,15 @@ def test_an_existing_output_is_not_overwritten_without_force(tmp_path):
     (tmp_path / "room.png").write_bytes(b"kept")
     with pytest.raises(FileError, match=r"room\.png"):
         run_demo(tmp_path, **SMALL)
-    assert (tmp_path / "room.png").read_bytes() == b"kept"
-    assert names_in(tmp_path) == ["room.png"]
+    assert (tmp_path / "room.png").read_bytes() == b"kept" and names_in(tmp_path) == ["room.png"]
     run_demo(tmp_path, **SMALL, overwrite=True)
     assert names_in(tmp_path) == OUTPUTS
 
 
-@pytest.mark.parametrize(
-    ("options", "error", "reason"),
-    [
-        ({"frame_count": 0}, ValueError, "frame_count"),
-        ({"voxel_size": -1.0}, ValueError, "voxel_size"),
-        ({"seed": -1}, ValueError, "seed"),
-        ({"device": "cuda:99"}, DeviceError, "cuda:99"),
-    ],
-)
-def test_a_wrong_option_leaves_no_folder(tmp_path, options, error, reason):
-    with pytest.raises(error, match=reason):
-        run_demo(tmp_path / "demo", **(SMALL | options))
+def test_a_wrong_option_leaves_no_folder(tmp_path):
+    for name, value in (("frame_count", 0), ("voxel_size", -1.0), ("seed", -1), ("device", "cuda:99")):
+        with pytest.raises(DeviceError if name == "device" else ValueError, match=value if name == "device" else name):
+            run_demo(tmp_path / "demo", **(SMALL | {name: value}))
     assert names_in(tmp_path) == []
 
 
@@ -128,8 +111,7 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path):
 def test_a_coarse_demo_is_unreliable(tmp_path, monkeypatch):
     monkeypatch.setitem(LARGEST_RMSE, "noise", 0.001)
     result = CliRunner().invoke(cli, ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"])
-    assert result.exit_code == 3
-    assert "unreliable result: expected a root mean square error of at most" in result.stderr
+    assert result.exit_code == 3 and "unreliable result: expected a root mean square error of at most" in result.stderr
     assert names_in(tmp_path / "demo") == OUTPUTS
 
 
@@ -137,7 +119,5 @@ def test_a_coarse_demo_is_unreliable(tmp_path, monkeypatch):
 def test_a_demo_is_unreliable_beyond_its_own_limit_and_not_at_it(noise, limit):
     assert _problem(errors_of(limit), noise) is None
     assert "at most 0.3 voxels, got 0.31;" in _problem(errors_of(0.31), False)
-    assert f"at most {limit:g} voxels, got {1.01 * limit:.2f}; use more frames" in _problem(
-        errors_of(1.01 * limit), noise
-    )
+    assert f"at most {limit:g} voxels, got {1.01 * limit:.2f}" in _problem(errors_of(1.01 * limit), noise)
     assert "the mesh is empty" in _problem(None, noise)

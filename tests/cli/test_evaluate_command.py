@@ -26,11 +26,12 @@ def paths(tmp_path) -> tuple[Path, Path]:
     return files
 
 
-@pytest.mark.parametrize(
-    ("align", "options"),
-    [("none", {"align": None}), ("first", {"align": "first"}), ("se3", {}), ("sim3", {"with_scale": True})],
-)
-def test_evaluate_matches_the_library(paths, align, options):
+ALIGNMENTS = {"none": {"align": None}, "first": {"align": "first"}, "se3": {}, "sim3": {"with_scale": True}}
+
+
+@pytest.mark.parametrize("align", ALIGNMENTS)
+def test_evaluate_matches_the_library(paths, align):
+    options = ALIGNMENTS[align]
     report = answer("evaluate", *paths, "--alignment", align)
     expected = loom.registration.evaluate_trajectory(read_trajectory(paths[0]), read_trajectory(paths[1]), **options)
     assert (report["align"], report["compared"], report["scale"]) == (align, 40, expected.scale)
@@ -44,7 +45,7 @@ def test_evaluate_matches_the_library(paths, align, options):
     assert ("scale 0.961538" in printed) == (align == "sim3")
 
 
-def test_segments_are_printed_for_lengths_within_the_trajectory(tmp_path):
+def test_segments_and_relative_errors_are_printed_if_the_trajectory_is_long_enough(tmp_path):
     poses = np.array([yaw_pose(0, 2 * i, 0, 0) for i in range(120)])
     write_trajectory(tmp_path / "b.txt", Trajectory(poses.copy()), format="kitti")
     poses[:, 0, 3] *= 1.01
@@ -53,23 +54,9 @@ def test_segments_are_printed_for_lengths_within_the_trajectory(tmp_path):
     assert [segment["length_m"] for segment in report["segments"]] == [100, 200]
     assert report["segment_percent"] == pytest.approx(1.02, abs=0.02)  # of the first pose beyond each length
     assert "over 100, 200 m" in run("evaluate", tmp_path / "a.txt", tmp_path / "b.txt").stdout
-
-
-def test_one_pose_has_no_relative_error(tmp_path):
     write_trajectory(tmp_path / "a.log", Trajectory(np.eye(4)[None]))
     assert answer("evaluate", tmp_path / "a.log", tmp_path / "a.log")["relative"]["m"]["rmse"] is None
     assert "RPE       none: too few poses" in run("evaluate", tmp_path / "a.log", tmp_path / "a.log").stdout
-
-
-def test_unrelated_trajectories_are_an_error(paths, tmp_path):
-    write_trajectory(tmp_path / "c.txt", Trajectory(path_of(7)), format="kitti")
-    assert f"poses.txt: has 40 poses, and {tmp_path / 'c.txt'} has 7" in refusal(
-        "evaluate", paths[0], tmp_path / "c.txt"
-    )
-    for name, start in (("a.tum", 0.0), ("b.tum", 1e6)):
-        write_trajectory(tmp_path / name, Trajectory(path_of(7), timestamps=start + np.arange(7.0)))
-    assert "cannot be compared with" in refusal("evaluate", tmp_path / "a.tum", tmp_path / "b.tum")
-    assert "cannot be read" in refusal("evaluate", paths[0], tmp_path / "none.txt")
 
 
 def test_a_picture_shows_the_aligned_estimate(paths, tmp_path):
@@ -80,9 +67,6 @@ def test_a_picture_shows_the_aligned_estimate(paths, tmp_path):
     title = "poses.txt against truth.log, aligned by sim3"
     expected = trajectory_plot(aligned, truth.poses[:, :3, 3], times=None, title=title)
     np.testing.assert_array_equal(read_color(tmp_path / "path.png"), expected)
-
-
-def test_a_picture_shows_only_the_compared_poses(tmp_path):
     poses = path_of(20)
     write_trajectory(tmp_path / "truth.tum", Trajectory(poses, timestamps=np.arange(20.0)))
     write_trajectory(tmp_path / "part.tum", Trajectory(poses[5:9], timestamps=np.arange(5.0, 9.0)))
@@ -90,8 +74,15 @@ def test_a_picture_shows_only_the_compared_poses(tmp_path):
     assert report["compared"] == 4 and read_color(tmp_path / "part.png").shape == (960, 1280, 3)
 
 
-def test_an_unwritable_picture_is_rejected_before_the_inputs_are_read(paths, tmp_path):
-    missing = tmp_path / "none.txt"  # would be an error too, but later
+def test_unrelated_trajectories_and_an_unwritable_picture_are_errors_before_the_inputs_are_read(paths, tmp_path):
+    write_trajectory(tmp_path / "c.txt", Trajectory(path_of(7)), format="kitti")
+    refused = refusal("evaluate", paths[0], tmp_path / "c.txt")
+    assert f"poses.txt: has 40 poses, and {tmp_path / 'c.txt'} has 7" in refused
+    for name, start in (("a.tum", 0.0), ("b.tum", 1e6)):
+        write_trajectory(tmp_path / name, Trajectory(path_of(7), timestamps=start + np.arange(7.0)))
+    assert "cannot be compared with" in refusal("evaluate", tmp_path / "a.tum", tmp_path / "b.tum")
+    missing = tmp_path / "none.txt"  # is read after the picture is checked
+    assert "cannot be read" in refusal("evaluate", paths[0], missing)
     assert "expected .png or .webp" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "a.jpg")
     assert "folder" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "nowhere" / "a.png")
     (tmp_path / "mine.png").write_text("mine")

@@ -35,8 +35,7 @@ def test_inaccurate_poses_are_corrected(sequence_folder, tmp_path, rng, device):
     words = ["--refine", "--trajectory", tmp_path / "poses.log", "--device", device]
     report = answer("fuse", sequence_folder, "-o", tmp_path / "mesh.ply", "--voxel", 0.03, *words)
     refined = shifts_from(truth, tmp_path / "poses.log")
-    assert refined[0] == 0
-    assert np.median(refined[1:]) < 0.3 * np.median(given)
+    assert refined[0] == 0 and np.median(refined[1:]) < 0.3 * np.median(given)
     figures = report["refinement"]
     assert (figures["refined"], figures["kept"]) == (7, [])
     assert figures["moved_m"] == pytest.approx(np.median(given), rel=0.5)
@@ -51,27 +50,20 @@ def test_a_pose_that_does_not_fit_is_left_unchanged_and_counted(sequence_folder,
     assert [entry["frame"] for entry in report["refinement"]["kept"]] == [4]
     np.testing.assert_allclose(read_trajectory(tmp_path / "poses.txt").poses[4], given[4], atol=1e-9)
     result = run("fuse", sequence_folder, "-o", tmp_path / "again.ply", *COARSE, "--refine", "--every", 2)
-    assert result.exit_code == 0
-    assert "2 refined, by " in result.stdout
-    assert "1 unchanged: frame " in result.stdout
+    assert result.exit_code == 0 and "2 refined, by " in result.stdout and "1 unchanged: frame " in result.stdout
 
 
 def test_poses_that_all_disagree_are_unreliable(sequence_folder, tmp_path):
     shift_poses(sequence_folder, [[0, 0, 2.0 * i] for i in range(8)])
     report = unreliable("fuse", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE, "--refine")
-    assert "7 of 8 poses could not be refined" in str(report["warnings"])
-    assert report["triangles"] > 0
+    assert "7 of 8 poses could not be refined" in str(report["warnings"]) and report["triangles"] > 0
 
 
-def test_without_refine_poses_are_unchanged(sequence_folder, tmp_path):
-    report = answer(
-        "fuse", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE, "--trajectory", tmp_path / "poses.log"
-    )
+def test_without_refine_poses_are_unchanged_and_missing_poses_are_an_error(sequence_folder, tmp_path):
+    words = ["-o", tmp_path / "mesh.ply", "--trajectory", tmp_path / "poses.log"]
+    report = answer("fuse", sequence_folder, *COARSE, *words)
     assert report["refinement"] is None
     np.testing.assert_array_equal(read_trajectory(tmp_path / "poses.log").poses, true_poses(sequence_folder))
-
-
-def test_the_error_for_frames_without_poses_proposes_reconstruct(sequence_folder, tmp_path):
     for path in sequence_folder.glob("*.pose.txt"):
         path.unlink()
     assert "pointloom reconstruct" in refusal("fuse", sequence_folder, "-o", tmp_path / "a.ply", *COARSE)
@@ -81,5 +73,4 @@ def test_the_error_for_frames_without_poses_proposes_reconstruct(sequence_folder
 def test_more_than_half_of_the_poses_unchanged_is_unreliable(unchanged, is_unreliable):
     refined = (0.0,) * (10 - unchanged)
     refinement = PoseRefinement({i + 1: "r" for i in range(unchanged)}, refined, refined)
-    assert refinement.frame_count == 11
-    assert (not refinement.reliable) == is_unreliable
+    assert refinement.frame_count == 11 and (not refinement.reliable) == is_unreliable

@@ -1,7 +1,5 @@
 """Help for the commands: tab completion, chapters, the man page and the guide for assistants."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os
@@ -10,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from types import SimpleNamespace
 
 import pytest
 
@@ -24,7 +23,6 @@ from .commands import run
 
 
 def completed(words: str, shell: str = "bash") -> list[tuple[str, str]]:
-    """Kinds and values of the completions of the last word, from click."""
     given = words.split(" ")
     complete = SHELLS[shell](cli, {}, "pointloom", VARIABLE)
     return [(item.type, item.value) for item in complete.get_completions(given[1:-1], given[-1])]
@@ -110,7 +108,7 @@ def test_docs_searches_chapters_by_words_and_numbers():
 
 def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):
     monkeypatch.setattr(book, "CHECKOUT", tmp_path)
-    monkeypatch.setattr(book.importlib.metadata, "metadata", lambda _: _NoAddresses())
+    monkeypatch.setattr(book.importlib.metadata, "metadata", lambda _: SimpleNamespace(get_all=lambda name: None))
     assert "No built pages" in run("docs").stdout
     refused = run("docs", "icp", "--open")
     assert refused.exit_code == 2 and "no page to open" in refused.stderr
@@ -123,11 +121,6 @@ def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):
     assert opened == [f"{built.as_uri()}/chapters/plot_07_icp.html"]
 
 
-class _NoAddresses:
-    def get_all(self, name):
-        return None
-
-
 def test_the_guide_for_assistants_is_printed_unchanged():
     text = run("docs", "--skill").stdout
     assert text == (ROOT / "src/pointloom/cli/shell/SKILL.md").read_text()
@@ -137,15 +130,17 @@ def test_the_guide_for_assistants_is_printed_unchanged():
     assert run("docs", "icp", "--skill").exit_code == 2
 
 
-@pytest.fixture(scope="module")
-def writer():
+def test_groff_reports_no_error_in_the_man_page():
+    groff = shutil.which("groff") or pytest.skip("no groff")
+    command = [groff, "-man", "-Tutf8", "-ww", "-z", str(ROOT / "docs/pointloom.1")]
+    result = subprocess.run(command, capture_output=True, timeout=60)
+    assert (result.returncode, result.stderr) == (0, b"")
+
+
+def test_the_man_page_matches_the_commands():
     spec = importlib.util.spec_from_file_location("write_man_page", ROOT / "scripts" / "write_man_page.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def test_the_man_page_matches_the_commands(writer):
+    writer = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(writer)
     page = writer.man_page()
     assert (ROOT / "docs/pointloom.1").read_text() == page, "run scripts/write_man_page.py"
     assert [name for name in cli.commands if f'.SS "{writer.escaped(name)}"' not in page] == []
@@ -154,15 +149,4 @@ def test_the_man_page_matches_the_commands(writer):
     assert len(long) > 100 and [option for option in long if writer.escaped(option) not in page] == []
     installed = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["hatch"]["build"]["targets"]["wheel"]
     assert installed["shared-data"] == {"docs/pointloom.1": "share/man/man1/pointloom.1"}
-
-
-def test_groff_reports_no_error_in_the_man_page():
-    groff = shutil.which("groff") or pytest.skip("no groff")
-    result = subprocess.run(
-        [groff, "-man", "-Tutf8", "-ww", "-z", str(ROOT / "docs/pointloom.1")], capture_output=True, timeout=60
-    )
-    assert (result.returncode, result.stderr) == (0, b"")
-
-
-def test_a_line_that_begins_with_a_period_is_text(writer):
     assert writer.escaped(".ply a-b\n'x\\") == "\\&.ply a\\-b\n\\&'x\\e"

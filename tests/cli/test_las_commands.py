@@ -8,6 +8,7 @@ import pytest
 
 import pointloom as loom
 
+from ..io.las_files import write_raw
 from .commands import answer, run
 
 
@@ -23,21 +24,14 @@ def test_info_reports_the_header(autzen, shipped_file):
     small = shipped_file("lidar-pdal/autzen/autzen-utm.las")
     first, second = answer("info", autzen, small)["files"]
     assert (first["kind"], first["points"], first["point_format"]) == ("point cloud", count, 3)
-    assert first["version"] == "LAS 1.2, compressed"
-    assert first["scale"] == [0.01, 0.01, 0.01]
-    assert first["offset"] == [0, 0, 0]
-    assert first["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
-    assert first["bounds"]["min"] == pytest.approx(low)
-    assert first["bounds"]["max"] == pytest.approx(high)
-    assert (first["unit"], second["unit"]) == ("foot", "metre")
-    assert first["attributes"]["gps_time"] == "float64"
-    assert first["attributes"]["colors"] == "float32 x 3"
-    assert second["version"] == "LAS 1.2"
+    assert first["version"] == "LAS 1.2, compressed" and first["scale"] == [0.01, 0.01, 0.01]
+    assert first["offset"] == [0, 0, 0] and first["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
+    assert first["bounds"]["min"] == pytest.approx(low) and first["bounds"]["max"] == pytest.approx(high)
+    assert (first["unit"], second["unit"]) == ("foot", "metre") and first["attributes"]["gps_time"] == "float64"
+    assert first["attributes"]["colors"] == "float32 x 3" and second["version"] == "LAS 1.2"
     printed = run("info", autzen).stdout
-    assert f"[{low[0]:.4f}, {low[1]:.4f}, {low[2]:.4f}] to" in printed
-    assert "[0.01, 0.01, 0.01]" in printed
-    assert "  foot (0.3048 m)\n" in printed
-    assert f"{count:,}" in printed and count >= 5000
+    assert f"[{low[0]:.4f}, {low[1]:.4f}, {low[2]:.4f}] to" in printed and "[0.01, 0.01, 0.01]" in printed
+    assert "  foot (0.3048 m)\n" in printed and f"{count:,}" in printed and count >= 5000
 
 
 def test_info_lists_the_scans_of_an_e57_file(tmp_path, rng):
@@ -96,34 +90,22 @@ def test_damaged_files_and_missing_packages_are_one_line_errors(autzen, tmp_path
     broken.write_bytes(autzen.read_bytes()[: autzen.stat().st_size * 5 // 6])
     for command in (["info", broken], ["convert", broken, tmp_path / "out.ply"]):
         result = run(*command)
-        assert result.exit_code == 1
-        assert result.stderr.startswith(f"error: {broken}")
-        assert "truncated or damaged: the table of chunks" in result.stderr
-        assert "Traceback" not in result.stderr
+        assert result.exit_code == 1 and result.stderr.startswith(f"error: {broken}")
+        assert "truncated or damaged: the table of chunks" in result.stderr and "Traceback" not in result.stderr
     monkeypatch.setitem(sys.modules, "laspy", None)
     result = run("info", autzen)
-    assert result.exit_code == 1
-    assert 'pip install "pointloom[las]"' in result.stderr
+    assert result.exit_code == 1 and 'pip install "pointloom[las]"' in result.stderr
 
 
 @pytest.mark.filterwarnings("always::pointloom.io.points.las_crs.GeographicWarning")
 def test_a_file_in_degrees_causes_a_warning_and_keeps_its_rows(tmp_path, rng):
-    degrees, points = tmp_path / "degrees.las", rng.random((200, 3)) * [1e-3, 1e-3, 50] + [-123, 44, 100]
-    header = laspy.LasHeader(point_format=6, version="1.4")
-    header.scales, header.offsets = [1e-7, 1e-7, 0.001], [-123, 44, 0]
-    header.vlrs.append(laspy.VLR("LASF_Projection", 2112, "", b'GEOGCS["WGS 84",UNIT["degree",0.01745]]'))
-    record = laspy.ScaleAwarePointRecord.zeros(200, header=header)
-    record.x, record.y, record.z = points.T
-    with laspy.open(degrees, mode="w", header=header) as writer:
-        writer.write_points(record)
+    degrees, raw = tmp_path / "degrees.las", rng.integers(0, 10_000, (200, 3))
+    records = {2112: 'GEOGCS["WGS 84",UNIT["degree",0.01745]]'}
+    write_raw(degrees, raw, records, scales=[1e-7, 1e-7, 0.001], offsets=[-123, 44, 0])
     result = run("downsample", degrees, tmp_path / "some.laz", "--farthest", 50)
-    assert result.exit_code == 0
-    assert "degrees.las: x and y are degrees" in result.stderr
-    stored, selected = (
-        {tuple(row) for row in laspy.read(path).xyz.tolist()} for path in (degrees, tmp_path / "some.laz")
-    )
-    assert len(selected) == 50
-    assert selected <= stored
+    assert result.exit_code == 0 and "degrees.las: x and y are degrees" in result.stderr
+    stored, selected = ({*map(tuple, laspy.read(path).xyz.tolist())} for path in (degrees, tmp_path / "some.laz"))
+    assert len(selected) == 50 and selected <= stored
 
 
 @pytest.mark.filterwarnings("always::UserWarning")

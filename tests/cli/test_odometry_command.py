@@ -3,7 +3,6 @@
 import dataclasses
 import io
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,21 +13,7 @@ from pointloom.cli.shell import console
 from pointloom.registration import LidarOdometry
 
 from .commands import answer, names_in, refusal, run, unreliable
-from .surface_poses import moved, path_of
-
-
-@pytest.fixture
-def drive(tmp_path, rng) -> Path:
-    """A folder of 5 scans of a room as KITTI .bin files; the numbers in their names have no leading zeros."""
-    room = rng.uniform(-8, 8, (5000, 3)) * [1, 1, 0.3]
-    room[np.arange(5000), np.arange(5000) % 3] = np.where(rng.random(5000) < 0.5, -1, 1) * 8.0
-    folder = tmp_path / "drive"
-    folder.mkdir()
-    for number, T in zip((8, 9, 10, 11, 100), path_of(5), strict=True):
-        points = moved(room, np.linalg.inv(T))
-        np.column_stack([points, np.ones(len(points))]).astype(np.float32).tofile(folder / f"scan{number}.bin")
-    return folder
-
+from .surface_poses import path_of
 
 INDOORS = ["--max-range", 30, "--min-range", 0.5]
 
@@ -56,12 +41,9 @@ def test_odometry_writes_each_format_and_a_summary(drive, tmp_path):
     tum = read_trajectory(tmp_path / "poses.txt")
     assert tum.timestamps.tolist() == [0, 1, 2, 3, 4]
     words = ["odometry", drive, *INDOORS, "-o"]
-    for name, more, format in (
-        ("poses.kitti", [], "kitti"),
-        ("00.txt", ["--format", "kitti"], "kitti"),
-        ("a.log", [], "log"),
-    ):
-        assert answer(*words, tmp_path / name, *more)["format"] == format
+    for name, form in (("poses.kitti", "kitti"), ("00.txt", "kitti"), ("a.log", "log")):
+        more = ["--format", "kitti"] if name == "00.txt" else []
+        assert answer(*words, tmp_path / name, *more)["format"] == form
     assert (tmp_path / "00.txt").read_bytes() == (tmp_path / "poses.kitti").read_bytes()
     for name in ("poses.kitti", "a.log"):
         np.testing.assert_allclose(read_trajectory(tmp_path / name).poses, tum.poses, atol=1e-12)
@@ -71,10 +53,8 @@ def test_a_scan_that_does_not_overlap_is_unreliable(drive, tmp_path, rng):
     stray = np.column_stack([rng.uniform(20, 25, (500, 3)), np.ones(500)]).astype(np.float32)
     stray.tofile(drive / "scan10.bin")
     report = unreliable("odometry", drive, "-o", tmp_path / "poses.txt", "--max-range", 50, "--min-range", 0.5)
-    assert report["predicted"] == [2]
-    assert "1 of 5 scans" in str(report["warnings"])
-    assert "broken at scan 2" in str(report["warnings"])
-    assert len(read_trajectory(tmp_path / "poses.txt")) == 5
+    assert report["predicted"] == [2] and "1 of 5 scans" in str(report["warnings"])
+    assert "broken at scan 2" in str(report["warnings"]) and len(read_trajectory(tmp_path / "poses.txt")) == 5
     result = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
     assert "predicted  1: scan 2" in result.stdout
 
@@ -114,16 +94,14 @@ def test_scans_out_of_range_write_nothing(drive, tmp_path):
     write_trajectory(truth, Trajectory(path_of(5)), format="kitti")
     report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", "--min-range", 90, "--truth", truth)
     assert "no scan has points in range" in str(report["warnings"])
-    assert (report["files"], report["errors"]) == ([], None)
-    assert not (tmp_path / "a.txt").exists()
+    assert (report["files"], report["errors"]) == ([], None) and not (tmp_path / "a.txt").exists()
 
 
 def test_odometry_rejects_invalid_calls_first(drive, tmp_path):
     poses, truth = tmp_path / "poses.txt", tmp_path / "truth.txt"
     assert "poses are not written to .json" in refusal("odometry", drive, "-o", tmp_path / "a.json")
-    assert "poses as tum are not written to .kitti" in refusal(
-        "odometry", drive, "-o", tmp_path / "a.kitti", "--format", "tum"
-    )
+    refused = refusal("odometry", drive, "-o", tmp_path / "a.kitti", "--format", "tum")
+    assert "poses as tum are not written to .kitti" in refused
     assert "does not exist" in refusal("odometry", tmp_path / "none", "-o", poses)
     write_trajectory(truth, Trajectory(path_of(4)), format="kitti")
     assert "expected 5 poses, one per scan of " in refusal("odometry", drive, "-o", poses, "--truth", truth)
@@ -141,17 +119,12 @@ def test_progress_reports_the_rate(monkeypatch, capsys):
     monkeypatch.setattr(console, "LINE_INTERVAL", 0.0)
     with console.Progress(rates=True) as progress:
         progress("scans", 3, 10)
-    assert "scans: 3 of 10 " in (line := capsys.readouterr().err)
-    assert line.endswith(" scans/s\n")
-
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
-
-    monkeypatch.setattr(sys, "stderr", screen := Terminal())
+    assert "scans: 3 of 10 " in (line := capsys.readouterr().err) and line.endswith(" scans/s\n")
+    screen = io.StringIO()
+    screen.isatty = lambda: True
+    monkeypatch.setattr(sys, "stderr", screen)
     monkeypatch.setenv("TERM", "xterm")
     with console.Progress(rates=True) as progress:
         progress("scans", 3, 10)
         progress("scans", 10, 10)
-    assert "10/10" in screen.getvalue()
-    assert " scans/s" in screen.getvalue()
+    assert "10/10" in screen.getvalue() and " scans/s" in screen.getvalue()

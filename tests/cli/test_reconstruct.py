@@ -34,13 +34,11 @@ def test_frames_become_a_mesh_a_trajectory_and_a_picture(sequence_folder, tmp_pa
     mesh, poses, picture = tmp_path / "mesh.ply", tmp_path / "poses.log", tmp_path / "mesh.png"
     words = ["--trajectory", poses, "--picture", picture, "--device", device]
     report = answer("reconstruct", sequence_folder, "-o", mesh, *COARSE, *words)
-    assert report["method"] == "slam"
-    assert (report["frames"], report["tracked"], report["lost"]) == (8, 8, [])
+    assert report["method"] == "slam" and (report["frames"], report["tracked"], report["lost"]) == (8, 8, [])
     assert len(read_triangle_mesh(mesh)) == report["triangles"] > 1000
     assert read_triangle_mesh(mesh).vertex_colors is not None
     assert read_trajectory(poses).ids[:, 0].tolist() == list(range(8))
-    assert report["errors"]["absolute"]["m"]["rmse"] < 0.01
-    assert report["files"] == [str(mesh), str(picture), str(poses)]
+    assert report["errors"]["absolute"]["m"]["rmse"] < 0.01 and report["files"] == [str(mesh), str(picture), str(poses)]
     assert names_in(tmp_path) == ["mesh.ply", "mesh.png", "poses.log", "walk"]
 
 
@@ -84,20 +82,14 @@ def made_up(monkeypatch):
 def test_loops_correct_all_frames_between(sequence_folder, tmp_path, made_up, colored):
     for path in [] if colored else sequence_folder.glob("*.color.png"):
         path.unlink()
-    plain = answer(
-        "reconstruct", sequence_folder, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log"
-    )
+    words = ["reconstruct", sequence_folder, *COARSE, "-o"]
+    plain = answer(*words, tmp_path / "a.ply", "--trajectory", tmp_path / "a.log")
     made_up([SimpleNamespace(source=1, target=0)])
-    report = answer(
-        "reconstruct", sequence_folder, "-o", tmp_path / "b.ply", *COARSE, "--trajectory", tmp_path / "b.log"
-    )
-    assert (plain["submaps"], plain["loops"], plain["corrected_m"]) == (3, [], 0)
-    assert report["loops"] == [[0, 1]]
+    report = answer(*words, tmp_path / "b.ply", "--trajectory", tmp_path / "b.log")
+    assert (plain["submaps"], plain["loops"], plain["corrected_m"]) == (3, [], 0) and report["loops"] == [[0, 1]]
     lifts = (read_trajectory(tmp_path / "b.log").poses - read_trajectory(tmp_path / "a.log").poses)[:, 2, 3]
-    assert lifts[0] == pytest.approx(0, abs=1e-9)
-    assert lifts[-1] == pytest.approx(0.06, abs=1e-9)
-    assert (np.diff(lifts) >= -1e-9).all()
-    assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
+    assert lifts[0] == pytest.approx(0, abs=1e-9) and lifts[-1] == pytest.approx(0.06, abs=1e-9)
+    assert (np.diff(lifts) >= -1e-9).all() and report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
     meshes = [read_triangle_mesh(tmp_path / name) for name in ("a.ply", "b.ply")]
     assert [mesh.vertex_colors is not None for mesh in meshes] == [colored, colored]
     assert all(len(mesh) > 1000 for mesh in meshes)
@@ -123,17 +115,15 @@ def test_without_loops_the_surface_is_the_tracked_one(sequence_folder, tmp_path,
     slam = make_slam(dataset, **sizes)
     track_with(slam, dataset, **sizes)
     mesh = slam.extract_triangle_mesh(weight_threshold=min_weight(len(dataset)))
-    assert np.array_equal(read_triangle_mesh(tmp_path / "plain.ply").vertices, mesh.vertices)
-    assert plain["submaps"] == 3
+    assert np.array_equal(read_triangle_mesh(tmp_path / "plain.ply").vertices, mesh.vertices) and plain["submaps"] == 3
 
 
 def test_an_unreadable_frame_does_not_shift_other_poses(sequence_folder, tmp_path, made_up):
     made_up([SimpleNamespace(source=1, target=0)])
     path = sequence_folder / "frame-000002.depth.png"
     path.write_bytes(path.read_bytes()[:-200])
-    report = unreliable(
-        "reconstruct", sequence_folder, "-o", tmp_path / "a.ply", *COARSE, "--trajectory", tmp_path / "a.log"
-    )
+    words = ["-o", tmp_path / "a.ply", "--trajectory", tmp_path / "a.log"]
+    report = unreliable("reconstruct", sequence_folder, *COARSE, *words)
     assert [entry["frame"] for entry in report["unreadable"]] == [2]
     assert read_trajectory(tmp_path / "a.log").ids[:, 0].tolist() == [0, 1, 3, 4, 5, 6, 7]
     assert report["corrected_m"] == pytest.approx(0.06, abs=1e-9)
@@ -151,12 +141,9 @@ def test_fragments_become_a_mesh_and_keep_their_stages(sequence_folder, tmp_path
     mesh, poses = tmp_path / "mesh.stl", tmp_path / "poses.txt"
     report = answer("reconstruct", sequence_folder, "-o", mesh, *small_fragments, "--trajectory", poses)
     assert (report["used"], report["voxel_size"], report["depth_max"]) == (8, 0.05, 4.0)
-    assert len(report["fragments"]) == 2
-    assert report["errors"]["absolute"]["m"]["rmse"] < 0.02
-    assert mesh.stat().st_size == 84 + 50 * report["triangles"]
-    assert len(read_trajectory(poses)) == 8
-    assert report["work"] == str(tmp_path / "mesh-fragments")
-    assert (tmp_path / "mesh-fragments" / "fragments").is_dir()
+    assert len(report["fragments"]) == 2 and report["errors"]["absolute"]["m"]["rmse"] < 0.02
+    assert mesh.stat().st_size == 84 + 50 * report["triangles"] and len(read_trajectory(poses)) == 8
+    assert report["work"] == str(tmp_path / "mesh-fragments") and (tmp_path / "mesh-fragments" / "fragments").is_dir()
 
 
 @pytest.mark.slow
@@ -165,8 +152,7 @@ def test_slac_resumes_the_stages_and_deforms_the_frames(sequence_folder, tmp_pat
     plain = answer(*words, "-o", tmp_path / "plain.ply")
     report = answer(*words, "-o", tmp_path / "bent.ply", "--slac", "--resume")
     assert (plain["slac"], report["resumed"]["fragments"]) == (None, 2)
-    assert report["slac"]["edges"] == report["edges"] >= 1
-    assert report["slac"]["anchors"] > 50
+    assert report["slac"]["edges"] == report["edges"] >= 1 and report["slac"]["anchors"] > 50
     assert (tmp_path / "plain.ply").read_bytes() != (tmp_path / "bent.ply").read_bytes()
     result = run(*words, "-o", tmp_path / "again.ply", "--slac", "--resume")
     assert result.exit_code == 0
@@ -203,36 +189,31 @@ def test_an_interrupted_run_is_resumed(sequence_folder, tmp_path):
     assert names_in(tmp_path) == ["walk", "work"]
     stages = StageOptions(work=tmp_path / "work", resume=True)
     report = reconstruct_folder(sequence_folder, outputs, stages=stages, voxel_size=0.05).to_dict()
-    assert report["resumed"]["fragments"] == 1
-    assert report["files"] == [str(tmp_path / "mesh.ply")]
+    assert report["resumed"]["fragments"] == 1 and report["files"] == [str(tmp_path / "mesh.ply")]
 
 
 @pytest.mark.slow
 def test_frames_that_are_not_in_the_model_are_reported(sequence_folder, tmp_path, small_fragments):
     cover(sequence_folder, 7)
     report = unreliable("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *small_fragments)
-    assert report["used"] == 7
-    assert "1 of 8 frames are not in the model" in str(report["warnings"])
+    assert report["used"] == 7 and "1 of 8 frames are not in the model" in str(report["warnings"])
     result = run("reconstruct", sequence_folder, "-o", tmp_path / "b.ply", *small_fragments)
-    assert result.exit_code == 3
-    assert "lost       frame-000007: " in result.stdout
+    assert result.exit_code == 3 and "lost       frame-000007: " in result.stdout
 
 
 def test_reconstruct_rejects_invalid_calls_first(sequence_folder, tmp_path):
     mesh = tmp_path / "mesh.ply"
     assert "meshes are not written to .pcd" in refusal("reconstruct", sequence_folder, "-o", tmp_path / "a.pcd")
-    assert "poses are not written to .json" in refusal(
-        "reconstruct", sequence_folder, "-o", mesh, "--trajectory", "a.json"
-    )
-    assert "ends in .png" in refusal("reconstruct", sequence_folder, "-o", mesh, "--picture", tmp_path / "a.jpg")
+    words = ["reconstruct", sequence_folder, "-o", mesh]
+    assert "poses are not written to .json" in refusal(*words, "--trajectory", "a.json")
+    assert "ends in .png" in refusal(*words, "--picture", tmp_path / "a.jpg")
     assert "does not exist" in refusal("reconstruct", tmp_path / "none", "-o", mesh)
-    fragments = ["reconstruct", sequence_folder, "-o", mesh, "--method", "fragments"]
+    fragments = [*words, "--method", "fragments"]
     assert "contains files that do not belong to a run" in refusal(*fragments, "--work", sequence_folder)
     assert "Make the folder first" in refusal(*fragments, "--work", tmp_path / "no" / "work")
     assert "none.json" in refusal(*fragments, "--config", tmp_path / "none.json")
     mesh.write_bytes(b"kept")
-    assert "Give another name, or --force" in refusal("reconstruct", sequence_folder, "-o", mesh)
-    assert mesh.read_bytes() == b"kept"
+    assert "Give another name, or --force" in refusal(*words) and mesh.read_bytes() == b"kept"
     assert names_in(tmp_path) == ["mesh.ply", "walk"]
 
 
@@ -263,6 +244,5 @@ def test_a_few_real_frames_become_a_mesh(scan_file, tmp_path, folder, words, tra
         words = [*words, "--intrinsic", camera]
     result = run("reconstruct", scan_file(folder), "-o", tmp_path / "mesh.ply", *words, "--json", "--device", "cpu")
     report = json.loads(result.stdout)
-    assert result.exit_code == (3 if report["lost"] else 0)
-    assert report["tracked"] >= tracked
+    assert result.exit_code == (3 if report["lost"] else 0) and report["tracked"] >= tracked
     assert report["triangles"] > 3000

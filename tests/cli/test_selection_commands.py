@@ -1,7 +1,6 @@
 """clean, cluster, crop, plane and downsample."""
 
 import numpy as np
-import pytest
 
 import pointloom as loom
 from pointloom.cli.jobs.cluster import TAB20
@@ -17,48 +16,34 @@ def test_clean_removes_non_finite_points_and_statistical_outliers(scene, tmp_pat
     assert rows_of(tmp_path / "out.npz") == expected.tolist()  # the non-finite point is the last one
     removed = len(finite) - len(expected)
     statistical = {"removed": removed, "neighbors": 20, "ratio": 2.0}
-    assert report["filters"] == {"non_finite": {"removed": 1}, "statistical": statistical}
-    assert STRAY not in expected
+    assert report["filters"] == {"non_finite": {"removed": 1}, "statistical": statistical} and STRAY not in expected
     assert removed >= 1
 
 
-@pytest.mark.parametrize(
-    ("options", "filters", "removed_rows"),
-    [
+def test_clean_runs_the_requested_filters(scene, points, tmp_path):
+    for options, filters, removed_rows in (
         (["--non-finite"], {"non_finite": 1}, {NOT_FINITE}),
         (["--duplicates"], {"non_finite": 1, "duplicate": 1}, {NOT_FINITE, REPEATED}),
         (["--radius", "0.3", "--min-neighbors", "1"], {"non_finite": 1, "radius": 1}, {NOT_FINITE, STRAY}),
         (
-            ["--duplicates", "--radius", "0.3", "--min-neighbors", "1", "--deviations", "20"],
-            {"non_finite": 1, "duplicate": 1, "statistical": 1, "radius": 0},
-            {NOT_FINITE, REPEATED, STRAY},
+            ["--duplicates", "--radius", 0.3, "--min-neighbors", 1, "--deviations", 20],
+            *({"non_finite": 1, "duplicate": 1, "statistical": 1, "radius": 0}, {NOT_FINITE, REPEATED, STRAY}),
         ),
-    ],
-)
-def test_clean_runs_the_requested_filters(scene, points, tmp_path, options, filters, removed_rows):
-    output, removed_file = tmp_path / "out.npz", tmp_path / "removed.npz"
-    report = answer("clean", scene, output, *options, "--removed", removed_file)
-    assert {name: figures["removed"] for name, figures in report["filters"].items()} == filters
-    assert rows_of(output) == [row for row in range(len(points)) if row not in removed_rows]
-    assert rows_of(removed_file) == sorted(removed_rows)
-    assert report["files"] == [str(removed_file), str(output)]
-    printed = run("clean", scene, output, *options, "--force").stdout
-    assert "1 non-finite" in printed
-    assert ("(radius 0.3, min neighbors 1)" in printed) == ("radius" in filters)
+    ):
+        output, removed_file = tmp_path / "out.npz", tmp_path / "removed.npz"
+        report = answer("clean", scene, output, *options, "--removed", removed_file, "--force")
+        assert {name: figures["removed"] for name, figures in report["filters"].items()} == filters
+        assert rows_of(output) == [row for row in range(len(points)) if row not in removed_rows]
+        assert rows_of(removed_file) == sorted(removed_rows) and report["files"] == [str(removed_file), str(output)]
+        printed = run("clean", scene, output, *options, "--force").stdout
+        assert "1 non-finite" in printed and ("(radius 0.3, min neighbors 1)" in printed) == ("radius" in filters)
 
 
-def test_clean_writes_no_empty_file_of_removed_points(cloud, tmp_path):
-    report = answer("clean", cloud, tmp_path / "out.ply", "--non-finite", "--removed", tmp_path / "gone.ply")
-    assert report["files"] == [str(tmp_path / "out.ply")]
-    assert names_in(tmp_path) == ["cloud.ply", "out.ply"]
-
-
-def test_clean_checks_the_file_of_removed_points_first(cloud, tmp_path):
-    (tmp_path / "gone.ply").write_bytes(b"kept")
-    assert "gone.ply: exists already" in refusal(
-        "clean", cloud, tmp_path / "out.ply", "--removed", tmp_path / "gone.ply"
-    )
-    assert names_in(tmp_path) == ["cloud.ply", "gone.ply"]
+def test_clean_checks_the_file_of_removed_points_first_and_writes_none_that_is_empty(cloud, tmp_path):
+    words = ["clean", cloud, tmp_path / "out.ply", "--non-finite", "--removed", tmp_path / "gone.ply"]
+    assert answer(*words)["files"] == [str(tmp_path / "out.ply")] and names_in(tmp_path) == ["cloud.ply", "out.ply"]
+    (tmp_path / "out.ply").rename(tmp_path / "gone.ply")
+    assert "gone.ply: exists already" in refusal(*words) and names_in(tmp_path) == ["cloud.ply", "gone.ply"]
 
 
 def test_a_radius_that_removes_too_many_points_is_unreliable(cloud, tmp_path):
@@ -68,8 +53,7 @@ def test_a_radius_that_removes_too_many_points_is_unreliable(cloud, tmp_path):
     better = "; ".join(report["warnings"]).split("that many within ")[1].split(" m")[0]
     assert answer(*words, better, "--force")["points"] >= 250
     report = unreliable(*words, "0.0001", "--force")
-    assert (report["points"], report["files"]) == (0, [])
-    assert "nothing was written" in str(report["warnings"])
+    assert (report["points"], report["files"]) == (0, []) and "nothing was written" in str(report["warnings"])
 
 
 def test_cluster_labels_match_the_library(scene, points, tmp_path, device):
@@ -83,8 +67,7 @@ def test_cluster_labels_match_the_library(scene, points, tmp_path, device):
     sizes = [(cluster["label"], cluster["points"]) for cluster in report["largest"]]
     assert sizes == [(0, 601), (1, 150), (2, 100)]
     printed = run("cluster", scene, output, "--radius", "0.2", "--force").stdout
-    assert "601 (label 0), 150 (label 1), 100 (label 2)" in printed
-    assert "2 of 853 points, 0.2%" in printed
+    assert "601 (label 0), 150 (label 1), 100 (label 2)" in printed and "2 of 853 points, 0.2%" in printed
 
 
 def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
@@ -94,21 +77,10 @@ def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
     assert np.unique(clusters["label"]).tolist() == [0, 1]
     assert clusters["row"].tolist() == [*FLOOR, *FIRST_BLOB, REPEATED]
     # the largest clusters have the most points, regardless of their labels
-    words = [
-        "cluster",
-        tmp_path / "out.npz",
-        tmp_path / "b.npz",
-        "--radius",
-        "0.2",
-        "--neighbors",
-        "1",
-        "--largest",
-        "1",
-    ]
+    words = ["cluster", tmp_path / "out.npz", tmp_path / "b.npz", "--radius", 0.2, "--neighbors", 1, "--largest", 1]
     assert answer("crop", scene, tmp_path / "out.npz", "--force", "--box", 0, 0, 0.1, 1, 1, 9)["points"] == 250
-    loom.write_point_cloud(
-        tmp_path / "out.npz", loom.read_point_cloud(tmp_path / "out.npz").select_by_index(range(249, -1, -1))
-    )
+    blobs = loom.read_point_cloud(tmp_path / "out.npz")
+    loom.write_point_cloud(tmp_path / "out.npz", blobs.select_by_index(range(249, -1, -1)))
     assert answer(*words)["largest"][0] == {"label": 1, "points": 150}
     assert sorted(rows_of(tmp_path / "b.npz")) == [*FIRST_BLOB]
 
@@ -119,16 +91,11 @@ def test_cluster_paints_labels_and_noise(scene, tmp_path):
     painted = loom.read_point_cloud(tmp_path / "out.npz")
     expected = np.vstack([TAB20 / 255, np.zeros(3)]).astype(np.float32)[painted["label"]]
     np.testing.assert_array_equal(painted.colors, expected)
-    assert not painted.colors[STRAY].any()
-    assert len(np.unique(TAB20, axis=0)) == 20
+    assert not painted.colors[STRAY].any() and len(np.unique(TAB20, axis=0)) == 20
     printed = run("cluster", tmp_path / "out.npz", tmp_path / "b.xyzrgb", "--radius", "0.2", "--paint").stdout
-    assert "colors, label of the input" in printed
-    assert len(loom.read_point_cloud(tmp_path / "b.xyzrgb")) == 853
-
-
-def test_cluster_rejects_formats_without_labels_or_colors(scene, tmp_path):
+    assert "colors, label of the input" in printed and len(loom.read_point_cloud(tmp_path / "b.xyzrgb")) == 853
     for suffix, options, reason in ((".xyzrgb", [], "labels are not"), (".xyz", ["--paint"], "labels or colors")):
-        assert reason in refusal("cluster", scene, tmp_path / f"out{suffix}", "--radius", "0.2", *options)
+        assert reason in refusal("cluster", scene, tmp_path / f"c{suffix}", "--radius", "0.2", *options)
 
 
 def test_cluster_proposes_an_eps_if_all_is_noise(scene, tmp_path):
@@ -168,8 +135,7 @@ def test_crop_accepts_a_polygon_of_open3d(scene, points, tmp_path, device):
     volume.to_json(tmp_path / "volume.json")
     words = ["crop", scene, tmp_path / "out.npz", "--polygon", tmp_path / "volume.json", "--device", device, "--force"]
     answer(*words)
-    assert rows_of(tmp_path / "out.npz") == [*SECOND_BLOB]
-    assert answer(*words, "--invert")["points"] == len(points) - 100
+    assert rows_of(tmp_path / "out.npz") == [*SECOND_BLOB] and answer(*words, "--invert")["points"] == len(points) - 100
     (tmp_path / "volume.json").write_text("{}")
     assert refusal(*words).startswith(f"error: {tmp_path / 'volume.json'}")
 
@@ -206,8 +172,7 @@ def test_plane_labels_several_planes(tmp_path, rng):
     labels = loom.read_point_cloud(tmp_path / "b.ply")["plane"]
     assert labels.dtype == np.int32
     assert [(labels == label).sum() >= count for label, count in ((0, 500), (1, 300), (-1, 30))] == [True] * 3
-    assert report["replaced"] == ["plane"]
-    assert report["on_none"] == (labels == -1).sum()
+    assert report["replaced"] == ["plane"] and report["on_none"] == (labels == -1).sum()
     assert [plane["points"] for plane in report["planes"]] == np.bincount(labels[labels >= 0]).tolist()
     for plane, part in zip(report["planes"], (points[:500], points[500:800]), strict=True):
         a, b, c, d = plane["model"]
@@ -215,8 +180,7 @@ def test_plane_labels_several_planes(tmp_path, rng):
     assert len(answer(*words, "--min-points", "400", "--force")["planes"]) == 1
     assert len(answer(*words[:-1], "1", "--force")["planes"]) == 1
     printed = run(*words, "--force").stdout
-    assert f"840, {report['on_none']} of them not on a plane" in printed
-    assert "plane of the input" in printed
+    assert f"840, {report['on_none']} of them not on a plane" in printed and "plane of the input" in printed
 
 
 def test_the_seed_of_planes_determines_the_samples(cloud, tmp_path):
@@ -236,27 +200,21 @@ def test_a_cloud_without_a_plane_is_unreliable(cloud, tmp_path):
     assert "all points are on the plane" in str(report["warnings"])
     line = np.column_stack([np.arange(50), np.zeros((50, 2))])
     loom.write_point_cloud(tmp_path / "line.ply", loom.PointCloud(line))
-    assert "samples are collinear" in str(
-        unreliable("plane", tmp_path / "line.ply", tmp_path / "b.ply", "--distance", "1")["warnings"]
-    )
-    assert "b.ply" not in names_in(tmp_path)
+    report = unreliable("plane", tmp_path / "line.ply", tmp_path / "b.ply", "--distance", "1")
+    assert "samples are collinear" in str(report["warnings"]) and "b.ply" not in names_in(tmp_path)
 
 
-@pytest.mark.parametrize(
-    ("options", "choose"),
-    [
+def test_downsample_matches_the_library(scene, points, tmp_path, device):
+    for options, choose in (
         (["--every", "7"], lambda cloud: cloud.uniform_down_sample(7)),
         (["--ratio", "0.25"], lambda cloud: cloud.random_down_sample(0.25)),
         (["--ratio", "0.25", "--seed", "5"], lambda cloud: cloud.random_down_sample(0.25, seed=5)),
         (["--farthest", "20"], lambda cloud: cloud.farthest_point_down_sample(20)),
         (["--voxel", "0.3", "--nearest"], lambda cloud: cloud.voxel_down_sample(0.3, "nearest")),
-    ],
-)
-def test_downsample_matches_the_library(scene, points, tmp_path, device, options, choose):
-    report = answer("downsample", scene, tmp_path / "out.npz", *options, "--device", device)
-    expected = choose(loom.PointCloud(points, device=device, row=np.arange(len(points))))["row"].tolist()
-    assert rows_of(tmp_path / "out.npz") == expected
-    assert report["points"] == len(expected)
+    ):
+        report = answer("downsample", scene, tmp_path / "out.npz", *options, "--device", device, "--force")
+        expected = choose(loom.PointCloud(points, device=device, row=np.arange(len(points))))["row"].tolist()
+        assert rows_of(tmp_path / "out.npz") == expected and report["points"] == len(expected)
 
 
 def test_downsample_writes_the_means_of_voxels(scene, tmp_path, device):
@@ -268,30 +226,23 @@ def test_downsample_writes_the_means_of_voxels(scene, tmp_path, device):
         np.testing.assert_array_equal(result[name], expected[name])
 
 
-@pytest.mark.parametrize(
-    ("options", "way"),
-    [
+def test_downsample_reports_its_method(scene, tmp_path):
+    for options, way in (
         ("--every 2", "427 of 853, one in 2"),
         ("--ratio 0.5 --seed 3", "426 of 853, a share of 0.5 at random, seed 3"),
         ("--farthest 5", "5 of 853, the farthest from each other"),
         ("--voxel 90", "1 of 853, one a voxel of 90 m, the mean"),
         ("--voxel 90 --nearest", "1 of 853, one a voxel of 90 m, the nearest to the mean"),
-    ],
-)
-def test_downsample_reports_its_method(scene, tmp_path, options, way):
-    assert way in run("downsample", scene, tmp_path / "out.ply", *options.split()).stdout
+    ):
+        assert way in run("downsample", scene, tmp_path / "out.ply", *options.split(), "--force").stdout
 
 
-def test_farthest_points_start_at_a_finite_point_and_are_limited(tmp_path):
+def test_farthest_points_start_at_a_finite_point_and_a_ratio_below_one_point_is_unreliable(tmp_path):
     points = [[np.nan, 0, 0], [0, 0, 0], [1, 0, 0], [5, 0, 0]]
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, row=np.arange(4, dtype=np.int32)))
     words = ["downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--force", "--farthest"]
     answer(*words, 2)
-    assert rows_of(tmp_path / "b.ply") == [1, 3]
-    assert answer(*words, 3)["points"] == 3
+    assert rows_of(tmp_path / "b.ply") == [1, 3] and answer(*words, 3)["points"] == 3
     assert "a.ply: expected at least 4 finite points, got 3" in refusal(*words, 4)
-
-
-def test_a_ratio_below_one_point_is_unreliable(cloud, tmp_path):
-    assert unreliable("downsample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
-    assert names_in(tmp_path) == ["cloud.ply"]
+    assert unreliable("downsample", tmp_path / "a.ply", tmp_path / "c.ply", "--ratio", "1e-6")["files"] == []
+    assert names_in(tmp_path) == ["a.ply", "b.ply"]

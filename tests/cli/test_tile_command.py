@@ -91,7 +91,7 @@ def test_planning_accepts_an_area_a_point_count_and_copc(job):
     assert answer("tile", "finish", "b", "--force")["is_finished"]
 
 
-def test_finish_writes_the_requested_file(job):
+def test_finish_writes_the_requested_file_and_refuses_names_of_other_formats(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
     answer("tile", "run", "job")
     count = answer("tile", "status", "job")["points_out"]
@@ -100,18 +100,13 @@ def test_finish_writes_the_requested_file(job):
     assert not open_las(job / "job/result.las").header.is_compressed
     assert answer("tile", "finish", "job", "-o", "out.copc.laz", "--output", "copc")["files"] == ["out.copc.laz"]
     assert len(open_copc(job / "out.copc.laz").read().points) == count
-
-
-def test_finish_refuses_names_of_other_formats(job):
-    answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
-    answer("tile", "run", "job", "--serial")
     for words, message in (
         ("--output copc -o out.laz", "is not a file name for output='copc'. Use the extension .copc.laz"),
         ("--output laz -o out.copc.laz", "is not a file name for output='laz'"),
         ("-o out.xyz", "is not a file name of a LAS or LAZ file. Use the extension .laz or .las or .copc.laz"),
     ):
         assert message in " ".join(refusal("tile", "finish", "job", *words.split()).split())
-    assert names_in(job) == ["job", *OWN, "steps.toml", "survey"]
+    assert names_in(job) == ["job", "out.copc.laz", *OWN, "steps.toml", "survey"]
 
 
 def test_parts_of_an_array_share_the_tiles(job):
@@ -124,8 +119,7 @@ def test_parts_of_an_array_share_the_tiles(job):
 def test_failed_tiles_are_named_with_the_command_to_repeat_them(job):
     plan_with(job, "fails_once")
     result = run("tile", "run", "job", "--serial")
-    assert result.exit_code == 3
-    assert result.stderr.startswith("unreliable result: 9 failed of 9 tiles: 0_0, 1_0, 2_0, ")
+    assert result.exit_code == 3 and result.stderr.startswith("unreliable result: 9 failed of 9 tiles: 0_0, 1_0, 2_0, ")
     (line,) = [line for line in result.stdout.splitlines() if line.startswith("  1_1 ")]
     assert line.endswith("RuntimeError: two lines; run it alone with `pointloom tile run job --tile 1_1`")
     assert run("tile", "status", "job").exit_code == 3
@@ -143,11 +137,8 @@ def test_a_damaged_file_is_an_error_that_names_the_commands(job):
     with Manifest(job / "job") as manifest, manifest.change() as base:
         base.execute("UPDATE sources SET state = 'failed', error = 'it is torn' WHERE id = 1")
     message = refusal("tile", "run", "job")
-    assert (
-        "part1.laz: its points cannot be sorted into tiles: it is torn" in message
-        and "run pointloom tile retry" in message
-    )
-    assert run("tile", "status", "job").exit_code == 3
+    assert "part1.laz: its points cannot be sorted into tiles: it is torn" in message
+    assert "run pointloom tile retry" in message and run("tile", "status", "job").exit_code == 3
 
 
 @pytest.mark.parametrize("command", ["run", "status", "retry", "finish"])
@@ -156,18 +147,15 @@ def test_a_folder_without_a_plan_is_rejected(job, command):
     assert not (job / "nowhere").exists()
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
+def test_bad_plans_are_rejected_and_leave_nothing(job):
+    for words, message in (
         ("survey --steps no.toml", "no.toml: cannot be read"),
         ("survey --steps own_steps.py", "own_steps.py: not TOML"),
         ("nothing.laz --steps steps.toml", "nothing.laz"),
         ("steps.toml --steps steps.toml", "expected one of .las"),
         ("survey --steps steps.toml --only 1,2,3,4", "overlaps the tiles"),
-    ],
-)
-def test_bad_plans_are_rejected_and_leave_nothing(job, words, message):
-    assert message in refusal("tile", "plan", *words.split(), "-o", "job")
+    ):
+        assert message in refusal("tile", "plan", *words.split(), "-o", "job")
 
 
 @pytest.mark.slow
@@ -200,16 +188,11 @@ def test_ctrl_c_prints_one_line_and_the_next_run_continues(job, how):
     assert answer("tile", "run", "job", "--workers", "2")["is_finished"]
 
 
-def test_long_lists_of_names_are_cut():
+def test_the_options_match_the_library_and_long_lists_of_names_are_cut():
     names = {f"{k}_0": "torn" for k in range(30)}
-    status = TileStatus("job", 0, 0, 0, 0, 30, 0, 0, 10, 0, 0, 0, names)
-    report = tile_jobs.report_of("run", status)
+    report = tile_jobs.report_of("run", TileStatus("job", 0, 0, 0, 0, 30, 0, 0, 10, 0, 0, 0, names))
     assert "; ".join(report.warnings).endswith("18_0, 19_0 and 10 more") and len(report.to_dict()["troubles"]) == 30
-
-
-def test_the_options_match_the_library():
-    assert planning.OUTPUTS == tile_command.OUTPUTS
-    assert (*finish.FILES,) == tile_command.FILES
+    assert planning.OUTPUTS == tile_command.OUTPUTS and (*finish.FILES,) == tile_command.FILES
     commands = cli.commands["tile"].commands
     assert sorted(commands) == ["finish", "plan", "retry", "run", "status"]
     for name in commands:

@@ -40,13 +40,9 @@ main()
 
 
 def start(*words):
-    return subprocess.Popen(
-        [sys.executable, "-c", VIEW, "view", *map(str, words)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env=os.environ | {"PYTHONPATH": str(ROOT / "src"), "SSH_CONNECTION": "10.0.0.1 5 10.0.0.2 22"},
-    )
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "src"), "SSH_CONNECTION": "10.0.0.1 5 10.0.0.2 22"}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    return subprocess.Popen([sys.executable, "-c", VIEW, "view", *map(str, words)], env=environment, **pipes)
 
 
 def red_pixels(path):
@@ -68,38 +64,27 @@ def test_the_up_axis_is_given_or_read_from_the_file(tmp_path):
     assert list(spans.values()) == [True, True, False, False]
 
 
-def test_a_screenshot_needs_no_browser(cloud, mesh, trajectory, tmp_path):
+def test_screenshots_and_pages_need_no_browser(cloud, mesh, trajectory, tmp_path):
     report = answer("view", cloud, mesh, trajectory, "--screenshot", tmp_path / "out.png")
     assert report["files"] == [str(tmp_path / "out.png")]
     kinds = {one["name"]: one["kind"] for one in report["geometries"]}
     assert kinds == {"cloud.ply": "PointCloud", "mesh.ply": "TriangleMesh", "poses.log": "Trajectory"}
     picture = loom.read_color(tmp_path / "out.png")
-    assert picture.shape == (960, 1280, 3)
-    assert (picture < 250).any(axis=2).sum() > 10_000
+    assert picture.shape == (960, 1280, 3) and (picture < 250).any(axis=2).sum() > 10_000
+    result = run("view", cloud, "--save-html", tmp_path / "out.html")
+    assert result.exit_code == 0 and f"files    {tmp_path / 'out.html'}" in result.stdout
+    assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
 
 
 @pytest.mark.slow
 def test_pictures_and_pages_need_no_server(cloud, tmp_path):
-    program = (
-        "import sys; sys.modules['websockets'] = None\n"
-        "from pointloom.cli.shell.cli import main\n"
-        f"sys.argv = ['pointloom', 'view', {str(cloud)!r}, '--screenshot', 'a.png', '--save-html', 'a.html']\n"
-        "main()\n"
-    )
+    words = ["pointloom", "view", str(cloud), "--screenshot", "a.png", "--save-html", "a.html"]
+    program = f"import sys; sys.modules['websockets'] = None; sys.argv = {words}\n"
+    program += "from pointloom.cli.shell.cli import main; main()"
     environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
-    done = subprocess.run(
-        [sys.executable, "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300
-    )
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
-    assert {"a.png", "a.html"} <= set(names_in(tmp_path))
-
-
-def test_a_standalone_page_is_written(cloud, tmp_path):
-    result = run("view", cloud, "--save-html", tmp_path / "out.html")
-    assert result.exit_code == 0
-    assert f"files    {tmp_path / 'out.html'}" in result.stdout
-    assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
+    command, more = [sys.executable, "-c", program], {"capture_output": True, "text": True, "timeout": 300}
+    done = subprocess.run(command, cwd=tmp_path, env=environment, **more)
+    assert (done.returncode, done.stderr) == (0, "") and {"a.png", "a.html"} <= set(names_in(tmp_path))
 
 
 def test_color_and_view_options_change_the_image(cloud, tmp_path):
@@ -123,8 +108,7 @@ def test_a_cloud_is_read_from_a_pipe(cloud, tmp_path):
     answer("view", cloud, "--color-by", "height", "--screenshot", tmp_path / "b.png")
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
     result = CliRunner().invoke(cli, [*map(str, words), "--force"], input=cloud.read_bytes()[:500])
-    assert "error: standard input" in result.stderr
-    assert "truncated" in result.stderr
+    assert "error: standard input" in result.stderr and "truncated" in result.stderr
 
 
 def test_without_the_extra_the_install_command_is_printed_before_files_are_read(tmp_path, monkeypatch):
@@ -133,9 +117,8 @@ def test_without_the_extra_the_install_command_is_printed_before_files_are_read(
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "websockets", None)
     (tmp_path / "broken.ply").write_text("ply\n")
-    assert refusal("view", tmp_path / "broken.ply") == (
-        'error: the viewer needs the package websockets: pip install "pointloom[viewer]"\n'
-    )
+    advice = 'pip install "pointloom[viewer]"'
+    assert refusal("view", tmp_path / "broken.ply") == f"error: the viewer needs the package websockets: {advice}\n"
 
 
 def test_volumes_and_polygons_are_displayed(tmp_path, mesh):
@@ -185,11 +168,8 @@ def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monke
     before = names_in(tmp_path)
     output = [] if any(word.startswith("--s") for word in words) else ["--screenshot", "out.png"]
     message = refusal("view", *words, *output)
-    assert message.startswith("error: ")
-    assert message.count("\n") == 1
-    assert reason in message
-    assert names_in(tmp_path) == before
-    assert Path("cloud.png").read_text() == "kept"
+    assert message.startswith("error: ") and message.count("\n") == 1 and reason in message
+    assert names_in(tmp_path) == before and Path("cloud.png").read_text() == "kept"
 
 
 @pytest.mark.slow
@@ -221,9 +201,7 @@ def test_a_large_file_is_displayed_while_it_is_read(tmp_path, rng, monkeypatch):
     add_named, open_tree = loom.Viewer.add_named, DetailTree.from_file
     viewers = []
     monkeypatch.setattr(loom.Viewer, "add_named", lambda self, *given: (viewers.append(self), add_named(self, *given)))
-    monkeypatch.setattr(
-        DetailTree, "from_file", lambda *given, **more: (look(viewers[0]), open_tree(*given, **more))[1]
-    )
+    monkeypatch.setattr(DetailTree, "from_file", lambda *some, **more: (look(viewers[0]), open_tree(*some, **more))[1])
     monkeypatch.setattr(loom.Viewer, "wait", look)
     result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open", "--keep-alive", 5)
     assert waited == [{}, {"keep_alive": 5.0}]
@@ -234,8 +212,7 @@ def test_a_large_file_is_displayed_while_it_is_read(tmp_path, rng, monkeypatch):
 @pytest.mark.slow
 def test_json_prints_the_address_and_nothing_else(cloud):
     process = start(cloud, "--port", 0, "--json")
-    assert process.stderr is not None
-    assert process.stderr.readline().startswith("viewer: ")
+    assert process.stderr is not None and process.stderr.readline().startswith("viewer: ")
     assert process.stdout is not None
     lines = [process.stdout.readline()]  # printed while it serves, so that the caller can read the address
     while lines[-1].rstrip() != "}":

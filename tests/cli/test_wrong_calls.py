@@ -120,5 +120,4 @@ def test_a_wrong_call_exits_with_2_and_explains_the_fix(tmp_path, monkeypatch, w
     assert (result.exit_code, result.stdout) == (2, "")
     first, *others = result.stderr.splitlines()
     assert first.startswith("error: ") and all(line.startswith("See 'pointloom") for line in others)
-    assert hint.lower() in first.lower()
-    assert names_in(tmp_path) == []
+    assert hint.lower() in first.lower() and names_in(tmp_path) == []

@@ -62,9 +62,7 @@ def test_noise_follows_its_model(device):
         rounding = 0.001**2 / 12
         scaled.append(((depth / 1000.0 - true) / np.sqrt(sigma**2 + rounding))[valid])
     scaled = np.concatenate(scaled)
-    assert abs(scaled.mean()) < 0.01
-    assert abs(scaled.std() - 1) < 0.01
-    assert np.abs(scaled).max() < 6.5
+    assert abs(scaled.mean()) < 0.01 and abs(scaled.std() - 1) < 0.01 and np.abs(scaled).max() < 6.5
 
 
 def test_grazing_surfaces_and_edges_lose_their_depth(device):
@@ -76,8 +74,7 @@ def test_grazing_surfaces_and_edges_lose_their_depth(device):
             jump = np.maximum(jump, np.abs(np.roll(true, shift, axis) - true))
     beside_edge = jump[1:-1, 1:-1] > 0.05 * true[1:-1, 1:-1]
     is_missing = noisy.depth[1:-1, 1:-1] == 0
-    assert is_missing[beside_edge].mean() > 0.6
-    assert is_missing[~beside_edge].mean() < 0.1
+    assert is_missing[beside_edge].mean() > 0.6 and is_missing[~beside_edge].mean() < 0.1
 
 
 @pytest.mark.parametrize("view", [0.1, 0.4, 0.7, "down", "up", "away"])  # along the path, or from the center
@@ -111,8 +108,7 @@ def test_the_camera_keeps_clear_of_the_furniture_and_moves_smoothly():
     assert np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1).max() < 0.35
     rotations = np.einsum("nji,njk->nik", poses[:-1, :3, :3], poses[1:, :3, :3])
     angles = np.degrees(np.arccos(np.clip((np.trace(rotations, axis1=1, axis2=2) - 1) / 2, -1, 1)))
-    assert angles.max() < 16
-    assert np.allclose(np.linalg.det(poses[:, :3, :3]), 1)
+    assert angles.max() < 16 and np.allclose(np.linalg.det(poses[:, :3, :3]), 1)
 
 
 def test_film_trajectory_is_one_smooth_revolution():
@@ -120,8 +116,7 @@ def test_film_trajectory_is_one_smooth_revolution():
     forward, eyes = poses[:, :3, 2], poses[:, :3, 3]
     angles = np.degrees(np.arccos((forward[1:] * forward[:-1]).sum(axis=1)))
     assert angles.min() > 0.8 and angles.max() < 2.2
-    assert 0.02 < np.linalg.norm(np.diff(eyes, axis=0), axis=1).max() < 0.06
-    assert surface_errors(eyes).min() > 0.35
+    assert 0.02 < np.linalg.norm(np.diff(eyes, axis=0), axis=1).max() < 0.06 and surface_errors(eyes).min() > 0.35
     yaw = np.unwrap(np.arctan2(forward[:, 1], forward[:, 0]))
     assert np.degrees(yaw[-1] - yaw[0]) == pytest.approx(358.5, abs=0.5)
 
@@ -133,22 +128,17 @@ def test_the_written_folder_is_a_data_set(tmp_path):
     assert (dataset.layout, len(dataset), dataset.depth_scale) == ("7scenes", 3, sequence.depth_scale)
     assert dataset.intrinsic == sequence.intrinsic
     for read, made in zip(dataset, sequence, strict=True):
-        assert np.array_equal(read.depth, made.depth)
-        assert np.array_equal(read.color, made.color)
+        assert np.array_equal(read.depth, made.depth) and np.array_equal(read.color, made.color)
         assert np.array_equal(read.T_world_camera, made.T_world_camera)
     assert [path.name for path in tmp_path.iterdir()] == ["room"]
 
 
-def test_options_out_of_range_are_refused():
+def test_options_out_of_range_and_existing_folders_are_refused(tmp_path):
     for name, value in (("width", 0), ("frame_count", 0), ("seed", -1)):
         with pytest.raises(ValueError, match=name):
             room_sequence(**{name: value})
     with pytest.raises(IndexError):
         room_sequence(2, **SMALL).read(2)
-
-
-def test_a_folder_that_exists_is_left_alone(tmp_path):
-    with pytest.raises(FileError, match="exists already"):
-        write_room_sequence(tmp_path, frame_count=1, **SMALL)
-    with pytest.raises(FileError, match="/b:"):
-        write_room_sequence(tmp_path / "a" / "b", frame_count=1, **SMALL)
+    for path, message in ((tmp_path, "exists already"), (tmp_path / "a" / "b", "/b:")):
+        with pytest.raises(FileError, match=message):
+            write_room_sequence(path, frame_count=1, **SMALL)

@@ -65,8 +65,7 @@ def test_a_room_seen_by_a_camera_that_bends_is_nearer_to_the_truth_after_slac():
     rigid = run_rigid_optimizer_for_fragments(scene.clouds, scene.graph, params)
     solved, grid = slac.run_slac_optimizer_for_fragments(scene.clouds, scene.graph, params)
     assert solved.report.rmse[-1] < 0.65 * rigid.report.rmse[-1]
-    before, after = (
-        surface_errors(scene.fuse(graph, bend)) for graph, bend in ((rigid, slac.ControlGrid()), (solved, grid))
-    )
+    models = (rigid, slac.ControlGrid()), (solved, grid)
+    before, after = (surface_errors(scene.fuse(graph, bend)) for graph, bend in models)
     assert np.median(after) < 0.75 * np.median(before)
     assert np.sqrt(np.mean(after**2)) < 0.85 * np.sqrt(np.mean(before**2))

@@ -3,8 +3,6 @@
 Names, arguments and units are those of pyrealsense2 2.59 and pyk4a 1.5; `calls` records the calls.
 """
 
-from __future__ import annotations
-
 import io
 from types import SimpleNamespace
 
@@ -37,9 +35,8 @@ class RealSenseStub:
         self.stream = SimpleNamespace(depth="depth", color="color")
         self.format = SimpleNamespace(z16="z16", rgb8="rgb8")
         self.playback_status = SimpleNamespace(stopped="stopped", playing="playing")
-        self.distortion = SimpleNamespace(
-            none="none", brown_conrady="brown_conrady", inverse_brown_conrady="inverse_brown_conrady", ftheta="ftheta"
-        )
+        names = ("none", "brown_conrady", "inverse_brown_conrady", "ftheta")
+        self.distortion = SimpleNamespace(**{name: name for name in names})
         self.frames, self.lens, self.start_error = list(frames), (model, coefficients), start_error
         self.calls, self.running = [], False
 
@@ -67,9 +64,8 @@ class RealSenseStub:
         )
         device = SimpleNamespace(first_depth_sensor=lambda: sensor, as_playback=lambda: playback)
         model, coefficients = self.lens
-        lens = SimpleNamespace(
-            width=WIDTH, height=HEIGHT, fx=30.0, fy=30.0, ppx=15.5, ppy=11.5, model=model, coeffs=list(coefficients)
-        )
+        numbers = {"fx": 30.0, "fy": 30.0, "ppx": 15.5, "ppy": 11.5, "coeffs": list(coefficients)}
+        lens = SimpleNamespace(width=WIDTH, height=HEIGHT, model=model, **numbers)
         stream = SimpleNamespace(as_video_stream_profile=lambda: SimpleNamespace(get_intrinsics=lambda: lens))
         return SimpleNamespace(get_device=lambda: device, get_stream=lambda kind: stream)
 
@@ -88,13 +84,11 @@ class RealSenseStub:
         if frame == "silence":
             return False, None
         number, other = frame if isinstance(frame, tuple) else (0, 0) if frame == "late" else (frame, frame)
-        depth = SimpleNamespace(
-            get_data=lambda: depth_of(number), get_timestamp=lambda: 33.0 * number, get_frame_number=lambda: number
-        )
+        depth = SimpleNamespace(get_data=lambda: depth_of(number), get_timestamp=lambda: 33.0 * number)
+        depth.get_frame_number = lambda: number
         color = SimpleNamespace(get_data=lambda: color_of(other), get_timestamp=lambda: 33.0 * other)
-        return True, SimpleNamespace(
-            get_depth_frame=lambda: depth, get_color_frame=lambda: None if frame == "late" else color, keep=lambda: None
-        )
+        color = None if frame == "late" else color
+        return True, SimpleNamespace(get_depth_frame=lambda: depth, get_color_frame=lambda: color, keep=lambda: None)
 
 
 class K4ATimeoutException(Exception):  # noqa: N818
@@ -107,10 +101,8 @@ class KinectStub:
     def __init__(self, frames, *, coefficients=(0,) * 8, start_error=None, jpeg=False):
         self.frames, self.coefficients, self.start_error, self.jpeg = list(frames), coefficients, start_error, jpeg
         self.calls, self.running = [], False
-        self.ColorResolution = SimpleNamespace(RES_720P=1)
-        self.ImageFormat = SimpleNamespace(COLOR_BGRA32=3)
-        self.DepthMode = SimpleNamespace(NFOV_UNBINNED=2)
-        self.FPS = SimpleNamespace(FPS_30=2)
+        self.ColorResolution, self.ImageFormat = SimpleNamespace(RES_720P=1), SimpleNamespace(COLOR_BGRA32=3)
+        self.DepthMode, self.FPS = SimpleNamespace(NFOV_UNBINNED=2), SimpleNamespace(FPS_30=2)
         self.CalibrationType = SimpleNamespace(COLOR=1, DEPTH=0)
         self.calibration = SimpleNamespace(
             get_camera_matrix=lambda kind: np.array([[30.0, 0, 15.5], [0, 30, 11.5], [0, 0, 1]]),
@@ -122,15 +114,13 @@ class KinectStub:
 
     def PyK4A(self, config, device_id):
         self.calls.append((config, device_id))
-        return SimpleNamespace(
-            start=self._start, stop=self._stop, get_capture=self._capture, calibration=self.calibration
-        )
+        calls = {"start": self._start, "stop": self._stop, "get_capture": self._capture}
+        return SimpleNamespace(**calls, calibration=self.calibration)
 
     def PyK4APlayback(self, path):
         self.calls.append(path)
-        return SimpleNamespace(
-            open=self._start, close=self._stop, get_next_capture=self._next, calibration=self.calibration
-        )
+        calls = {"open": self._start, "close": self._stop, "get_next_capture": self._next}
+        return SimpleNamespace(**calls, calibration=self.calibration)
 
     def _start(self):
         if self.start_error:

@@ -1,7 +1,5 @@
 """Fixtures: a LAS file that tests may damage, and images."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

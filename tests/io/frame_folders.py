@@ -1,7 +1,5 @@
 """Folders of three small frames in each layout; frame k is at x = k meters, and its color is k."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -78,5 +76,5 @@ def write_poses(folder: Path, entries) -> None:
     write_trajectory(folder / "groundtruth.txt", poses, format="tum")
 
 
-def make(layout: str, folder: Path) -> Path:
-    return {"7scenes": make_seven_scenes, "redwood": make_redwood, "tum": make_tum}[layout](folder)
+def make(layout: str, folder: Path, count: int = 3) -> Path:
+    return {"7scenes": make_seven_scenes, "redwood": make_redwood, "tum": make_tum}[layout](folder, count)

@@ -1,7 +1,5 @@
 """glTF scenes that tests build array by array, with additional JSON."""
 
-from __future__ import annotations
-
 import base64
 import copy
 import json
@@ -70,7 +68,6 @@ def one_triangle(**more) -> Scene:
 
 
 def changed(scene: Scene, *path_and_value) -> dict:
-    """The JSON of a scene with one changed value: keys, then the value."""
     *path, last, value = path_and_value
     content = holder = copy.deepcopy(scene.content())
     for key in path:

@@ -1,27 +1,20 @@
 """LAS files written by laspy, and replacement of their bytes."""
 
-from __future__ import annotations
-
 import struct
 
 import laspy
 import numpy as np
 
-FILES = {
-    "autzen/autzen-utm.las": 1065,
-    "autzen/autzen-thin-srs.las": 10653,
-    "las/1.2-with-color.las": 1065,
-    "laz/autzen_trim.laz": 110_000,
-}
+FILES = {"autzen/autzen-utm.las": 1065, "autzen/autzen-thin-srs.las": 10653, "las/1.2-with-color.las": 1065}
+FILES["laz/autzen_trim.laz"] = 110_000
 # Excerpts of two of them are shipped.
 SHIPPED_FILES = FILES | {"autzen/autzen-thin-srs.las": 1066, "laz/autzen_trim.laz": 5000}
 
 
 def fill(layout, count, rng):
     """A record of laspy's with random values in every dimension."""
-    record = laspy.ScaleAwarePointRecord.zeros(
-        count, point_format=layout, scales=[0.01, 0.02, 0.001], offsets=[5e5, -3.5, 0]
-    )
+    steps = {"scales": [0.01, 0.02, 0.001], "offsets": [5e5, -3.5, 0]}
+    record = laspy.ScaleAwarePointRecord.zeros(count, point_format=layout, **steps)
     for name in record.array.dtype.names:
         column = record.array[name]
         if column.dtype.kind == "f":
@@ -30,6 +23,22 @@ def fill(layout, count, rng):
             info = np.iinfo(column.dtype)
             column[...] = rng.integers(info.min, info.max, column.shape, column.dtype, endpoint=True)
     return record
+
+
+def write_raw(path, raw, records, *, scales=(0.01,) * 3, offsets=(0, 0, 0), wkt_flag=None):
+    """A file of points with these stored integers (n, 3) and records of its coordinate system by number."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = scales, offsets
+    if wkt_flag is not None:
+        header.global_encoding.wkt = wkt_flag
+    for number, content in records.items():
+        content = content.encode() if isinstance(content, str) else content
+        header.vlrs.append(laspy.VLR("LASF_Projection", number, "", content))
+    record = laspy.ScaleAwarePointRecord.zeros(len(raw), header=header)
+    record.X, record.Y, record.Z = np.transpose(raw)
+    with laspy.open(path, mode="w", header=header, do_compress=path.suffix == ".laz") as writer:
+        writer.write_points(record)
+    return path
 
 
 def make(path, point_format, count, rng, extra=(), version=None):

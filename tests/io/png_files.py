@@ -1,7 +1,5 @@
 """PNG files with valid chunks and any content."""
 
-from __future__ import annotations
-
 import struct
 import zlib
 

@@ -1,7 +1,5 @@
 """Synthetic structure-from-motion models: cameras on a circle that look at points in its center."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom
@@ -38,8 +36,7 @@ def ring_model(pictures: int = 6, points: int = 40, *, seed: int = 0) -> loom.Sf
 
 def assert_same(a: loom.SfmModel, b: loom.SfmModel, *, poses: float = 0.0, pixels: float = 0.0) -> None:
     """Check that two models are equal, poses and pixels up to rounding."""
-    assert a.names == b.names
-    assert a.cameras == b.cameras
+    assert a.names == b.names and a.cameras == b.cameras
     assert np.abs(a.T_camera_world - b.T_camera_world).max(initial=0) <= poses
     assert np.abs(a.pixels - b.pixels).max(initial=0) <= pixels
     for name in ("points", "colors", "errors", "observations"):

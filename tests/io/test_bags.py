@@ -1,13 +1,13 @@
 """Recordings written by rosbags are read, complete and damaged, with the point layouts of the drivers."""
 
 import bz2
-import contextlib
 import itertools
 import json
 import sqlite3
 import struct
 import tracemalloc
 import warnings
+from contextlib import closing, nullcontext
 from pathlib import Path
 
 import numpy as np
@@ -60,10 +60,8 @@ def cloud_message(store, driver, scan=0, *, big=False, height=1, padding=0):
     data = np.frombuffer(rows.tobytes(), np.uint8).reshape(height, width * step)
     data = np.pad(data, ((0, 0), (0, padding))).reshape(-1)
     types, time = store.types, store.types["builtin_interfaces/msg/Time"](sec=5, nanosec=0)
-    header = types["std_msgs/msg/Header"]
-    header = (
-        header(seq=0, stamp=time, frame_id="lidar") if "seq" in header.__dataclass_fields__ else header(time, "lidar")
-    )
+    kind = types["std_msgs/msg/Header"]
+    header = kind(0, time, "lidar") if "seq" in kind.__dataclass_fields__ else kind(time, "lidar")
     point_fields = [types["sensor_msgs/msg/PointField"](name, at, CODES[code], 1) for name, code, at in fields]
     return types[CLOUD](header, height, width, point_fields, big, step, width * step + padding, data, True)
 
@@ -114,10 +112,9 @@ def in_small_chunks(path):
 FORMS = ["bag1", "mcap", "db3"]
 
 
-@pytest.mark.parametrize("form", FORMS)
-def test_scans_are_ordered_by_time_and_exact(tmp_path, form):
-    path = write(tmp_path, form)
-    recording = loom.open_recording(path)
+@pytest.mark.parametrize(("form", "compress"), [(form, None) for form in FORMS] + [("bag1", "BZ2"), ("bag1", "LZ4")])
+def test_scans_are_ordered_by_time_and_exact(tmp_path, form, compress):
+    recording = loom.open_recording(write(tmp_path, form, compress=compress))
     (topic,) = recording.topics
     assert (topic.name, topic.type, topic.count, topic.frame_id) == ("/points", CLOUD, 6, "lidar")
     assert (topic.first, topic.last) == pytest.approx((1.0, 6.0)) and recording.damage is None
@@ -136,11 +133,6 @@ def test_drivers_layouts_give_points_and_seconds(tmp_path, driver, layout):
     np.testing.assert_array_equal(cloud["intensity"], np.arange(len(cloud)))
     np.testing.assert_allclose(cloud["time"], np.linspace(0, 0.1, len(cloud)), atol=1e-6)
     assert cloud.grid == ((4, 60) if layout.get("height") else None)
-
-
-@pytest.mark.parametrize("compress", ["BZ2", "LZ4"])
-def test_packed_chunks_are_unpacked(tmp_path, compress):
-    assert len(list(loom.open_recording(write(tmp_path, "bag1", compress=compress)).scans())) == 6
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -313,10 +305,9 @@ def small_bag(path, index=None, closed=True, info=None, conn=None, time=None, to
 )
 def test_an_index_that_contradicts_its_messages_is_reported_and_not_used(tmp_path, damage, warns):
     small_bag(tmp_path / "run.bag", **damage)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with pytest.warns(RecordingWarning) if warns else nullcontext() as caught:
         recording = loom.open_recording(tmp_path / "run.bag")
-    assert [w.category for w in caught] == [RecordingWarning] * warns
+    assert not warns or len(caught) == 1
     assert sum(topic.count for topic in recording.topics) == 8
     if "topic" not in damage:
         assert {topic.name: topic.count for topic in recording.topics} == {"/a": 4, "/b": 4}
@@ -365,10 +356,9 @@ def test_the_index_of_an_mcap_file_is_compared_with_its_statistics(tmp_path, row
         head = struct.pack("<QHIIIIQQ", statistics, 1, 1, 0, 0, 1, 7, 8)
         data += record_mcap(11, head + u(len(counts)) + counts)
     (tmp_path / "run.mcap").write_bytes(data + record_mcap(2, bytes(20)) + b"\x89MCAP0\r\n")
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with pytest.warns(RecordingWarning) if warns else nullcontext() as caught:
         recording = loom.open_recording(tmp_path / "run.mcap")
-    assert len(recording) == 2 and [w.category for w in caught] == [RecordingWarning] * warns
+    assert len(recording) == 2 and (not warns or len(caught) == 1)
 
 
 DB3 = {"topics": "id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT",
@@ -377,23 +367,20 @@ ENDLESS = "WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELEC
 
 
 @pytest.mark.parametrize(
-    ("name", "code"),
+    "code",
     [
-        (
-            "topics",
-            f"CREATE VIEW topics AS {ENDLESS} x AS id, '/a' AS name, 'b' AS type, 'cdr' AS serialization_format FROM c",
-        ),
-        ("messages", f"CREATE VIEW messages AS {ENDLESS} x AS id, 1 AS topic_id, x AS timestamp, x'00' AS data FROM c"),
-        ("messages", "CREATE VIEW messages AS SELECT 1 AS id, 1 AS topic_id, 5 AS timestamp, x'00' AS data"),
-        ("messages", "CREATE VIRTUAL TABLE messages USING fts4(id, topic_id, timestamp, data)"),
-        ("messages", f"CREATE TABLE messages ({DB3['messages']}, more BLOB AS (zeroblob(id * 1000000000)))"),
+        f"VIEW topics AS {ENDLESS} x AS id, '/a' AS name, 'b' AS type, 'cdr' AS serialization_format FROM c",
+        f"VIEW messages AS {ENDLESS} x AS id, 1 AS topic_id, x AS timestamp, x'00' AS data FROM c",
+        "VIEW messages AS SELECT 1 AS id, 1 AS topic_id, 5 AS timestamp, x'00' AS data",
+        "VIRTUAL TABLE messages USING fts4(id, topic_id, timestamp, data)",
+        f"TABLE messages ({DB3['messages']}, more BLOB AS (zeroblob(id * 1000000000)))",
     ],
-    ids=["endless topics", "endless messages", "a view", "virtual", "computed"],
 )
-def test_only_real_tables_are_read(tmp_path, name, code):
-    with contextlib.closing(sqlite3.connect(tmp_path / "run.db3")) as base:
+def test_only_real_tables_are_read(tmp_path, code):
+    name = "topics" if "topics" in code else "messages"
+    with closing(sqlite3.connect(tmp_path / "run.db3")) as base:
         for table, columns in DB3.items():
-            base.execute(code if table == name else f"CREATE TABLE {table} ({columns})")
+            base.execute(f"CREATE {code}" if table == name else f"CREATE TABLE {table} ({columns})")
         if name == "messages":
             base.execute("INSERT INTO topics VALUES (1, '/a', 'b', 'cdr')")
         base.commit()
@@ -406,7 +393,7 @@ def test_only_real_tables_are_read(tmp_path, name, code):
 
 def test_rows_that_a_damaged_page_hides_or_repeats_are_reported(tmp_path):
     path, changed_count = tmp_path / "run.db3", 0
-    with contextlib.closing(sqlite3.connect(path)) as base:
+    with closing(sqlite3.connect(path)) as base:
         for table, columns in DB3.items():
             base.execute(f"CREATE TABLE {table} ({columns})")
         base.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")

@@ -1,6 +1,6 @@
 """Pairing of image files to frames by name, number and time."""
 
-from __future__ import annotations
+import re
 
 import numpy as np
 import pytest
@@ -8,19 +8,19 @@ import pytest
 from pointloom.core.errors import DatasetError, FileError
 from pointloom.io.frames.dataset_layouts import associate, list_redwood, list_seven_scenes, list_tum
 
-from .frame_folders import make_redwood, make_seven_scenes, make_tum, write_listing, write_log, write_poses
+from .frame_folders import make, write_listing, write_log, write_poses
 
 
 @pytest.mark.parametrize("part", ["pose.txt", "depth.png", "color.png"])
 def test_seven_scenes_misses_any_part_of_a_frame(tmp_path, part):
-    folder = make_seven_scenes(tmp_path / "set")
+    folder = make("7scenes", tmp_path / "set")
     (folder / f"frame-000001.{part}").unlink()
     with pytest.raises(DatasetError, match=rf"frame-000001\.{part}.*: missing"):
         list_seven_scenes(folder, every=2)
 
 
 def test_seven_scenes_refuses_doubles(tmp_path):
-    folder = make_seven_scenes(tmp_path / "set")
+    folder = make("7scenes", tmp_path / "set")
     (folder / "frame-01.depth.png").touch()
     with pytest.raises(DatasetError, match=r"/frame-01\.depth\.png:.*frame-000001"):
         list_seven_scenes(folder, every=1)
@@ -30,11 +30,9 @@ def test_seven_scenes_refuses_doubles(tmp_path):
         list_seven_scenes(folder, every=1)
 
 
-@pytest.mark.parametrize(
-    "text", ["nan " * 16, "1 0 0\n" * 4, "2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1\n", "-1.#IND\n" * 4, ""]
-)
+@pytest.mark.parametrize("text", ["nan " * 16, "1 0 0\n" * 4, "2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1", "-1.#IND\n", ""])
 def test_poses_that_are_no_motion_are_refused_by_name(tmp_path, text):
-    folder = make_seven_scenes(tmp_path / "set")
+    folder = make("7scenes", tmp_path / "set")
     (folder / "frame-000002.pose.txt").write_text(text)
     with pytest.raises(FileError, match=r"frame-000002\.pose\.txt"):
         list_seven_scenes(folder, every=1)
@@ -42,20 +40,17 @@ def test_poses_that_are_no_motion_are_refused_by_name(tmp_path, text):
 
 def test_redwood_pairs_by_number_if_the_names_differ(tmp_path):
     """As in the original recordings: a counter from 1 and a separate time on each side."""
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     for i in range(3):
         (folder / "depth" / f"{i:05d}.png").rename(folder / "depth" / f"{i + 1:07d}-{33369 * i:012d}.png")
         (folder / "color" / f"{i:05d}.jpg").rename(folder / "color" / f"{i + 1:07d}-{33360 * i:012d}.jpg")
     frames = list_redwood(folder)
-    assert [(f.color and f.color.name[:7], f.T_world_camera[0, 3]) for f in frames] == [
-        ("0000001", 0),
-        ("0000002", 1),
-        ("0000003", 2),
-    ]
+    named = [(f.color and f.color.name[:7], f.T_world_camera[0, 3]) for f in frames]
+    assert named == [("0000001", 0), ("0000002", 1), ("0000003", 2)]
 
 
 def test_redwood_orders_by_number_and_not_by_letters(tmp_path):
-    folder = make_redwood(tmp_path / "set", 11)
+    folder = make("redwood", tmp_path / "set", 11)
     for side, suffix in (("depth", "png"), ("color", "jpg")):
         for i in range(11):
             (folder / side / f"{i:05d}.{suffix}").rename(folder / side / f"{i}.{suffix}")
@@ -64,7 +59,7 @@ def test_redwood_orders_by_number_and_not_by_letters(tmp_path):
 
 @pytest.mark.parametrize("name", ["image", "rgb"])
 def test_redwood_accepts_alternative_color_folder_names(tmp_path, name):
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     (folder / "color").rename(folder / name)
     assert list_redwood(folder)[0].color == folder / name / "00000.jpg"
     (folder / "color").mkdir()
@@ -73,7 +68,7 @@ def test_redwood_accepts_alternative_color_folder_names(tmp_path, name):
 
 
 def test_redwood_ids_name_the_frames_of_a_thinned_set(tmp_path):
-    folder = make_redwood(tmp_path / "set", 6)
+    folder = make("redwood", tmp_path / "set", 6)
     for i in (0, 2, 3):
         (folder / "depth" / f"{i:05d}.png").unlink()
         (folder / "color" / f"{i:05d}.jpg").unlink()
@@ -82,35 +77,23 @@ def test_redwood_ids_name_the_frames_of_a_thinned_set(tmp_path):
     assert [(f.name, f.T_world_camera[0, 3]) for f in frames] == [("00001", 1), ("00004", 2), ("00005", 0)]
 
 
-@pytest.mark.parametrize("ids", [[1, 2, 3], [0, 1, 1], [2, 1, 7], [0, 10, 20]])
+@pytest.mark.parametrize("ids", [[1, 2, 3], [0, 1, 1], [2, 1, 7], [0, 10, 20], range(2), range(4)])
 def test_redwood_ids_that_name_no_frame_are_refused(tmp_path, ids):
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     write_log(folder, ids)
     with pytest.raises(DatasetError, match=r"trajectory\.log"):
         list_redwood(folder)
 
 
-@pytest.mark.parametrize("count", [2, 4])
-def test_redwood_counts_must_agree(tmp_path, count):
-    folder = make_redwood(tmp_path / "set")
-    write_log(folder, range(count))
-    with pytest.raises(DatasetError, match=rf"contains {count} poses for 3 depth maps"):
-        list_redwood(folder)
-
-
-def test_redwood_names_the_picture_that_is_missing(tmp_path):
-    folder = make_redwood(tmp_path / "set")
-    (folder / "color" / "00001.jpg").rename(tmp_path / "color.jpg")
-    with pytest.raises(DatasetError, match=r"00001\.png"):
-        list_redwood(folder)
-    (tmp_path / "color.jpg").rename(folder / "color" / "00001.jpg")
+def test_redwood_names_the_picture_without_a_depth_map(tmp_path):
+    folder = make("redwood", tmp_path / "set")
     (folder / "color" / "00007.jpg").touch()
     with pytest.raises(DatasetError, match=r"00007\.jpg"):
         list_redwood(folder)
 
 
 def test_redwood_names_that_do_not_pair_are_refused(tmp_path):
-    folder = make_redwood(tmp_path / "set", 2)
+    folder = make("redwood", tmp_path / "set", 2)
     for i in range(2):
         (folder / "color" / f"{i:05d}.jpg").rename(folder / "color" / f"7-{i}.jpg")
     with pytest.raises(DatasetError, match=r"7-0\.jpg"):
@@ -118,27 +101,20 @@ def test_redwood_names_that_do_not_pair_are_refused(tmp_path):
 
 
 def test_hidden_and_foreign_files_do_no_harm(tmp_path):
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     for name in (".DS_Store", "._00000.png", "Thumbs.db"):
         (folder / "depth" / name).write_bytes(b"?")
     assert len(list_redwood(folder)) == 3
 
 
 def test_tum_reports_frames_without_a_partner(tmp_path):
-    folder = make_tum(tmp_path / "set", 4)
+    folder = make("tum", tmp_path / "set", 4)
     write_listing(folder, "rgb", [100.012, 100.225, 100.312])  # the second is 25 ms from its depth map
     write_poses(folder, [(100.0, 0), (100.1, 1), (100.2, 2), (100.275, 3)])  # and the last pose from the last one
     frames, left_out = list_tum(folder)
     assert [frame.name for frame in frames] == ["100.000000"]
     reasons = [text.split(": ")[1] for text in left_out]
     assert reasons == ["no color within 0.02 s", "no color within 0.02 s", "no pose within 0.02 s"]
-
-
-def test_tum_clocks_that_differ_are_refused(tmp_path):
-    folder = make_tum(tmp_path / "set")
-    write_poses(folder, [(5.0, 0), (5.1, 1)])
-    with pytest.raises(DatasetError, match="clocks"):
-        list_tum(folder)
 
 
 def test_association_agrees_with_trying_all_pairs():
@@ -166,15 +142,18 @@ def test_association_agrees_with_trying_all_pairs():
     ],
 )
 def test_tum_lists_are_checked_by_line(tmp_path, name, text, message):
-    folder = make_tum(tmp_path / "set")
+    folder = make("tum", tmp_path / "set")
     (folder / name).write_text(text)
-    with pytest.raises(FileError) as caught:
+    with pytest.raises(FileError, match=re.escape(message)):
         list_tum(folder)
-    assert message in str(caught.value)
 
 
-def test_tum_color_without_its_list_is_refused(tmp_path):
-    folder = make_tum(tmp_path / "set")
-    (folder / "rgb.txt").unlink()
+def test_tum_color_without_its_list_and_poses_of_another_clock_are_refused(tmp_path):
+    folder = make("tum", tmp_path / "set")
+    (folder / "rgb.txt").rename(tmp_path / "rgb.txt")
     with pytest.raises(DatasetError, match=r"rgb\.txt"):
+        list_tum(folder)
+    (tmp_path / "rgb.txt").rename(folder / "rgb.txt")
+    write_poses(folder, [(5.0, 0), (5.1, 1)])
+    with pytest.raises(DatasetError, match="clocks"):
         list_tum(folder)

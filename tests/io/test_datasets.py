@@ -1,7 +1,5 @@
 """Folders of RGB-D frames: matching files are paired, and mismatches are named."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil
@@ -15,17 +13,7 @@ from pointloom.core.errors import DatasetError, FileError
 from pointloom.io.frames.datasets import open_dataset
 from pointloom.io.pictures.image_files import write_png
 
-from .frame_folders import (
-    LAYOUTS,
-    SMALL,
-    depth_map,
-    make,
-    make_redwood,
-    make_seven_scenes,
-    make_tum,
-    picture,
-    write_poses,
-)
+from .frame_folders import LAYOUTS, SMALL, depth_map, make, picture, write_poses
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -34,8 +22,7 @@ def test_each_layout_is_detected_and_read_in_order(tmp_path, layout):
     scale = 5000 if layout == "tum" else 1000
     assert (dataset.layout, len(dataset), dataset.depth_scale, dataset.left_out) == (layout, 3, scale, [])
     for i, frame in enumerate(dataset):
-        assert frame.color is not None
-        assert frame.depth.dtype == np.uint16 and frame.color.dtype == np.uint8
+        assert frame.color is not None and frame.depth.dtype == np.uint16 and frame.color.dtype == np.uint8
         assert (frame.depth == scale + i).all() and np.abs(frame.color.astype(int) - i).max() <= 1
         assert frame.T_world_camera[0, 3] == i and frame.name == dataset.frames[i].name
 
@@ -43,8 +30,7 @@ def test_each_layout_is_detected_and_read_in_order(tmp_path, layout):
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_every_second_frame_begins_with_the_first(tmp_path, layout):
     dataset = open_dataset(make(layout, tmp_path / "set"), intrinsic=SMALL, every=2)
-    assert [frame.T_world_camera[0, 3] for frame in dataset] == [0, 2]
-    assert dataset.read(-1).T_world_camera[0, 3] == 2
+    assert [frame.T_world_camera[0, 3] for frame in dataset] == [0, 2] and dataset.read(-1).T_world_camera[0, 3] == 2
     with pytest.raises(IndexError):
         dataset.read(2)
 
@@ -60,13 +46,11 @@ def test_a_set_without_color_has_frames_without_color(tmp_path, layout):
     assert frame.color is None and frame.T_world_camera[0, 3] == 1
 
 
-@pytest.mark.parametrize("every", [0, -1, 1.5, "2", True])
-def test_every_must_be_a_positive_number(tmp_path, every):
-    with pytest.raises(DatasetError, match="every:"):
-        open_dataset(make_redwood(tmp_path / "set"), every=every)
-
-
-def test_unknown_layouts_and_folders_are_refused(tmp_path):
+def test_unknown_layouts_and_folders_and_no_positive_number_of_frames_are_refused(tmp_path):
+    folder = make("redwood", tmp_path / "set")
+    for every in (0, -1, 1.5, "2", True):
+        with pytest.raises(DatasetError, match="every:"):
+            open_dataset(folder, every=every)
     with pytest.raises(ValueError, match="layout:"):
         open_dataset(tmp_path, layout="scannet")
     with pytest.raises(DatasetError, match="/none:"):
@@ -88,7 +72,7 @@ def test_empty_folder_error_lists_the_expected_files(tmp_path):
 
 
 def test_two_layouts_in_one_folder_need_a_word(tmp_path):
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     (folder / "depth.txt").write_text("0 depth/00000.png\n0.1 depth/00001.png\n")
     write_poses(folder, [(0, 5), (0.1, 6)])
     with pytest.raises(DatasetError, match="ambiguous:"):
@@ -97,18 +81,15 @@ def test_two_layouts_in_one_folder_need_a_word(tmp_path):
     assert open_dataset(folder, layout="tum", intrinsic=SMALL).frames[1].T_world_camera[0, 3] == 6
 
 
-def test_seven_scenes_marks_of_no_measurement_become_zero(tmp_path):
-    folder = make_seven_scenes(tmp_path / "set")
+def test_only_in_seven_scenes_the_largest_depth_is_no_measurement(tmp_path):
     depth = depth_map(1500)
     depth[0, :3] = 0, 65534, 65535
-    write_png(folder / "frame-000001.depth.png", depth)
-    assert open_dataset(folder, intrinsic=SMALL).read(1).depth[0, :4].tolist() == [0, 65534, 0, 1500]
-
-
-def test_other_layouts_keep_the_largest_depth(tmp_path):
-    folder = make_redwood(tmp_path / "set")
-    write_png(folder / "depth" / "00001.png", depth_map(65535))
-    assert (open_dataset(folder, intrinsic=SMALL).read(1).depth == 65535).all()
+    files = (("7scenes", "frame-000001.depth.png", 0), ("redwood", "depth/00001.png", 65535))
+    for layout, name, expected in files:
+        folder = make(layout, tmp_path / layout)
+        write_png(folder / name, depth)
+        read = open_dataset(folder, intrinsic=SMALL).read(1).depth
+        assert read[0, :4].tolist() == [0, 65534, expected, 1500]
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -123,7 +104,7 @@ def test_default_camera_depends_on_the_layout(tmp_path, layout):
 
 
 def test_given_camera_overrides_the_folder_and_the_default(tmp_path):
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     write_pinhole_camera_intrinsic(folder / "camera.json", SMALL)
     assert open_dataset(folder).intrinsic == SMALL
     other = PinholeCameraIntrinsic(8, 6, 9.0, 9.0, 3.5, 2.5)
@@ -134,7 +115,7 @@ def test_given_camera_overrides_the_folder_and_the_default(tmp_path):
 
 
 def test_the_depth_scale_of_a_recorder_is_heeded(tmp_path):
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     matrix = SMALL.matrix.T.ravel().tolist()
     content = {"width": 8, "height": 6, "intrinsic_matrix": matrix, "depth_scale": 4000.0}
     (folder / "intrinsic.json").write_text(json.dumps(content))
@@ -145,7 +126,7 @@ def test_the_depth_scale_of_a_recorder_is_heeded(tmp_path):
 
 
 def test_scene_matrix_is_read_from_the_scene_or_sequence_folder(tmp_path):
-    folder = make_seven_scenes(tmp_path / "seq-07")
+    folder = make("7scenes", tmp_path / "seq-07")
     np.savetxt(tmp_path / "camera-intrinsics.txt", SMALL.matrix)
     assert open_dataset(folder).intrinsic == SMALL
     (folder / "camera-intrinsics.txt").write_text("1 0 0\n0 1 0\n")
@@ -154,7 +135,7 @@ def test_scene_matrix_is_read_from_the_scene_or_sequence_folder(tmp_path):
 
 
 def test_two_matrices_that_disagree_are_refused(tmp_path):
-    folder = make_seven_scenes(tmp_path / "set")
+    folder = make("7scenes", tmp_path / "set")
     for name in ("K.txt", "intrinsics.K.txt"):
         np.savetxt(folder / name, SMALL.matrix)
     assert open_dataset(folder).intrinsic == SMALL
@@ -173,7 +154,7 @@ def test_two_matrices_that_disagree_are_refused(tmp_path):
     ],
 )
 def test_camera_that_contradicts_the_images_is_reported(tmp_path, numbers, warning):
-    folder, given = make_seven_scenes(tmp_path / "set"), PinholeCameraIntrinsic(8, 6, *numbers)
+    folder, given = make("7scenes", tmp_path / "set"), PinholeCameraIntrinsic(8, 6, *numbers)
     np.savetxt(folder / "intrinsics.K.txt", given.matrix)
     assert re.search(warning, open_dataset(folder).warnings[0])
     dataset = open_dataset(folder, intrinsic=given)
@@ -183,7 +164,7 @@ def test_camera_that_contradicts_the_images_is_reported(tmp_path, numbers, warni
 
 @pytest.mark.parametrize("name", ["kinect_calibration.yaml", "intrinsics.xml", "frames.K.txt", "Camera.txt"])
 def test_a_file_like_a_camera_that_is_not_read_is_reported_with_the_default(tmp_path, name):
-    folder = make_seven_scenes(tmp_path / "set", 1)
+    folder = make("7scenes", tmp_path / "set", 1)
     for path in folder.glob("*.png"):
         write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
     assert open_dataset(folder).reliable
@@ -203,7 +184,7 @@ def test_a_camera_of_another_size_is_refused(tmp_path, layout):
 
 
 def test_pictures_that_change_after_opening_are_noticed(tmp_path):
-    folder = make_redwood(tmp_path / "set")
+    folder = make("redwood", tmp_path / "set")
     dataset = open_dataset(folder, intrinsic=SMALL)
     write_png(folder / "depth" / "00001.png", depth_map(1, (3, 4)))
     with pytest.raises(FileError, match=r"00001\.png"):
@@ -212,7 +193,7 @@ def test_pictures_that_change_after_opening_are_noticed(tmp_path):
     (folder / "depth" / "00000.png").write_bytes(data[:-20])
     with pytest.raises(FileError, match=r"00000\.png"):
         dataset.read(0)
-    assert len(open_dataset(make_redwood(tmp_path / "other"), intrinsic=SMALL)) == 3
+    assert len(open_dataset(make("redwood", tmp_path / "other"), intrinsic=SMALL)) == 3
 
 
 def test_the_red_kitchen_opens_with_its_own_camera(real_file):
@@ -242,14 +223,8 @@ def test_redwood_frames_meet_in_the_world(scan_set, scan_file):
     assert np.median(np.abs(there - points[2][visible])[there > 0]) < 0.01
 
 
-def test_frame_folder_repr_is_one_line(tmp_path):
-    dataset = open_dataset(make_tum(tmp_path / "set"), intrinsic=SMALL)
-    size = f"{SMALL.width} x {SMALL.height}"
-    assert repr(dataset) == f"RGBDDataset(tum, {len(dataset)} frames with poses, {size}, depth_scale 5000)"
-
-
 def test_a_list_with_a_name_that_no_file_can_have_is_an_error_that_names_it(tmp_path):
-    folder = make_tum(tmp_path / "set")
+    folder = make("tum", tmp_path / "set")
     lines = (folder / "depth.txt").read_text().splitlines()
     (folder / "depth.txt").write_text("\n".join([*lines[:-1], f"{lines[-1].split()[0]} {'n' * 5000}.png", ""]))
     with pytest.raises(DatasetError, match=r"n\.png"):

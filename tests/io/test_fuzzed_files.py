@@ -1,7 +1,5 @@
 """Damaged files are rejected or read correctly: a short run of benchmarks/fuzz, and a test of its oracles."""
 
-from __future__ import annotations
-
 import sys
 import warnings
 from collections.abc import Iterator

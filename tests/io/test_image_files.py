@@ -1,7 +1,5 @@
 """Depth maps and images are read exactly or rejected; a damaged PNG is never read as another image."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -18,16 +16,11 @@ BITS = settings(
 )
 
 
-def test_depth_round_trip_is_exact(tmp_path, depth):
-    write_png(tmp_path / "d.png", depth)
-    again = read_depth(tmp_path / "d.png")
-    assert again.dtype == np.uint16 and again.flags.writeable and np.array_equal(again, depth)
-
-
-def test_color_round_trip_is_exact(tmp_path, color):
-    write_png(tmp_path / "c.png", color)
-    again = read_color(tmp_path / "c.png")
-    assert again.dtype == np.uint8 and again.flags.writeable and np.array_equal(again, color)
+def test_round_trip_is_exact(tmp_path, depth, color):
+    for array, read in ((depth, read_depth), (color, read_color)):
+        write_png(tmp_path / "p.png", array)
+        again = read(tmp_path / "p.png")
+        assert again.dtype == array.dtype and again.flags.writeable and np.array_equal(again, array)
 
 
 @pytest.mark.parametrize("view", ["transposed", "every other", "other byte order"])
@@ -74,20 +67,21 @@ def test_headers_report_size_and_type_without_pixels(tmp_path, depth, color):
     assert read_picture_header(tmp_path / "c.jpg") == PictureHeader("jpeg", 32, 24, 3, 8)
 
 
-@pytest.mark.parametrize("mode", ["L", "RGB", "RGBA", "P"])
-def test_pictures_are_not_taken_for_depth(tmp_path, color, mode):
-    Image.fromarray(color).convert(mode).save(tmp_path / "c.png")
-    with pytest.raises(FileError, match=r"/c\.png:.*16-bit"):
-        read_depth(tmp_path / "c.png")
-
-
-def test_jpeg_is_not_taken_for_depth_nor_depth_for_color(tmp_path, depth, color):
+def test_pictures_are_not_taken_for_depth_nor_depth_or_an_animation_for_color(tmp_path, depth, color):
+    for mode in ("L", "RGB", "RGBA", "P"):
+        Image.fromarray(color).convert(mode).save(tmp_path / "c.png")
+        with pytest.raises(FileError, match=r"/c\.png:.*16-bit"):
+            read_depth(tmp_path / "c.png")
     Image.fromarray(color).save(tmp_path / "c.jpg")
     with pytest.raises(FileError, match=r"/c\.jpg:"):
         read_depth(tmp_path / "c.jpg")
     write_png(tmp_path / "d.png", depth)
     with pytest.raises(FileError, match=r"c\.png|d\.png.*read_depth"):
         read_color(tmp_path / "d.png")
+    frames = [Image.fromarray(color), Image.fromarray(255 - color)]
+    frames[0].save(tmp_path / "a.png", save_all=True, append_images=frames[1:])
+    with pytest.raises(FileError, match="an animation"):
+        read_color(tmp_path / "a.png")
 
 
 @pytest.mark.parametrize(
@@ -113,19 +107,13 @@ def test_damaged_files_are_refused(tmp_path, data, message):
     assert message in str(caught.value)
 
 
-@pytest.mark.parametrize("array", [np.zeros((0, 3), np.float32), np.array([[None]])])
-def test_other_arrays_are_no_depth(tmp_path, array):
-    np.save(tmp_path / "d.npy", array, allow_pickle=True)
-    with pytest.raises(FileError, match=r"d\.npy"):
-        read_depth(tmp_path / "d.npy")
-
-
-def test_npy_header_with_a_non_numeric_shape_is_rejected(tmp_path):
+def test_other_arrays_and_headers_with_a_non_numeric_shape_are_no_depth(tmp_path):
     path = tmp_path / "d.npy"
-    np.save(path, np.ones((1, 4), np.float32))
-    path.write_bytes(path.read_bytes().replace(b"(1, 4), }   ", b"(True, 4), }"))
-    with pytest.raises(FileError, match=r"d\.npy"):
-        read_depth(path)
+    for array in (np.zeros((0, 3), np.float32), np.array([[None]]), np.ones((1, 4), np.float32)):
+        np.save(path, array, allow_pickle=True)
+        path.write_bytes(path.read_bytes().replace(b"(1, 4), }   ", b"(True, 4), }"))
+        with pytest.raises(FileError, match=r"d\.npy"):
+            read_depth(path)
 
 
 def test_npy_with_too_few_bytes_is_rejected_before_allocation(tmp_path):
@@ -146,28 +134,13 @@ def test_missing_files_and_folders_are_file_errors(tmp_path):
                 read(path)
 
 
-def test_an_animation_is_not_a_frame(tmp_path, color):
-    frames = [Image.fromarray(color), Image.fromarray(255 - color)]
-    frames[0].save(tmp_path / "a.png", save_all=True, append_images=frames[1:])
-    with pytest.raises(FileError, match="an animation"):
-        read_color(tmp_path / "a.png")
-
-
-@pytest.mark.parametrize(
-    ("array", "error", "message"),
-    [
-        ([[1, 2]], TypeError, "list"),
-        (np.zeros(4, np.uint8), ValueError, "shape"),
-        (np.zeros((0, 4), np.uint8), ValueError, "pixels"),
-    ],
-)
-def test_arrays_unsupported_by_png_are_rejected(tmp_path, array, error, message):
-    with pytest.raises(error, match=message):
-        write_png(tmp_path / "x.png", array)
+def test_arrays_and_names_unsupported_by_png_are_rejected(tmp_path, depth):
+    with pytest.raises(TypeError, match="list"):
+        write_png(tmp_path / "x.png", [[1, 2]])
+    for shape, message in ((4, "shape"), ((0, 4), "pixels")):
+        with pytest.raises(ValueError, match=message):
+            write_png(tmp_path / "x.png", np.zeros(shape, np.uint8))
     assert not list(tmp_path.iterdir())
-
-
-def test_png_is_not_written_under_another_name(tmp_path, depth):
     with pytest.raises(FileError, match=r"/d\.jpg:"):
         write_png(tmp_path / "d.jpg", depth)
     with pytest.raises(FileError, match=r"/d\.png:"):

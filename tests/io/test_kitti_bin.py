@@ -1,7 +1,5 @@
 """KITTI scans without a header: accepted and rejected files."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -33,20 +31,6 @@ def test_a_file_that_is_cut_off_is_refused(tmp_path, cut):
         read_kitti_bin(tmp_path / "a.bin")
 
 
-def test_other_numbers_are_refused(tmp_path):
-    np.sqrt(np.arange(40.0)).tofile(tmp_path / "a.bin")  # float64
-    with pytest.raises(FileError, match=r"/a\.bin \(byte 16\):.*float32"):
-        read_kitti_bin(tmp_path / "a.bin")
-
-
-def test_no_file_and_no_byte_are_named(tmp_path):
-    with pytest.raises(FileError, match=r"/a\.bin:"):
-        read_kitti_bin(tmp_path / "a.bin")
-    (tmp_path / "a.bin").touch()
-    with pytest.raises(FileError, match="is empty"):
-        read_kitti_bin(tmp_path / "a.bin")
-
-
 def scanner_revolution(points=1200, rings=40, seed=0):
     """x y z intensity ring time of a scanner in a street, in columns of rings."""
     rng = np.random.default_rng(seed)
@@ -58,12 +42,8 @@ def scanner_revolution(points=1200, rings=40, seed=0):
     return np.column_stack(rows).astype("<f4")
 
 
-NAMES = {
-    3: ["x", "y", "z"],
-    5: ["x", "y", "z", "intensity", "ring"],
-    6: ["x", "y", "z", "intensity", "ring", "time"],
-    8: ["x", "y", "z", "intensity", "ring", "time", "range", "label"],
-}
+COLUMNS = ["x", "y", "z", "intensity", "ring", "time", "range", "label"]
+NAMES = {width: COLUMNS[:width] for width in (3, 5, 6, 8)}
 
 
 @pytest.mark.parametrize("width", NAMES)
@@ -127,7 +107,7 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
 def test_numbers_of_another_type_are_refused(tmp_path, rng, dtype):
     numbers = rng.integers(500, 4000, (1000, 12)) if dtype[1] in "ui" else rng.random((1000, 12)) * 20
     numbers.astype(dtype).tofile(tmp_path / "a.bin")
-    with pytest.raises(FileError, match="not a scan of float32"):
+    with pytest.raises(FileError, match=r"/a\.bin.*not a scan of float32"):
         loom.read_point_cloud(tmp_path / "a.bin")
 
 

@@ -1,7 +1,5 @@
 """Reading LAS and LAZ: exact values, from complete files or in parts."""
 
-from __future__ import annotations
-
 import tracemalloc
 
 import laspy
@@ -26,8 +24,7 @@ def real(request, scan_set, scan_file):
 def test_every_value_of_a_real_file_is_laspys(real):
     path, count = real
     table, expected = read_las(path), laspy.read(path)
-    assert table.points.shape == (count, 3)
-    assert table.points.dtype == np.float64
+    assert table.points.shape == (count, 3) and table.points.dtype == np.float64
     np.testing.assert_array_equal(table.points, expected.xyz)
     names = set(expected.point_format.dimension_names) - {"X", "Y", "Z", "red", "green", "blue"}
     assert set(table.attributes) == names
@@ -42,9 +39,7 @@ def test_a_cloud_keeps_the_resolution_of_the_file(real, device):
     path, _ = real
     cloud = loom.read_point_cloud(path, device=device)
     half_step = open_las(path).header.scales[0] / 2
-    assert cloud.origin.any()
-    assert np.abs(cloud.points - laspy.read(path).xyz).max() < half_step
-    assert cloud.has_colors
+    assert cloud.origin.any() and np.abs(cloud.points - laspy.read(path).xyz).max() < half_step and cloud.has_colors
     assert cloud["classification"].dtype == np.uint8
 
 
@@ -68,21 +63,24 @@ def test_every_dimension_of_every_point_format_is_read(point_format, suffix, tmp
     assert set(table.attributes) == expected
     for name in expected:
         np.testing.assert_array_equal(table.attributes[name], np.asarray(record[name]), err_msg=name)
-    assert table.attributes["height"].dtype == np.float32
-    assert table.attributes["beam"].shape == (500, 3)
+    assert table.attributes["height"].dtype == np.float32 and table.attributes["beam"].shape == (500, 3)
     assert table.attributes["range"].dtype == np.float64
     assert (table.colors is not None) == (point_format in (2, 3, 5, 7, 8, 10))
     if table.colors is not None:
         np.testing.assert_array_equal(table.colors[:, 1], record["green"] / np.float32(65535))
 
 
-def test_8_bit_colors_in_16_bit_fields_are_detected_by_the_maximum(tmp_path, rng):
+def write_colors(path, name, values):
+    header = laspy.LasHeader(point_format=2)
+    record = laspy.ScaleAwarePointRecord.zeros(len(values), header=header)
+    record[name][:] = values
+    with laspy.open(path, mode="w", header=header) as writer:
+        writer.write_points(record)
+
+
+def test_8_bit_colors_in_16_bit_fields_are_detected_by_the_maximum(tmp_path):
     for brightest, full in ((255, 255), (256, 65535), (0, 255)):
-        header = laspy.LasHeader(point_format=2)
-        record = laspy.ScaleAwarePointRecord.zeros(3, header=header)
-        record["green"][:] = [0, brightest // 2, brightest]
-        with laspy.open(tmp_path / "a.las", mode="w", header=header) as writer:
-            writer.write_points(record)
+        write_colors(tmp_path / "a.las", "green", [0, brightest // 2, brightest])
         expected = np.array([0, brightest // 2, brightest], np.float32) / np.float32(full)
         np.testing.assert_array_equal(read_las(tmp_path / "a.las").colors[:, 1], expected)
 
@@ -92,8 +90,7 @@ def test_undescribed_extra_bytes_are_preserved(tmp_path, rng):
     make(path, 0, 7, rng, [laspy.ExtraBytesParams("b", "4u1")])
     edited(path, (227 + 2, "16s", b"somebody"))  # a record of another program
     table = read_las(path)
-    assert table.attributes["ExtraBytes"].shape == (7, 4)
-    assert table.attributes["ExtraBytes"].dtype == np.uint8
+    assert table.attributes["ExtraBytes"].shape == (7, 4) and table.attributes["ExtraBytes"].dtype == np.uint8
 
 
 def test_the_coordinate_system_is_named(shipped_file):
@@ -115,11 +112,8 @@ def test_memory_is_about_that_of_the_result(tmp_path, rng):
         cloud_table = read_las(tmp_path / name)
         _, peak = tracemalloc.get_traced_memory()
         tracemalloc.stop()
-        result = (
-            cloud_table.points.nbytes
-            + cloud_table.colors.nbytes
-            + sum(v.nbytes for v in cloud_table.attributes.values())
-        )
+        arrays = [cloud_table.points, cloud_table.colors, *cloud_table.attributes.values()]
+        result = sum(values.nbytes for values in arrays)
         assert peak < allowed * result + 40e6, (name, peak / result)
 
 
@@ -149,11 +143,7 @@ def test_parts_share_one_origin_despite_a_wrong_bounding_box(shipped_file, tmp_p
 
 
 def test_colors_of_a_part_are_not_taken_for_8_bits_if_another_part_has_16(tmp_path):
-    header = laspy.LasHeader(point_format=2)
-    record = laspy.ScaleAwarePointRecord.zeros(4, header=header)
-    record["red"][:] = [0, 0, 200, 60_000]
-    with laspy.open(tmp_path / "a.las", mode="w", header=header) as writer:
-        writer.write_points(record)
+    write_colors(tmp_path / "a.las", "red", [0, 0, 200, 60_000])
     assert [part.colors[0, 0] for part in loom.read_las_chunks(tmp_path / "a.las", 4)] == [0]
     parts = loom.read_las_chunks(tmp_path / "a.las", 1)
     assert [next(parts).colors[0, 0] for _ in range(3)] == [0, 0, np.float32(200 / 255)]
@@ -164,7 +154,6 @@ def test_colors_of_a_part_are_not_taken_for_8_bits_if_another_part_has_16(tmp_pa
 def test_parts_are_refused_by_name(tmp_path, small_las):
     with pytest.raises(ValueError, match="chunk_size"):
         loom.read_las_chunks(small_las, 0)
-    with pytest.raises(loom.FileError, match=r"/a\.ply:"):
-        loom.read_las_chunks(tmp_path / "a.ply")
-    with pytest.raises(loom.FileError, match=r"/missing\.las:"):
-        loom.read_las_chunks(tmp_path / "missing.las")
+    for name in ("a.ply", "missing.las"):
+        with pytest.raises(loom.FileError, match=f"/{name}:"):
+            loom.read_las_chunks(tmp_path / name)

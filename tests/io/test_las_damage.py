@@ -1,7 +1,5 @@
 """Damaged LAS and LAZ: headers are checked against the file."""
 
-from __future__ import annotations
-
 import struct
 import subprocess
 import sys
@@ -44,8 +42,7 @@ from .las_files import edited, make
 def test_inconsistent_header_is_an_error(edits, reason, small_las):
     with pytest.raises(loom.FileError, match=reason) as caught:
         loom.read_point_cloud(edited(small_las, *edits))
-    assert str(small_las) in str(caught.value)
-    assert "byte" in caught.value.where
+    assert str(small_las) in str(caught.value) and "byte" in caught.value.where
 
 
 @pytest.mark.parametrize(
@@ -78,8 +75,7 @@ def test_extended_records_may_follow_the_points(tmp_path, rng):
     with pytest.raises(loom.FileError, match=r"/a\.las \(byte 615\):.*8"):
         read_las(path)
     edited(path, (235, "<QI", size, 2))
-    assert len(read_las(path).points) == 8
-    assert crs_name(open_las(path).header) == "Somewhere"
+    assert len(read_las(path).points) == 8 and crs_name(open_las(path).header) == "Somewhere"
 
 
 @pytest.mark.parametrize("suffix", [".las", ".laz"])
@@ -123,12 +119,10 @@ def test_compressed_points_are_checked_against_their_tables(tmp_path, rng):
         read_las(path)
 
 
-@pytest.mark.parametrize(
-    ("count", "extra"), [(4_000_000_000, []), (2_000_000_000, [laspy.ExtraBytesParams("long", "60000u1")])]
-)
-def test_unchecked_count_allocates_memory_only_with_its_points(tmp_path, rng, count, extra):
+@pytest.mark.parametrize("count", [4_000_000_000, 2_000_000_000])
+def test_unchecked_count_allocates_memory_only_with_its_points(tmp_path, rng, count):
     path = tmp_path / "a.laz"
-    make(path, 0, 3, rng, extra)
+    make(path, 0, 3, rng, [laspy.ExtraBytesParams("long", "60000u1")] if count < 2**31 else [])
     header, content = open_las(path).header, path.read_bytes()
     record = content.index(header.find("laszip encoded", 22204))
     edited(path, (107, "<I", count), (record + 12, "<I", count + 1))  # one chunk of all points
@@ -242,5 +236,4 @@ def test_damaged_bytes_give_a_table_or_a_file_error_within_little_memory(tmp_pat
     make(paths[2], 7, 1500, rng, [laspy.ExtraBytesParams("height", "f4")])
     answer = run_in_little_memory(tmp_path, FUZZ, *paths)
     refused, read = map(int, answer.split())
-    assert refused + read == 360
-    assert refused > 100
+    assert refused + read == 360 and refused > 100

@@ -1,11 +1,8 @@
 """LAS in degrees: steps are preserved, the user is warned, and coordinate systems are preserved."""
 
-from __future__ import annotations
-
 import struct
 import warnings
 
-import laspy
 import numpy as np
 import pytest
 
@@ -15,6 +12,8 @@ from pointloom.io.points.las import open_las, read_las
 from pointloom.io.points.las_crs import GeographicWarning, crs_name, is_geographic
 from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
+
+from .las_files import write_raw
 
 STEP = 1e-7  # degrees: a centimeter
 GEOGRAPHIC = 'GEOGCS["WGS 84",DATUM["x",SPHEROID["y",6378137,298.25]],UNIT["degree",0.0174532925199433]]'
@@ -26,23 +25,15 @@ def write_degrees(path, records, rng, count=500, *, has_stray=False):
 
     The last point may be near zero, like points that a program could not georeference.
     """
-    header = laspy.LasHeader(point_format=6, version="1.4")
-    header.scales, header.offsets = [STEP, STEP, 0.001], [-123, 44, 0]
-    for number, content in records.items():
-        header.vlrs.append(laspy.VLR("LASF_Projection", number, "", content))
     raw = rng.integers([-660_000, 500_000, 100_000], [-650_000, 510_000, 150_000], (count, 3))
     if has_stray:
         raw[-1] = 1_230_000_001, -440_000_001, 1
-    record = laspy.ScaleAwarePointRecord.zeros(count, header=header)
-    record.X, record.Y, record.Z = raw.T
-    with laspy.open(path, mode="w", header=header, do_compress=path.suffix == ".laz") as writer:
-        writer.write_points(record)
+    write_raw(path, raw, records, scales=[STEP, STEP, 0.001], offsets=[-123, 44, 0])
     return raw
 
 
 @pytest.fixture
 def degrees(tmp_path, rng):
-    """A file in degrees, and its stored integers."""
     path = tmp_path / "degrees.las"
     return path, write_degrees(path, {2112: GEOGRAPHIC.encode()}, rng)
 
@@ -120,12 +111,9 @@ def test_degrees_of_formats_without_steps_keep_their_precision(name, tmp_path, r
     assert len(np.unique(cloud.points[:, 0])) == len(np.unique(points[:, 0]))
 
 
-def test_metres_near_zero_keep_their_origin_at_zero(tmp_path, rng):
+def test_metric_origins_are_zero_near_zero_and_else_rounded_to_integers(tmp_path, rng, shipped_file):
     write_table(tmp_path / "room.ply", PointTable(rng.random((500, 3)) * 4 - [1, 2, 0]), ascii=False, overwrite=False)
     assert not loom.read_point_cloud(tmp_path / "room.ply").origin.any()
-
-
-def test_metric_origin_is_rounded_to_integers(shipped_file):
     cloud = loom.read_point_cloud(shipped_file("lidar-pdal/autzen/autzen-utm.las"))
     assert (cloud.origin == np.round(cloud.origin)).all()
 
@@ -185,9 +173,7 @@ def test_long_well_known_text_is_stored_after_the_points(tmp_path, rng):
     for name in ("b.las", "b.laz"):
         loom.write_point_cloud(tmp_path / name, loom.read_point_cloud(source), like=source)
         header = open_las(tmp_path / name).header
-        assert header.find("LASF_Projection", 2112) == text
-        assert header.encoding & 16
-        assert crs_name(header) == "Somewhere"
+        assert header.find("LASF_Projection", 2112) == text and header.encoding & 16 and crs_name(header) == "Somewhere"
     cloud = loom.read_point_cloud(source).without("scan_angle")
     cloud["scan_angle_rank"] = np.zeros(len(cloud), np.int8)
     cloud = cloud.without("overlap", "scanner_channel")

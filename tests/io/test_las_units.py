@@ -1,11 +1,8 @@
 """The unit of LAS files: read from text and keys, never guessed, and preserved in copies."""
 
-from __future__ import annotations
-
 import struct
 
 import laspy
-import numpy as np
 import pytest
 
 import pointloom as loom
@@ -13,6 +10,8 @@ from pointloom.core.units import LengthUnit
 from pointloom.io.points.las import open_las
 from pointloom.io.points.las_crs import GeographicWarning
 from pointloom.io.points.las_units import units_of
+
+from .las_files import write_raw
 
 DEGREES = 'UNIT["degree",0.0174532925199433]'
 GEO = f'GEOGCS["NAD83",DATUM["x",SPHEROID["y",6378137,298.25]],PRIMEM["Greenwich",0],{DEGREES}]'
@@ -27,26 +26,14 @@ NEW = (
 
 def keys(*entries, doubles=()):
     """GeoTIFF records: keys with their values, and the numbers that they may refer to."""
-    flat = [
-        part for key, value in entries for part in ((key, 0, 1, value) if isinstance(value, int) else (key, *value))
-    ]
+    parts = [(key, 0, 1, value) if isinstance(value, int) else (key, *value) for key, value in entries]
+    flat = [number for part in parts for number in part]
     records = {34735: struct.pack(f"<{4 + len(flat)}H", 1, 1, 0, len(entries), *flat)}
     return records | ({34736: struct.pack(f"<{len(doubles)}d", *doubles)} if doubles else {})
 
 
 def write(path, records, *, wkt_flag=False):
-    """A file of three points with these records."""
-    header = laspy.LasHeader(point_format=6, version="1.4")
-    header.scales, header.offsets = [0.01] * 3, [0, 0, 0]
-    header.global_encoding.wkt = wkt_flag
-    for number, content in records.items():
-        content = content.encode() if isinstance(content, str) else content
-        header.vlrs.append(laspy.VLR("LASF_Projection", number, "", content))
-    record = laspy.ScaleAwarePointRecord.zeros(3, header=header)
-    record.X = record.Y = record.Z = np.array([0, 100, 1000])
-    with laspy.open(path, mode="w", header=header) as writer:
-        writer.write_points(record)
-    return path
+    return write_raw(path, [[0] * 3, [100] * 3, [1000] * 3], records, wkt_flag=wkt_flag)
 
 
 @pytest.mark.parametrize(
@@ -107,7 +94,7 @@ def test_unit_is_read_from_geokeys(records, plane, height, tmp_path):
     assert (units.plane, units.height) == (plane, height)
 
 
-def test_heights_in_another_unit_warn_with_a_fix(tmp_path):
+def test_heights_in_another_unit_than_meters_or_degrees_warn(tmp_path):
     path = write(tmp_path / "a.las", keys((1024, 1), (3076, 9002), (4099, 9001)))
     with pytest.warns(loom.UnitWarning, match=r"/a\.las:.*3\.280839895") as caught:
         cloud = loom.read_point_cloud(path)
@@ -115,14 +102,10 @@ def test_heights_in_another_unit_warn_with_a_fix(tmp_path):
     with pytest.warns(loom.UnitWarning) as caught:
         parts = list(loom.read_las_chunks(path, 1))
     assert [part.unit for part in parts] == ["foot"] * 3 and len(caught) == 1
-
-
-def test_heights_in_feet_over_degrees_are_a_warning(tmp_path):
-    path = write(tmp_path / "a.las", keys((1024, 2), (4099, 9003)))
-    with pytest.warns(loom.UnitWarning, match=r"/a\.las:"), pytest.warns(GeographicWarning):
+    path = write(tmp_path / "degrees.las", keys((1024, 2), (4099, 9003)))
+    with pytest.warns(loom.UnitWarning, match=r"/degrees\.las:"), pytest.warns(GeographicWarning):
         cloud = loom.read_point_cloud(path)
-    assert cloud.unit == "degree"
-    assert loom.project_to_utm(cloud).unit == "metre"
+    assert cloud.unit == "degree" and loom.project_to_utm(cloud).unit == "metre"
 
 
 @pytest.mark.parametrize(("wkt_flag", "unit"), [(True, "US survey foot"), (False, "metre")])
@@ -149,8 +132,7 @@ def test_written_file_stores_the_unit_of_the_cloud(name, unit, tmp_path):
     loom.write_point_cloud(tmp_path / name, cloud)
     back = loom.read_point_cloud(tmp_path / name)
     assert back.unit.meters == cloud.unit.meters and back.unit.name == cloud.unit.name
-    assert back.points.tolist() == cloud.points.tolist()
-    assert laspy.read(tmp_path / name).header.global_encoding.wkt
+    assert back.points.tolist() == cloud.points.tolist() and laspy.read(tmp_path / name).header.global_encoding.wkt
 
 
 def test_like_keeps_the_system_and_warns_of_another_unit(tmp_path):

@@ -61,10 +61,7 @@ def test_systems_of_the_register_become_text(tmp_path, keys, code, name):
         ([(1024, 1), (3072, 32767), (2048, 4326)], "the EPSG register does not name"),
         ([(1024, 1), (3072, 30000)], "pyproj does not contain EPSG:30000"),
         ([(1024, 1), (3072, 25832), (3076, 9002)], "its keys declare foot, but EPSG:25832 uses metre"),
-        (
-            [(1024, 1), (3072, 26910), (3076, 9001), (4096, 5703), (4099, 9003)],
-            "heights in US survey foot, but EPSG:5703",
-        ),
+        ([(1024, 1), (3072, 26910), (4096, 5703), (4099, 9003)], "heights in US survey foot, but EPSG:5703"),
         ([(1024, 1), (3072, 26910), (3076, 9001), (4099, 9003)], "without a height system"),
         ([(1024, 1), (3072, 26910), (4096, 32767)], "heights that the EPSG register does not name"),
         ([(1024, 1), (3072, 26910), (4096, 5103)], "EPSG:5103"),

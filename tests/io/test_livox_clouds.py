@@ -1,7 +1,5 @@
 """Clouds of Livox's custom message, written by rosbags with the driver's definitions."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -11,35 +9,26 @@ from pointloom.io.bags.clouds import table_of_livox
 
 pytest.importorskip("rosbags")
 
-from rosbags import rosbag1, rosbag2
-from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from rosbags.typesys import get_types_from_msg
 
+from .test_recorded_frames import Writer
+
+KIND = "livox_ros_driver2/msg/CustomMsg"
 POINT = "uint32 offset_time\nfloat32 x\nfloat32 y\nfloat32 z\nuint8 reflectivity\nuint8 tag\nuint8 line\n"
 CLOUD = "std_msgs/Header header\nuint64 timebase\nuint32 point_num\nuint8 lidar_id\nuint8[3] rsvd\n"
 
 
-def made(folder, form, counts=(5, 1, 0, 40), package="livox_ros_driver2", frame="livox_frame", count_error=0):
-    """A recording of clouds with the given numbers of points."""
-    store = get_typestore(Stores.ROS1_NOETIC if form == "bag1" else Stores.ROS2_HUMBLE)
-    kinds = get_types_from_msg(POINT, f"{package}/msg/CustomPoint")
-    kinds |= get_types_from_msg(CLOUD + f"{package}/CustomPoint[] points\n", f"{package}/msg/CustomMsg")
-    store.register(kinds)
-    kind = f"{package}/msg/CustomMsg"
-    path = folder / ("run.bag" if form == "bag1" else "run")
-    storage = {} if form == "bag1" else {"version": 9, "storage_plugin": rosbag2.StoragePlugin.MCAP}
-    types = store.types
-    time = types["builtin_interfaces/msg/Time"](sec=3, nanosec=7)
-    header = types["std_msgs/msg/Header"]
-    header = header(seq=1, stamp=time, frame_id=frame) if form == "bag1" else header(time, frame)
-    with (rosbag1 if form == "bag1" else rosbag2).Writer(path, **storage) as writer:
-        connection = writer.add_connection("/livox/lidar", kind, typestore=store)
-        for number, count in enumerate(counts):
-            make = types[f"{package}/msg/CustomPoint"]
+def made(folder, form, frame="livox_frame", count_error=0):
+    with Writer(folder, form) as out:
+        point = KIND.replace("Msg", "Point")
+        kinds = get_types_from_msg(POINT, point)
+        out.store.register(kinds | get_types_from_msg(CLOUD + f"{point.replace('/msg', '')}[] points\n", KIND))
+        make = out.store.types[point]
+        for number, count in enumerate((5, 1, 0, 40)):
             points = [make(1000 * i, 1.5 * i, -i, 0.25 * number, i % 256, 16, i % 6) for i in range(count)]
-            message = types[kind](header, 10**18, count + count_error, 1, np.zeros(3, np.uint8), points)
-            encode = store.serialize_ros1 if form == "bag1" else store.serialize_cdr
-            writer.write(connection, (number + 1) * 10**9, encode(message, kind))
-    return path
+            values = 10**18, count + count_error, 1, np.zeros(3, np.uint8), points
+            out.send("/livox/lidar", KIND, number + 1, *values, frame=frame)
+    return out.path
 
 
 @pytest.mark.parametrize("form", ["bag1", "mcap"])

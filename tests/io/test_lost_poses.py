@@ -2,20 +2,15 @@
 
 import numpy as np
 import pytest
-from PIL import Image
 
 import pointloom as loom
 from pointloom.cli.shell.cli import cli
+from pointloom.io.pictures.image_files import write_png
 
-CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+from . import frame_folders
+from .frame_folders import SMALL, depth_map
+
 MARKS = ["-inf", "nan", "-1.#IND", "-nan(ind)"]
-
-
-def pictures(folder, names, kind):
-    folder.mkdir(exist_ok=True)
-    for name in names:
-        pixels = np.full((48, 64), 1500, np.uint16) if kind == "depth" else np.full((48, 64, 3), 90, np.uint8)
-        Image.fromarray(pixels).save(folder / f"{name}.png")
 
 
 def matrix(mark, rows=4):
@@ -25,28 +20,23 @@ def matrix(mark, rows=4):
 
 def make(folder, layout, marks):
     """A folder of frames whose poses have these marks, or are valid if the mark is empty."""
-    names = [f"{i:06d}" for i in range(len(marks))]
-    if layout == "7scenes":
-        for kind in ("depth", "color"):
-            pictures(folder, [f"frame-{name}.{kind}" for name in names], kind)
-        for name, mark in zip(names, marks, strict=True):
-            (folder / f"frame-{name}.pose.txt").write_text(matrix(mark))
-    elif layout == "redwood":
+    if layout == "pictures":
         folder.mkdir()
-        for kind in ("depth", "color"):
-            pictures(folder / kind, names, kind)
-        log = "\n".join(f"{i} {i} {i + 1}\n{matrix(mark)}" for i, mark in enumerate(marks))
-        (folder / "trajectory.log").write_text(log + "\n")
-    elif layout == "tum":
-        folder.mkdir()
-        pictures(folder / "depth", names, "depth")
-        (folder / "depth.txt").write_text("".join(f"{i}.0 depth/{name}.png\n" for i, name in enumerate(names)))
-        rows = (f"{i}.0 {' '.join([mark] * 7) if mark else '0 0 0 0 0 0 1'}\n" for i, mark in enumerate(marks))
-        (folder / "groundtruth.txt").write_text("".join(rows))
     else:
-        pictures(folder, [f"{name}_depth" for name in names], "depth")
-        for name, mark in zip(names, marks, strict=True):
-            (folder / f"{name}_pose.txt").write_text(matrix(mark))
+        frame_folders.make(layout, folder, len(marks))
+    rows = []
+    for i, mark in enumerate(marks):
+        if layout == "redwood":
+            rows.append(f"{i} {i} {i + 1}\n{matrix(mark)}\n")
+        elif layout == "tum":
+            rows.append(f"{100 + i / 10} {' '.join([mark] * 7) if mark else '0 0 0 0 0 0 1'}\n")
+        else:
+            name = f"{i:06d}_pose.txt" if layout == "pictures" else f"frame-{i:06d}.pose.txt"
+            (folder / name).write_text(matrix(mark))
+        if layout == "pictures":
+            write_png(folder / f"{i:06d}_depth.png", depth_map(1500))
+    if rows:
+        (folder / ("groundtruth.txt" if layout == "tum" else "trajectory.log")).write_text("".join(rows))
     return folder
 
 
@@ -54,30 +44,30 @@ def make(folder, layout, marks):
 @pytest.mark.parametrize("lost_value", MARKS)
 def test_frames_with_lost_poses_are_left_out_by_name(tmp_path, layout, lost_value):
     folder = make(tmp_path / "set", layout, ["", "", lost_value, ""])
-    options = {"intrinsic": CAMERA, "layout": layout}
-    scale = {"depth_scale": 1000.0}
+    options, scale = {"intrinsic": SMALL, "layout": layout}, {"depth_scale": 1000.0}
+    name = {"redwood": "00002", "tum": "100.2"}.get(layout, "000002")
     frames = loom.open_frames(folder, **options, **scale)
     assert [frame.T_world_camera is None for frame in frames] == [False, False, True, False]
     frames = loom.open_frames(folder, **options, **scale, skip_missing=True)
-    assert len(frames) == 3 and len(frames.left_out) == 1 and "000002" in frames.left_out[0]
+    assert len(frames) == 3 and len(frames.left_out) == 1 and name in frames.left_out[0]
     assert len(loom.open_frames(folder, **options, **scale, skip_missing="pictures")) == 4
     if layout != "pictures":
         with pytest.raises(loom.FileError, match=r"inf or NaN.*skip_missing=True"):
             loom.open_dataset(folder, **options)
         frames = loom.open_dataset(folder, **options, skip_missing=True)
-        assert len(frames) == 3 and "000002" in frames.left_out[0]
+        assert len(frames) == 3 and name in frames.left_out[0]
         assert loom.fuse(frames, voxel_size=0.1).T_world_camera.shape == (3, 4, 4)
 
 
 def test_a_folder_of_lost_poses_alone_is_refused(tmp_path):
     folder = make(tmp_path / "set", "7scenes", ["nan", "inf"])
     with pytest.raises(loom.FileError):
-        loom.open_dataset(folder, intrinsic=CAMERA, skip_missing=True)
+        loom.open_dataset(folder, intrinsic=SMALL, skip_missing=True)
 
 
 def test_the_command_leaves_them_out(tmp_path, capsys):
     folder = make(tmp_path / "set", "7scenes", ["", "-inf", "", ""])
-    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
+    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", SMALL)
     command = ["fuse", str(folder), "-o", str(tmp_path / "a.ply"), "--intrinsic", str(tmp_path / "camera.json")]
     with pytest.raises(SystemExit) as leaving:
         cli(command)
@@ -102,5 +92,5 @@ def test_trajectory_omits_lost_poses_on_request(tmp_path, name, lost_value):
     result = loom.read_trajectory(path, skip_missing=True)
     numbers = result.timestamps if name == "path.tum" else result.ids[:, 0]
     assert len(result) == 2 and list(numbers) == [0, 2] and np.isfinite(result.poses).all()
-    lens = loom.read_cameras(path, pictures=["0.png", "1.png", "2.png"], intrinsic=CAMERA)
+    lens = loom.read_cameras(path, pictures=["0.png", "1.png", "2.png"], intrinsic=SMALL)
     assert len(lens) == 2 and lens.left_out == ("1.png: no pose",)

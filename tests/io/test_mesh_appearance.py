@@ -1,7 +1,5 @@
 """A mesh with complete geometry is read regardless of its colors and materials; a warning names the changes."""
 
-from __future__ import annotations
-
 import struct
 import warnings
 from contextlib import nullcontext
@@ -32,37 +30,28 @@ def write_colored(path, color):
         path.write_text(f"COFF\n3 1 0\n{rows}3 0 1 2\n")
     else:
         names = "".join(f"property float {name}\n" for name in ["x", "y", "z", "red", "green", "blue"])
-        head = (
-            f"ply\nformat ascii 1.0\nelement vertex 3\n{names}element face 1\nproperty list uchar int vertex_indices\n"
-        )
+        head = f"ply\nformat ascii 1.0\nelement vertex 3\n{names}element face 1\nproperty list uchar int vertex_index\n"
         path.write_text(f"{head}end_header\n{rows}3 0 1 2\n")
     return path
 
 
+CLAMPED = {"1.5 0 1": [1, 0, 1], "-0.5 1 0": [0, 1, 0], "nan 0 0": None, "inf 0 0": None}
+
+
 @pytest.mark.parametrize("suffix", [".obj", ".glb", ".ply", ".off"])
-@pytest.mark.parametrize(
-    ("color", "expected"), [("1.5 0 1", [1, 0, 1]), ("-0.5 1 0", [0, 1, 0]), ("nan 0 0", None), ("inf 0 0", None)]
-)
-def test_colors_outside_0_to_1_are_clamped_and_those_not_finite_left_behind(tmp_path, suffix, color, expected):
-    path = write_colored(tmp_path / f"m{suffix}", color)
+@pytest.mark.parametrize("color", CLAMPED)
+def test_colors_outside_0_to_1_are_clamped_and_those_not_finite_left_behind(tmp_path, suffix, color):
+    path, expected = write_colored(tmp_path / f"m{suffix}", color), CLAMPED[color]
     with pytest.warns(UserWarning, match="color"):
-        mesh = read_mesh(path)
-    assert len(mesh.triangles) == 1
-    if expected is None:
-        assert mesh.vertex_colors is None
-    else:
-        np.testing.assert_array_equal(mesh.vertex_colors, np.float32([expected] * 3))
-
-
-@pytest.mark.parametrize(("color", "expected"), [("255 51 0", [1, 0.2, 0]), ("1.5 0 1", [1, 0, 1]), ("nan 0 0", None)])
-def test_ply_cloud_is_read_with_any_colors(tmp_path, color, expected):
-    with pytest.warns(UserWarning, match="color"):
-        cloud = read_ply(write_colored(tmp_path / "m.ply", color))
-    assert len(cloud.points) == 3
-    if expected is None:
-        assert cloud.colors is None
-    else:
-        np.testing.assert_array_equal(cloud.colors, np.float32([expected] * 3))
+        results = [read_mesh(path).vertex_colors]
+    if suffix == ".ply":
+        with pytest.warns(UserWarning, match="color"):
+            results.append(read_ply(path).colors)
+    for colors in results:
+        if expected is None:
+            assert colors is None
+        else:
+            np.testing.assert_array_equal(colors, np.float32([expected] * 3))
 
 
 @pytest.mark.parametrize("suffix", [".obj", ".ply", ".off"])
@@ -81,23 +70,20 @@ def binary_stl(path, header, values):
     return path
 
 
-@pytest.mark.parametrize(
-    ("header", "values", "warning", "expected"),
-    [
+def test_binary_stl_colors_are_assigned_to_triangles(tmp_path):
+    for header, values, warning, expected in (
         (b"viscam", [0x801F, 0xFC00], None, [[0, 0, 1], [1, 0, 0]]),
         (b"viscam", [0x801F, 0x7C00], "1 of 2 facets have no color", [[0, 0, 1], [1, 1, 1]]),
         (b"COLOR=\xff\x33\x00\xff,MATERIAL=", [0x001F, 0xFFFF], None, [[1, 0, 0], [1, 0.2, 0]]),
         (b"COLOR=\x00\x00\x00\x66", [0x7C00, 0x8000], None, [[0, 0, 1, 0.4], [0, 0, 0, 0.4]]),
         (b"", [7, 0], "attribute bytes of facets are dropped", None),
         (b"", [0, 0], None, None),
-    ],
-)
-def test_binary_stl_colors_are_assigned_to_triangles(tmp_path, header, values, warning, expected):
-    path = binary_stl(tmp_path / "m.stl", header, values)
-    with pytest.warns(UserWarning, match=warning) if warning else nullcontext():
-        mesh = read_mesh(path)
-    assert len(mesh.triangles) == 2
-    check_triangle_colors(mesh, expected)
+    ):
+        path = binary_stl(tmp_path / "m.stl", header, values)
+        with pytest.warns(UserWarning, match=warning) if warning else nullcontext():
+            mesh = read_mesh(path)
+        assert len(mesh.triangles) == 2
+        check_triangle_colors(mesh, expected)
 
 
 def test_colors_of_triangles_are_written_to_stl(tmp_path):
@@ -152,11 +138,10 @@ def check_triangle_colors(mesh, expected):
 
 
 @pytest.mark.parametrize(
-    ("name", "values"),
-    [("COLOR_0", np.zeros((3, 3), "u1")), ("COLOR_0", np.zeros((2, 3), "f4")), ("TEXCOORD_0", np.zeros((3, 3), "f4"))],
+    ("name", "rows", "kind"), [("COLOR_0", 3, "u1"), ("COLOR_0", 2, "f4"), ("TEXCOORD_0", 3, "f4")]
 )
-def test_colors_and_texture_coordinates_of_unknown_types_are_left_behind(tmp_path, name, values):
-    path = one_triangle(**{name: values}).write(tmp_path / "m.glb")
+def test_colors_and_texture_coordinates_of_unknown_types_are_left_behind(tmp_path, name, rows, kind):
+    path = one_triangle(**{name: np.zeros((rows, 3), kind)}).write(tmp_path / "m.glb")
     with pytest.warns(UserWarning, match="dropped"):
         mesh = read_mesh(path)
     assert (len(mesh.triangles), mesh.vertex_colors, mesh.triangle_uvs) == (1, None, None)

@@ -1,8 +1,5 @@
 """Triangle meshes: PLY read and written, OBJ and STL written."""
 
-from __future__ import annotations
-
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -17,6 +14,8 @@ from pointloom.io.meshes.stl import write_stl
 from pointloom.io.points.ply import read_ply, read_ply_mesh, write_ply_mesh
 from pointloom.io.table import MeshTable
 
+from .point_tables import mesh_of
+
 SQUARE = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 0\n"
 HEAD = (
     "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
@@ -24,27 +23,10 @@ HEAD = (
 )
 
 
-def mesh(dtype=np.float32, *, count=60):
-    rng = np.random.default_rng(5)
-    return MeshTable(
-        rng.normal(size=(count, 3)).astype(dtype),
-        rng.integers(0, count, (90, 3)).astype(np.int32),
-        rng.normal(size=(count, 3)).astype(np.float32),
-        rng.integers(0, 256, (count, 3)).astype(np.float32) / np.float32(255),
-        {"weight": rng.random(count).astype(np.float32)},
-    )
-
-
-def bare(mesh, *, normals=False, colors=False):
-    return MeshTable(
-        mesh.vertices, mesh.triangles, mesh.vertex_normals if normals else None, mesh.vertex_colors if colors else None
-    )
-
-
 @pytest.mark.parametrize("ascii", [False, True])
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_a_ply_mesh_survives_a_round_trip_to_the_bit(tmp_path, ascii, dtype):
-    written = mesh(dtype)
+    written = mesh_of(dtype=dtype, weight=np.arange(50, dtype=np.float32) / 3)
     write_ply_mesh(tmp_path / "m.ply", written, ascii=ascii)
     read = read_ply_mesh(tmp_path / "m.ply")
     for name in ("vertices", "triangles", "vertex_normals", "vertex_colors"):
@@ -78,55 +60,36 @@ def test_vertices_too_far_apart_for_float32_are_a_file_error_of_every_reader(tmp
 
 
 @pytest.mark.parametrize("name", ["vertex_indices", "vertex_index"])
-def test_larger_faces_become_fans_around_their_first_corner(tmp_path, name):
-    path = tmp_path / "m.ply"
-    path.write_text(HEAD.format(3, name) + SQUARE.replace("2 2", "-1 0.5") + "4 0 1 2 3\n3 4 1 0\n5 4 3 2 1 0\n")
+@pytest.mark.parametrize(("form", "order"), [("ascii", ""), ("binary_little_endian", "<"), ("binary_big_endian", ">")])
+def test_larger_faces_become_fans_around_their_first_corner(tmp_path, name, form, order):
+    payload = (SQUARE.replace("2 2", "-1 0.5") + "4 0 1 2 3\n3 4 1 0\n5 4 3 2 1 0\n").encode()
+    if order:
+        payload = np.zeros((5, 3), order + "f4").tobytes()
+        for face in ([0, 1, 2, 3], [4, 1, 0], [4, 3, 2, 1, 0]):
+            payload += bytes([len(face)]) + np.array(face, order + "i4").tobytes()
+    (tmp_path / "m.ply").write_bytes(HEAD.format(3, name).replace("ascii", form).encode() + payload)
     expected = [[0, 1, 2], [0, 2, 3], [4, 1, 0], [4, 3, 2], [4, 2, 1], [4, 1, 0]]
-    np.testing.assert_array_equal(read_ply_mesh(path).triangles, expected)
+    np.testing.assert_array_equal(read_ply_mesh(tmp_path / "m.ply").triangles, expected)
 
 
-@pytest.mark.parametrize("byte_order", ["<", ">"])
-def test_binary_faces_of_varying_length_become_fans(tmp_path, byte_order):
-    path, form = tmp_path / "m.ply", {"<": "binary_little_endian", ">": "binary_big_endian"}[byte_order]
-    faces = [[0, 1, 2, 3], [4, 1, 0], [4, 3, 2, 1, 0]]
-    payload = np.zeros((5, 3), byte_order + "f4").tobytes()
-    payload += b"".join(bytes([len(face)]) + np.array(face, byte_order + "i4").tobytes() for face in faces)
-    path.write_bytes(HEAD.format(3, "vertex_indices").replace("ascii", form).encode() + payload)
-    expected = [[0, 1, 2], [0, 2, 3], [4, 1, 0], [4, 3, 2], [4, 2, 1], [4, 1, 0]]
-    np.testing.assert_array_equal(read_ply_mesh(path).triangles, expected)
+FACES = "element face 2\nproperty list uchar int vertex_indices\n"
 
 
-@pytest.mark.parametrize(
-    ("faces", "where", "reason"),
-    [
-        ("3 0 1 2\n0\n", "face 1", "a face has 0 corners"),
-        ("3 0 1 -1\n3 0 1 2\n", "face 0", "refers to vertex -1"),
-        ("3 0 1 2\n3 0 1 2 3\n", "line 16", "more values than declared"),
-        ("3 0 1 2\n3 0 1 2.5\n", "line 16", "does not fit"),
-    ],
-)
-def test_a_bad_face_is_refused_with_its_row(tmp_path, faces, where, reason):
-    path = tmp_path / "m.ply"
-    path.write_text(HEAD.format(2, "vertex_indices") + SQUARE + faces)
-    with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_ply_mesh(path)
-    assert caught.value.where == where
-
-
-@pytest.mark.parametrize(
-    ("header", "reason"),
-    [
-        ("element tristrips 0\nproperty list int int vertex_indices\n", "contains no faces"),
-        ("element face 0\nproperty uchar flag\n", "no property vertex_indices"),
-        ("element face 0\nproperty list uchar float vertex_indices\n", "not a list of whole numbers"),
-    ],
-)
-def test_a_file_without_usable_faces_is_refused(tmp_path, header, reason):
-    path = tmp_path / "m.ply"
-    vertex = "element vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
-    path.write_text(f"ply\nformat ascii 1.0\n{vertex}{header}end_header\n")
-    with pytest.raises(FileError, match=reason):
-        read_ply_mesh(path)
+def test_bad_faces_are_refused_with_their_row(tmp_path):
+    for header, faces, where, reason in (
+        (FACES, "3 0 1 2\n0\n", "face 1", "a face has 0 corners"),
+        (FACES, "3 0 1 -1\n3 0 1 2\n", "face 0", "refers to vertex -1"),
+        (FACES, "3 0 1 2\n3 0 1 2 3\n", "line 16", "more values than declared"),
+        (FACES, "3 0 1 2\n3 0 1 2.5\n", "line 16", "does not fit"),
+        ("element tristrips 0\nproperty list int int vertex_indices\n", "", "", "contains no faces"),
+        ("element face 0\nproperty uchar flag\n", "", "", "no property vertex_indices"),
+        ("element face 0\nproperty list uchar float vertex_indices\n", "", "", "not a list of whole numbers"),
+    ):
+        head = HEAD.format(2, "vertex_indices").replace(FACES, header)
+        (tmp_path / "m.ply").write_text(head + SQUARE + faces)
+        with pytest.raises(FileError, match=reason) as caught:
+            read_ply_mesh(tmp_path / "m.ply")
+        assert caught.value.where == where
 
 
 def test_obj_text_follows_the_specification(tmp_path):
@@ -141,25 +104,22 @@ def test_stl_bytes_follow_the_specification(tmp_path):
     small = MeshTable(np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0]]), np.array([[0, 1, 2], [0, 1, 1]]))
     write_stl(tmp_path / "m.stl", small)
     data = (tmp_path / "m.stl").read_bytes()
-    assert len(data) == 84 + 2 * 50
-    assert not data.startswith(b"solid")
-    assert np.frombuffer(data[80:84], "<u4")[0] == 2
+    assert len(data) == 84 + 2 * 50 and not data.startswith(b"solid") and np.frombuffer(data[80:84], "<u4")[0] == 2
     np.testing.assert_array_equal(np.frombuffer(data[84:132], "<f4"), [0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0])
     np.testing.assert_array_equal(np.frombuffer(data[134:146], "<f4"), [0, 0, 0])
 
 
-@pytest.mark.parametrize(
-    ("write", "omitted"), [(write_obj, "weight"), (write_stl, "colors, weight"), (write_off, "weight")]
-)
-def test_values_unsupported_by_a_mesh_format_are_omitted_with_a_warning(tmp_path, write, omitted):
+@pytest.mark.parametrize("write", [write_obj, write_stl, write_off])
+def test_values_unsupported_by_a_mesh_format_are_omitted_with_a_warning(tmp_path, write):
+    omitted = "colors, weight" if write is write_stl else "weight"
     with pytest.warns(UserWarning, match=rf": {omitted}, triangle label left out.*\.ply stores everything"):
-        write(tmp_path / "m.any", replace(mesh(), triangle_attributes={"label": np.zeros(90)}))
+        write(tmp_path / "m.any", replace(mesh_of(weight=np.ones(50)), triangle_attributes={"label": np.zeros(90)}))
     assert (tmp_path / "m.any").stat().st_size > 3000
 
 
 @pytest.mark.parametrize("write", [write_obj, write_stl, write_off])
 def test_non_finite_vertex_is_rejected(tmp_path, write):
-    nowhere = bare(mesh())
+    nowhere = mesh_of(normals=False, colors=False)
     nowhere.vertices[nowhere.triangles[7, 0]] = np.nan
     with pytest.raises(FileError, match=r"finite|NaN"):
         write(tmp_path / "m.any", nowhere)

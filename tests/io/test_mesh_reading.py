@@ -1,7 +1,5 @@
 """Reading OBJ and STL: compared with a manual reading, Open3D and pointloom's writers; rejected files."""
 
-from __future__ import annotations
-
 import re
 import tracemalloc
 import warnings
@@ -11,7 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.io.meshes.obj import read_obj, write_obj
+from pointloom.io.meshes.obj import read_obj
 from pointloom.io.meshes.stl import read_stl, write_stl
 from pointloom.io.table import MeshTable
 
@@ -53,11 +51,8 @@ def test_every_form_of_a_face_is_the_same_fan(tmp_path, face):
         table = read_obj(obj(tmp_path, f"{SQUARE}{extras}f {face}\n"))
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3]])
     np.testing.assert_array_equal(table.vertices, [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
-
-
-def test_negative_corners_count_from_the_face_on_back(tmp_path):
-    table = read_obj(obj(tmp_path, f"{SQUARE}f -4 -3 -2\nv 5 5 5\nf -2 -1 1\n"))
-    np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [3, 4, 0]])
+    back = read_obj(obj(tmp_path, f"{SQUARE}f -4 -3 -2\nv 5 5 5\nf -2 -1 1\n"))
+    np.testing.assert_array_equal(back.triangles, [[0, 1, 2], [3, 4, 0]])
 
 
 def test_polygons_and_elements_other_than_faces(tmp_path):
@@ -135,24 +130,6 @@ def test_a_number_of_many_digits_takes_no_memory(tmp_path):
     assert peak < 20e6  # 200,000 digits for each of the 9,003 corners would be 1.8e9
 
 
-@pytest.mark.parametrize("normals", [False, True])
-@pytest.mark.parametrize("colors", [False, True])
-def test_obj_round_trip(tmp_path, rng, normals, colors):
-    written = MeshTable(
-        rng.normal(size=(50, 3)),
-        rng.integers(0, 49, (80, 3)).astype(np.int32),  # no triangle uses the last vertex
-        rng.normal(size=(50, 3)).astype(np.float32) if normals else None,
-        rng.random((50, 3)).astype(np.float32) if colors else None,
-    )
-    write_obj(tmp_path / "m.obj", written)
-    read = read_obj(tmp_path / "m.obj")
-    for name in ("vertices", "triangles", "vertex_normals", "vertex_colors"):
-        if getattr(written, name) is None:
-            assert getattr(read, name) is None
-        else:
-            np.testing.assert_array_equal(getattr(read, name), getattr(written, name))
-
-
 @pytest.mark.parametrize(
     ("name", "text", "where", "reason"),
     [
@@ -174,12 +151,7 @@ def test_obj_round_trip(tmp_path, rng, normals, colors):
         ("m.stl", "solid a\n" + TEXT_FACET, "line 9", "truncated: ends without endsolid"),
         ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "got 'vertex 1 0'"),
         ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
-        (
-            "m.stl",
-            "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 inf") + "endsolid\n",
-            "triangle 0",
-            "a corner is not finite",
-        ),
+        ("m.stl", f"solid\n{TEXT_FACET.replace('1 0 0', '1 0 inf')}endsolid\n", "triangle 0", "a corner is not finite"),
         ("m.stl", "solid x\nendsolid x\n", "", "contains no facets"),
         ("m.stl", "\0" * 84, "", "contains no facets"),
         ("m.stl", "no mesh", "byte 7", "is not an STL file"),
@@ -200,9 +172,7 @@ def test_a_cube_as_stl_gets_its_eight_vertices_back(tmp_path):
     write_stl(tmp_path / "m.stl", MeshTable(corners, triangles))
     mesh = loom.read_triangle_mesh(tmp_path / "m.stl")
     np.testing.assert_array_equal(mesh.vertices[mesh.triangles], corners[triangles])
-    assert len(mesh.vertices) == 8
-    assert mesh.is_watertight()
-    assert mesh.get_volume() == 1
+    assert len(mesh.vertices) == 8 and mesh.is_watertight() and mesh.get_volume() == 1
 
 
 def test_vertices_follow_facet_order_and_minus_zero_is_zero(tmp_path):
@@ -213,16 +183,11 @@ def test_vertices_follow_facet_order_and_minus_zero_is_zero(tmp_path):
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [3, 0, 2]])
 
 
-def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):
-    write_stl(tmp_path / "m.stl", MeshTable(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]])))
+def test_a_binary_file_may_begin_with_solid_and_not_be_truncated(tmp_path):
+    write_stl(tmp_path / "m.stl", MeshTable(np.eye(3), np.array([[0, 1, 2]] * 3)))
     data = (tmp_path / "m.stl").read_bytes()
     (tmp_path / "m.stl").write_bytes(b"solid" + data[5:])
     np.testing.assert_array_equal(read_stl(tmp_path / "m.stl").vertices, np.eye(3))
-
-
-def test_a_truncated_binary_stl_is_refused(tmp_path):
-    write_stl(tmp_path / "m.stl", MeshTable(np.eye(3), np.array([[0, 1, 2]] * 3)))
-    data = (tmp_path / "m.stl").read_bytes()
     for changed, offset in ((data[:-1], 233), (data + b"\0", 234)):
         (tmp_path / "m.stl").write_bytes(changed)
         with pytest.raises(FileError, match=rf"\(byte {offset}\): {len(changed)} bytes, but the 3 facets .* take 234"):

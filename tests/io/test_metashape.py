@@ -1,7 +1,5 @@
 """Cameras exported by Metashape: poses and lenses as in its manual, and invalid files."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -23,9 +21,8 @@ def sensor(lens: str, *, kind: str = "frame", number: int = 0, resolution: str =
 
 def camera(label: str = "IMG_1", pose: str | None = POSE, more: str = "", number: int = 0) -> str:
     transform = "" if pose is None else f"<transform>{pose}</transform>"
-    return (
-        f"<camera id='{number}' sensor_id='0' label='{label}' {more}>{transform}<orientation>1</orientation></camera>"
-    )
+    tags = f"{transform}<orientation>1</orientation>"
+    return f"<camera id='{number}' sensor_id='0' label='{label}' {more}>{tags}</camera>"
 
 
 def document(cameras: str, sensors: str = sensor("<f>500</f>"), more: str = "") -> str:
@@ -43,8 +40,7 @@ def read(tmp_path, text: str | bytes) -> loom.SfmModel:
 
 def test_camera_center_is_read_from_its_transform(tmp_path):
     model = read(tmp_path, document(camera()))
-    assert model.names == ("IMG_1",)
-    assert model.centers.tolist() == [[2, 3, 4]]
+    assert model.names == ("IMG_1",) and model.centers.tolist() == [[2, 3, 4]]
     assert (model.T_world_camera[0, :3, 0] == [0, 1, 0]).all()  # its x axis
 
 
@@ -144,36 +140,17 @@ LEAK = "<!DOCTYPE d [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><document>&a;</d
         (document(camera(pose=POSE.replace("2", "nan"))), "expected 16 finite numbers"),
         (document(camera(pose=POSE.replace("2", "1_0"))), "expected 16 finite numbers"),
         (document(camera(), more="<transform><scale>0</scale></transform>"), "the scale of the chunk is 0"),
-        (
-            document(camera(), more="<transform><rotation>1 1 1 1 1 1 1 1 1</rotation></transform>"),
-            "rotation of the chunk",
-        ),
+        (document(camera(), more=f"<transform><rotation>{'1 ' * 9}</rotation></transform>"), "rotation of the chunk"),
         (document(camera(), sensors=""), "sensor '0', which is missing"),
         (document(camera(), "<sensor id='0'/>"), "sensor 0.*no calibration"),
         (document(camera(), sensor("<f>5</f>", kind="equisolid_fisheye")), "lens is 'equisolid_fisheye'"),
         (document(camera(), sensor("<f>5</f><p3>0.1</p3>")), "p3 is not supported"),
         (document(camera(), sensor("<f>x</f>")), "f of sensor 0: expected 1 finite"),
         (document(camera(), sensor("<cx>1</cx>")), "focal lengths above"),
-        (
-            document(camera(), sensor("<f>5</f>", resolution="width='6e2' height='4'")),
-            "resolution in whole pixels, got '6e2'",
-        ),
+        (document(camera(), sensor("<f>5</f>", resolution="width='6e2' height='4'")), "resolution .*, got '6e2'"),
         (document("<camera id='0' label='a'><transform>1</transform></camera>"), "has no sensor_id"),
     ],
 )
 def test_files_that_are_not_camera_exports_are_rejected(tmp_path, text, message):
     with pytest.raises(loom.FileError, match=message):
         read(tmp_path, text)
-
-
-def test_random_damage_never_crashes_the_reader(tmp_path):
-    data = document(camera() + camera("b", number=1), more=TRANSFORM).encode()
-    rng = np.random.default_rng(4)
-    for trial in range(200):
-        spoiled = bytearray(data)
-        for at in rng.integers(0, len(data), 1 + trial % 4):
-            spoiled[at] = rng.integers(0, 256)
-        try:
-            read(tmp_path, bytes(spoiled[: rng.integers(1, len(data))] if trial % 3 == 0 else spoiled))
-        except loom.FileError as error:
-            assert "cameras.xml" in str(error)

@@ -1,7 +1,5 @@
 """Damaged files: a reader returns a consistent table or raises FileError."""
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 
@@ -10,13 +8,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.picture_names import number_of
+from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.core.errors import FileError
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.off import read_off, write_off
 from pointloom.io.meshes.stl import read_stl, write_stl
+from pointloom.io.models.metashape import read_metashape_cameras
 from pointloom.io.pictures.image_files import read_color
 from pointloom.io.points.npz import read_npz, write_npz
 from pointloom.io.points.pcd import read_pcd, write_pcd
@@ -27,21 +28,13 @@ from pointloom.io.points.text_table import read_text_table
 from pointloom.io.splats.splat_ply import read_splat_ply
 from pointloom.io.table import MeshTable, PointTable
 
+from .point_tables import table_of
+from .test_metashape import TRANSFORM, camera, document
 from .test_ptx import scan
 from .test_splat_files import CHUNK, compressed, packed
 from .textured_meshes import square, textured
 
 EXAMPLES = 25
-
-
-def cloud(count=7) -> PointTable:
-    rng = np.random.default_rng(11)
-    return PointTable(
-        rng.normal(size=(count, 3)).astype(np.float32),
-        rng.normal(size=(count, 3)).astype(np.float32),
-        rng.integers(0, 256, (count, 3)).astype(np.float32) / np.float32(255),
-        {"ring": rng.integers(0, 99, count).astype(np.uint16), "time": rng.random(count)},
-    )
 
 
 def quads_and_triangles(path, byte_order):
@@ -63,21 +56,14 @@ def quads_and_triangles(path, byte_order):
 
 
 def text_table(suffix):
-    table = cloud()
-    return PointTable(
-        table.points,
-        table.normals if suffix == ".xyzn" else None,
-        table.colors if suffix in (".xyzrgb", ".pts") else None,
-    )
+    table = table_of(7)
+    normals = table.normals if suffix == ".xyzn" else None
+    return PointTable(table.points, normals, table.colors if suffix in (".xyzrgb", ".pts") else None)
 
 
 def mesh():
-    table = cloud(4)
+    table = table_of(4)
     return MeshTable(table.points, np.array([[0, 1, 2], [1, 2, 3]]), table.normals, table.colors)
-
-
-def bare_mesh():
-    return MeshTable(mesh().vertices, mesh().triangles, mesh().vertex_normals, mesh().vertex_colors)
 
 
 def write_text_stl(path):
@@ -85,16 +71,25 @@ def write_text_stl(path):
     path.write_text(f"solid\nfacet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\nendsolid\n")
 
 
+def write_path(path):
+    camera = PinholeCameraIntrinsic.prime_sense_default()
+    write_trajectory(path, Trajectory(np.tile(np.eye(4), (2, 1, 1))), intrinsic=camera)
+
+
+def write_cameras(path):
+    path.write_text(document(camera() + camera("b", number=1), more=TRANSFORM))
+
+
 MAKERS = {
-    "binary.ply": (lambda path: write_ply(path, cloud()), read_ply),
-    "ascii.ply": (lambda path: write_ply(path, cloud(), ascii=True), read_ply),
+    "binary.ply": (lambda path: write_ply(path, table_of(7)), read_ply),
+    "ascii.ply": (lambda path: write_ply(path, table_of(7), ascii=True), read_ply),
     "big.ply": (lambda path: quads_and_triangles(path, ">"), read_ply_mesh),
     "little.ply": (lambda path: quads_and_triangles(path, "<"), read_ply_mesh),
     "mesh.ply": (lambda path: write_ply_mesh(path, mesh()), read_ply_mesh),
     "ascii_mesh.ply": (lambda path: write_ply_mesh(path, mesh(), ascii=True), read_ply_mesh),
-    "binary.pcd": (lambda path: write_pcd(path, cloud()), read_pcd),
-    "ascii.pcd": (lambda path: write_pcd(path, cloud(), encoding="ascii"), read_pcd),
-    "compressed.pcd": (lambda path: write_pcd(path, cloud(40), encoding="binary_compressed"), read_pcd),
+    "binary.pcd": (lambda path: write_pcd(path, table_of(7)), read_pcd),
+    "ascii.pcd": (lambda path: write_pcd(path, table_of(7), encoding="ascii"), read_pcd),
+    "compressed.pcd": (lambda path: write_pcd(path, table_of(40), encoding="binary_compressed"), read_pcd),
     "cloud.xyz": (lambda path: write_text(path, text_table(".xyz")), read_text),
     "cloud.xyzn": (lambda path: write_text(path, text_table(".xyzn")), read_text),
     "cloud.xyzrgb": (lambda path: write_text(path, text_table(".xyzrgb")), read_text),
@@ -103,15 +98,17 @@ MAKERS = {
     "plain.txt": (lambda path: path.write_text("# x y z\n1 2 3\n4.5 5e1 -6\n"), read_text_table),
     "scans.ptx": (lambda path: path.write_text(scan()), read_ptx),
     "splats.ply": (lambda path: compressed(path, [packed()] * 3, CHUNK, sh=[[1] * 9] * 3), read_splat_ply),
-    "mesh.obj": (lambda path: write_obj(path, bare_mesh()), read_obj),
+    "mesh.obj": (lambda path: write_obj(path, mesh()), read_obj),
     "mesh.stl": (lambda path: write_stl(path, MeshTable(mesh().vertices, mesh().triangles)), read_stl),
     "text.stl": (write_text_stl, read_stl),
-    "mesh.off": (lambda path: write_off(path, bare_mesh()), read_off),
+    "mesh.off": (lambda path: write_off(path, mesh()), read_off),
     "mesh.glb": (lambda path: write_glb(path, square()), read_glb),
     "square.obj": (lambda path: write_obj(path, square()), read_obj),
     "textured.ply": (lambda path: write_ply_mesh(path, textured()), read_ply_mesh),
     "square_ascii.ply": (lambda path: write_ply_mesh(path, square(), ascii=True), read_ply_mesh),
-    "cloud.npz": (lambda path: write_npz(path, cloud()), read_npz),
+    "cloud.npz": (lambda path: write_npz(path, table_of(7)), read_npz),
+    "cameras.xml": (write_cameras, read_metashape_cameras),
+    **{f"path.{suffix}": (write_path, read_trajectory) for suffix in ("log", "tum", "kitti", "json")},
 }
 
 
@@ -127,18 +124,20 @@ def valid_files():
 
 
 TEXT = (
+    "path",
     "ascii",
     "cloud.xyz",
     "cloud.pts",
     "cloud.csv",
-    "plain.txt",
+    "plain",
     "scans",
     "mesh.obj",
     "mesh.off",
     "text.stl",
     "square",
+    "path",
 )
-COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "scans.ptx", "text.stl", "mesh.off"]
+COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "scans.ptx", "text.stl", "mesh.off", "path.json"]
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(are|is) (dropped|ignored)"),
@@ -182,28 +181,27 @@ def damage(valid, edits, fraction):
 
 
 def check_consistent(table):
+    if not isinstance(table, (MeshTable, PointTable)):
+        assert len(table) and np.isfinite(table.poses if isinstance(table, Trajectory) else table.centers).all()
+        return
     points = table.vertices if isinstance(table, MeshTable) else table.points
     count = len(points)
-    assert points.shape == (count, 3)
-    assert points.dtype in (np.float32, np.float64)
+    assert points.shape == (count, 3) and points.dtype in (np.float32, np.float64)
     if isinstance(table, MeshTable):
         triples = (table.vertex_normals, table.vertex_colors)
-        assert table.triangles.ndim == 2
-        assert table.triangles.shape[1] == 3
+        assert table.triangles.ndim == 2 and table.triangles.shape[1] == 3
         assert not table.triangles.size or 0 <= table.triangles.min() <= table.triangles.max() < count
         uvs, ids = table.triangle_uvs, table.triangle_material_ids
         assert uvs is None or uvs.shape == (3 * len(table.triangles), 2)
-        assert ids is None or (
-            ids.shape == (len(table.triangles),) and 0 <= ids.min() <= ids.max() < len(table.textures)
-        )
+        assert ids is None or ids.shape == (len(table.triangles),)
+        assert ids is None or 0 <= ids.min() <= ids.max() < len(table.textures)
     else:
         triples = (table.normals, table.colors)
         assert table.grid is None or table.grid[0] * table.grid[1] == count
     for array in triples:
         assert array is None or (array.shape == (count, 3) and array.dtype == np.float32)
     for array in table.attributes.values():
-        assert len(array) == count
-        assert array.dtype.kind in "biuf"
+        assert len(array) == count and array.dtype.kind in "biuf"
 
 
 @pytest.mark.parametrize("name", MAKERS)
@@ -216,8 +214,7 @@ def test_damaged_bytes_give_a_consistent_table_or_a_file_error(name, valid_files
     try:
         table = MAKERS[name][1](path)
     except FileError as error:
-        assert str(path) in str(error)
-        assert error.reason
+        assert str(path) in str(error) and error.reason
     else:
         check_consistent(table)
 

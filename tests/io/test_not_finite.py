@@ -1,7 +1,5 @@
 """NaN, signaling NaN and infinities pass through readers, writers and clouds without NumPy warnings."""
 
-from __future__ import annotations
-
 import warnings
 
 import laspy

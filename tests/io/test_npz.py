@@ -1,7 +1,5 @@
 """NPZ: round trips, and invalid headers."""
 
-from __future__ import annotations
-
 import io
 import re
 import zipfile
@@ -23,7 +21,6 @@ def cloud(count=40, dtype=np.float32, grid=None):
 
 
 def array_bytes(array, **changes):
-    """The .npy bytes of an array, with replacements in the header."""
     stream = io.BytesIO()
     np.save(stream, array)
     data = stream.getvalue()
@@ -68,8 +65,7 @@ def test_archives_of_numpy_are_read_in_any_layout(path, save):
     points = np.arange(12, dtype=">f8").reshape(3, 4).T
     save(path, points=points, colors=np.full((4, 3), 51, np.uint8), ring=np.arange(8)[::2])
     read = read_npz(path)
-    assert read.points.dtype == np.float64
-    assert read.points.flags.c_contiguous
+    assert read.points.dtype == np.float64 and read.points.flags.c_contiguous
     np.testing.assert_array_equal(read.points, points)
     np.testing.assert_array_equal(read.colors, np.full((4, 3), 0.2, np.float32))
     np.testing.assert_array_equal(read.attributes["ring"], [0, 2, 4, 6])
@@ -84,12 +80,10 @@ def test_archives_of_numpy_are_read_in_any_layout(path, save):
         ({"points": np.zeros((2, 3), bool)}, "points: expected numbers"),
         ({"points": np.zeros((2, 3)), "normals": np.zeros((3, 3))}, "normals: expected numbers of shape [2, 3]"),
         ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a color is outside 0..1"),
-        (
-            {"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))},
-            "ring: expected shape [2] or [2, c], got [2, 2, 2]",
-        ),
+        ({"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))}, "ring: expected shape [2] or [2, c], got [2, 2"),
         ({"points": np.zeros((2, 3)), "name": np.array(["a", "b"])}, "name: expected real numbers"),
         ({"points": np.zeros((2, 3)), "grid": np.array([3, 3])}, "grid: expected height and width"),
+        ({"points": np.zeros((2, 3)), "evil": np.array([print, None], object)}, "evil:"),  # never unpickled
     ],
 )
 def test_an_archive_that_is_no_cloud_is_refused(path, arrays, reason):
@@ -98,15 +92,10 @@ def test_an_archive_that_is_no_cloud_is_refused(path, arrays, reason):
         read_npz(path)
 
 
-def test_objects_are_never_unpickled(path):
-    np.savez(path, points=np.zeros((2, 3)), evil=np.array([print, None], object))
-    with pytest.raises(FileError, match="evil:"):
-        read_npz(path)
+SHAPES = f"({10**18}, 3)", "(-2, -3)", "(3, 3)", "(1, 3)", "(2, 3, 1)", "()", "(True, 6)", "(2.0, 3)"
 
 
-@pytest.mark.parametrize(
-    "shape", ["(1000000000000000000, 3)", "(-2, -3)", "(3, 3)", "(1, 3)", "(2, 3, 1)", "()", "(True, 6)", "(2.0, 3)"]
-)
+@pytest.mark.parametrize("shape", SHAPES)
 def test_header_with_a_wrong_shape_is_rejected_before_allocation(path, shape):
     write_members(path, points=array_bytes(np.zeros((2, 3)), **{"(2, 3)": shape}))
     with pytest.raises(FileError, match="points:"):
@@ -124,37 +113,19 @@ def test_directory_with_a_wrong_size_is_rejected(path, size):
         read_npz(path)
 
 
-@pytest.mark.parametrize(
-    ("change", "reason"),
-    [
+def test_a_damaged_archive_is_refused(path):
+    for change, reason in (
         (lambda data: b"", "is empty"),
         (lambda data: data[:-1], "truncated"),
         (lambda data: data + b"\0", "bytes follow its end"),
         (lambda data: b"junk" + data, "4 bytes precede the archive"),
         (lambda data: data.replace(b"ring__.npy", b"points.npy"), "is duplicated"),
         (lambda data: data.replace(b"\x93NUMPY\1", b"\x93NUMPY\7"), "Bad CRC-32"),
-    ],
-)
-def test_a_damaged_archive_is_refused(path, change, reason):
-    np.savez(path, points=np.zeros((2, 3)), ring__=np.zeros(2))
-    path.write_bytes(change(path.read_bytes()))
-    with pytest.raises(FileError, match=reason):
-        read_npz(path)
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "reason"),
-    [
-        (b"\x93NUMPY", b"\x94NUMPY", "header is damaged"),
-        (b"NUMPY\1", b"NUMPY\7", "unknown version"),
-        (b"'<f8'", b"'<\\d'", "header is damaged"),
-    ],
-)
-def test_a_damaged_array_header_is_refused(path, old, new, reason):
-    data = array_bytes(np.zeros((2, 3)))
-    write_members(path, points=data.replace(old, new, 1))
-    with pytest.raises(FileError, match=reason):
-        read_npz(path)
+    ):
+        np.savez(path, points=np.zeros((2, 3)), ring__=np.zeros(2))
+        path.write_bytes(change(path.read_bytes()))
+        with pytest.raises(FileError, match=reason):
+            read_npz(path)
 
 
 @pytest.mark.parametrize("name", ["points", "grid", "", "a/b", "..\\b", "new\nline"])
@@ -178,18 +149,19 @@ def test_out_of_memory_error_names_the_file(path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "reason"),
     [
-        r"{'descr': '\z', 'fortran_order': False, 'shape': (3,), }",  # Python warns of both
-        "{'descr': '<f8', 'fortran_order': False, 'shape': (1or 3,), }",
-        "(" * 5000,
-        "{'descr': '<f8'}",
+        (r"{'descr': '\z', 'fortran_order': False, 'shape': (3,), }", "header is damaged"),  # Python warns of both
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': (1or 3,), }", "header is damaged"),
+        ("(" * 5000, "header is damaged"),
+        ("{'descr': '<f8'}", "header is damaged"),
+        (b"\x94NUMPY\1\0v\0", "header is damaged"),
+        (b"\x93NUMPY\7\0v\0", "unknown version"),
     ],
-    ids=["escape", "number", "nest", "entries"],
+    ids=range(6),
 )
-def test_a_damaged_header_is_an_error_and_no_warning(path, text):
-    header = text.encode() + b" \n"
-    with zipfile.ZipFile(path, "w") as archive:
-        archive.writestr("points.npy", b"\x93NUMPY\1\0" + len(header).to_bytes(2, "little") + header + bytes(72))
-    with pytest.raises(FileError, match=re.escape(str(path))):
+def test_a_damaged_header_is_an_error_and_no_warning(path, text, reason):
+    header = text if isinstance(text, bytes) else b"\x93NUMPY\1\0" + (len(text) + 2).to_bytes(2, "little")
+    write_members(path, points=header + (b"" if isinstance(text, bytes) else text.encode() + b" \n") + bytes(200))
+    with pytest.raises(FileError, match=reason):
         read_npz(path)

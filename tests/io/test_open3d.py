@@ -1,7 +1,5 @@
 """Files written by Open3D are read (stored copies in quick tests), and Open3D reads files written by pointloom."""
 
-from __future__ import annotations
-
 from contextlib import nullcontext
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -43,7 +41,6 @@ def files_of_open3d(o3d, write, name, *content):
 
 @pytest.fixture
 def open3d_file(oracle, tmp_path):
-    """A function that returns the path of a file written by Open3D."""
 
     def path(write, name, *content):
         for file, data in oracle(f"io/{name}", files_of_open3d, write, name, *content).items():
@@ -206,10 +203,8 @@ def test_open3d_reads_written_meshes(o3d, tmp_path, name):
     result = MeshTable(np.asarray(read.vertices), np.asarray(read.triangles))
     if not table.textures:
         if table.vertex_normals is not None:
-            result.vertex_normals, result.vertex_colors = (
-                np.asarray(read.vertex_normals),
-                np.asarray(read.vertex_colors),
-            )
+            result.vertex_normals = np.asarray(read.vertex_normals)
+            result.vertex_colors = np.asarray(read.vertex_colors)
             if Path(name).suffix in (".glb", ".gltf"):  # Open3D reads colors unchanged, which are linear light
                 result.vertex_colors = linear_to_srgb(result.vertex_colors)
         np.testing.assert_allclose(corners_of(result), corners_of(table), rtol=0, atol=1e-6)
@@ -220,30 +215,27 @@ def test_open3d_reads_written_textures_upright(o3d, tmp_path, suffix):
     write_mesh(tmp_path / f"m{suffix}", square(), ascii=False, overwrite=True)
     read = o3d.io.read_triangle_mesh(str(tmp_path / f"m{suffix}"))
     (flipped,) = [picture for picture in map(np.asarray, read.textures) if picture.ndim == 3]  # the other is assimp's
-    result = MeshTable(
-        np.asarray(read.vertices), np.asarray(read.triangles), triangle_uvs=np.asarray(read.triangle_uvs)
-    )
+    vertices, triangles, uvs = map(np.asarray, (read.vertices, read.triangles, read.triangle_uvs))
+    result = MeshTable(vertices, triangles, triangle_uvs=uvs)
     result.textures = (flipped[::-1],)  # Open3D stores images with the lowest row first
     assert seen_at_corners(result) == CORNERS
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
+def test_real_meshes_agree_with_open3d(o3d, real_file):
+    for name in (
         *("reg-bunny-scans/reconstruction/bun_zipper.ply", "reg-bunny-scans/reconstruction/bun_zipper_res2.ply"),
-        "mvs-openmvs-sample/scene_mesh.ply", "mesh-common3d/fandisk.obj",
+        "mvs-openmvs-sample/scene_mesh.ply",
+        "mesh-common3d/fandisk.obj",
         "mesh-points2surf-abc/03_meshes/00011084_fddd53ce45f640f3ab922328_trimesh_019.ply",
-    ],
-)  # fmt: skip
-def test_real_meshes_agree_with_open3d(o3d, real_file, name):
-    real = real_file(name)
-    expected = o3d.io.read_triangle_mesh(str(real))
-    result = loom.read_triangle_mesh(real) if real.suffix == ".obj" else read_ply_mesh(real)
-    corners = [np.asarray(read.vertices)[np.asarray(read.triangles)] for read in (result, expected)]
-    facets, rtol = [rows.astype(np.float32).reshape(-1, 9) for rows in corners], 0.0
-    if real.suffix == ".obj":  # its order differs, and its decimals are rounded to the nearest float32
-        facets, rtol = [rows[np.lexsort(rows.T)] for rows in facets], 2.5e-7
-    np.testing.assert_allclose(*facets, rtol=rtol)
+    ):
+        real = real_file(name)
+        expected = o3d.io.read_triangle_mesh(str(real))
+        result = loom.read_triangle_mesh(real) if real.suffix == ".obj" else read_ply_mesh(real)
+        corners = [np.asarray(read.vertices)[np.asarray(read.triangles)] for read in (result, expected)]
+        facets, rtol = [rows.astype(np.float32).reshape(-1, 9) for rows in corners], 0.0
+        if real.suffix == ".obj":  # its order differs, and its decimals are rounded to the nearest float32
+            facets, rtol = [rows[np.lexsort(rows.T)] for rows in facets], 2.5e-7
+        np.testing.assert_allclose(*facets, rtol=rtol)
 
 
 def trajectory():
@@ -298,7 +290,6 @@ def splats_in_open3d(o3d, path):
 
 
 def written_and_read(o3d, name):
-    """Open3D's reading of the splats that it wrote."""
     with TemporaryDirectory() as folder:
         write_open3d_splats(o3d, Path(folder) / name)
         return splats_in_open3d(o3d, Path(folder) / name)

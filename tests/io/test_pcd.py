@@ -1,7 +1,5 @@
 """PCD: the three encodings, organized clouds, packed colors, rejected files, LZF, and agreement with Open3D."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np
@@ -31,17 +29,12 @@ def path(tmp_path):
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
-@pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (500, np.float64)])
+@pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (150_000, "f8")])
 def test_every_array_round_trips_exactly(path, encoding, dtype, count):
+    count = min(count, 500) if encoding != "binary" else count  # more than a chunk
     integers = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "large": np.arange(count) - 2**62}
     table = table_of(count, dtype, fpfh=np.ones((count, 33), np.float32), **integers)
     write_pcd(path, table, encoding=encoding)
-    assert_same_table(read_pcd(path), table)
-
-
-def test_more_rows_than_one_chunk_survive(path):
-    table = PointTable(np.random.default_rng(0).random((150_000, 3)), attributes={"k": np.arange(150_000)})
-    write_pcd(path, table)
     assert_same_table(read_pcd(path), table)
 
 
@@ -167,7 +160,9 @@ def test_an_impossible_count_is_refused_before_anything_is_allocated(path, encod
         read_pcd(path)
 
 
-def test_impossible_compressed_size_is_rejected_before_reading(path):
+def test_impossible_compressed_size_is_rejected_before_reading_and_an_unknown_encoding_before_writing(path):
+    with pytest.raises(ValueError, match="encoding:"):
+        write_pcd(path, table_of(), encoding="zip")  # type: ignore[arg-type]
     head = HEAD.replace("ascii", "binary_compressed").replace(" 2\n", " 300000000\n")
     path.write_bytes(head.encode() + np.array([20, 300000000 * 12], "<u4").tobytes() + bytes(20))
     with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 199\):.*20.*3600000000"):
@@ -178,13 +173,11 @@ def test_truncated_binary_names_the_missing_bytes_and_surplus_names_its_offset(p
     write_pcd(path, PointTable(np.zeros((10, 3), np.float32)))
     valid = path.read_bytes()
     path.write_bytes(valid[:-5])
-    with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 281\):.*120.*115.*5") as caught:
+    with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 281\):.*120.*115.*5"):
         read_pcd(path)
-    assert caught.value.where == f"byte {len(valid) - 5}"
     path.write_bytes(valid + b"\0")
-    with pytest.raises(FileError, match="1 bytes follow") as caught:
+    with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 286\): 1 bytes follow"):
         read_pcd(path)
-    assert caught.value.where == f"byte {len(valid)}"
 
 
 def test_only_pcls_zero_padding_may_follow_compressed_payloads(path):
@@ -213,13 +206,7 @@ def test_only_pcls_zero_padding_may_follow_compressed_payloads(path):
 def test_attribute_that_cannot_be_read_back_is_rejected(path, attributes, reason):
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         write_pcd(path, PointTable(np.zeros((2, 3)), attributes=attributes))
-    assert caught.value.remedy
-    assert not list(path.parent.iterdir())
-
-
-def test_an_unknown_encoding_is_a_value_error(path):
-    with pytest.raises(ValueError, match="encoding:"):
-        write_pcd(path, table_of(), encoding="zip")  # type: ignore[arg-type]
+    assert caught.value.remedy and not list(path.parent.iterdir())
 
 
 @settings(max_examples=25, derandomize=True, deadline=None, database=None)
@@ -233,13 +220,11 @@ def test_lzf_crosses_blocks_and_compresses_repetitions(monkeypatch):
     monkeypatch.setattr(lzf, "_BLOCK", 1 << 16)
     data = np.repeat(np.random.default_rng(0).integers(0, 9, 40_000), 4).astype(np.uint8).tobytes()
     packed = lzf.compress(data)
-    assert lzf.decompress(packed, len(data)) == data
-    assert len(packed) < 0.8 * len(data)
+    assert lzf.decompress(packed, len(data)) == data and len(packed) < 0.8 * len(data)
 
 
-@pytest.mark.parametrize(
-    ("stream", "size", "reason"),
-    [
+def test_a_damaged_lzf_stream_is_refused():
+    for stream, size, reason in (
         (b"\x05ab", 6, "literal run reaches beyond the end"),
         (b"\x00a\x20\x05", 4, "points before the beginning"),
         (b"\x00a\x20\x01", 4, "points before the beginning"),  # by a single byte
@@ -248,11 +233,9 @@ def test_lzf_crosses_blocks_and_compresses_repetitions(monkeypatch):
         (b"\x00a\xe0\xff\x00", 50, "more than the declared 50 bytes"),
         (b"\x00a", 2, "decompresses to 1 bytes instead of the declared 2"),
         (b"\x00a", 10**9, "cannot expand"),
-    ],
-)
-def test_a_damaged_lzf_stream_is_refused(stream, size, reason):
-    with pytest.raises(lzf.LzfError, match=reason):
-        lzf.decompress(stream, size)
+    ):
+        with pytest.raises(lzf.LzfError, match=reason):
+            lzf.decompress(stream, size)
 
 
 def text_with(fields, types, rows, viewpoint="0 0 0 1 0 0 0"):
@@ -283,7 +266,8 @@ def test_packed_colors_as_integers_in_text_are_read(tmp_path, kind, alpha):
 
 
 def test_colors_of_points_that_were_not_measured_do_not_matter(tmp_path):
-    (tmp_path / "a.pcd").write_text(text_with("x y z rgb", "F F F F", ["nan nan nan nan", "1 0 0 2.3418052e-38"]))
+    rows, origin = ["nan nan nan nan", "1 0 0 2.3418052e-38"], "0 0 0 0 0 0 0"
+    (tmp_path / "a.pcd").write_text(text_with("x y z rgb", "F F F F", rows, origin))
     assert np.rint(loom.read_point_cloud(tmp_path / "a.pcd").colors[1] * 255).tolist() == [255, 0, 0]
 
 
@@ -307,9 +291,3 @@ def test_viewpoint_is_reported_and_copied(tmp_path, capsys):
     with pytest.raises(SystemExit):
         cli(["info", str(source)])
     assert "10 20.5 -30" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("viewpoint", ["0 0 0 1 0 0 0", "0 0 0 0 0 0 0"])
-def test_a_viewpoint_at_the_origin_is_no_news(tmp_path, viewpoint):
-    (tmp_path / "a.pcd").write_text(text_with("x y z", "F F F", ["1 0 0"], viewpoint))
-    assert len(loom.read_point_cloud(tmp_path / "a.pcd")) == 1

@@ -1,7 +1,5 @@
 """PLY: reading, writing, rejected files with their messages, and agreement with Open3D."""
 
-from __future__ import annotations
-
 import os
 import re
 
@@ -33,16 +31,10 @@ def path(tmp_path):
     return tmp_path / "cloud.ply"
 
 
-@pytest.mark.parametrize(
-    ("count", "dtype", "ascii"),
-    [
-        *((count, np.float32, ascii) for count in (0, 1) for ascii in (False, True)),
-        *((500, np.float64, ascii) for ascii in (False, True)),
-        (70_000, np.float32, False),
-    ],
-)
+@pytest.mark.parametrize(("count", "dtype"), [(0, "f4"), (1, "f4"), (500, "f8"), (70_000, "f4")])
+@pytest.mark.parametrize("ascii", [False, True])
 def test_every_array_survives_a_round_trip_to_the_bit(path, ascii, dtype, count):
-    table = table_of(count, dtype)
+    table = table_of(min(count, 500) if ascii else count, dtype)
     write_ply(path, table, ascii=ascii)
     assert_same_table(read_ply(path), table)
     assert list(read_ply(path).attributes) == list(table.attributes)
@@ -116,15 +108,12 @@ def test_any_line_end_is_read(path, end, form):
     np.testing.assert_array_equal(read_ply(write(path, head, payload)).points, points)
 
 
-@pytest.mark.parametrize(
-    "names", [("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), tuple("rgb")]
-)
+@pytest.mark.parametrize("names", [("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), "rgb"])
 @pytest.mark.parametrize(("code", "full"), [("uchar", 255), ("ushort", 65535), ("float", 1), ("double", 1)])
 def test_colors_of_every_name_and_type_are_scaled_to_0_1(path, names, code, full):
     head = HEAD.replace("end_header\n", "".join(f"property {code} {name}\n" for name in names) + "end_header\n")
     table = read_ply(write(path, head + f"0 0 0 0 0 {full}\n0 0 0 {full} 0 0\n"))
-    assert table.colors is not None
-    assert table.colors.dtype == np.float32
+    assert table.colors is not None and table.colors.dtype == np.float32
     np.testing.assert_array_equal(table.colors, [[0, 0, 1], [1, 0, 0]])
     assert not table.attributes
 
@@ -164,26 +153,18 @@ def test_damaged_file_is_rejected_with_location_and_reason(path, content, where,
     path.write_bytes(content)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         read_ply(path)
-    assert caught.value.where == where
-    assert caught.value.path == str(path)
+    assert caught.value.where == where and caught.value.path == str(path)
 
 
-def test_truncated_binary_ply_names_the_missing_bytes(path):
+def test_missing_and_additional_bytes_of_a_binary_ply_are_named_by_their_offset(path):
     write_ply(path, PointTable(np.zeros((10, 3), np.float32)))
     valid = path.read_bytes()
     path.write_bytes(valid[:-7])
-    with pytest.raises(FileError, match=r"/cloud\.ply \(byte 229\):.*120.*113.*7") as caught:
+    with pytest.raises(FileError, match=r"/cloud\.ply \(byte 229\):.*120.*113.*7"):
         read_ply(path)
-    assert caught.value.where == f"byte {len(valid) - 7}"
-
-
-def test_bytes_behind_the_payload_are_named_by_their_offset(path):
-    write_ply(path, PointTable(np.zeros((10, 3), np.float32)))
-    valid = path.read_bytes()
     path.write_bytes(valid + b"\n")
-    with pytest.raises(FileError, match="1 bytes follow") as caught:
+    with pytest.raises(FileError, match=r"/cloud\.ply \(byte 236\): 1 bytes follow"):
         read_ply(path)
-    assert caught.value.where == f"byte {len(valid)}"
 
 
 @pytest.mark.parametrize("count", [10**10, 10**18])
@@ -196,24 +177,17 @@ def test_an_impossible_count_is_refused_before_anything_is_allocated(path, form,
         read_ply(write(path, head, b"1 2 3 0 " * 5))
 
 
-def test_an_impossible_list_length_is_refused_with_its_row(path):
-    head = (
-        "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face 2\nproperty list uint double vertex_indices\nend_header\n"
-    )
+def test_impossible_and_negative_list_lengths_are_refused_with_their_row(path):
+    head = HEAD.replace("ascii", "binary_little_endian").replace("vertex 2", "vertex 0")
+    lists = "element face 2\nproperty list uint double vertex_indices\nend_header"
     with pytest.raises(FileError, match=r"/cloud\.ply \(byte 179\):.*2"):
-        read_ply(write(path, head, bytes(4) + b"\xff" * 4))
-
-
-def test_a_negative_list_length_is_refused_with_its_row(path):
+        read_ply(write(path, head.replace("end_header", lists), bytes(4) + b"\xff" * 4))
     head = HEAD.replace("end_header", "property list char int tags\nend_header")
-    with pytest.raises(FileError, match=r"/cloud\.ply \(line 10\):") as caught:
+    with pytest.raises(FileError, match=r"/cloud\.ply \(line 10\):"):
         read_ply(write(path, head, b"1 2 3 0\n1 2 3 -1\n"))
-    assert caught.value.where == "line 10"
-    with pytest.raises(FileError, match=r"/cloud\.ply \(row 1, byte 168\):") as caught:
+    with pytest.raises(FileError, match=r"/cloud\.ply \(row 1, byte 168\):"):
         row = np.zeros(3, "<f4").tobytes()
         read_ply(write(path, head.replace("ascii", "binary_little_endian"), row + b"\0" + row + b"\xff"))
-    assert caught.value.where.startswith("row 1, byte")
 
 
 def test_missing_files_are_rejected(tmp_path):
@@ -241,24 +215,21 @@ def test_missing_files_are_rejected(tmp_path):
 def test_attribute_that_cannot_be_read_back_is_rejected(path, attributes, reason):
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         write_ply(path, PointTable(np.zeros((2, 3)), attributes=attributes))
-    assert caught.value.remedy
-    assert not list(path.parent.iterdir())
+    assert caught.value.remedy and not list(path.parent.iterdir())
 
 
 @pytest.mark.parametrize("value", [np.nan, -0.1, 1.1])
 def test_a_color_outside_0_to_1_is_refused_with_its_row(path, value):
     colors = np.zeros((3, 3), np.float32)
     colors[1, 2] = value
-    with pytest.raises(FileError, match=r"/cloud\.ply \(row 1\):.*0\.\.1") as caught:
+    with pytest.raises(FileError, match=r"/cloud\.ply \(row 1\):.*0\.\.1"):
         write_ply(path, PointTable(np.zeros((3, 3)), colors=colors))
-    assert caught.value.where == "row 1"
 
 
 def test_a_table_of_wrong_shapes_is_a_value_error(path):
-    with pytest.raises(ValueError, match="normals:"):
-        write_ply(path, PointTable(np.zeros((3, 3)), normals=np.zeros((2, 3))))
-    with pytest.raises(ValueError, match="ring:"):
-        write_ply(path, PointTable(np.zeros((3, 3)), attributes={"ring": np.zeros(2)}))
+    for name, wrong in (("normals", {"normals": np.zeros((2, 3))}), ("ring", {"attributes": {"ring": np.zeros(2)}})):
+        with pytest.raises(ValueError, match=f"{name}:"):
+            write_ply(path, PointTable(np.zeros((3, 3)), **wrong))
 
 
 @pytest.mark.parametrize("ascii", [True, False])

@@ -1,7 +1,5 @@
 """Faces with more than three corners: triangles cover each face once, for any shape and format."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -24,7 +22,6 @@ def triangles_of(points, lengths=None):
 
 
 def areas(points, triangles):
-    """Signed areas along z."""
     a, b, c = (points[triangles[:, k], :2] for k in range(3))
     return np.cross(np.c_[b - a, np.zeros(len(a))], np.c_[c - a, np.zeros(len(a))])[:, 2] / 2
 
@@ -70,8 +67,7 @@ def test_a_bent_quad_is_parted_along_its_shorter_diagonal_and_a_flat_one_is_not(
     for height, diagonal in ((0.5, [1, 3]), (-0.5, [1, 3]), (0, [0, 2])):
         quad = np.array([[-2, 0, height], [0, -1, 0], [2, 0, height], [0, 1, 0]])
         first, second = triangles_of(quad)
-        assert sorted(set(first) & set(second)) == diagonal
-        assert areas(quad, np.array([first, second])).sum() == 4
+        assert sorted(set(first) & set(second)) == diagonal and areas(quad, np.array([first, second])).sum() == 4
 
 
 def test_texture_coordinates_and_values_of_faces_follow_their_triangles(tmp_path):
@@ -92,8 +88,7 @@ def test_holes_spikes_repeated_and_straight_corners_are_supported():
         for start in range(len(points)):
             rotated = np.roll(points, -start, axis=0)
             triangle_areas = areas(rotated, triangles_of(rotated))
-            assert len(triangle_areas) == len(points) - 2
-            assert triangle_areas.min() >= 0
+            assert len(triangle_areas) == len(points) - 2 and triangle_areas.min() >= 0
             assert triangle_areas.sum() == pytest.approx(area, rel=1e-14)
 
 
@@ -132,5 +127,4 @@ def test_any_outline_is_covered_once(count, seed):
     if np.diff(angles, append=angles[0] + 2 * np.pi).max() < np.pi:  # the middle is inside: no edges cross
         assert good.all()
         parts = areas(np.c_[outline, np.zeros(count)], triangles[0])
-        assert parts.min() >= -1e-15
-        assert parts.sum() == pytest.approx(area, rel=1e-12)
+        assert parts.min() >= -1e-15 and parts.sum() == pytest.approx(area, rel=1e-12)

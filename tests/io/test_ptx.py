@@ -1,7 +1,5 @@
 """PTX: scans are transformed by their matrices, missing returns are omitted, and inconsistent files are rejected."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -27,8 +25,7 @@ def test_scans_are_transformed_by_their_matrices(tmp_path, end):
     cloud = loom.read_point_cloud(write(tmp_path / "a.ptx", scan(), "\n", scan(matrix=STRAIGHT), end=end))
     np.testing.assert_allclose(cloud.points[:3], [[10, 21, 30], [8, 20, 30], [10, 20, 33]], atol=1e-6)
     np.testing.assert_allclose(cloud.points[3:], [[1, 0, 0], [0, 2, 0], [0, 0, 3]], atol=1e-6)
-    assert cloud["intensity"].tolist() == [0.5, 0.25, 1] * 2
-    assert cloud["scan_index"].tolist() == [0] * 3 + [1] * 3
+    assert cloud["intensity"].tolist() == [0.5, 0.25, 1] * 2 and cloud["scan_index"].tolist() == [0] * 3 + [1] * 3
     assert cloud["column_index"].tolist() == [0, 1, 1] * 2 and cloud["row_index"].tolist() == [0, 0, 1] * 2
     assert cloud.unit is not None and cloud.unit.meters == 1
     second = loom.read_point_cloud(tmp_path / "a.ptx", scan=1)
@@ -54,25 +51,17 @@ def test_missing_returns_and_coordinates_that_are_not_finite_are_no_points(tmp_p
     assert cloud["scan_index"].tolist() == [2]
 
 
-def test_stations_keep_their_own_coordinates(tmp_path):
-    stations = loom.read_stations(write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT)))
-    assert stations.names == ("0", "1") and stations.posed.all()
-    np.testing.assert_allclose(stations.poses[0], [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]])
-    np.testing.assert_allclose(stations.clouds[0].points, [[1, 0, 0], [0, 2, 0], [0, 0, 3]])
-
-
-def test_conversion_to_e57_keeps_the_poses(tmp_path):
+def test_conversion_to_e57_and_tiles_keeps_the_poses(tmp_path):
     path = write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT))
     write_cloud_table(tmp_path / "a.e57", read_table(path), source=path)
     before, after = loom.read_stations(path), loom.read_stations(tmp_path / "a.e57")
+    assert before.names == ("0", "1") and before.posed.all()
+    np.testing.assert_allclose(before.poses[0], [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]])
+    np.testing.assert_allclose(before.clouds[0].points, [[1, 0, 0], [0, 2, 0], [0, 0, 3]])
     np.testing.assert_allclose(after.poses, before.poses, atol=1e-12)
     for a, b in zip(after.clouds, before.clouds, strict=True):
         np.testing.assert_allclose(a.points, b.points, atol=1e-6)
         assert {*a.attributes} == {*b.attributes} == {"intensity", "row_index", "column_index"}
-
-
-def test_tiles_from_ptx(tmp_path):
-    write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT))
     loom.tiling.plan_tiles(tmp_path / "a.ptx", [], tmp_path / "job")
     loom.tiling.run_tiles(tmp_path / "job")
     result = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / "a.laz"))

@@ -1,7 +1,5 @@
 """IMU readings and poses from recordings written by rosbags."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -61,9 +59,8 @@ def test_poses_are_a_trajectory(tmp_path, kind):
 
 def test_invalid_poses_and_topics_of_other_types_are_named(tmp_path):
     with Writer(tmp_path) as out:
-        pose = out.store.types["geometry_msgs/msg/Pose"](
-            vector(out.store, [0] * 3, "Point"), quaternion(out.store, [0] * 4)
-        )
+        place, rotation = vector(out.store, [0] * 3, "Point"), quaternion(out.store, [0] * 4)
+        pose = out.store.types["geometry_msgs/msg/Pose"](place, rotation)
         out.send("/pose", "geometry_msgs/msg/PoseStamped", 1.0, pose)
     recording = loom.open_recording(out.path)
     with pytest.raises(FileError, match=r"/run:.*0"):

@@ -1,7 +1,5 @@
 """The scans of a folder in order, and invalid folders."""
 
-from __future__ import annotations
-
 import pytest
 
 import pointloom as loom
@@ -42,10 +40,9 @@ def test_folders_that_are_none_are_named(tmp_path):
         run_odometry(tmp_path / "1.bin")
     with pytest.raises(FileError, match="is empty"):
         run_odometry([tmp_path / "1.bin"])
-    with pytest.raises(TypeError, match=r"^scans:"):
-        run_odometry(loom.PointCloud([[1, 2, 3]]))
-    with pytest.raises(TypeError, match=r"^scans:"):
-        run_odometry([3])
+    for wrong in (loom.PointCloud([[1, 2, 3]]), [3]):
+        with pytest.raises(TypeError, match=r"^scans:"):
+            run_odometry(wrong)
     with pytest.raises(ValueError, match="timestamps:"):
         run_odometry([loom.PointCloud([[1, 2, 3]])], timestamps=[0.0, 1.0])
     assert len(run_odometry([])) == 0

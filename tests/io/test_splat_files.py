@@ -1,7 +1,5 @@
 """Splats from and to PLY, .splat and SPZ: exact round trips, Open3D's values, and rejected files."""
 
-from __future__ import annotations
-
 import gzip
 import struct
 
@@ -10,22 +8,16 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.pcd.harmonics import signs_of_flip
 
 from ..pcd.test_splats import made
 
 EXTENSIONS = (".ply", ".splat", ".spz")
-FLIPS = np.array([1, -1, -1])
-
-
-def flipped(splats: loom.GaussianSplats) -> loom.GaussianSplats:
-    """Splats with y and z negated, as in SPZ."""
-    return splats.rotate(np.diag(FLIPS), center=[0, 0, 0])
 
 
 @pytest.mark.parametrize("degree", range(5))
-def test_ply_keeps_every_bit(tmp_path, degree):
+def test_ply_keeps_every_bit_and_further_columns(tmp_path, degree):
     splats = made(20, degree)
+    splats.cloud["label"] = np.arange(20, dtype=np.int32)
     loom.write_splats(tmp_path / "a.ply", splats)
     again = loom.read_splats(tmp_path / "a.ply")
     assert again.degree == degree
@@ -55,15 +47,7 @@ def test_spz_of_version_2_has_three_bytes_a_rotation(tmp_path):
     one = loom.read_splats(tmp_path / "a.spz")
     np.testing.assert_allclose(one.scales, 1)
     np.testing.assert_allclose(one.rotations, [[0, 1, 0, 0]], atol=5e-3)
-    assert np.isposinf(one.cloud["opacity"][0])
-    assert one.opacities[0] == 1
-
-
-def test_further_columns_of_ply_stay(tmp_path):
-    splats = made(5, 0)
-    splats.cloud["label"] = np.arange(5, dtype=np.int32)
-    loom.write_splats(tmp_path / "a.ply", splats)
-    np.testing.assert_array_equal(loom.read_splats(tmp_path / "a.ply").cloud["label"], np.arange(5))
+    assert np.isposinf(one.cloud["opacity"][0]) and one.opacities[0] == 1
 
 
 @pytest.mark.parametrize("extension", [".splat", ".spz"])
@@ -95,7 +79,12 @@ def test_numbers_that_are_none_are_counted_or_dropped(tmp_path, column):
         assert len(loom.read_splats(tmp_path / "a.ply", drop_invalid=True)) == 8
 
 
-def test_a_cloud_is_no_splats(tmp_path):
+def test_a_cloud_is_no_splats_and_compressed_splats_are_no_cloud(tmp_path):
+    with pytest.raises(FileError, match=r"/b\.ply:.*read_splats"):
+        loom.read_point_cloud(compressed(tmp_path / "b.ply", packed(), CHUNK))
+    (tmp_path / "a.splat").write_bytes(np.full(16, -3.0, "<f4").tobytes())
+    with pytest.raises(FileError, match=r"/a\.splat \(byte 12\):.*0"):
+        loom.read_splats(tmp_path / "a.splat")
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.eye(3)))
     with pytest.raises(FileError, match=r"/a\.ply:.*f_dc_0"):
         loom.read_splats(tmp_path / "a.ply")
@@ -149,18 +138,6 @@ def test_invalid_spz_headers_are_rejected(tmp_path, offset, value, message):
         loom.read_splats(tmp_path / "a.spz")
 
 
-def test_turning_harmonics_by_signs_is_turning_them():
-    splats = made(4, 4)
-    signs = signs_of_flip((1, -1, -1), 4)
-    np.testing.assert_allclose(flipped(splats).harmonics[:, 1:], splats.harmonics[:, 1:] * signs[:, None], atol=1e-6)
-
-
-def test_rows_that_are_no_splats_are_refused(tmp_path):
-    (tmp_path / "a.splat").write_bytes(np.full(16, -3.0, "<f4").tobytes())
-    with pytest.raises(FileError, match=r"/a\.splat \(byte 12\):.*0"):
-        loom.read_splats(tmp_path / "a.splat")
-
-
 ENDS = [f"{end}_{what}{axis}" for what in ("", "scale_") for end in ("min", "max") for axis in "xyz"]
 COLOR_ENDS = [f"{end}_{channel}" for end in ("min", "max") for channel in "rgb"]
 PACKED = ("position", "rotation", "scale", "color")
@@ -182,7 +159,6 @@ def compressed(path, splats, chunks, *, ends=ENDS, sh=None, kind="uint"):
 
 
 def packed(position=(0, 0, 0), rotation=0, scale=(0, 0, 0), color=(0, 0, 0, 0)):
-    """The four integers of a splat."""
     position, scale = (x << 21 | y << 11 | z for x, y, z in (position, scale))
     return [position, rotation, scale, int.from_bytes(bytes(color), "big")]
 
@@ -218,9 +194,8 @@ def test_the_largest_part_of_a_compressed_rotation_follows_from_the_others(tmp_p
     np.testing.assert_allclose(result.rotations[0], expected, atol=1e-3)
 
 
-@pytest.mark.parametrize(
-    ("more", "message"),
-    [
+def test_compressed_splats_that_do_not_go_with_their_chunks_are_refused(tmp_path):
+    for more, message in (
         ({"chunks": []}, "expected 1 chunks of 256 for 1 splats, got 0"),
         ({"chunks": [CHUNK] * 2}, "expected 1 chunks"),
         ({"chunks": CHUNK[1:], "ends": ENDS[1:]}, "has no min_x"),
@@ -228,16 +203,8 @@ def test_the_largest_part_of_a_compressed_rotation_follows_from_the_others(tmp_p
         ({"kind": "int"}, "packed_position .*unsigned integers of 4 bytes"),
         ({"sh": [[0] * 8]}, "expected 9, 24, 45 or 72"),
         ({"sh": [[0] * 9] * 2}, "expected 1 rows"),
-    ],
-)
-def test_compressed_splats_that_do_not_go_with_their_chunks_are_refused(tmp_path, more, message):
-    path = compressed(tmp_path / "a.ply", packed(), **({"chunks": CHUNK} | more))
-    with pytest.raises(FileError, match=message) as caught:
-        loom.read_splats(path)
-    assert caught.value.path == str(path)
-
-
-def test_compressed_splats_are_no_cloud(tmp_path):
-    path = compressed(tmp_path / "a.ply", packed(), CHUNK)
-    with pytest.raises(FileError, match=r"/a\.ply:.*read_splats"):
-        loom.read_point_cloud(path)
+    ):
+        path = compressed(tmp_path / "a.ply", packed(), **({"chunks": CHUNK} | more))
+        with pytest.raises(FileError, match=message) as caught:
+            loom.read_splats(path)
+        assert caught.value.path == str(path)

@@ -1,7 +1,5 @@
 """Text tables: .csv, .txt and .xyz with or without names; columns without a meaning are rejected."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np
@@ -45,8 +43,7 @@ def write(path, text):
 def test_three_columns_are_positions_however_they_are_parted(tmp_path, name, text):
     table = read_text_table(write(tmp_path / name, text))
     np.testing.assert_array_equal(table.points, POINTS)
-    assert table.points.dtype == np.float64
-    assert (table.normals, table.colors, table.attributes) == (None, None, {})
+    assert table.points.dtype == np.float64 and (table.normals, table.colors, table.attributes) == (None, None, {})
 
 
 def test_names_define_columns(tmp_path):
@@ -60,18 +57,10 @@ def test_names_define_columns(tmp_path):
     assert np.isnan(table.attributes["Ring number"][1])
 
 
-@pytest.mark.parametrize(
-    ("colors", "expected"),
-    [
-        ("0.5 0 1\n0 0 0", [[0.5, 0, 1], [0, 0, 0]]),
-        ("51 0 1\n0 0 0", [[0.2, 0, 1 / 255], [0, 0, 0]]),
-        ("0 0 0\n0 0 0", np.zeros((2, 3))),
-    ],
-)
-def test_color_range_is_derived_from_the_complete_file(tmp_path, colors, expected):
-    first, second = colors.split("\n")
-    table = read_text_table(write(tmp_path / "a.txt", f"x y z r g b\n0 0 0 {first}\n0 0 0 {second}\n"))
-    np.testing.assert_allclose(table.colors, expected, atol=1e-7)
+def test_color_range_is_derived_from_the_complete_file(tmp_path):
+    for color, expected in (("0.5 0 1", [0.5, 0, 1]), ("51 0 1", [0.2, 0, 1 / 255]), ("0 0 0", [0, 0, 0])):
+        table = read_text_table(write(tmp_path / "a.txt", f"x y z r g b\n0 0 0 {color}\n0 0 0 0 0 0\n"))
+        np.testing.assert_allclose(table.colors, [expected, [0, 0, 0]], atol=1e-7)
 
 
 def test_cloudcompare_names_mark_colors_as_fractions(tmp_path):
@@ -134,12 +123,8 @@ def test_columns_replace_names(tmp_path):
     np.testing.assert_array_equal(loom.read_point_cloud(path, columns=["x", "y", "z"]).points, POINTS)
     with pytest.raises(FileError, match=r"/a\.csv \(line 2\):.*4.*3"):
         loom.read_point_cloud(path, columns=["x", "y", "z", "t"])
-    for columns, error in (
-        (["x", "y"], ValueError),
-        (["x", "y", "y"], ValueError),
-        ("x y z", TypeError),
-        ([1, 2, 3], TypeError),
-    ):
+    wrong = (["x", "y"], ValueError), (["x", "y", "y"], ValueError), ("x y z", TypeError), ([1, 2, 3], TypeError)
+    for columns, error in wrong:
         with pytest.raises(error, match=r"^columns: "):
             loom.read_point_cloud(path, columns=columns)
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(POINTS))

@@ -1,6 +1,6 @@
 """The unit of lengths in files: formats that store it, formats with a fixed unit, and the others."""
 
-from __future__ import annotations
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -20,9 +20,7 @@ def test_the_unit_survives(suffix, ascii, unit, tmp_path):
     path = tmp_path / f"a{suffix}"
     loom.write_point_cloud(path, cloud, ascii=ascii)
     back = loom.read_point_cloud(path)
-    assert (
-        back.unit == cloud.unit and back.points.tolist() == cloud.points.tolist() and list(back.attributes) == ["ring"]
-    )
+    assert (back.unit, back.points.tolist(), [*back.attributes]) == (cloud.unit, cloud.points.tolist(), ["ring"])
 
 
 def test_file_without_a_unit_is_unchanged(tmp_path):
@@ -34,22 +32,15 @@ def test_file_without_a_unit_is_unchanged(tmp_path):
     assert np.load(tmp_path / "a.npz").files == ["points"]
 
 
-@pytest.mark.parametrize(
-    "comments",
-    ["unit mm", "unit of the scan", "units foot", "unit foot\ncomment unit metre", "Unit foot", "unit x = 0 m"],
-)
-def test_other_comments_are_ignored(comments, tmp_path):
-    path = tmp_path / "a.ply"
-    loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0]], unit="foot"), ascii=True)
-    path.write_text(path.read_text().replace("unit foot", comments))
-    assert loom.read_point_cloud(path).unit is None
-
-
-def test_comment_after_the_header_is_ignored(tmp_path):
+def test_other_comments_and_those_after_the_header_are_ignored(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]], unit="foot"), ascii=True)
+    text, twice = (tmp_path / "a.ply").read_text(), "unit foot\ncomment unit metre"
+    for comments in ("unit mm", "unit of the scan", "units foot", twice, "Unit foot", "unit x = 0 m"):
+        (tmp_path / "a.ply").write_text(text.replace("unit foot", comments))
+        assert loom.read_point_cloud(tmp_path / "a.ply").unit is None
     points = np.frombuffer(b"\ncomment unit foot\n".ljust(24), "<f4").reshape(2, 3)
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, origin=[0, 0, 0]))
-    assert b"unit foot" in (tmp_path / "a.ply").read_bytes()
-    assert loom.read_point_cloud(tmp_path / "a.ply").unit is None
+    assert b"unit foot" in (tmp_path / "a.ply").read_bytes() and loom.read_point_cloud(tmp_path / "a.ply").unit is None
 
 
 def test_an_npz_names_its_unit_as_text(tmp_path):
@@ -100,13 +91,8 @@ def test_format_without_a_unit_field_warns(suffix, tmp_path):
         mesh = loom.TriangleMesh(*TRIANGLE)
         mesh.unit = unit
         cloud = loom.PointCloud(TRIANGLE[0], unit=unit)
-        write = (
-            (lambda c=cloud: loom.write_point_cloud(path, c))
-            if suffix == ".xyz"
-            else (lambda m=mesh: loom.write_triangle_mesh(path, m))
-        )
-        if count:
-            with pytest.warns(loom.UnitWarning, match="coordinates are in foot"):
-                write()
-        else:
-            write()
+        with pytest.warns(loom.UnitWarning, match="coordinates are in foot") if count else nullcontext():
+            if suffix == ".xyz":
+                loom.write_point_cloud(path, cloud)
+            else:
+                loom.write_triangle_mesh(path, mesh)

@@ -1,19 +1,13 @@
 """Meshes with textures for file tests."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from pointloom.io.table import MeshTable
 
 # The corners of the image differ: red above left, green above right, blue below left, yellow below right.
 PICTURE = np.zeros((8, 8, 3), np.uint8)
-PICTURE[:4, :4], PICTURE[:4, 4:], PICTURE[4:, :4], PICTURE[4:, 4:] = [
-    [255, 0, 0],
-    [0, 255, 0],
-    [0, 0, 255],
-    [255, 255, 0],
-]
+PICTURE[:4] = [[255, 0, 0]] * 4 + [[0, 255, 0]] * 4
+PICTURE[4:] = [[0, 0, 255]] * 4 + [[255, 255, 0]] * 4
 CORNERS = {(0.0, 0.0): (0, 0, 255), (1.0, 0.0): (255, 255, 0), (0.0, 1.0): (255, 0, 0), (1.0, 1.0): (0, 255, 0)}
 
 

@@ -1,7 +1,5 @@
 """Folders of files that Open3D's tutorial scripts read."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -19,6 +17,15 @@ FARTHEST = 4.0  # [m]
 POLYGON = [[-0.9, 0.0, 1.2], [0.6, 0.0, 1.2], [0.8, 0.0, 2.6], [-0.7, 0.0, 2.8]]
 
 
+def write_images(folder: Path, number: int, frame) -> np.ndarray:
+    depth = (frame.depth * 1000).round().astype(np.uint16)
+    for name, picture, options in (("color/{}.jpg", frame.color, {"quality": 95}), ("depth/{}.png", depth, {})):
+        path = folder / name.format(number)
+        path.parent.mkdir(exist_ok=True)
+        Image.fromarray(picture).save(path, **options)
+    return depth
+
+
 @pytest.fixture(scope="session")
 def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with synthetic clouds, frames, a mesh, cameras and a polygon, named as in the tutorials."""
@@ -27,12 +34,9 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     figure = loom.datasets.object_mesh().simplify_quadric_decimation(2500)
     loom.write_triangle_mesh(folder / "bunny.ply", figure)
     frames = loom.datasets.room_frames(24, width=640, height=480)
-    for name in ("color", "depth"):
-        (folder / name).mkdir()
     poses = []
     for i, frame in enumerate(frames[k] for k in FRAMES):
-        Image.fromarray(frame.color).save(folder / f"color/{i}.jpg", quality=95)
-        Image.fromarray((frame.depth * 1000).round().astype(np.uint16)).save(folder / f"depth/{i}.png")
+        write_images(folder, i, frame)
         poses.append(frame.T_world_camera)
         if i < 2:
             rgbd = loom.RGBDImage.create_from_color_and_depth(frame.color, frame.depth, 1.0, 10.0, False)
@@ -40,9 +44,8 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
             loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(23))
     loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(np.array(poses)))
     fragment = loom.read_point_cloud(folder / "0.pcd").estimate_normals().orient_normals_towards_camera_location()
-    loom.write_point_cloud(
-        folder / "fragment.ply", fragment.estimate_normals().orient_normals_towards_camera_location()
-    )
+    fragment = fragment.estimate_normals().orient_normals_towards_camera_location()
+    loom.write_point_cloud(folder / "fragment.ply", fragment)
     volume = {"axis_max": 4.0, "axis_min": -4.0, "bounding_polygon": POLYGON, "class_name": "SelectionPolygonVolume"}
     volume |= {"orthogonal_axis": "Y", "version_major": 1, "version_minor": 0}
     (folder / "cropped.json").write_text(json.dumps(volume))
@@ -66,13 +69,9 @@ def page_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     T_first_world = np.linalg.inv(frames[0].T_world_camera)
     poses = np.array([T_first_world @ frame.T_world_camera for frame in frames])
     camera = frames[0].intrinsic
-    for name in ("color", "depth"):
-        (folder / name).mkdir()
     volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.2)
     for i, frame in enumerate(frames):
-        depth = (frame.depth * 1000).round().astype(np.uint16)
-        Image.fromarray(frame.color).save(folder / f"color/{i}.jpg", quality=95)
-        Image.fromarray(depth).save(folder / f"depth/{i}.png")
+        depth = write_images(folder, i, frame)
         volume.integrate(depth, camera, np.linalg.inv(poses[i]), frame.color, depth_max=FARTHEST)
         if i < 2:
             rgbd = loom.RGBDImage.create_from_color_and_depth(frame.color, depth, 1000.0, FARTHEST, False)

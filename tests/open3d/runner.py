@@ -1,10 +1,6 @@
 """Run a script written for Open3D in this process, with Open3D or with pointloom.open3d."""
 
-from __future__ import annotations
-
 import contextlib
-import os
-from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -24,20 +20,9 @@ def results_of(chapter: str, package: str, folder: Path) -> dict[str, Any]:
     assert text.count(IMPORT) == 1
     program = compile(text.replace(IMPORT, f"import {package} as o3d\n"), f"{chapter}.py", "exec")
     names: dict[str, Any] = {"__name__": "__main__"}
-    with inside(folder):
+    with contextlib.chdir(folder):
         exec(program, names)
     return names["results"]
-
-
-@contextlib.contextmanager
-def inside(folder: Path) -> Iterator[None]:
-    """Work in a folder."""
-    before = Path.cwd()
-    os.chdir(folder)
-    try:
-        yield
-    finally:
-        os.chdir(before)
 
 
 def draw_nothing(monkeypatch: Any, module: ModuleType) -> list[int]:

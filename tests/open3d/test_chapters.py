@@ -1,7 +1,5 @@
 """Scripts of Open3D's tutorials give Open3D's numbers after changing their import line."""
 
-from __future__ import annotations
-
 import pytest
 
 from .runner import CHAPTERS, assert_same_results

@@ -1,7 +1,5 @@
 """Undocumented conventions of Open3D that scripts rely on, compared with Open3D's results."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -74,9 +72,8 @@ def fpfh(o3d, rows):
 def in_numpy(o3d, kind):
     """True for each call that accepts a vector as its array, and for each that is rejected."""
     array = np.arange(1, 1 + np.prod(SHAPES[kind])).reshape(SHAPES[kind]) % 7 + 1
-    vector = getattr(o3d.utility, kind)(
-        array.astype(np.int32) if "iVector" in kind or kind == "IntVector" else array / 4
-    )
+    array = array.astype(np.int32) if "iVector" in kind or kind == "IntVector" else array / 4
+    vector = getattr(o3d.utility, kind)(array)
     values = np.asarray(vector)
     calls = {call: [eval(call, {"np": np, "v": v, "a": values}) for v in (vector, values)] for call in NUMPY}
     same = [np.array_equal(*pair) and type(pair[0]) is type(pair[1]) for pair in calls.values()]

@@ -1,7 +1,5 @@
 """Scripts of Open3D's pipeline pages give Open3D's numbers after changing their import line."""
 
-from __future__ import annotations
-
 import copy
 import pickle
 
@@ -112,7 +110,7 @@ def test_options_are_checked_on_use():
     criteria.max_iteration = -1
     cloud = bridge.geometry.PointCloud(bridge.utility.Vector3dVector(np.eye(3)))
     with pytest.raises(ValueError, match="max_iteration"):
-        reg.registration_icp(cloud, cloud, 1.0, np.eye(4), reg.TransformationEstimationPointToPoint(), criteria)
+        reg.registration_icp(cloud, cloud, 1.0, criteria=criteria)
     with pytest.raises(TypeError, match="criteria:"):
         reg.registration_icp(cloud, cloud, 1.0, criteria=reg.RANSACConvergenceCriteria())
     kernel = reg.TukeyLoss(0.1)
@@ -128,18 +126,15 @@ def poses_of_pairs(package, points, target):
     clouds = [package.geometry.PointCloud(package.utility.Vector3dVector(rows)) for rows in (points, target)]
     pairs = package.utility.Vector2iVector(np.column_stack([np.arange(20)] * 2))
     methods = [package.pipelines.registration.TransformationEstimationPointToPoint(s) for s in (False, True)]
-    return [
-        (np.array(method.compute_transformation(*clouds, pairs)), method.compute_rmse(*clouds, pairs))
-        for method in methods
-    ]
+    poses = [np.array(method.compute_transformation(*clouds, pairs)) for method in methods]
+    return [(T, method.compute_rmse(*clouds, pairs)) for T, method in zip(poses, methods, strict=True)]
 
 
 def test_pairs_fix_a_pose_as_in_open3d(oracle, rng):
     points, target = rng.random((20, 3)), rng.random((20, 3))
     expected = oracle("open3d/pairs", poses_of_pairs, points, target)
     for (T, rmse), (T_actual, rmse_actual) in zip(expected, poses_of_pairs(bridge, points, target), strict=True):
-        assert np.allclose(T_actual, T, atol=1e-6)
-        assert rmse_actual == pytest.approx(rmse, abs=1e-6)
+        assert np.allclose(T_actual, T, atol=1e-6) and rmse_actual == pytest.approx(rmse, abs=1e-6)
 
 
 def test_graphs_copy_their_nodes_and_edges():

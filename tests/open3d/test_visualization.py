@@ -1,7 +1,5 @@
 """Windows under Open3D's names: browser pages, or images without a viewer, with Open3D's cameras."""
 
-from __future__ import annotations
-
 import threading
 from types import SimpleNamespace
 
@@ -95,23 +93,18 @@ def test_a_picture_is_captured_without_a_page(box, tmp_path):
     vis.get_render_option().background_color = [0, 0, 1]
     vis.capture_screen_image(tmp_path / "a.png", True)
     picture = np.asarray(o3d.io.read_image(tmp_path / "a.png"))
-    assert picture.shape == (48, 64, 3)
-    assert picture[0, 0].tolist() == [0, 0, 255]
-    assert picture[24, 32, 0] > 100
+    assert picture.shape == (48, 64, 3) and picture[0, 0].tolist() == [0, 0, 255] and picture[24, 32, 0] > 100
     assert picture[24, 32, 1:].max() == 0
     vis.capture_depth_image(tmp_path / "depth.png")
-    assert np.asarray(o3d.io.read_image(tmp_path / "depth.png"))[24, 32] == pytest.approx(
-        1000 * (3 * 0.7 * 3**0.5 - 1.5), abs=2
-    )
+    depth = np.asarray(o3d.io.read_image(tmp_path / "depth.png"))
+    assert depth[24, 32] == pytest.approx(1000 * (3 * 0.7 * 3**0.5 - 1.5), abs=2)
     vis.capture_depth_point_cloud(tmp_path / "seen.ply", convert_to_world_coordinate=True)
     assert o3d.io.read_point_cloud(tmp_path / "seen.ply").get_max_bound()[2] == pytest.approx(3.0, abs=1e-3)
     status = vis.get_view_status()
     vis.get_view_control().rotate(300, 0)
     assert vis.get_view_status() != status
     vis.set_view_status(status)
-    assert vis.get_view_status() == status
-    assert vis.remove_geometry(box)
-    assert not vis.update_geometry(box)
+    assert vis.get_view_status() == status and vis.remove_geometry(box) and not vis.update_geometry(box)
     assert (np.asarray(vis.capture_screen_float_buffer()) == [0, 0, 1]).all()
 
 
@@ -172,8 +165,7 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
                 send(page, {"say": "command", "id": command.id})
             wait_until(lambda: vis._pressed.qsize() == 2)
             assert pressed == []  # in the program's own loop, not in a page thread
-            assert vis.poll_events()
-            assert pressed == [True, (1, 0)]
+            assert vis.poll_events() and pressed == [True, (1, 0)]
             vis.get_render_option().background_color = [0, 0, 0]
             vis.get_render_option().show_coordinate_frame = True
             vis.get_view_control().set_front([1, 0, 0])

@@ -1,7 +1,5 @@
 """Objects of pointloom.open3d wrap pointloom objects: ownership and synchronization of arrays."""
 
-from __future__ import annotations
-
 import copy
 import pickle
 import subprocess
@@ -38,8 +36,7 @@ def test_writes_to_an_array_take_effect(cloud):
 def test_arrays_follow_inplace_operations(cloud):
     points, vector = np.asarray(cloud.points), cloud.points
     before = points.copy()
-    assert cloud.translate([1, 0, 0]) is cloud
-    assert np.abs(points - before - [1, 0, 0]).max() < 1e-6
+    assert cloud.translate([1, 0, 0]) is cloud and np.abs(points - before - [1, 0, 0]).max() < 1e-6
     assert cloud.points is vector
 
 
@@ -106,14 +103,11 @@ def test_a_mesh_has_normals_of_triangles_once_they_were_computed():
     assert pickle.loads(pickle.dumps(mesh)).has_triangle_normals() and copy.deepcopy(mesh).has_triangle_normals()
 
 
-def test_triangles_may_be_assigned_before_vertices():
+def test_triangles_may_be_assigned_before_vertices_and_bounds_one_after_the_other():
     mesh = o3d.geometry.TriangleMesh()
     mesh.triangles = o3d.utility.Vector3iVector([[0, 1, 2]])
     mesh.vertices = V(np.eye(3))
     assert mesh.get_surface_area() == pytest.approx(np.sqrt(3) / 2)
-
-
-def test_bounds_of_a_box_may_be_assigned_one_after_the_other():
     box = o3d.geometry.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1])
     box.min_bound = [4, 4, 4]
     box.max_bound = [5, 6, 7]

@@ -12,14 +12,9 @@ vis.add_geometry(target)
 points = np.asarray(source.points)
 results = {}
 for i in range(3):
-    result = o3d.pipelines.registration.registration_icp(
-        source,
-        target,
-        0.05,
-        np.eye(4),
-        o3d.pipelines.registration.TransformationEstimationPointToPoint(),
-        o3d.pipelines.registration.ICPConvergenceCriteria(max_iteration=1),
-    )
+    reg = o3d.pipelines.registration
+    method, criteria = reg.TransformationEstimationPointToPoint(), reg.ICPConvergenceCriteria(max_iteration=1)
+    result = reg.registration_icp(source, target, 0.05, np.eye(4), method, criteria)
     source.transform(result.transformation)
     vis.update_geometry(source)
     vis.poll_events()

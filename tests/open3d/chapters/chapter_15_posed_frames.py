@@ -20,9 +20,8 @@ for i in range(3):
     im1 = o3d.io.read_image("depth/" + str(i) + ".png")
     im2 = o3d.io.read_image("color/" + str(i) + ".jpg")
     im = o3d.geometry.RGBDImage.create_from_color_and_depth(im2, im1, 1000.0, 10.0, False)
-    pcd = o3d.geometry.PointCloud.create_from_rgbd_image(
-        im, trajectory.parameters[i].intrinsic, trajectory.parameters[i].extrinsic
-    )
+    camera = trajectory.parameters[i]
+    pcd = o3d.geometry.PointCloud.create_from_rgbd_image(im, camera.intrinsic, camera.extrinsic)
     pcds.append(pcd.voxel_down_sample(voxel_size=0.2))
 results["voxels"] = [len(p.points) for p in pcds]
 results["means"] = [np.asarray(p.points).mean(0) for p in pcds]

@@ -17,15 +17,9 @@ o3d.visualization.draw_geometries([half])
 
 
 def check_properties(mesh):
-    return [
-        mesh.is_edge_manifold(allow_boundary_edges=True),
-        mesh.is_edge_manifold(allow_boundary_edges=False),
-        mesh.is_vertex_manifold(),
-        mesh.is_self_intersecting(),
-        mesh.is_watertight(),
-        mesh.is_orientable(),
-        len(mesh.get_non_manifold_edges(allow_boundary_edges=False)),
-    ]
+    edges = [mesh.is_edge_manifold(allow_boundary_edges=allowed) for allowed in (True, False)]
+    checks = [mesh.is_vertex_manifold(), mesh.is_self_intersecting(), mesh.is_watertight(), mesh.is_orientable()]
+    return [*edges, *checks, len(mesh.get_non_manifold_edges(allow_boundary_edges=False))]
 
 
 moebius = o3d.geometry.TriangleMesh.create_mobius(twists=1)

@@ -2,14 +2,9 @@ import numpy as np
 import open3d as o3d
 
 pcd = o3d.io.read_point_cloud("fragment.ply")
-oboxes = pcd.detect_planar_patches(
-    normal_variance_threshold_deg=60,
-    coplanarity_deg=75,
-    outlier_ratio=0.75,
-    min_plane_edge_length=0,
-    min_num_points=0,
-    search_param=o3d.geometry.KDTreeSearchParamKNN(knn=30),
-)
+limits = {"normal_variance_threshold_deg": 60, "coplanarity_deg": 75, "outlier_ratio": 0.75}
+near = o3d.geometry.KDTreeSearchParamKNN(knn=30)
+oboxes = pcd.detect_planar_patches(**limits, min_plane_edge_length=0, min_num_points=0, search_param=near)
 results = {"there are patches": bool(len(oboxes) > 1 and oboxes[0].volume() >= 0)}
 meshes = [o3d.geometry.TriangleMesh.create_from_oriented_bounding_box(box, scale=[1, 1, 0.1]) for box in oboxes]
 results["a box of each"] = bool(all(len(mesh.triangles) == 12 for mesh in meshes))

@@ -25,9 +25,8 @@ box.extent = [1, 2, 3]
 results["cropped"] = np.asarray(pcd.crop(box).points)
 lines = o3d.geometry.LineSet.create_from_oriented_bounding_box(box)
 results["edges"] = np.asarray(lines.points)
-lines = o3d.geometry.LineSet(
-    points=o3d.utility.Vector3dVector(np.eye(3)), lines=o3d.utility.Vector2iVector([[0, 1], [1, 2]])
-)
+corners, edges = o3d.utility.Vector3dVector(np.eye(3)), o3d.utility.Vector2iVector([[0, 1], [1, 2]])
+lines = o3d.geometry.LineSet(points=corners, lines=edges)
 lines.colors = o3d.utility.Vector3dVector([[1, 0, 0], [0, 1, 0]])
 lines.translate([0, 0, 1])
 results["lines"] = [*np.asarray(lines.points), *np.asarray(lines.colors)]

@@ -14,20 +14,16 @@ for i in range(3):
 camera_trajectory = o3d.io.read_pinhole_camera_trajectory("cameras.json")
 mesh = o3d.io.read_triangle_mesh("room.ply")
 
-# Before full optimization, let's visualize texture map with given geometry, RGBD images, and camera poses.
-mesh_plain, camera_trajectory_plain = o3d.pipelines.color_map.run_rigid_optimizer(
-    mesh, rgbd_images, camera_trajectory, o3d.pipelines.color_map.RigidOptimizerOption(maximum_iteration=0)
-)
+color_map, scene = o3d.pipelines.color_map, (mesh, rgbd_images, camera_trajectory)
+option = color_map.RigidOptimizerOption(maximum_iteration=0)
+mesh_plain, camera_trajectory_plain = color_map.run_rigid_optimizer(*scene, option)
 o3d.visualization.draw_geometries([mesh_plain])
 
-# Optimize texture and save the mesh.
-mesh_rigid, trajectory_rigid = o3d.pipelines.color_map.run_rigid_optimizer(
-    mesh, rgbd_images, camera_trajectory, o3d.pipelines.color_map.RigidOptimizerOption(maximum_iteration=20)
-)
+option = color_map.RigidOptimizerOption(maximum_iteration=20)
+mesh_rigid, trajectory_rigid = color_map.run_rigid_optimizer(*scene, option)
 o3d.visualization.draw_geometries([mesh_rigid])
-mesh_bent, trajectory_bent = o3d.pipelines.color_map.run_non_rigid_optimizer(
-    mesh, rgbd_images, camera_trajectory, o3d.pipelines.color_map.NonRigidOptimizerOption(maximum_iteration=10)
-)
+option = color_map.NonRigidOptimizerOption(maximum_iteration=10)
+mesh_bent, trajectory_bent = color_map.run_non_rigid_optimizer(*scene, option)
 o3d.visualization.draw_geometries([mesh_bent])
 
 results = {

@@ -21,22 +21,16 @@ voxel_radius = [0.2, 0.1, 0.05]
 max_iter = [50, 30, 14]
 results = {}
 for scale in range(3):
-    iter = max_iter[scale]
-    radius = voxel_radius[scale]
-    print([iter, radius, scale])
+    radius, near = voxel_radius[scale], o3d.geometry.KDTreeSearchParamHybrid(radius=voxel_radius[scale] * 2, max_nn=30)
     source_down = source.voxel_down_sample(radius)
     target_down = target.voxel_down_sample(radius)
-    source_down.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(radius=radius * 2, max_nn=30))
-    target_down.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(radius=radius * 2, max_nn=30))
-    result_icp = o3d.pipelines.registration.registration_colored_icp(
-        source_down,
-        target_down,
-        radius,
-        current_transformation,
-        o3d.pipelines.registration.TransformationEstimationForColoredICP(),
-        o3d.pipelines.registration.ICPConvergenceCriteria(
-            relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=iter
-        ),
+    source_down.estimate_normals(near)
+    target_down.estimate_normals(near)
+    reg = o3d.pipelines.registration
+    criteria = reg.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=max_iter[scale])
+    method = reg.TransformationEstimationForColoredICP()
+    result_icp = reg.registration_colored_icp(
+        source_down, target_down, radius, current_transformation, method, criteria
     )
     current_transformation = result_icp.transformation
     print(result_icp)

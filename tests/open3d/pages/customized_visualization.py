@@ -8,19 +8,21 @@ import open3d as o3d
 results = {}
 
 
-def custom_draw_geometry(pcd):
-    # The following code achieves the same effect as: o3d.visualization.draw_geometries([pcd])
+def opened(pcd, **size):
     vis = o3d.visualization.Visualizer()
-    vis.create_window()
+    vis.create_window(**size)
     vis.add_geometry(pcd)
+    return vis
+
+
+def custom_draw_geometry(pcd):
+    vis = opened(pcd)
     vis.run()
     vis.destroy_window()
 
 
 def custom_draw_geometry_with_custom_fov(pcd, fov_step):
-    vis = o3d.visualization.Visualizer()
-    vis.create_window()
-    vis.add_geometry(pcd)
+    vis = opened(pcd)
     ctr = vis.get_view_control()
     results[f"fov before {fov_step}"] = ctr.get_field_of_view()
     ctr.change_field_of_view(step=fov_step)
@@ -43,9 +45,7 @@ def custom_draw_geometry_with_rotation(pcd):
 
 
 def custom_draw_geometry_load_option(pcd, render_option_path):
-    vis = o3d.visualization.Visualizer()
-    vis.create_window()
-    vis.add_geometry(pcd)
+    vis = opened(pcd)
     vis.get_render_option().load_from_json(render_option_path)
     option = vis.get_render_option()
     results["option"] = [option.point_size, *option.background_color, option.show_coordinate_frame, option.line_width]
@@ -68,10 +68,7 @@ def custom_draw_geometry_with_key_callback(pcd, render_option_path):
         results["depth of key"] = np.asarray(depth).max()
         return False
 
-    key_to_callback = {}
-    key_to_callback[ord("K")] = change_background_to_black
-    key_to_callback[ord("R")] = load_render_option
-    key_to_callback[ord("D")] = capture_depth
+    key_to_callback = {ord("K"): change_background_to_black, ord("R"): load_render_option, ord("D"): capture_depth}
     o3d.visualization.draw_geometries_with_key_callbacks([pcd], key_to_callback)
 
 
@@ -81,8 +78,6 @@ def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
     seen = []
 
     def move_forward(vis):
-        # This function is called within the o3d.visualization.Visualizer::run() loop. The first call shows the first
-        # view, each later one stores what is shown and goes on.
         ctr = vis.get_view_control()
         if state["index"] >= 0:
             depth = np.asarray(vis.capture_depth_float_buffer(False))
@@ -98,9 +93,7 @@ def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
             vis.register_animation_callback(None)
         return False
 
-    vis = o3d.visualization.Visualizer()
-    vis.create_window(width=320, height=240)
-    vis.add_geometry(pcd)
+    vis = opened(pcd, width=320, height=240)
     vis.get_render_option().point_size = 1.0
     vis.register_animation_callback(move_forward)
     vis.run()

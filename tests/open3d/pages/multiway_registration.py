@@ -4,7 +4,8 @@ import numpy as np
 import open3d as o3d
 
 voxel_size = 0.047  # not a multiple of 2 mm, the step of depth values: no point is on a voxel face
-to_the_end = o3d.pipelines.registration.ICPConvergenceCriteria(1e-12, 1e-12, 300)
+reg = o3d.pipelines.registration
+to_the_end = reg.ICPConvergenceCriteria(1e-12, 1e-12, 300)
 camera = o3d.io.read_pinhole_camera_intrinsic("camera.json")
 
 
@@ -26,53 +27,28 @@ o3d.visualization.draw_geometries(pcds_down)
 
 
 def pairwise_registration(source, target):
-    print("Apply point-to-plane ICP")
-    icp_coarse = o3d.pipelines.registration.registration_icp(
-        source,
-        target,
-        max_correspondence_distance_coarse,
-        np.identity(4),
-        o3d.pipelines.registration.TransformationEstimationPointToPlane(),
-        to_the_end,
-    )
-    icp_fine = o3d.pipelines.registration.registration_icp(
-        source,
-        target,
-        max_correspondence_distance_fine,
-        icp_coarse.transformation,
-        o3d.pipelines.registration.TransformationEstimationPointToPlane(),
-        to_the_end,
-    )
-    transformation_icp = icp_fine.transformation
-    information_icp = o3d.pipelines.registration.get_information_matrix_from_point_clouds(
-        source, target, max_correspondence_distance_fine, icp_fine.transformation
-    )
-    return transformation_icp, information_icp
+    coarse, fine = max_correspondence_distance_coarse, max_correspondence_distance_fine
+    method = reg.TransformationEstimationPointToPlane()
+    icp_coarse = reg.registration_icp(source, target, coarse, np.identity(4), method, to_the_end)
+    icp_fine = reg.registration_icp(source, target, fine, icp_coarse.transformation, method, to_the_end)
+    information_icp = reg.get_information_matrix_from_point_clouds(source, target, fine, icp_fine.transformation)
+    return icp_fine.transformation, information_icp
 
 
 def full_registration(pcds, max_correspondence_distance_coarse, max_correspondence_distance_fine):
-    pose_graph = o3d.pipelines.registration.PoseGraph()
+    pose_graph = reg.PoseGraph()
     odometry = np.identity(4)
-    pose_graph.nodes.append(o3d.pipelines.registration.PoseGraphNode(odometry))
+    pose_graph.nodes.append(reg.PoseGraphNode(odometry))
     n_pcds = len(pcds)
     for source_id in range(n_pcds):
         for target_id in range(source_id + 1, n_pcds):
             transformation_icp, information_icp = pairwise_registration(pcds[source_id], pcds[target_id])
-            print("Build o3d.pipelines.registration.PoseGraph")
-            if target_id == source_id + 1:  # odometry case
+            is_odometry = target_id == source_id + 1  # else a loop closure
+            if is_odometry:
                 odometry = np.dot(transformation_icp, odometry)
-                pose_graph.nodes.append(o3d.pipelines.registration.PoseGraphNode(np.linalg.inv(odometry)))
-                pose_graph.edges.append(
-                    o3d.pipelines.registration.PoseGraphEdge(
-                        source_id, target_id, transformation_icp, information_icp, uncertain=False
-                    )
-                )
-            else:  # loop closure case
-                pose_graph.edges.append(
-                    o3d.pipelines.registration.PoseGraphEdge(
-                        source_id, target_id, transformation_icp, information_icp, uncertain=True
-                    )
-                )
+                pose_graph.nodes.append(reg.PoseGraphNode(np.linalg.inv(odometry)))
+            edge = (source_id, target_id, transformation_icp, information_icp)
+            pose_graph.edges.append(reg.PoseGraphEdge(*edge, uncertain=not is_odometry))
     return pose_graph
 
 
@@ -82,18 +58,12 @@ pose_graph = full_registration(pcds_down, max_correspondence_distance_coarse, ma
 before = [np.array(node.pose) for node in pose_graph.nodes]
 results = {"graph": str(pose_graph), "edges": [edge.transformation for edge in pose_graph.edges]}
 
-print("Optimizing PoseGraph ...")
-option = o3d.pipelines.registration.GlobalOptimizationOption(
+option = reg.GlobalOptimizationOption(
     max_correspondence_distance=max_correspondence_distance_fine, edge_prune_threshold=0.25, reference_node=0
 )
-o3d.pipelines.registration.global_optimization(
-    pose_graph,
-    o3d.pipelines.registration.GlobalOptimizationLevenbergMarquardt(),
-    o3d.pipelines.registration.GlobalOptimizationConvergenceCriteria(),
-    option,
-)
+method, criteria = reg.GlobalOptimizationLevenbergMarquardt(), reg.GlobalOptimizationConvergenceCriteria()
+reg.global_optimization(pose_graph, method, criteria, option)
 
-print("Transform points and display")
 for point_id in range(len(pcds_down)):
     print(pose_graph.nodes[point_id].pose)
     pcds_down[point_id].transform(pose_graph.nodes[point_id].pose)

@@ -18,35 +18,18 @@ option = o3d.pipelines.odometry.OdometryOption()
 odo_init = np.identity(4)
 print(option)
 
-[success_color_term, trans_color_term, info] = o3d.pipelines.odometry.compute_rgbd_odometry(
-    source_rgbd_image,
-    target_rgbd_image,
-    pinhole_camera_intrinsic,
-    odo_init,
-    o3d.pipelines.odometry.RGBDOdometryJacobianFromColorTerm(),
-    option,
+odometry = o3d.pipelines.odometry
+images = source_rgbd_image, target_rgbd_image
+terms = odometry.RGBDOdometryJacobianFromColorTerm(), odometry.RGBDOdometryJacobianFromHybridTerm()
+[success_color_term, trans_color_term, info], [success_hybrid_term, trans_hybrid_term, info_hybrid] = (
+    odometry.compute_rgbd_odometry(*images, pinhole_camera_intrinsic, odo_init, term, option) for term in terms
 )
-[success_hybrid_term, trans_hybrid_term, info_hybrid] = o3d.pipelines.odometry.compute_rgbd_odometry(
-    source_rgbd_image,
-    target_rgbd_image,
-    pinhole_camera_intrinsic,
-    odo_init,
-    o3d.pipelines.odometry.RGBDOdometryJacobianFromHybridTerm(),
-    option,
-)
-
-if success_color_term:
-    print("Using RGB-D Odometry")
-    print(trans_color_term)
-    source_pcd_color_term = o3d.geometry.PointCloud.create_from_rgbd_image(source_rgbd_image, pinhole_camera_intrinsic)
-    source_pcd_color_term.transform(trans_color_term)
-    o3d.visualization.draw_geometries([target_pcd, source_pcd_color_term])
-if success_hybrid_term:
-    print("Using Hybrid RGB-D Odometry")
-    print(trans_hybrid_term)
-    source_pcd_hybrid_term = o3d.geometry.PointCloud.create_from_rgbd_image(source_rgbd_image, pinhole_camera_intrinsic)
-    source_pcd_hybrid_term.transform(trans_hybrid_term)
-    o3d.visualization.draw_geometries([target_pcd, source_pcd_hybrid_term])
+for success, trans in ((success_color_term, trans_color_term), (success_hybrid_term, trans_hybrid_term)):
+    if success:
+        print(trans)
+        source_pcd = o3d.geometry.PointCloud.create_from_rgbd_image(source_rgbd_image, pinhole_camera_intrinsic)
+        source_pcd.transform(trans)
+        o3d.visualization.draw_geometries([target_pcd, source_pcd])
 
 results = {
     "option": repr(option),

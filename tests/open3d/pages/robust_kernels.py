@@ -13,30 +13,19 @@ trans_init[:3, 3] = [0.03, -0.02, 0.02]
 np.random.seed(0)
 
 
-def apply_noise(pcd, mu, sigma):
-    noisy_pcd = copy.deepcopy(pcd)
-    points = np.asarray(noisy_pcd.points)
-    points += np.random.normal(mu, sigma, size=points.shape)
-    noisy_pcd.points = o3d.utility.Vector3dVector(points)
-    return noisy_pcd
-
-
 mu, sigma = 0, 0.1  # mean and standard deviation
-source_noisy = apply_noise(source, mu, sigma)
-print("Source PointCloud + noise:")
+source_noisy = copy.deepcopy(source)
+points = np.asarray(source_noisy.points)
+points += np.random.normal(mu, sigma, size=points.shape)
+source_noisy.points = o3d.utility.Vector3dVector(points)
 o3d.visualization.draw_geometries([source_noisy])
 
 threshold = 1.0
 results = {"untouched": np.asarray(source.points), "noisy": np.asarray(source_noisy.points)}
 p2l = o3d.pipelines.registration.TransformationEstimationPointToPlane()
-losses = {
-    "vanilla": None,
-    "tukey": o3d.pipelines.registration.TukeyLoss(k=sigma),
-    "huber": o3d.pipelines.registration.HuberLoss(k=sigma),
-    "cauchy": o3d.pipelines.registration.CauchyLoss(k=sigma),
-    "gm": o3d.pipelines.registration.GMLoss(k=sigma),
-    "l1": o3d.pipelines.registration.L1Loss(),
-}
+reg = o3d.pipelines.registration
+losses = {"vanilla": None, "tukey": reg.TukeyLoss(k=sigma), "huber": reg.HuberLoss(k=sigma)}
+losses |= {"cauchy": reg.CauchyLoss(k=sigma), "gm": reg.GMLoss(k=sigma), "l1": reg.L1Loss()}
 for name, loss in losses.items():
     print(f"Robust point-to-plane ICP, threshold={threshold}:", loss)
     if loss is not None:
