@@ -4,8 +4,6 @@ It must never be imported together with NumPy and OpenCV: their libraries confli
 included.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Pinhole cameras: what is accepted, what is refused, and Open3D's JSON."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import tempfile

@@ -33,7 +33,6 @@ BILATERAL = [(3, 0.03, 1.5), (4, 20.0, 10.0), (5, 0.002, 1.0), (7, 0.03, 1.5), (
 
 
 def relief(rng):
-    """A depth image of two slopes with steps between them, noise and no holes [m]."""
     v, u = np.mgrid[:24, :40]
     depth = np.where(u < 20, 1 + 0.01 * v, 1.3 + 0.02 * u) + 0.004 * rng.normal(size=u.shape)
     return depth.astype(np.float32)
@@ -64,22 +63,13 @@ def test_holes_neither_count_in_the_bilateral_filter_nor_are_filled(depth, kerne
             for du in range(-r, r + 1):
                 d = float(depth[min(max(v + dv, 0), h - 1), min(max(u + du, 0), w - 1)])
                 if d > 0 and du * du + dv * dv <= r * r:
-                    weight = np.exp(
-                        -((d - float(depth[v, u])) ** 2) / (2 * 0.3**2) - (du * du + dv * dv) / (2 * 1.5**2)
-                    )
+                    step, sqdist = d - float(depth[v, u]), du * du + dv * dv
+                    weight = np.exp(-(step**2) / (2 * 0.3**2) - sqdist / (2 * 1.5**2))
                     total, weights = total + weight * d, weights + weight
         expected[v, u] = total / weights
     result = loom.filter_depth_bilateral(depth, kernel_size, 0.3, 1.5)
     np.testing.assert_array_equal(result == 0, depth == 0)
     np.testing.assert_allclose(result, expected, rtol=1e-6)
-
-
-def test_the_bilateral_filter_takes_noise_and_leaves_edges(device, rng):
-    true = np.where(np.arange(80) < 40, 1.0, 1.5) * np.ones((60, 1))
-    noisy = true + 0.005 * rng.normal(size=true.shape)
-    result = loom.filter_depth_bilateral(noisy, 7, 0.03, 3.0, device=device)
-    assert (result - true).std() < (noisy - true).std() / 3
-    assert np.abs(result - true).max() < 0.02, "nothing between the two walls"
 
 
 @settings(derandomize=True, deadline=None, max_examples=20)
@@ -145,16 +135,6 @@ def test_normals_and_halved_depth_match_open3d(device, rng, oracle, tolerances):
         limits = {"rtol": tolerances.depth_filter_relative, "atol": tolerances.image_absolute}
         np.testing.assert_allclose(from_depth.points, points, **limits)
         np.testing.assert_allclose(from_depth.normals, expected, atol=tolerances.normal_map)
-
-
-def test_normals_of_a_slanted_wall_are_its_own(device):
-    n = np.array([0.48, 0.36, -0.8])
-    camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 61.0, 31.5, 23.5)
-    v, u = np.mgrid[:48, :64]
-    rays = np.stack([(u - 31.5) / 60, (v - 23.5) / 61, np.ones_like(u)], axis=2)
-    depth = -1.6 / (rays @ n)
-    result = create_normal_map(depth, camera, device=device)[:-1, :-1]
-    np.testing.assert_allclose(result, np.broadcast_to(n, result.shape), atol=2e-5)
 
 
 @settings(derandomize=True, deadline=None, max_examples=20)

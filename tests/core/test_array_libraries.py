@@ -32,7 +32,6 @@ def surface(rng):
 
 @pytest.fixture
 def clouds(library, device, surface):
-    """The same cloud twice: of the library's array, and of NumPy's."""
     cloud = loom.PointCloud(library.make(surface)).estimate_normals(max_nn=12)
     reference = loom.PointCloud(surface, device=device).estimate_normals(max_nn=12)
     assert str(cloud.device) == str(reference.device) == device
@@ -212,9 +211,8 @@ def test_a_pickled_result_needs_no_device(clouds):
     evaluation = loom.registration.evaluate_registration(clouds[0], clouds[0], 0.02)
     if package(evaluation.correspondence_set) == "cupy":
         return  # arrays of the fake library cannot be pickled
-    np.testing.assert_array_equal(
-        np.asarray(pickle.loads(pickle.dumps(evaluation)).correspondence_set), np.column_stack([np.arange(400)] * 2)
-    )
+    again = np.asarray(pickle.loads(pickle.dumps(evaluation)).correspondence_set)
+    np.testing.assert_array_equal(again, np.column_stack([np.arange(400)] * 2))
 
 
 def test_depth_and_color_images_are_used_on_their_device(library, device, rng):
@@ -246,9 +244,8 @@ def test_depth_and_color_images_are_used_on_their_device(library, device, rng):
 def test_a_cloud_with_zero_origin_exports_dlpack(library, clouds, surface):
     reference = clouds[1]
     for cloud in clouds:
-        assert tuple(map(int, cloud.__dlpack_device__())) == tuple(
-            map(int, reference.array("points").__dlpack_device__())
-        )
+        given, stored = (each.__dlpack_device__() for each in (cloud, reference.array("points")))
+        assert tuple(map(int, given)) == tuple(map(int, stored))
     if reference.device.is_cpu:
         points = np.from_dlpack(reference)
         np.testing.assert_array_equal(points, surface)

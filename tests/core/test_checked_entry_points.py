@@ -1,7 +1,5 @@
 """Constructor checks also run for pickles and attributes. A damaged pickle raises ValueError."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

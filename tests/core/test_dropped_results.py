@@ -107,11 +107,8 @@ def public_classes(module):
 def returns_its_own(kind, method):
     """Whether a method returns an object of its class, or a pair whose first is one."""
     annotation = method.__annotations__.get("return", "")
-    first = (
-        (annotation if isinstance(annotation, str) else getattr(annotation, "__name__", ""))
-        .removeprefix("tuple[")
-        .split(",")[0]
-    )
+    text = annotation if isinstance(annotation, str) else getattr(annotation, "__name__", "")
+    first = text.removeprefix("tuple[").split(",")[0]
     return first in {"Self", *(base.__name__ for base in kind.__mro__[:-1])}
 
 
@@ -122,10 +119,7 @@ def test_every_method_that_returns_its_own_class_has_the_guard():
         for name, method in inspect.getmembers(kind, inspect.isfunction)
         if not name.startswith(("_", "get_")) and name not in FOR_CODE_ON_THE_DEVICE
     }
-    guarded = {key: method for key, method in methods.items() if returns_its_own(loom_class(key[0]), method)}
+    kinds = {kind.__name__: kind for kind in public_classes(loom)}
+    guarded = {key: method for key, method in methods.items() if returns_its_own(kinds[key[0]], method)}
     assert [".".join(key) for key, method in guarded.items() if not hasattr(method, "__wrapped__")] == []
     assert {("LineSet", "transform"), ("PointCloud", "to"), ("TriangleMesh", "repair")} <= guarded.keys()
-
-
-def loom_class(name):
-    return next(kind for kind in public_classes(loom) if kind.__name__ == name)

@@ -1,7 +1,5 @@
 """Exceptions of signal handlers leave operations on files unchanged."""
 
-from __future__ import annotations
-
 import functools
 import signal
 

@@ -1,7 +1,5 @@
 """Observers receive the events of algorithms, and results do not depend on observers."""
 
-from __future__ import annotations
-
 import threading
 from typing import Any
 
@@ -80,8 +78,7 @@ def test_substitute_clouds_are_reported_as_those_they_replace():
 
 
 def test_icp_reports_its_start_and_every_iteration_as_its_callback(device):
-    target = loom.PointCloud(bumps(), device=device)
-    source = loom.PointCloud(bumps() + SHIFT, device=device)
+    target, source = (loom.PointCloud(points, device=device) for points in (bumps(), bumps() + SHIFT))
     events: Events = []
     states: list[dict[str, Any]] = []
     with watch(noted(events)):
@@ -92,10 +89,8 @@ def test_icp_reports_its_start_and_every_iteration_as_its_callback(device):
     for step, state in zip(steps[1:], states, strict=True):
         assert np.array_equal(step["transformation"], state["transformation"])
         assert step["fitness"] == state["fitness"]
-        assert step["source"] is source
-        assert step["target"] is target
-    assert events[-1][0] == "registration"
-    assert events[-1][1]["result"] is result
+        assert step["source"] is source and step["target"] is target
+    assert events[-1][0] == "registration" and events[-1][1]["result"] is result
 
 
 def test_icp_is_bitwise_identical_with_observers(device):
@@ -105,17 +100,13 @@ def test_icp_is_bitwise_identical_with_observers(device):
     with watch(lambda event, data: None):
         observed = register(source, target, 0.2)
     assert np.array_equal(alone.transformation, observed.transformation)
-    assert (alone.fitness, alone.inlier_rmse, alone.iterations) == (
-        observed.fitness,
-        observed.inlier_rmse,
-        observed.iterations,
-    )
+    for name in ("fitness", "inlier_rmse", "iterations"):
+        assert getattr(alone, name) == getattr(observed, name)
     assert np.array_equal(alone.correspondence_set, observed.correspondence_set)
 
 
 def test_multi_scale_icp_reports_the_clouds_that_it_was_given(device):
-    target = loom.PointCloud(bumps(), device=device)
-    source = loom.PointCloud(bumps() + SHIFT, device=device)
+    target, source = (loom.PointCloud(points, device=device) for points in (bumps(), bumps() + SHIFT))
     rules = [loom.registration.ICPConvergenceCriteria(max_iteration=5)] * 2
     events: Events = []
     with watch(noted(events)):

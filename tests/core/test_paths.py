@@ -36,12 +36,8 @@ def takes_a_path(call):
     first = next(iter(parameters_of(call)), None)
     annotation = "" if first is None else str(first.annotation)
     is_other = any(word in annotation for word in ("None", "Sequence", "Iterable"))
-    return (
-        first is not None
-        and first.default is first.empty
-        and not is_other
-        and any(kind in annotation for kind in PATHS)
-    )
+    is_required = first is not None and first.default is first.empty
+    return is_required and not is_other and any(kind in annotation for kind in PATHS)
 
 
 CALLS = {

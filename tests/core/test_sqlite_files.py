@@ -1,7 +1,5 @@
 """SQLite files of unknown origin run no code and read no views."""
 
-from __future__ import annotations
-
 import contextlib
 import sqlite3
 

@@ -12,7 +12,6 @@ from pointloom.core.timing import Clock, peak_bytes, peak_bytes_of_all
 
 @pytest.fixture
 def now(monkeypatch):
-    """A clock that advances on command."""
     hands = [10.0]
     monkeypatch.setattr(timing.time, "perf_counter", lambda: hands[0])
     return hands

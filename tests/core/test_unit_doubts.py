@@ -79,9 +79,8 @@ def test_icp_without_correspondences_reports_both_positions(ball):
     assert "their centers 100 m apart, within 0.05 m)" in repr(moved)
     assert loom.registration.registration_icp(ball, ball, 0.05).warnings == ()
     empty = loom.PointCloud(device=ball.device)
-    assert loom.registration.registration_icp(empty, ball, 0.05).warnings == (
-        "no correspondences: the source has no points",
-    )
+    result = loom.registration.registration_icp(empty, ball, 0.05)
+    assert result.warnings == ("no correspondences: the source has no points",)
 
 
 def test_lengths_that_suit_few_points_do_not_warn(ball):

@@ -1,7 +1,5 @@
 """A ball in front of a wall with a smooth position-dependent color, seen by cameras with exact poses."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,7 +25,6 @@ class Scene:
 
 
 def paint(points):
-    """Colors 0..1 at positions [..., 3]."""
     x, y, z = points[..., 0], points[..., 1], points[..., 2]
     red = np.sin(11 * x + 3 * z) * np.cos(9 * y) + 0.4 * np.sin(23 * y + 17 * x)
     green = np.cos(8 * x - 5 * y) + 0.5 * np.sin(19 * x + 4 * z)
@@ -57,7 +54,6 @@ def take(camera, pose, bend=0.0):
 
 
 def wall_and_ball(rows=41):
-    """The wall and the ball."""
     s = np.linspace(-1.0, 1.0, rows)
     wall = np.stack([*np.meshgrid(s, s), np.full((rows, rows), WALL)], -1).reshape(-1, 3)
     a, b = np.meshgrid(np.linspace(0, 2 * np.pi, rows), np.linspace(0, np.pi, rows))

@@ -1,7 +1,5 @@
 """Meshes shared by tests of cleaning, topology and repair: soups, one-sided surfaces, solids."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -39,8 +37,7 @@ def soup(triangles: Any, device: Any = None) -> TriangleMesh:
 
 
 def grid(rows: int, columns: int, *, wrap: bool = False, twist: bool = False, close: bool = False) -> NDArray[np.int32]:
-    """Triangles over rows x columns vertices; `wrap` joins the first row to the last, mirrored with `twist`, and
-    `close` the first column to the last: all together give a Klein bottle."""
+    """Triangles over a grid; `wrap` joins its first row to the last, mirrored with `twist`, and `close` its columns."""
     triangles = []
     for r in range(rows if wrap else rows - 1):
         for c in range(columns if close else columns - 1):
@@ -53,7 +50,6 @@ def grid(rows: int, columns: int, *, wrap: bool = False, twist: bool = False, cl
 
 
 def surface(rows: int, columns: int, **joined: bool) -> TriangleMesh:
-    """A `grid` with random vertices."""
     return TriangleMesh(np.random.default_rng(0).random((rows * columns, 3)), grid(rows, columns, **joined))
 
 

@@ -1,7 +1,5 @@
 """Meshes in Open3D's form, its results as plain arrays, and batches of its results for many small meshes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A wavy wall seen by cameras with different exposures."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,7 +19,6 @@ class WallScene(NamedTuple):
 
 
 def wall_colors(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Colors of positions on the wall, 0..1."""
     return np.stack([0.5 + 0.1 * np.sin(9 * x), 0.45 + 0.1 * np.cos(7 * y), 0.5 + 0.1 * np.sin(5 * (x + y))], -1)
 
 

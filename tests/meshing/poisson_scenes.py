@@ -1,7 +1,5 @@
 """Oriented samples of surfaces with known geometry, and edge statistics of a mesh in NumPy."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -49,7 +47,6 @@ def poisson(points: Any, normals: Any = None, depth: int = 5, *, device: Any = N
 
 
 def bits(result: Any) -> tuple[bytes, ...]:
-    """All bits of (mesh, densities)."""
     mesh, densities = result
     arrays = (mesh.array(name).numpy() for name in ("vertices", "triangles", "vertex_normals"))
     return (*(values.tobytes() for values in arrays), densities.tobytes())

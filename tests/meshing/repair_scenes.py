@@ -1,7 +1,5 @@
 """Valid and invalid meshes as written by other programs: a repair must not make any of them worse."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -24,7 +22,6 @@ def moved(mesh: TriangleMesh, shift: Any) -> TriangleMesh:
 
 
 def flipped(mesh: TriangleMesh) -> TriangleMesh:
-    """The mesh with reversed triangles."""
     return TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1])
 
 

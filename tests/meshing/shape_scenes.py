@@ -1,7 +1,5 @@
 """Meshes for tests of smoothing, subdivision, deformation and measurements."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Meshes for simplification, and measures of the result."""
 
-from __future__ import annotations
-
 import itertools
 from typing import Any
 
@@ -49,14 +47,12 @@ def box(cells: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
 
 
 def edge_counts(triangles: NDArray[np.int32]) -> dict[tuple[int, int], int]:
-    """The number of triangles of each edge."""
     ends = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     edges, counts = np.unique(ends, axis=0, return_counts=True)
     return {(int(a), int(b)): int(n) for (a, b), n in zip(edges, counts, strict=True)}
 
 
 def euler(mesh: TriangleMesh) -> int:
-    """The Euler characteristic."""
     return len(np.unique(mesh.triangles)) - len(edge_counts(mesh.triangles)) + len(mesh)
 
 

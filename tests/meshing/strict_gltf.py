@@ -1,7 +1,5 @@
 """An independent checker of .glb files against the glTF 2.0 specification."""
 
-from __future__ import annotations
-
 import io
 import json
 import struct
@@ -52,9 +50,8 @@ def faults_of_glb(path: Path) -> list[str]:
 def _check_views(doc: dict[str, Any], claim: Any) -> None:
     for k, view in enumerate(doc["bufferViews"]):
         end = view.get("byteOffset", 0) + view["byteLength"]
-        claim(
-            view["byteLength"] > 0 and end <= doc["buffers"][view["buffer"]]["byteLength"], f"bufferViews[{k}]: bounds"
-        )
+        is_inside = view["byteLength"] > 0 and end <= doc["buffers"][view["buffer"]]["byteLength"]
+        claim(is_inside, f"bufferViews[{k}]: bounds")
 
 
 def _check_accessor(doc: dict[str, Any], k: int, binary: bytes, claim: Any) -> Any:
@@ -64,9 +61,8 @@ def _check_accessor(doc: dict[str, Any], k: int, binary: bytes, claim: Any) -> A
     stride = view.get("byteStride", size * width)
     claim(offset % size == 0 and (begin + offset) % size == 0, f"accessors[{k}]: alignment")
     claim(what["count"] > 0, f"accessors[{k}]: count")
-    claim(
-        offset + stride * (what["count"] - 1) + size * width <= view["byteLength"], f"accessors[{k}]: beyond its view"
-    )
+    end = offset + stride * (what["count"] - 1) + size * width
+    claim(end <= view["byteLength"], f"accessors[{k}]: beyond its view")
     claim(stride % size == 0 and (stride % 4 == 0 or "byteStride" not in view), f"accessors[{k}]: stride")
     rows = [begin + offset + stride * i for i in range(what["count"])]
     values = np.array([np.frombuffer(binary, CODES[what["componentType"]], width, row) for row in rows])
@@ -83,10 +79,8 @@ def _check_part(doc: dict[str, Any], part: dict[str, Any], arrays: list[Any], cl
     count = doc["accessors"][position_accessor]["count"]
     for name, k in part["attributes"].items():
         claim(doc["accessors"][k]["count"] == count, f"{name}: count")
-        claim(
-            "target" not in (view := doc["bufferViews"][doc["accessors"][k]["bufferView"]]) or view["target"] == 34962,
-            f"{name}: target",
-        )
+        view = doc["bufferViews"][doc["accessors"][k]["bufferView"]]
+        claim(view.get("target", 34962) == 34962, f"{name}: target")
         claim(doc["accessors"][k]["componentType"] == 5126 or doc["accessors"][k].get("normalized"), f"{name}: type")
     if "indices" in part:
         indices = arrays[part["indices"]]
@@ -107,10 +101,8 @@ def _check_pictures(doc: dict[str, Any], binary: bytes, claim: Any) -> None:
         claim("sampler" not in texture or texture["sampler"] < len(doc["samplers"]), "texture.sampler")
     for sampler in doc.get("samplers", []):
         claim(all(sampler.get(name, 10497) in WRAPS for name in ("wrapS", "wrapT")), "sampler.wrap")
-        claim(
-            sampler.get("magFilter", 9729) in FILTERS[:2] and sampler.get("minFilter", 9729) in FILTERS,
-            "sampler.filter",
-        )
+        is_known = sampler.get("magFilter", 9729) in FILTERS[:2] and sampler.get("minFilter", 9729) in FILTERS
+        claim(is_known, "sampler.filter")
     for k, image in enumerate(doc.get("images", [])):
         claim(("uri" in image) != ("bufferView" in image), f"images[{k}]: uri or bufferView")
         if "bufferView" in image:

@@ -1,7 +1,5 @@
 """Brute-force distances, inside tests and intersections of triangles in float64 or integers."""
 
-from __future__ import annotations
-
 import itertools
 from typing import Any
 
@@ -17,7 +15,6 @@ def segment_distances(p: NDArray[Any], a: NDArray[Any], b: NDArray[Any]) -> NDAr
 
 
 def distances_to_triangles(points: NDArray[Any], corners: NDArray[Any]) -> NDArray[np.float64]:
-    """[n, t]: distances of points to triangles with corners [t, 3, 3]."""
     p = np.asarray(points, np.float64)[:, None]
     a, b, c = (np.asarray(corners, np.float64)[None, :, k] for k in range(3))
     n = np.cross(b - a, c - a)

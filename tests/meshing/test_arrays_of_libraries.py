@@ -1,7 +1,5 @@
 """Meshes, scenes and volumes accept and return arrays of other libraries."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -12,7 +10,6 @@ from ..array_library import LIBRARIES, assert_same, fake_library, package
 
 @pytest.fixture(params=LIBRARIES)
 def library(request, device, monkeypatch):
-    """A library and its array functions, see tests/array_library.py."""
     return fake_library(request.param, device, monkeypatch)
 
 
@@ -29,7 +26,6 @@ def ball(device):
 
 @pytest.fixture
 def meshes(library, ball, device):
-    """The same mesh with arrays of the library and with NumPy arrays."""
     vertices, triangles = ball.vertices.astype(np.float32), ball.triangles
     return (
         loom.TriangleMesh(library.make(vertices), library.make(triangles)),

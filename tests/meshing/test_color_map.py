@@ -126,7 +126,6 @@ def test_warped_images_are_rectified(device):
 
 
 def check_unwarped(scene, bent):
-    """An unwarped image samples the source image at the warped coordinates."""
     picture, flat = scene.frames[1].color.astype(float), bent.unwarped_image(1)
     warp, step = bent.warp(1), 8
     v, u = 61, 83
@@ -207,50 +206,3 @@ def test_a_mesh_without_triangles_is_colored_by_depth_and_rejected_by_rays(devic
     scene.mesh = loom.TriangleMesh(device=device)
     with pytest.raises(ValueError, match="expected vertices to color"):
         color(scene)
-
-
-@pytest.fixture(scope="module")
-def small():
-    return make_scene(rows=5, width=32, height=24)
-
-
-HALF = loom.PinholeCameraIntrinsic(16, 12, 15.0, 15.0, 7.5, 5.5)
-BAD = [
-    (lambda s: {"camera_trajectory": loom.Trajectory(s.poses[:4])}, ValueError, "expected 5, one per image, got 4"),
-    (lambda s: {"intrinsic": [s.camera] * 2}, ValueError, "expected one, or 5, one per image, got 2"),
-    (lambda s: {"intrinsic": HALF}, ValueError, r"images_rgbd\[0\]: intrinsic"),
-    (lambda s: {"images_rgbd": [], "camera_trajectory": loom.Trajectory(s.poses[:0])}, ValueError, "at least one"),
-    (lambda s: {"camera_trajectory": loom.Trajectory(with_nan(s.poses))}, ValueError, r"camera_trajectory.poses\[3\]"),
-    (lambda s: {"camera_trajectory": s.poses}, TypeError, "expected a Trajectory"),
-    (lambda s: {"occlusion": "no"}, ValueError, "occlusion: "),
-    (lambda s: {"images_rgbd": [f.color for f in s.frames], "occlusion": "depth"}, ValueError, "has no depth"),
-    (lambda s: {"images_rgbd": [gray_of(s)] * 5}, ValueError, "convert_rgb_to_intensity=False"),
-    (lambda s: {"images_rgbd": [np.zeros((24, 32, 3))] * 5}, TypeError, "expected uint8"),
-]
-
-
-def with_nan(poses):
-    poses = poses.copy()
-    poses[3, 0, 0] = np.nan
-    return poses
-
-
-def gray_of(scene):
-    return loom.RGBDImage.create_from_color_and_depth(scene.frames[0].color, scene.frames[0].depth)
-
-
-@pytest.mark.parametrize(("changes", "error", "named"), BAD)
-def test_bad_input_is_named(small, changes, error, named):
-    given = {"mesh": small.mesh, "images_rgbd": small.frames, "camera_trajectory": small.path()}
-    with pytest.raises(error, match=named):
-        color_map.run_rigid_optimizer(**given | {"intrinsic": small.camera} | changes(small))
-
-
-@pytest.mark.parametrize(
-    "name", ["maximum_allowable_depth", "depth_threshold_for_visibility_check", "number_of_vertical_anchors"]
-)
-def test_bad_options_are_named(small, name):
-    with pytest.raises(ValueError, match=name):
-        BENT(**{name: 0})
-    with pytest.raises(TypeError, match="NonRigidOptimizerOption"):
-        color_map.run_non_rigid_optimizer(small.mesh, small.frames, small.path(), RIGID(), intrinsic=small.camera)

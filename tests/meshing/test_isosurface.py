@@ -1,7 +1,5 @@
 """Marching cubes: the surface of scikit-image, closed for every field, bitwise reproducible."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -11,7 +9,6 @@ from hypothesis.extra import numpy as hnp
 from scipy.spatial import cKDTree
 
 from pointloom import TriangleMesh, marching_cubes
-from pointloom.core.errors import DeviceError
 
 SHAPES = [(2, 3, 2), (5, 4, 31), (3, 7, 32), (6, 3, 33), (5, 2, 65)]
 
@@ -31,21 +28,11 @@ def bordered(field: np.ndarray) -> np.ndarray:
     return np.pad(field, 1, constant_values=1.0)
 
 
-def side_counts(mesh: TriangleMesh) -> tuple[np.ndarray, np.ndarray]:
+def assert_closed(mesh: TriangleMesh) -> None:
     t, m = mesh.triangles.astype(np.int64), len(mesh.vertices)
     a, b = t.ravel(), np.roll(t, -1, axis=1).ravel()
-    return np.sort(a * m + b), np.sort(b * m + a)
-
-
-def assert_closed(mesh: TriangleMesh) -> None:
-    sides, opposites = side_counts(mesh)
-    assert len(np.unique(sides)) == len(sides)
-    np.testing.assert_array_equal(sides, opposites)
-
-
-def signed_volume(mesh: TriangleMesh) -> float:
-    a, b, c = mesh.vertices[mesh.triangles].transpose(1, 0, 2)
-    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+    assert len(np.unique(a * m + b)) == len(a)
+    np.testing.assert_array_equal(np.sort(a * m + b), np.sort(b * m + a))
 
 
 def test_a_smooth_surface_has_the_vertices_and_triangles_of_scikit_image(device):
@@ -65,7 +52,7 @@ def test_noise_of_any_shape_is_closed_if_its_border_is_outside(device, shape):
         mesh = marching_cubes(bordered(noise(shape, seed)), device=device)
         assert_closed(mesh)
         assert mesh.is_watertight()
-        assert signed_volume(mesh) > 0
+        assert np.linalg.det(mesh.vertices[mesh.triangles]).sum() > 0  # outwards
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -170,15 +157,8 @@ def test_the_type_and_order_of_the_field_do_not_matter(device):
     strided[:] = field
     read_only = field.copy()
     read_only.flags.writeable = False
-    for other in (
-        field.astype(np.float64),
-        field.astype(np.int32),
-        np.asfortranarray(field),
-        strided,
-        read_only,
-        field.tolist(),
-        field.astype(">f4"),
-    ):
+    others = [field.astype(kind) for kind in (np.float64, np.int32, ">f4")]
+    for other in (*others, np.asfortranarray(field), strided, read_only, field.tolist()):
         mesh = marching_cubes(other, 0.5, device=device)
         np.testing.assert_array_equal(mesh.vertices, expected.vertices)
         np.testing.assert_array_equal(mesh.triangles, expected.triangles)
@@ -192,25 +172,3 @@ def test_device_arrays_are_used_on_their_device(device):
         mesh = marching_cubes(values)
         assert str(mesh.device) == str(device)
         np.testing.assert_array_equal(mesh.vertices, expected.vertices)
-
-
-@pytest.mark.parametrize(
-    ("changes", "error", "message"),
-    [
-        ({"field": np.zeros((3, 3))}, ValueError, r"field: expected shape \[nx, ny, nz\] .* got \[3, 3\]"),
-        ({"field": np.zeros((3, 1, 3))}, ValueError, r"at least 2 along each axis, got \[3, 1, 3\]"),
-        ({"field": np.zeros((2, 2, 2), complex)}, TypeError, "field: expected real numbers, got complex128"),
-        ({"level": 1e39}, ValueError, "level: expected a finite number"),
-        ({"level": "zero"}, TypeError, "level: expected a number"),
-        ({"spacing": 1.0}, ValueError, r"spacing: expected shape \[3\], got \[\]"),
-        ({"spacing": (1, 0, 1)}, ValueError, "spacing: expected a finite number > 0"),
-        ({"spacing": (1, 1e-60, 1)}, ValueError, "below the float32 range"),
-        ({"spacing": (1, 1e39, 1)}, ValueError, "exceeds the float32 range"),
-        ({"origin": (np.nan, 0, 0)}, ValueError, "exceeds the float32 range"),
-        ({"device": "cuda:99"}, DeviceError, "device: expected one of"),
-    ],
-)
-def test_bad_arguments_are_named(changes, error, message):
-    arguments = {"field": np.zeros((2, 2, 2)), "level": 0.0} | changes
-    with pytest.raises(error, match=message):
-        marching_cubes(arguments.pop("field"), arguments.pop("level"), **arguments)

@@ -1,7 +1,5 @@
 """Boolean operations on solids: volumes, attributes, and rejected input."""
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Connected components of a mesh: Open3D's labels, counts and areas; removal of small ones."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -76,17 +74,3 @@ def test_small_parts_go_with_their_vertices(device, limits, selected):
     np.testing.assert_array_equal(left.triangles, np.searchsorted(used, triangles))
     np.testing.assert_array_equal(left.vertices, np.array(CORNERS)[used])
     np.testing.assert_array_equal(left.vertex_colors, colors[used])
-
-
-@pytest.mark.parametrize(
-    ("limits", "error", "message"),
-    [
-        ({"min_triangles": 0}, ValueError, "min_triangles: .* >= 1"),
-        ({"min_triangles": 1.5}, TypeError, "min_triangles"),
-        ({"min_area": -1}, ValueError, "min_area"),
-        ({"min_area": np.nan}, ValueError, "min_area"),
-    ],
-)
-def test_limits_out_of_range_are_rejected(limits, error, message):
-    with pytest.raises(error, match=message):
-        TriangleMesh(CORNERS, PARTS).remove_small_components(**limits)

@@ -1,7 +1,5 @@
 """Deformed meshes: Open3D's positions by another solver, rigid motions, and cases that Open3D cannot solve."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -66,10 +64,8 @@ def test_open_meshes_deform_as_in_open3d(device, oracle):
 def test_energies_differ_and_open3ds_enums_are_accepted(device, o3d):
     mesh, energies = bumpy_ball(device, 1), o3d.geometry.DeformAsRigidAsPossibleEnergy
     handles, targets = pulled(mesh)
-    results = {
-        name: mesh.deform_as_rigid_as_possible(handles, targets, 5, name, 1.0).vertices
-        for name in ("spokes", "smoothed")
-    }
+    kinds = ("spokes", "smoothed")
+    results = {kind: mesh.deform_as_rigid_as_possible(handles, targets, 5, kind, 1.0).vertices for kind in kinds}
     assert np.abs(results["spokes"] - results["smoothed"]).max() > 1e-3
     for name, kind in (("spokes", energies.Spokes), ("smoothed", energies.Smoothed)):
         result = mesh.deform_as_rigid_as_possible(handles, targets, 5, kind, 1.0)
@@ -77,7 +73,6 @@ def test_energies_differ_and_open3ds_enums_are_accepted(device, o3d):
 
 
 def test_a_rigid_motion_of_the_handles_moves_the_mesh(device):
-    """Three rotated and shifted vertices move the mesh and its normals."""
     mesh = bumpy_ball(device, 1).compute_vertex_normals()
     mesh.vertex_colors = np.full(mesh.vertices.shape, 0.5)
     c, s = np.cos(1.0), np.sin(1.0)
@@ -128,16 +123,6 @@ def test_any_mesh_gives_numbers(triangles, handles):
         np.testing.assert_array_equal(result[handles], targets.astype(np.float32))
 
 
-@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
-def test_size_does_not_matter(device, scale):
-    mesh = bumpy_ball(device, 1)
-    handles, targets = pulled(mesh)
-    other = TriangleMesh(mesh.vertices * scale, mesh.triangles, device=device, origin=[0, 0, 0])
-    result = other.deform_as_rigid_as_possible(handles, targets * scale, 5).vertices / scale
-    wanted = mesh.deform_as_rigid_as_possible(handles, targets, 5).vertices
-    np.testing.assert_allclose(result, wanted, rtol=0, atol=CLOSE)
-
-
 def test_results_far_from_zero_equal_those_near_it(device):
     vertices, triangles = icosphere(1)
     vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
@@ -145,9 +130,8 @@ def test_results_far_from_zero_equal_those_near_it(device):
     handles, targets = pulled(near)
     targets = np.round(targets * 1024) / 1024
     result = far.deform_as_rigid_as_possible(handles, targets + UTM, 5).array("vertices").numpy()
-    np.testing.assert_array_equal(
-        result, near.deform_as_rigid_as_possible(handles, targets, 5).array("vertices").numpy()
-    )
+    wanted = near.deform_as_rigid_as_possible(handles, targets, 5).array("vertices").numpy()
+    np.testing.assert_array_equal(result, wanted)
 
 
 def test_zero_iterations_and_no_triangles_change_nothing(device):
@@ -158,33 +142,20 @@ def test_zero_iterations_and_no_triangles_change_nothing(device):
 
 
 @pytest.mark.parametrize(
-    ("changed", "error", "message"),
+    ("name", "values", "error"),
     [
-        ({"constraint_vertex_indices": []}, ValueError, "constraint_vertex_indices: .* at least one"),
-        ({"constraint_vertex_indices": [0, 0]}, ValueError, "constraint_vertex_indices: vertex 0 is duplicated"),
-        (
-            {"constraint_vertex_indices": [0, 4]},
-            ValueError,
-            "constraint_vertex_indices: expected vertex indices from 0 to 3, got 4",
-        ),
-        (
-            {"constraint_vertex_indices": [-1, 1]},
-            ValueError,
-            "constraint_vertex_indices: expected vertex indices from 0 to 3, got -1",
-        ),
-        ({"constraint_vertex_indices": [0, 3]}, ValueError, "constraint_vertex_indices: vertex 3 is NaN or infinite"),
-        ({"constraint_vertex_indices": [0.0, 1.0]}, TypeError, "constraint_vertex_indices"),
-        ({"constraint_vertex_positions": [[0, 0, 0]]}, ValueError, r"constraint_vertex_positions: .*\[2, 3\]"),
-        ({"constraint_vertex_positions": [[0, 0, np.inf]] * 2}, ValueError, "constraint_vertex_positions"),
-        ({"max_iter": -1}, ValueError, "max_iter"),
-        ({"max_iter": 10_001}, ValueError, "max_iter"),
-        ({"energy": "springs"}, ValueError, "energy: .* smoothed"),
-        ({"energy": 1}, TypeError, "energy"),
-        ({"smoothed_alpha": -0.1}, ValueError, "smoothed_alpha"),
+        ("constraint_vertex_indices", ([], [0, 0], [0, 4], [-1, 1], [0, 3]), ValueError),
+        ("constraint_vertex_indices", ([0.0, 1.0],), TypeError),
+        ("constraint_vertex_positions", ([[0, 0, 0]], [[0, 0, np.inf]] * 2), ValueError),
+        ("max_iter", (-1, 10_001), ValueError),
+        ("energy", ("springs",), ValueError),
+        ("energy", (1,), TypeError),
+        ("smoothed_alpha", (-0.1,), ValueError),
     ],
 )
-def test_invalid_arguments_are_rejected(changed, error, message):
+def test_invalid_arguments_are_rejected(name, values, error):
     options = {"constraint_vertex_indices": [0, 1], "constraint_vertex_positions": np.eye(3)[:2], "max_iter": 3}
-    with pytest.raises(error, match=message):
-        mesh = TriangleMesh(np.vstack([np.eye(3), np.full(3, np.nan)]), [[0, 1, 2]])
-        mesh.deform_as_rigid_as_possible(**(options | changed))
+    mesh = TriangleMesh(np.vstack([np.eye(3), np.full(3, np.nan)]), [[0, 1, 2]])
+    for value in values:
+        with pytest.raises(error, match=f"^{name}: "):
+            mesh.deform_as_rigid_as_possible(**options | {name: value})

@@ -1,7 +1,5 @@
 """Geodesic distances: exact on flat meshes, close on spheres and cylinders, infinite between components."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -107,33 +105,6 @@ def test_no_path_is_longer_than_along_edges(triangles, source):
         reached = np.isfinite(result)
         assert (result[reached] <= ways[source][reached] * (1 + EXACT)).all()
         assert (result[reached] >= 0).all()
-
-
-@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
-def test_distances_scale_with_the_mesh(device, scale):
-    vertices, triangles = icosphere(2)
-    one, other = (
-        TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]).compute_geodesic_distances([3])
-        for s in (1, scale)
-    )
-    np.testing.assert_array_equal(other / scale, one)
-
-
-@pytest.mark.parametrize(
-    ("sources", "error", "message"),
-    [
-        ([], ValueError, "sources: .* at least one"),
-        ([4], ValueError, "sources: expected vertex indices from 0 to 3, got 4"),
-        ([-1], ValueError, "sources: expected vertex indices from 0 to 3, got -1"),
-        ([3], ValueError, "sources: vertex 3 is NaN or infinite"),
-        ([0.5], TypeError, "sources"),
-        (0, ValueError, r"sources: expected shape \[n\]"),
-    ],
-)
-def test_invalid_sources_are_rejected(sources, error, message):
-    mesh = TriangleMesh(np.vstack([np.eye(3), np.full(3, np.nan)]), [[0, 1, 2]])
-    with pytest.raises(error, match=message):
-        mesh.compute_geodesic_distances(sources)
 
 
 @pytest.mark.slow

@@ -1,7 +1,5 @@
 """Triangle intersections: Open3D's pairs where it is right, integer arithmetic where it is not."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -73,16 +71,10 @@ def test_touching_is_decided_exactly(points):
 def test_degenerate_triangles_intersect_where_their_segments_do(device):
     """Differences of these coordinates have more bits than float32, so many signs are undecided in float64."""
     axes = np.array([[1398101, 699051, 466033], [-466033, 1398101, 699051], [3, -5, 7]])
-    flat = [
-        *([-5, 0, 0], [1, 0, 0], [3, 0, 0]),
-        *([3, 0, 0], [4, 0, 0], [5, 0, 0]),
-        *([-4, 0, 0], [-4, 0, 0], [-4, 0, 0]),
-        *([0, -2, 0], [0, 1, 0], [0, 3, 0]),
-        *([1, 1, 0], [2, 1, 0], [3, 1, 0]),
-        *([-2, -1, 0], [2, -1, 0], [0, 2, 0]),
-        *([-1, -2, 1], [-1, 1, 1], [-1, 3, 1]),
-    ]
-    vertices, triangles = np.array(flat) @ axes, np.arange(len(flat)).reshape(-1, 3)
+    flat = [[[-5, 0, 0], [1, 0, 0], [3, 0, 0]], [[3, 0, 0], [4, 0, 0], [5, 0, 0]], [[-4, 0, 0]] * 3]
+    flat += [[[0, -2, 0], [0, 1, 0], [0, 3, 0]], [[1, 1, 0], [2, 1, 0], [3, 1, 0]]]
+    flat += [[[-2, -1, 0], [2, -1, 0], [0, 2, 0]], [[-1, -2, 1], [-1, 1, 1], [-1, 3, 1]]]
+    vertices, triangles = np.reshape(flat, (-1, 3)) @ axes, np.arange(3 * len(flat)).reshape(-1, 3)
     pairs = TriangleMesh(vertices, triangles, device=device, origin=[0, 0, 0]).get_self_intersecting_triangles()
     assert pairs.tolist() == meeting_pairs(vertices, triangles) and 3 < len(pairs) < 15
 
@@ -116,8 +108,8 @@ def test_coplanar_disjoint_triangles_do_not_intersect_unlike_open3d(device, orac
 def test_a_rough_ball_pair_is_apart_where_open3d_reports_an_intersection(device, oracle):
     ball = rough_ball(device)
     theirs = oracle("meshing/intersections/rough_ball", open3d_pairs, ball.vertices, ball.triangles).tolist()
-    integers = (ball.vertices * 2.0**60).astype(object)  # exactly: float32 of this size are multiples of 2^-60
-    integers = np.vectorize(int, otypes=[object])(integers)
+    # exactly: float32 of this size are multiples of 2^-60
+    integers = np.vectorize(int, otypes=[object])(ball.vertices * 2.0**60)
     assert len(theirs) == 1 and meeting_pairs(integers, ball.triangles[theirs[0]]) == []
     assert not ball.is_self_intersecting()
 
@@ -134,12 +126,8 @@ def test_one_ulp_separates_two_triangles(device):
 def test_meshes_intersect_at_their_surfaces_and_not_by_containment(device):
     cube = np.array(CUBE[0], float)
     mesh = TriangleMesh(cube, CUBE[1], device=device)
-    for shift, size, meets in (
-        ([1, 0, 0], 1, True),
-        ([1.0001, 0, 0], 1, False),
-        ([0.25] * 3, 0.5, False),
-        ([0.5] * 3, 1, True),
-    ):
+    touching, inside = [([1, 0, 0], 1, True), ([1.0001, 0, 0], 1, False)], [([0.25] * 3, 0.5, False)]
+    for shift, size, meets in (*touching, *inside, ([0.5] * 3, 1, True)):
         other = TriangleMesh(cube * size + shift, CUBE[1], device=device)
         assert mesh.is_intersecting(other) == other.is_intersecting(mesh) == meets
     far = TriangleMesh(cube + FAR, CUBE[1], device=device)

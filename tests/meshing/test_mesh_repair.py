@@ -1,7 +1,5 @@
 """Hole filling and mesh repair: closed, consistently oriented, edge-manifold, with a correct report."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -58,15 +56,11 @@ def test_a_flat_convex_hole_gets_the_minimal_triangulation(device):
     rng = np.random.default_rng(0)
     angle = np.sort(rng.random(12)) * 2 * np.pi
     rim = np.column_stack([2 * np.cos(angle), np.sin(angle), np.zeros(12)])
-    k = np.arange(12)
-    outer = rim * 3
-    sides = np.vstack(
-        [np.column_stack([k, k + 12, (k + 1) % 12]), np.column_stack([(k + 1) % 12, k + 12, 12 + (k + 1) % 12])]
-    )
-    mesh = TriangleMesh(np.vstack([rim, outer]), sides, device=device)
-    added = mesh.fill_holes(2.5).triangles[24:]
-    corners = np.vstack([rim, outer]).astype(np.float32).astype(float)[added]
-    weight = sum(((corners[:, a] - corners[:, b]) ** 2).sum() for a, b in ((0, 1), (1, 2), (2, 0)))
+    k, after = np.arange(12), (np.arange(12) + 1) % 12
+    sides = np.vstack([np.column_stack([k, k + 12, after]), np.column_stack([after, k + 12, 12 + after])])
+    mesh = TriangleMesh(np.vstack([rim, rim * 3]), sides, device=device)
+    corners = mesh.vertices[mesh.fill_holes(2.5).triangles[24:]]
+    weight = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum()
     assert weight == pytest.approx(minimal_weight(rim.astype(np.float32).astype(float)), rel=1e-9)
 
 
@@ -197,10 +191,3 @@ def test_a_valid_mesh_is_unchanged(device):
     reversed_mesh = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)
     reoriented, report = reversed_mesh.repair()
     assert report.flipped_triangles == len(mesh) and reoriented.get_volume() == pytest.approx(mesh.get_volume())
-
-
-@pytest.mark.parametrize("option", ["hole_size", "merge_distance"])
-@pytest.mark.parametrize("value", [0, -1, np.nan, np.inf])
-def test_invalid_sizes_are_rejected_by_name(option, value):
-    with pytest.raises(ValueError, match=option):
-        without_sides([0]).repair(**{option: value})

@@ -1,7 +1,5 @@
 """A repair makes no mesh worse: valid parts stay, closed parts stay closed, only duplicates are removed."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -84,9 +82,8 @@ def test_a_single_unpaired_triangle_is_removed_and_a_sheet_stays(device):
     repaired, report = fin.to(device).repair()
     assert report.removed_crowding_triangles == 1 and report.lost_area > 0 and repaired.is_watertight()
     wall = fin._with_arrays()
-    wall = TriangleMesh(
-        np.vstack([fin.vertices, 3 * tip]), np.vstack([fin.triangles, [[62, ball.triangles[20][0], 63]]])
-    )
+    triangles = np.vstack([fin.triangles, [[62, ball.triangles[20][0], 63]]])
+    wall = TriangleMesh(np.vstack([fin.vertices, 3 * tip]), triangles)
     repaired, report = wall.to(device).repair()
     assert report.removed_crowding_triangles == 0 and len(repaired) == len(wall)
     assert sorted(repaired.cluster_connected_triangles()[1]) == [2, len(ball)]

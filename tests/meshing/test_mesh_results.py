@@ -15,7 +15,6 @@ from pointloom.cli.jobs.smooth_mesh import smooth_mesh_file
 
 
 def torn() -> TriangleMesh:
-    """A ball without a cap, with normals."""
     ball = TriangleMesh.create_sphere(1.0, 12).compute_vertex_normals()
     return ball.remove_triangles_by_mask(ball.vertices[ball.triangles].mean(axis=1)[:, 2] > 0.9)
 
@@ -73,13 +72,6 @@ def test_a_mesh_without_triangles_is_unreliable_but_no_error():
     assert loom.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
 
 
-def test_the_remedy_names_the_python_argument():
-    merged = loom.clean_mesh(TriangleMesh.create_sphere(), merge_distance=0.9)
-    shrunk = loom.smooth_mesh(TriangleMesh.create_sphere(), "simple", 50)
-    for result, argument in ((merged, "merge_distance"), (shrunk, "method='taubin'")):
-        assert argument in result.warnings[0]
-
-
 def test_a_destructive_repair_is_unreliable():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
@@ -89,25 +81,6 @@ def test_a_destructive_repair_is_unreliable():
     assert "of the triangles were removed" in str(holed.warnings)
     opened = replace(holed, triangles_in=10**6, was_watertight=True)
     assert opened.warnings == ("the input was closed, the result is not: compare it with the input (compare_meshes)",)
-
-
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda mesh: loom.simplify_mesh(mesh), "pass one of triangles, ratio and voxel_size, got none"),
-        (lambda mesh: loom.simplify_mesh(mesh, triangles=9, ratio=0.5), "got triangles and ratio"),
-        (lambda mesh: loom.simplify_mesh(mesh, ratio=0), "ratio: expected a fraction above 0"),
-        (lambda mesh: loom.simplify_mesh(mesh, voxel_size=1, max_error=1), "max_error, boundary_weight: apply to"),
-        (lambda mesh: loom.smooth_mesh(mesh, "simple", mu=-1), "mu: applies to method 'taubin', not to 'simple'"),
-        (lambda mesh: loom.smooth_mesh(mesh, strength=1), "strength: applies to method 'sharpen'"),
-        (lambda mesh: loom.smooth_mesh(mesh, "bilateral"), "method: expected one of taubin, laplacian, simple"),
-        (lambda mesh: loom.clean_mesh(mesh, min_triangles=0), "min_triangles: expected an integer >= 1"),
-        (lambda mesh: loom.compare_meshes(mesh, mesh, limit=0), "limit: expected a number > 0"),
-    ],
-)
-def test_what_makes_no_sense_is_rejected_by_name(call, message):
-    with pytest.raises(ValueError, match=message):
-        call(torn())
 
 
 @pytest.mark.parametrize("method", ["taubin", "sharpen"])

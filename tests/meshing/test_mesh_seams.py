@@ -1,7 +1,5 @@
 """Operations on surfaces are continuous across seams, where a position has several vertices for its texture."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Smoothing and sharpening of meshes: Open3D's values for each scope, without its faults."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -11,7 +9,7 @@ from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 
 from .open3d_meshes import arrays_of, for_each, in_open3d, one_by_one
-from .shape_scenes import eight_vertex_meshes, eight_vertices, hostile_triangles, icosphere, torn_ball
+from .shape_scenes import eight_vertex_meshes, eight_vertices, hostile_triangles, torn_ball
 
 # Only the result is rounded to float32, by 6.0e-8; reordered float64 sums differ far less.
 RELATIVE, ABSOLUTE = 6.1e-8, 1e-12
@@ -91,9 +89,8 @@ def test_normals_weight_neighbors_by_position(device):
     normals = mesh.vertex_normals.astype(float)
     vertices, pairs = mesh.vertices, np.unique(np.sort(mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)), axis=0)
     weights = np.zeros((len(vertices), len(vertices)))
-    weights[pairs[:, 0], pairs[:, 1]] = 1 / (
-        np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1) + 1e-12
-    )
+    lengths = np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1)
+    weights[pairs[:, 0], pairs[:, 1]] = 1 / (lengths + 1e-12)
     weights += weights.T
     totals = weights.sum(axis=1, keepdims=True)
     used = totals[:, 0] > 0
@@ -101,36 +98,6 @@ def test_normals_weight_neighbors_by_position(device):
         normals[used] += 0.7 * ((weights @ normals)[used] / totals[used] - normals[used])
     passes = mesh.filter_smooth_laplacian(3, 0.7, "normal")
     np.testing.assert_allclose(passes.vertex_normals[used], directions(normals)[used], rtol=0, atol=2e-7)  # unit length
-
-
-@every_filter
-def test_a_non_finite_vertex_stays_and_affects_no_neighbor(device, name):
-    """The others move as on the mesh without its triangles, where only finite neighbors count."""
-    vertices, triangles = icosphere(1)
-    positions = vertices.astype(np.float32).astype(float)
-    vertices[7] = np.nan
-    result = filtered(TriangleMesh(vertices, triangles).to(device), name, 1).vertices
-    pairs = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)), axis=0)
-    pairs = pairs[(pairs != 7).all(axis=1)]
-    near = np.zeros((len(vertices), len(vertices)))
-    near[pairs[:, 0], pairs[:, 1]] = near[pairs[:, 1], pairs[:, 0]] = 1
-
-    def approached(positions, share):
-        gaps = np.linalg.norm(positions[:, None] - positions[None], axis=2) + 1e-12
-        weights = near / gaps
-        total = weights.sum(axis=1, keepdims=True)
-        return positions + share * (weights @ positions / np.maximum(total, 1e-300) - positions)
-
-    if name == "simple":
-        expected = (positions + near @ positions) / (1 + near.sum(axis=1, keepdims=True))
-    elif name == "sharpen":
-        expected = positions + 0.1 * (near.sum(axis=1, keepdims=True) * positions - near @ positions)
-    else:
-        expected = approached(positions, 0.7 if name == "laplacian" else 0.4)
-        expected = approached(expected, -0.45) if name == "taubin" else expected
-    rest = np.arange(len(vertices)) != 7
-    assert np.isnan(result[7]).all()
-    assert_close(result[rest], expected[rest])
 
 
 @every_filter
@@ -176,16 +143,6 @@ def test_a_vertex_is_no_neighbor_of_itself(device):
         np.testing.assert_array_equal(filtered(pinned, name).vertices, filtered(plain, name).vertices)
 
 
-@every_filter
-@pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_size_does_not_matter(device, name, scale):
-    vertices, triangles = icosphere(1)
-    small, large = (TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]) for s in (1, scale))
-    wanted = filtered(small, name).vertices
-    # rounded once on input and once on output; 1e-12 m at edges of 5e-7 m is the precision of weights in meters
-    np.testing.assert_allclose(filtered(large, name).vertices / scale, wanted, rtol=0, atol=5e-6 if scale < 1 else 3e-7)
-
-
 def test_no_iterations_and_no_triangles_change_nothing(device):
     mesh = torn_ball(device)
     for name in FILTERS:
@@ -193,20 +150,3 @@ def test_no_iterations_and_no_triangles_change_nothing(device):
         assert len(filtered(TriangleMesh(device=device), name, 3).vertices) == 0
         loose = TriangleMesh([[1, 2, 3]], device=device)
         np.testing.assert_array_equal(filtered(loose, name, 3).vertices, loose.vertices)
-
-
-@pytest.mark.parametrize(
-    ("options", "error", "message"),
-    [
-        ({"number_of_iterations": -1}, ValueError, "number_of_iterations: .* >= 0"),
-        ({"number_of_iterations": 10_001}, ValueError, "number_of_iterations: .* 10,000"),
-        ({"number_of_iterations": 1.0}, TypeError, "number_of_iterations"),
-        ({"lambda_filter": np.nan}, ValueError, "lambda_filter"),
-        ({"filter_scope": "vertices"}, ValueError, "filter_scope: .* color"),
-        ({"filter_scope": 3}, TypeError, "filter_scope"),
-        ({"filter_scope": "normal"}, ValueError, "filter_scope: the mesh has no vertex_normals"),
-    ],
-)
-def test_invalid_arguments_are_rejected(options, error, message):
-    with pytest.raises(error, match=message):
-        TriangleMesh(np.eye(3), [[0, 1, 2]]).filter_smooth_laplacian(**options)

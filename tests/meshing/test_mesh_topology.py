@@ -1,7 +1,5 @@
 """Edges, fans, boundaries and orientation of meshes: Open3D's results with its errors corrected, one-sided surfaces."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -187,15 +185,6 @@ def test_texture_follows_flipped_triangles(device):
     before, after = (corner_table(m).reshape(-1, 3, 6) for m in (mesh, oriented))
     np.testing.assert_array_equal(after[flipped], before[flipped][:, [0, 2, 1]])
     np.testing.assert_array_equal(after[~flipped], before[~flipped])
-
-
-def test_a_volume_with_a_flipped_triangle_is_rejected(device):
-    sides = BOX_SIDES.copy()
-    sides[2] = sides[2, ::-1]
-    mesh = TriangleMesh(BOX, sides, device=device)
-    with pytest.raises(ValueError, match=r"^get_volume:"):
-        mesh.get_volume()
-    assert mesh.orient_triangles()[0].get_volume() == pytest.approx(1)
 
 
 def test_a_cavity_is_subtracted_and_a_separate_part_added(device):

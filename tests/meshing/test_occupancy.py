@@ -12,6 +12,7 @@ import pointloom as loom
 from pointloom.kernels.volumes import occupancy_blocks
 
 EDGE = 0.1
+DEFAULTS = {"hit": 0.7, "miss": 0.4, "min": 0.1192, "max": 0.971}
 
 
 def traverse(start, end, edge=EDGE):
@@ -50,7 +51,7 @@ def scans():
 
 def fold(known, start, ends, max_range):
     """Integrate one scan into a dictionary of log odds, as OctoMap does."""
-    odds = {name: np.float32(np.log(p / (1 - p))) for name, p in model().items()}
+    odds = {name: np.float32(np.log(p / (1 - p))) for name, p in DEFAULTS.items()}
     passed, hit = set(), set()
     for end in np.float32(ends):
         way = end - np.float32(start)
@@ -65,16 +66,8 @@ def fold(known, start, ends, max_range):
         known[voxel] = min(max(value, odds["min"]), odds["max"])
 
 
-def model():
-    """Default probabilities where none are given."""
-    return {"hit": 0.7, "miss": 0.4, "min": 0.1192, "max": 0.971}
-
-
 def log_odds_of(grid):
-    """The log odds of a grid by voxel."""
-    low, high = np.round(grid.bounds / grid.voxel_size).astype(int) - np.round(grid.origin / grid.voxel_size).astype(
-        int
-    )
+    low, high = (np.round(ends / grid.voxel_size).astype(int) for ends in grid.bounds - grid.origin)
     cells = np.stack(np.meshgrid(*(np.arange(a, b) for a, b in zip(low, high, strict=True)), indexing="ij"), -1)
     values = grid.log_odds(grid.origin + (cells.reshape(-1, 3) + 0.5) * grid.voxel_size)
     known = ~np.isnan(values)
@@ -188,11 +181,8 @@ def test_exports_agree(room):
 
 def test_files_copies_and_pickles_preserve_the_grid(room, tmp_path, device):
     room.save(tmp_path / "grid.npz")
-    for other in (
-        loom.OccupancyGrid.load(tmp_path / "grid.npz", device=device),
-        room.copy(),
-        pickle.loads(pickle.dumps(room)),
-    ):
+    loaded = loom.OccupancyGrid.load(tmp_path / "grid.npz", device=device)
+    for other in (loaded, room.copy(), pickle.loads(pickle.dumps(room))):
         assert log_odds_of(other) == log_odds_of(room) and other.scan_count == 3 == room.scan_count
         start, ends = next(scans())
         other.insert_scan(ends, start)
@@ -214,24 +204,20 @@ def test_invalid_scans_are_rejected_and_change_nothing(room):
     before, memory = log_odds_of(room), room.memory_bytes
     start, ends = next(scans())
     wild = np.vstack([ends, [[1e7, 0, 0]]])
-    refused = [
+    for given, reason in (
         ((ends, None), "origin: expected the sensor position"),
         ((wild, start), "use max_range or larger voxels"),
         ((np.vstack([ends, [[9000, 9000, 9000]]]), start), "fills a box of .* use max_range"),
         ((np.vstack([ends, [[np.inf, 0, 0]]]), start), "points: expected finite points"),
         ((ends, [1e9, 0, 0]), "origin: a ray starts 1e.09 m"),
         ((ends, ends[:3]), "origin"),
-    ]
-    for given, reason in refused:
+    ):
         with pytest.raises(ValueError, match=reason):
             room.insert_scan(*given)
     assert log_odds_of(room) == before and room.scan_count == 3 and room.memory_bytes == memory
     assert room.insert_scan(wild[-1:], start, max_range=1.0) > 0
-    for probabilities, reason in [
-        ((0.4,), "hit: .* got 0.4"),
-        ((0.7, 0.6), "miss: .* got 0.6"),
-        ((0.7, 0.4, 0.6), "min, max"),
-    ]:
+    wrong = ((0.4,), "hit: .* got 0.4"), ((0.7, 0.6), "miss: .* got 0.6"), ((0.7, 0.4, 0.6), "min, max")
+    for probabilities, reason in wrong:
         with pytest.raises(ValueError, match=reason):
             loom.OccupancyGrid(EDGE, *probabilities)
 

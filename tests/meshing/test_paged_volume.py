@@ -58,10 +58,8 @@ def test_a_paged_volume_is_bitwise_identical_to_one_in_memory(device, tmp_path, 
         assert volume.resident_block_count <= volume.max_blocks and volume.frame_count == 12
         assert len([*(tmp_path / "v").iterdir()]) > 3
         assert_same_bits(volume.to_volume(), reference)
-        for actual, theirs in (
-            (volume.extract_triangle_mesh(1), reference.extract_triangle_mesh(1)),
-            (volume.extract_point_cloud(1), reference.extract_point_cloud(1)),
-        ):
+        for name in ("extract_triangle_mesh", "extract_point_cloud"):
+            actual, theirs = (getattr(each, name)(1) for each in (volume, reference))
             assert actual._device_arrays.keys() == theirs._device_arrays.keys()
             for name in theirs._device_arrays:
                 one, other = download(actual._device_arrays[name]), download(theirs._device_arrays[name])
@@ -81,8 +79,7 @@ def test_scan_rays_carve_voxels_on_disk(device, tmp_path):
     with paged(tmp_path / "v", device, 200, color=False) as volume:
         for far in (1.0, 1.8):  # a wall on each of four sides, then one behind each
             for quarter in range(4):
-                cosine, sine = [1, 0, -1, 0][quarter], [0, 1, 0, -1][quarter]
-                rotation = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
+                rotation = np.linalg.matrix_power([[0, -1, 0], [1, 0, 0], [0, 0, 1]], quarter)
                 points = np.column_stack([np.full(961, far), wall]) @ rotation.T
                 position = rotation @ [0.3, 0.0, 0.0]
                 count = volume.integrate_points(points, position)
@@ -92,9 +89,8 @@ def test_scan_rays_carve_voxels_on_disk(device, tmp_path):
         weights = bits_of(reference)["weights"]
         assert (weights == 2).sum() > 1000  # voxels of the near walls that the second round passed
         with pytest.raises(ValueError, match=r"the space that rays cross needs .* increase max_blocks, set max_range"):
-            volume.integrate_points(
-                np.concatenate([points, -points, points @ rotation, -points @ rotation]), [0.0, 0.0, 0.0]
-            )
+            around = np.concatenate([points, -points, points @ rotation, -points @ rotation])
+            volume.integrate_points(around, [0.0, 0.0, 0.0])
         assert_same_bits(volume.to_volume(), reference)
 
 
@@ -126,9 +122,8 @@ def test_work_continues_from_the_last_save(device, tmp_path):
     with loom.PagedTSDFVolume.load(tmp_path / "v", device=device) as volume:
         assert listed == len(volume._volume.cubes)  # leftovers of the first run are removed
         assert_same_bits(volume.to_volume(), reference)
-        np.testing.assert_array_equal(
-            volume.extract_triangle_mesh(1).vertices, reference.extract_triangle_mesh(1).vertices
-        )
+        meshes = [one.extract_triangle_mesh(1) for one in (volume, reference)]
+        np.testing.assert_array_equal(meshes[0].vertices, meshes[1].vertices)
 
 
 def test_a_frame_that_exceeds_the_capacity_is_rejected(device, tmp_path):

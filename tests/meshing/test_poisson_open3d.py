@@ -1,7 +1,5 @@
 """Poisson surfaces against Open3D's on the same samples: as close to the true surface, with the same densities."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree

@@ -1,7 +1,5 @@
 """Closest points, distances and signs of a scene: Open3D's where it is right, brute force where it is not."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -61,10 +59,8 @@ def open3d_distances(o3d, mesh, queries):
 def test_closest_points_and_distances_match_open3d(device, oracle):
     mesh, queries = torus(), somewhere().reshape(4, 100, 3)
     scene = scene_of(mesh, device=device)
-    result, (theirs, measures) = (
-        scene.compute_closest_points(queries),
-        oracle("meshing/distances/torus", open3d_distances, mesh, queries),
-    )
+    result = scene.compute_closest_points(queries)
+    theirs, measures = oracle("meshing/distances/torus", open3d_distances, mesh, queries)
     assert list(result) == ["points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"]
     same = result["primitive_ids"] == theirs["primitive_ids"]  # at edges and corners another triangle is possible
     assert same.mean() > 0.5
@@ -236,17 +232,13 @@ def test_instances_are_measured_at_their_poses(device):
     assert (result["geometry_ids"] == truth.argmin(0) * second).all()
     is_second = result["geometry_ids"] == second
     normals = np.cross(corners[1][:, 1] - corners[1][:, 0], corners[1][:, 2] - corners[1][:, 0])
-    np.testing.assert_allclose(
-        result["primitive_normals"][is_second], normals[result["primitive_ids"][is_second]], atol=1e-6
-    )
+    wanted = normals[result["primitive_ids"][is_second]]
+    np.testing.assert_allclose(result["primitive_normals"][is_second], wanted, atol=1e-6)
 
 
 def test_a_scene_without_triangles_is_infinitely_far(device):
-    for scene in (
-        RaycastingScene(device),
-        scene_of(([], []), device=device),
-        scene_of(([[0, 0, 0]], []), device=device),
-    ):
+    for meshes in ([], [([], [])], [([[0, 0, 0]], [])]):
+        scene = scene_of(*meshes, device=device)
         assert scene.compute_distance([[0, 0, 0]]).tolist() == [np.inf]
         assert scene.compute_signed_distance([[0, 0, 0]]).tolist() == [np.inf]
         assert scene.compute_occupancy(np.zeros((2, 0, 3))).shape == (2, 0)
@@ -266,16 +258,6 @@ def test_a_non_finite_query_has_no_distance_and_affects_no_other(device, is_open
         assert np.isnan(result[40:]).all()
 
 
-def test_invalid_queries_are_rejected():
-    scene = scene_of(CUBE)
-    with pytest.raises(ValueError, match="query_points:"):
-        scene.compute_distance([[0, 0]])
-    with pytest.raises(TypeError, match="query_points"):
-        scene.compute_closest_points("abc")
-    with pytest.raises(ValueError, match="nsamples:"):
-        scene.compute_signed_distance([[0, 0, 0]], nsamples=2)
-
-
 def test_a_klein_bottle_has_no_pseudonormals(device):
     n = 16
     i, j = (axis.ravel() for axis in np.meshgrid(np.arange(n), np.arange(n), indexing="ij"))
@@ -287,9 +269,8 @@ def test_a_klein_bottle_has_no_pseudonormals(device):
     triangles = np.vstack([one, np.column_stack([at(i, j), at(i + 1, j + 1), at(i, j + 1)])])
     u, v = 2 * np.pi * i / n, 2 * np.pi * j / n
     r = 2 + np.cos(u / 2) * np.sin(v) - np.sin(u / 2) * np.sin(2 * v)
-    vertices = np.column_stack(
-        [r * np.cos(u), r * np.sin(u), np.sin(u / 2) * np.sin(v) + np.cos(u / 2) * np.sin(2 * v)]
-    )
+    z = np.sin(u / 2) * np.sin(v) + np.cos(u / 2) * np.sin(2 * v)
+    vertices = np.column_stack([r * np.cos(u), r * np.sin(u), z])
     mesh = TriangleMesh(vertices, triangles, device=device)
     assert mesh.is_watertight()  # each edge has two triangles, but neither side is the inside
     scene = scene_of((vertices, triangles), device=device)

@@ -11,7 +11,6 @@ UTM = np.array([500_000.0, 4_000_000.0, 100.0])
 
 
 def splats_of(mesh, count, color=(0.8, 0.3, 0.1), *, thickness=0.1, at=(0, 0, 0), device="cpu"):
-    """Flat splats over a mesh, as training leaves them."""
     cloud = mesh.sample_points_uniformly(count, use_triangle_normal=True, seed=0)
     normals = cloud.normals.astype(float)
     axes = np.cross([0.0, 0.0, 1.0], normals)
@@ -62,26 +61,3 @@ def test_orbit_views_show_all_sides():
         q = centers @ T[:3, :3].T + T[:3, 3]
         u, v = camera.fx * q[:, 0] / q[:, 2] + camera.cx, camera.fy * q[:, 1] / q[:, 2] + camera.cy
         assert ((u > 0) & (u < camera.width) & (v > 0) & (v < camera.height)).mean() > 0.97
-
-
-@pytest.mark.parametrize(
-    ("changed", "error", "message"),
-    [
-        ({"splats": loom.PointCloud(np.zeros((3, 3)))}, TypeError, "splats: expected GaussianSplats"),
-        ({"intrinsic": loom.PinholeCameraIntrinsic(8, 8, 8.0, 8.0, 4, 4)}, ValueError, "or neither"),
-        ({"extrinsics": [np.eye(4)]}, ValueError, "or neither"),
-        ({"voxel_size": 0}, ValueError, "voxel_size"),
-        ({"depth_max": -1}, ValueError, "depth_max"),
-        ({"depth_max": 1e-3}, ValueError, "no surface is visible in more than 2 of 60 views"),
-    ],
-)
-def test_wrong_arguments_are_named(changed, error, message):
-    splats = splats_of(loom.TriangleMesh.create_sphere(1.0, 10), 50)
-    with pytest.raises(error, match=message):
-        loom.fuse_splats(**{"splats": splats, "voxel_size": 0.1} | changed)
-
-
-def test_an_empty_splat_set_has_no_surface():
-    none = splats_of(loom.TriangleMesh.create_sphere(1.0, 10), 50).select_by_index([])
-    with pytest.raises(ValueError, match="splats:"):
-        loom.fuse_splats(none, voxel_size=0.1)

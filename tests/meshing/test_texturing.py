@@ -31,9 +31,8 @@ def frames(count: int = 2, color: Any = (0, 255, 0)) -> Any:
 
 def test_frames_in_memory_color_a_mesh(device):
     stages = []
-    result = loom.color_map.texture_mesh(
-        wall(device=device), frames(), [POSE] * 2, method="none", progress=lambda *stage: stages.append(stage)
-    )
+    options = {"method": "none", "progress": lambda *stage: stages.append(stage)}
+    result = loom.color_map.texture_mesh(wall(device=device), frames(), [POSE] * 2, **options)
     assert (result.mesh.vertex_colors == (0, 1, 0)).all() and result.reliable
     assert result.frame_count == 2 and result.blind_frames == 0 and 0.3 < result.seen_share < 0.9
     assert result.texel_share is None and (result.turned, result.moved) == (0.0, 0.0)

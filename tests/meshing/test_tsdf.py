@@ -6,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.core.errors import DeviceError
 from pointloom.kernels.lang import uint16
 
 from .tsdf_scenes import SMALL, TRUNCATION, VOXEL, fingerprint, voxels_of
@@ -19,34 +18,28 @@ FAR = np.eye(4)
 FAR[0, 3] = 1e9
 
 
-@pytest.mark.parametrize(
-    ("arguments", "options", "error", "name"),
-    [
-        ((DEPTH[0], SMALL, E), {}, ValueError, "depth"),
-        ((DEPTH[None], SMALL, E), {}, ValueError, "depth"),
-        ((DEPTH.astype(complex), SMALL, E), {}, TypeError, "depth"),
-        ((np.full((24, 32), 70_000), SMALL, E), {}, ValueError, "depth"),
-        ((DEPTH, OTHER, E), {}, ValueError, "intrinsic"),
-        ((DEPTH, "prime sense", E), {}, TypeError, "intrinsic"),
-        ((DEPTH, SMALL, MIRROR), {}, ValueError, "extrinsic"),
-        ((DEPTH, SMALL, SCALED), {}, ValueError, "extrinsic"),
-        ((DEPTH, SMALL, "pose"), {}, TypeError, "extrinsic"),
-        ((DEPTH, SMALL, FAR, COLOR), {}, ValueError, "extrinsic"),
-        ((DEPTH, SMALL, E, COLOR[:12]), {}, ValueError, "color"),
-        ((DEPTH, SMALL, E, COLOR / 255), {}, TypeError, "color"),
-        ((DEPTH, SMALL, E, COLOR), {"depth_max": 0}, ValueError, "depth_max"),
-        ((DEPTH, SMALL, E, COLOR), {"depth_max": np.nan}, ValueError, "depth_max"),
-        ((DEPTH, SMALL, E, COLOR), {"depth_scale": 0}, ValueError, "depth_scale"),
-    ],
-)
-def test_a_rejected_frame_leaves_the_volume_unchanged(device, arguments, options, error, name):
+WRONG = {
+    ValueError: {
+        "depth": [DEPTH[0], DEPTH[None], np.full((24, 32), 70_000)], "intrinsic": [OTHER],
+        "extrinsic": [MIRROR, SCALED, FAR], "color": [COLOR[:12]], "depth_max": [0, np.nan], "depth_scale": [0],
+    },
+    TypeError: {
+        "depth": [DEPTH.astype(complex)], "intrinsic": ["prime sense"], "extrinsic": ["pose"], "color": [COLOR / 255]
+    },
+}  # fmt: skip
+ROWS = [(error, name, value) for error, named in WRONG.items() for name, values in named.items() for value in values]
+
+
+@pytest.mark.parametrize(("error", "name", "value"), ROWS)
+def test_a_rejected_frame_leaves_the_volume_unchanged(device, error, name, value):
+    given = {"depth": DEPTH, "intrinsic": SMALL, "extrinsic": E, "color": COLOR} | {name: value}
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     for filled in (False, True):
         before = fingerprint(volume) if filled else b""
         state = (volume.frame_count, volume.block_count, volume.origin.tolist(), volume.memory_bytes)
-        if arguments[2] is not FAR or filled:  # the first camera sets the origin at any position
+        if value is not FAR or filled:  # the first camera sets the origin at any position
             with pytest.raises(error, match=rf"(^|\b){name}\b.*:"):
-                volume.integrate(*arguments, **options)
+                volume.integrate(**given)
             assert state == (volume.frame_count, volume.block_count, volume.origin.tolist(), volume.memory_bytes)
             assert not filled or fingerprint(volume) == before
         if not filled:
@@ -61,48 +54,12 @@ def test_color_for_a_volume_without_color_is_rejected(device):
 
 
 @pytest.mark.parametrize(
-    ("options", "error", "name"),
-    [
-        ({"voxel_size": 0}, ValueError, "voxel_size"),
-        ({"voxel_size": np.nan}, ValueError, "voxel_size"),
-        ({"voxel_size": 1e300}, ValueError, "voxel_size"),
-        ({"voxel_size": 5e-324}, ValueError, "voxel_size"),
-        ({"voxel_size": 0.02, "truncation": 1e300}, ValueError, "truncation"),
-        ({"voxel_size": "2 cm"}, TypeError, "voxel_size"),
-        ({"voxel_size": 0.02, "truncation": 0.019}, ValueError, "truncation"),
-        ({"voxel_size": 0.02, "truncation": np.nan}, ValueError, "truncation"),
-        ({"voxel_size": 0.02, "device": "cuda:99"}, DeviceError, "device"),
-    ],
+    ("name", "value"),
+    [*(("voxel_size", value) for value in (0, 1e300, 5e-324)), ("truncation", 1e300), ("truncation", 0.019)],
 )
-def test_invalid_volume_sizes_are_rejected(options, error, name):
-    with pytest.raises(error, match=f"^{name}: "):
-        loom.TSDFVolume(**options)
-
-
-@pytest.mark.parametrize(
-    ("options", "error", "name"),
-    [
-        ({"depth_min": 0}, ValueError, "depth_min"),
-        ({"depth_min": 2, "depth_max": 1}, ValueError, "depth_min"),
-        ({"depth_max": np.nan}, ValueError, "depth_max"),
-        ({"weight_threshold": -1}, ValueError, "weight_threshold"),
-        ({"weight_threshold": "all"}, TypeError, "weight_threshold"),
-        ({"extrinsic": SCALED}, ValueError, "extrinsic"),
-        ({"intrinsic": "prime sense"}, TypeError, "intrinsic"),
-    ],
-)
-def test_invalid_views_are_rejected(options, error, name):
-    volume = loom.TSDFVolume(voxel_size=VOXEL)
-    with pytest.raises(error, match=f"^{name}: "):
-        volume.ray_cast(**({"intrinsic": SMALL, "extrinsic": E} | options))
-
-
-@pytest.mark.parametrize("threshold", [-1, np.nan, "all"])
-def test_invalid_thresholds_are_rejected(threshold):
-    volume = loom.TSDFVolume(voxel_size=VOXEL)
-    for extract in (volume.extract_triangle_mesh, volume.extract_point_cloud):
-        with pytest.raises((ValueError, TypeError), match=r"^weight_threshold: "):
-            extract(threshold)
+def test_invalid_volume_sizes_are_rejected(name, value):
+    with pytest.raises(ValueError, match=f"^{name}: "):
+        loom.TSDFVolume(**{"voxel_size": 0.02} | {name: value})
 
 
 @pytest.mark.filterwarnings("ignore:depth_scale, depth_max")  # true of 1e30 m

@@ -57,9 +57,8 @@ def test_a_volume_round_trips_bitwise_and_continues_identically(device, tmp_path
         add(v, range(2, 6), colored)
     assert bits(again) == bits(volume)
     a, b = volume.extract_triangle_mesh(1), again.extract_triangle_mesh(1)
-    assert (
-        len(a) > 0 and a.vertices.tobytes() == b.vertices.tobytes() and a.triangles.tobytes() == b.triangles.tobytes()
-    )
+    assert len(a) > 0 and a.vertices.tobytes() == b.vertices.tobytes()
+    assert a.triangles.tobytes() == b.triangles.tobytes()
     assert (a.vertex_colors is None) == (b.vertex_colors is None) == (not colored)
     views = [v.ray_cast(CAMERA, np.eye(4), weight_threshold=1) for v in (volume, again)]
     assert views[0].depth.max() > 0 and views[0].depth.tobytes() == views[1].depth.tobytes()
@@ -212,9 +211,8 @@ def archive_with(path, content, name, member, *, claimed_size=None):
 
 def npy(shape, dtype, body=b""):
     buffer = io.BytesIO()
-    np.lib.format.write_array_header_1_0(
-        buffer, {"descr": np.lib.format.dtype_to_descr(np.dtype(dtype)), "fortran_order": False, "shape": shape}
-    )
+    descr = np.lib.format.dtype_to_descr(np.dtype(dtype))
+    np.lib.format.write_array_header_1_0(buffer, {"descr": descr, "fortran_order": False, "shape": shape})
     return buffer.getvalue() + body
 
 

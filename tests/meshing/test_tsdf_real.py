@@ -21,9 +21,8 @@ def open3d_voxels(o3d, frames, camera, depth_scale, stride=1):
     Half a pixel is added to the principal point, as Open3D truncates pixel coordinates that pointloom rounds.
     """
     tensor, types = o3d.core.Tensor, (o3d.core.float32,) * 3
-    grid = o3d.t.geometry.VoxelBlockGrid(
-        ("tsdf", "weight", "color"), types, ((1), (1), (3)), VOXEL, SIDE, 20_000, o3d.core.Device("CPU:0")
-    )
+    given = ("tsdf", "weight", "color"), types, ((1), (1), (3)), VOXEL, SIDE, 20_000, o3d.core.Device("CPU:0")
+    grid = o3d.t.geometry.VoxelBlockGrid(*given)
     K = camera.matrix
     K[:2, 2] += 0.5
     for depth, color, T in frames:
@@ -105,9 +104,8 @@ def test_the_room_without_noise_is_reconstructed_within_a_third_of_a_voxel(devic
     sequence = room_sequence(60, width=320, height=240, noise=False, device=device)
     volume = loom.TSDFVolume(voxel_size=voxel_size, device=device)
     for frame in sequence:
-        volume.integrate(
-            frame.depth, frame.intrinsic, np.linalg.inv(frame.T_world_camera), color=frame.color, depth_max=5.0
-        )
+        extrinsic = np.linalg.inv(frame.T_world_camera)
+        volume.integrate(frame.depth, frame.intrinsic, extrinsic, color=frame.color, depth_max=5.0)
     mesh = volume.extract_triangle_mesh(3)
     errors = surface_errors(mesh.vertices, device=device)
     assert len(errors) > 50_000

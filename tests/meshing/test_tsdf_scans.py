@@ -23,11 +23,8 @@ def volume_on(device="cpu", color=False):
 
 
 def wall(x, count=25, seed=0):
-    """A slightly rough wall across x, seen from the origin."""
-    rng, side = (
-        np.random.default_rng(seed),
-        np.linspace(-1.0137, 0.9871, count),
-    )  # no point on a cell boundary, where rounding decides
+    rng = np.random.default_rng(seed)
+    side = np.linspace(-1.0137, 0.9871, count)  # no point on a cell boundary, where rounding decides
     y, z = np.repeat(side, count), np.tile(side, count)
     return np.stack([x + rng.normal(0, 0.01, y.size), y, z], axis=1)
 
@@ -81,9 +78,8 @@ def reference(scans, carve):
 @pytest.mark.parametrize("carve", [True, False])
 def test_voxels_match_a_float64_reference(device, carve):
     scans = [(wall(2.03, 9), np.array([0.02, 0.013, 0.017])), (wall(2.01, 9, 1), np.array([0.31, -0.22, 0.07]))]
-    scans.append(
-        (wall(2.05, 7, 2) * [1, 0.23, 0.19], np.array([0.113, 0.041, -0.017]))
-    )  # rays that begin to count where others pass
+    across = np.array([1, 0.23, 0.19])
+    scans.append((wall(2.05, 7, 2) * across, np.array([0.113, 0.041, -0.017])))  # rays begin to count where others pass
     volume = volume_on(device)
     for points, scanner in scans:
         volume.integrate_points(points, scanner, carve=carve)

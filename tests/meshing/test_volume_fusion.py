@@ -38,7 +38,6 @@ def colored_volume(device, *, count=3, seed=0, center=(0.0, 0.0, 0.0), voxel_siz
 
 
 def seen_of(volume):
-    """All bits of the blocks with observed voxels, by block."""
     blocks, distances, weights, colors = voxels_of(volume)
     is_used = weights.reshape(len(weights), -1).any(axis=1)
     seen = weights[is_used] > 0
@@ -167,27 +166,3 @@ def test_colors_are_weighted_means(device):
     assert np.abs(colors[weights == 4] / 257.0 - 160).max() < 0.01
     plain = loom.fuse_volumes(parts, [T, T], color=False)
     assert not plain.has_color and (voxels_of(plain)[2] == weights).all()
-
-
-def test_incompatible_volumes_are_rejected(device):
-    volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.1, color=False, device=device)
-    volume.integrate(np.full((24, 32), 1.0), SMALL, np.eye(4))
-    eye = np.eye(4)
-    for arguments, message in (
-        (([], []), "volumes: expected at least one"),
-        (([volume], [eye, eye]), "poses: expected 1"),
-        (([volume], [2 * eye]), r"poses\[0\]"),
-        (([volume, volume], [eye, rigid(shift=(1e8, 0, 0))]), "poses: a volume reaches"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            loom.fuse_volumes(*arguments)
-    for options, message in (
-        ({"voxel_size": 0.0}, "voxel_size"),
-        ({"truncation": 0.2}, "truncation: expected at most"),
-        ({"truncation": 0.01}, "truncation: 0.01 m is below"),
-        ({"color": True}, "color: a volume has no colors"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            loom.fuse_volumes([volume], [eye], **options)
-    with pytest.raises(TypeError, match=r"volumes\[1\]:"):
-        loom.fuse_volumes([volume, None], [eye, eye])

@@ -1,7 +1,5 @@
 """Planes and spheres seen by cameras, fused volumes, and their contents."""
 
-import hashlib
-
 import numpy as np
 
 import pointloom as loom
@@ -16,7 +14,6 @@ SMALL = loom.PinholeCameraIntrinsic(32, 24, 31.0, 29.0, 15.3, 11.7)
 
 
 def look_at(eye, target=(0, 0, 0), up=(0.1, 0.2, 1.0)):
-    """Camera to world."""
     forward = np.subtract(target, eye) / np.linalg.norm(np.subtract(target, eye))
     right = np.cross(forward, up)
     right /= np.linalg.norm(right)
@@ -46,15 +43,10 @@ def sphere_depth(camera, T, radius=RADIUS, center=(0, 0, 0)):
     return np.where(root >= 0, (-b - np.sqrt(np.maximum(root, 0))) / a, 0)
 
 
-def directions_around():
-    """The 14 directions to the faces and corners of a cube."""
+def sphere_frames(camera=CAMERA, distance=1.3, scale=1.0, center=(0, 0, 0)):
     faces = [s * e for e in np.eye(3) for s in (-1.0, 1.0)]
     corners = [np.array([x, y, z]) / 3**0.5 for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-    return [*faces, *corners]
-
-
-def sphere_frames(camera=CAMERA, distance=1.3, scale=1.0, center=(0, 0, 0)):
-    for direction in directions_around():
+    for direction in (*faces, *corners):
         T = look_at(np.add(direction * (distance * scale), center), center)
         yield sphere_depth(camera, T, RADIUS * scale, center), T
 
@@ -75,20 +67,17 @@ def voxels_of(volume):
     keys = volume._blocks.keys.numpy()[: volume.block_count]
     order, used = np.argsort(keys), volume.block_count * SIDE**3
     shape = (-1, SIDE, SIDE, SIDE)
-    distances, weights = (
-        v.numpy()[:used].reshape(shape)[order] for v in (volume._blocks.distances, volume._blocks.weights)
-    )
+    arrays = volume._blocks.distances, volume._blocks.weights
+    distances, weights = (values.numpy()[:used].reshape(shape)[order] for values in arrays)
     colors = volume._blocks.colors.numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
     return block_box(keys[order]), distances, weights, colors
 
 
 def set_voxels(volume, name, values):
-    """Set a volume's distances, weights or colors."""
     setattr(volume._blocks, name, upload(values, getattr(volume._blocks, name).dtype, volume.device))
 
 
 def fingerprint(volume):
-    """All bits of a volume, by block."""
     return b"".join(a.tobytes() for a in voxels_of(volume) if a is not None)
 
 
@@ -110,19 +99,3 @@ def triangle_normals(mesh):
 def view_from(volume, T, camera=CAMERA, **options):
     options.setdefault("weight_threshold", 0)
     return volume.ray_cast(camera, np.linalg.inv(T), **options)
-
-
-def all_bits(device):
-    """A digest of all results of a fused sphere."""
-    volume = fused_sphere(device)
-    mesh, cloud = volume.extract_triangle_mesh(0), volume.extract_point_cloud(0)
-    view = view_from(volume, look_at((1.0, 0.5, 0.4)))
-    arrays = [
-        volume._blocks.keys.numpy()[: volume.block_count],
-        mesh.vertices,
-        mesh.triangles,
-        cloud.points,
-        cloud.normals,
-    ]
-    arrays += [view.depth, np.nan_to_num(view.points), np.nan_to_num(view.normals)]
-    return hashlib.sha256(fingerprint(volume) + b"".join(a.tobytes() for a in arrays)).hexdigest()

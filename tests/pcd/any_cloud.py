@@ -9,23 +9,18 @@ NOT_FINITE = st.sampled_from([np.nan, np.inf, -np.inf])
 
 
 def real(limit):
-    """Any float32 up to a limit."""
     return st.floats(-limit, limit, width=32, allow_subnormal=False)
 
 
 def parts(denominator, limit):
-    """Integer multiples of 1
-    denominator.
-    """
+    """Integer multiples of a unit fraction."""
     return st.integers(-limit, limit).map(lambda n: n / denominator)
 
 
 def clouds(*coordinates, min_size=0, max_size=40):
-    """Points [n, 3] whose coordinates are drawn from any of the strategies."""
     triples = st.tuples(*[st.one_of(*coordinates)] * 3)
-    return st.lists(triples, min_size=min_size, max_size=max_size).map(
-        lambda rows: np.array(rows, float).reshape(-1, 3)
-    )
+    rows = st.lists(triples, min_size=min_size, max_size=max_size)
+    return rows.map(lambda rows: np.array(rows, float).reshape(-1, 3))
 
 
 def examples(count):

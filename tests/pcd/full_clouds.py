@@ -26,7 +26,6 @@ def full_cloud(rng, device, count=200, shift=0.0):
 
 
 def contents(cloud):
-    """A copy of all arrays of a cloud."""
     names = ["points", *(n for n in ("normals", "colors") if n in cloud), *cloud.attributes]
     return {n: cloud.array(n).numpy().copy() for n in names} | {"origin": cloud.origin, "grid": cloud.grid}
 

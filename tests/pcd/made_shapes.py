@@ -32,16 +32,12 @@ def made_shape(kind, count, rng, noise=0.0, sizes=None, arc=1.0, motion=True):
 
 
 def bumpy(rng, count=600):
-    """Points of a surface over the unit square."""
     xy = rng.random((count, 2))
     return np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0]) * np.cos(7 * xy[:, 1])])
 
 
 def factory(rng, noise=0.0, clutter=0.25):
-    """(points, labels, parts): a hall of about 2 m with pipes, tanks, a funnel and a ring; label -1 for clutter.
-
-    Each part is (kind, sizes). Clutter is a fraction `clutter` of the points.
-    """
+    """(points, labels, parts): a hall of about 2 m of (kind, sizes); label -1 for that fraction of clutter."""
     parts = [
         ("plane", (), 5000, [0, 0, 0], None, 2.0),
         ("plane", (), 3000, [0, 0, 0], "wall", 2.0),

@@ -58,11 +58,9 @@ def square_distances(cloud, queries):
     points = cloud.array("points").numpy().astype(np.float64)
     with np.errstate(over="ignore"):
         positions = (np.asarray(queries, np.float64) - origin).astype(np.float32).astype(np.float64)
-    d = (
-        cdist(positions, points, "sqeuclidean")
-        if len(points) and len(positions)
-        else np.zeros((len(positions), len(points)))
-    )
+    d = np.zeros((len(positions), len(points)))
+    if d.size:
+        d = cdist(positions, points, "sqeuclidean")
     d[~np.isfinite(positions).all(axis=1)] = np.inf
     d[:, ~np.isfinite(points).all(axis=1)] = np.inf
     return d
@@ -80,13 +78,7 @@ def nearest_of(expected, k):
 
 
 def assert_nearest(result, expected, k, radius, tolerances, exact=False):
-    """Check that rows are the k nearest neighbors of each query within the radius, by distance and then by index.
-
-    Args:
-        result: Neighbors with rows of k.
-        expected: float64 squared distances [m, n]; infinite means never a neighbor.
-        exact: Require exact indices in rows whose distances are exact in float32.
-    """
+    """Rows are the k nearest within the radius by distance, then index; `exact` where float32 has the distances."""
     indices, sqdists, counts = result
     rows, n = expected.shape
     assert indices.dtype == np.int32 and sqdists.dtype == np.float32 and counts.dtype == np.int32
@@ -109,9 +101,8 @@ def assert_nearest(result, expected, k, radius, tolerances, exact=False):
         expected_sqdists = np.take_along_axis(expected, np.where(valid, indices, 0), axis=1)
         np.testing.assert_allclose(sqdists[valid], expected_sqdists[valid], **bounds)
     both = valid[:, 1:]
-    is_ordered = (sqdists[:, 1:] > sqdists[:, :-1]) | (
-        (sqdists[:, 1:] == sqdists[:, :-1]) & (indices[:, 1:] > indices[:, :-1])
-    )
+    is_tied = (sqdists[:, 1:] == sqdists[:, :-1]) & (indices[:, 1:] > indices[:, :-1])
+    is_ordered = (sqdists[:, 1:] > sqdists[:, :-1]) | is_tied
     assert is_ordered[both].all(), "rows are not ordered by distance and index, or name a point twice"
     if exact and n:
         order = np.pad(order, ((0, 0), (0, k - order.shape[1])), constant_values=-1)

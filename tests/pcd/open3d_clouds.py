@@ -4,7 +4,6 @@ import numpy as np
 
 
 def cloud_of(o3d, points, normals=None, colors=None):
-    """A legacy cloud from arrays."""
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(points, np.float64)))
     for name, values in (("normals", normals), ("colors", colors)):
         if values is not None:
@@ -13,7 +12,6 @@ def cloud_of(o3d, points, normals=None, colors=None):
 
 
 def search_of(o3d, radius=None, max_nn=None):
-    """The search by radius, by count or by both."""
     if radius is None:
         return o3d.geometry.KDTreeSearchParamKNN(max_nn)
     if max_nn is None:
@@ -34,8 +32,6 @@ def normals_of(o3d, points, search):
 
 
 def features_of(o3d, points, normals, radius=None, max_nn=None):
-    """FPFH features, [n, 33]."""
     search = search_of(o3d, radius, max_nn)
-    return o3d.pipelines.registration.compute_fpfh_feature(cloud_of(o3d, points, normals), search).data.T.astype(
-        np.float32
-    )
+    compute = o3d.pipelines.registration.compute_fpfh_feature
+    return compute(cloud_of(o3d, points, normals), search).data.T.astype(np.float32)

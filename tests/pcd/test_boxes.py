@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import pointloom as loom
@@ -51,9 +51,8 @@ def test_the_principal_box_of_a_cloud_is_open3ds(device, rng, oracle, tolerances
     cloud = loom.PointCloud(points, device=device)
     expected = oracle("pcd/boxes/principal", open3d_principal, points)
     box, names = cloud.get_oriented_bounding_box(), ("center", "extent", "R")
-    assert_same_box(
-        box, SimpleNamespace(**dict(zip(names, expected, strict=True))), tolerances.box_share * np.ptp(points)
-    )
+    theirs = SimpleNamespace(**dict(zip(names, expected, strict=True)))
+    assert_same_box(box, theirs, tolerances.box_share * np.ptp(points))
     assert len(cloud.crop(box)) == len(cloud)
     assert cloud.get_minimal_oriented_bounding_box().volume() <= box.volume()
 
@@ -164,6 +163,7 @@ def test_cloud_without_finite_points_has_no_oriented_box(device, maker):
         assert aligned == loom.AxisAlignedBoundingBox([0] * 3, [0] * 3) and aligned.is_empty()
 
 
+@example(points=np.array([(0.0, 1 / 128, 0.5), (1.0, 0.5, 0.0)]), gap=30)  # a slanted segment, ends at 1e-17 across it
 @given(points=clouds(parts(2, 2), parts(128, 512), min_size=1, max_size=12), gap=st.integers(1, 30))
 @examples(25)
 def test_boxes_contain_their_points_and_the_smallest_is_smallest(device, points, gap):
@@ -178,15 +178,6 @@ def test_boxes_contain_their_points_and_the_smallest_is_smallest(device, points,
         assert len(cloud.crop(box)) == finite
         assert len(box.get_point_indices_within_bounding_box(cloud)) == finite
     assert smallest.volume() <= min(aligned.volume(), principal.volume()) * (1 + 1e-9) + 1e-9
-
-
-@pytest.mark.parametrize("maker", MAKERS)
-def test_box_of_a_slanted_segment_contains_its_ends(device, maker):
-    """Across the segment its ends are at 0 or at 1e-17, depending on the order of sums."""
-    cloud = loom.PointCloud([(0.0, 1 / 128, 0.5), (1.0, 0.5, 0.0)], device=device)
-    box = getattr(cloud, maker)()
-    assert len(cloud.crop(box)) == 2
-    assert np.sort(box.extent)[:2].max() < 1e-14
 
 
 def test_joggling_changes_little(device, rng):
@@ -251,21 +242,6 @@ def test_measures_and_moves_of_a_box_are_open3ds(kind, oracle):
     for wrong in ((1, 0), (2, 0, 0), (np.nan, 0, 0)):
         with pytest.raises(ValueError, match="color"):
             box.color = wrong
-
-
-def open3d_indices(o3d, points):
-    vectors = o3d.utility.Vector3dVector(points)
-    return [np.array(box.get_point_indices_within_bounding_box(vectors)) for box in pair(o3d.geometry).values()]
-
-
-def test_points_in_a_box_agree_with_open3d_for_arrays_and_clouds(device, rng, oracle):
-    points = np.concatenate([rng.integers(-2, 12, (800, 3)) / 2.0, rng.random((300, 3)) * 8, [[np.nan, 1, 1]]])
-    cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
-    positions = cloud.points.copy()
-    for box, expected in zip(pair(loom).values(), oracle("pcd/boxes/inside", open3d_indices, positions), strict=True):
-        assert 10 < len(expected) < 1000
-        for given_points in (positions, cloud):
-            np.testing.assert_array_equal(box.get_point_indices_within_bounding_box(given_points), expected)
 
 
 def open3d_sums(o3d, bounds):

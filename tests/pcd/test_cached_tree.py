@@ -90,9 +90,8 @@ def test_overwritten_points_are_detected(device, rng, builds):
         for step in range(3):
             array[step] += 5.0
             fresh = loom.PointCloud(array)
-            np.testing.assert_array_equal(
-                changed.compute_nearest_neighbor_distance(), fresh.compute_nearest_neighbor_distance()
-            )
+            distances = [one.compute_nearest_neighbor_distance() for one in (changed, fresh)]
+            np.testing.assert_array_equal(*distances)
     before = len(builds)
     cloud.compute_nearest_neighbor_distance()
     borrowed.compute_nearest_neighbor_distance()

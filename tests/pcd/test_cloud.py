@@ -35,6 +35,7 @@ def test_an_empty_cloud_takes_every_operation(device):
             cloud.crop(box, invert=True), cloud.select_by_index([]), cloud.select_by_mask(np.zeros(0, bool)),
             cloud.remove_non_finite_points(),
             cloud.estimate_normals(max_nn=3).orient_normals_towards_camera_location(),
+            cloud.estimate_normals(max_nn=3).orient_normals_consistent_tangent_plane(2),
         ):  # fmt: skip
             assert len(result) == 0 and list(result.attributes) == list(cloud.attributes)
         assert cloud.get_min_bound().tolist() == cloud.get_max_bound().tolist() == [0, 0, 0]

@@ -25,7 +25,6 @@ SUMS = [
 
 
 def open3d_has(o3d):
-    """Whether the sums have normals and colors."""
     results = []
     for left, right, counts in SUMS:
         clouds = []
@@ -67,10 +66,8 @@ def test_common_attributes_keep_their_type(device, rng):
 
 
 def test_clouds_about_several_origins_are_brought_to_that_of_the_largest(device, rng, tolerances):
-    sizes = (5, 90, 40)
-    clouds = [
-        loom.PointCloud(rng.random((n, 3)) * 200 + tile, device=device) for n, tile in zip(sizes, TILES, strict=True)
-    ]
+    shifted = [rng.random((n, 3)) * 200 + tile for n, tile in zip((5, 90, 40), TILES, strict=True)]
+    clouds = [loom.PointCloud(points, device=device) for points in shifted]
     assert len({tuple(cloud.origin) for cloud in clouds}) == 3
     result = loom.PointCloud.concatenate(clouds)
     assert result.origin.tolist() == clouds[1].origin.tolist()
@@ -127,10 +124,7 @@ def test_painted_cloud_has_one_color_and_its_other_attributes(device, rng):
     cloud.grid = (7, 1)
     result = cloud.paint_uniform_color([0.1, 1, 0])
     np.testing.assert_array_equal(result.colors, np.tile(np.float32([0.1, 1, 0]), (7, 1)))
-    assert (
-        result.array("points") is cloud.array("points")
-        and result.grid == (7, 1)
-        and result["row"].tolist() == [*range(7)]
-    )
+    assert result.array("points") is cloud.array("points") and result.grid == (7, 1)
+    assert result["row"].tolist() == [*range(7)]
     assert (cloud.colors != result.colors).any()
     assert loom.PointCloud(device=device).paint_uniform_color((0, 0, 0)).colors.shape == (0, 3)

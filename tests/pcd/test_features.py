@@ -15,13 +15,11 @@ from .open3d_clouds import features_of
 
 @pytest.fixture(scope="module")
 def terrain(shipped_file):
-    """Airborne points in UTM meters."""
     return loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp41-utm.pcd")).points
 
 
 @pytest.fixture(scope="module")
 def scenes(fragment, lidar, terrain):
-    """Clouds with normals on the CPU, by name."""
     full = loom.PointCloud(fragment.points)
     near = lidar[np.linalg.norm(lidar[:, :3], axis=1) < 12, :3]
     # Normals point up, as usual: which of two equally distant neighbors is chosen matters most if normals
@@ -132,7 +130,6 @@ def test_fpfh_of_a_small_scene_is_open3ds(device, scene, rng, oracle, tolerances
 
 
 def pair_bins(p, n, q, m):
-    """The bins of one pair, by the formula."""
     d = q - p
     size = np.linalg.norm(d)
     if size == 0:
@@ -208,35 +205,6 @@ def test_features_of_some_points_are_rows_of_all(device, search, rng, tolerances
         assert result.shape == (len(indices), 33)
         chosen = every[np.asarray(indices, int)]
         np.testing.assert_allclose(result, chosen, rtol=0, atol=tolerances.fpfh_block)
-
-
-@pytest.mark.parametrize("search", [{"radius": 0.5}, {"max_nn": 30}, {"radius": 0.5, "max_nn": None}], ids=str)
-def test_points_without_neighbors_have_zero_features(device, search):
-    for count in (0, 1):
-        cloud = loom.PointCloud(np.zeros((count, 3)), normals=np.ones((count, 3)), device=device)
-        assert loom.compute_fpfh_feature(cloud, **search).tolist() == [[0.0] * 33] * count
-    if "radius" in search:
-        apart = loom.PointCloud(np.eye(3), normals=np.eye(3), device=device)
-        assert loom.compute_fpfh_feature(apart, **search).tolist() == [[0.0] * 33] * 3
-    isolated = loom.PointCloud(np.eye(3), normals=np.eye(3), device=device)
-    assert not loom.compute_fpfh_feature(isolated, max_nn=1).any()
-
-
-def test_equal_points_have_features(device):
-    equal = loom.PointCloud(np.ones((50, 3)), normals=np.tile([0, 0, 1], (50, 1)), device=device)
-    for search in ({"radius": 1.0}, {"max_nn": 100}, {"radius": 1.0, "max_nn": None}):
-        result = loom.compute_fpfh_feature(equal, **search)
-        assert np.unique(result[:, [5, 16, 27]]).tolist() == [100] and result.sum() == 50 * 300
-
-
-@pytest.mark.parametrize("scale", [1e-12, 1e12])
-def test_fpfh_does_not_depend_on_scale(device, scale, rng):
-    points = bumpy(rng)
-    plain = loom.PointCloud(points, device=device).estimate_normals(max_nn=12)
-    scaled = loom.PointCloud(points * scale, normals=plain.normals, device=device, origin=np.zeros(3))
-    result = loom.compute_fpfh_feature(scaled, radius=0.2 * scale)
-    agree = np.abs(result - loom.compute_fpfh_feature(plain, radius=0.2)).max(axis=1) < 0.02
-    assert agree.mean() > 0.98, "coordinates are rounded anew"
 
 
 def test_extremely_close_points_have_finite_features(device, rng):

@@ -14,7 +14,6 @@ import pointloom as loom
 
 @pytest.fixture(scope="module")
 def scoring():
-    """The script that scores the tiles, as a module."""
     path = Path(__file__).parents[2] / "benchmarks" / "ground.py"
     spec = importlib.util.spec_from_file_location("ground_scoring", path)
     module = importlib.util.module_from_spec(spec)
@@ -26,7 +25,6 @@ def scoring():
 
 @pytest.fixture(scope="module")
 def tiles(real_file, scoring):
-    """Points and true ground of the tiles by name."""
     result = scoring.tiles(real_file("lidar-pcl-terrain"))
     assert len(result) == 9
     return result

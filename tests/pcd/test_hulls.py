@@ -10,7 +10,6 @@ import pointloom as loom
 from .any_cloud import clouds, examples, parts
 from .open3d_clouds import cloud_of
 
-CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 ROTATION = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
 
 
@@ -56,9 +55,7 @@ def test_the_hull_of_a_made_cloud_is_open3ds(device, shape, stretch, rng, oracle
     np.testing.assert_array_equal(indices, expected)
     np.testing.assert_array_equal(hull.vertices, points[indices])
     assert edge_balance(hull.triangles)
-    assert (
-        abs(hull.volume / volume - 1) < tolerances.hull_measure and abs(hull.area / area - 1) < tolerances.hull_measure
-    )
+    np.testing.assert_allclose([hull.volume, hull.area], [volume, area], rtol=tolerances.hull_measure)
     assert abs(signed_volume(hull) / hull.volume - 1) < tolerances.hull_measure
     assert_encloses(hull, points, tolerances.hull_outside * np.ptp(points))
 
@@ -138,29 +135,3 @@ def test_a_flat_hull_of_many_points_is_their_polygon(device, count, rng):
     expected = Qhull(flat.astype(float))
     assert indices.tolist() == sorted(expected.vertices)
     assert hull.area == pytest.approx(2 * expected.volume)
-
-
-@pytest.mark.parametrize(
-    ("points", "message"),
-    [
-        ([], "expected at least one finite point, got none"),
-        ([[np.nan, 0, 0]] * 5, "expected at least one finite point, got none"),
-        ([[1, 2, 3]], "are equal"),
-        ([[1, 2, 3]] * 40, "are equal"),
-        ([[0, 0, 0], [1, 2, 3]], "are collinear"),
-        (np.outer(np.arange(9.0), [1, 2, 3]), "are collinear"),
-        (np.outer(np.linspace(-1, 1, 6000), [1, 0.3, 0.7]), "are collinear"),
-    ],
-    ids=["none", "nan", "one", "equal", "two", "line", "long line"],
-)
-def test_points_without_a_hull_are_rejected_with_the_reason(device, points, message):
-    with pytest.raises(ValueError, match=f"points: .*{message}"):
-        loom.PointCloud(points, device=device).compute_convex_hull()
-
-
-def test_a_hull_makes_a_mesh(device, tolerances):
-    hull, indices = loom.PointCloud(np.concatenate([CUBE, [[0.5, 0.5, 0.5]]]), device=device).compute_convex_hull()
-    assert indices.tolist() == list(range(8)) and (hull.volume, hull.area) == pytest.approx((1, 6))
-    mesh = loom.TriangleMesh(hull.vertices, hull.triangles)
-    assert len(mesh.triangles) == 12
-    assert repr(hull) == "ConvexHull(8 vertices, 12 triangles, volume 1, area 6)"

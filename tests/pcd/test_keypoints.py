@@ -73,26 +73,19 @@ def assert_same_but_for_ties(points, actual, expected, radii, **limits):
         assert 0 < values[0] >= values.max() - 1e-14 * radii[0] ** 2
 
 
-def mean_spacing(points):
-    from scipy.spatial import cKDTree
-
-    return cKDTree(points).query(points, 2)[0][:, 1].mean()
-
-
 @on_sets("scan", shipped=["lidar"], real=RADII)
 @pytest.mark.parametrize("given", ["defaults", "radii"])
 def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, keypoints_of):
     """If points have the same neighbors, rounding in Open3D selects one; here all are selected."""
     points, radii = scans[scan], RADII[scan]
     arguments = dict(zip(("salient_radius", "non_max_radius"), radii, strict=True)) if given == "radii" else {}
-    keypoints, indices = loom.compute_iss_keypoints(
-        loom.PointCloud(points, device=device), return_indices=True, **arguments
-    )
+    cloud = loom.PointCloud(points, device=device)
+    keypoints, indices = loom.compute_iss_keypoints(cloud, return_indices=True, **arguments)
     expected = keypoints_of(scan, **arguments)
     np.testing.assert_array_equal(keypoints.points, points[indices])
     assert (np.diff(indices) > 0).all() and len(expected) > 100
     if given == "defaults":
-        spacing = mean_spacing(points)
+        spacing = cloud.compute_nearest_neighbor_distance().mean()
         radii = (6 * spacing, 4 * spacing)
     assert_same_but_for_ties(points, indices, expected, radii)
 
@@ -122,16 +115,12 @@ def test_keypoints_follow_their_definition(device, seed, count, min_neighbors):
     points = np.float32(points).astype(float)
     points[rng.random(count) < 0.1, 0] = np.nan
     cloud = loom.PointCloud(points, device=device)
-    result = loom.compute_iss_keypoints(
-        cloud, 0.33, 0.23, gamma_21=0.9, gamma_32=0.9, min_neighbors=min_neighbors, return_indices=True
-    )[1]
+    options = {"gamma_21": 0.9, "gamma_32": 0.9, "min_neighbors": min_neighbors, "return_indices": True}
+    result = loom.compute_iss_keypoints(cloud, 0.33, 0.23, **options)[1]
     good = np.flatnonzero(np.isfinite(points).all(axis=1))
     finite_points = points[good]
-    values = (
-        saliencies(finite_points, range(len(finite_points)), 0.33, 0.9, 0.9, min_neighbors)
-        if len(finite_points)
-        else np.zeros(0)
-    )
+    limits = (0.33, 0.9, 0.9, min_neighbors)
+    values = saliencies(finite_points, range(len(good)), *limits) if len(good) else np.zeros(0)
     expected = []
     for at, p in enumerate(finite_points):
         near = ((finite_points - p) ** 2).sum(axis=1) < 0.23**2
@@ -148,9 +137,8 @@ def test_clouds_that_do_not_vary_have_no_keypoints(device, rng):
     few = [np.zeros((0, 3)), np.zeros((1, 3)), np.eye(3)[:2], np.ones((50, 3)), np.full((9, 3), np.nan)]
     for points in (*few, plane, roof, np.outer(np.arange(64), [1.0, 2, 4]), line * [1, 0, 0]):
         for radii in ((), (0.3, 0.2), (1e30, 1e30), (1e-30, 1e-30)):
-            keypoints, indices = loom.compute_iss_keypoints(
-                loom.PointCloud(points, device=device), *radii, return_indices=True
-            )
+            cloud = loom.PointCloud(points, device=device)
+            keypoints, indices = loom.compute_iss_keypoints(cloud, *radii, return_indices=True)
             assert len(keypoints) == len(indices) == 0
 
 

@@ -1,7 +1,5 @@
 """Normal disagreement between neighbors: by hand, by brute force, and ignored points."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree

@@ -45,27 +45,6 @@ def test_attributes_of_the_cloud(cloud):
         cloud.attributes["colors"] = np.zeros((60, 3))
 
 
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("cloud.color = [1, 0, 0]", r"PointCloud has no attribute 'color'; did you mean 'colors'\? .*cloud\['color'\]"),
-        ("cloud.foo = 3", r"PointCloud has no attribute 'foo'; Add an attribute of the points with cloud\['foo'\]"),
-        ("cloud.normal", r"PointCloud has no attribute 'normal'; did you mean 'normals'\?"),
-        ("cloud.create_from_depth_imag", r"did you mean 'create_from_depth_image'\?"),
-        ("mesh.vertex_color = 1", r"TriangleMesh has no attribute 'vertex_color'; did you mean 'vertex_colors'\?"),
-        ("box.colour = (1, 0, 0)", r"AxisAlignedBoundingBox has no attribute 'colour'; did you mean 'color'\?"),
-        ("loom.PointClouds", r"module 'pointloom' has no attribute 'PointClouds'; did you mean 'PointCloud'\?"),
-        ("loom.geometry", r"'geometry'; here: loom itself: open3d\.geometry\.PointCloud is loom\.PointCloud"),
-        ("loom.registration.registration_ipc", r"did you mean 'registration_icp'\?"),
-    ],
-)
-def test_an_unknown_name_is_an_error_that_names_the_nearest(cloud, line, message):
-    mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-    names = {"cloud": cloud, "mesh": mesh, "box": loom.AxisAlignedBoundingBox(), "loom": loom}
-    with pytest.raises(AttributeError, match=message):
-        exec(line, names)
-
-
 def test_attributes_are_dropped_by_name(cloud):
     bare = cloud.without("colors", "label")
     assert not bare.has_colors and not len(bare.attributes) and cloud.has_colors
@@ -73,13 +52,6 @@ def test_attributes_are_dropped_by_name(cloud):
         cloud.without("rings")
     with pytest.raises(ValueError, match="points:"):
         cloud.without("points")
-
-
-def test_notebook_repr_lists_the_arrays_of_a_cloud(cloud):
-    html = cloud._repr_html_()
-    assert "<caption>PointCloud(60 points, colors, label, " in html
-    assert "<td>points</td><td>float32 [60, 3]</td>" in html and "<td>label</td><td>int64 [60]</td>" in html
-    assert "float32 [0, 3]" in loom.PointCloud(device=cloud.device)._repr_html_()
 
 
 @pytest.mark.parametrize("far", [0.0, 5e5])

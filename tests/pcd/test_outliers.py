@@ -15,7 +15,6 @@ from .open3d_clouds import cloud_of
 
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain):
-    """Points of the indoor fragment, of a LiDAR frame, and of a centered terrain tile."""
     return {"fragment": fragment.points[::2], "lidar": lidar[:, :3].astype(float), "terrain": terrain - terrain.mean(0)}
 
 
@@ -33,13 +32,6 @@ def test_statistical_outliers_are_open3ds(device, scan, nb_neighbors, std_ratio,
     assert len(differing) <= tolerances.outlier_share * len(points), f"{len(differing)} points differ"
     np.testing.assert_array_equal(filtered.points, loom.PointCloud(points, device=device).points[indices])
     assert (np.diff(indices) > 0).all()
-
-
-def test_coincident_points_are_no_statistical_outliers(device, rng):
-    """Open3D's legacy class removes points whose mean distance is 0."""
-    points = np.concatenate([rng.random((500, 3)), np.full((25, 3), 0.5)])
-    _, indices = loom.PointCloud(points, device=device).remove_statistical_outlier(20, 2.0)
-    assert set(range(500, 525)) <= set(indices.tolist())
 
 
 def open3d_inliers(o3d, points):

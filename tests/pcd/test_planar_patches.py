@@ -28,7 +28,6 @@ def covered(box, other, slack):
 
 
 def matches(box, others, tolerances):
-    """Whether one of the other boxes has the normal of a box and at least half of its area."""
     for other in others:
         cosine = abs(np.asarray(box.R)[:, 2] @ np.asarray(other.R)[:, 2])
         if cosine > np.cos(np.radians(tolerances.patch_degrees)):

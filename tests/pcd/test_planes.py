@@ -12,10 +12,6 @@ from .open3d_clouds import cloud_of
 LIMITS = {"ransac_n": 3, "num_iterations": 1000, "probability": 1.0}
 
 
-def distances(points, model):
-    return np.abs(points @ model[:3] + model[3])
-
-
 def degrees_between(a, b):
     return np.degrees(np.arccos(min(1.0, abs(a @ b) / np.linalg.norm(a) / np.linalg.norm(b))))
 
@@ -38,7 +34,6 @@ def cluttered(rng, count=4000, plane_fraction=0.5, noise=0.003, normal=(0.3, -0.
 
 @pytest.fixture(scope="module")
 def terrain(scan_file):
-    """An airborne tile at UTM coordinates, float64 [n, 3]."""
     return loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp31-utm.pcd")).points
 
 
@@ -82,7 +77,9 @@ def test_known_plane_is_detected_among_noise_and_clutter(device, rng, normal, ra
     model, inliers = loom.PointCloud(points, device=device).segment_plane(0.01, ransac_n, 1000)
     assert degrees_between(model[:3], true[:3]) < 0.1
     assert np.isin(np.flatnonzero(member), inliers).mean() > 0.99
-    assert (distances(points[inliers], model) < 0.012).all(), "of the plane before the fit, so a little beyond"
+    assert (np.abs(points[inliers] @ model[:3] + model[3]) < 0.012).all(), (
+        "of the plane before the fit, so a little beyond"
+    )
 
 
 def test_inliers_ascend_and_the_normal_is_unit_with_its_largest_component_positive(device, rng, tolerances):
@@ -118,9 +115,8 @@ def test_a_probability_ends_the_search_after_a_batch_and_one_never(device, rng):
     """Half of the points are in the plane: 11 samples contain an all-inlier sample with a probability of 0.9."""
     points, _, _ = cluttered(rng, 3000, plane_fraction=0.6, noise=0.006)
     cloud = loom.PointCloud(points, device=device)
-    early, batch, all_samples = (
-        len(cloud.segment_plane(0.01, 3, *limits)[1]) for limits in ((3000, 0.9), (32, 1.0), (3000, 1.0))
-    )
+    limits = ((3000, 0.9), (32, 1.0), (3000, 1.0))
+    early, batch, all_samples = (len(cloud.segment_plane(0.01, 3, *each)[1]) for each in limits)
     assert early == batch < all_samples
 
 

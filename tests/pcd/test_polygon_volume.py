@@ -74,7 +74,6 @@ def concave(middle, radii, axis):
 
 
 def check_choice(volume, cloud, expected):
-    """Check both crop functions, and both inverted."""
     points = cloud.points
     assert 0 < len(expected) < len(points)
     others = np.setdiff1d(np.arange(len(points)), expected)
@@ -122,9 +121,8 @@ def test_axis_limits_and_upper_edges_are_inclusive(device):
 
 
 def test_a_crop_carries_attributes_and_origin(device, rng):
-    cloud = loom.PointCloud(
-        rng.random((50, 3)) * 8 + [5e5, 5.4e6, 0], normals=rng.normal(size=(50, 3)), row=np.arange(50), device=device
-    )
+    points, normals = rng.random((50, 3)) * 8 + [5e5, 5.4e6, 0], rng.normal(size=(50, 3))
+    cloud = loom.PointCloud(points, normals=normals, row=np.arange(50), device=device)
     volume = loom.SelectionPolygonVolume(np.add(SQUARE, [5e5, 5.4e6, 0]), "Z", 0, 8)
     rows = volume.crop_in_polygon(cloud)
     result = volume.crop_point_cloud(cloud)

@@ -24,6 +24,7 @@ NAMES = {
     "far": loom.PointCloud([[0, 0, 0], [1e9, 1e9, 1e9]]),
     "pair": loom.PointCloud([[0, 0, 0], [1, 1, 1]]),
     "search": loom.NearestNeighborSearch(np.zeros((2, 3))),
+    "selected": loom.PointCloud(np.arange(30.0).reshape(10, 3)),
     "square": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]],
     "project": lambda **given: loom.PointCloud([[0, 0, 1.0]]).project_to_depth_image(
         **{"width": 3, "height": 2, "intrinsic": CAMERA} | given
@@ -34,6 +35,9 @@ NAMES = {
     "changed": lambda **given: loom.change.m3c2(
         *(loom.PointCloud(np.random.default_rng(seed).random((50, 3)) * 30) for seed in (0, 1)),
         **{"normal_radii": 1.0, "cylinder_radius": 1.0, "max_distance": 2.0} | given,
+    ),
+    "raster": lambda cell=1.0, **given: loom.rasterize(
+        loom.PointCloud(np.random.default_rng(0).random((5, 3)) * 100, classification=[2] * 5), cell, **given
     ),
     "splats": lambda **given: loom.GaussianSplats(
         **{"centers": [[0, 0, 0]] * 2, "scales": [[1, 1, 1]] * 2, "rotations": [[1, 0, 0, 0]] * 2}
@@ -46,6 +50,12 @@ loom.PointCloud(np.zeros((3, 100))) | points: expected shape [n, 3], got [3, 100
 loom.PointCloud(np.zeros((3, 0))) | points: expected shape
 loom.PointCloud([[1e300, 0, 0], [-1e300, 0, 0]]) | beyond the float32 range
 loom.PointCloud(origin=[0, 0]) | origin
+cloud.from_dlpack(np.zeros((4, 2), np.float32)) | points: expected shape [n, 3], got [4, 2]
+cloud.from_dlpack(np.zeros((8, 3), np.float32)[::2]) | points: expected a contiguous array
+cloud.from_dlpack(np.zeros((4, 3), np.float32), label=np.arange(5)) | label
+cloud.from_dlpack(np.zeros((4, 3), np.float32), normals=np.zeros((2, 3), np.float32)) | normals
+cloud.from_dlpack(np.zeros((4, 3), np.float32), cube=np.zeros((4, 2, 2))) | cube
+cloud.from_dlpack(np.zeros((4, 3), np.float32), origin=[nan, 0, 0]) | origin
 loom.PointCloud([[0, 0, 0]], normals=np.zeros((3, 3))) | normals: expected shape [1, 3] as the cloud has 1 points
 loom.PointCloud([[0, 0, 0]], normals=[[1e39, 0, 0]]) | normals: 1e+39 is beyond
 loom.PointCloud([[0, 0, 0]], colors=np.zeros((2, 3))) | colors: expected shape
@@ -60,6 +70,8 @@ cloud.paint_uniform_color([0, -0.1, 0]) | color
 cloud.concatenate([]) | clouds
 cloud.to("cpu", arrays="tensorflow") | arrays: expected one of numpy, warp, torch, cupy, jax
 cloud.translate([1, 2]) | translation
+cloud.rotate(90) | R: expected shape [3, 3], got []: a rotation matrix; scipy
+np.asarray(cloud, copy=False) | so its points are copied
 cloud.rotate([[2, 0, 0], [0, 1, 0], [0, 0, 1]]) | R: expected a rigid motion
 cloud.scale(0) | scale
 cloud.scale(2, [0, 0]) | center
@@ -254,6 +266,49 @@ loom.fit_shape(random, 'plane', weights=[0.0] * 10) | 0 finite points with a wei
 loom.fit_shape(loom.PointCloud(np.eye(3)), 'sphere') | 4 unknowns
 loom.fit_shape(loom.PointCloud(np.ones((30, 3))), 'sphere') | all 30 points are equal
 loom.fit_shape(loom.PointCloud(), 'sphere') | has 0 finite points
+selected.__getitem__([True] * 9) | expected booleans of shape [10], got bool [9]
+selected.__getitem__(np.ones((10, 1), bool)) | expected booleans of shape [10], got bool [10, 1]
+selected.__getitem__("label") | the cloud has points
+loom.rasterize(random, 1.0) | has no classification; set
+raster(cell=1e-4) | more than 2^28
+loom.rasterize(loom.PointCloud(np.eye(3), unit="degree", classification=[2] * 3), 1.0) | got degrees
+loom.rasterize(loom.PointCloud(np.full((5, 3), nan), classification=[2] * 5), 1.0) | expected finite points, got none
+raster(bounds=(0, 0, 0, 1)) | bounds: expected (x0, y0, x1, y1)
+raster(kind="dem") | kind: expected 'dtm' or
+raster(kind="intensity") | the cloud has no intensity
+raster(classes=(2, 256)) | classes: expected LAS classes
+raster(corner=(1e90, 0)) | corner: is more than 2^48 cells away
+loom.PointCloud([]).compute_convex_hull() | points: expected at least one finite point, got none
+loom.PointCloud([[nan, 0, 0]] * 5).compute_convex_hull() | points: expected at least one finite point, got none
+loom.PointCloud([[1, 2, 3]]).compute_convex_hull() | are equal
+loom.PointCloud([[1, 2, 3]] * 40).compute_convex_hull() | are equal
+loom.PointCloud([[0, 0, 0], [1, 2, 3]]).compute_convex_hull() | are collinear
+loom.PointCloud(np.outer(np.arange(9.0), [1, 2, 3])).compute_convex_hull() | are collinear
+loom.PointCloud(np.outer(np.linspace(-1, 1, 6000), [1, 0.3, 0.7])).compute_convex_hull() | are collinear
+loom.filter_depth_bilateral(np.ones((4, 4)), 2**24) | kernel_size
+cloud.smooth_laplacian(2**31) | iterations
+cloud.smooth_taubin(10**5) | iterations
+cloud.segment_plane(num_iterations=2**31 - 1) | num_iterations
+search.knn_search(np.zeros((1, 3)), 2**63) | knn
+search.hybrid_search(np.zeros((1, 3)), 0.1, 2**24) | max_nn
+cloud.estimate_normals(max_nn=2**63) | max_nn
+loom.CameraModel("OPENCV_FISH", 640, 480, [1] * 8) | did you mean 'OPENCV_FISHEYE'
+loom.CameraModel("EQUIRECTANGULAR", 640, 480, [640, 480]) | EQUIRECTANGULAR is not supported
+loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320]) | takes fx, fy, cx, cy; got 3
+loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, nan]) | finite
+loom.CameraModel("PINHOLE", 640, 480, [500, -500, 320, 240]) | focal lengths above
+loom.CameraModel("PINHOLE", 0, 480, [500, 500, 320, 240]) | width
+loom.CameraModel("PINHOLE", 2**16, 2**16, [500, 500, 320, 240]) | 2^28
+loom.CameraModel("FOV", 640, 480, [500, 500, 320, 240, 3.2]) | omega
+loom.CameraModel("EUCM", 640, 480, [500, 500, 320, 240, 1.1, 1]) | alpha in 0..1
+loom.CameraModel("METASHAPE", 640, 480, [1.0, 320, 240, *[0] * 6, -2.0, 0]) | focal lengths above
+loom.PinholeCameraIntrinsic(2**31, 1, 1.0, 1.0, 0.0, 0.0) | width
+loom.PinholeCameraIntrinsic(2**15, 2**15, 1.0, 1.0, 0.0, 0.0) | width, height
+camera.scaled(1e9) | factor
+loom.erode_depth_edges(np.ones((4, 4)), 2**24) | radius
+cloud.scale(1e200) | scale
+pair.scale(1e90) | scale, center: moves the points to
+gap.random_down_sample(0.5, seed=10**400) | seed: expected an integer
 loom.video.WorldFrame(91.0, 0.0) | latitude
 loom.video.WorldFrame(0.0, 181.0) | longitude
 loom.video.WorldFrame(0.0, 0.0, 2e5) | altitude
@@ -263,9 +318,18 @@ loom.PointCloud([[0, 0, 0], [1, 1]]) | points: expected numbers
 loom.PointCloud(np.zeros((2, 3), complex)) | points: expected real numbers, got complex128
 loom.PointCloud([[0, 0, 0]], ring=['a']) | ring: expected real numbers
 loom.PointCloud([[0, 0, 0]], ring=np.zeros(1, np.longdouble)) | ring: expected numbers of 64 bits at most
+cloud.from_dlpack(np.zeros((4, 3))) | points: expected float32, the type of a cloud's arrays, got float64; convert
+cloud.from_dlpack([[1.0, 2, 3]]) | points: expected an array with __dlpack__ or __cuda_array_interface__, got list
+cloud.from_dlpack(np.broadcast_to(np.zeros(3, np.float32), (4, 3))) | points: ndarray cannot be shared
 cloud.concatenate([cloud, 3]) | clouds: expected a PointCloud, got int
 cloud + 3 | a cloud and a int cannot be added
 1 + cloud | a cloud and a int cannot be added
+cloud + cloud.points | a cloud and a ndarray cannot be added: cloud.translate
+cloud.points + cloud | a cloud and a ndarray cannot be added: cloud.translate
+setattr(cloud, "colors", cloud) | colors: expected an array, got a PointCloud. Pass one of its arrays: other['colors']
+loom.PointCloud(cloud) | points: expected an array, got a PointCloud. Use cloud.copy()
+loom.PointCloud('scan.ply') | points: expected real numbers, got 'scan.ply'. Read a file with loom.read_point_cloud
+loom.RGBDImage('a.png', 'b.png') | depth: expected an array, got a path; loom.read_depth(path) reads it
 cloud.crop((0, 1)) | expected a bounding box, got tuple
 cloud.estimate_normals(max_nn=2.5) | max_nn: expected an integer
 gap.farthest_point_down_sample(2.0) | num_samples: expected an integer, got 2.0
@@ -275,6 +339,15 @@ depth_cloud(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic
 depth_cloud(depth=np.zeros((2, 3), complex)) | depth: expected integers or floats, got complex128
 loom.RGBDImage(np.zeros((2, 3, 3)), np.zeros((2, 3), np.uint16)) | color: expected uint8, got float64
 loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.ones((2, 3))) | depth: expected the file's
+selected.__getitem__(2) | a mask of shape [n] or indices of shape [k]
+selected.__getitem__(np.int64(-1)) | cloud.points[i] its coordinates
+selected.__getitem__((slice(None), 2)) | expected an attribute's name, a slice
+selected.__getitem__(None) | got None
+selected.__getitem__(...) | got Ellipsis
+selected.__getitem__(slice(0.5)) | expected a slice of integers, got slice(None, 0.5
+selected.__getitem__(np.zeros((2, 2), int)) | got an array of shape [2, 2]
+selected.__getitem__([0.5]) | expected integers, got float64
+selected.__getitem__({1}) | got set
 loom.AxisAlignedBoundingBox() + 1 | unsupported operand
 loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]]) + np.eye(3) | unsupported operand
 splats().rasterize(np.eye(3), np.eye(4)) | intrinsic: expected a PinholeCameraIntrinsic
@@ -284,6 +357,8 @@ gap.farthest_point_down_sample(2, 3) | start_index: 3 is out of range for a clou
 cloud.select_by_index([3]) | indices: 3..3 are out of range for a cloud of 3 points
 cloud.select_by_index([0, -4], invert=True) | indices: -4..0 are out of range for a cloud of 3 points
 cloud.select_by_index(np.array([2**64 - 1], np.uint64)) | indices: 18446744073709551615
+selected.__getitem__([10]) | 10..10 are out of range for a cloud of 10 points
+selected.__getitem__([-11, 0]) | -11..0 are out of range
 loom.compute_fpfh_feature(cloud, indices=[3]) | are out of range for a cloud of 3 points
 """
 KINDS = {ValueError: VALUES, TypeError: TYPES, IndexError: INDICES}

@@ -33,9 +33,8 @@ def grown_plainly(cloud, degrees, limit, min_size, max_nn):
         if facing:
             grown[i] = labels[max(facing)[2]]
     heads, counts = np.unique(grown[grown >= 0], return_counts=True)
-    order = [
-        head for _, head in sorted(zip(-counts, heads, strict=True)) if counts[list(heads).index(head)] >= min_size
-    ]
+    ranked = sorted(zip(-counts, heads, strict=True))
+    order = [head for count, head in ranked if -count >= min_size]
     return np.array([order.index(label) if label in order else -1 for label in grown])
 
 

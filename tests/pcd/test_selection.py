@@ -85,28 +85,3 @@ def test_arrays_of_the_device_select_too(device):
     for key in (indices, mask):
         given = wp.array(key, dtype=wp.bool if key.dtype == bool else wp.int64, device=device)
         np.testing.assert_array_equal(cloud[given].points, cloud.points[key])
-
-
-@pytest.mark.parametrize(
-    ("key", "error", "message"),
-    [
-        (2, TypeError, r"a mask of shape \[n\] or indices of shape \[k\].*; cloud\[\[i\]\] is a cloud of one point"),
-        (np.int64(-1), TypeError, r"cloud\.points\[i\] its coordinates"),
-        ((slice(None), 2), TypeError, r"expected an attribute's name, a slice.*; cloud\.points\[\.\.\.\] selects"),
-        (None, TypeError, r"got None"),
-        (..., TypeError, r"got Ellipsis"),
-        (slice(0.5), TypeError, r"expected a slice of integers, got slice\(None, 0\.5"),
-        (np.zeros((2, 2), int), TypeError, r"got an array of shape \[2, 2\]"),
-        ([0.5], TypeError, r"expected integers, got float64"),
-        ({1}, TypeError, r"got set"),
-        ([10], IndexError, r"10\.\.10 are out of range for a cloud of 10 points"),
-        ([-11, 0], IndexError, r"-11\.\.0 are out of range"),
-        ([True] * 9, ValueError, r"expected booleans of shape \[10\], got bool \[9\]"),
-        (np.ones((10, 1), bool), ValueError, r"expected booleans of shape \[10\], got bool \[10, 1\]"),
-        ("label", ValueError, r"the cloud has points"),
-    ],
-)
-def test_invalid_selections_are_rejected(device, key, error, message):
-    cloud = loom.PointCloud(np.arange(30.0).reshape(10, 3), device=device)
-    with pytest.raises(error, match=message):
-        cloud.__getitem__(key)

@@ -168,14 +168,6 @@ def test_mesh_of_a_shape_is_on_its_surface_and_faces_outward(device, rng, kind):
     assert np.sqrt(tree.knn_search(vertices, 1)[1]).max() < 0.15
 
 
-def test_shape_str_and_dict(device, rng):
-    points, _, _ = made_shape("torus", 3000, rng)
-    shape, _ = loom.PointCloud(points, device=device).estimate_normals().segment_torus(0.005)
-    assert str(shape).startswith("torus: radius 0.5") and "minor_radius 0.1" in str(shape)
-    as_dict = shape.to_dict()
-    assert as_dict["kind"] == "torus" and as_dict["half_angle"] is None and as_dict["support"] == shape.support
-
-
 def test_a_bent_patch_is_too_small_a_part_of_a_round_shape_but_few_points_all_over_are_not(device):
     rng = np.random.default_rng(10)
     x, y = rng.random((2, 3000)) - 0.5

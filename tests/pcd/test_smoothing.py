@@ -38,13 +38,10 @@ def brute_bilateral(points, normals, k, radius, sigma_s, sigma_r):
 
 
 def brute_averages(points, factors, k, fixed):
-    lists = None
-    for factor in factors:
-        if lists is None or not fixed:
-            lists = []
-            for row in range(len(points)):
-                near = [r for r in brute_neighbors(points, row, None, np.inf)[0] if r != row]
-                lists.append(near[:k])
+    for step, factor in enumerate(factors):
+        if step == 0 or not fixed:
+            every = [brute_neighbors(points, row, None, np.inf)[0] for row in range(len(points))]
+            lists = [near[near != row][:k] for row, near in enumerate(every)]
         means = np.stack([points[near].mean(axis=0) for near in lists])
         points = points + factor * (means - points)
     return points
@@ -61,17 +58,12 @@ def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
     sides = np.full(all_points.shape, 0.5)
     sides[good] = normals
     cloud = loom.PointCloud(all_points, normals=sides, label=np.arange(len(all_points)))
+    sizes = {"radius": 0.4, "sigma_s": 0.2, "sigma_r": 0.05}
     cases = [
         (cloud.smooth_mls(radius=0.4, max_nn=k), brute_mls(points, k, 0.4)),
         (cloud.smooth_mls(radius=0.4, max_nn=None), brute_mls(points, None, 0.4)),
-        (
-            cloud.smooth_bilateral(radius=0.4, max_nn=k, sigma_s=0.2, sigma_r=0.05),
-            brute_bilateral(points, normals, k, 0.4, 0.2, 0.05),
-        ),
-        (
-            cloud.smooth_bilateral(radius=0.4, max_nn=None, sigma_s=0.2, sigma_r=0.05),
-            brute_bilateral(points, normals, None, 0.4, 0.2, 0.05),
-        ),
+        (cloud.smooth_bilateral(max_nn=k, **sizes), brute_bilateral(points, normals, k, *sizes.values())),
+        (cloud.smooth_bilateral(max_nn=None, **sizes), brute_bilateral(points, normals, None, *sizes.values())),
         (cloud.smooth_laplacian(1, 0.5, k), brute_averages(points, [0.5], k, False)),
         (cloud.smooth_taubin(2, 0.5, -0.53, k, True), brute_averages(points, [0.5, -0.53] * 2, k, True)),
     ]

@@ -85,13 +85,8 @@ def reference(splats, camera, T, near=0.01):
         left = left - weight
     lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
     hit = left < 1
-    return (
-        color,
-        left,
-        np.where(hit, depth / np.where(hit, 1 - left, 1), 0),
-        median,
-        normals / np.maximum(lengths, 1e-9),
-    )
+    depth = np.where(hit, depth / np.where(hit, 1 - left, 1), 0)
+    return color, left, depth, median, normals / np.maximum(lengths, 1e-9)
 
 
 @pytest.mark.parametrize("degree", [0, 2, 4])
@@ -147,14 +142,8 @@ def test_a_flat_splat_gives_the_depth_of_its_plane(device):
 
 
 def test_the_nearer_of_two_hides_the_other_and_the_background_shows_beside(device):
-    two = loom.GaussianSplats(
-        [[0, 0, 2], [0, 0, 1]],
-        np.full((2, 3), 0.1),
-        [[1, 0, 0, 0]] * 2,
-        [1, 1],
-        [[-2, -2, 2], [2, -2, -2]],
-        device=device,
-    )
+    centers, harmonics, unturned = [[0, 0, 2], [0, 0, 1]], [[-2, -2, 2], [2, -2, -2]], [[1, 0, 0, 0]] * 2
+    two = loom.GaussianSplats(centers, np.full((2, 3), 0.1), unturned, [1, 1], harmonics, device=device)
     picture = two.rasterize(CAMERA, np.eye(4), background=(0, 1, 0))
     red, green, blue = picture.color[26, 33]
     assert red > 0.9 and green < 0.01 and 0 < blue < 0.02

@@ -1,7 +1,5 @@
 """Gaussian splats: transformation of centers, axes and colors, and selection."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -25,7 +23,6 @@ def made(count=200, degree=3, *, at=(0, 0, 0), device="cpu", seed=0) -> loom.Gau
 
 
 def colors_from(splats: loom.GaussianSplats, directions) -> np.ndarray:
-    """Color of a splat from each direction: [n, m, 3]."""
     return np.einsum("mk,nkc->nmc", harmonics_at(directions, splats.degree), splats.harmonics.astype(np.float64))
 
 

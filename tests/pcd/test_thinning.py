@@ -11,7 +11,6 @@ UTM = np.array([5e5, 5.4e6, 100.0])
 
 
 def brute(cloud, spacing, corner):
-    """The selected rows, by a dictionary in float64."""
     positions = (cloud.points - cloud.origin).astype(np.float32).astype(np.float64) - (np.array(corner) - cloud.origin)
     best = {}
     for row, position in enumerate(positions):
