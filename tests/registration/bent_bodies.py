@@ -1,7 +1,5 @@
 """Bodies, and known deformations."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,7 +21,6 @@ def tube(count: int, seed: int) -> Array:
 
 
 def torus(count: int, seed: int) -> Array:
-    """Points on a torus."""
     a, b = np.random.default_rng(seed).uniform(0, 2 * np.pi, (2, count))
     r = 0.8 + 0.25 * np.cos(b)
     return np.column_stack([r * np.cos(a), r * np.sin(a), 0.25 * np.sin(b)])

@@ -1,7 +1,5 @@
 """Pairs of real scans with their true poses, and synthetic pairs without noise."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np
@@ -39,11 +37,8 @@ def street_pair(scan_set, real_file, made_street):
     """
     if scan_set == "real":
         folder = real_file("reg-small-gicp")
-        return SimpleNamespace(
-            source=loom.read_point_cloud(folder / "source.ply").points,
-            target=loom.read_point_cloud(folder / "target.ply").points,
-            T=np.loadtxt(folder / "T_target_source.txt"),
-        )
+        source, target = (loom.read_point_cloud(folder / f"{name}.ply").points for name in ("source", "target"))
+        return SimpleNamespace(source=source, target=target, T=np.loadtxt(folder / "T_target_source.txt"))
     rng, points = np.random.default_rng(3), made_street.drive(1, speed=0.0, beams=64, azimuths=2000, noise=0.0).scans[0]
     T = as_pose(np.radians(0.71) * np.array([0.0, 0.0, 1.0]), [0.5, 0.05, 0.0])
     target, source = (half + rng.normal(0, 0.02, half.shape) for half in (points[::2], points[1::2]))
@@ -59,11 +54,8 @@ def room_pair(scan_set, real_file, shipped_file):
     """
     if scan_set == "real":
         folder = real_file("reg-teaser-3dmatch/data")
-        return SimpleNamespace(
-            source=loom.read_point_cloud(folder / "cloud_bin_4.ply").points,
-            target=loom.read_point_cloud(folder / "cloud_bin_0.ply").points,
-            T=np.loadtxt(folder / "T_0_from_4.txt"),
-        )
+        source, target = (loom.read_point_cloud(folder / f"cloud_bin_{k}.ply").points for k in (4, 0))
+        return SimpleNamespace(source=source, target=target, T=np.loadtxt(folder / "T_0_from_4.txt"))
     folder = shipped_file("rgbd-cupoch-redwood5")
     camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
     poses = loom.read_trajectory(folder / "trajectory.log").poses

@@ -1,14 +1,11 @@
 """ICP with selected degrees of freedom as dense float64 least squares: the reference for the kernels.
 
-The motion is `scipy.spatial.transform`'s, the minimum that of `least_squares` with numerical derivatives, the pairs
-those of a k-d tree: nothing is shared with the library.
+The motion is `scipy.spatial.transform`'s, the minimum that of `least_squares` with numerical derivatives:
+nothing is shared with the library.
 """
-
-from __future__ import annotations
 
 import numpy as np
 from scipy.optimize import least_squares
-from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 MOTIONS = ("roll", "pitch", "yaw", "x", "y", "z")
@@ -60,7 +57,6 @@ class DenseICP:
         return np.sqrt(np.maximum(values, 0)) * (vectors.T @ xi)
 
     def minimum(self, pairs, start):
-        """The optimal free parameters for given pairs."""
         noise = self.noise
         for _ in range(1 if noise is not None or self.prior is None else 30):
             level = noise
@@ -74,16 +70,3 @@ class DenseICP:
 
             start = least_squares(both, start, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15, x_scale=1.0).x
         return start
-
-    def solve(self, distance, rounds=60):
-        """The pose at which pairs and minimum agree."""
-        x, tree = np.zeros(len(self.free)), cKDTree(self.target)
-        for _ in range(rounds):
-            T = self.pose(x)
-            away, j = tree.query(self.source @ T[:3, :3].T + T[:3, 3])
-            i = np.flatnonzero(away < distance)
-            solution = self.minimum((i, j[i]), x)
-            if np.abs(solution - x).max() < 1e-12:
-                break
-            x = solution
-        return self.pose(x)

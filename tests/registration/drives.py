@@ -1,7 +1,5 @@
 """A drive as clouds, its true trajectory, and the estimated trajectory."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

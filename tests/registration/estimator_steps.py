@@ -27,7 +27,6 @@ def legacy_cloud(o3d, cloud):
 
 
 def tensor_cloud(o3d, cloud, **attributes):
-    """A tensor cloud of Open3D in float64."""
     made = o3d.t.geometry.PointCloud(o3d.core.Tensor(cloud.points))
     if cloud.has_normals:
         made.point.normals = o3d.core.Tensor(cloud.normals.astype(np.float64))
@@ -44,6 +43,5 @@ def tensor_after(o3d, clouds, method, steps):
 
 
 def tensor_kernel(o3d, name, scale, shape=1.0):
-    """A robust kernel of Open3D's tensor implementation."""
     kernels = o3d.t.pipelines.registration.robust_kernel
     return kernels.RobustKernel(getattr(kernels.RobustKernelMethod, name), scale, shape)

@@ -1,7 +1,5 @@
 """Hills for global registration, and the error of a pose."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.spatial.transform import Rotation
 
@@ -16,7 +14,6 @@ def misplacement(estimate, T, points):
 
 
 def hills(rng, count, extent=2.0):
-    """Points of a hilly surface without repeated parts."""
     xy = rng.uniform(-extent, extent, (count, 2))
     z = 0.15 * np.sin(3 * xy[:, 0]) * np.cos(2 * xy[:, 1])
     centers = np.random.default_rng(3).uniform(-extent, extent, (40, 3))

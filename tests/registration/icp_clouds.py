@@ -30,7 +30,6 @@ def wavy(rng, count):
 
 
 def wavy_normals(points):
-    """The normals of the surface of `wavy`."""
     x, y, _ = points.T
     slope_x = 0.6 * np.cos(3 * x) * np.cos(4 * y) + 0.1 * np.cos(7 * y + x)
     slope_y = -0.8 * np.sin(3 * x) * np.sin(4 * y) + 0.7 * np.cos(7 * y + x)

@@ -1,7 +1,5 @@
 """Pose graphs of rings, their solutions, and the cost."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,12 +10,8 @@ from pointloom import registration as reg
 from .poses import as_pose
 
 METHODS = ("LevenbergMarquardt", "GaussNewton")
-TIGHT = {
-    "min_relative_increment": 1e-10,
-    "min_relative_residual_increment": 1e-13,
-    "min_right_term": 1e-12,
-    "min_residual": 1e-14,
-}
+TIGHT = {"min_relative_increment": 1e-10, "min_relative_residual_increment": 1e-13}
+TIGHT |= {"min_right_term": 1e-12, "min_residual": 1e-14}
 CORRESPONDENCES = (100, 400)
 
 
@@ -72,12 +66,9 @@ def to_graph(scene) -> reg.PoseGraph:
 
 
 def solve(scene, method="LevenbergMarquardt", distance=0.05, reference=0, **criteria) -> reg.PoseGraph:
-    return reg.global_optimization(
-        to_graph(scene),
-        getattr(reg, f"GlobalOptimization{method}")(),
-        reg.GlobalOptimizationConvergenceCriteria(**criteria),
-        reg.GlobalOptimizationOption(distance, reference_node=reference),
-    )
+    option = reg.GlobalOptimizationOption(distance, reference_node=reference)
+    rules = reg.GlobalOptimizationConvergenceCriteria(**criteria)
+    return reg.global_optimization(to_graph(scene), getattr(reg, f"GlobalOptimization{method}")(), rules, option)
 
 
 def poses_of(graph) -> np.ndarray:

@@ -1,7 +1,5 @@
 """Poses and points under them."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.spatial.transform import Rotation
 
@@ -14,7 +12,6 @@ def as_pose(vector=(0, 0, 0), shift=(0, 0, 0)) -> np.ndarray:
 
 
 def moved(points, T) -> np.ndarray:
-    """Points under a pose."""
     return points @ T[:3, :3].T + T[:3, 3]
 
 

@@ -1,7 +1,5 @@
 """Corners of rooms: a floor and two walls, identical in all of them, and boxes that differ."""
 
-from __future__ import annotations
-
 import numpy as np
 
 SIDE, HEIGHT, NOISE = 2.5, 1.8, 0.003  # [m]

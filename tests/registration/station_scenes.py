@@ -1,7 +1,5 @@
 """Terrestrial scans of synthetic scenes: rays from known stations into a mesh of boxes, with noise along the ray."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom
@@ -26,7 +24,6 @@ BOXES = [  # low corner, extent, yaw [rad]
 
 
 def mesh_of(boxes):
-    """One mesh of boxes."""
     mesh = None
     for low, extent, yaw in boxes:
         box = loom.TriangleMesh.create_box(*extent).transform(

@@ -1,7 +1,5 @@
 """Coherent point drift follows the steps of the paper and reports failed alignments."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation

@@ -1,7 +1,5 @@
 """Registration from given correspondences: robust to outliers, with a reason where there is no pose."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Deskewed scans of a moving scanner against explicit motion."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings

@@ -184,18 +184,6 @@ def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances)
             np.testing.assert_allclose(actual, pose, rtol=0, atol=tolerances.icp_pose, err_msg=f"{shape} {steps}")
 
 
-@pytest.mark.parametrize("loss", [reg.HuberLoss(0.02), reg.TukeyLoss(0.1), GeneralizedLoss(0.02, -2)], ids=repr)
-def test_point_to_point_kernels_suppress_clutter(device, pair, angle_between, loss):
-    """Open3D has no kernels there; with a kernel the clutter has less weight."""
-    init = as_pose([0.002, 0.002, 0], [0.002, 0, 0.001]) @ pair.T
-    plain, robust = (
-        result_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=k), 20, init).transformation
-        for k in (reg.L2Loss(), loss)
-    )
-    assert np.abs(plain - robust).max() > 1e-6
-    assert angle_between(robust, pair.T) < 0.3
-
-
 def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
     """One weighted step against the closed form in float64."""
     loss = reg.CauchyLoss(0.03)
@@ -207,7 +195,6 @@ def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
 
 
 def test_voxelized_gicp_matches_the_plain_form(device, pair, angle_between):
-    """Voxelized generalized ICP reaches the pose of the plain form to a fraction of the voxel."""
     result = result_after(device, pair, reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1), 30)
     assert angle_between(result.transformation, pair.T) < 0.1
     assert np.abs(result.transformation[:3, 3] - pair.T[:3, 3]).max() < 2e-3

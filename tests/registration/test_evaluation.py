@@ -54,11 +54,8 @@ def assert_equal(result, theirs, source, target, T):
     np.testing.assert_array_equal(mine[:, 0], other[:, 0])
     differ = mine[:, 1] != other[:, 1]
     moved = source[mine[differ, 0]] @ T[:3, :3].T + T[:3, 3]
-    np.testing.assert_allclose(
-        np.linalg.norm(moved - target[mine[differ, 1]], axis=1),
-        np.linalg.norm(moved - target[other[differ, 1]], axis=1),
-        rtol=1e-5,
-    )
+    distances = [np.linalg.norm(moved - target[pairs[differ, 1]], axis=1) for pairs in (mine, other)]
+    np.testing.assert_allclose(*distances, rtol=1e-5)
     assert differ.mean() < 0.02
     return differ
 
@@ -115,19 +112,6 @@ def test_any_affine_map_is_evaluated(device, rng, oracle):
     result = reg.evaluate_registration(*clouds, 0.1, T)
     theirs = oracle("registration/evaluation/affine", theirs_of, source, target, 0.1, T)
     assert_equal(result, theirs, source, target, T)
-
-
-def test_a_cloud_matches_itself(device, rng):
-    cloud = loom.PointCloud(rng.random((777, 3)), device=device)
-    result = reg.evaluate_registration(cloud, cloud, 1e-6)
-    assert (result.fitness, result.inlier_rmse) == (1.0, 0.0)
-    np.testing.assert_array_equal(result.correspondence_set, np.repeat(np.arange(777)[:, None], 2, axis=1))
-
-
-def test_points_at_exactly_the_distance_do_not_count(device):
-    source, target = (loom.PointCloud(p, device=device) for p in ([[0, 0, 0]], [[0.5, 0, 0]]))
-    assert reg.evaluate_registration(source, target, 0.5).fitness == 0
-    assert reg.evaluate_registration(source, target, np.nextafter(0.5, 1)).fitness == 1
 
 
 @pytest.mark.parametrize("counts", [(0, 5), (5, 0), (0, 0), (1, 1), (2, 1), (1, 2)])

@@ -1,7 +1,5 @@
 """Fast global registration: robust to outliers, as good as Open3D, independent of the unit of length."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np

@@ -4,8 +4,6 @@ The checks run on the host, so the CPU represents all devices. Switches are excl
 Result records are excluded, too.
 """
 
-from __future__ import annotations
-
 import contextlib
 from functools import cache
 from typing import Any
@@ -133,7 +131,6 @@ CLOUDS_ONLY = {"source", "target", "cloud", "scan"}
 
 @cache
 def things() -> dict[str, Any]:
-    """The names used in the expressions of the table."""
     rng = np.random.default_rng(0)
     points = rng.random((60, 3)) * [1, 1, 0.2]
     cloud = loom.PointCloud(points, colors=rng.random((60, 3)), dopplers=rng.random(60)).estimate_normals(max_nn=10)
@@ -168,7 +165,6 @@ def things() -> dict[str, Any]:
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """A folder for files with hostile names."""
     monkeypatch.chdir(tmp_path)
 
 
@@ -190,13 +186,12 @@ CASES = [(call, name) for call, (_, names) in TABLE.items() for name, good in na
 # Accepted values run a full registration each. The forms of ICP share the checks of their common arguments.
 FORMS = ("registration_icp_batch", "registration_colored_icp", "registration_generalized_icp", "multi_scale_icp")
 EXPENSIVE = {(call, name) for call in FORMS for name in TABLE[call][1] if name in set(TABLE["registration_icp"][1])}
-EXPENSIVE |= {
-    ("register_stations", name) for name in ("rough", "voxel_size", "overlap", "position_sigma", "level_sigma", "seed")
-}
-EXPENSIVE |= {
-    ("register_nonrigid", name) for name in ("max_correspondence_distance", "landmark_weight", "stiffness", "tolerance")
-}
-EXPENSIVE |= {("register_pair", name) for name in ("init", "max_correspondence_distance", "free", "prior")}
+for call, names in (
+    ("register_stations", "rough voxel_size overlap position_sigma level_sigma seed"),
+    ("register_nonrigid", "max_correspondence_distance landmark_weight stiffness tolerance"),
+    ("register_pair", "init max_correspondence_distance free prior"),
+):
+    EXPENSIVE |= {(call, name) for name in names.split()}
 EXPENSIVE &= set(CASES)
 
 
@@ -213,13 +208,8 @@ def test_a_hostile_value_is_rejected_by_name(call, argument):
     function, expressions = TABLE[call]
     values = things()
     good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
-    faults = faults_of(
-        lambda **given: eval(function, dict(values))(**given),
-        good,
-        argument,
-        clouds=argument in CLOUDS_ONLY,
-        finite=(call, argument) not in MAY_BE_INFINITE,
-    )
+    kinds = {"clouds": argument in CLOUDS_ONLY, "finite": (call, argument) not in MAY_BE_INFINITE}
+    faults = faults_of(lambda **given: eval(function, dict(values))(**given), good, argument, **kinds)
     assert not faults, "\n".join(faults)
 
 

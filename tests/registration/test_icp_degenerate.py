@@ -69,7 +69,6 @@ def test_free_motions_are_reported_and_excluded(device, shape, noise, kind, rng)
 
 
 def test_noise_moves_a_plane_where_degeneracy_is_0(device, rng):
-    """A corridor whose end has 0.7 % of its points: an eigenvalue of a hundredth of the largest, as in streets."""
     clouds = []
     for shift in ([0.1, 0.05, 0.02], [0, 0, 0]):
         points = degenerate("plane", rng, 3000)[0] + shift + 2e-3 * rng.normal(size=(3000, 3))

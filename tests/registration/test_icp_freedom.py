@@ -64,14 +64,6 @@ def test_the_pose_matches_dense_least_squares(device, pair, kind, free, frame, p
     assert result.free == tuple(name for name in MOTIONS if name in free)
 
 
-def test_updated_pairs_lead_to_the_pose_of_dense_icp(device, pair):
-    source, target = on(device, *pair)
-    free = ("x", "y", "z", "yaw")
-    result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, free=free)
-    wanted = DenseICP(source.points, target.points, INIT, free=free, normals=target.normals).solve(0.3)
-    np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
-
-
 @pytest.mark.parametrize("kind", ["point", "scaled", "plane", "robust", "generalized", "voxelized", "colored"])
 def test_a_prior_without_information_leaves_the_full_pose(device, full_pair, kind):
     """Two code paths to one pose: the step of all jobs, and that of jobs with a constraint."""

@@ -56,16 +56,6 @@ def test_lost_pairs_during_iteration_are_reported(device, kind):
     assert any("no correspondences" in warning for warning in result.warnings) == (result.fitness == 0)
 
 
-@EACH
-def test_few_points_give_finite_poses(device, kind, rng):
-    for counts in ((1, 1), (1, 5), (2, 2), (3, 3), (5, 1)):
-        clouds = (full_cloud(rng.random((n, 3)), device) for n in counts)
-        result = reg.registration_icp(*clouds, 2.0, None, KINDS[kind])
-        assert np.isfinite(result.transformation).all() and 0 <= result.fitness <= 1
-        if kind != "scaled":
-            assert_rigid(result.transformation)
-
-
 @pytest.mark.parametrize("side", [0, 1], ids=["source", "target"])
 @pytest.mark.parametrize(
     ("kind", "column"),

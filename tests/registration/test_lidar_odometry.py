@@ -1,7 +1,5 @@
 """LiDAR odometry on a synthetic street with a known path, and against an explicit loop."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
@@ -39,15 +37,10 @@ def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_helps(devi
 @pytest.mark.parametrize("speed", [1.0, 45.0])
 def test_a_drive_can_start_at_any_speed(device, street, speed):
     scans = street.drive(6, speed=speed, beams=40, azimuths=360, seed=3)
-    gaps = follow(scans, device).poses[:, :3, 3] - truth_of(scans).poses[:, :3, 3]
-    assert np.linalg.norm(gaps, axis=1).max() < 0.05
-
-
-def test_a_fast_start_is_tracked(device, fast_drive):
-    odometry = follow(fast_drive, device)
-    gaps = odometry.poses[:, :3, 3] - truth_of(fast_drive).poses[:, :3, 3]
-    assert np.linalg.norm(gaps, axis=1).max() < 0.05  # of 22 m
-    assert odometry.summary.distance == pytest.approx(22.4, abs=0.3)
+    odometry, centers = follow(scans, device), truth_of(scans).poses[:, :3, 3]
+    assert np.linalg.norm(odometry.poses[:, :3, 3] - centers, axis=1).max() < 0.05
+    length = np.linalg.norm(np.diff(centers, axis=0), axis=1).sum()
+    assert odometry.summary.distance == pytest.approx(length, abs=0.1)
 
 
 @pytest.mark.slow

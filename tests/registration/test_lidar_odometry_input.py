@@ -1,7 +1,5 @@
 """Odometry with empty scans, wrong arguments, folders and files."""
 
-from __future__ import annotations
-
 from contextlib import nullcontext
 
 import numpy as np

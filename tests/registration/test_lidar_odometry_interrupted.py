@@ -1,7 +1,5 @@
 """A scan is added to an odometry run completely or not at all after any interruption."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Warnings of LiDAR odometry for scans that do not constrain the motion or show another location."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -14,7 +14,6 @@ UTM = np.array([455_000.25, 5_420_000.5, 312.0])
 
 
 def scans(shape, rng, *, noise=0.0, corner=(0.0, 0.0, 0.0), device="cpu", change=None):
-    """Two samplings of a shape."""
     clouds = []
     for _ in range(2):
         points = degenerate(shape, rng, 12_000)[0]

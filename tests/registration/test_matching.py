@@ -1,7 +1,5 @@
 """Feature matching against Open3D on real scans and against brute force, with filters and limits."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -75,7 +73,6 @@ def assert_all_as_expected(device, a, b):
 
 
 def as_open3d(o3d, features):
-    """Features in Open3D's class."""
     made = o3d.pipelines.registration.Feature()
     made.data = np.ascontiguousarray(features.T, dtype=np.float64)
     return made
@@ -132,17 +129,6 @@ def is_tied(a, b, i, j, share):
     limit = there[j] * (1 + share)
     nearest = there[j] <= min(there.min(), back.min()) * (1 + share)
     return nearest and np.count_nonzero(there <= limit) + np.count_nonzero(back <= limit) > 2
-
-
-def test_matches_of_the_tutorial_equal_open3ds(device, scenes, o3d):
-    """No two rows of the room are within rounding; the ratio test leaves the same rows as SciPy's two nearest."""
-    a, b = scenes["room"]
-    for mutual in (False, True):
-        expected = open3d_pairs(o3d, a, b, mutual)
-        assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), expected)
-    near = cKDTree(b.astype(float)).query(a.astype(float), 2)[0]
-    result = correspondences_from_features(a, b, ratio=0.9, device=device)
-    assert np.array_equal(result[:, 0], np.flatnonzero(near[:, 0] < 0.9 * near[:, 1]))
 
 
 def test_matches_equal_open3ds(device, rng, oracle):
@@ -250,10 +236,8 @@ def test_the_ratio_test_is_strict_and_passes_a_single_target(device):
     b = np.float32([[3, 0], [-4, 0]])
     assert len(correspondences_from_features([[0, 0]], b, ratio=0.75, device=device)) == 0
     assert len(correspondences_from_features([[0, 0]], b, ratio=0.7501, device=device)) == 1
-    assert correspondences_from_features([[0, 0], [9, 9]], b[:1], ratio=0.01, device=device).tolist() == [
-        [0, 0],
-        [1, 0],
-    ]
+    single = correspondences_from_features([[0, 0], [9, 9]], b[:1], ratio=0.01, device=device)
+    assert single.tolist() == [[0, 0], [1, 0]]
 
 
 @pytest.mark.parametrize("shape", [(0, 5), (5, 0), (0, 0), (1, 1), (1, 5), (2, 1)])
@@ -292,11 +276,3 @@ def test_features_are_not_modified(device, rng):
     correspondences_from_features(*arrays, True)
     assert np.array_equal(a, before[0]) and np.array_equal(b, before[1])
     assert np.array_equal(arrays[0].numpy(), a) and np.array_equal(arrays[1].numpy(), b)
-
-
-def test_an_open3d_object_is_rejected_with_advice(o3d):
-    rows = np.random.default_rng(0).normal(0, 1, (9, 33))
-    feature = as_open3d(o3d, rows)
-    with pytest.raises(TypeError, match="source_features:"):
-        correspondences_from_features(feature, rows)
-    assert len(correspondences_from_features(np.asarray(feature.data).T, rows)) == 9

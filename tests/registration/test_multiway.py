@@ -1,7 +1,5 @@
 """Many clouds in one frame: synthetic fragments in any order, unrelated clouds, and the ten bunny scans."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,7 +14,6 @@ reg = loom.registration
 
 
 def relief(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """A surface without repetition."""
     z = 0.25 * np.sin(2.1 * x) * np.cos(1.7 * y) + 0.12 * np.sin(4.3 * y + x) + 0.08 * np.cos(5.9 * x - 2 * y)
     return z + 0.15 * np.exp(-4 * ((x - 0.7) ** 2 + (y + 0.4) ** 2))
 

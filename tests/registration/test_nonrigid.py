@@ -1,7 +1,5 @@
 """Nonrigid registration of a body to a deformed scan, and reports for different objects."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np
@@ -161,19 +159,9 @@ def test_landmarks_alone_minimize_the_energy(device):
     grid[:, 2] = 0.05 * np.sin(grid[:, 0] * 3 + grid[:, 1])
     positions = grid[[0, 3, 12, 17, 28, 31]] + 0.1
     targets = positions + np.random.default_rng(0).normal(0, 0.3, positions.shape)
-    cloud = loom.PointCloud(grid, device=device)
-    far = loom.PointCloud(grid + ABOVE, device=device)  # no pairs: only landmarks
-    result = bend(
-        cloud,
-        far,
-        node_spacing=1.5,
-        max_correspondence_distance=0.5,
-        landmarks=(positions, targets),
-        landmark_weight=3.0,
-        stiffness=[2.0],
-        max_iterations=200,
-        tolerance=1e-9,
-    )
+    clouds = [loom.PointCloud(points, device=device) for points in (grid, grid + ABOVE)]  # no pairs: only landmarks
+    options = {"node_spacing": 1.5, "max_correspondence_distance": 0.5, "max_iterations": 200, "tolerance": 1e-9}
+    result = bend(*clouds, landmarks=(positions, targets), landmark_weight=3.0, stiffness=[2.0], **options)
     T = result.deformation
     rest, n = T.nodes, len(T)
     assert result.converged and n > 6
@@ -232,14 +220,8 @@ def test_a_stretched_body_is_reported(device):
     body = tube(400, 0)
     scan = body * [1, 1, 1.6]
     pins = body[::8], scan[::8]
-    result = bend(
-        loom.PointCloud(body, device=device),
-        loom.PointCloud(scan, device=device),
-        node_spacing=0.4,
-        landmarks=pins,
-        stiffness=[0.1],
-        max_iterations=5,
-    )
+    clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
+    result = bend(*clouds, node_spacing=0.4, landmarks=pins, stiffness=[0.1], max_iterations=5)
     assert "the deformation stretches the source by" in str(result.warnings)
 
 
@@ -247,16 +229,9 @@ def test_one_step_applies_a_full_rotation(device):
     body = lumpy(200, 0)
     c, s = np.cos(0.2), np.sin(0.2)
     rotated = body @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]]).T
-    result = bend(
-        loom.PointCloud(body, device=device),
-        loom.PointCloud(rotated + ABOVE, device=device),  # no pairs: only landmarks
-        init=np.eye(4),
-        node_spacing=0.9,
-        max_correspondence_distance=0.1,
-        landmarks=(body[::4], rotated[::4]),
-        stiffness=[1.0],
-        max_iterations=1,
-    )
+    options = {"node_spacing": 0.9, "max_correspondence_distance": 0.1, "stiffness": [1.0], "max_iterations": 1}
+    clouds = [loom.PointCloud(points, device=device) for points in (body, rotated + ABOVE)]  # no pairs: only landmarks
+    result = bend(*clouds, init=np.eye(4), landmarks=(body[::4], rotated[::4]), **options)
     angles = np.arccos((np.trace(result.deformation.rotations, axis1=1, axis2=2) - 1) / 2)
     assert np.abs(angles - 0.2).max() < 0.2**2  # the error after a Gauss-Newton step is of second order
 

@@ -1,7 +1,5 @@
 """Registration is bitwise identical for any number of threads."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Pose graph files: Open3D's JSON in both directions, and errors for broken files."""
 
-from __future__ import annotations
-
 import json
 import re
 import tempfile
@@ -36,7 +34,6 @@ def graph_of(count=4, seed=0) -> reg.PoseGraph:
 
 
 def assert_same(actual, theirs) -> None:
-    """The same numbers, bitwise."""
     assert len(actual.nodes) == len(theirs.nodes) and len(actual.edges) == len(theirs.edges)
     for a, b in zip(actual.nodes, theirs.nodes, strict=True):
         assert np.array_equal(a.pose, b.pose)

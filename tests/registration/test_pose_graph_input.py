@@ -1,7 +1,5 @@
 """Pose graphs that are empty, disconnected, underdetermined or invalid, and arguments out of range."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np

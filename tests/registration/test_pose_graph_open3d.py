@@ -1,7 +1,5 @@
 """Pose graphs against Open3D's: the same poses, confidences and edges, and the failures of its residual."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np
@@ -15,7 +13,6 @@ from .poses import as_pose
 
 
 def solve_by_open3d(o3d, scene, method="LevenbergMarquardt", distance=0.05, reference=0, **values):
-    """Open3D's solution: poses, confidences, and the ends of the remaining edges."""
     theirs = o3d.pipelines.registration
     graph, criteria = theirs.PoseGraph(), theirs.GlobalOptimizationConvergenceCriteria()
     for T in scene.poses:

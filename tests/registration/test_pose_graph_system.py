@@ -1,7 +1,5 @@
 """Pose graph arithmetic: residuals, Jacobians, rotations and the sparse system against plain formulas."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np
@@ -27,14 +25,8 @@ def graph_of(seed, *, nodes=5, edges=9) -> GraphArrays:
         T[:, :3, :3] = Rotation.random(len(T), random_state=int(rng.integers(2**31))).as_matrix()
         T[:, :3, 3] = rng.uniform(-5, 5, (len(T), 3))
     roots = rng.normal(size=(edges, 6, 6))
-    return GraphArrays(
-        poses,
-        *ends.T.astype(np.int64),
-        measured,
-        roots @ roots.transpose(0, 2, 1),
-        np.zeros(edges, bool),
-        np.ones(edges),
-    )
+    weights = roots @ roots.transpose(0, 2, 1)
+    return GraphArrays(poses, *ends.T.astype(np.int64), measured, weights, np.zeros(edges, bool), np.ones(edges))
 
 
 def parts_of(graph) -> SimpleNamespace:

@@ -1,7 +1,5 @@
 """RANSAC: robust to mostly wrong correspondences, as good as Open3D on real scans, bitwise reproducible for a seed."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np
@@ -85,12 +83,8 @@ def test_normal_checker_rejects_an_upside_down_mirror_image(device, rng):
     rotation = np.diag([1.0, -1, -1, 1])
     both = np.concatenate([flat, moved(flat, rotation)])
     normals = np.tile([0, 0, 1.0], (400, 1))
-    pairs = np.concatenate(
-        [
-            np.column_stack([np.arange(400)] * 2),
-            np.repeat(np.column_stack([np.arange(400), 400 + np.arange(400)]), 3, 0),
-        ]
-    )
+    rows = np.arange(400)
+    pairs = np.concatenate([np.column_stack([rows, rows]), np.repeat(np.column_stack([rows, 400 + rows]), 3, 0)])
     source = loom.PointCloud(flat, normals=normals, device=device)
     target = loom.PointCloud(both, normals=np.concatenate([normals, normals]), device=device)
     checker = [CorrespondenceCheckerBasedOnNormal(0.5)]

@@ -1,7 +1,5 @@
 """RANSAC against Open3D's: results from the same features, and each checker."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

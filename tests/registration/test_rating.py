@@ -1,7 +1,5 @@
 """The rating of a pose is high for aligned clouds and low otherwise, also for real scans."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -44,10 +42,8 @@ def hills(rng, count, noise=0.002):
 
 def hall(rng, count=40000):
     """A closed room of 4 x 3 x 2.4 m with round bumps on its floor and walls, all visible from its center."""
-    size, lumps = (
-        np.array([4, 3, 2.4]),
-        [((1, 1, 0), 0.4), ((3.2, 2, 0), 0.3), ((0, 2.2, 1), 0.35), ((2.5, 3, 1.5), 0.4)],
-    )
+    size = np.array([4, 3, 2.4])
+    lumps = [((1, 1, 0), 0.4), ((3.2, 2, 0), 0.3), ((0, 2.2, 1), 0.35), ((2.5, 3, 1.5), 0.4)]
     areas = np.array([12, 12, 9.6, 9.6, 7.2, 7.2])
     face, points = rng.choice(6, count, p=areas / areas.sum()), rng.random((count, 3)) * size
     axis = np.array([2, 2, 1, 1, 0, 0])[face]

@@ -3,8 +3,6 @@
 Figures of more runs and of other libraries: docs/registration.md.
 """
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

@@ -3,8 +3,6 @@
 test_hostile_arguments.py tests values of every kind; this file tests the limits of each argument.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import Any
 

@@ -84,9 +84,5 @@ def test_a_pose_without_correspondences_is_unreliable(pair):
     assert result.warnings == ("no point of the source has a correspondence",)
 
 
-def test_a_voxel_size_requires_clouds():
-    with pytest.raises(ValueError, match="clouds:"):
-        choose_voxel_size()
-    with pytest.raises(TypeError, match=r"clouds\[0\]:"):
-        choose_voxel_size(np.zeros((4, 3)))  # pyright: ignore[reportArgumentType]
+def test_coincident_points_have_a_voxel_size_of_one():
     assert choose_voxel_size(loom.PointCloud(np.ones((50, 3)))) == 1

@@ -1,7 +1,5 @@
 """The scale and pose of a structure-from-motion model from other known data."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

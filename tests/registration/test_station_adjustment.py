@@ -48,14 +48,9 @@ def survey(seed, *, level, control=True):
 def errors_of(estimated, truth, level):
     """Station errors relative to the truth: rotation and shift."""
     rotations = estimated[:, :3, :3] @ truth[:, :3, :3].transpose(0, 2, 1)
-    small = np.stack(
-        [
-            rotations[:, 2, 1] - rotations[:, 1, 2],
-            rotations[:, 0, 2] - rotations[:, 2, 0],
-            rotations[:, 1, 0] - rotations[:, 0, 1],
-        ]
-    )
-    errors = np.concatenate([small.T / 2, estimated[:, :3, 3] - truth[:, :3, 3]], axis=1)
+    rows, columns = [2, 0, 1], [1, 2, 0]
+    small = rotations[:, rows, columns] - rotations[:, columns, rows]
+    errors = np.concatenate([small / 2, estimated[:, :3, 3] - truth[:, :3, 3]], axis=1)
     return errors[:, [2, 3, 4, 5]] if level else errors
 
 
@@ -174,10 +169,8 @@ def test_exchanged_names_are_named():
     ]
     wrong = Observed(observed.pairs, targets, observed.control)
     result, left, outliers = snoop(first, wrong, level=True, reference=0)
-    assert {(o.group.observation.station, o.group.observation.name, o.exchanged) for o in outliers} == {
-        (1, "A", "B"),
-        (1, "B", "A"),
-    }
+    named = {(o.group.observation.station, o.group.observation.name, o.exchanged) for o in outliers}
+    assert named == {(1, "A", "B"), (1, "B", "A")}
     assert len(left.targets) == len(targets) - 2
     assert np.abs(result.poses - truth)[:, :3, 3].max() < 6e-3
 

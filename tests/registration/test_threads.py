@@ -1,7 +1,5 @@
 """Several Python threads on one device get bitwise identical results and leave nothing behind."""
 
-from __future__ import annotations
-
 import sys
 import threading
 

@@ -1,7 +1,5 @@
 """Clouds with a fraction of wrong correspondences, and the registrations that use them."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The number of threads does not change results bitwise: odometry, tracking, loops, fusion of submaps."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -3,8 +3,6 @@
 The checks are the host's, so the CPU stands for all devices. Records that operations return are left out.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -130,14 +128,8 @@ def module_of(package: str) -> Any:
 
 @cache
 def things(package: str) -> dict[str, Any]:
-    """The names that the expressions of a table use."""
-    names = {"loom": loom, "reg": module_of(package), "pose": np.eye(4)}
-    return (
-        names
-        | {"frames": frame_things, "odometry": pair_things, "slam": slam_things, "reconstruction": job_things}[
-            package
-        ]()
-    )
+    make = {"frames": frame_things, "odometry": pair_things, "slam": slam_things, "reconstruction": job_things}[package]
+    return {"loom": loom, "reg": module_of(package), "pose": np.eye(4)} | make()
 
 
 def frame_things() -> dict[str, Any]:
@@ -195,7 +187,6 @@ def job_things() -> dict[str, Any]:
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """A folder for files named by hostile values, with a configuration."""
     monkeypatch.chdir(tmp_path)
     config().write("config.json")
 

@@ -1,7 +1,5 @@
 """A small survey, a job of four tiles, and its expected rows."""
 
-from __future__ import annotations
-
 import pytest
 
 import pointloom as loom
@@ -26,16 +24,9 @@ def two_workers():
     distributed, config = pytest.importorskip("distributed"), pytest.importorskip("dask.config")
     # By default distributed sets OMP_NUM_THREADS and others in the environment of this process.
     environment = {"distributed.nanny.pre-spawn-environ": {"PYTHONHASHSEED": "random"}}
-    options = {
-        "threads_per_worker": 1,
-        "memory_limit": 0,
-        "dashboard_address": "127.0.0.1:0",
-        "silence_logs": "CRITICAL",
-    }
-    with (
-        config.set(environment),
-        distributed.LocalCluster(2, host="127.0.0.1", scheduler_kwargs={"allowed_failures": 2}, **options) as cluster,
-    ):
+    options = {"threads_per_worker": 1, "memory_limit": 0, "dashboard_address": "127.0.0.1:0"}
+    options |= {"silence_logs": "CRITICAL", "scheduler_kwargs": {"allowed_failures": 2}}
+    with config.set(environment), distributed.LocalCluster(2, host="127.0.0.1", **options) as cluster:
         yield cluster.scheduler_address
 
 

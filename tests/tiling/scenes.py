@@ -1,7 +1,5 @@
 """Small surveys in several files, and the expected results of tiled steps, computed in memory."""
 
-from __future__ import annotations
-
 import os
 import re
 import subprocess
@@ -59,13 +57,11 @@ def read_cloud(paths, origin):
     names = tables[0].attributes
     attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in names}
     normals = None if tables[0].normals is None else np.concatenate([table.normals for table in tables])
-    return loom.PointCloud(
-        np.concatenate([table.points for table in tables]), normals=normals, origin=origin, **attributes
-    )
+    points = np.concatenate([table.points for table in tables])
+    return loom.PointCloud(points, normals=normals, origin=origin, **attributes)
 
 
 def in_memory(cloud, steps, corner):
-    """Apply steps to a cloud by the public operations."""
     for step in steps:
         params = {name: value for name, value in step.items() if name != "step"}
         if step["step"] == "voxel_down_sample":
@@ -100,12 +96,9 @@ def kill_runner(call, job, stage, workers=0):
     """Start a run of a job and kill it when a task of this stage is done; its workers end too."""
     report = "lambda *words: print(*words, flush=True)"
     program = f"import sys, pointloom as loom; {call}(sys.argv[1], workers={workers}, progress={report})"
-    runner = subprocess.Popen(
-        [sys.executable, "-c", program, str(job)],
-        env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
-        stdout=subprocess.PIPE,
-        text=True,
-    )
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, "-c", program, str(job)]
+    runner = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
     with runner:
         done = re.compile(rf"{stage}.* [1-9]\d* \d+\n")
         assert any(done.fullmatch(line) for line in runner.stdout)

@@ -55,7 +55,6 @@ def check(paths, steps, folder, device="cpu", **options):
 
 
 def write(folder, points, files=1):
-    """Write points to files in their order."""
     paths = []
     for number, rows in enumerate(np.array_split(np.asarray(points, np.float64) + CORNER, files)):
         paths.append(folder / f"part{number}.laz")
@@ -90,15 +89,6 @@ def test_labels_after_other_steps_match_one_machine(files, tmp_path):
     ]
     labels = check(files, steps, tmp_path / "job", size=20.0)
     assert labels.max() > 10
-
-
-@pytest.mark.slow
-def test_a_spiral_through_all_tiles_is_one_cluster(tmp_path):
-    angle = np.sqrt(np.linspace(1, 400, 3000)) * 2 * np.pi * 0.45
-    points = np.column_stack([20 + 0.3 * angle * np.cos(angle), 20 + 0.3 * angle * np.sin(angle), np.zeros(len(angle))])
-    paths = write(tmp_path, np.random.default_rng(1).permutation(points), files=3)
-    labels = check(paths, [{"step": "cluster_dbscan", "eps": 0.4, "min_points": 3}], tmp_path / "job", size=6.0)
-    assert labels.max() == 0
 
 
 def test_clusters_that_touch_only_at_a_corner_are_joined(tmp_path):

@@ -1,7 +1,5 @@
 """Features, thinning and change detection by tiles match a single machine."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -80,9 +78,8 @@ def epoch_of(folder, plan):
 
 @pytest.mark.parametrize("size", SIZES)
 def test_distances_to_another_epoch_match_one_machine(files, second_epoch, tmp_path, size):
-    result, plan = tiled(
-        files, [{"step": "distance", "other": second_epoch, "max_distance": 0.5}], tmp_path / "job", size=size
-    )
+    steps = [{"step": "distance", "other": second_epoch, "max_distance": 0.5}]
+    result, plan = tiled(files, steps, tmp_path / "job", size=size)
     expected = read_cloud(files, np.array(plan["origin"]))
     distances = np.asarray(expected.compute_point_cloud_distance(epoch_of(second_epoch, plan)))
     assert 0.1 < (distances > 0.5).mean() < 0.9
@@ -128,9 +125,8 @@ def test_m3c2_at_thinned_core_points_after_another_step(files, second_epoch, tmp
 def test_epochs_in_copc_files_are_read_by_windows(files, second_epoch, tmp_path):
     other = tmp_path / "later.copc.laz"
     loom.write_point_cloud(other, loom.read_point_cloud(sorted(second_epoch.iterdir())[0]), scale=1e-6)
-    result, plan = tiled(
-        files, [{"step": "distance", "other": other, "max_distance": 2.0}], tmp_path / "job", size=30.0
-    )
+    steps = [{"step": "distance", "other": other, "max_distance": 2.0}]
+    result, plan = tiled(files, steps, tmp_path / "job", size=30.0)
     expected = read_cloud(files, np.array(plan["origin"]))
     target = read_cloud([other], np.array(plan["origin"]))
     distances = np.asarray(expected.compute_point_cloud_distance(target))

@@ -1,7 +1,5 @@
 """Tiles on a device match the CPU, and each process has its own GPU."""
 
-from __future__ import annotations
-
 import contextlib
 from types import SimpleNamespace
 

@@ -1,7 +1,5 @@
 """Full disks, damaged or modified files and copies of open jobs: an error names the file, or work is repeated."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

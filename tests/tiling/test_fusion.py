@@ -21,8 +21,6 @@ from pointloom.tiling.jobs import fusion
 from pointloom.tiling.jobs.run_jobs import job_status, retry_job
 from pointloom.tiling.manifest import Manifest, worker_lock
 
-from .scenes import kill_runner
-
 VOXEL = 0.08
 # [m] six blocks, three blocks, and the whole room in eight cubes.
 SIZES = [4.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (2.0, 20.0))]
@@ -72,7 +70,6 @@ def by_cubes(frames, job, *, device="cpu", workers=0, **options):
 
 
 def moved(frames, shift):
-    """Translate the poses of the frames in a folder."""
     for path in frames.glob("*.pose.txt"):
         pose = np.loadtxt(path)
         pose[:3, 3] += shift
@@ -291,29 +288,3 @@ def test_progress_is_reported_for_frames_and_cubes(frames, tmp_path, monkeypatch
     assert list(dict.fromkeys(stage for stage, _, _ in events)) == ["frames", "cubes"]
     assert events[0] == ("frames", 0, 4) and ("frames", 4, 4) in events
     assert events[-1][1] == events[-1][2] > 0
-
-
-@pytest.mark.slow
-def test_the_task_of_a_killed_worker_is_repeated(frames, expected, tmp_path):
-    psutil, killed = pytest.importorskip("psutil"), []
-
-    def kill_one(stage, done, _):
-        if stage == "cubes" and done and not killed:
-            workers = [one for one in psutil.Process().children() if "spawn_main" in " ".join(one.cmdline())]
-            killed.append(workers[0])
-            workers[0].kill()
-
-    loom.tiling.plan_fusion(frames, tmp_path / "job", voxel_size=VOXEL, size=0.65)
-    assert loom.tiling.run_job(tmp_path / "job", workers=2, progress=kill_one).is_finished and killed
-    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(tmp_path / "job"))), expected)
-
-
-@pytest.mark.slow
-def test_a_killed_run_is_resumed(frames, expected, tmp_path):
-    job = tmp_path / "job"
-    loom.tiling.plan_fusion(frames, job, voxel_size=VOXEL, size=0.65)
-    kill_runner("loom.tiling.run_job", job, "cubes")
-    before = job_status(job)
-    assert before.done and not before.is_finished
-    assert loom.tiling.run_job(job).is_finished
-    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), expected)

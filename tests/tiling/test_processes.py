@@ -1,7 +1,5 @@
 """Worker processes of dask.distributed: tiles, and functions mapped over arguments."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

@@ -20,7 +20,6 @@ STRAY = 3  # the scan that overlaps no other
 
 
 def relief(x, y):
-    """A surface without symmetry."""
     z = 0.25 * np.sin(2.1 * x) * np.cos(1.7 * y) + 0.12 * np.sin(4.3 * y + x) + 0.08 * np.cos(5.9 * x - 2 * y)
     return z + 0.15 * np.exp(-4 * ((x - 0.7) ** 2 + (y + 0.4) ** 2))
 
@@ -64,9 +63,8 @@ def expected(surveyed):
 def assert_same(result, expected):
     """Check that pairs, groups, edges and poses are bitwise identical."""
     assert [pair[:2] for pair in result.pairs] == [pair[:2] for pair in expected.pairs]
-    assert [edge.uncertain for edge in result.pose_graph.edges] == [
-        edge.uncertain for edge in expected.pose_graph.edges
-    ]
+    uncertain = [[edge.uncertain for edge in each.pose_graph.edges] for each in (result, expected)]
+    assert uncertain[0] == uncertain[1]
     np.testing.assert_array_equal(result.groups, expected.groups)
     np.testing.assert_array_equal(result.placed, expected.placed)
     assert result.reference == expected.reference
@@ -140,9 +138,8 @@ def test_boxes_at_given_poses_intersect():
     first, second = box_at_pose(low, high, np.eye(4), 0.0), box_at_pose(low, high, rotated, 0.0)
     np.testing.assert_array_equal(second, ([2, -1, 0], [5, 1, 1]))
     assert meeting_boxes([first, None, second]) == []
-    assert meeting_boxes([box_at_pose(low, high, np.eye(4), 0.5), None, box_at_pose(low, high, rotated, 0.5)]) == [
-        (0, 2)
-    ]
+    wide = [box_at_pose(low, high, T, 0.5) for T in (np.eye(4), rotated)]
+    assert meeting_boxes([wide[0], None, wide[1]]) == [(0, 2)]
     row = [box_at_pose(low, high, np.array([x, 0.0, 0.0]), 0.0) for x in (0, 1, 3, 3.5)]
     assert meeting_boxes(row) == [(i, j) for i in range(4) for j in range(i + 1, 4)]
     assert nearest_of(meeting_boxes(row), row, 1) == [(0, 1), (2, 3)]

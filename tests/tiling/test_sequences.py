@@ -21,7 +21,6 @@ CONFIG = loom.reconstruction.ReconstructionConfig(**SIZES)
 
 @pytest.fixture(scope="module")
 def sequences(tmp_path_factory):
-    """Folders of two sequences."""
     folder = tmp_path_factory.mktemp("sequences")
     write_room_sequence(folder / "kitchen", frame_count=6, width=80, height=60)
     (folder / "upstairs").mkdir()
@@ -31,9 +30,8 @@ def sequences(tmp_path_factory):
 
 @pytest.fixture
 def broken(sequences, tmp_path):
-    copies = [
-        Path(shutil.copytree(folder, tmp_path / name)) for folder, name in zip(sequences, ("a", "b"), strict=True)
-    ]
+    named = zip(sequences, ("a", "b"), strict=True)
+    copies = [Path(shutil.copytree(folder, tmp_path / name)) for folder, name in named]
     (copies[1] / "camera-intrinsics.json").write_text("{")
     return copies
 
@@ -93,12 +91,8 @@ def test_an_interrupted_sequence_is_resumed(sequences, tmp_path, monkeypatch):
 
 
 def test_invalid_queues_are_rejected(sequences, tmp_path):
-    cases = [
-        ([], "one folder"),
-        ([sequences[0], sequences[0]], "kitchen"),
-        ([sequences[0], tmp_path / "nowhere"], "nowhere"),
-    ]
-    for folders, expected in cases:
+    first, gone = sequences[0], tmp_path / "nowhere"
+    for folders, expected in (([], "one folder"), ([first, first], "kitchen"), ([first, gone], "nowhere")):
         with pytest.raises((ValueError, FileError), match=expected):
             plan_sequences(folders, tmp_path / "job")
     assert not (tmp_path / "job").exists()

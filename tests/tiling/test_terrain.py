@@ -1,7 +1,5 @@
 """Ground, heights above ground and rasters of tiles match a single machine for any tile size."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -26,9 +24,8 @@ def hills(seed=0, count=15_000):
     x, y = positions.T
     height = 4 * np.sin(x / 25) + 3 * np.cos(y / 19)
     is_building = (x % 40 < 5) & (y % 30 < 5)
-    height += (
-        np.where(is_building, 6.0, 0.03 * rng.normal(size=count)) + (rng.random(count) < 0.1) * rng.random(count) * 9
-    )
+    height += np.where(is_building, 6.0, 0.03 * rng.normal(size=count))
+    height += (rng.random(count) < 0.1) * rng.random(count) * 9
     height[::501] -= 12
     is_pond = np.hypot(x - 110, y - 70) < 12
     points = np.column_stack([positions, np.round(height, 3)])[~is_pond] + CORNER
@@ -70,9 +67,8 @@ def classified(cloud, **options):
 
 
 def rows_of(cloud, *names):
-    columns = [np.rint((cloud.points - CORNER) * 1000)] + [
-        np.asarray(cloud[name], np.float64)[:, None] for name in names
-    ]
+    columns = [np.rint((cloud.points - CORNER) * 1000)]
+    columns += [np.asarray(cloud[name], np.float64)[:, None] for name in names]
     rows = np.column_stack(columns)
     return rows[np.lexsort(rows.T)]
 
@@ -240,9 +236,8 @@ def test_real_surveys_match_one_machine(scan_file, tmp_path, name, size):
     if path.suffix == ".pcd":
         cloud = loom.read_point_cloud(path)
         path = tmp_path / "survey.laz"
-        write_las(
-            path, PointTable(cloud.points, attributes={"classification": np.zeros(len(cloud), np.uint8)}), scale=1e-3
-        )
+        table = PointTable(cloud.points, attributes={"classification": np.zeros(len(cloud), np.uint8)})
+        write_las(path, table, scale=1e-3)
     options = {"cell_size": scale, "max_window": 6 * scale, "elevation_threshold": 0.5 * scale, "scaling": 1.25 * scale}
     steps = [{"step": "classify_ground"} | options, {"step": "height_above_ground", "reach": 9 * scale, "cell": scale}]
     kinds = {"dtm": 2.0 * scale, "chm": 3.0 * scale, "density": 5.0}

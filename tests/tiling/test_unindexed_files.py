@@ -33,7 +33,6 @@ def rows(cloud):
 
 
 def write(cloud, path):
-    """Write a cloud in the format of the extension."""
     if path.suffix == ".csv":
         table = np.column_stack([cloud.points, np.round(cloud.colors * 255), cloud["intensity"]])
         body = "\n".join(",".join(f"{v:.3f}" if k < 3 else f"{v:.0f}" for k, v in enumerate(row)) for row in table)
@@ -46,7 +45,6 @@ def write(cloud, path):
 
 @pytest.fixture(scope="module")
 def of_las(tmp_path_factory):
-    """Result of the same steps on a LAS file."""
     folder = tmp_path_factory.mktemp("las")
     write(cloud(), folder / "a.laz")
     loom.tiling.plan_tiles(folder / "a.laz", STEPS, folder / "job", size=20.0)
@@ -125,9 +123,8 @@ def test_invalid_files_are_named_and_leave_nothing(tmp_path, monkeypatch, name, 
 
 def test_values_out_of_range_for_las_get_another_name(tmp_path):
     points = np.random.default_rng(0).random((500, 3)) * 10
-    loom.write_point_cloud(
-        tmp_path / "a.ply", loom.PointCloud(points, intensity=points[:, 0], label=np.arange(500, dtype=np.int32))
-    )
+    given = loom.PointCloud(points, intensity=points[:, 0], label=np.arange(500, dtype=np.int32))
+    loom.write_point_cloud(tmp_path / "a.ply", given)
     loom.tiling.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
     loom.tiling.run_tiles(tmp_path / "job")
     result = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job"))
@@ -151,7 +148,6 @@ def test_different_units_and_an_interrupted_plan(tmp_path, monkeypatch):
 
 
 def item_of(path):
-    """The STAC item of a file."""
     header = open_las(path).header
     properties = {"pc:count": header.point_count, "proj:bbox": np.ravel(header.bounds).tolist()}
     return {"properties": properties, "assets": {"data": {"href": f"./{path.name}", "roles": ["data"]}}}

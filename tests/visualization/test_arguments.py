@@ -1,7 +1,5 @@
 """Every argument of every public call of images, recordings and detail trees rejects invalid values by name."""
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -42,7 +40,6 @@ CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]
 
 @cache
 def things() -> dict[str, Any]:
-    """The names that the expressions of the table use."""
     rng = np.random.default_rng(0)
     points, bounds = rng.random((60, 3)), ([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
     cloud = loom.PointCloud(points, colors=rng.random((60, 3)), label=np.arange(60, dtype=np.int32))

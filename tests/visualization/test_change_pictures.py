@@ -1,7 +1,5 @@
 """Images of change: red is up, blue is down, gray is noise, and the legend explains it."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -4,8 +4,6 @@ Instead of weights they decode the picture: gray g of 0..255 is depth 1 + 9 g / 
 depth as its family does, after the families' own code (src/pointloom/photogrammetry/depth/heads.py).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -36,7 +34,6 @@ def picture_of(height: int = 60, width: int = 80) -> np.ndarray:
 
 
 def depth_of(picture: np.ndarray) -> np.ndarray:
-    """The encoded depth [m]."""
     return 1 + 9 * picture[..., 0].astype(np.float64) / 255
 
 
@@ -143,13 +140,8 @@ def _rays() -> list[onnx.NodeProto]:
     return nodes
 
 
-_RAYS = {
-    "zero": np.float32(0),
-    "one": np.float32(1),
-    "focal": np.float32(FOCAL),
-    "two": np.int64(2),
-    "three": np.int64(3),
-}
+_RAYS = {"zero": np.float32(0), "one": np.float32(1), "focal": np.float32(FOCAL)}
+_RAYS |= {"two": np.int64(2), "three": np.int64(3)}
 
 
 def _points() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
@@ -202,7 +194,6 @@ FILES: dict[str, tuple[str, Any, tuple[Any, Any], Any, str, tuple[str, ...]]] = 
 
 
 def published(path: Path, name: str) -> Path:
-    """The file of one of `FILES`."""
     _, statistics, size, head, source, outputs = FILES[name]
     nodes, constants = _decode(statistics)
     last, more = head()

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.io.pictures.image_files import read_depth
 from pointloom.photogrammetry.depth.alignment import AlignmentError, align_inverse_depth, align_to_distances
 
 
@@ -67,13 +66,6 @@ def errors_of(z, ok):
         slope = np.linalg.lstsq(np.stack([d[ok], np.ones(ok.sum())], 1), 1 / z[ok], rcond=None)[0]
         best.append(abs_rel(d, *slope, z, ok))
     return np.array(errors), np.array(best)
-
-
-def test_40_percent_wrong_points_leave_a_real_scene_within_1_3_percent(real_file):
-    z = read_depth(real_file("rgbd-7scenes-redkitchen/frame-000100.depth.png")) / 1000
-    errors, best = errors_of(z, (z > 0.3) & (z < 5))
-    assert np.median(errors) <= 0.013
-    assert (errors <= 1.12 * best).all()  # no worse than with every pixel's true depth, up to the noise of 180 points
 
 
 def test_40_percent_wrong_points_leave_a_made_up_scene_within_1_3_percent():

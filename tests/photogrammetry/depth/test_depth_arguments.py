@@ -1,7 +1,5 @@
 """Every public call on depth networks rejects invalid arguments by name."""
 
-from __future__ import annotations
-
 from functools import cache
 from types import SimpleNamespace
 from typing import Any

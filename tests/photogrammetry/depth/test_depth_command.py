@@ -66,14 +66,6 @@ def test_the_unit_is_reported_arbitrary_without_references(folder):
     assert loom.read_point_cloud(folder / "out.ply").points[:, 2].min() == pytest.approx(1, rel=1e-5)
 
 
-def test_two_distances_are_reported_as_unchecked(folder):
-    z = scene()
-    (folder / "two.txt").write_text(f"100 500 {z[500, 100]}\n300 20 {z[20, 300]}\n")
-    result = run(*words(folder, "--align", folder / "two.txt"))
-    assert result.exit_code == 0
-    assert "from 2 distances, unchecked: one more distance allows a check" in result.stdout
-
-
 def test_references_that_do_not_agree_are_rejected_and_nothing_is_written(folder):
     before = names_in(folder)
     np.save(folder / "falling.npy", (8.0 - scene()).astype(np.float32))

@@ -99,9 +99,8 @@ def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
     """A sparse model of three pictures. The second observes points of the scene, some of them wrong."""
     rng = np.random.default_rng(4)
     u, v = rng.uniform(0, size - 1, (2, count))
-    depth = z[
-        np.round(v * SIDE / size).astype(int).clip(0, SIDE - 1), np.round(u * SIDE / size).astype(int).clip(0, SIDE - 1)
-    ]
+    row, column = (np.round(x * SIDE / size).astype(int).clip(0, SIDE - 1) for x in (v, u))
+    depth = z[row, column]
     depth = np.where(rng.random(count) < wrong, rng.uniform(0.5, 6, count), depth)
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], [0.3, -0.2, 0.5]
@@ -124,12 +123,8 @@ def test_a_sparse_model_gives_its_unit_and_camera(network, tmp_path):
     for picture, align in ((tmp_path / "photo.png", model), (PICTURE, (model, "b/photo.png"))):
         result = loom.estimate_depth(picture, path, align=align)
         assert not result.is_metric
-        assert (result.unit, result.intrinsic_source, result.intrinsic) == (
-            "the sparse model's",
-            "the sparse model",
-            CAMERA,
-        )
-        assert result.references == 120
+        assert (result.unit, result.intrinsic_source) == ("the sparse model's", "the sparse model")
+        assert result.intrinsic == CAMERA and result.references == 120
         assert result.inlier_share > 0.6
         assert evaluate_depth(result.depth, z).abs_rel < 5e-3
 
@@ -164,18 +159,6 @@ def test_the_folder_of_a_model_is_accepted(network, tmp_path):
         loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "empty")
 
 
-def test_metric_networks_are_aligned_by_a_scale_alone(tmp_path):
-    z = scene(504, 504)
-    path = fixed_map(tmp_path / "m.onnx", 0.8 * z)
-    picture = PICTURE[:504, :504]
-    camera = loom.PinholeCameraIntrinsic(504, 504, 300.0, 300.0, 251.5, 251.5)
-    result = loom.estimate_depth(picture, path, preset="depth-anything-3-metric", intrinsic=camera, align=z)
-    assert (result.scale, result.shift) == (pytest.approx(0.8, rel=1e-5), 0.0)
-    np.testing.assert_allclose(result.depth, z, rtol=1e-4)
-    alone = loom.estimate_depth(picture, path, preset="depth-anything-3", align=[(100, 480, z[480, 100])])
-    np.testing.assert_allclose(alone.depth, z, rtol=1e-4)
-
-
 def test_depth_far_beyond_the_references_is_dropped(tmp_path):
     w = np.tile(np.linspace(-0.1, 1, SIDE), (SIDE, 1))
     path = fixed_map(tmp_path / "m.onnx", w)
@@ -198,11 +181,7 @@ def test_depth_far_beyond_the_references_is_dropped(tmp_path):
         ("none.txt", loom.FileError, "cannot be read"),
         ("none.ply", loom.FileError, "unknown extension '.ply'"),
         (sparse_model(scene()), ValueError, "identifies images by name"),
-        (
-            (sparse_model(scene()), "x.png"),
-            ValueError,
-            "expected one image 'x.png' in the model, got 0; it contains a/left.png",
-        ),
+        ((sparse_model(scene()), "x.png"), ValueError, "expected one image 'x.png' in the model, got 0; .* a/left.png"),
         ((sparse_model(scene()), "left.png"), ValueError, "references inside the image, got 2"),
     ],
 )
@@ -321,9 +300,8 @@ def test_tiles_that_differ_at_their_overlap_leave_no_seam():
         u = np.linspace(-1, 1, part.shape[1], dtype=np.float32)
         return np.tile(u + (0.3 if len(calls) % 2 else -0.3) * u * u, (part.shape[0], 1))
 
-    refined, used, count = refine_by_tiles(
-        np.zeros((100, 400, 3), np.uint8), coarse, 3, bent, seed=0, report=lambda *_: None
-    )
+    color = np.zeros((100, 400, 3), np.uint8)
+    refined, used, count = refine_by_tiles(color, coarse, 3, bent, seed=0, report=lambda *_: None)
     assert used == count == 3
     assert np.abs(refined - coarse).max() > 0.03  # they differ
     assert np.abs(np.diff(refined, axis=1)).max() < 0.01  # but neighboring pixels hardly do

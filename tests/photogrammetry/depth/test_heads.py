@@ -73,9 +73,8 @@ def test_operations_on_shape_or_type_are_skipped():
     chain = ["Resize", "Squeeze", "Unsqueeze", "Cast", "Reshape", "Transpose", "Gather", "Slice", "Identity", "Clip"]
     nodes, value = [make("Relu", ["x"], ["v0"])], "v0"
     for k, operation in enumerate(chain):
-        nodes.append(
-            make(operation, [value, "", "", ""][: 1 if operation in ("Cast", "Identity") else 4], [f"v{k + 1}"])
-        )
+        rest = [] if operation in ("Cast", "Identity") else ["", "", ""]
+        nodes.append(make(operation, [value, *rest], [f"v{k + 1}"]))
         value = f"v{k + 1}"
     assert head_of(*nodes, make("Identity", [value], ["y"])) == Head(INVERSE)
 
@@ -112,17 +111,10 @@ def test_the_deciding_operation_is_detected(nodes, constants, head):
 
 def test_heads_inside_functions_are_detected():
     opsets = [helper.make_opsetid("", 17), helper.make_opsetid("own", 1)]
-    sigmoid = helper.make_function(
-        "own", "last", ["p", "q"], ["r"], [make("Sigmoid", ["p"], ["s"]), make("Mul", ["s", "q"], ["r"])], opsets
-    )
-    outer = helper.make_function(
-        "own",
-        "model",
-        ["u", "w"],
-        ["z"],
-        [make("last", ["u", "w"], ["t"], domain="own"), make("Squeeze", ["t"], ["z"])],
-        opsets,
-    )
+    nodes = [make("Sigmoid", ["p"], ["s"]), make("Mul", ["s", "q"], ["r"])]
+    sigmoid = helper.make_function("own", "last", ["p", "q"], ["r"], nodes, opsets)
+    nodes = [make("last", ["u", "w"], ["t"], domain="own"), make("Squeeze", ["t"], ["z"])]
+    outer = helper.make_function("own", "model", ["u", "w"], ["z"], nodes, opsets)
     for functions, name in (([sigmoid], "last"), ([sigmoid, outer], "model")):
         nodes = [make("Conv", ["x", "m"], ["a"]), make(name, ["a", "m"], ["y"], domain="own")]
         assert head_of(*nodes, functions=functions, m=np.float32(80)) == Head(SIGMOID, 80)

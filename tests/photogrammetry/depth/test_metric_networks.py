@@ -3,12 +3,10 @@
 import numpy as np
 import pytest
 from onnx import helper
-from PIL import Image
 
 import pointloom as loom
 from pointloom.photogrammetry.depth.presets import PRESETS
 
-from ...cli.commands import answer, names_in, refusal, run
 from .published_networks import FILES, FOCAL, depth_of, picture_of, published
 from .tiny_networks import FLOAT, linear, save
 
@@ -129,10 +127,8 @@ def test_metric_maps_are_aligned_by_scale_and_contradicting_references_rejected(
 
 
 def test_depth_anything_3_is_noted_as_not_labeled_metric(files):
-    assert (
-        "does not specify that its depth is in meters"
-        in (loom.DepthModel(files["da3"], "depth-anything-3-metric").notes[0])
-    )
+    (note,) = loom.DepthModel(files["da3"], "depth-anything-3-metric").notes
+    assert "does not specify that its depth is in meters" in note
 
 
 def test_an_unlabeled_file_is_accepted_with_a_note(tmp_path):
@@ -200,35 +196,3 @@ def test_an_impossible_field_of_view_is_an_error(tmp_path, value):
     path = save(tmp_path / "m.onnx", nodes, *ends, zero=np.float32(0), view=np.float32(value))
     with pytest.raises(loom.FileError, match=f"field of view of {value:g} degrees, which no lens has"):
         loom.estimate_depth(picture_of(), path, preset="depth-pro")
-
-
-@pytest.fixture
-def photo(tmp_path):
-    path = tmp_path / "photo.png"
-    Image.fromarray(picture_of()).save(path)
-    return path
-
-
-def words(photo, model, *more):
-    return ["depth", photo, "--model", model, "-o", photo.parent / "out.ply", "--device", "cpu", *more]
-
-
-def test_the_command_refuses_a_metric_file_under_the_default_preset_and_writes_nothing(photo, files):
-    message = refusal(*words(photo, files["dav2 indoor"]))
-    assert "Use the preset depth-anything-v2-metric" in message
-    assert names_in(photo.parent) == ["photo.png"]
-
-
-def test_the_summary_reports_a_camera_from_the_network(photo, files):
-    result = run(*words(photo, files["unidepth"], "--preset", "unidepth-v2"))
-    assert result.exit_code == 0
-    assert "from the network" in result.stdout
-    assert "shapes are distorted" not in result.stdout
-
-
-def test_missing_metadata_is_noted_once(photo, tmp_path):
-    path = linear(tmp_path / "m.onnx", size=(28, 42))
-    result = run(*words(photo, path))
-    assert result.exit_code == 0
-    assert result.stdout.count("the file does not specify") == 1
-    assert "the file does not specify" in answer(*words(photo, path, "--force"))["notes"][0]

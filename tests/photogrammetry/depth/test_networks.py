@@ -175,16 +175,6 @@ def two_reds(size, near, far):
     return picture
 
 
-def test_metric3d_gives_meters_by_the_focal_length_of_its_input(tmp_path):
-    for factor in (1, 2):
-        size = 616 // factor, 1064 // factor
-        result = flat_estimate(tmp_path, "metric3d-v2", two_reds(size, 10, 20), 500.0 / factor)
-        assert result.is_metric
-        assert (result.unit, result.scale, result.shift, result.inlier_share) == ("m", 1.0, 0.0, None)
-        assert result.depth[5, 5] == pytest.approx(10 * 500 / 1000, rel=1e-4)
-        assert result.depth[5, -5] == pytest.approx(20 * 500 / 1000, rel=1e-4)
-
-
 def test_depth_anything_3_metric_divides_by_300(tmp_path):
     for factor in (1, 2):
         size = 504 // factor, 504 // factor

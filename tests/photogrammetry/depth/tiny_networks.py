@@ -1,7 +1,5 @@
 """Depth networks with few weights, as ONNX files; their outputs can be computed exactly."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -97,15 +95,10 @@ def with_mean(path: Path, size: tuple[int, int]) -> Path:
 def busy(path: Path) -> Path:
     """Convolutions, attention and a norm over some thousand numbers, as in real networks."""
     rng = np.random.default_rng(5)
-    constants = {
-        "k1": rng.normal(0, 0.2, (32, 3, 14, 14)).astype(np.float32),
-        "k2": rng.normal(0, 0.2, (32, 32)).astype(np.float32),
-        "k3": rng.normal(0, 0.2, (1, 32, 3, 3)).astype(np.float32),
-        "scale": np.ones(32, np.float32),
-        "back": np.array([1, 32, -1, 1], np.int64),
-        "flat": np.array([0, 32, -1], np.int64),
-        "scales": np.array([1, 1, 14, 14], np.float32),
-    }
+    shapes = {"k1": (32, 3, 14, 14), "k2": (32, 32), "k3": (1, 32, 3, 3)}
+    kernels = {name: rng.normal(0, 0.2, shape).astype(np.float32) for name, shape in shapes.items()}
+    sizes = {"flat": np.array([0, 32, -1], np.int64), "scales": np.array([1, 1, 14, 14], np.float32)}
+    constants = kernels | sizes | {"scale": np.ones(32, np.float32)}
     make = helper.make_node
     nodes = [
         make("Conv", ["x", "k1"], ["patches"], strides=[14, 14]),
@@ -123,7 +116,6 @@ def busy(path: Path) -> Path:
         make("Resize", ["sum", "", "scales"], ["large"], mode="linear"),
         make("Conv", ["large", "k3"], ["depth"], pads=[1, 1, 1, 1]),
     ]
-    del constants["back"]
     return save(path, nodes, [("x", FLOAT, [1, 3, "h", "w"])], [("depth", FLOAT, [1, 1, "h", "w"])], **constants)
 
 

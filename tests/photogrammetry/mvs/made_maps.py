@@ -1,7 +1,5 @@
 """Exact depth maps of synthetic scenes: balls in front of a wall, viewed by cameras on an arc."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -77,3 +75,19 @@ def changed(maps: Any, i: int, depth: Any) -> Any:
     result = list(maps)
     result[i] = DepthMap(depth, result[i].normals, result[i].confidence)
     return DepthMaps(maps.cameras, maps.sources, result)
+
+
+def moved(cameras: Any, scale: float = 1.0, shift: Any = (0.0, 0.0, 0.0)) -> list[Any]:
+    """The cameras in a world that is scaled, then shifted."""
+    result = []
+    for camera in cameras:
+        T = camera.T_camera_world.copy()
+        T[:3, 3] = T[:3, 3] * scale - T[:3, :3] @ np.asarray(shift)
+        result.append(loom.mvs.PosedCamera(camera.intrinsic, T))
+    return result
+
+
+def resized(maps: Any, scale: float) -> Any:
+    """The maps in another unit."""
+    made = [DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
+    return DepthMaps(moved(maps.cameras, scale), maps.sources, made)

@@ -1,7 +1,5 @@
 """Pictures of a textured plane by several cameras, with exact brightness and depth."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Depth maps are stored bitwise, in memory or in a folder; damaged or unfinished folders are rejected."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Filtering of depth maps by the agreement of their sources: exact scenes with planted faults."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -9,7 +7,7 @@ import pointloom as loom
 from pointloom.photogrammetry.mvs import filtering
 from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
 
-from .made_maps import BALLS, cameras, changed, lifted, true_map, true_maps
+from .made_maps import BALLS, cameras, changed, lifted, resized, true_map, true_maps
 
 UTM = (512_345.25, 5_403_210.5, 310.0)
 
@@ -157,13 +155,7 @@ def test_large_coordinates_keep_the_same_pixels(device):
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
 def test_the_unit_of_the_poses_does_not_matter(scale):
     maps = true_maps(3)
-    resized = []
-    for camera in maps.cameras:
-        T = camera.T_camera_world.copy()
-        T[:3, 3] *= scale
-        resized.append(loom.mvs.PosedCamera(camera.intrinsic, T))
-    given = [DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
-    filtered = loom.mvs.filter_depth_maps(DepthMaps(resized, maps.sources, given))
+    filtered = loom.mvs.filter_depth_maps(resized(maps, scale))
     for a, b in zip(loom.mvs.filter_depth_maps(maps), filtered, strict=True):
         assert ((a.depth > 0) == (b.depth > 0)).mean() > 0.999
 

@@ -1,7 +1,5 @@
 """Depth maps of an exact scene fused to points and meshes."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -31,7 +29,6 @@ def pictures_of(maps):
 
 
 def points_of(maps, i):
-    """The points of a map in the world."""
     return lifted(maps[i].depth, maps.cameras[i])[maps[i].depth > 0]
 
 

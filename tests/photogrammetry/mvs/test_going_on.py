@@ -1,7 +1,5 @@
 """An interrupted depth search resumes at the next picture, with bitwise identical results."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Every function of multi-view stereo rejects invalid arguments by name."""
 
-from __future__ import annotations
-
 import inspect
 from functools import cache
 from typing import Any
@@ -11,10 +9,10 @@ import pytest
 
 import pointloom as loom
 from pointloom.photogrammetry.mvs.depth_bundles import DepthBundle
-from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
+from pointloom.photogrammetry.mvs.depth_maps import DepthMap
 
 from ...hostile import faults_of, missing_from, read_table
-from .made_maps import true_maps
+from .made_maps import resized, true_maps
 from .made_pictures import camera_at, intrinsic, scene
 
 CALLS = """
@@ -49,11 +47,7 @@ def call_of(tmp_path, monkeypatch):
     """A function (name) -> a call of the table and its good arguments, in an empty folder: a string may be a file."""
     monkeypatch.chdir(tmp_path)
     shape, poses = (2, 4, 5), np.eye(4)[None, :3].repeat(2, axis=0)
-    arrays = {
-        "depth": np.ones((*shape, 1)),
-        "depth_conf": np.ones(shape),
-        "intrinsic": np.eye(3)[None].repeat(2, axis=0),
-    }
+    arrays = {"depth": np.ones((*shape, 1)), "depth_conf": np.ones(shape), "intrinsic": np.tile(np.eye(3), (2, 1, 1))}
     np.savez("good.npz", extrinsic=poses, **arrays)
 
     def find(name):
@@ -88,14 +82,8 @@ def test_a_hostile_value_is_refused_by_name(name, argument, call_of):
 )
 def test_a_world_of_any_size_is_fused_or_refused(to, scale):
     maps = true_maps(2)
-    cameras = []
-    for camera in maps.cameras:
-        T = camera.T_camera_world.copy()
-        T[:3, 3] *= scale
-        cameras.append(loom.mvs.PosedCamera(camera.intrinsic, T))
-    resized = [DepthMap(each.depth * scale, each.normals, each.confidence) for each in maps]
     try:
-        made = loom.mvs.fuse(DepthMaps(cameras, maps.sources, resized), None, to=to)
+        made = loom.mvs.fuse(resized(maps, scale), None, to=to)
     except (ValueError, MemoryError) as error:
         assert scale in (1e-30, 1e30), error
     else:

@@ -1,7 +1,5 @@
 """Plane priors of untextured regions: fits, separate walls of one color, exclusion of objects in front."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp

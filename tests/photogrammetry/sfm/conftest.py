@@ -1,7 +1,5 @@
 """Pictures of the synthetic scene, their features, and videos."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from collections.abc import Callable, Sequence

@@ -1,7 +1,5 @@
 """Synthetic features of points seen by cameras with known poses, without pictures and COLMAP."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

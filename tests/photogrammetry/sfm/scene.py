@@ -1,7 +1,5 @@
 """A synthetic scene with enough texture for matching: a wall and three boards in front of it."""
 
-from __future__ import annotations
-
 import numpy as np
 from PIL import Image
 
@@ -72,5 +70,4 @@ def sampled(texture: np.ndarray, where: np.ndarray) -> np.ndarray:
 
 
 def camera_path(count: int, **options: bool) -> list[np.ndarray]:
-    """The poses of `count` pictures."""
     return [camera_pose(k / (count - 1) - 0.5, **options) for k in range(count)]

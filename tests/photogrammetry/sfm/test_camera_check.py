@@ -1,7 +1,5 @@
 """Checks of focal lengths: messages from given figures, and profiles of models by COLMAP's process."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 import math
@@ -27,22 +25,15 @@ def warnings_of(**figures: float) -> str:
 
 def test_a_given_camera_is_reported_with_both_numbers():
     message = warnings_of(given=600, found=526, error=0.85, freed_error=0.5)
-    assert (
-        "given focal length is 600 px, but 526 px fits the images better (the error falls from 0.85 to 0.5 px)"
-        in message
-    )
+    assert "given focal length is 600 px, but 526 px fits the images better" in message
+    assert "(the error falls from 0.85 to 0.5 px)" in message
     assert "given focal length is 600 px" in warnings_of(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
 
 
 @pytest.mark.parametrize(
     "figures",
     [
-        {
-            "given": 600,
-            "found": 526,
-            "error": 0.5,
-            "freed_error": 0.45,
-        },  # equally good: the pictures do not determine it
+        {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45},  # the pictures do not determine it
         {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45, "spread": 0.03},  # nor do parts of them
         {"given": 526, "found": 530, "error": 0.85, "freed_error": 0.5},  # it was something else
         {"given": 526, "found": 526, "error": 0.5, "freed_error": 0.5, "own_error": 0.45},
@@ -55,9 +46,8 @@ def test_a_camera_that_fits_is_not_reported(figures):
 
 
 def test_an_undetermined_focal_length_is_reported():
-    assert "the images do not determine the focal length (with a focal length 15% off 663 px" in warnings_of(
-        found=663, rise=0.0, error=0.4
-    )
+    message = warnings_of(found=663, rise=0.0, error=0.4)
+    assert "the images do not determine the focal length (with a focal length 15% off 663 px" in message
     message = warnings_of(found=663, rise=0.026, spread=0.046, error=0.4)
     assert "the error rises by 2.6%, and subsets of the images" in message
     assert "or a lens with more distortion, change the focal length by 5%" in message
@@ -68,16 +58,13 @@ def test_exif_determines_the_focal_length_if_the_pictures_do_not():
     check = CameraCheck(found=663, rise=0.0, error=0.4, exif=525, freed_error=0.401)
     assert check.reasons() == []
     (remark,) = check.notes()
-    assert (
-        "EXIF's 525 px are used: the ratio of lengths along and across the viewing direction may be off by 5%" in remark
-    )
+    assert "EXIF's 525 px are used" in remark and "across the viewing direction may be off by 5%" in remark
 
 
 def test_several_focal_lengths_are_reported_or_get_separate_cameras():
     figures = {"found": 600.0, "rise": 0.1, "error": 1.4, "own_error": 0.4}
-    assert "several focal lengths (with one focal length per image the error falls from 1.4 to 0.4 px)" in warnings_of(
-        **figures
-    )
+    message = warnings_of(**figures)
+    assert "several focal lengths (with one focal length per image the error falls from 1.4 to 0.4 px)" in message
     parted = CameraCheck(**figures | {"parted": 2})
     assert parted.reasons() == [] and "2 cameras with different focal lengths do" in parted.notes()[0]
     assert "several focal lengths" in warnings_of(given=525, freed_error=1.2, **figures)
@@ -109,9 +96,8 @@ def test_reprojection_errors_above_a_pixel_are_reported(points):
 def test_the_check_of_the_focal_length_makes_a_warning(points):
     model = model_of(views(4, side=1.0, angle=0.3), points)
     quality = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
-    assert not quality.reliable and "; ".join(quality.warnings).startswith(
-        "the images do not determine the focal length"
-    )
+    assert not quality.reliable
+    assert quality.warnings[0].startswith("the images do not determine the focal length")
     noted = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
     assert noted.reliable and noted.to_dict()["notes"] == list(noted.notes) != []
 

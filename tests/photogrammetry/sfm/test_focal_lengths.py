@@ -1,7 +1,5 @@
 """Photographs of several lenses, of a wrongly given lens, and without a focal length in EXIF."""
 
-from __future__ import annotations
-
 import sqlite3
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Frames of videos and folders of photographs, prepared for structure from motion."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 from pathlib import Path
@@ -131,9 +129,8 @@ def test_tiny_and_thin_frames_are_looked_at(shape):
 @READERS
 def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, panned, tmp_path, reader):
     video, steps = make_video("Küche 1.mp4", panned), []
-    choice = loom.sfm.choose_frames(
-        video, tmp_path / "out here", kind="png", reader=reader, progress=lambda *step: steps.append(step)
-    )
+    how = {"kind": "png", "reader": reader, "progress": lambda *step: steps.append(step)}
+    choice = loom.sfm.choose_frames(video, tmp_path / "out here", **how)
     assert (choice.kind, choice.reader, choice.frame_count, choice.frames_promised) == ("video", reader, 40, 40)
     assert len(choice.names) >= 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.notes == ()
     assert sorted(path.name for path in (tmp_path / "out here").iterdir()) == list(choice.names)
@@ -230,9 +227,8 @@ def rotated(video: Path) -> Path:
 
 @READERS
 def test_a_portrait_video_of_a_telephone_is_rotated(make_video, panned, tmp_path, reader):
-    choice = loom.sfm.choose_frames(
-        rotated(make_video("flat.mp4", panned)), tmp_path / "out", reader=reader, kind="png"
-    )
+    video = rotated(make_video("flat.mp4", panned))
+    choice = loom.sfm.choose_frames(video, tmp_path / "out", reader=reader, kind="png")
     assert set(choice.sizes) == {(120, 160)}
     written = read(tmp_path / "out" / choice.names[0])[..., 0].astype(int)
     errors = {k: np.abs(np.rot90(written, k) - panned[choice.numbers[0]]).mean() for k in (1, -1)}

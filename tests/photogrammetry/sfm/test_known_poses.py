@@ -1,7 +1,5 @@
 """Pictures with known poses: matching along epipolar lines, and rejection of wrong poses."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np
@@ -215,9 +213,8 @@ def test_points_are_triangulated_with_fixed_poses(model, features, tmp_path, mon
     write_pictures(tmp_path / "p", [np.full((480, 640), 40 * i + 90, np.uint8) for i in rows], four.names)
     monkeypatch.setattr(triangulation, "read_feature_rays", lambda *_: features_of(four))
     matches, check = triangulation.match_posed(tmp_path / "db", four, device="cpu", progress=silent)
-    result, _ = triangulation.points_of(
-        tmp_path / "db" / "x", four, matches, check, tmp_path / "p", seed=0, max_seconds=60.0, max_memory=None
-    )
+    given = (tmp_path / "db" / "x", four, matches, check, tmp_path / "p")
+    result, _ = triangulation.points_of(*given, seed=0, max_seconds=60.0, max_memory=None)
     np.testing.assert_array_equal(result.T_camera_world, four.T_camera_world)
     rng = np.random.default_rng(0)
     truth = rng.uniform(-1, 1, (POINTS, 3)) * (1.2, 0.8, 0.8) + (0, 0, 4.0)

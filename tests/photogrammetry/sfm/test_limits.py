@@ -1,7 +1,5 @@
 """Child processes: limits, crashes, last output, and cleanup."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import os

@@ -1,7 +1,5 @@
 """Masks of pictures: COLMAP's names, transparency, functions; no features in black pixels."""
 
-from __future__ import annotations
-
 import sqlite3
 from pathlib import Path
 
@@ -100,10 +98,7 @@ def test_no_feature_is_detected_in_black_mask_pixels(scene_pictures, tmp_path):
     features = find_features(pictures, tmp_path / "f.db", masks=masks, max_features=500)
     with sqlite3.connect(tmp_path / "f.db") as database:
         rows = dict(database.execute("SELECT image_id, data FROM keypoints"))
-    columns = [
-        np.frombuffer(rows[k], np.float32).reshape(count, -1)[:, 0]
-        for k, count in zip((1, 2), features.counts, strict=True)
-    ]
+    columns = [np.frombuffer(rows[k + 1], np.float32).reshape(n, -1)[:, 0] for k, n in enumerate(features.counts)]
     middle = scene_pictures[0].shape[1] / 2
     assert columns[0].max() <= middle + 1 and len(columns[0]) > 30 and columns[1].max() > 1.5 * middle
     (masks / "b.png.png").write_bytes((masks / "a.png.png").read_bytes()[:-9])

@@ -1,7 +1,5 @@
 """Parallax: the choice of compared pictures, and mirrored pictures."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom

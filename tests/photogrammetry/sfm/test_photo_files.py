@@ -3,8 +3,6 @@
 telephone.heic was written by libheif's encoder: 48 x 64 pixels when upright, a white patch at the upper right.
 """
 
-from __future__ import annotations
-
 import importlib
 import shutil
 import struct

@@ -1,7 +1,5 @@
 """Structure from motion of a synthetic scene with known cameras."""
 
-from __future__ import annotations
-
 import json
 import sqlite3
 
@@ -174,9 +172,7 @@ def test_global_and_incremental_mapping_agree(stages, tmp_path):
     assert result.model is not None and result.model.names == stages.result.model.names
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()
-    apart = [
-        np.linalg.norm(model.centers[:, None] - model.centers[None], axis=2)
-        for model in (result.model, stages.result.model)
-    ]
+    centers = [model.centers for model in (result.model, stages.result.model)]
+    apart = [np.linalg.norm(each[:, None] - each[None], axis=2) for each in centers]
     scale = (apart[0] * apart[1]).sum() / (apart[0] ** 2).sum()
     assert np.abs(scale * apart[0] - apart[1]).max() < 0.01 * apart[1].max()

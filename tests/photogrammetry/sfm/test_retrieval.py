@@ -1,7 +1,5 @@
 """Retrieval of similar pictures, independent of their order and reproducible."""
 
-from __future__ import annotations
-
 import sqlite3
 from pathlib import Path
 
@@ -38,10 +36,7 @@ def test_a_second_run_changes_nothing():
 
 def test_distances_are_exact_and_the_first_of_equal_words_is_taken():
     rng = np.random.default_rng(0)
-    descriptors, words = (
-        rng.integers(0, 256, (500, 128), dtype=np.uint8),
-        rng.integers(0, 256, (9, 128), dtype=np.uint8),
-    )
+    descriptors, words = (rng.integers(0, 256, (count, 128), dtype=np.uint8) for count in (500, 9))
     words[5] = words[2]
     exact = ((descriptors[:, None].astype(int) - words[None]) ** 2).sum(axis=2).argmin(axis=1)
     assert np.array_equal(matches.nearest_words(descriptors, words), exact) and 5 not in exact

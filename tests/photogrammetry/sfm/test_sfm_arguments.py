@@ -1,7 +1,5 @@
 """Every public call of structure from motion rejects invalid arguments by name."""
 
-from __future__ import annotations
-
 import itertools
 from functools import cache
 from pathlib import Path
@@ -31,17 +29,8 @@ loom.sfm.write_training_folder(folder=new(), model=model, pictures=[gray, gray],
 loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
 """  # noqa: E501
 TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
-RESULTS = {
-    "FrameChoice",
-    "PicturePlace",
-    "PicturePlaces",
-    "TrainingFolder",
-    "TriangulationResult",
-    "FeatureReport",
-    "MatchReport",
-    "SfmResult",
-    "ModelQuality",
-}
+RESULTS = {"FrameChoice", "PicturePlace", "PicturePlaces", "TrainingFolder", "TriangulationResult"}
+RESULTS |= {"FeatureReport", "MatchReport", "SfmResult", "ModelQuality"}
 
 
 @pytest.fixture(autouse=True)
@@ -107,7 +96,6 @@ def test_the_table_names_every_argument_of_every_public_call():
 
 
 def call_of(name: str) -> tuple[Any, dict[str, Any]]:
-    """The call with new folders, and its valid arguments."""
     function, expressions = TABLE[name]
 
     def call(**given: Any) -> Any:

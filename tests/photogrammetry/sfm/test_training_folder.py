@@ -1,7 +1,5 @@
 """Training folders for splats: undistorted pictures, COLMAP's files and transforms.json agree with the model."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys
@@ -152,10 +150,8 @@ def test_names_differing_by_folder_or_case_stay_distinct(tmp_path):
 def test_utm_coordinates_are_shifted_and_reported_or_stay_exact(tmp_path, shift):
     model = model_of("OPENCV", origin=UTM)
     report, scene = written(tmp_path, model, shift=shift)
-    result, content = (
-        loom.read_colmap_model(scene / "sparse" / "0"),
-        json.loads((scene / "transforms.json").read_text()),
-    )
+    result = loom.read_colmap_model(scene / "sparse" / "0")
+    content = json.loads((scene / "transforms.json").read_text())
     np.testing.assert_allclose(result.points + report.origin, model.points, atol=2e-9, rtol=0)
     centers = model.centers[[source_of(model, name) for name in result.names]]
     np.testing.assert_allclose(result.centers + report.origin, centers, atol=5e-9, rtol=0)

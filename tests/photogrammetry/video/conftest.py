@@ -21,7 +21,6 @@ def write_json(path, **content):
 
 @pytest.fixture
 def film(tmp_path):
-    """A placeholder for a video."""
     path = tmp_path / "walk.mp4"
     path.write_bytes(b"a film")
     return path

@@ -1,7 +1,5 @@
 """Ground control of the synthetic flights: points on the ground and their marks by a distorted lens."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom

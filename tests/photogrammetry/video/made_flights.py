@@ -1,7 +1,5 @@
 """Synthetic flights: georeferenced cameras, the model of the pictures, and their GPS."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom

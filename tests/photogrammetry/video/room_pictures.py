@@ -1,7 +1,5 @@
 """Pictures of the demo's room by a distorted lens, and spherical pictures."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom

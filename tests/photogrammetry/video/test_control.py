@@ -90,9 +90,8 @@ def test_contradictions_of_four_points_are_reported_without_excluding_one():
     control = control_of(POSES, POINTS[:4], NAMES[:4], wrong=[("B", (3.0, 0, 0))])
     fit = fit_units(Units(control=control), MODEL)
     assert {point.use for point in fit.control.points} == {"control"}
-    assert "times the stated accuracy" in str(fit.warnings) and "with 5 or more points the wrong one" in str(
-        fit.warnings
-    )
+    words = str(fit.warnings)
+    assert "times the stated accuracy" in words and "with 5 or more points the wrong one" in words
 
 
 def test_points_less_accurate_than_stated_are_reported():
@@ -114,10 +113,8 @@ def test_a_point_in_one_picture_is_unused_with_a_reason():
     marks = [m for m in marks_of(POSES, POINTS) if m.point != "D" or m.picture == "IMG_0003.JPG"]
     marks += [] if any(m.point == "D" for m in marks) else marks_of(POSES, POINTS[3:4], ("D",), max_count=1)
     fit = fit_control(marks=marks)
-    assert (
-        row(fit, "D").use == "unused"
-        and "1 image of the model has a mark of it; mark it in two" in row(fit, "D").warnings[0]
-    )
+    assert row(fit, "D").use == "unused"
+    assert "1 image of the model has a mark of it; mark it in two" in row(fit, "D").warnings[0]
     assert fit.reliable
 
 
@@ -137,9 +134,8 @@ def test_gps_is_used_with_a_warning_if_control_points_are_unusable():
     marks = [m for m in marks_of(POSES, POINTS) if m.point in "AB"]
     fit = fit_control(gps_of(POSES), marks=marks)
     assert (fit.by, fit.control) == ("exif", None)
-    assert "2 of 7 control points can be used (C: no image has a mark of it; mark it in two or more; D:" in str(
-        fit.warnings
-    )
+    words = "2 of 7 control points can be used (C: no image has a mark of it; mark it in two or more; D:"
+    assert words in str(fit.warnings)
     assert fit_control(marks=marks).units == "arbitrary"
 
 
@@ -214,16 +210,13 @@ def test_one_wrong_bar_of_three_is_excluded_and_two_contradicting_ones_are_repor
     assert "contradict the others and were excluded, C to E is" in str(fit.warnings)
     assert abs(errors(fit, MODEL, POSES)[0]) < 0.005
     fit = bars_alone(bar("A", "B"), bar("C", "E", 3.0))
-    assert "scale bars contradict each other" in str(fit.warnings) and {each.use for each in fit.control.bars} == {
-        "control"
-    }
+    assert "scale bars contradict each other" in str(fit.warnings)
+    assert {each.use for each in fit.control.bars} == {"control"}
 
 
 def test_bars_beside_points_sharpen_the_scale_and_a_wrong_one_is_named():
-    plain, sharp = (
-        fit_control(noise=0.5),
-        fit_control(noise=0.5, bars=[bar("A", "C", sigma=1e-4), bar("B", "D", sigma=1e-4)]),
-    )
+    bars = [bar("A", "C", sigma=1e-4), bar("B", "D", sigma=1e-4)]
+    plain, sharp = fit_control(noise=0.5), fit_control(noise=0.5, bars=bars)
     assert sharp.control.scale_sigma < plain.control.scale_sigma
     wrong = fit_control(noise=0.3, bars=[bar("A", "C", 2.0)])
     assert wrong.control.bars[0].use == "unused" and "A to C is" in str(wrong.warnings)

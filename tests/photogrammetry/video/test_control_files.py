@@ -40,10 +40,8 @@ def test_the_list_of_odm_is_read(written):
     control = read_ground_control(written(ODM))
     assert repr(control) == "GroundControl(2 points, 4 marks, 1 scale bar, WGS84 UTM 32N)"
     assert (control.checks, [point.name for point in control.fitted]) == (("CHK-1",), ["A"])
-    assert control.marks[1].pixel.tolist() == [
-        99.5,
-        240.0,
-    ]  # files count from the corner, pointloom from the center of the first pixel
+    # Files count from the corner, pointloom from the center of the first pixel.
+    assert control.marks[1].pixel.tolist() == [99.5, 240.0]
     assert control.marks[1].where.endswith("gcp.txt (line 3)")
     assert control.positions.tolist() == [[447000.0, 5260000.0, 410.0], [447040.0, 5260010.0, 411.5]]
     assert (control.bars[0].meters, control.bars[0].sigma) == (41.2, 0.01)
@@ -79,10 +77,7 @@ def test_scale_bars_are_read_from_a_separate_file_with_additional_marks(written)
         ("EPSG:32632\n", "contains no marks of points in images"),
         (ODM.split("\n", 1)[1], r"\(line 1\): is a mark, but no line before it contains the coordinate system"),
         (ODM.replace(" 12 14 a.jpg CHK-1", " 12 14"), r"line 6\): expected 6 words or more, got 5"),
-        (
-            ODM.replace("447000.0 5260000.0 410.0 100", "447001.0 5260000.0 410.0 100"),
-            r"line 3\): the point 'A' has two positions",
-        ),
+        (ODM.replace("447000.0 5260000.0 410.0 100", "1.0 2.0 3.0 100"), r"line 3\): the point 'A' has two positions"),
         (ODM.replace("b.jpg A", "a.jpg A"), r"line 3\): 'A' is marked twice in a\.jpg"),
         (ODM.replace("240.5", "x"), r"line 3\): expected column and row"),
         (ODM.replace("240.5", "nan"), r"line 3\): expected column and row"),

@@ -1,7 +1,5 @@
 """`pointloom video --cameras`: pictures are matched to cameras by name, and wrong poses give no cloud."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`pointloom video --ortho --dem`: maps of georeferenced models, and rejection of others."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -51,9 +49,8 @@ def test_maps_are_georeferenced_by_gps(quick, film, tmp_path):
         assert (ortho.bounds, ortho.res) == (dem.bounds, (0.5, 0.5))
         assert np.abs(np.array(ortho.bounds) - (*low[:2], *high[:2])).max() <= 0.5
         colors, heights = ortho.read(), dem.read(1, masked=True)
-    assert (colors[:3, colors[3] == 255] == 255).all() and (colors[3] == 255).sum() * 0.25 == pytest.approx(
-        400, rel=0.1
-    )
+    assert (colors[:3, colors[3] == 255] == 255).all()
+    assert (colors[3] == 255).sum() * 0.25 == pytest.approx(400, rel=0.1)
     assert heights.min() >= low[2] - 1e-3 and heights.max() <= high[2] + 1e-3
     np.testing.assert_array_equal(heights.mask, colors[3] == 0)
 

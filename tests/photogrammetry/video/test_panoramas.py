@@ -1,7 +1,5 @@
 """A folder of spherical pictures becomes one of cube faces, with masks and a known lens."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -21,12 +19,9 @@ def quiet(*_):
 
 
 def test_spherical_pictures_become_faces_with_masks(tmp_path):
-    source = tmp_path / "in"
-    source.mkdir()
+    pictures = np.random.default_rng(0).integers(0, 256, (2, 64, 128, 3), dtype=np.uint8)
+    source = write_pictures(tmp_path / "in", pictures, ["0.png", "1.png"])
     (tmp_path / "out").mkdir()
-    rng = np.random.default_rng(0)
-    for k in range(2):
-        Image.fromarray(rng.integers(0, 256, (64, 128, 3), dtype=np.uint8)).save(source / f"{k}.png")
 
     def not_below(pixels, name):
         return np.arange(len(pixels))[:, None].repeat(pixels.shape[1], 1) < 32
@@ -42,11 +37,9 @@ def test_spherical_pictures_become_faces_with_masks(tmp_path):
 
 
 def test_a_pinhole_picture_is_no_spherical_one(tmp_path):
-    source = tmp_path / "in"
-    source.mkdir()
-    (tmp_path / "out").mkdir()
     pixels = np.random.default_rng(0).integers(0, 256, (60, 80, 3), dtype=np.uint8)
-    Image.fromarray(pixels).save(source / "a.png")
+    source = write_pictures(tmp_path / "in", [pixels], ["a.png"])
+    (tmp_path / "out").mkdir()
     with pytest.raises(loom.FileError, match=r"a\.png:"):
         motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=9, masks=None, panorama=True)
     with pytest.raises(ValueError, match="panorama:"):
@@ -68,9 +61,8 @@ def test_unregistered_faces_take_the_pose_of_their_picture():
             T[:3, 3] = -T[:3, :3] @ center
             poses.append(T)
     registered = [k for k in range(18) if k not in (2, 5, 6, 7) and k < 12]  # of the last picture none is placed
-    some = loom.SfmModel(
-        [names[k] for k in registered], [camera] * len(registered), [poses[k] for k in registered], points=np.eye(3)
-    )
+    given = [names[k] for k in registered], [camera] * len(registered), [poses[k] for k in registered]
+    some = loom.SfmModel(*given, points=np.eye(3))
     complete, added = with_all_faces(some, names)
     assert sorted(added) == sorted(names[k] for k in (2, 5, 6, 7)) and len(complete) == 12
     for name, T in zip(complete.names, complete.T_camera_world, strict=True):

@@ -28,7 +28,6 @@ def made(folder):
 
 @pytest.fixture
 def before(tmp_path, rng):
-    """The stages frames and model."""
     frames, model = tmp_path / "frames", tmp_path / "model"
     (frames / motion.PICTURES).mkdir(parents=True)
     for name in NAMES:
@@ -47,9 +46,8 @@ def straight(before, tmp_path):
 def straighten(before, tmp_path, max_size):
     folder = tmp_path / "undistorted"
     folder.mkdir()
-    report = surface.straighten(
-        folder, ignore_progress, frames=before[0], model=before[1], max_size=max_size, device="cpu"
-    )
+    given = {"frames": before[0], "model": before[1], "max_size": max_size}
+    report = surface.straighten(folder, ignore_progress, **given, device="cpu")
     return StageResult("undistorted", folder, "", report, {}, False)
 
 
@@ -86,9 +84,8 @@ def empty_mesh(straight, tmp_path, units):
     (tmp_path / "mesh").mkdir()
     where = {"undistorted": straight, "device": "cpu"}
     fused = surface.fuse_points(tmp_path / "fused", ignore_progress, depth=depth, **where)
-    return fused, surface.make_mesh(
-        tmp_path / "mesh", ignore_progress, model=straight, fused=made(tmp_path / "fused"), units=units, **where
-    )
+    given = {"model": straight, "fused": made(tmp_path / "fused"), "units": units}
+    return fused, surface.make_mesh(tmp_path / "mesh", ignore_progress, **given, **where)
 
 
 def test_no_depth_gives_no_points_and_an_empty_mesh(straight, tmp_path):
@@ -120,8 +117,7 @@ def test_the_share_of_a_masked_picture_counts_unmasked_pixels(tmp_path):
 
 def test_small_floating_parts_are_removed():
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], float)
-    mesh = loom.TriangleMesh(
-        np.concatenate([corners, 0.5 * corners + 3, 0.05 * corners + 9]), np.arange(9).reshape(3, 3)
-    )
+    vertices = np.concatenate([corners, 0.5 * corners + 3, 0.05 * corners + 9])
+    mesh = loom.TriangleMesh(vertices, np.arange(9).reshape(3, 3))
     assert len(surface.without_floaters(mesh)) == 2
     assert len(surface.without_floaters(loom.TriangleMesh())) == 0

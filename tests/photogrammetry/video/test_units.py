@@ -60,10 +60,8 @@ def test_known_positions_transform_the_model(tmp_path, called):
 def test_poses_of_some_pictures_are_known_positions(tmp_path, form):
     numbers = np.array([[0], [12], [30], [41], [99]])
     poses = np.array([make_pose(np.eye(3), position) for position in [*POSITIONS[[0, 2, 3, 4]], POSITIONS[0] + 100]])
-    numbering = (
-        {"ids": np.hstack([numbers, numbers, numbers + 1])} if form == "log" else {"timestamps": numbers[:, 0] * 1.0}
-    )
-    path = tmp_path / ("poses.log" if form == "log" else "poses.txt")
+    ids, path = np.hstack([numbers, numbers, numbers + 1]), tmp_path / ("poses.log" if form == "log" else "poses.txt")
+    numbering = {"ids": ids} if form == "log" else {"timestamps": numbers[:, 0] * 1.0}
     loom.write_trajectory(path, loom.Trajectory(poses, **numbering), format=form)
     fit = fit_units(Units(align=path), model_of())
     assert fit.known_positions.count == 4

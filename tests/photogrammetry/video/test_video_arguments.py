@@ -1,7 +1,5 @@
 """The function behind `pointloom video` rejects invalid arguments before any work."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -68,22 +68,15 @@ def test_a_training_folder_is_written_in_the_unit_of_the_mesh(quick, film, outpu
     np.testing.assert_allclose(model.centers, 2.5 * loom.read_colmap_model(scene / "sparse" / "0").centers, atol=1e-12)
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "notes.txt").write_text("mine")
-    assert "other: contains other files" in refusal(
-        "video", film, "-o", output, "--training", tmp_path / "other", "--force"
-    )
+    message = refusal("video", film, "-o", output, "--training", tmp_path / "other", "--force")
+    assert "other: contains other files" in message
 
 
 def test_the_summary_reports_the_use_of_the_pictures(quick, film, output):
     result = run("video", film, "-o", output)
     assert result.exit_code == 0, result.stderr
-    for text in (
-        "8 of 8 registered, chosen from 80, on ",
-        "60.0% confirmed",
-        "arbitrary: give --scale",
-        "depth 0.0, ",
-        "80 of 90 frames were decoded",
-    ):
-        assert text in result.stdout
+    texts = ("8 of 8 registered, chosen from 80, on ", "60.0% confirmed", "arbitrary: give --scale", "depth 0.0, ")
+    assert all(text in result.stdout for text in (*texts, "80 of 90 frames were decoded"))
 
 
 @pytest.mark.parametrize(
@@ -163,9 +156,7 @@ def test_known_positions_transform_the_mesh_and_the_poses(quick, film, output, t
 def test_a_camera_that_only_rotated_gives_no_mesh(quick, film, output, tmp_path):
     quick.only_rotated, quick.reasons = True, ["the camera hardly moved: move instead of only rotating"]
     report = unreliable("video", film, "-o", output, "--work", tmp_path / "work")
-    assert (
-        "; ".join(report["warnings"]) == "the camera hardly moved: move instead of only rotating; nothing was written"
-    )
+    assert report["warnings"] == [*quick.reasons, "nothing was written"]
     assert quick.ran == STAGES[:4]
     assert not output.exists()
     assert json.loads((tmp_path / "work" / "report.json").read_text())["warnings"] == report["warnings"]
@@ -234,9 +225,8 @@ def test_unwritable_outputs_are_rejected_early(quick, film, tmp_path, monkeypatc
 def test_an_earlier_run_is_neither_mixed_in_nor_replaced_unasked(quick, film, output, tmp_path):
     work = ("--work", tmp_path / "work")
     answer("video", film, "-o", output, *work)
-    assert "contains an earlier run. Give --resume to continue" in refusal(
-        "video", film, "-o", tmp_path / "b.ply", *work
-    )
+    message = refusal("video", film, "-o", tmp_path / "b.ply", *work)
+    assert "contains an earlier run. Give --resume to continue" in message
     quick.ran.clear()
     answer("video", film, "-o", output, *work, "--force")
     assert quick.ran == STAGES

@@ -13,7 +13,6 @@ from .conftest import COUNT
 
 
 def in_json(result):
-    """The report without costs."""
     report = json.loads(json.dumps(result.to_dict()))
     return {name: value for name, value in report.items() if name not in ("stages", "peak_bytes")}
 

@@ -1,7 +1,5 @@
 """Ray-traced images of a synthetic room corner with a ball, with exact depth, colors and poses."""
 
-from __future__ import annotations
-
 import numpy as np
 
 import pointloom as loom
@@ -49,7 +47,6 @@ def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
 
 
 def frame(pose, device, camera=CAMERA, *, with_color=True, **options):
-    """The OdometryFrame of an image."""
     depth, color = picture(pose, camera, **options)
     return loom.odometry.OdometryFrame(depth, camera, color if with_color else None, device=device)
 

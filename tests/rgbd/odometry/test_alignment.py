@@ -1,7 +1,5 @@
 """The motion between two frames is accurate, reproducible and independent of the exposure."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

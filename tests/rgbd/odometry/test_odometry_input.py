@@ -1,7 +1,5 @@
 """Invalid inputs of odometry and their error messages."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,9 +1,6 @@
 """`weights="open3d"` gives the results of the two odometries of Open3D 0.20, step by step."""
 
-from __future__ import annotations
-
 import numpy as np
-import pytest
 
 import pointloom as loom
 from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
@@ -30,14 +27,6 @@ def made_pictures():
     return pictures, CAMERA
 
 
-@pytest.fixture(scope="module")
-def real_pictures(scan_set, scan_file):
-    """Two frames and their camera: a living room (shipped) or the kitchen (real)."""
-    name, *chosen = {"shipped": ("rgbd-cupoch-redwood5", 0, 1), "real": ("rgbd-7scenes-redkitchen", 100, 103)}[scan_set]
-    frames = loom.open_dataset(scan_file(name))
-    return [(frame.color, frame.depth) for frame in map(frames.read, chosen)], frames.intrinsic
-
-
 def legacy(o3d, pictures, camera, with_depth, steps):
     """(success, pose, information) of Open3D."""
     pipeline, images = o3d.pipelines.odometry, []
@@ -46,10 +35,8 @@ def legacy(o3d, pictures, camera, with_depth, steps):
         images.append(o3d.geometry.RGBDImage.create_from_color_and_depth(*both, 1000.0, 4.0, True))
     term = pipeline.RGBDOdometryJacobianFromHybridTerm() if with_depth else pipeline.RGBDOdometryJacobianFromColorTerm()
     numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
-    intrinsic, option = (
-        o3d.camera.PinholeCameraIntrinsic(*numbers),
-        pipeline.OdometryOption(o3d.utility.IntVector(steps)),
-    )
+    intrinsic = o3d.camera.PinholeCameraIntrinsic(*numbers)
+    option = pipeline.OdometryOption(o3d.utility.IntVector(steps))
     return pipeline.compute_rgbd_odometry(*images, intrinsic, np.eye(4), term, option)
 
 
@@ -103,19 +90,6 @@ def test_the_odometries_of_made_pictures(device, oracle, tolerances):
         check_legacy(expected, *made_pictures(), device, *case, tolerances)
     for expected, case in zip(of_tensor, TENSOR, strict=True):
         check_tensor(expected, *made_pictures(), device, *case, tolerances)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("with_depth", [True, False])
-def test_the_legacy_odometry_of_real_pictures(real_pictures, o3d, with_depth, tolerances):
-    expected = legacy(o3d, *real_pictures, with_depth, (20, 10, 5))
-    check_legacy(expected, *real_pictures, "cpu", with_depth, (20, 10, 5), tolerances)
-
-
-@pytest.mark.parametrize("method", list(od.Method))
-def test_the_tensor_odometry_of_real_pictures(real_pictures, o3d, method, tolerances):
-    expected = tensor(o3d, *real_pictures, method, (10, 5, 3))
-    check_tensor(expected, *real_pictures, "cpu", method, (10, 5, 3), tolerances)
 
 
 def information_of(o3d, raws, camera, pose):

@@ -1,7 +1,5 @@
 """Odometry of real frames: the kitchen's poses, and failures for frames of different locations."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from PIL import Image

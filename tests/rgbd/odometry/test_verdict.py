@@ -1,7 +1,5 @@
 """Pairs of different locations or with an ambiguous motion fail without an exception or an identity pose."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -9,70 +9,43 @@ from pointloom.core.errors import FileError
 
 Config = loom.reconstruction.ReconstructionConfig
 
-TUTORIAL = {  # Open3D's examples/python/reconstruction_system/config/tutorial.json
-    "name": "Open3D reconstruction tutorial http://open3d.org/docs/release/tutorial/reconstruction_system/index.html",
-    "path_dataset": "dataset/tutorial/",
-    "path_intrinsic": "",
-    "depth_max": 3.0,
-    "voxel_size": 0.05,
-    "depth_diff_max": 0.07,
-    "preference_loop_closure_odometry": 0.1,
-    "preference_loop_closure_registration": 5.0,
-    "tsdf_cubic_size": 3.0,
-    "icp_method": "color",
-    "global_registration": "ransac",
-    "python_multi_threading": True,
-}
-# Defaults set by its initialize_config.py.
-FILLED_IN = {
-    "depth_map_type": "redwood",
-    "n_frames_per_fragment": 100,
-    "n_keyframes_per_n_frame": 5,
-    "depth_min": 0.3,
-    "depth_scale": 1000,
-    "max_iterations": 5,
-    "sdf_trunc": 0.04,
-    "block_count": 40000,
-    "distance_threshold": 0.07,
-    "fitness_threshold": 0.3,
-    "regularizer_weight": 1,
-    "method": "slac",
-    "device": "CPU:0",
-    "save_output_as": "pointcloud",
-    "folder_slac": "slac/",
-    "template_optimized_posegraph_slac": "optimized_posegraph_slac.json",
-    "folder_fragment": "fragments/",
-    "subfolder_slac": "slac/0.050/",
-    "template_fragment_posegraph": "fragments/fragment_%03d.json",
-    "template_fragment_posegraph_optimized": "fragments/fragment_optimized_%03d.json",
-    "template_fragment_pointcloud": "fragments/fragment_%03d.ply",
-    "folder_scene": "scene/",
-    "template_global_posegraph": "scene/global_registration.json",
-    "template_global_posegraph_optimized": "scene/global_registration_optimized.json",
-    "template_refined_posegraph": "scene/refined_registration.json",
-    "template_refined_posegraph_optimized": "scene/refined_registration_optimized.json",
-    "template_global_mesh": "scene/integrated.ply",
-    "template_global_traj": "scene/trajectory.log",
-    "debug_mode": False,
-}
+# Open3D's examples/python/reconstruction_system/config/tutorial.json, and the defaults set by initialize_config.py.
+TUTORIAL = json.loads("""{
+"name": "Open3D reconstruction tutorial http://open3d.org/docs/release/tutorial/reconstruction_system/index.html",
+"path_dataset": "dataset/tutorial/", "path_intrinsic": "", "depth_max": 3.0, "voxel_size": 0.05,
+"depth_diff_max": 0.07, "preference_loop_closure_odometry": 0.1, "preference_loop_closure_registration": 5.0,
+"tsdf_cubic_size": 3.0, "icp_method": "color", "global_registration": "ransac", "python_multi_threading": true,
+"depth_map_type": "redwood", "n_frames_per_fragment": 100, "n_keyframes_per_n_frame": 5, "depth_min": 0.3,
+"depth_scale": 1000, "max_iterations": 5, "sdf_trunc": 0.04, "block_count": 40000, "distance_threshold": 0.07,
+"fitness_threshold": 0.3, "regularizer_weight": 1, "method": "slac", "device": "CPU:0", "save_output_as": "pointcloud",
+"folder_slac": "slac/", "template_optimized_posegraph_slac": "optimized_posegraph_slac.json",
+"folder_fragment": "fragments/", "subfolder_slac": "slac/0.050/", "debug_mode": false, "folder_scene": "scene/",
+"template_fragment_posegraph": "fragments/fragment_%03d.json",
+"template_fragment_posegraph_optimized": "fragments/fragment_optimized_%03d.json",
+"template_fragment_pointcloud": "fragments/fragment_%03d.ply",
+"template_global_posegraph": "scene/global_registration.json",
+"template_global_posegraph_optimized": "scene/global_registration_optimized.json",
+"template_refined_posegraph": "scene/refined_registration.json",
+"template_refined_posegraph_optimized": "scene/refined_registration_optimized.json",
+"template_global_mesh": "scene/integrated.ply", "template_global_traj": "scene/trajectory.log"
+}""")
 
 
 def test_open3ds_configuration_is_accepted_unchanged(tmp_path):
     path = tmp_path / "tutorial.json"
-    path.write_text(json.dumps(TUTORIAL | FILLED_IN))
+    path.write_text(json.dumps(TUTORIAL))
     names = Config.read(path).to_names()
-    understood = {name: value for name, value in (TUTORIAL | FILLED_IN).items() if name in names}
+    understood = {name: value for name, value in TUTORIAL.items() if name in names}
     assert {name: names[name] for name in understood} == understood
-    ignored = set(TUTORIAL | FILLED_IN) - set(names)
+    ignored = set(TUTORIAL) - set(names)
     assert ignored == {
         *("name", "python_multi_threading", "depth_map_type", "block_count", "device", "subfolder_slac", "debug_mode")
     }
 
 
 def test_the_defaults_are_open3ds_except_data_dependent_ones():
-    names = TUTORIAL | FILLED_IN
     default = Config().to_names()
-    assert {name for name, value in default.items() if name in names and value != names[name]} == {
+    assert {name for name, value in default.items() if name in TUTORIAL and value != TUTORIAL[name]} == {
         *("path_dataset", "depth_scale", "sdf_trunc", "global_registration")
     }
 
@@ -90,19 +63,10 @@ def test_names_of_the_tensor_system_are_accepted_with_or_without_groups():
         "integration": {"voxel_size": 0.01, "trunc_voxel_multiplier": 8.0, "surface_weight_thr": 3.0},
     }
     flat = {name: value for group in grouped.values() for name, value in group.items()}
-    expected = Config(
-        n_frames_per_fragment=50,
-        depth_max=2.0,
-        odometry_method="point_to_plane",
-        n_keyframes_per_n_frame=10,
-        depth_diff_max=0.05,
-        icp_method="color",
-        voxel_size=0.04,
-        preference_loop_closure_registration=0.1,
-        tsdf_voxel_size=0.01,
-        sdf_trunc=0.08,
-        surface_weight_threshold=3.0,
-    )
+    fragments = {"n_frames_per_fragment": 50, "depth_max": 2.0, "n_keyframes_per_n_frame": 10, "depth_diff_max": 0.05}
+    methods = {"odometry_method": "point_to_plane", "icp_method": "color", "preference_loop_closure_registration": 0.1}
+    surface = {"voxel_size": 0.04, "tsdf_voxel_size": 0.01, "sdf_trunc": 0.08, "surface_weight_threshold": 3.0}
+    expected = Config(**fragments, **methods, **surface)
     assert Config.from_names(grouped) == Config.from_names(flat) == expected
 
 

@@ -138,8 +138,6 @@ def test_blank_frames_leave_no_model_and_are_reported(tmp_path):
 
 
 class Stream:
-    """Frames that can be read once, in order."""
-
     depth_scale = 1000.0
 
     def __init__(self, sequence):

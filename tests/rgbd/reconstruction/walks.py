@@ -1,7 +1,5 @@
 """Short sequences through the synthetic room, and damaged frames."""
 
-from __future__ import annotations
-
 import dataclasses
 from functools import cache
 from typing import Any
@@ -44,12 +42,10 @@ class ShortSequence:
 
 
 def blank(frame: RoomFrame) -> dict[str, Any]:
-    """A frame of a covered lens."""
     return {"depth": np.zeros_like(frame.depth), "color": np.zeros_like(frame.color)}
 
 
 def config(**names: Any) -> loom.reconstruction.ReconstructionConfig:
-    """A configuration for small frames."""
     return loom.reconstruction.ReconstructionConfig(**(SIZES | names))
 
 

@@ -47,7 +47,6 @@ def surface_error(volume, poses, true):
 
 
 def moved(submap, T, **changes):
-    """A submap at another pose."""
     return dataclasses.replace(submap, T_world_submap=T @ submap.T_world_submap, **changes)
 
 

@@ -1,7 +1,5 @@
 """A short sequence through the furnished room in tiny images, and changes of its frames."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import cache
 from types import SimpleNamespace
@@ -34,7 +32,6 @@ def frames(*indices: int) -> list[Any]:
 
 
 def changed(original: Any, **changes: Any) -> Any:
-    """A frame with other images or another time."""
     fields = {name: getattr(original, name) for name in ("depth", "color", "name", "timestamp", "T_world_camera")}
     return SimpleNamespace(**{**fields, **changes})
 

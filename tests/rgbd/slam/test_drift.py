@@ -1,7 +1,5 @@
 """Uncertainty accumulates along a path until the camera sees better-known parts again; all results include it."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Moving foreground is excluded; stationary objects belong to the scene."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -25,9 +23,8 @@ def with_object(original, left, width, depth=600, seed=0):
 
 
 def off(results, true):
-    return max(
-        error_of(result, shown)[0] for result, shown in zip(results, true, strict=True) if result.pose is not None
-    )
+    pairs = zip(results, true, strict=True)
+    return max(error_of(result, shown)[0] for result, shown in pairs if result.pose is not None)
 
 
 def test_foreground_fixed_to_the_camera_is_excluded(device):

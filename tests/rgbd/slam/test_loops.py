@@ -106,21 +106,19 @@ def test_a_loop_that_contradicts_the_others_is_dropped(closed, monkeypatch):
     true_loops = {(p.source, p.target) for p in closure.loops}
     wrong = max((p for p in closure.loops), key=lambda p: p.source - p.target)
     error_pose = pose_of(np.array([0.1, 0.0, 0.1, 0.3, -0.2, 0.1]))
-    verify = loops_module.verify_near
+    verify, replace = loops_module.verify_near, dataclasses.replace
+
+    def joins(p):
+        return (p.source, p.target) == (wrong.source, wrong.target)
 
     def deceived(surfaces, candidates):
         loops = verify(surfaces, candidates)
-        return [
-            dataclasses.replace(p, T_target_source=error_pose @ p.T_target_source)
-            if (p.source, p.target) == (wrong.source, wrong.target)
-            else p
-            for p in loops
-        ]
+        return [replace(p, T_target_source=error_pose @ p.T_target_source) if joins(p) else p for p in loops]
 
     monkeypatch.setattr(loops_module, "verify_near", deceived)
 
     def unrefined(surfaces, loops):
-        return [dataclasses.replace(p, residual=0.01) for p in loops]
+        return [replace(p, residual=0.01) for p in loops]
 
     monkeypatch.setattr(loops_module, "refine", unrefined)
     misled = close_loops(submaps)

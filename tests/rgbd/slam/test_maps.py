@@ -1,7 +1,5 @@
 """A camera that is lost for long begins a new map, which is joined once both maps show the same location."""
 
-from __future__ import annotations
-
 import json
 from types import SimpleNamespace
 
@@ -96,9 +94,8 @@ def renumbered(other, slam):
     slam.results += [replace(result, index=first + result.index, map=1) for result in other.results]
     second_map.number, second_map.keyframes.numbers = 1, [first + number for number in second_map.keyframes.numbers]
     second_map.recorder.finish()
-    second_map.recorder.submaps = [
-        replace(submap, frames=submap.frames + first) for submap in second_map.recorder.submaps
-    ]
+    submaps = second_map.recorder.submaps
+    second_map.recorder.submaps = [replace(submap, frames=submap.frames + first) for submap in submaps]
     return second_map
 
 
@@ -214,8 +211,7 @@ def test_a_model_is_of_one_map():
     result = loom.reconstruct(Away(), voxel_size=0.04)
     assert len(result.trajectory) == 5 and "2 maps" in str(result.warnings)
     lowest, highest = result.mesh.vertices.min(axis=0), result.mesh.vertices.max(axis=0)
-    alone = loom.reconstruct(
-        loom.frames_from([(f.color, f.depth) for f in frames(*range(154, 159))], sequence().intrinsic), voxel_size=0.04
-    )
+    images = [(f.color, f.depth) for f in frames(*range(154, 159))]
+    alone = loom.reconstruct(loom.frames_from(images, sequence().intrinsic), voxel_size=0.04)
     np.testing.assert_allclose(lowest, alone.mesh.vertices.min(axis=0), atol=0.05)
     np.testing.assert_allclose(highest, alone.mesh.vertices.max(axis=0), atol=0.05)

@@ -1,7 +1,5 @@
 """Similar locations: a pose that fits better than its rivals is accepted, others are uncertain."""
 
-from __future__ import annotations
-
 import dataclasses
 from functools import cache
 

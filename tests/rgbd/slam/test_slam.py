@@ -1,7 +1,5 @@
 """SLAM without given poses: the path, the surface, and a status for each frame."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

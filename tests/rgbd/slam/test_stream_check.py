@@ -1,7 +1,5 @@
 """Synchronization of color and depth: repeated and delayed images are reported, correct ones are not."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 

@@ -1,7 +1,5 @@
 """Tracking status from the figures of an alignment: each limit counts by itself."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np
@@ -11,18 +9,9 @@ from pointloom.rgbd.odometry.motion_checks import UNDETERMINED
 from pointloom.rgbd.odometry.results import OdometryResult
 from pointloom.rgbd.slam.frame_checks import SURE_OVERLAP, judge_recognition, judge_tracking
 
-GOOD = OdometryResult(
-    transformation=np.eye(4),
-    information=np.eye(6),
-    inliers=900,
-    fitness=0.8,
-    overlap=0.9,
-    inlier_rmse=0.001,
-    intensity_rmse=0.01,
-    smallest_eigenvalue=0.1,
-    iterations=5,
-    contradiction="",
-)
+SHARES = {"inliers": 900, "fitness": 0.8, "overlap": 0.9}
+ERRORS = {"inlier_rmse": 0.001, "intensity_rmse": 0.01, "smallest_eigenvalue": 0.1, "contradiction": ""}
+GOOD = OdometryResult(transformation=np.eye(4), information=np.eye(6), iterations=5, **SHARES, **ERRORS)
 
 
 def moved(shift=0.0, angle=0.0):

@@ -64,7 +64,6 @@ class Page:
         return np.vstack([self.arrays[self.description["poses"]][number].reshape(3, 4), [0, 0, 0, 1]])
 
     def shown(self, frame: int) -> dict[str, tuple[list[int], np.ndarray]]:
-        """The shape numbers and the pose by name."""
         placements = [self.description["placements"][number] for number in self.description["frames"][frame]["shown"]]
         return {self.description["items"][item]: (shapes, self.pose(pose)) for item, shapes, pose in placements}
 
@@ -88,7 +87,6 @@ def _join(data: bytes, described: dict, block: int) -> np.ndarray:
 
 
 def read_page(path: Path) -> Page:
-    """The page, read by Python."""
     return Page(path)
 
 

@@ -1,7 +1,5 @@
 """Animations and videos have one frame per step, the given frame rate, and the drawn colors."""
 
-from __future__ import annotations
-
 import io
 import json
 import shutil

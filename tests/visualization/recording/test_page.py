@@ -126,12 +126,8 @@ def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
     assert "img" not in {tag for tag, _ in page.elements}
     assert page.description["items"] == [HOSTILE]
     assert page.title == HOSTILE.replace("\u2028", "\\u2028")
-    assert (
-        page.description["title"]
-        == page.description["frames"][0]["label"]
-        == page.description["series"][0]["name"]
-        == HOSTILE
-    )
+    texts = page.description
+    assert texts["title"] == texts["frames"][0]["label"] == texts["series"][0]["name"] == HOSTILE
     assert len(page.scripts) == 1 and HOSTILE not in page.text
     assert page.text.lower().count("</script") == 2 + len(page.arrays)  # of the description, the player and the arrays
 
@@ -248,11 +244,7 @@ def with_placement(*given):
         (with_placement((0,), np.eye(3)), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected shape \[4, 4\]"),
         (with_placement((0,), np.eye(4) * np.nan), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected finite numbers"),
         (with_placement((0,), np.ones((4, 4))), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected a last row"),
-        (
-            lambda timeline: dataclasses.replace(timeline, fps=math.nan),
-            {},
-            r"timeline\.fps: expected a finite number > 0",
-        ),
+        (lambda timeline: dataclasses.replace(timeline, fps=math.nan), {}, r"timeline\.fps: expected a finite number"),
         (lambda timeline: [], {}, "timeline: expected a Timeline, got list"),
         (lambda timeline: timeline, {"view": np.eye(4)}, "view: expected a View, got ndarray"),
         (lambda timeline: timeline, {"background": (0, 0, 2)}, "background: expected numbers from 0 to 1"),

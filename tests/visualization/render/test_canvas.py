@@ -1,7 +1,5 @@
 """Text and lines on an image are sharp, at the given position, and change nothing else."""
 
-from __future__ import annotations
-
 import unicodedata
 
 import numpy as np

@@ -25,9 +25,8 @@ INTRINSIC = loom.PinholeCameraIntrinsic.prime_sense_default()
 
 def volume():
     tsdf = loom.TSDFVolume(voxel_size=0.1)
-    tsdf.integrate(
-        np.full((48, 64), 1.0, np.float32), loom.PinholeCameraIntrinsic(64, 48, 60, 60, 31.5, 23.5), np.eye(4)
-    )
+    camera = loom.PinholeCameraIntrinsic(64, 48, 60, 60, 31.5, 23.5)
+    tsdf.integrate(np.full((48, 64), 1.0, np.float32), camera, np.eye(4))
     return tsdf
 
 
@@ -85,18 +84,11 @@ def test_plain_objects_and_open3d_objects_are_accepted(o3d):
 def test_open3d_tensor_geometries_are_drawn_like_legacy_ones(o3d):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(CUBE, float)))
     cloud.paint_uniform_color([0.2, 0.4, 0.6])
-    ball, lines = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.LineSet.create_from_axis_aligned_bounding_box
-    box = cloud.get_axis_aligned_bounding_box()
-    tensors = o3d.t.geometry
-    shown = named_geometries(
-        [
-            tensors.PointCloud.from_legacy(cloud),
-            tensors.TriangleMesh.from_legacy(ball),
-            tensors.LineSet.from_legacy(lines(box)),
-            tensors.AxisAlignedBoundingBox.from_legacy(box),
-            o3d.core.Tensor(np.array(CUBE, np.float32)),
-        ]
-    )
+    mesh, box = o3d.geometry.TriangleMesh.create_box(), cloud.get_axis_aligned_bounding_box()
+    lines = o3d.geometry.LineSet.create_from_axis_aligned_bounding_box(box)
+    legacy = {"PointCloud": cloud, "TriangleMesh": mesh, "LineSet": lines, "AxisAlignedBoundingBox": box}
+    tensors = [getattr(o3d.t.geometry, name).from_legacy(geometry) for name, geometry in legacy.items()]
+    shown = named_geometries([*tensors, o3d.core.Tensor(np.array(CUBE, np.float32))])
     assert [name for name, _, _ in shown] == ["cloud", "mesh", "lines", "box", "points"]
     for _, geometry, style in shown:
         low, high = bounds_of(parts_of(geometry, style))
@@ -126,22 +118,17 @@ def test_arrays_of_clouds_and_meshes_are_shared(device):
 
 def test_names_are_as_given_or_made_unique_by_numbers():
     cloud, mesh = loom.PointCloud(CUBE), loom.TriangleMesh.create_box(1, 1, 1)
-    assert [n for n, _, _ in named_geometries([cloud, mesh, cloud, {"geometry": mesh, "name": "cloud"}])] == [
-        "cloud",
-        "mesh",
-        "cloud 2",
-        "cloud 3",
-    ]
-    assert [n for n, _, _ in named_geometries({"a": cloud, "b": {"geometry": mesh, "wireframe": True}})] == ["a", "b"]
+    for given, names in (
+        ([cloud, mesh, cloud, {"geometry": mesh, "name": "cloud"}], ["cloud", "mesh", "cloud 2", "cloud 3"]),
+        ({"a": cloud, "b": {"geometry": mesh, "wireframe": True}}, ["a", "b"]),
+    ):
+        assert [name for name, _, _ in named_geometries(given)] == names
 
 
 def test_several_clouds_without_colors_get_different_ones():
     cloud, colored = loom.PointCloud(CUBE), loom.PointCloud(CUBE, colors=CUBE)
-    chosen = [
-        style.color
-        for _, _, style in named_geometries([cloud, colored, {"geometry": cloud, "color": (1, 0, 0)}, cloud])
-    ]
-    assert chosen == [PALETTE[0], None, (1.0, 0.0, 0.0), PALETTE[1]]
+    shown = named_geometries([cloud, colored, {"geometry": cloud, "color": (1, 0, 0)}, cloud])
+    assert [style.color for _, _, style in shown] == [PALETTE[0], None, (1.0, 0.0, 0.0), PALETTE[1]]
     assert named_geometries(cloud)[0][2].color is None
 
 

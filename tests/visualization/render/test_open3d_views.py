@@ -16,29 +16,6 @@ from pointloom.visualization.render.view import fit_view
 LOW, HIGH = np.array([5.0, 6.0, 7.0]), np.array([7.0, 6.9, 9.5])
 BOUNDS = (LOW, HIGH)
 
-# By the rule of Open3D's ViewControl, for a window of 640 x 480, of a cloud with these two corners.
-BY_HAND = [
-    (
-        {"zoom": 0.7, "front": [0.0, 0.0, 1.0], "lookat": [6.0, 6.45, 8.25], "up": [0.0, 1.0, 0.0]},
-        60.0,
-        415.69219382,
-        [6.0, 6.45, 8.25 + 1.75 * 3**0.5],
-    ),
-    (
-        {"zoom": 0.5, "front": [3.0, 0.0, 4.0], "lookat": [5.5, 6.2, 8.0], "up": [0, 2, 0]},
-        90.0,
-        240.0,
-        [6.25, 6.2, 9.0],
-    ),
-]
-
-
-@pytest.mark.parametrize(("parameters", "angle", "focal", "eye"), BY_HAND)
-def test_cameras_are_where_open3d_has_them(parameters, angle, focal, eye):
-    view = loom.View.from_open3d(BOUNDS, **parameters, field_of_view=angle, width=640, height=480)
-    assert view.intrinsic.fx == pytest.approx(focal) and (view.intrinsic.cx, view.intrinsic.cy) == (319.5, 239.5)
-    assert view.T_world_camera[:3, 3] == pytest.approx(eye)
-
 
 def open3ds_cameras(o3d, parameters):
     """Its field of view [deg], camera matrix and extrinsic matrix after each of these settings, `lookat` ... `zoom`."""

@@ -14,7 +14,6 @@ BARS = {"title": "a $title", "label": "distance [m]", "colormap": "viridis"}
 
 
 def count_of(picture, color, tolerance=25):
-    """Number of pixels of a color."""
     return int((np.abs(picture.astype(int) - 255 * np.array(color)) <= tolerance).all(axis=2).sum())
 
 

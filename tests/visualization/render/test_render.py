@@ -333,9 +333,8 @@ def test_labels_legends_and_color_bars_are_drawn(device):
     size = (320, 240)
     view = loom.fit_view(cloud.points, width=320, height=240)
     bare = loom.render(shown, view, device=device)
-    behind = loom.render(
-        shown, view, labels=[("here", view.T_world_camera[:3, 3] - view.T_world_camera[:3, 2])], device=device
-    )
+    labels = [("here", view.T_world_camera[:3, 3] - view.T_world_camera[:3, 2])]
+    behind = loom.render(shown, view, labels=labels, device=device)
     assert behind.tobytes() == bare.tobytes()
     for extra in ({"labels": [("corner", [1, 1, 1])]}, {"legend": True}, {"color_bar": True}, {"scale_bar": True}):
         image = loom.render(shown, view, device=device, **extra)

@@ -81,10 +81,8 @@ def voxels():
 
 def cameras():
     intrinsic = loom.PinholeCameraIntrinsic(640, 480, 500.0, 500.0, 319.5, 239.5)
-    return [
-        loom.Trajectory(parabola_poses()),
-        *(loom.CameraFrustum(intrinsic, T, scale=0.3) for T in parabola_poses()[::4]),
-    ]
+    frustums = [loom.CameraFrustum(intrinsic, T, scale=0.3) for T in parabola_poses()[::4]]
+    return [loom.Trajectory(parabola_poses()), *frustums]
 
 
 def normals(rows=90):
@@ -115,7 +113,6 @@ WAVE = [0, 5, 9, 10, 7, 3, -2, -6, -9, -10, -8, -4]  # no sine: another library 
 
 
 def ground(device):
-    """An image of many colors."""
     rows, columns = np.mgrid[: FIGURE[1], : FIGURE[0]]
     image = np.stack([rows, columns % 256, (rows * columns) % 256], axis=-1).astype(np.uint8)
     return Canvas.of_image(image, device)
@@ -173,12 +170,8 @@ PICTURES = {
     "without a background": lambda: (veils(), {"background": "transparent", "labels": [("top", [1, 2, 0.9])]}),
 }
 
-FIGURES = {
-    "figure: text": text_figure,
-    "figure: strokes": strokes_figure,
-    "figure: legend": legend_figure,
-    "figure: color_bar": color_bar_figure,
-}
+FIGURES = {"figure: text": text_figure, "figure: strokes": strokes_figure}
+FIGURES |= {"figure: legend": legend_figure, "figure: color_bar": color_bar_figure}
 
 
 def draw(name, device):

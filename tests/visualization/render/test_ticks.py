@@ -53,9 +53,8 @@ def test_texts_give_the_tick_positions(a, b, max_ticks):
     assert len(ticks.values) >= 1
     step = ticks.high - ticks.low
     for value, text in zip(ticks.values, ticks.texts, strict=True):
-        assert float(text.replace("−", "-")) * 10.0**ticks.exponent + ticks.offset == pytest.approx(
-            value, abs=step / 50
-        )
+        number = float(text.replace("−", "-")) * 10.0**ticks.exponent + ticks.offset
+        assert number == pytest.approx(value, abs=step / 50)
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,5 @@
 """A viewer's server; garbage collection of the objects of one test."""
 
-from __future__ import annotations
-
 import gc
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Events of the viewers in this process. A test waits for a condition; it is evaluated again after each event."""
 
-from __future__ import annotations
-
 import functools
 import logging
 import threading

@@ -1,7 +1,5 @@
 """Invalid messages that pages of pointloom never send: `hostile_messages` and `near_messages`."""
 
-from __future__ import annotations
-
 import json
 import random
 from collections.abc import Iterator, Sequence

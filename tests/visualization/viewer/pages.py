@@ -1,7 +1,5 @@
 """Raw requests to the viewer's server, and a page's websocket without a browser."""
 
-from __future__ import annotations
-
 import contextlib
 import http.client
 import json
@@ -28,7 +26,6 @@ CAMERA = {
 
 
 def with_token(server: ViewerServer, path: str = "/") -> str:
-    """The path with the token."""
     return f"{path}?token={server.pages.token}"
 
 
@@ -121,7 +118,6 @@ def silent_line(server: ViewerServer, name: str = "127.0.0.1", port: int = 0, bu
 
 
 def send(line: ClientConnection, message: dict[str, Any]) -> None:
-    """Send a message as a page does."""
     line.send(json.dumps(message))
 
 
@@ -161,5 +157,4 @@ def is_well(server: ViewerServer) -> bool:
 
 
 def count(server: ViewerServer) -> int:
-    """The number of connected pages."""
     return server.pages.client_count

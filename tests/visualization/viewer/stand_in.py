@@ -1,7 +1,5 @@
 """Pages without a browser: `Page` stores received operations; `StandIn` is a viewer with one page, for tools."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import threading
@@ -161,7 +159,6 @@ class Page:
 
 @contextlib.contextmanager
 def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
-    """A page that is connected to a viewer."""
     visitor = viewer.server.pages._welcome({"say": "hello", "size": list(size), "version": 1}, lambda: None)
     page = Page(visitor._outbox, viewer.server.pages._delivery, visitor.take, visitor._client)
     page.run_callbacks()
@@ -283,7 +280,6 @@ class StandIn:
 
     @property
     def clicks(self) -> Any:
-        """The callbacks for clicks."""
         return self.client.scene.click_callbacks()
 
     @property

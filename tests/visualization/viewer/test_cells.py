@@ -23,7 +23,6 @@ class Kernel:
         self.count = 0
 
     def run(self, code, **metadata):
-        """Start to run this cell."""
         self.count += 1
         request = {"header": {"msg_id": str(self.count)}, "metadata": metadata, "content": {"code": code}}
         self.get_parent = lambda: request

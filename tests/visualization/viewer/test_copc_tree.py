@@ -1,7 +1,5 @@
 """COPC nodes: few for the first view, others on demand, and damage that affects only its node."""
 
-from __future__ import annotations
-
 import logging
 
 import numpy as np
@@ -45,14 +43,8 @@ def home(tree):
 
 def near(tree, share=0.03):
     """A view of the dense corner from above."""
-    at = np.array([20.0, 15.0, 1.0]) + UTM
-    return fit_view(
-        at + 400 * share * np.array([[-1, -1, 0], [1, 1, 0.0]]),
-        direction=(0, 0, -1),
-        up=(0, 1, 0),
-        width=320,
-        height=240,
-    )
+    corners = np.array([20.0, 15.0, 1.0]) + UTM + 400 * share * np.array([[-1, -1, 0], [1, 1, 0.0]])
+    return fit_view(corners, direction=(0, 0, -1), up=(0, 1, 0), width=320, height=240)
 
 
 def spoil(path, tmp_path, at, by):
@@ -190,11 +182,8 @@ def test_files_other_than_copc_are_rejected(city, tmp_path):
     for path, reason in ((cut, "cut.copc.laz"), (plain, "is not a COPC file"), (tmp_path / "none.laz", "none.laz")):
         with pytest.raises(FileError, match=reason):
             CopcTree(path)
-    assert (
-        declares_copc(city, more_than=COUNT - 1)
-        and not declares_copc(city, more_than=COUNT)
-        and not declares_copc(plain)
-    )
+    assert declares_copc(city, more_than=COUNT - 1)
+    assert not declares_copc(city, more_than=COUNT) and not declares_copc(plain)
 
 
 def test_a_viewer_shows_a_file_in_parts(city):

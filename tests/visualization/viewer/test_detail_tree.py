@@ -173,10 +173,8 @@ def test_the_tree_of_a_file_is_that_of_its_cloud(tmp_path, suffix, rng, monkeypa
     points = np.round(hills(rng, 25_000, UTM), 3)
     cloud = loom.PointCloud(points)
     if suffix != ".xyz":
-        cloud.colors, cloud["intensity"] = (
-            rng.integers(0, 256, (25_000, 3)) / 255,
-            np.arange(25_000, dtype=np.uint16) % 999,
-        )
+        cloud.colors = rng.integers(0, 256, (25_000, 3)) / 255
+        cloud["intensity"] = np.arange(25_000, dtype=np.uint16) % 999
     loom.write_point_cloud(path, cloud)
     reported = []
     attributes = ["intensity"] if suffix != ".xyz" else []

@@ -1,7 +1,5 @@
 """The request rules of the server, tested without a server."""
 
-from __future__ import annotations
-
 import pytest
 
 from pointloom.visualization.viewer.guard import RequestGuard, control_value, response_headers, split_host

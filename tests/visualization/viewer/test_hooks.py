@@ -1,7 +1,5 @@
 """Callbacks of a program for pages: controls, picks and calls with each frame."""
 
-from __future__ import annotations
-
 import logging
 import threading
 

@@ -45,13 +45,11 @@ MANY = {"start": CELLS["start"], "alone": STATE, **{f"same {iteration}": f"{LARG
 
 @pytest.fixture(scope="module")
 def outputs():
-    """The outputs of each cell by its name."""
     return run(CELLS)
 
 
 @pytest.fixture(scope="module")
 def many():
-    """The same of a notebook with many viewers."""
     return run(MANY)
 
 

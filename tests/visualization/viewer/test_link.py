@@ -1,7 +1,5 @@
 """Delivery of operations to pages: complete batches, the newest state, no repetitions."""
 
-from __future__ import annotations
-
 import json
 import struct
 import threading
@@ -29,7 +27,6 @@ class Page:
         self.woken += 1
 
     def read(self) -> list[dict]:
-        """One message."""
         return self.delivery.take(self.outbox)[0]
 
     def read_all(self) -> list[dict]:

@@ -1,7 +1,5 @@
 """The timeline of a running program: moments, their display in pages, stored bytes, and the recording."""
 
-from __future__ import annotations
-
 import logging
 from types import SimpleNamespace
 
@@ -158,7 +156,6 @@ def test_a_moment_of_the_same_time_goes_on_and_an_earlier_one_is_refused(viewer)
 
 
 def drag(viewer, value):
-    """A page moves the timeline there."""
     control = viewer.timeline._control
     control.value = value
     for callback in control._callbacks:

@@ -1,7 +1,5 @@
 """Messages of pages to the viewer's server, and pages that do not read."""
 
-from __future__ import annotations
-
 import json
 import os
 import socket

@@ -27,7 +27,6 @@ def at_home(monkeypatch):
 
 @pytest.fixture
 def notebook(monkeypatch):
-    """Simulate a Jupyter kernel."""
     shell = type("ZMQInteractiveShell", (), {})()
     monkeypatch.setitem(sys.modules, "IPython", types.SimpleNamespace(get_ipython=lambda: shell))
 
@@ -72,7 +71,6 @@ def test_a_notebook_goes_on_at_once_and_shows_the_page(notebook, cloud, capfd):
 
 
 def page_in(shown):
-    """The page that a frame holds."""
     inner = shown.partition('srcdoc="')[2].partition('"')[0]
     return html.unescape(inner)
 

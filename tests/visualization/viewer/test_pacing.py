@@ -1,7 +1,5 @@
 """A page gets the next step after its acknowledgements; a page that has left blocks nothing."""
 
-from __future__ import annotations
-
 from pointloom.visualization.viewer import sessions
 from pointloom.visualization.viewer.sessions import SIGNS, Pace
 

@@ -1,7 +1,5 @@
 """The viewer's server: accepted requests, valid messages, and a clean shutdown."""
 
-from __future__ import annotations
-
 import base64
 import gc
 import gzip

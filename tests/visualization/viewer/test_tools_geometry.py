@@ -67,12 +67,8 @@ def test_clicks_measure_more_the_more_there_are():
 
 def test_selected_points_are_in_the_box_and_before_the_plane(rng, device):
     points = rng.uniform(-1, 1, (8000, 3)) + UTM
-    clip = Clip(
-        low=UTM - np.array([0.5, np.inf, 1]),
-        high=UTM + np.array([0.5, 0.2, 1]),
-        normal=[1, 1, 0],
-        offset=(UTM[0] + UTM[1]) / math.sqrt(2),
-    )
+    low, high = UTM - np.array([0.5, np.inf, 1]), UTM + np.array([0.5, 0.2, 1])
+    clip = Clip(low=low, high=high, normal=[1, 1, 0], offset=(UTM[0] + UTM[1]) / math.sqrt(2))
     p = points - UTM
     expected = (np.abs(p[:, 0]) <= 0.5) & (p[:, 1] <= 0.2) & (p[:, 0] + p[:, 1] >= 0)
     near = np.abs(p[:, 0] + p[:, 1]) < 1e-6
@@ -84,12 +80,9 @@ def test_selected_points_are_in_the_box_and_before_the_plane(rng, device):
 def test_a_pose_brings_points_under_the_planes(rng):
     T = pose_of([1, 2, 3], 0.7, [5, 6, 7])
     points = rng.uniform(-1, 1, (500, 3))
-    clip = Clip(low=[4.5, 5.5, 6.5], high=[9, 9, 9])
-    np.testing.assert_array_equal(clip.keeper(T)(points), clip.keep(points @ T[:3, :3].T + T[:3, 3]))
-    cloud = loom.PointCloud(points)
-    np.testing.assert_array_equal(
-        hidden_points(cloud, clip, pose=T).numpy() == 0, clip.keep(cloud.points @ T[:3, :3].T + T[:3, 3])
-    )
+    clip, cloud = Clip(low=[4.5, 5.5, 6.5], high=[9, 9, 9]), loom.PointCloud(points)
+    for p, kept in ((points, clip.keeper(T)(points)), (cloud.points, hidden_points(cloud, clip, pose=T).numpy() == 0)):
+        np.testing.assert_array_equal(kept, clip.keep(p @ T[:3, :3].T + T[:3, 3]))
 
 
 def test_no_planes_select_all_finite_points():

@@ -176,13 +176,8 @@ def test_invalid_arguments_are_rejected_by_name(change, error, words):
 
 
 def test_all_attributes_of_a_point_are_reported():
-    cloud = loom.PointCloud(
-        np.array([[0.1, 0.25, -3]]) + UTM,
-        colors=[[1, 0.5, 0]],
-        normals=[[0, 0, 1]],
-        label=np.array([7], np.int32),
-        wind=np.array([[0.5, 2.0]]),
-    )
+    points, values = np.array([[0.1, 0.25, -3]]) + UTM, {"label": np.array([7], np.int32), "wind": [[0.5, 2.0]]}
+    cloud = loom.PointCloud(points, colors=[[1, 0.5, 0]], normals=[[0, 0, 1]], **values)
     rows = dict(describe_point(cloud, 0))
     assert rows["index"] == "0" and rows["color"] == "255 128 0" and rows["normal"] == "0.0000 0.0000 1.0000"
     assert rows["label"] == "7" and rows["wind"] == "0.5 2"

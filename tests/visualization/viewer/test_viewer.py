@@ -37,7 +37,6 @@ def shown(capfd, caplog):
 
 @pytest.fixture
 def page(shown):
-    """A page of the viewer."""
     with page_in(shown) as page:
         yield page
 
@@ -51,13 +50,11 @@ def session_of(shown):
 
 
 def node_of(shown, page, name):
-    """The node of a cloud in a page."""
     shown.catch_up()
     return page.nodes[shown.sessions[page.client.client_id].streams[name]._nodes[0].id]
 
 
 def positions_of(shown, node):
-    """World positions of the points of a node."""
     pose = np.reshape(node.pose, (3, 4))
     return (node.positions @ pose[:, :3].T + pose[:, 3]) * shown.frame.unit + shown.frame.origin
 

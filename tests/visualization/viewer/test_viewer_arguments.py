@@ -1,7 +1,5 @@
 """Every argument of the viewer's calls rejects invalid values with an error that names it; clouds of all kinds."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -30,12 +28,8 @@ CASES = []
 for line in CALLS.strip().splitlines():
     ((function, expressions),) = read_table(line, {}).values()
     CASES += [(function, expressions, name) for name in expressions if name not in ("visible", "port")]
-WORDS = {
-    "name": "geometries",
-    "geometries": "points",
-    "geometry": "geometries|points",
-    "color_by": "by",
-}  # accepted names in messages
+# Accepted names in messages.
+WORDS = {"name": "geometries", "geometries": "points", "geometry": "geometries|points", "color_by": "by"}
 
 
 @pytest.fixture(scope="module")
