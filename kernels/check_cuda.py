@@ -9,7 +9,6 @@ from __future__ import annotations
 import functools
 import importlib
 import multiprocessing
-import os
 import pkgutil
 import struct
 import sys
@@ -21,6 +20,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from . import lang  # before Warp: it silences the banner
+from .language.cpu_pool import usable_cores
 from .language.warp_compiler import modules_for_cuda
 
 import warp as wp  # isort: skip
@@ -125,7 +125,7 @@ def check_package(architectures: tuple[int, ...]) -> Iterator[tuple[int, list[st
     package = importlib.import_module(__package__ or "pointloom.kernels")
     modules = [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
     spawn = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn) as pool:
+    with ProcessPoolExecutor(usable_cores(), spawn) as pool:
         yield from pool.map(functools.partial(check_module, architectures=architectures, may_be_empty=True), modules)
 
 

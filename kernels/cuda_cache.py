@@ -16,7 +16,6 @@ import io
 import json
 import lzma
 import multiprocessing
-import os
 import pkgutil
 import shutil
 import signal
@@ -31,6 +30,7 @@ from typing import Any, NamedTuple, TypeVar
 from . import lang  # before Warp: it silences the banner
 from .language import casts
 from .language.compiled_ahead import ARCHIVE, MANIFEST, PACKAGE, made_from, member, write_atomically
+from .language.cpu_pool import usable_cores
 from .language.warp_compiler import modules_for_cuda
 
 import warp as wp  # isort: skip
@@ -79,7 +79,7 @@ def _drop_outdated(module: wp.Module, folder: Path) -> None:
     if source.exists():
         options = module.resolve_options(wp.config) | {"output_arch": max(ARCHITECTURES)}
         module.get_module_hash()
-        if module._run_codegen(options, False)[0] != source.read_text():
+        if module._run_codegen(options, False)[0] != source.read_text(encoding="utf-8"):
             shutil.rmtree(folder)
 
 
@@ -93,7 +93,7 @@ def _compile(module: wp.Module, work: Path, targets: list[tuple[int, bool]]) -> 
         (path,) = wp.compile_aot_module(module, arch=architecture, use_ptx=is_ptx)
         seconds, binary = time.process_time() - start, Path(path).read_bytes()
         code[Path(path).name.removeprefix(f"{name}.")] = Code(len(binary), lzma.compress(binary), seconds)
-    meta = json.loads((folder / f"{name}.meta").read_text())
+    meta = json.loads((folder / f"{name}.meta").read_text(encoding="utf-8"))
     return Built(module.name, key, len(module.kernels), meta, code)
 
 
@@ -111,7 +111,7 @@ def in_processes(call: Callable[..., Result], files: Iterable[str], *arguments: 
     """Each file and `call(file, *arguments)`, in one process per core, in order of completion.
     Raises RuntimeError for a file that fails."""
     spawn = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn, initializer=_leave_ctrl_c_to_the_parent) as pool:
+    with ProcessPoolExecutor(usable_cores(), spawn, initializer=_leave_ctrl_c_to_the_parent) as pool:
         futures = {pool.submit(call, file, *arguments): file for file in files}
         try:
             for done in as_completed(futures):

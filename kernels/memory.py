@@ -81,7 +81,7 @@ def free_bytes(device: Device) -> int | None:
         return int(device.free_memory) + pools.reserved_bytes(device)
     sizes = []
     with contextlib.suppress(OSError, ValueError, StopIteration):
-        lines = Path("/proc/meminfo").read_text().splitlines()
+        lines = Path("/proc/meminfo").read_text(encoding="utf-8").splitlines()
         sizes.append(1024 * next(int(line.split()[1]) for line in lines if line.startswith("MemAvailable:")))
     with contextlib.suppress(OSError, ValueError):  # in containers; "max" is no number
         group = Path("/sys/fs/cgroup")

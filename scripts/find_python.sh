@@ -2,7 +2,8 @@
 # Print the path of the interpreter that pointloom's virtual environment is made with.
 #
 #   scripts/find_python.sh           the first of python3.13, python3.12, python3.11, python3.14, python3 that is 3.11
-#                                    to 3.14, one that can make virtual environments before one that cannot
+#                                    to 3.14, which constraints/ has packages for; one that can make virtual
+#                                    environments before one that cannot
 #   scripts/find_python.sh NAME      NAME alone, or an error that says what is wrong with it
 set -euo pipefail
 
@@ -25,7 +26,7 @@ if [ -n "${1:-}" ]; then
     fi
     read -r supported _ version path <<<"$answer"
     if [ "$supported" != 1 ]; then
-        echo "PYTHON=$1 is Python $version ($path); pointloom needs CPython 3.11, 3.12, 3.13 or 3.14" >&2
+        echo "PYTHON=$1 is Python $version ($path); constraints/ has packages for CPython 3.11, 3.12, 3.13 and 3.14" >&2
         exit 1
     fi
     echo "$path"

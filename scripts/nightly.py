@@ -30,6 +30,7 @@ STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "newest-versions": ([".venv/bin/python", "scripts/test_versions.py", "newest"], {}),
     "taichi": (["make", "test-all", "ARGS=--taichi"], {}),
     "gallery": (["make", "docs"], {}),
+    "platforms": ([".venv/bin/python", "scripts/check_platforms.py"], {}),
     "flakes": (["make", "flakes"], {}),
     "mutants": (["make", "mutants", "ARGS=--all"], {}),
     "emulated-order-0": (["make", "test-cuda-emulated"], {"EMULATED_CUDA_ORDER": "0"}),

@@ -4,7 +4,7 @@
     .venv/bin/python scripts/update_constraints.py --upgrade-package scipy   # upgrade one package
     .venv/bin/python scripts/update_constraints.py --upgrade                 # upgrade all packages
 
-uv resolves pyproject.toml for Linux x86-64 and all supported Python versions (`pip install uv` if it is missing; it
+uv resolves pyproject.toml for Linux x86-64 and the Python versions in PYTHONS (`pip install uv` if it is missing; it
 takes the package index from its settings). Existing versions stay unchanged unless an upgrade is requested. Only
 hashes of wheels for these platforms are written, and no URL of an index.
 

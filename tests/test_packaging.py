@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from packaging.specifiers import SpecifierSet
 from packaging.utils import canonicalize_name
 from packaging.version import Version
 
@@ -103,13 +104,17 @@ def test_the_wheel_names_its_version_and_its_command(wheel):
     assert "pointloom = pointloom.__main__:main" in wheel.read(f"{dist_info}/entry_points.txt").decode()
 
 
-@pytest.fixture(scope="module")
-def package_metadata():
-    """The module scripts/package_metadata.py."""
-    spec = importlib.util.spec_from_file_location("package_metadata", ROOT / "scripts" / "package_metadata.py")
+def script(name: str):
+    """A module of scripts/."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "scripts" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+@pytest.fixture(scope="module")
+def package_metadata():
+    return script("package_metadata")
 
 
 def test_the_package_readme_has_absolute_links(wheel, package_metadata):
@@ -233,3 +238,46 @@ def test_the_constraints_leave_out_nothing_that_their_packages_need(layer):
         assert name in pins, f"constraints/{layer}.txt lacks {requirement}"
         assert requirement.specifier.contains(pins[name][0]), f"{requirement} is pinned at {pins[name][0]}"
         queue += needs_of(requirement)
+
+
+def test_the_table_of_platforms_lists_each_system_and_tested_python():
+    platforms = script("check_platforms")
+    table = platforms.read_table((ROOT / "docs" / "install.md").read_text(encoding="utf-8"))
+    assert set(table) == {(platform, python) for platform in platforms.PLATFORMS for python in platforms.PYTHONS}
+    assert set(table.values()) == platforms.AVAILABLE | platforms.MISSING
+    classifiers = [text.rpartition(" ")[2] for text in PROJECT["project"]["classifiers"] if "Python ::" in text]
+    assert classifiers == [python for _, python in table if table[_, python] == "tested"]
+
+
+def test_new_versions_of_python_are_not_rejected():
+    supported = SpecifierSet(PROJECT["project"]["requires-python"])
+    assert [python for python in ("3.10", "3.11", "3.15", "3.99", "4.0") if python in supported] == [
+        *("3.11", "3.15", "3.99", "4.0")
+    ]
+
+
+@pytest.mark.parametrize("problem", ["", "no wheel"])
+def test_a_wrong_table_of_platforms_is_an_error(problem, monkeypatch, capsys):
+    platforms = script("check_platforms")
+    monkeypatch.setattr(platforms, "problem_of", lambda platform, python: problem)
+    assert platforms.main() == 1
+    lines = capsys.readouterr().out.splitlines()[1 + len(platforms.PLATFORMS) :]
+    expected = 28 if problem else 7  # macOS on x86-64 has no wheel
+    assert len(lines) == expected and all(f"but pip: {problem or 'resolves'}" in line for line in lines)
+
+
+def test_dependencies_of_another_system_are_resolved_too(monkeypatch):
+    """pip compares markers and the limits of Python with its own system and Python."""
+    platforms, calls = script("check_platforms"), []
+    new = {"name": "A", "version": "2", "requires_python": ">=3.12"}
+    old = {"name": "A", "version": "1", "requires_dist": ["B>=1; sys_platform == 'win32'", "C; extra == 'all'"]}
+
+    def resolve(wanted, tags, python):
+        calls.append(wanted[len(platforms.DEPENDENCIES) :])
+        return [old if "A!=2" in wanted else new, *([{"name": "b", "version": "1"}] if "B>=1" in wanted else [])], ""
+
+    monkeypatch.setattr(platforms, "resolve", resolve)
+    assert platforms.problem_of("Windows x86-64", "3.11t") == ""
+    assert calls[-1] == ["A!=2", "B>=1"]
+    assert platforms.problem_of("macOS 12, arm64", "3.11") == "" and calls[-1] == ["A!=2"]
+    assert platforms.problem_of("macOS 12, arm64", "3.12") == "" and calls[-1] == []

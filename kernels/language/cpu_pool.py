@@ -126,8 +126,13 @@ def default_thread_count() -> int:
         return int(text)
     if sys.platform != "linux":
         return 1  # the waits of other systems are untested
-    cores = len(os.sched_getaffinity(0))
+    cores = usable_cores()
     return max(1, min(cores, _cores_of_group() or cores, MAX_THREADS))
+
+
+def usable_cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _cores_of_group() -> int:

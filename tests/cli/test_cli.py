@@ -1,6 +1,8 @@
 """The command line: imports, exit codes, stdout, stderr and files."""
 
+import ctypes
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -349,3 +351,19 @@ def test_doctor_reports_an_outdated_driver(monkeypatch, tmp_path):
 @pytest.mark.parametrize(("count", "shown"), [(0, "0 B"), (1023, "1023 B"), (1024, "1.0 KiB"), (3 << 19, "1.5 MiB")])
 def test_memory_sizes_use_binary_units(count, shown):
     assert format_bytes(count) == shown
+
+
+def test_doctor_reports_the_memory_of_the_machine_on_windows(monkeypatch):
+    """MEMORYSTATUSEX has 64 bytes, the first 4 its size; the memory is at byte 8."""
+    pages = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    assert doctor._memory_bytes() == pages
+
+    def fill(status):
+        assert bytes(status._obj)[:8] == b"\x40" + bytes(7)
+        ctypes.memmove(ctypes.byref(status._obj, 8), (5 << 30).to_bytes(8, "little"), 8)
+
+    libraries = {"kernel32": SimpleNamespace(GlobalMemoryStatusEx=fill)}
+    monkeypatch.setattr(ctypes, "WinDLL", libraries.__getitem__, raising=False)
+    monkeypatch.setattr(doctor, "sys", SimpleNamespace(platform="win32"))
+    monkeypatch.delattr(os, "sysconf")
+    assert doctor._memory_bytes() == 5 << 30

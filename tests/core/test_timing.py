@@ -1,8 +1,10 @@
 """A clock measures and reports its stages, and memory has one unit."""
 
+import ctypes
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -65,3 +67,27 @@ def test_seconds_of_the_cpu_are_those_of_processes_too():
 def test_memory_is_counted_in_bytes():
     peak = peak_bytes()
     assert 1 << 20 < peak <= peak_bytes_of_all() < 1 << 45
+
+
+@pytest.mark.parametrize(("system", "unit"), [("linux", 1024), ("darwin", 1)])
+def test_the_unit_of_peak_memory_follows_the_system(system, unit, monkeypatch):
+    peaks = {"of this process": 7, "of children": 9}
+    usage = SimpleNamespace(RUSAGE_SELF="of this process", RUSAGE_CHILDREN="of children")
+    usage.getrusage = lambda who: SimpleNamespace(ru_maxrss=peaks[who])
+    monkeypatch.setitem(sys.modules, "resource", usage)
+    monkeypatch.setattr(sys, "platform", system)
+    assert (peak_bytes(), peak_bytes_of_all()) == (7 * unit, 9 * unit)
+
+
+def test_windows_reports_peak_memory(monkeypatch):
+    """PROCESS_MEMORY_COUNTERS has 72 bytes: its size and a count of 4 bytes each, then the peak."""
+
+    def fill(process, counters, size):
+        assert (process.value, size) == (2**64 - 1, 72)
+        ctypes.memmove(ctypes.byref(counters._obj, 8), (123 << 20).to_bytes(8, "little"), 8)
+
+    libraries = {"kernel32": SimpleNamespace(K32GetProcessMemoryInfo=fill)}
+    monkeypatch.setattr(ctypes, "WinDLL", libraries.__getitem__, raising=False)
+    monkeypatch.setitem(sys.modules, "resource", None)
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert peak_bytes() == peak_bytes_of_all() == 123 << 20

@@ -89,3 +89,10 @@ def test_a_worker_keeps_its_gpu(monkeypatch):
         assert processes._call(lambda _, device: device, None, "cuda") == "cuda:0"
         with reserved_device("cuda") as other:
             assert other == "cuda:1"
+
+
+@pytest.mark.usefixtures("three_gpus")
+def test_without_locks_processes_share_a_gpu(monkeypatch):
+    monkeypatch.setattr(processes, "fcntl", None)
+    with reserved_device("cuda") as first, reserved_device("cuda") as second:
+        assert (first, second) == ("cuda:0", "cuda:0")

@@ -1,8 +1,10 @@
 """Folders of jobs that are shared by machines: no write-ahead log, and the same rows."""
 
 import contextlib
+import os
 import sqlite3
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -77,3 +79,22 @@ def test_a_job_planned_on_a_local_disk_drops_the_log_where_it_is_shared(tmp_path
     monkeypatch.setattr(manifest, "is_shared", lambda _: True)
     assert loom.tiling.run_tiles(job).is_finished
     assert mode_of(job) == "delete"
+
+
+def test_locks_of_workers_on_windows_end_with_their_block(tmp_path, monkeypatch):
+    """Windows has no fcntl and removes no open file."""
+    unlink = Path.unlink
+
+    def unlink_closed(path, missing_ok=False):
+        if any(path.samefile(f"/proc/self/fd/{number}") for number in opened):
+            raise PermissionError(f"{path} is open")
+        unlink(path, missing_ok)
+
+    opened, open_file, close_file = set(), os.open, os.close
+    monkeypatch.setattr(os, "open", lambda *given, **more: opened.add(number := open_file(*given, **more)) or number)
+    monkeypatch.setattr(os, "close", lambda number: opened.discard(number) or close_file(number))
+    monkeypatch.setattr(Path, "unlink", unlink_closed)
+    monkeypatch.setattr(manifest, "fcntl", None)
+    with manifest.worker_lock(tmp_path) as owner, manifest.exclusive(tmp_path, "run"):
+        assert len(opened) == 2 and not manifest.is_dead(tmp_path, owner)
+    assert not opened and manifest.is_dead(tmp_path, owner)

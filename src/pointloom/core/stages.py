@@ -119,10 +119,10 @@ class Chain:
             return
         folder = self.root / f"{stage.name}{GOING}"
         mark = folder / _MADE_FROM
-        if not mark.is_file() or mark.read_text() != stage.made_from:
+        if not mark.is_file() or mark.read_text(encoding="utf-8") != stage.made_from:
             _remove(folder)
             folder.mkdir()
-            mark.write_text(stage.made_from)
+            mark.write_text(stage.made_from, encoding="utf-8")
         yield (folder,)
         _remove(folder)
 

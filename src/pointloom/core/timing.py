@@ -59,13 +59,17 @@ class Clock:
 
 def peak_bytes() -> int:
     """Peak memory of this process [B]."""
+    if sys.platform == "win32":
+        return _peak_on_windows()
     import resource
 
     return _peak_of(resource.RUSAGE_SELF)
 
 
 def peak_bytes_of_all() -> int:
-    """Peak memory of this process or a waited-for child [B]."""
+    """Peak memory of this process or a waited-for child [B]. On Windows: of this process."""
+    if sys.platform == "win32":
+        return _peak_on_windows()
     import resource
 
     return max(peak_bytes(), _peak_of(resource.RUSAGE_CHILDREN))
@@ -76,6 +80,16 @@ def _peak_of(who: int) -> int:
 
     unit = 1 if sys.platform == "darwin" else 1024
     return resource.getrusage(who).ru_maxrss * unit
+
+
+def _peak_on_windows() -> int:
+    import ctypes
+
+    counters = (ctypes.c_size_t * 9)()  # PROCESS_MEMORY_COUNTERS: two 32-bit fields, the peak, seven other sizes
+    process = ctypes.c_void_p(-1)  # this process
+    system = ctypes.WinDLL("kernel32")  # type: ignore[attr-defined]
+    system.K32GetProcessMemoryInfo(process, ctypes.byref(counters), ctypes.sizeof(counters))
+    return counters[1]
 
 
 def _cpu_now() -> float:

@@ -103,7 +103,7 @@ def join_step(folder: Path, number: int, step: Any, left: BorderData, owner: str
     try:
         part.mkdir(parents=True)
         count = step.join(left, part)
-        (part / SUMMARY).write_text(json.dumps({"count": count}))
+        (part / SUMMARY).write_text(json.dumps({"count": count}), encoding="utf-8")
         part.rename(done)
     except OSError as error:
         shutil.rmtree(part, ignore_errors=True)
@@ -120,7 +120,7 @@ def read_joined(folder: Path, number: int, tile: int) -> tuple[int, NDArray[Any]
     """Global count of a join, and its result for a tile or None. FileError if unreadable."""
     join_folder = folder / JOINED / str(number)
     try:
-        count = int(json.loads((join_folder / SUMMARY).read_text())["count"])
+        count = int(json.loads((join_folder / SUMMARY).read_text(encoding="utf-8"))["count"])
         path = join_folder / f"{tile}.npy"
         return count, np.load(path) if path.exists() else None
     except (OSError, *DAMAGE) as error:

@@ -70,7 +70,7 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
         part.mkdir(parents=True)
         filled = _fill(plan, file, part)
         index = filled._asdict() | {"tiles": {str(tile): rows for tile, rows in sorted(filled.tiles.items())}}
-        (part / INDEX).write_text(json.dumps(index))
+        (part / INDEX).write_text(json.dumps(index), encoding="utf-8")
         try:
             part.rename(done)
         except OSError:
@@ -90,7 +90,7 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
 
 def _filled(done: Path) -> Filled:
     try:
-        index = json.loads((done / INDEX).read_text())
+        index = json.loads((done / INDEX).read_text(encoding="utf-8"))
         return Filled(**index | {"tiles": {int(tile): rows for tile, rows in index["tiles"].items()}})
     except (OSError, *DAMAGE) as error:
         raise FileError(done / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(done)) from error
@@ -251,7 +251,9 @@ def _time_of(bucket: Path) -> int:
 @lru_cache(maxsize=64)
 def _index_of(bucket: Path, time: int) -> dict[int, int]:
     try:
-        return {int(tile): rows for tile, rows in json.loads((bucket / INDEX).read_text())["tiles"].items()}
+        return {
+            int(tile): rows for tile, rows in json.loads((bucket / INDEX).read_text(encoding="utf-8"))["tiles"].items()
+        }
     except (OSError, *DAMAGE) as error:
         raise FileError(bucket / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(bucket)) from error
 

@@ -322,8 +322,11 @@ def worker_lock(folder: Path, *, computes: bool = True) -> Iterator[str]:
                 fcntl.flock(descriptor, fcntl.LOCK_EX)
         yield owner
     finally:
+        if fcntl is None:  # Windows removes no open file
+            os.close(descriptor)
         path.unlink(missing_ok=True)
-        os.close(descriptor)
+        if fcntl is not None:
+            os.close(descriptor)
 
 
 @contextlib.contextmanager
@@ -340,7 +343,8 @@ def exclusive(folder: Path, name: str) -> Iterator[None]:
             except OSError as error:
                 raise FileError(folder, f"another process is running `{name}` on this job") from error
         yield
-        path.unlink(missing_ok=True)
+        if fcntl is not None:
+            path.unlink(missing_ok=True)
     finally:
         os.close(descriptor)
 
@@ -381,7 +385,7 @@ OVER_NETWORKS = {
 def is_shared(folder: Path) -> bool:
     """True if the file system type allows access from other machines."""
     try:
-        lines = MOUNTS.read_text().splitlines()
+        lines = MOUNTS.read_text(encoding="utf-8").splitlines()
         resolved = folder.resolve()
     except OSError:
         return False

@@ -1,5 +1,6 @@
 """Threads share launches on the CPU: every index of a launch runs exactly once."""
 
+import ctypes
 import os
 import signal
 import subprocess
@@ -7,6 +8,7 @@ import sys
 import textwrap
 import threading
 import time
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,6 +19,8 @@ from pointloom.core.threads import get_num_threads
 from pointloom.kernels import lang, memory
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.language import cpu_code, cpu_pool
+from pointloom.kernels.language.device_lock import lock
+from pointloom.kernels.language.pool_code import FIELDS
 
 SOURCE = """
 @kernel
@@ -375,3 +379,66 @@ def test_another_header_is_another_module(kernels, monkeypatch):
     monkeypatch.undo()
     module.mark_modified()
     assert module.get_module_identifier(block_dim=1) == before
+
+
+SEMAPHORES = []  # they exist for longer than a pool
+
+
+class MadeSemaphores:
+    """Creates semaphores of this system, for the name and the arguments of another system."""
+
+    def __init__(self) -> None:
+        self.calls, self._system = [], ctypes.CDLL(None)
+
+    def __call__(self, *arguments):
+        self.calls.append(arguments)
+        SEMAPHORES.append(ctypes.create_string_buffer(64))
+        assert self._system.sem_init(SEMAPHORES[-1], 0, 0) == 0
+        return ctypes.addressof(SEMAPHORES[-1])
+
+
+@pytest.mark.parametrize("system", ["darwin", "win32"])
+def test_a_pool_uses_the_semaphores_of_its_system(kernels, system, monkeypatch):
+    """With functions of this system under the names of the other: they ignore the additional arguments."""
+    loom.set_num_threads(1)
+    visits, total = device_array(np.zeros(1000, np.int32), int), device_array([0], int)
+    lang.launch(kernels.count_kernel, 1000, [visits, total])  # compiled
+    this, create, libraries = ctypes.CDLL(None), MadeSemaphores(), []
+    wait, post, switch = this.sem_wait, this.sem_post, this.sched_yield
+    names = {
+        "darwin": {"dispatch_semaphore_wait": wait, "dispatch_semaphore_signal": post, "sched_yield": switch}
+        | {"dispatch_semaphore_create": create},
+        "win32": {"WaitForSingleObject": wait, "ReleaseSemaphore": post, "SwitchToThread": switch}
+        | {"CreateSemaphoreW": create},
+    }[system]
+
+    def load(name):
+        libraries.append(name)
+        return SimpleNamespace(**names)
+
+    monkeypatch.setattr(cpu_pool, "sys", SimpleNamespace(platform=system))
+    monkeypatch.setattr(ctypes, "WinDLL" if system == "win32" else "CDLL", load, raising=False)
+    loom.set_num_threads(3)
+    with lock:
+        pool = cpu_pool.pool()
+    monkeypatch.undo()
+    stored = [pool._words[FIELDS[name]] for name in ("wait", "post", "give_way")]
+    assert stored == [ctypes.cast(function, ctypes.c_void_p).value for function in (wait, post, switch)]
+    assert libraries == ["kernel32" if system == "win32" else None]
+    assert create.calls == [(None, 0, 2**30, None) if system == "win32" else (0,)] * 2
+    for _ in range(20):
+        lang.launch(kernels.count_kernel, 1000, [visits, total])
+        time.sleep(0.001)  # they sleep
+    assert (visits.numpy() == 21).all() and total.numpy()[0] == 21_000
+
+
+@pytest.mark.parametrize("system", ["darwin", "win32"])
+def test_systems_without_affinity_count_all_cores(system, monkeypatch):
+    monkeypatch.delattr(os, "sched_getaffinity")
+    monkeypatch.setattr(os, "cpu_count", lambda: 12)
+    assert cpu_pool.usable_cores() == 12
+    monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
+    monkeypatch.setattr(sys, "platform", system)
+    assert cpu_pool.default_thread_count() == 1
+    monkeypatch.setenv("POINTLOOM_CPU_THREADS", "5")
+    assert cpu_pool.default_thread_count() == 5

@@ -227,3 +227,12 @@ def test_a_handler_at_exit_can_still_work(run):
         """
     )
     assert (done.stdout, done.stderr, done.returncode) == ("done\n", "", 0)
+
+
+def test_without_locks_a_folder_is_repaired_all_the_same(tmp_path, monkeypatch):
+    monkeypatch.setattr(taichi_compiler, "fcntl", None)
+    left = tmp_path / "ticache.lock"
+    left.touch()
+    os.utime(left, (0, 0))
+    with KernelFolder(str(tmp_path)).locked():
+        assert not left.exists() and is_free(tmp_path)

@@ -1,11 +1,13 @@
 """Child processes: limits, crashes, last output, and cleanup."""
 
 import contextlib
+import fcntl
 import io
 import os
 import queue
 import select
 import signal
+import termios
 import threading
 import time
 from pathlib import Path
@@ -182,3 +184,72 @@ def test_files_that_are_no_databases_are_rejected(tmp_path):
 def test_a_database_without_matches_is_an_error(stages, tmp_path):
     with pytest.raises(loom.FileError, match=r"contains no matches. sfm.match computes them"):
         map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")
+
+
+@pytest.fixture
+def windows(monkeypatch):
+    """Child processes without process groups, and pipes that `select` does not take."""
+
+    def peek(handle, size):
+        assert size == 0
+        available = int.from_bytes(fcntl.ioctl(handle, termios.FIONREAD, bytes(4)), "little")
+        if not available and select.select([handle], [], [], 0)[0]:
+            raise BrokenPipeError
+        return available, 0
+
+    monkeypatch.setitem(colmap_jobs.sys.modules, "_winapi", SimpleNamespace(PeekNamedPipe=peek))
+    monkeypatch.setitem(colmap_jobs.sys.modules, "msvcrt", SimpleNamespace(get_osfhandle=lambda handle: handle))
+    system = SimpleNamespace(platform="win32", executable=colmap_jobs.sys.executable)
+    monkeypatch.setattr(colmap_jobs, "select", None)
+    for module in (colmap_jobs, limited_process):
+        monkeypatch.setattr(module, "sys", system)
+    for name in ("killpg", "pread", "statvfs"):
+        monkeypatch.delattr(os, name)
+    monkeypatch.setattr(colmap_jobs.shutil, "disk_usage", lambda _: SimpleNamespace(free=2**40))
+
+
+@pytest.mark.parametrize("death", ["crashed", "hung", "refusing", "silent"])
+def test_windows_reports_a_crashed_worker(windows, tmp_path, worker, death):
+    lines, message = DEATHS[death]
+    worker(lines)
+    job = {"stage": "features", "database": os.fspath(tmp_path / "a" / "f.db")}
+    polls = []
+    limits = {"max_seconds": 1 if death == "hung" else 60, "max_memory": None}
+    with pytest.raises(loom.FileError, match=message):
+        colmap_jobs.run_job(job, tmp_path, **limits, poll=lambda: polls.append(1))
+    assert polls or death != "hung"
+
+
+def test_windows_reads_all_messages_of_a_worker(windows, tmp_path, worker):
+    send = "for n in range(3): print('{\"registered\": %d}' % n, flush=True); time.sleep(0.05)\n"
+    worker(send + 'print(\'{"done": {"a": 1}}\')')
+    job, messages = {"stage": "features", "database": "f.db"}, []
+    done, _ = colmap_jobs.run_job(job, tmp_path, max_seconds=60, max_memory=None, report=messages.append)
+    assert done == {"a": 1} and messages == [{"registered": n} for n in range(3)]
+
+
+@pytest.mark.parametrize(("system", "is_known"), [("linux", True), ("darwin", False), ("win32", False)])
+def test_free_memory_is_known_on_linux(system, is_known, monkeypatch):
+    monkeypatch.setattr(limited_process, "sys", SimpleNamespace(platform=system))
+    assert (limited_process.free_memory() < 2**60) is is_known
+
+
+@pytest.mark.parametrize("system", ["linux", "darwin", "win32"])
+def test_a_worker_ends_with_its_parent_on_linux_and_finds_the_driver_of_its_system(system, monkeypatch):
+    calls, libraries = [], []
+    functions = SimpleNamespace(prctl=lambda *arguments: calls.append(arguments), cuInit=lambda _: 1)
+
+    def load(name):
+        libraries.append(name)
+        return functions
+
+    answers = io.StringIO()
+    monkeypatch.setattr(colmap_worker, "sys", SimpleNamespace(platform=system, stdin=io.StringIO("{}")))
+    monkeypatch.setattr(colmap_worker, "_own_output", lambda: answers)
+    monkeypatch.setattr(colmap_worker.ctypes, "CDLL", load)
+    monkeypatch.setitem(colmap_jobs.sys.modules, "pycolmap", None)
+    assert colmap_worker.main() == 1 and "missing" in answers.getvalue()
+    assert calls == ([(1, signal.SIGKILL)] if system == "linux" else [])
+    libraries.clear()
+    assert colmap_worker._cuda_devices() == 0
+    assert libraries == ["nvcuda.dll" if system == "win32" else "libcuda.so.1"]

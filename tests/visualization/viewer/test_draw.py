@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -184,3 +185,25 @@ def test_a_browser_opens_where_there_is_a_display(cloud, monkeypatch, environmen
         assert opened == [viewer.url] * opens
     with draw([cloud], open_browser=False):
         assert len(opened) == opens
+
+
+@pytest.mark.parametrize(
+    ("system", "environment", "is_opened"),
+    [
+        ("linux", {}, False),
+        ("linux", {"DISPLAY": ":0"}, True),
+        ("linux", {"WAYLAND_DISPLAY": "wayland-0"}, True),
+        ("linux", {"DISPLAY": ":0", "SSH_CONNECTION": "x"}, False),
+        ("darwin", {}, True),
+        ("darwin", {"SSH_CONNECTION": "x"}, False),
+        ("win32", {}, True),
+    ],
+)
+def test_a_browser_is_started_where_there_is_a_screen(system, environment, is_opened, monkeypatch):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "SSH_CONNECTION"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr(drawing, "sys", SimpleNamespace(platform=system))
+    monkeypatch.setattr(drawing.webbrowser, "open", lambda url: url == "http://page")
+    assert drawing.open_page(SimpleNamespace(url="http://page")) is is_opened

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import importlib.metadata
 import os
 import platform
@@ -136,7 +137,7 @@ def diagnose() -> Diagnosis:
         machine=Machine(
             system=platform.platform(),
             python=platform.python_version(),
-            cores=_usable_cores(),
+            cores=cpu_pool.usable_cores(),
             cores_of_machine=os.cpu_count(),
             memory_bytes=_memory_bytes(),
         ),
@@ -237,11 +238,11 @@ def _untested(versions: dict[str, str]) -> list[str]:
     ]
 
 
-def _usable_cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 def _memory_bytes() -> int:
+    if sys.platform == "win32":
+        status = (ctypes.c_uint64 * 8)(64)  # MEMORYSTATUSEX: its size, the memory, other fields
+        ctypes.WinDLL("kernel32").GlobalMemoryStatusEx(ctypes.byref(status))  # type: ignore[attr-defined]
+        return status[1]
     return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
 
 

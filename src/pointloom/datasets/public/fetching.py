@@ -65,7 +65,7 @@ def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
 
 def _is_complete(folder: Path) -> bool:
     try:
-        sizes = json.loads((folder / LISTING).read_text())
+        sizes = json.loads((folder / LISTING).read_text(encoding="utf-8"))
         return bool(sizes) and all((folder / name).stat().st_size == size for name, size in sizes.items())
     except (OSError, ValueError, AttributeError):
         return False
@@ -89,7 +89,7 @@ def _bring(wanted: PublicSet, home: Path, target: Path) -> None:
                 _unpack(archive, part / file.unpack)
         files = sorted(path for path in part.rglob("*") if path.is_file())
         sizes = {path.relative_to(part).as_posix(): path.stat().st_size for path in files}
-        (part / LISTING).write_text(json.dumps(sizes, indent=0))
+        (part / LISTING).write_text(json.dumps(sizes, indent=0), encoding="utf-8")
         _publish(part, target)
     except OSError as error:
         raise FileError(target, f"cannot be written: {error.strerror or error}") from error

@@ -382,7 +382,7 @@ def write_room_sequence(
             write_png(part / f"{frame.name}.color.png", frame.color)
             pose = check_rigid("T_world_camera", frame.T_world_camera)
             rows = ("\t".join(f"{value:.17g}" for value in row) for row in pose)
-            (part / f"{frame.name}.pose.txt").write_text("\n".join(rows) + "\n")
+            (part / f"{frame.name}.pose.txt").write_text("\n".join(rows) + "\n", encoding="utf-8")
         part.rename(folder)
     except OSError as error:
         raise FileError(folder, f"cannot be written: {error.strerror or error}") from error

@@ -166,13 +166,13 @@ class Visualizer(KnownNames):
         """The view as JSON, as copied by Ctrl+C in Open3D."""
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             write_view(Path(folder) / "view.json", self._control._view(), self._control._bounds)
-            return (Path(folder) / "view.json").read_text()
+            return (Path(folder) / "view.json").read_text(encoding="utf-8")
 
     def set_view_status(self, view_status_str: str) -> None:
         """Set the view from `get_view_status`."""
         width, height = self._control._size
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
-            (Path(folder) / "view.json").write_text(view_status_str)
+            (Path(folder) / "view.json").write_text(view_status_str, encoding="utf-8")
             view = read_view(Path(folder) / "view.json", width=width, height=height)
         self._control._look_from(view)
 

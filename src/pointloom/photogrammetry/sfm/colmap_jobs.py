@@ -6,9 +6,11 @@ import contextlib
 import json
 import os
 import select
+import shutil
 import sqlite3
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -21,6 +23,7 @@ from .limited_process import LimitedProcess
 
 _WORKER = Path(__file__).with_name("colmap_worker.py")
 _POLL_INTERVAL = 0.5  # [s]
+_PEEK_INTERVAL = 0.01  # [s]
 _READ_AT_ONCE = 1 << 16
 _LITTLE_SPACE = 1 << 20  # [B] free space that counts as a full disk
 _SPACE = "Free some space, or work in another folder"
@@ -60,7 +63,7 @@ def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Itera
     assert process.stdout is not None
     handle, rest = process.stdout.fileno(), b""
     while True:
-        if not select.select([handle], [], [], _POLL_INTERVAL)[0]:
+        if not _has_output(handle):
             if poll is not None:
                 poll()
             continue
@@ -73,6 +76,24 @@ def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Itera
                 message = json.loads(line)
                 if isinstance(message, dict):
                     yield message
+
+
+def _has_output(handle: int) -> bool:
+    """Wait until a pipe has output or has ended, or for the polling interval."""
+    if sys.platform != "win32":
+        return bool(select.select([handle], [], [], _POLL_INTERVAL)[0])
+    import _winapi  # `select` takes sockets only
+    import msvcrt
+
+    end = time.monotonic() + _POLL_INTERVAL
+    while time.monotonic() < end:
+        try:
+            if _winapi.PeekNamedPipe(msvcrt.get_osfhandle(handle), 0)[0]:  # type: ignore[attr-defined]
+                return True
+        except BrokenPipeError:  # ended
+            return True
+        time.sleep(_PEEK_INTERVAL)
+    return False
 
 
 _NOUNS = {"features": "finding features", "matches": "matching", "model": "mapping", "points": "triangulation"}
@@ -88,8 +109,7 @@ def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, fold
         return f"{noun} {process.why_ended()}{output}", "Give it more time, or fewer or smaller images"
     if process.killed_for == "memory" or "out of memory" in words:
         return f"{noun} {process.why_ended()}{output}", "Give it more memory, or fewer or smaller images"
-    free = os.statvfs(folder)
-    free_bytes = free.f_bavail * free.f_frsize
+    free_bytes = shutil.disk_usage(folder).free
     if free_bytes < _LITTLE_SPACE or any(text in words for text in _FULL_DISK):
         reason = f"{noun} failed with {format_bytes(free_bytes)} free on the disk of {folder}{output}"
         return reason, _SPACE

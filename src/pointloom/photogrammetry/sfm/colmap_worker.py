@@ -113,7 +113,7 @@ def on_gpu(pycolmap: Any, job: dict[str, Any]) -> bool:
 
 def _cuda_devices() -> int:
     try:
-        driver = ctypes.CDLL("libcuda.so.1")
+        driver = ctypes.CDLL("nvcuda.dll" if sys.platform == "win32" else "libcuda.so.1")
     except OSError:
         return 0
     count = ctypes.c_int(0)

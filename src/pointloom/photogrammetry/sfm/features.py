@@ -17,6 +17,7 @@ from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...io.pictures.image_files import read_picture_header
+from ...kernels.language.cpu_pool import usable_cores
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .exif_checks import focal_problem
 from .frames import check_option
@@ -218,10 +219,6 @@ def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
             path, "is not a folder", remedy="Give the folder of the masks, with IMG_1.jpg.png for IMG_1.jpg"
         )
     return check_mask_files(list_pictures(folder), path)
-
-
-def usable_cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def threads_for(sizes: list[tuple[int, int]], max_size: int, memory: float) -> int:

@@ -82,8 +82,7 @@ class LimitedProcess:
         return self._process.wait()
 
     def last_words(self) -> str:
-        size = os.fstat(self._stderr.fileno()).st_size
-        text = os.pread(self._stderr.fileno(), _LAST_BYTES, max(size - _LAST_BYTES, 0)).decode(errors="replace")
+        text = _end_of(self._stderr).decode(errors="replace")
         lines = [line.strip()[:_LINE_LENGTH] for line in text.splitlines() if not _ADDRESS.match(line)]
         return " / ".join(lines[-_LAST_LINES:])
 
@@ -118,7 +117,10 @@ class LimitedProcess:
     def _kill(self) -> None:
         if self._process is not None and self._process.returncode is None:
             with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.killpg(self._process.pid, signal.SIGKILL)
+                if sys.platform == "win32":  # without process groups
+                    self._process.kill()
+                else:
+                    os.killpg(self._process.pid, signal.SIGKILL)
 
     def _end(self) -> None:
         self._kill()
@@ -132,9 +134,17 @@ class LimitedProcess:
         self._files.close()
 
 
+def _end_of(file: IO[bytes]) -> bytes:
+    first = max(os.fstat(file.fileno()).st_size - _LAST_BYTES, 0)
+    if sys.platform != "win32":
+        return os.pread(file.fileno(), _LAST_BYTES, first)  # leaves the position, which the process shares
+    file.seek(first)
+    return file.read(_LAST_BYTES)
+
+
 def _memory_of(pid: int) -> int:
     with contextlib.suppress(OSError, ValueError, IndexError):
-        for line in Path(f"/proc/{pid}/status").read_text().splitlines():
+        for line in Path(f"/proc/{pid}/status").read_text(encoding="utf-8").splitlines():
             if line.startswith("VmHWM:"):
                 return int(line.split()[1]) * _KIBIBYTE
     return 0
@@ -144,7 +154,7 @@ def free_memory() -> float:
     """Memory that a child may use [B], infinite if unknown."""
     if sys.platform == "linux":
         with contextlib.suppress(OSError, ValueError, IndexError):
-            for line in Path("/proc/meminfo").read_text().splitlines():
+            for line in Path("/proc/meminfo").read_text(encoding="utf-8").splitlines():
                 if line.startswith("MemAvailable:"):
                     return _MEMORY_SHARE * int(line.split()[1]) * _KIBIBYTE
     return float("inf")

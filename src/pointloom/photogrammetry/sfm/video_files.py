@@ -276,7 +276,9 @@ def _any_of(numbers: list[int]) -> str:
 @cache
 def _ffmpeg_version() -> tuple[int, ...]:
     """(5, 1) of "ffmpeg version 5.1.9-0+deb12u1". Builds with only a date count as newest."""
-    output = subprocess.run(["ffmpeg", "-version"], capture_output=True, text=True, check=False, timeout=60).stdout
+    output = subprocess.run(
+        ["ffmpeg", "-version"], capture_output=True, encoding="utf-8", check=False, timeout=60
+    ).stdout
     match = re.match(r"ffmpeg version n?(\d+)\.(\d+)", output)
     return (int(match[1]), int(match[2])) if match else (99,)
 

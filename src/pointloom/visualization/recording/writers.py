@@ -244,6 +244,7 @@ def _command(program: str, width: int, height: int, fps: float, output: Path) ->
 
 def _encoder(program: str) -> tuple[str, tuple[str, ...]]:
     """Name and options of the best encoder of this ffmpeg."""
-    output = subprocess.run([program, "-hide_banner", "-encoders"], capture_output=True, text=True, check=False).stdout
+    command = [program, "-hide_banner", "-encoders"]
+    output = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False).stdout
     names = {line.split()[1] for line in output.splitlines() if len(line.split()) > 1}
     return next((entry for entry in _ENCODERS if entry[0] in names), _ENCODERS[-1])
