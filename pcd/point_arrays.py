@@ -18,11 +18,12 @@ from ..core.coordinates import quiet, split_origin, warn_if_coarse
 from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
 from ..core.escaped_text import escaped
+from ..core.exchange import plain_device
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock_for
-from ..kernels.memory import download, move, upload
+from ..kernels.memory import clone, download, host_view, move, upload
 from ..kernels.search.point_tree import PointTree
 from .cached_tree import CachedTree
 from .units import InUnit
@@ -246,11 +247,14 @@ class PointArrays(InUnit, KnownNames):
     def __dlpack_device__(self) -> tuple[int, int]:
         return self._arrays["points"].__dlpack_device__()
 
-    def __dlpack__(self, *, stream: int | None = None, **options: Any) -> Any:
-        """Points for `from_dlpack` of another library without a copy: float32 (n, 3) about `origin`.
+    def __dlpack__(
+        self, *, stream: int | None = None, max_version: Any = None, dl_device: Any = None, copy: bool | None = None
+    ) -> Any:
+        """Points for `from_dlpack` of another library: float32 (n, 3) about `origin`, without a copy unless `copy`.
 
         Raises:
-            BufferError: If the origin is not zero. Add `origin` to `array("points")` in float64 instead.
+            BufferError: If the origin is not zero (add `origin` to `array("points")` in float64 instead), or if
+                another device is requested.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -262,8 +266,13 @@ class PointArrays(InUnit, KnownNames):
                 f"the points are relative to the origin {self._origin.tolist()}. Share cloud.array('points') and add "
                 "cloud.origin to it, in float64"
             )
+        if dl_device is not None and plain_device(dl_device) != plain_device(self.__dlpack_device__()):
+            raise BufferError(f"the points are on {self.device}. Use cloud.to(device) to copy them to another device")
+        points = clone(self._arrays["points"]) if copy else self.array("points")
+        if points.device.is_cpu:  # as in array_libraries.hand_out
+            return host_view(points).__dlpack__()
         with lock_for(self.device):
-            return self.array("points").__dlpack__(stream=stream)
+            return points.__dlpack__(stream=stream)
 
     @returns_new
     def without(self, *names: str) -> Self:

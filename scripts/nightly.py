@@ -20,6 +20,17 @@ ROOT = Path(__file__).resolve().parents[1]
 LOGS = ROOT / "build" / "nightly"
 FUZZ = [".venv/bin/python", "benchmarks/fuzz/run.py", "--count", "3000", "--seed", "1"]
 
+# Beside other libraries: the newest versions that pip finds (its settings choose the index), in their own environment.
+OTHERS = "torch jax numba open3d pyinstaller pytest pytest-xdist hypothesis"
+TESTS_BESIDE = " ".join(
+    f"tests/core/test_{name}.py" for name in ("array_libraries", "other_array_libraries", "standard_streams")
+)
+BESIDE = f"""set -e
+{sys.executable} -m venv build/beside
+build/beside/bin/python -m pip install --quiet --upgrade --editable . {OTHERS}
+build/beside/bin/python -m pip list
+build/beside/bin/python -m pytest -n 0 {TESTS_BESIDE}"""
+
 # stage -> command and additional environment variables
 STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "gpu-kit": (["make", "gpu-run", "ARGS=--dry"], {}),
@@ -31,6 +42,7 @@ STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "taichi": (["make", "test-all", "ARGS=--taichi"], {}),
     "gallery": (["make", "docs"], {}),
     "platforms": ([".venv/bin/python", "scripts/check_platforms.py"], {}),
+    "beside": (["sh", "-c", BESIDE], {}),
     "flakes": (["make", "flakes"], {}),
     "mutants": (["make", "mutants", "ARGS=--all"], {}),
     "emulated-order-0": (["make", "test-cuda-emulated"], {"EMULATED_CUDA_ORDER": "0"}),

@@ -72,9 +72,9 @@ def test_writes_to_a_shared_array_are_noticed(library, surface):
 )
 def test_other_dtypes_and_devices_convert_as_from_numpy(library, device, surface, convert):
     given = convert(surface)
-    cloud, reference = loom.PointCloud(library.make(given)), loom.PointCloud(given, device=device)
     if library.name == "jax" and given.dtype == np.float64:
-        return  # its array is float32 already
+        pytest.skip("jax makes float32 of it")
+    cloud, reference = loom.PointCloud(library.make(given)), loom.PointCloud(given, device=device)
     np.testing.assert_array_equal(cloud.origin, reference.origin)
     np.testing.assert_array_equal(cloud.points, reference.points)
 

@@ -1,6 +1,7 @@
 """The library works in programs that have no standard streams, and in packages that were cut down."""
 
 import compileall
+import importlib.metadata
 import os
 import shutil
 import subprocess
@@ -87,3 +88,33 @@ def test_a_package_without_sources_or_stubs_is_an_import_error(tmp_path, removed
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     last = run.stderr.splitlines()[-1]
     assert last.startswith("ImportError") and name in last
+
+
+APPLICATION = """
+import numpy as np
+import pointloom as loom
+cloud = loom.PointCloud(np.random.default_rng(0).random((1000, 3)))
+T = np.eye(4)
+T[0, 3] = 0.01
+moved = loom.registration.registration_icp(cloud, cloud.transform(T), 0.1).transformation
+print(len(cloud.voxel_down_sample(0.5)), np.abs(moved - T).max() < 1e-5)
+"""
+# Optional for pointloom or its dependencies: they make the folder larger and the test slower.
+NOT_PACKED = ("torch", "jax", "open3d", "numba", "IPython", "dash", "plotly", "ipywidgets", "sympy", "pytest")
+
+
+@pytest.mark.nightly
+def test_an_application_packed_by_pyinstaller_runs_with_an_empty_home(tmp_path):
+    pytest.importorskip("PyInstaller")
+    if not any(e.value.startswith("pointloom.") for e in importlib.metadata.entry_points(group="pyinstaller40")):
+        pytest.skip("pointloom is not installed, so PyInstaller does not find its hook")
+    (tmp_path / "application.py").write_text(APPLICATION)
+    command = [sys.executable, "-m", "PyInstaller", "--log-level", "ERROR", "application.py"]
+    command += [f"--exclude-module={name}" for name in NOT_PACKED]
+    subprocess.run(command, cwd=tmp_path, check=True, timeout=1500)
+    home = tmp_path / "home"
+    home.mkdir()
+    program = tmp_path / "dist" / "application" / "application"
+    surroundings = {"HOME": str(home), "PATH": os.defpath, "POINTLOOM_VERBOSITY": "warning"}
+    run = subprocess.run([program], env=surroundings, cwd=home, capture_output=True, text=True, timeout=600)
+    assert (run.returncode, run.stdout.split(), run.stderr) == (0, ["27", "True"], "")

@@ -112,6 +112,14 @@ def test_attribute_of_any_type_and_shape_is_shared(values):
     np.testing.assert_array_equal(shared["values"], values)
 
 
+def test_bfloat16_of_warp_is_not_read_as_its_bits():
+    points = np.zeros((50, 3), np.float32)
+    given = wp.zeros((50, 3), dtype=wp.bfloat16, device="cpu")
+    for attempt in (lambda: loom.PointCloud(points, a=given), lambda: loom.PointCloud.from_dlpack(points, a=given)):
+        with pytest.raises(TypeError, match=r"a: expected real numbers, got bfloat16.*convert it to float32"):
+            attempt()
+
+
 def test_an_array_of_a_gpu_that_is_not_here_is_no_silent_copy(rng):
     if wp.get_cuda_device_count():
         pytest.skip("there is a GPU here")

@@ -17,7 +17,7 @@ from numpy.typing import DTypeLike
 from ..kernels.arrays.side_by_side import read_together
 from ..kernels.language.device_arrays import reinterpreted
 from ..kernels.language.device_lock import lock_for
-from ..kernels.memory import cast, download, empty, move, upload
+from ..kernels.memory import cast, download, empty, host_view, move, upload
 from .checks import is_on_gpu, shown
 from .devices import resolve_device
 
@@ -65,6 +65,8 @@ def hand_out(
         array = view_as(array, array.dtype, shape)
     if library == WARP:
         return array
+    if array.device.is_cpu:  # of NumPy: Warp's own release of a shared array ends an exception that is being raised
+        return _import(library).from_dlpack(host_view(array))
     with lock_for(array.device):  # its stream waits for pointloom's
         return _import(library).from_dlpack(array)
 

@@ -44,6 +44,27 @@ def is_on_gpu(values: Any) -> bool:
     return int(getattr(kind, "value", kind)) in DLPACK_GPUS
 
 
+def unreadable(values: Any) -> str:
+    """Why an array of torch, jax or Warp cannot be used, with a remedy. "" if there is no known reason."""
+    kind, dtype, layout = type(values).__name__, getattr(values, "dtype", ""), str(getattr(values, "layout", ""))
+    type_name = getattr(dtype, "__name__", str(dtype)).removeprefix("torch.")
+    if getattr(values, "requires_grad", False) is True and hasattr(values, "detach"):
+        return f"a {kind} that requires a gradient, which pointloom does not compute; pass tensor.detach()"
+    if str(getattr(values, "device", "")) == "meta":
+        return f"a {kind} on the device meta, which has a shape, but no numbers"
+    if "sparse" in layout:
+        return f"a sparse {kind}; pass tensor.to_dense()"
+    if type_name.startswith(("qint", "quint")):
+        return f"a quantized {kind} of {type_name}; pass tensor.dequantize()"
+    if type_name.startswith("complex"):
+        return type_name
+    if type_name.startswith(("bfloat", "float8", "float4", "int4", "uint4", "int2", "uint2")):
+        return f"{type_name}, which NumPy does not have; convert it to float32 or int32 first"
+    if kind.endswith("Tracer") and type(values).__module__.startswith("jax"):
+        return f"a {kind}, which has no numbers; call pointloom outside of jax.jit, jax.grad and jax.vmap"
+    return ""
+
+
 def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
     """Convert to a numeric array (n, width), copied only if needed. Raises `TypeError` or `ValueError`."""
     array = check_numeric(name, values)
@@ -145,9 +166,11 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
     try:
         array = np.asarray(plain)
     except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor of torch that requires a gradient
-        raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
-    if array.dtype.kind not in "biuf":
-        given = type(values).__name__ if array.dtype == object else array.dtype
+        given = unreadable(values) or f"{type(values).__name__} ({error})"
+        raise TypeError(f"{name}: expected numbers, got {given}") from error
+    is_bfloat16 = array.dtype == np.uint16 and unreadable(values)  # Warp's, as its bits
+    if array.dtype.kind not in "biuf" or array.dtype.isbuiltin == 2 or is_bfloat16:  # 2: float8 of jax
+        given = unreadable(values) or (type(values).__name__ if array.dtype == object else array.dtype)
         raise TypeError(f"{name}: expected real numbers, got {given}")
     return array
 
@@ -156,10 +179,12 @@ def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infini
     """A real number, finite by default. Booleans, strings and arrays raise `TypeError`."""
     if isinstance(value, bool | np.bool_ | str | bytes | bytearray) or getattr(value, "ndim", 0):
         raise TypeError(f"{name}: expected a number, got {shown(value)}")
+    if getattr(value, "requires_grad", False) is True:  # torch warns, and drops the gradient
+        raise TypeError(f"{name}: expected a number, got {unreadable(value) or shown(value)}")
     try:
         number = float(value)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{name}: expected a number, got {shown(value)}") from error
+    except (TypeError, ValueError, RuntimeError) as error:  # RuntimeError: a tensor on the device meta
+        raise TypeError(f"{name}: expected a number, got {unreadable(value) or shown(value)}") from error
     except OverflowError as error:
         raise ValueError(f"{name}: expected a finite number in float64, got {shown(value)}") from error
     if (math.isnan(number) and not allow_nan) or (math.isinf(number) and not allow_infinite):
@@ -195,10 +220,10 @@ def check_count(
         if isinstance(value, bool | np.bool_):
             raise TypeError
         number = operator.index(value)
-    except TypeError as error:
+    except (TypeError, RuntimeError) as error:  # RuntimeError: a tensor on the device meta
         is_integral = isinstance(value, float) and value.is_integer() and abs(value) <= maximum
         remedy = f"; pass {int(value)}" if is_integral else ""
-        raise TypeError(f"{name}: expected an integer, got {shown(value)}{remedy}") from error
+        raise TypeError(f"{name}: expected an integer, got {unreadable(value) or shown(value)}{remedy}") from error
     if number < minimum:
         raise ValueError(f"{name}: expected an integer >= {minimum}, got {shown(value)}")
     if number > maximum:

@@ -17,6 +17,7 @@ from ..kernels.language.device_lock import lock
 from ..kernels.language.streams import wait_for
 from ..kernels.memory import empty
 from .array_libraries import library_of
+from .checks import unreadable
 from .errors import DeviceError
 
 _COPY = "use PointCloud(...) to copy it"
@@ -30,8 +31,13 @@ class _PlainDevice:
         self._device = source.__dlpack_device__()
 
     def __dlpack_device__(self) -> tuple[int, int]:
-        kind, index = self._device
-        return int(getattr(kind, "value", kind)), int(index)
+        return plain_device(self._device)
+
+
+def plain_device(device: tuple[Any, int]) -> tuple[int, int]:
+    """A DLPack device (type, index) as integers."""
+    kind, index = device
+    return int(getattr(kind, "value", kind)), int(index)
 
 
 def share_vectors(name: str, source: Any) -> wp.array:
@@ -58,8 +64,15 @@ def share_numbers(name: str, source: Any) -> wp.array:
 
 def share(name: str, source: Any) -> wp.array:
     """Share an array of another library as it is, ordered after that library's queued work."""
-    if isinstance(source, wp.array):
-        return source
+    if getattr(source, "shape", None) == ():
+        raise ValueError(f"{name}: expected an array, got a single number")
+    array = source if isinstance(source, wp.array) else _shared(name, source)
+    if getattr(array.dtype, "_wp_scalar_type_", array.dtype) == wp.bfloat16:  # NumPy would read its bits as integers
+        raise TypeError(f"{name}: expected real numbers, got bfloat16; convert it to float32 first")
+    return array
+
+
+def _shared(name: str, source: Any) -> wp.array:
     try:
         if hasattr(source, "__dlpack__"):
             with lock:  # our stream waits for the source's stream
@@ -68,9 +81,11 @@ def share(name: str, source: Any) -> wp.array:
             return array
         if hasattr(source, "__cuda_array_interface__"):
             return _share_cuda(name, source)
-    except (RuntimeError, TypeError, ValueError, BufferError, LookupError) as error:
+    except (RuntimeError, TypeError, ValueError, BufferError, LookupError, AttributeError) as error:
         if isinstance(error, DeviceError):
             raise
+        if reason := unreadable(source):
+            raise TypeError(f"{name}: expected real numbers, got {reason}") from error
         raise TypeError(f"{name}: {type(source).__name__} cannot be shared: {error}; {_COPY}") from error
     given = type(source).__name__
     raise TypeError(f"{name}: expected an array with __dlpack__ or __cuda_array_interface__, got {given}; {_COPY}")

@@ -138,10 +138,17 @@ def test_the_peak_memory_of_a_program_is_recorded(monkeypatch):
     program, seen = "b = b'x' * 10**8\nimport signal; signal.pause()", queue.Queue()
     memory_of = limited_process._memory_of
     monkeypatch.setattr(limited_process, "_memory_of", lambda pid: (seen.put(memory := memory_of(pid)), memory)[1])
-    with LimitedProcess([colmap_jobs.sys.executable, "-c", program]) as process:
+    with LimitedProcess([limited_process.sys.executable, "-c", program]) as process:
         while seen.get(timeout=60) <= 10**8:
             pass
     assert 10**8 < process.peak_bytes < 3 * 10**8
+
+
+def test_a_packed_application_does_not_start_itself_again(monkeypatch, tmp_path):
+    monkeypatch.setattr(limited_process.sys, "frozen", True, raising=False)
+    job = {"stage": "features", "database": str(tmp_path / "database.db")}
+    with pytest.raises(RuntimeError, match=r"colmap_worker.py needs a Python interpreter.* packed by PyInstaller"):
+        colmap_jobs.run_job(job, tmp_path, max_seconds=1.0, max_memory=None)
 
 
 def test_threads_that_find_features_fit_into_memory(monkeypatch):

@@ -8,7 +8,6 @@ import os
 import select
 import shutil
 import sqlite3
-import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
@@ -19,7 +18,7 @@ from urllib.parse import quote
 from ...core.errors import FileError
 from ...core.sqlite_files import check_no_code, protect
 from ...core.wording import format_bytes
-from .limited_process import LimitedProcess
+from .limited_process import LimitedProcess, python_command
 
 _WORKER = Path(__file__).with_name("colmap_worker.py")
 _POLL_INTERVAL = 0.5  # [s]
@@ -44,7 +43,7 @@ def run_job(
     report: Report | None = None,
 ) -> tuple[dict[str, Any], int]:
     """Run a COLMAP job. Returns its result and peak memory [B]. FileError if it fails or passes a limit."""
-    command = [sys.executable, "-P", str(_WORKER)]
+    command = python_command(_WORKER)
     last: dict[str, Any] = {}
     with LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=json.dumps(job)) as process:
         for message in _messages(process, poll):

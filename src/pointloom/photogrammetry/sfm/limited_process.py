@@ -37,6 +37,20 @@ def check_limits(max_seconds: Any, max_memory: Any) -> dict[str, Any]:
     return {"max_seconds": seconds, "max_memory": max_memory}
 
 
+def python_command(script: Path) -> list[str]:
+    """Command that runs a script of the package with this Python.
+
+    Raises:
+        RuntimeError: In a packed application, whose executable would start the application again.
+    """
+    if getattr(sys, "frozen", False):
+        raise RuntimeError(
+            f"{script.name} needs a Python interpreter, which an application packed by PyInstaller does not have. Run "
+            "structure from motion, or read the video, in a plain Python process"
+        )
+    return [sys.executable, "-P", os.fspath(script)]
+
+
 class LimitedProcess:
     """A child process in a `with` block that ends it; `max_memory` [B] is only enforced on Linux."""
 

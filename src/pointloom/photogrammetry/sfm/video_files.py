@@ -13,7 +13,6 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
@@ -25,7 +24,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...core.paths import path_of
-from .limited_process import LimitedProcess
+from .limited_process import LimitedProcess, python_command
 
 _HEAD = 4096  # [B] inspected header
 _MOV = (b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip", b"pnot", b"styp", b"uuid")
@@ -152,7 +151,7 @@ def _probe_ffmpeg(path: Path, container: str) -> VideoFile:
 
 
 def _probe_opencv(path: Path, container: str) -> VideoFile:
-    command = [sys.executable, "-P", str(_OPENCV)]
+    command = python_command(_OPENCV)
     output, words = _answer(
         path, command, stdin=json.dumps({"path": os.fspath(path), "container": container, "probe": True})
     )
@@ -206,7 +205,7 @@ class VideoFrames:
         if video.reader == "ffmpeg":
             command, stdin = _ffmpeg_command(video, max_size, gray, numbers), ""
         else:
-            command = [sys.executable, "-P", str(_OPENCV)]
+            command = python_command(_OPENCV)
             job = {"path": os.fspath(video.path), "container": video.container, "max_size": max_size, "gray": gray}
             stdin = json.dumps(job | {"numbers": None if numbers is None else list(numbers)})
         self._process = LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=stdin)
