@@ -1,7 +1,5 @@
 """Allocations, releases and copies, in the order that CUDA promises and no stronger."""
 
-from __future__ import annotations
-
 import ctypes
 from typing import Any
 
@@ -14,8 +12,6 @@ DEVICE_POINTER, PINNED_POINTER, HOST_POINTER = 4, 2, 1  # Warp's kinds of memory
 
 
 class Allocations:
-    """Device memory and pinned memory, and copies between them and the host."""
-
     def __init__(self, streams: Streams, memory: Memory, findings: Findings, graphs: Graphs):
         self.streams, self.memory, self.findings, self.graphs = streams, memory, findings, graphs
         self.pinned: dict[int, tuple[int, Any]] = {}
@@ -28,8 +24,6 @@ class Allocations:
         if self.memory.contains(address_of(pointer)):
             return DEVICE_POINTER
         return PINNED_POINTER if self._is_pinned(address_of(pointer)) else HOST_POINTER
-
-    # ------------------------------------------------------------------------------------------ allocations
 
     def _allocate(self, size: int) -> int | None:
         if self.memory.used + size > self.memory.room:
@@ -83,8 +77,6 @@ class Allocations:
         else:
             self.streams.on_legacy(lambda: self.memory.release(address))
 
-    # ------------------------------------------------------------------------------------------ copies
-
     def wp_memcpy_h2d(self, context, dest, src, n, stream=CURRENT_STREAM):
         stream_object, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
         if self.memory.contains(source):
@@ -126,17 +118,11 @@ class Allocations:
 
     def wp_memcpy_d2d(self, context, dest, src, n, stream=CURRENT_STREAM):
         to, source = address_of(dest), address_of(src)
-
-        def copy() -> None:
-            self.memory.copy(to, source, n)
-
-        self.streams.enqueue(self.streams.stream(stream, context), copy, "memcpy")
+        self.streams.enqueue(self.streams.stream(stream, context), lambda: self.memory.copy(to, source, n), "memcpy")
         return True
 
     def wp_memcpy_p2p(self, context, dest, __, src, n, stream=CURRENT_STREAM):
-        to, source = address_of(dest), address_of(src)
-        self.streams.enqueue(self.streams.stream(stream, context), lambda: self.memory.copy(to, source, n), "memcpy")
-        return True
+        return self.wp_memcpy_d2d(context, dest, src, n, stream)
 
     def wp_memset_device(self, context, dest, value, n, stream=CURRENT_STREAM):
         to = address_of(dest)

@@ -1,7 +1,5 @@
 """Warp's own device functions (fill, strided copies, scans, radix sort): its host versions over the device's bytes."""
 
-from __future__ import annotations
-
 import ctypes
 import functools
 from typing import Any

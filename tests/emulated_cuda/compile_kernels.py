@@ -3,8 +3,6 @@
 NVRTC and gcc use one core each, and are most of what a first run costs. What is compiled already is only looked up.
 """
 
-from __future__ import annotations
-
 import importlib
 import multiprocessing
 import os
@@ -43,7 +41,6 @@ def compile_module(name: str) -> None:
 
 
 def main() -> None:
-    """A process for each core."""
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn, initializer=install) as pool:
         for _ in pool.map(compile_module, module_names()):

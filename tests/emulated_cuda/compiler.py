@@ -1,7 +1,5 @@
 """NVRTC, counted; or refused, where a run is to show that kernels compiled ahead leave nothing to compile."""
 
-from __future__ import annotations
-
 import ctypes
 
 from .findings import Findings
@@ -13,8 +11,6 @@ OWN = b"wp_pointloom.", b"wp_cast_"  # not the kernels that tests make up
 
 
 class Compiler:
-    """Warp's compiler of CUDA sources."""
-
     def __init__(self, real: ctypes.CDLL, findings: Findings):
         self.real, self.findings = real, findings
 

@@ -22,7 +22,6 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 @pytest.fixture(scope="session")
 def emulated() -> Device:
-    """The emulated device, started."""
     import warp as wp
 
     wp.init()
@@ -33,8 +32,6 @@ def emulated() -> Device:
 
 @pytest.fixture
 def settings(monkeypatch):
-    """A function that changes settings of the device for this test."""
-
     def change(**values) -> None:
         for name, value in values.items():
             monkeypatch.setattr(process_settings, name, value)
@@ -44,7 +41,6 @@ def settings(monkeypatch):
 
 @pytest.fixture(scope="session")
 def programs(emulated, tmp_path_factory) -> Programs:
-    """Kernels written in PTX."""
     return Programs(emulated, tmp_path_factory.mktemp("ptx"))
 
 

@@ -6,8 +6,6 @@
 threads, and lists the operations whose results differ from a run alone.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import threading
@@ -32,7 +30,6 @@ WORK = (  # calls that use a device, all with its context as first argument
 
 
 def operations(device: str) -> dict[str, Any]:
-    """Operations by name, on scenes of the device."""
     small = SmallScenes(device)
     works = {name: lambda work=work: work(small.surface) for name, work in ON_CLOUDS.items()}
     works |= {name: lambda work=work: work(small) for name, work in ONCE.items()}
@@ -40,7 +37,6 @@ def operations(device: str) -> dict[str, Any]:
 
 
 def watch_first(uses: list[str]) -> None:
-    """Note all uses of cuda:0 from now on."""
     wp.init()
     core = wp._src.context.runtime.core
     for name in WORK:

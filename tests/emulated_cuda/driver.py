@@ -1,7 +1,5 @@
 """The functions of CUDA's driver that pointloom calls past Warp, as its library has them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from .memory import Memory
@@ -15,7 +13,6 @@ RESERVED, USED = 5, 7  # attributes of a pool
 
 
 def is_driver(name: str) -> bool:
-    """Whether a library of this name is the driver."""
     return name in NAMES
 
 
@@ -36,7 +33,6 @@ class Driver:
         return SUCCESS
 
     def cuStreamDestroy_v2(self, stream: Any) -> int:
-        """Forget a stream once what is queued on it has run."""
         stream_object = self._streams.streams.pop(address_of(stream), None)
         if stream_object is None:
             return INVALID_HANDLE
@@ -79,7 +75,6 @@ class Driver:
         return SUCCESS
 
     def cuDeviceGet(self, out: Any, ordinal: Any) -> int:
-        """The number of a device."""
         if not 0 <= ordinal.value < settings.devices:
             return INVALID_DEVICE
         out._obj.value = ordinal.value
@@ -91,7 +86,6 @@ class Driver:
         return SUCCESS
 
     def cuMemPoolGetAttribute(self, _: Any, name: Any, out: Any) -> int:
-        """How many bytes the pool has of the system, or are in use."""
         if name.value not in (RESERVED, USED):
             return INVALID_VALUE
         out._obj.value = self._memory.reserved if name.value == RESERVED else self._memory.used

@@ -1,7 +1,5 @@
 """What the device has found: faults, notes and counts, and the report of them."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import sys
@@ -13,30 +11,18 @@ from .settings import settings
 
 # Faults and notes by their numbers in runtime/emulator.h
 FAULTS = (
-    "none",
-    "address outside the device's memory",
-    "address outside any live array (bounds, or released)",
-    "misaligned address",
-    "address outside shared memory",
-    "trap",
-    "assertion",
-    "threads wait for each other for ever",
-    "threads of a warp meet in different instructions",
+    *("none", "address outside the device's memory", "address outside any live array (bounds, or released)"),
+    *("misaligned address", "address outside shared memory", "trap", "assertion"),
+    *("threads wait for each other for ever", "threads of a warp meet in different instructions"),
 )
 UNWRITTEN = "read of bytes that nobody wrote"
 NOTES = (
-    UNWRITTEN,
-    "race: two writes",
-    "race: read and write",
-    "atomic beside plain access",
-    "division by zero",
-    "float out of the integer's range",
-    "meeting without all lanes",
+    *(UNWRITTEN, "race: two writes", "race: read and write", "atomic beside plain access", "division by zero"),
+    *("float out of the integer's range", "meeting without all lanes"),
 )
 COUNTED = (
     *("launches", "launches asked for", "threads", "graphs", "graphs made", "copies to host", "copies to device"),
-    "bytes to host",
-    *("bytes to device", "waits", "allocations", "modules compiled"),
+    *("bytes to host", "bytes to device", "waits", "allocations", "modules compiled"),
 )
 _HERE = str(Path(__file__).parent)
 _NOT_CALLERS = ("/warp/", "contextlib.py", "/_pytest/", "/pluggy/", _HERE + "/")
@@ -68,8 +54,6 @@ class Note:
 
 
 class Findings:
-    """Faults and notes of the process so far."""
-
     def __init__(self) -> None:
         self.error = ""
         self.faults: list[str] = []
@@ -80,7 +64,6 @@ class Findings:
         self.seconds = {"translate": 0.0, "compile": 0.0, "run": 0.0}
 
     def fault(self, text: str) -> None:
-        """Record a fault, and raise it."""
         self.faults.append(text)
         self.error = text
         raise CudaFault(text)
@@ -92,7 +75,6 @@ class Findings:
         return False
 
     def note(self, kernel: str, kind: str, first: str, count: int = 1) -> None:
-        """Record a note."""
         note = self.notes.setdefault((kernel, kind), Note(0, 0, first))
         note.count += count
         note.launches += 1
@@ -110,7 +92,6 @@ class Findings:
         return self.error.encode()
 
     def write_report(self, path: str, memory: dict[str, int]) -> None:
-        """Everything, as JSON."""
         listed = {
             "settings": asdict(settings),
             "faults": self.faults,

@@ -1,7 +1,5 @@
 """C to shared libraries, kept in the user's cache folder under what they are made of."""
 
-from __future__ import annotations
-
 import ctypes
 import functools
 import hashlib
@@ -26,16 +24,14 @@ class EmulationError(RuntimeError):
 def check_machine() -> None:
     """Refuse a machine on which nothing would run, in one line."""
     if platform.system() != "Linux" or platform.machine() != "x86_64":
-        raise EmulationError(
-            f"the emulated device needs Linux on x86-64, this is {platform.system()} on {platform.machine()}"
-        )
+        here = f"{platform.system()} on {platform.machine()}"
+        raise EmulationError(f"the emulated device needs Linux on x86-64, this is {here}")
     if shutil.which("gcc") is None:
         raise EmulationError("the emulated device needs gcc: apt-get install gcc libc6-dev")
 
 
 @functools.cache
 def cache_folder() -> Path:
-    """Where libraries are kept; a folder for this process where the user's cannot be written."""
     user = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     folder = Path(settings.cache or Path(user) / "pointloom" / "emulated-cuda")
     try:
@@ -92,7 +88,6 @@ def build(name: str, sources: list[Path], flags: list[str]) -> Path:
 
 
 def build_text(name: str, source: str) -> Path:
-    """The library of one text of C."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "module.c"
         path.write_text(source)

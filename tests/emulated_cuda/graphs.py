@@ -1,7 +1,5 @@
 """Captures and graphs: conditional nodes, loops and child graphs included."""
 
-from __future__ import annotations
-
 import ctypes
 from typing import Any
 
@@ -14,8 +12,6 @@ ALLOWED_IN_BODY = {"memcpy", "memset", "kernel launch", "graph launch", "conditi
 
 
 class Graphs:
-    """What is recorded rather than run."""
-
     def __init__(self, streams: Streams, memory: Memory, findings: Findings):
         self.streams, self.memory, self.findings = streams, memory, findings
         self.begun: set[int] = set()  # graphs that a capture began with, not bodies of nodes
@@ -28,8 +24,6 @@ class Graphs:
 
     def _flag(self, pointer: int) -> int:
         return ctypes.c_int32.from_address(self.memory.real(pointer, 4, "condition")).value
-
-    # ------------------------------------------------------------------------------------------ captures
 
     def wp_cuda_graph_begin_capture(self, _, stream, external, mode):
         stream_object = self.streams.stream(stream)
@@ -72,25 +66,20 @@ class Graphs:
         self.streams.stream(stream).capture = self.streams.named(graph)
         return True
 
-    # ------------------------------------------------------------------------------------------ graphs
-
     def wp_cuda_graph_create_exec(self, _, stream, graph, out):
-        graph_object = self.streams.named(graph)
         self.findings.counts["graphs made"] += 1
-        out._obj.value = self.streams.handle(graph_object)
+        out._obj.value = self.streams.handle(self.streams.named(graph))
         return True
 
     def wp_cuda_graph_launch(self, graph, stream):
         self.findings.counts["graphs"] += 1
-        graph_object = self.streams.named(graph)
-        self.streams.enqueue(self.streams.stream(stream), graph_object.play, "graph launch")
+        self.streams.enqueue(self.streams.stream(stream), self.streams.named(graph).play, "graph launch")
         return True
 
     def wp_cuda_graph_destroy(self, _, graph):
         return self.streams.handles.pop(address_of(graph), None) is not None
 
-    def wp_cuda_graph_exec_destroy(self, _, graph):
-        return self.streams.handles.pop(address_of(graph), None) is not None
+    wp_cuda_graph_exec_destroy = wp_cuda_graph_destroy
 
     def wp_cuda_graph_check_conditional_body(self, graph):
         for _, kind in self.streams.named(graph).nodes:
@@ -104,8 +93,6 @@ class Graphs:
             return self.findings.refuse("Stream is not capturing")
         capture.nodes.append((self.streams.named(graph).play, "graph launch"))
         return True
-
-    # ------------------------------------------------------------------------------------------ conditional nodes
 
     def wp_cuda_graph_insert_while(self, _, stream, arch, use_ptx, condition, body, handle):
         capture, pointer = self.streams.stream(stream).capture, address_of(condition)

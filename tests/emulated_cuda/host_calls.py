@@ -8,8 +8,6 @@ counted. `--write` writes host_calls.json, the limits of test_host_calls.py; `--
 transfers.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import re
@@ -47,14 +45,8 @@ COLUMNS = {  # of the table: what the device counts
     "bytes": "bytes to host",
 }
 FILES = (
-    "file ",
-    "write and read",
-    "read_las_chunks",
-    "tsdf, save and load",
-    "distance field, save",
-    "occupancy, save",
-    "mesh, write",
-    "pose graph, write and read",
+    *("file ", "write and read", "read_las_chunks", "tsdf, save and load", "distance field, save", "occupancy, save"),
+    *("mesh, write", "pose graph, write and read"),
 )
 _textured = digest_scenes.textured
 
@@ -67,23 +59,19 @@ class DeviceScenes(SmallScenes):
         self.count = count
 
     def cloud(self, points: Any, **attributes: Any) -> Any:
-        """A cloud on the device."""
         return super().cloud(points, **attributes).to(DEVICE, arrays="warp")
 
     @property
     def surface(self) -> Any:
-        """The surface with the given number of points."""
         return self.surfaces(self.count)
 
     def surfaces(self, count: int) -> Any:
-        """A surface of some points."""
         if count not in (made := self.__dict__.setdefault("_surfaces", {})):
             made[count] = self.sample(count, 10)
         return made[count]
 
 
 def operations(scenes: DeviceScenes) -> dict[str, Callable[[], Any]]:
-    """All that run on the device, by name."""
     works: dict[str, Callable[[], Any]] = {
         name: lambda on_cloud=on_cloud: on_cloud(scenes.surface) for name, on_cloud in ON_CLOUDS.items()
     }
@@ -93,7 +81,6 @@ def operations(scenes: DeviceScenes) -> dict[str, Callable[[], Any]]:
 
 @contextmanager
 def device_clouds() -> Iterator[None]:
-    """Scenes' own clouds answer in Warp arrays too."""
     digest_scenes.textured = lambda *given: _textured(*given).to(DEVICE, arrays="warp")
     try:
         yield
@@ -102,7 +89,6 @@ def device_clouds() -> Iterator[None]:
 
 
 def counted(work: Callable[[], Any]) -> tuple[Any, dict[str, int]]:
-    """The result of a call, and its counts of device calls."""
     device, results = installed(), []
     assert device is not None
     counts = device.count_requests(lambda: results.append(work()))
@@ -167,7 +153,6 @@ def _line() -> str:
 
 
 def main() -> int:
-    """Prints a row an operation; the exit code."""
     given, sites = parse_options(), Sites()
     rows, failed = {}, 0
     with device_clouds():

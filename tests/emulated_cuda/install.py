@@ -1,7 +1,5 @@
 """Putting the emulated device between Warp's Python and its native library."""
 
-from __future__ import annotations
-
 import atexit
 import contextlib
 import ctypes
@@ -25,9 +23,7 @@ from .settings import settings
 from .streams import Streams
 
 # What needs a device; NVRTC, and the functions for the host, stay Warp's
-_DEVICE_FUNCTION = re.compile(
-    r"wp_(cuda_(?!compile_|toolkit_version|set_context_restore|get_context_restore)|.*_device$|.*_device_)"
-)
+_DEVICE_FUNCTION = re.compile(r"wp_(cuda_(?!compile_|toolkit_version|[gs]et_context_restore)|.*_device$|.*_device_)")
 
 
 class Device:
@@ -52,7 +48,6 @@ class Device:
             atexit.register(self.write_report)
 
     def part(self, name: str) -> Any:
-        """The part that has this attribute; None where none has."""
         return next((part for part in self.parts if hasattr(part, name)), None)
 
     def function(self, name: str) -> Any:
@@ -70,12 +65,10 @@ class Device:
         return call
 
     def synchronize(self) -> None:
-        """Run all that is queued; faults are recorded."""
         with contextlib.suppress(CudaFault):
             self.streams.wp_cuda_context_synchronize(None)
 
     def count_requests(self, run: Callable[[], Any]) -> dict[str, int]:
-        """Count the device calls of a function."""
         self.synchronize()
         before = dict(self.findings.counts)
         run()
@@ -85,7 +78,6 @@ class Device:
         return counts
 
     def write_report(self) -> None:
-        """Write the report requested by settings.report."""
         self.synchronize()
         memory = self.memory
         sizes = {"peak bytes": memory.peak, "total bytes": memory.total, "live arrays": len(memory.live)}
@@ -120,7 +112,6 @@ _device: Device | None = None
 
 
 def installed() -> Device | None:
-    """The emulated device, once Warp has started with it."""
     return _device
 
 
@@ -130,9 +121,7 @@ def install() -> None:
 
     check_machine()
     if context.runtime is not None:
-        raise EmulationError(
-            "the emulated device comes before Warp starts: import nothing of pointloom's kernels first"
-        )
+        raise EmulationError("the emulated device comes before Warp starts: import none of pointloom's kernels first")
     load = context.Runtime.load_dll
 
     def load_dll(self: Any, path: str) -> Any:

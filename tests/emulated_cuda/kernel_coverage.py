@@ -14,8 +14,6 @@ over a chunk, `range(i, min(i + N, count))`, or window, `range(max(i - n, 0), mi
 statement. Functions that CUDA does not compile do not count.
 """
 
-from __future__ import annotations
-
 import argparse
 import ast
 import copy
@@ -99,8 +97,6 @@ def _mark(number: int, kind: str) -> Any:
 
 
 class _Marker(ast.NodeTransformer):
-    """Puts the calls of marks into a flat function, before Warp sees it."""
-
     def __init__(self, scope: dict[str, Any]) -> None:
         self.scope = scope
         self.names: dict[str, Any] = {}
@@ -126,7 +122,6 @@ class _Marker(ast.NodeTransformer):
         return [ast.Expr(self.call(begins, "start")), *(visited if isinstance(visited, list) else [visited])]
 
     def visit_condition(self, node: Any) -> Any:
-        """`if`, `while` and `x if c else y`."""
         self.generic_visit(node)
         if hasattr(node, "mark") and not self.is_constant(node.test):
             node.test = self.call(node.mark, "condition", node.test)
@@ -170,7 +165,6 @@ def _number_nodes(source: Any) -> None:
 
 
 def _put_marks(source: Any, role: str, compiled: Any) -> None:
-    """Compile a function with its marks."""
     definition: Any = copy.deepcopy(source.definition)
     scope = source.function.__globals__
     marker = _Marker(scope)
@@ -210,8 +204,6 @@ def mark_kernels() -> None:
 
 
 class Marks:
-    """The file of marks, mapped."""
-
     def __init__(self, path: Path) -> None:
         size = BYTES_OF_MARK * MARKS_OF_FILE * len(_files())
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -231,8 +223,6 @@ class Marks:
 
 @dataclass
 class FileCoverage:
-    """What was taken of one file."""
-
     path: Path
     lines: dict[int, bool] = field(default_factory=dict)  # whether each was taken
     branches: dict[tuple[int, int, str], bool] = field(default_factory=dict)
@@ -247,15 +237,12 @@ class FileCoverage:
         return sorted(branch for branch, taken in self.branches.items() if not taken)
 
     def missed(self) -> Iterator[str]:
-        """One line for each that was missed."""
         name = self.path.relative_to(ROOT)
         yield from (f"{name}:{line}: line" for line in self.missed_lines)
         yield from (f"{name}:{line}: branch: {text}" for line, _, text in self.missed_branches)
 
 
 class _Reader:
-    """Reads the marks of one function."""
-
     def __init__(self, marks: bytes, coverage: FileCoverage) -> None:
         self.marks, self.coverage = marks, coverage
 
@@ -340,7 +327,6 @@ def table(coverages: list[FileCoverage]) -> list[str]:
 
 
 def main() -> int:
-    """Print the table."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("marks", type=Path, help="the file that EMULATED_CUDA_COVERAGE named")
     parser.add_argument("--missed", type=Path, metavar="FILE", help="write the missed lines and branches to this file")

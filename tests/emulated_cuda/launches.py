@@ -1,7 +1,5 @@
 """Modules and launches: PTX to a library, arguments to bytes, faults to words."""
 
-from __future__ import annotations
-
 import ctypes
 import hashlib
 import json
@@ -34,10 +32,8 @@ class State(ctypes.Structure):
         ("base", ctypes.c_uint64),
         ("size", ctypes.c_uint64),
         *((name, ctypes.c_void_p) for name in ("bytes", "valid", "written", "tracks", "byte_tracks")),
-        ("launch", ctypes.c_uint32),
-        ("block_threads", ctypes.c_uint32),
-        ("interval", ctypes.c_int32),
-        ("countdown", ctypes.c_int32),
+        *((name, ctypes.c_uint32) for name in ("launch", "block_threads")),
+        *((name, ctypes.c_int32) for name in ("interval", "countdown")),
         ("random", ctypes.c_uint64),
         *((name, ctypes.c_uint32) for name in ("fault", "fault_size", "fault_access", "fault_statement")),
         ("fault_address", ctypes.c_uint64),
@@ -53,8 +49,6 @@ class State(ctypes.Structure):
 
 
 class LoadedKernel:
-    """A kernel of a loaded module."""
-
     def __init__(self, *, kernel: ptx.Kernel, entry: int, window: int, argument_names: list[str]):
         self.kernel, self.entry, self.window, self.argument_names = kernel, entry, window, argument_names
         self.name = re.sub(r"_[0-9a-f]{8}_cuda_kernel_forward$", "", kernel.name)
@@ -70,7 +64,6 @@ def _cuda_source(ptx_path: str) -> Path:
 
 
 def _argument_names(ptx_path: str, kernel: str) -> list[str]:
-    """The names of a kernel's parameters, from the CUDA source."""
     source = _cuda_source(ptx_path)
     if not source.exists():
         return []
@@ -80,17 +73,12 @@ def _argument_names(ptx_path: str, kernel: str) -> list[str]:
 
 
 class Launches:
-    """Loads modules and runs their kernels."""
-
     def __init__(self, streams: Streams, memory: Memory, findings: Findings):
         self.streams, self.memory, self.findings = streams, memory, findings
         self.runtime = gcc.load_runtime()
         pointer, number = ctypes.c_void_p, ctypes.c_uint32
-        self.runtime.emulator_launch.argtypes = [
-            *(pointer, ctypes.c_char_p, pointer, pointer),
-            *(number, number, number, ctypes.c_uint64),
-        ]
-        self.runtime.emulator_launch.restype = number
+        types = [pointer, ctypes.c_char_p, pointer, pointer, number, number, number, ctypes.c_uint64]
+        self.runtime.emulator_launch.argtypes, self.runtime.emulator_launch.restype = types, number
         self.state = State.in_dll(self.runtime, "EMULATOR")
         self.state.base, self.state.size = memory.base, SPAN
         self.state.bytes, self.state.valid = memory.bytes, memory.valid
@@ -98,8 +86,6 @@ class Launches:
         self.state.tracks, self.state.byte_tracks = memory.tracks, memory.byte_tracks
         self.marks = Marks(Path(settings.coverage)) if settings.coverage else None
         self.state.covered = self.marks.address if self.marks else None
-
-    # ------------------------------------------------------------------------------------------ modules
 
     def _compile(self, text: str) -> tuple[ctypes.CDLL, ptx.Translation]:
         """A module's library and what its kernels take, from the cache where they are there."""
@@ -162,10 +148,8 @@ class Launches:
     def wp_cuda_set_kernel_cluster_attrs(self, *_):
         return True
 
-    # ------------------------------------------------------------------------------------------ launches
-
     def wp_cuda_launch_kernel(
-        self, _, kernel, dim, max_blocks, block_dim, grid_stride, cluster, shared, args, stream, apic
+        self, _, kernel, dim, max_blocks, block_dim, strided, cluster, shared, args, stream, apic
     ):
         loaded = self.streams.named(kernel)
         self.findings.counts["launches asked for"] += 1  # by the host, those that a graph records among them
@@ -179,7 +163,7 @@ class Launches:
             return LAUNCH_FAILED
         if dim == 0:
             return 0
-        grid = _grid(dim, block_dim, max_blocks if grid_stride else None)
+        grid = _grid(dim, block_dim, max_blocks if strided else None)
         parameters = bytearray(max(loaded.kernel.parameter_bytes, 8))
         pointers = ctypes.cast(args, ctypes.POINTER(ctypes.c_void_p))
         for k, (offset, size) in enumerate(loaded.kernel.parameters):
@@ -195,16 +179,9 @@ class Launches:
         counts["launches"] += 1
         counts["threads"] += threads
         ctypes.memset(state.note_count, 0, ctypes.sizeof(state.note_count))
-        fault = self.runtime.emulator_launch(
-            loaded.entry,
-            parameters,
-            (ctypes.c_uint32 * 3)(*grid),
-            (ctypes.c_uint32 * 3)(block, 1, 1),
-            loaded.window + shared,
-            int(loaded.kernel.waits),
-            settings.order,
-            settings.seed * 1_000_003 + counts["launches"],
-        )
+        sizes = (ctypes.c_uint32 * 3)(*grid), (ctypes.c_uint32 * 3)(block, 1, 1)
+        how = int(loaded.kernel.waits), settings.order, settings.seed * 1_000_003 + counts["launches"]
+        fault = self.runtime.emulator_launch(loaded.entry, parameters, *sizes, loaded.window + shared, *how)
         seconds = time.process_time() - start
         entry = self.findings.launches.setdefault(loaded.name, [0, 0, 0.0])
         entry[:] = entry[0] + 1, entry[1] + threads, entry[2] + seconds
@@ -237,7 +214,6 @@ class Launches:
         self.findings.fault(f"{text}{f', {message}' if message else ''}; launched by {where}")
 
     def _argument(self, loaded: LoadedKernel, parameters: bytes, address: int) -> str:
-        """Which of a launch's arrays an address is in."""
         start, size = self.memory.array_at(address)
         for k, (offset, length) in enumerate(loaded.kernel.parameters):
             data = int.from_bytes(parameters[offset : offset + 8], "little")

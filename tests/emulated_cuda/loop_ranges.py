@@ -5,8 +5,6 @@ window, `range(max(i - n, 0), min(i + n + 1, count))`; `range(count)` under `if 
 `range(count)`; and the members of a key, `range(groups.starts[i], groups.starts[i + 1])` of `groups: UniqueKeys`.
 """
 
-from __future__ import annotations
-
 import ast
 import copy
 import operator
@@ -16,7 +14,6 @@ from collections.abc import Callable
 
 
 def is_traversal(node: ast.AST) -> bool:
-    """True for a loop over a `@loop`, not over a range."""
     return isinstance(node, ast.For) and getattr(getattr(node.iter, "func", None), "id", "") != "range"
 
 
@@ -25,19 +22,16 @@ def _names(node: ast.AST) -> set[str]:
 
 
 def _base(target: ast.expr) -> str:
-    """The variable of an element or a field."""
     while isinstance(target, ast.Subscript | ast.Attribute):
         target = target.value
     return ast.unparse(target)
 
 
 def _limits(loop: ast.For) -> list[ast.expr]:
-    """The first value of a range, and its end."""
     return [ast.Constant(0), *loop.iter.args][-2:]  # type: ignore[attr-defined]
 
 
 def _targets(node: ast.AST) -> list[ast.expr]:
-    """What a statement changes."""
     if isinstance(node, ast.Assign):
         return node.targets
     return [node.target] if isinstance(node, ast.AugAssign | ast.For) else []
@@ -69,10 +63,8 @@ class Loops:
                 first, last = _limits(node)
                 self.add_condition(node, ast.Compare(first, [ast.LtE()], [node.target]))
                 self.add_condition(node, ast.Compare(node.target, [ast.Lt()], [last]))
-        arguments = function.args.args
-        self.groups = [
-            each.arg for each in arguments if each.annotation and ast.unparse(each.annotation) == "UniqueKeys"
-        ]
+        named = {a.arg: ast.unparse(a.annotation) for a in function.args.args if a.annotation}
+        self.groups = [name for name, annotation in named.items() if annotation == "UniqueKeys"]
 
     def add_condition(self, node: ast.If | ast.For, condition: ast.expr) -> None:
         """Note what is true in the body of a statement, unless the body changes it."""

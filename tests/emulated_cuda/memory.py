@@ -1,7 +1,5 @@
 """Device memory: addresses that the host cannot touch, and the bytes behind them."""
 
-from __future__ import annotations
-
 import ctypes
 from collections import OrderedDict
 
@@ -16,7 +14,6 @@ TRACK_BYTES = 32  # of struct Track: one for four bytes, and one for each byte t
 PAGE = 4096
 _PROT_NONE, _PROT_READ_WRITE = 0, 3
 _MAP_PRIVATE, _MAP_ANONYMOUS, _MAP_NORESERVE, _MADV_DONTNEED = 2, 0x20, 0x4000, 4
-
 _libc = ctypes.CDLL(None, use_errno=True)
 _libc.mmap.restype = ctypes.c_void_p
 _libc.mmap.argtypes = [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int, ctypes.c_int, ctypes.c_int, ctypes.c_long]
@@ -79,7 +76,6 @@ class Memory:
         return address
 
     def freshen(self, address: int, size: int) -> None:
-        """Mark an array's bytes as uninitialized."""
         offset = address - self.base
         ctypes.memset(self.bytes + offset, FRESH, size)
         ctypes.memset(self.valid + offset // 8, 8, size // 8)
@@ -102,11 +98,10 @@ class Memory:
             self.released.popitem(last=False)
         self.used -= size
         offset = address - self.base
+        ctypes.memset(self.valid + offset // 8, 0, -(-size // 8))
         if size > LARGE:
-            ctypes.memset(self.valid + offset // 8, 0, -(-size // 8))
             self._forget(offset, size)
             return
-        ctypes.memset(self.valid + offset // 8, 0, -(-size // 8))
         ctypes.memset(self.bytes + offset, RELEASED, size)
         chunk = offset // CHUNK
         self.in_chunk[chunk] -= 1
@@ -127,11 +122,9 @@ class Memory:
                 _libc.madvise(first, last - first, _MADV_DONTNEED)
 
     def contains(self, address: int) -> bool:
-        """Whether an address is the device's at all."""
         return self.base <= address < self.base + SPAN
 
     def describe(self, address: int) -> str:
-        """Which array an address is in, or near."""
         for start, (size, made_by) in self.live.items():
             if start - GAP <= address < start + size + GAP:
                 return f"byte {address - start} of an array of {size} bytes ({made_by})"
@@ -160,7 +153,6 @@ class Memory:
         return self.bytes + offset
 
     def unwritten(self, address: int, size: int) -> int:
-        """The number of uninitialized bytes."""
         if not self.written or not size:
             return 0
         return size - ctypes.string_at(self.written + address - self.base, size).count(1)

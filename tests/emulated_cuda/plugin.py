@@ -1,7 +1,5 @@
 """pytest --emulated-cuda: the tests on the emulated device. tests/conftest.py takes it in."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from typing import Any
@@ -20,13 +18,10 @@ WORKER, REQUESTED = "PYTEST_XDIST_WORKER", "EMULATED_CUDA_ASKED"
 
 
 def add_options(parser: pytest.Parser) -> None:
-    """The options of the emulated device."""
     group = parser.getgroup("emulated CUDA", "an emulated CUDA device: tests/emulated_cuda/README.md")
     group.addoption(OPTION, action="store_true", help="run on an emulated cuda:0, without the runs of CPU compilers")
     group.addoption(QUICK, action="store_true", help="of these, the set that CI runs: tests/emulated_cuda/quick_set.py")
-    group.addoption(
-        STRICT, action="store_true", help="fail a test that makes a new note, such as an unwritten byte read"
-    )
+    group.addoption(STRICT, action="store_true", help="fail a test that makes a new note, such as an unwritten read")
 
 
 def is_requested(config: pytest.Config) -> bool:
@@ -120,7 +115,6 @@ class EmulatedCudaPlugin:
 
 
 def summary(device: Device) -> list[str]:
-    """What a run has found, as lines."""
     findings = device.findings
     counts = ", ".join(f"{count:,} {name}" for name, count in findings.counts.items())
     seconds = ", ".join(f"{name} {spent:.0f} s" for name, spent in findings.seconds.items())

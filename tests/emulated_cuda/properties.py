@@ -1,7 +1,5 @@
 """Properties of the emulated device: one or several H100-like devices with a driver as new as Warp's toolkit."""
 
-from __future__ import annotations
-
 import ctypes
 
 from .memory import Memory
@@ -24,26 +22,24 @@ class Properties:
         "wp_cuda_device_get_max_shared_memory": OPT_IN_SHARED,
         "wp_cuda_get_max_shared_memory": OPT_IN_SHARED,
         "wp_cuda_device_is_uva": 1,
-        "wp_cuda_device_get_pageable_memory_access": 0,
-        "wp_cuda_device_get_direct_managed_mem_access_from_host": 0,
-        "wp_cuda_device_get_host_native_atomic_supported": 0,
-        "wp_cuda_device_get_managed_memory_supported": 0,
-        "wp_cuda_device_get_concurrent_managed_access_supported": 0,
         "wp_cuda_device_is_mempool_supported": 1,
-        "wp_cuda_device_is_ipc_supported": 0,
-        "wp_cuda_device_get_pci_domain_id": 0,
         "wp_cuda_device_get_pci_bus_id": 1,
-        "wp_cuda_device_get_pci_device_id": 0,
-        "wp_cuda_device_get_graph_mem_current": 0,
         "wp_cuda_device_graph_mem_trim": None,
-        "wp_cuda_is_peer_access_supported": 0,
-        "wp_cuda_is_peer_access_enabled": 0,
-        "wp_cuda_is_mempool_access_enabled": 0,
+        "wp_cuda_context_is_primary": 1,
+        "wp_cuda_stream_register": None,
     }
+    _ZERO = (
+        *("wp_cuda_device_get_pageable_memory_access", "wp_cuda_device_get_direct_managed_mem_access_from_host"),
+        *("wp_cuda_device_get_host_native_atomic_supported", "wp_cuda_device_get_managed_memory_supported"),
+        *("wp_cuda_device_get_concurrent_managed_access_supported", "wp_cuda_device_is_ipc_supported"),
+        *("wp_cuda_device_get_pci_domain_id", "wp_cuda_device_get_pci_device_id", "wp_cuda_is_peer_access_enabled"),
+        *("wp_cuda_device_get_graph_mem_current", "wp_cuda_is_peer_access_supported", "wp_cuda_context_check"),
+        "wp_cuda_is_mempool_access_enabled",
+    )
 
     def __init__(self, real: ctypes.CDLL, memory: Memory):
         self.real, self.memory = real, memory
-        for name, value in self._CONSTANT.items():
+        for name, value in (self._CONSTANT | dict.fromkeys(self._ZERO, 0)).items():
             setattr(self, name, lambda *_, value=value: value)
 
     def wp_cuda_device_get_count(self):

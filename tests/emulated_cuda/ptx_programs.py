@@ -1,7 +1,5 @@
 """Kernels written in PTX, for what Warp would not write."""
 
-from __future__ import annotations
-
 import ctypes
 from pathlib import Path
 
@@ -49,32 +47,25 @@ STORES = {
 
 
 class Programs:
-    """Compiles and launches PTX on the emulated device."""
-
     def __init__(self, device: Device, folder: Path):
         self.device, self.folder = device, folder
         self.modules: dict[str, int] = {}
 
     def load(self, text: str) -> int:
-        """A module's handle."""
         if text not in self.modules:
             path = self.folder / f"{len(self.modules)}.ptx"
             path.write_text(HEAD + text)
             self.modules[text] = self.device.launches.wp_cuda_load_module(None, str(path).encode())
         return self.modules[text]
 
-    def launch(
-        self, text: str, arrays: list[wp.array], *, threads: int, block: int, shared: int = 0, name: str = "k"
-    ) -> int:
+    def launch(self, text: str, arrays: list, *, threads: int, block: int, shared: int = 0, name: str = "k") -> int:
         """Queue a launch of a kernel that takes pointers; the status."""
         launches = self.device.launches
         kernel = launches.wp_cuda_get_kernel(None, self.load(text), name.encode())
         pointers = [ctypes.c_uint64(a.ptr) for a in arrays]
         arguments = (ctypes.c_void_p * max(len(pointers), 1))(*(ctypes.addressof(p) for p in pointers))
-        stream = wp.get_device("cuda:0").stream.cuda_stream
-        return self.device.launches.wp_cuda_launch_kernel(
-            None, kernel, threads, 0, block, False, 0, shared, arguments, stream, None
-        )
+        given = (arguments, wp.get_device("cuda:0").stream.cuda_stream, None)
+        return launches.wp_cuda_launch_kernel(None, kernel, threads, 0, block, False, 0, shared, *given)
 
     def rows(self, instructions: list[str], instruction: str, *columns: np.ndarray) -> np.ndarray:
         """What one of the instructions makes of each row; all of them are compiled together."""

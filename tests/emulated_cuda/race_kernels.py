@@ -1,7 +1,5 @@
 """Run with EMULATED_CUDA_RACES=1: prints which kernels race, and how."""
 
-from __future__ import annotations
-
 import sys
 import tempfile
 from pathlib import Path
@@ -110,8 +108,6 @@ NEIGHBOR = """
     ret;
 }
 """
-
-
 NEIGHBORS = (
     ("with_barrier", "1", "bar.sync 0;"),
     ("without_barrier", "1", ""),
@@ -121,7 +117,6 @@ NEIGHBORS = (
 
 
 def main() -> None:
-    """One line for each kernel: its notes, or none."""
     numbers = (two_writes_kernel, same_value_kernel, own_element_kernel, read_of_another_kernel, atomics_kernel)
     for kernel in (*numbers, atomic_and_plain_kernel):
         wp.launch(kernel, 128, [wp.zeros(256, dtype=int, device=DEVICE)], device=DEVICE)

@@ -1,7 +1,5 @@
 """An allocation of the emulated device that fails, at a place of its own: memory that runs out in mid-operation."""
 
-from __future__ import annotations
-
 import contextlib
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -10,8 +8,6 @@ from .install import Device
 
 
 class Allocated:
-    """How many allocations there were."""
-
     count = 0
 
 

@@ -1,7 +1,5 @@
 """All settings, each from the environment's EMULATED_CUDA_<NAME>; tests set them on `settings`."""
 
-from __future__ import annotations
-
 import os
 from dataclasses import dataclass, fields
 from enum import IntEnum
@@ -10,8 +8,6 @@ PREFIX = "EMULATED_CUDA_"
 
 
 class Order(IntEnum):
-    """In which order the blocks and threads of a launch run."""
-
     FORWARD = 0
     BACKWARD = 1
     SHUFFLED = 2
@@ -20,8 +16,6 @@ class Order(IntEnum):
 
 @dataclass
 class Settings:
-    """How the emulated device behaves."""
-
     order: int = Order.FORWARD
     seed: int = 1  # of orders 2 and 3
     lazy: bool = True  # a launch runs when something waits for it; False: at once
@@ -35,8 +29,7 @@ class Settings:
     cache: str = ""  # where compiled modules are kept, if not in the user's cache folder
 
     @classmethod
-    def from_environment(cls) -> Settings:
-        """The settings requested by the environment."""
+    def from_environment(cls) -> "Settings":
         values = {}
         for field in fields(cls):
             text = os.environ.get(PREFIX + field.name.upper())

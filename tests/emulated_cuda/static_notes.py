@@ -5,8 +5,6 @@
 Without files: of all modules of pointloom in Warp's cache, which `make test-cuda-emulated` fills.
 """
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path
@@ -17,7 +15,6 @@ from emulated_cuda.ptx import UnknownPtx, translate
 
 
 def cached_modules() -> list[Path]:
-    """The newest PTX of each module in Warp's cache."""
     import warp as wp
 
     wp.config.quiet = True
@@ -30,7 +27,6 @@ def cached_modules() -> list[Path]:
 
 
 def main(paths: list[Path]) -> int:
-    """One line a kernel; the exit status."""
     failures = 0
     for path in paths:
         name = re.sub(r"_[0-9a-f]{7}\..*", "", path.name).removeprefix("wp_pointloom.kernels.")

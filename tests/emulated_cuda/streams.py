@@ -1,7 +1,5 @@
 """Contexts, streams and events: work is queued by stream and runs when something waits for it."""
 
-from __future__ import annotations
-
 import ctypes
 import threading
 import time
@@ -22,7 +20,6 @@ Operation = Callable[[], Any]
 
 
 def address_of(x: Any) -> int:
-    """A pointer or handle argument as a number."""
     if x is None or isinstance(x, int):
         return x or 0
     if isinstance(x, (ctypes.c_void_p, ctypes.c_uint64)):
@@ -31,14 +28,11 @@ def address_of(x: Any) -> int:
 
 
 class Graph:
-    """Recorded operations, with the kind of each."""
-
     def __init__(self, identity: int):
         self.identity = identity
         self.nodes: list[tuple[Operation, str]] = []
 
     def play(self) -> None:
-        """Run all of it."""
         for operation, _ in list(self.nodes):
             operation()
 
@@ -89,13 +83,11 @@ class Streams:
         return self.stream(CURRENT_STREAM)
 
     def handle(self, thing: Any) -> int:
-        """A number under which Warp can name a thing."""
         self.next_handle += 16
         self.handles[self.next_handle] = thing
         return self.next_handle
 
     def named(self, handle: Any) -> Any:
-        """The thing of a handle."""
         return self.handles[address_of(handle)]
 
     def stream(self, handle: Any, context: Any = None) -> Stream:
@@ -104,8 +96,6 @@ class Streams:
         if number != CURRENT_STREAM:
             return self.streams[number]
         return self.currents.get(address_of(context) or self.contexts[-1] or CONTEXT, self.legacy)
-
-    # ------------------------------------------------------------------------------------------ the queue
 
     def enqueue(self, stream: Stream, operation: Operation, kind: str) -> None:
         """Queue an operation, or record it where the stream is captured."""
@@ -126,12 +116,10 @@ class Streams:
     def refuse_legacy(self) -> None:
         """The legacy stream waits for all others that block, which none that is captured allows."""
         if self.blocking_captures:
-            self.findings.fault(
-                f"operation would make the legacy stream depend on a capturing blocking stream ({caller()})"
-            )
+            refused = "operation would make the legacy stream depend on a capturing blocking stream"
+            self.findings.fault(f"{refused} ({caller()})")
 
     def flush(self, stream: Stream, count: int | None = None) -> None:
-        """Run what is queued, or the first few of it."""
         with self.lock:
             while stream.queue and count != 0:
                 operation = stream.queue.popleft()
@@ -144,7 +132,6 @@ class Streams:
                     count -= 1
 
     def flush_all(self) -> None:
-        """Run everything that is queued."""
         for stream in list(self.streams.values()):
             self.flush(stream)
 
@@ -180,8 +167,6 @@ class Streams:
                 self.wait_for(last, other)
         last.queue.append(operation)
 
-    # ------------------------------------------------------------------------------------------ contexts
-
     def wp_cuda_context_get_current(self):
         return self.contexts[-1]
 
@@ -197,12 +182,6 @@ class Streams:
 
     def wp_cuda_context_get_device_ordinal(self, context):
         return (address_of(context) or CONTEXT) - CONTEXT
-
-    def wp_cuda_context_is_primary(self, _):
-        return 1
-
-    def wp_cuda_context_check(self, _):
-        return 0
 
     def wp_cuda_context_get_stream(self, context):
         return self.currents.get(address_of(context) or CONTEXT, self.legacy).handle or None
@@ -221,11 +200,8 @@ class Streams:
         self.after_wait()
         return True
 
-    # ------------------------------------------------------------------------------------------ streams
-
     def wp_cuda_stream_create(self, _, priority):
-        stream = Stream(0, priority)
-        return self.add(stream)
+        return self.add(Stream(0, priority))
 
     def add(self, stream: Stream) -> int:
         """A stream's handle."""
@@ -239,9 +215,6 @@ class Streams:
             self.wp_cuda_stream_unregister(context, stream)
             self.flush(stream_object)
             del self.streams[stream_object.handle]
-
-    def wp_cuda_stream_register(self, *_):
-        return None
 
     def wp_cuda_stream_unregister(self, context, stream):
         """Warp forgets a stream, the current one too: what it does by itself goes to the legacy stream then."""
@@ -290,8 +263,6 @@ class Streams:
             waiting.capture = awaited.capture
         elif not waiting.capture:
             self.wait_for(waiting, awaited)
-
-    # ------------------------------------------------------------------------------------------ events
 
     def wp_cuda_event_create(self, *_):
         return self.handle(Event())

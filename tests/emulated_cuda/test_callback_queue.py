@@ -3,8 +3,6 @@
 Each launch costs a program some 20 microseconds of Python and each wait 10, more than most of these kernels take.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -105,6 +103,20 @@ def test_results_of_a_scene_need_one_copy(emulated):
     assert counts["copies to host"] == 2  # how many there are
     counts = emulated.count_requests(lambda: scene.compute_closest_points(rays[:, :3]))
     assert counts["copies to host"] == 1
+
+
+def test_a_poisson_surface_waits_five_times_and_downloads_no_points(emulated):
+    """At five full levels. The table of test_host_calls.py holds the other operations on clouds."""
+    counts = []
+    for size in (1003, 3011):
+        ball = np.random.default_rng(0).normal(size=(size, 3))
+        ball /= np.linalg.norm(ball, axis=1, keepdims=True)
+        cloud = loom.PointCloud(ball, normals=ball).to("cuda:0", arrays="warp")
+        run = lambda cloud=cloud: loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5)  # noqa: E731
+        run()  # makes trees and tables
+        counts.append(emulated.count_requests(run))
+    assert max(row["copies to host"] for row in counts) <= 5
+    assert counts[1]["bytes to host"] - counts[0]["bytes to host"] <= 400
 
 
 def test_samples_are_spread_with_four_waits(emulated):

@@ -1,7 +1,5 @@
 """All work of an operation goes to the stream that the caller chose: what is written there before it is waited for."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -18,8 +16,6 @@ DEVICE = "cuda:0"
 
 
 class Streams:
-    """Which streams got work, by their handles."""
-
     def __init__(self, device, chosen, monkeypatch) -> None:
         self.used: set[int] = set()
         self.elsewhere: list[str] = []

@@ -3,13 +3,11 @@
 The numbers are those of test_callback_queue.py: launches cost a program some 20 microseconds of Python and waits 10.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
+from pointloom.kernels.rgbd.alignment import MAX_CACHED, _descents, clear_descents
 
 DEVICE = "cuda:0"
 
@@ -38,30 +36,6 @@ def test_a_scan_waits_for_its_sizes_and_for_its_pose(emulated, is_straightened):
     assert (fourth["waits"], fourth["graphs made"]) == ((5, 0) if is_straightened else (3, 0))
 
 
-def surface_of_hills(count: int, part: slice) -> loom.PointCloud:
-    """A part of hills apart from the others."""
-    x, y = np.random.default_rng(0).uniform(-1, 1, (2, count))
-    hills = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
-    return loom.PointCloud(hills[part], device=DEVICE)
-
-
-def test_a_pose_is_rated_with_few_waits(emulated):
-    source, target = (surface_of_hills(6000, part) for part in (slice(4000), slice(2000, None)))
-    counts = emulated.count_requests(lambda: loom.registration.rate_registration(source, target, np.eye(4), 0.15))
-    # thinning and trees 5 a cloud, normals that are not finite, refinement, samples, the whole, beside the planes
-    assert counts["waits"] <= 10 + 5 and counts["graphs made"] <= 1
-
-
-def test_global_registrations_wait_for_few_numbers(emulated):
-    source, target = (surface_of_hills(3000, part) for part in (slice(2000), slice(1000, None)))
-    counts = emulated.count_requests(lambda: loom.registration.register_globally(source, target, voxel_size=0.08))
-    assert counts["waits"] <= 34 and counts["graphs made"] <= 2
-    pairs = np.column_stack([np.arange(1000, 2000), np.arange(1000)])
-    fgr = registration_fgr_based_on_correspondence
-    counts = emulated.count_requests(lambda: fgr(source, target, pairs))
-    assert counts["waits"] <= 7 and counts["graphs made"] <= 1
-
-
 def frame_of_a_relief(k: float):
     """A frame of a relief with stripes, a little farther on for another k."""
     v, u = np.mgrid[:72, :96]
@@ -72,8 +46,6 @@ def frame_of_a_relief(k: float):
 
 
 def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
-    from pointloom.kernels.rgbd.alignment import MAX_CACHED, _descents, clear_descents
-
     clear_descents()
     first, second, third = (frame_of_a_relief(k) for k in range(3))
     align = loom.odometry.align_frames

@@ -1,7 +1,5 @@
 """Captures, graphs and conditional nodes: what runs when, and what CUDA refuses in them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -73,11 +71,8 @@ def test_a_capture_allows_no_wait(emulated, what, message):
 
 def test_a_loop_allocates_nothing(emulated):
     flag = wp.array([1], dtype=int, device=DEVICE)
-    with (
-        emulated.findings.expected(),
-        pytest.raises(RuntimeError, match=r"unsupported operation .memory allocation"),
-        wp.ScopedCapture(DEVICE),
-    ):
+    refused = pytest.raises(RuntimeError, match=r"unsupported operation .memory allocation")
+    with emulated.findings.expected(), refused, wp.ScopedCapture(DEVICE):
         wp.capture_while(flag, lambda: wp.zeros(4, dtype=int, device=DEVICE))
 
 
@@ -103,8 +98,7 @@ def test_an_array_of_a_graph_is_fresh_in_each_launch():
 
 
 def test_arrays_dropped_while_capturing_are_released_afterwards(emulated):
-    array = wp.zeros(4, dtype=int, device=DEVICE)
-    dropped = wp.zeros(4, dtype=int, device=DEVICE)
+    array, dropped = (wp.zeros(4, dtype=int, device=DEVICE) for _ in range(2))
     address = dropped.ptr
     wp.synchronize()  # so that nothing else puts the release off
     with wp.ScopedCapture(DEVICE):

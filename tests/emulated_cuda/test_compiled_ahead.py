@@ -4,8 +4,6 @@ The archive of these tests contains PTX, which the emulated device runs, of the 
 `EMULATED_CUDA_COMPILER=0` makes a compilation a fault, for whole folders of tests too.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -16,17 +14,15 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+import warp as wp
 
-ROOT = Path(__file__).parents[2]
+from pointloom.kernels import cuda_cache
+
+from .processes import START
+
 SELECT = "pointloom.kernels.arrays.select"
 PROGRAM = """
-import json, logging, sys, warnings
-sys.path[:0] = [{src!r}, {tests!r}]
-from emulated_cuda.install import install, installed
-install()
-import numpy as np
-import pointloom as loom
-import warp as wp
+import warnings
 import warp._src.context as context
 
 with warnings.catch_warnings(record=True) as said:
@@ -39,22 +35,15 @@ with warnings.catch_warnings(record=True) as said:
         moved, cloud, 0.2, estimation_method=loom.registration.TransformationEstimationPointToPlane())
     chosen = loom.PointCloud(points, device="cuda:0").select_by_index(np.arange(0, 600, 7))
 
-found = {{
+found = {
     "loaded": sorted(m.name for m in context.user_modules.values() if any(place for place, _ in m.execs)),
     "compiled": installed().findings.counts["modules compiled"],
     "results": [cloud.points.tolist(), cloud.normals.tolist(), icp.transformation.tolist(), chosen.points.tolist()],
     "said": [str(each.message) for each in said],
-}}
+}
 print(json.dumps(found))
 """
-
-
 SMALL = """
-import json, sys
-sys.path[:0] = [{src!r}, {tests!r}]
-from emulated_cuda.install import install, installed
-install()
-import numpy as np
 from pointloom.kernels.arrays.select import positions_of
 from pointloom.kernels.lang import uint8
 from pointloom.kernels.memory import upload
@@ -62,18 +51,11 @@ from pointloom.core.devices import resolve_device
 
 mask = upload(np.array([0, 1, 1, 0], np.uint8), uint8, resolve_device("cuda:0"))
 found = positions_of(mask).numpy().tolist()
-print(json.dumps({{"compiled": installed().findings.counts["modules compiled"], "results": found}}))
+print(json.dumps({"compiled": installed().findings.counts["modules compiled"], "results": found}))
 """
 
 
-def run(
-    cache: Path,
-    archive: Path | str | None = None,
-    *,
-    compiler: bool = True,
-    path: Path | None = None,
-    program: str = PROGRAM,
-) -> dict:
+def run(cache: Path, archive=None, *, compiler: bool = True, path: Path | None = None, program: str = PROGRAM) -> dict:
     """What a program found, in a process of its own with Warp's cache in a folder."""
     settings = {"WARP_CACHE_PATH": str(cache), "EMULATED_CUDA_COMPILER": str(int(compiler))}
     environment = {k: v for k, v in os.environ.items() if k not in ("POINTLOOM_CUDA_KERNELS", "EMULATED_CUDA_REPORT")}
@@ -81,10 +63,8 @@ def run(
         settings["POINTLOOM_CUDA_KERNELS"] = str(archive)
     if path is not None:
         settings["PYTHONPATH"] = str(path)
-    program = program.format(src=str(ROOT / "src"), tests=str(ROOT / "tests"))
-    done = subprocess.run(
-        [sys.executable, "-c", program], env=environment | settings, capture_output=True, text=True, timeout=600
-    )
+    command = [sys.executable, "-c", START + program]
+    done = subprocess.run(command, env=environment | settings, capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, done.stderr[-3000:]
     return json.loads(done.stdout.splitlines()[-1])
 
@@ -97,8 +77,6 @@ def file_of(module: str) -> str:
 @pytest.fixture(scope="module")
 def compiled_here(emulated):
     """The program's results with kernels compiled here or cached by the user."""
-    import warp as wp
-
     return run(Path(wp.config.kernel_cache_dir).parent)
 
 
@@ -110,10 +88,6 @@ def files(compiled_here):
 @pytest.fixture(scope="module")
 def built(emulated, files, tmp_path_factory):
     """The archive and the wheel; modules in the user's cache are taken from there."""
-    import warp as wp
-
-    from pointloom.kernels import cuda_cache
-
     return cuda_cache.build(files, [(90, True)], Path(wp.config.kernel_cache_dir), tmp_path_factory.mktemp("built"))
 
 
@@ -169,8 +143,6 @@ def test_without_an_archive_the_program_has_to_compile(compiled_here, tmp_path):
     ],
 )
 def test_a_mismatched_archive_is_ignored_with_one_warning(built, compiled_here, tmp_path, change, reason):
-    import warp as wp
-
     archive = with_manifest(built[0], tmp_path / "other.zip", change)
     report = run(Path(wp.config.kernel_cache_dir).parent, archive)
     (warning,) = report["said"]
@@ -191,8 +163,6 @@ def test_a_module_that_is_not_in_the_archive_is_compiled_and_the_others_are_not(
 @pytest.fixture
 def cache_but_for_select(compiled_here, tmp_path):
     """Warp's cache with all that the program needs but arrays/select.py."""
-    import warp as wp
-
     names = {name for name in compiled_here["loaded"] if name != SELECT}
     for folder in Path(wp.config.kernel_cache_dir).iterdir():
         if folder.name.removeprefix("wp_").rpartition("_")[0] in names:
@@ -201,9 +171,7 @@ def cache_but_for_select(compiled_here, tmp_path):
 
 
 @pytest.mark.parametrize("damage", ["missing", "cut", "no archive", "broken code"])
-def test_a_damaged_archive_costs_a_warning_and_time_but_no_result(
-    built, compiled_here, cache_but_for_select, tmp_path, damage
-):
+def test_a_damaged_archive_costs_a_warning_and_time(built, compiled_here, cache_but_for_select, tmp_path, damage):
     archive, content = tmp_path / "damaged.zip", built[0].read_bytes()
     if damage == "cut":
         archive.write_bytes(content[: len(content) // 2])
@@ -223,8 +191,6 @@ def test_a_damaged_archive_costs_a_warning_and_time_but_no_result(
 
 def test_code_that_the_device_does_not_take_is_compiled_here(compiled_here, cache_but_for_select, tmp_path):
     """The emulated device takes no machine code, as a GPU takes none of another generation."""
-    from pointloom.kernels import cuda_cache
-
     archive, _ = cuda_cache.build([SELECT], [(90, False)], tmp_path / "work", tmp_path)
     report = run(cache_but_for_select, archive)
     (warning,) = report["said"]

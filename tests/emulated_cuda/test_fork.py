@@ -1,23 +1,8 @@
 """A fork of a process that uses CUDA: the child raises an error, keeps the parent's memory intact, and uses the CPU."""
 
-from __future__ import annotations
+from .processes import START, run
 
-import json
-import os
-import subprocess
-import sys
-from pathlib import Path
-
-ROOT = Path(__file__).parents[2]
-PROGRAM = f"""
-import sys
-sys.path[:0] = [{str(ROOT / "src")!r}, {str(ROOT / "tests")!r}]
-from emulated_cuda.install import install, installed
-install()
-import json, os
-import numpy as np
-import pointloom as loom
-
+PROGRAM = """
 points = np.random.default_rng(0).random((100, 3)).astype(np.float32)
 cloud = loom.PointCloud(points, device="cuda:0")
 before = cloud.voxel_down_sample(0.2).points
@@ -32,13 +17,13 @@ def attempt(action):
 reading, writing = os.pipe()
 child = os.fork()
 if child == 0:
-    found = {{
+    found = {
         "new": attempt(lambda: loom.PointCloud(points, device="cuda:0")),
         "auto": attempt(lambda: loom.PointCloud(points, device="auto")),
         "old": attempt(lambda: cloud.voxel_down_sample(0.2)),
         "read": attempt(lambda: cloud.select_by_index([0]).points),
         "cpu": attempt(lambda: loom.PointCloud(points).voxel_down_sample(0.2)),
-    }}
+    }
     live = len(installed().memory.live)
     del cloud
     found["released"] = live - len(installed().memory.live)
@@ -53,10 +38,7 @@ print(json.dumps(found))
 
 
 def test_a_child_reports_the_reason_and_the_parent_continues(emulated):
-    environment = os.environ | {"POINTLOOM_CPU": "warp"}
-    done = subprocess.run([sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr[-2000:]
-    report = json.loads(done.stdout.splitlines()[-1])
+    report = run("-c", START + PROGRAM, POINTLOOM_CPU="warp")
     for name in ("new", "auto", "old", "read"):
         kind, message = report[name]
         assert kind in ("DeviceError", "RuntimeError"), report[name]

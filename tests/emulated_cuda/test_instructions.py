@@ -1,12 +1,13 @@
 """PTX's arithmetic, by the values that the PTX ISA promises."""
 
-from __future__ import annotations
-
 import math
 import struct
+from fractions import Fraction
 
 import numpy as np
 import pytest
+
+from .ptx import UnknownPtx
 
 NAN32, INF32 = 0x7FC00000, 0x7F800000
 NAN64 = 0x7FF8000000000000
@@ -183,8 +184,6 @@ def test_arithmetic_matches_numpy(programs, rng, instruction):
 
 @pytest.mark.parametrize("toward", ["rm", "rp", "rz"])
 def test_directed_sums_are_on_their_side_of_the_exact_result(programs, rng, toward):
-    from fractions import Fraction
-
     instructions = [f"fma.{mode}.f32 %f0, %f1, %f2, %f3;" for mode in ("rm", "rp", "rz")]
     given = np.ldexp(rng.random((3, 256)) - 0.5, rng.integers(-30, 30, (3, 256))).astype(np.float32)
     bits = given.view(np.uint32).astype(np.uint64)
@@ -239,7 +238,5 @@ def test_shuffles_of_a_warp_follow_the_isa(programs, rng, instruction):
 
 
 def test_an_instruction_that_is_not_known_is_named(programs, emulated):
-    from .ptx import UnknownPtx
-
     with pytest.raises(UnknownPtx, match=r"wgmma\.fence\.sync\.aligned"):
         programs.load(".visible .entry k() { wgmma.fence.sync.aligned; ret; }")

@@ -1,7 +1,5 @@
 """A recording that ends early leaves nothing behind: the next one, and all other work, goes on."""
 
-from __future__ import annotations
-
 import threading
 
 import numpy as np

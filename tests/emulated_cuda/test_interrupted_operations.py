@@ -1,7 +1,5 @@
 """An operation whose recording is interrupted, at any launch in it, leaves the device and its owner as they were."""
 
-from __future__ import annotations
-
 import contextlib
 from collections.abc import Iterator
 
@@ -17,25 +15,17 @@ from ..small_scenes import ON_CLOUDS, ONCE, digest
 CAMERA = loom.PinholeCameraIntrinsic(24, 18, 20.0, 20.0, 12.0, 9.0)
 RECORDED = ("icp, point to plane", "icp, generalized", "registration_icp_batch, three poses")
 RECORDED_ONCE = (
-    "iterate_odometry",
-    "mesh, deform_as_rigid_as_possible",
-    "multi_scale_icp",
-    "ransac, features",
-    "rgbd odometry",
-    "icp, colored",
+    *("iterate_odometry", "mesh, deform_as_rigid_as_possible", "multi_scale_icp", "ransac, features"),
+    *("rgbd odometry", "icp, colored"),
 )
 
 
 class Launches:
-    """How many launches were recorded."""
-
     count = 0
 
 
 @contextlib.contextmanager
-def interrupted_recording(
-    device, number: int | None = None, error: type[BaseException] = KeyboardInterrupt
-) -> Iterator:
+def interrupted_recording(device, number: int | None = None, error: type = KeyboardInterrupt) -> Iterator:
     """Count the launches that are recorded in here; the one of this number, from 1 on, does not come about."""
     core, launches = wp._src.context.runtime.core, Launches()
     real = core.wp_cuda_launch_kernel

@@ -1,7 +1,5 @@
 """Blocks, warps and orders of threads."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -15,10 +13,7 @@ HEAD = """
 {
     .reg .pred %p<9>; .reg .b32 %r<19>; .reg .b64 %rd<9>;
     .shared .align 4 .b8 mine[1024];
-    mov.u32 %r1, %tid.x;
-    ld.param.u64 %rd1, [out];
-    mul.wide.u32 %rd2, %r1, 4;
-    add.s64 %rd1, %rd1, %rd2;
+    mov.u32 %r1, %tid.x; ld.param.u64 %rd1, [out]; mul.wide.u32 %rd2, %r1, 4; add.s64 %rd1, %rd1, %rd2;
 """
 TAIL = """
     st.global.u32 [%rd1], %r9;
@@ -26,60 +21,31 @@ TAIL = """
 }
 """
 ONE_STAYS_AWAY = """
-    setp.eq.u32 %p1, %r1, 5;
-    @%p1 bra AWAY;
-    bar.warp.sync 0xffffffff;
-    bra OUT;
+    setp.eq.u32 %p1, %r1, 5; @%p1 bra AWAY; bar.warp.sync 0xffffffff; bra OUT;
 AWAY: bar.sync 0;
 OUT: mov.u32 %r9, 1;
 """
 OTHER_MEETING = """
-    setp.eq.u32 %p1, %r1, 5;
-    @%p1 bra OTHER;
-    vote.sync.ballot.b32 %r9, %p1, 0xffffffff;
-    bra OUT;
+    setp.eq.u32 %p1, %r1, 5; @%p1 bra OTHER; vote.sync.ballot.b32 %r9, %p1, 0xffffffff; bra OUT;
 OTHER: activemask.b32 %r9; bar.warp.sync 0xffffffff;
 OUT: mov.u32 %r9, 1;
 """
-ROTATE = """
-    add.s32 %r2, %r1, 1;
-    shfl.sync.idx.b32 %r9, %r1, %r2, 31, 0xffffffff;
-"""
+ROTATE = "add.s32 %r2, %r1, 1; shfl.sync.idx.b32 %r9, %r1, %r2, 31, 0xffffffff;"
 DOWN = "shfl.sync.down.b32 %r9|%p1, %r1, 8, 31, 0xffffffff; @!%p1 mov.u32 %r9, 1000;"
 UP_IN_EIGHTS = "shfl.sync.up.b32 %r9|%p1, %r1, 3, 0x1800, 0xffffffff; @!%p1 mov.u32 %r9, 1000;"
 BUTTERFLY = "shfl.sync.bfly.b32 %r9, %r1, 5, 31, 0xffffffff;"
 PAIRED = """
-    mul.lo.s32 %r2, %r1, 100;
-    mov.u32 %r4, 1;
-    shfl.sync.down.b32 %r3, %r1, %r4, 31, 0xffffffff;
-    add.s32 %r5, %r3, 7;
-    mov.u32 %r4, 2;
-    shfl.sync.down.b32 %r6, %r2, 1, 31, 0xffffffff;
-    shfl.sync.down.b32 %r7, %r5, 1, 31, 0xffffffff;
-    mov.u32 %r2, 0;
-    add.s32 %r8, %r6, %r7;
-    add.s32 %r9, %r8, %r2;
+    mul.lo.s32 %r2, %r1, 100; mov.u32 %r4, 1; shfl.sync.down.b32 %r3, %r1, %r4, 31, 0xffffffff;
+    add.s32 %r5, %r3, 7; mov.u32 %r4, 2; shfl.sync.down.b32 %r6, %r2, 1, 31, 0xffffffff;
+    shfl.sync.down.b32 %r7, %r5, 1, 31, 0xffffffff; mov.u32 %r2, 0;
+    add.s32 %r8, %r6, %r7; add.s32 %r9, %r8, %r2;
 """
-CHAINED = """
-    shfl.sync.down.b32 %r2, %r1, 1, 31, 0xffffffff;
-    shfl.sync.down.b32 %r9, %r2, 1, 31, 0xffffffff;
-"""
-CARRIED = """
-    shfl.sync.down.b32 %r2, %r1, 1, 31, 0xffffffff;
-    add.cc.u32 %r3, %r2, 0xfffffff0;
-    addc.u32 %r9, 0, 0;
-"""
+CHAINED = "shfl.sync.down.b32 %r2, %r1, 1, 31, 0xffffffff; shfl.sync.down.b32 %r9, %r2, 1, 31, 0xffffffff;"
+CARRIED = "shfl.sync.down.b32 %r2, %r1, 1, 31, 0xffffffff; add.cc.u32 %r3, %r2, 0xfffffff0; addc.u32 %r9, 0, 0;"
 ROTATE_SHARED = """
-    mov.u32 %r2, mine;
-    shl.b32 %r3, %r1, 2;
-    add.s32 %r4, %r2, %r3;
-    st.shared.u32 [%r4], %r1;
+    mov.u32 %r2, mine; shl.b32 %r3, %r1, 2; add.s32 %r4, %r2, %r3; st.shared.u32 [%r4], %r1;
     bar.sync 0;
-    mov.u32 %r5, %ntid.x;
-    sub.s32 %r5, %r5, %r1;
-    sub.s32 %r5, %r5, 1;
-    shl.b32 %r5, %r5, 2;
-    add.s32 %r5, %r2, %r5;
+    mov.u32 %r5, %ntid.x; sub.s32 %r5, %r5, %r1; sub.s32 %r5, %r5, 1; shl.b32 %r5, %r5, 2; add.s32 %r5, %r2, %r5;
     ld.shared.u32 %r9, [%r5];
 """
 OUT_OF_SHARED = "ld.shared.u32 %r9, [mine+1024];"
@@ -127,8 +93,10 @@ WARP = LANES // 32 * 32
         (ROTATE_SHARED, LANES[::-1]),
         (REDUX, WARP + 31),
         (MATCH, np.where(LANES % 32 < 16, 0xFFFF, -0x10000)),
+        (CHAINED, np.where(LANES % 32 < 30, LANES + 2, WARP + 31)),
+        (CARRIED, np.where(LANES % 32 < 31, LANES + 1, LANES) >= 16),
     ],
-    ids=["rotate", "down", "up in eights", "butterfly", "shared memory", "redux", "match"],
+    ids=["rotate", "down", "up in eights", "butterfly", "shared memory", "redux", "match", "chained", "carried"],
 )
 def test_threads_of_a_block_exchange_values(run, settings, order, body, expected):
     settings(order=order)
@@ -141,15 +109,6 @@ def test_consecutive_shuffles_use_their_own_values(run):
     seventh = np.append((first + 7)[1:], 0)
     expected = np.where(lane < 31, LANES * 100 + 100 + seventh, LANES * 100 + first + 7)
     np.testing.assert_array_equal(run(PAIRED), expected)
-
-
-def test_a_shuffle_of_a_shuffled_value_waits_for_it(run):
-    lane = LANES % 32
-    np.testing.assert_array_equal(run(CHAINED), np.where(lane < 30, LANES + 2, WARP + 31))
-
-
-def test_a_carry_of_a_shuffled_value_waits_for_it(run):
-    np.testing.assert_array_equal(run(CARRIED), np.where(LANES % 32 < 31, LANES + 1, LANES) >= 16)
 
 
 @ORDERS

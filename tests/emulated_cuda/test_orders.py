@@ -3,8 +3,6 @@
 The operations are those of benchmarks/digests.py, on scenes that are small enough for four orders.
 """
 
-from __future__ import annotations
-
 import pytest
 
 from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, digest
@@ -19,7 +17,6 @@ ON_SCENES = (
     *("mesh, ", "rays, ", "scene, ", "color_map", "render, "),
     *("mvs, ", "rgbd odometry", "deskew_point_cloud", "undistort_picture", "tsdf, fuse_volumes"),
 )
-
 LONG = ("slam, DenseSLAM", "odometry", "odometry, as measured", "run_system", "SLAC", "register_fragments")
 
 
@@ -43,15 +40,9 @@ def test_results_on_clouds_do_not_depend_on_the_order_of_threads(small, same_in_
     same_in_all_orders(lambda: ON_CLOUDS[operation](small.surface))
 
 
-@pytest.mark.parametrize(
-    "operation",
-    [name for name in ONCE if name.startswith(ON_SCENES) and not name.startswith(ON_HOST) and not name.endswith("far")],
-)
+SCENES = [n for n in ONCE if n.startswith(ON_SCENES) and not n.startswith(ON_HOST) and not n.endswith("far")]
+
+
+@pytest.mark.parametrize("operation", [*SCENES, *(pytest.param(name, marks=pytest.mark.slow) for name in LONG)])
 def test_results_of_scenes_do_not_depend_on_the_order_of_threads(small, same_in_all_orders, operation):
-    same_in_all_orders(lambda: ONCE[operation](small))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("operation", LONG)
-def test_results_of_complete_runs_do_not_depend_on_thread_order(small, same_in_all_orders, operation):
     same_in_all_orders(lambda: ONCE[operation](small))

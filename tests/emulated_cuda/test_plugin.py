@@ -1,7 +1,5 @@
 """pytest --emulated-cuda: which tests run, and which of them fail for what the device saw."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -17,15 +15,12 @@ import pytest
 sys.path.insert(0, {str(Path(__file__).parents[1])!r})
 from emulated_cuda import plugin
 
-
 def pytest_addoption(parser, pluginmanager):
     plugin.add_options(parser)
     plugin.install_if_requested(pluginmanager.get_plugin("pytestconfig"))
 
-
 def pytest_configure(config):
     config.addinivalue_line("markers", "slow_on_emulated_cuda(reason)")
-
 
 @pytest.fixture(params=["cpu-warp", "cuda:0"])
 def device(request):
@@ -36,18 +31,15 @@ import numpy as np
 import pytest
 import warp as wp
 
-
 @wp.kernel(enable_backward=False)
 def past_the_end_kernel(a: wp.array(dtype=int)):
     i = wp.tid()
     a[i + 1] = i
 
-
 @wp.kernel(enable_backward=False)
 def copy_kernel(a: wp.array(dtype=int), out: wp.array(dtype=int)):
     i = wp.tid()
     out[i] = a[i]
-
 
 def test_swallows_a_fault(device):
     try:
@@ -56,24 +48,19 @@ def test_swallows_a_fault(device):
     except RuntimeError:
         pass
 
-
 def test_never_waits_for_a_fault(device):
     wp.launch(past_the_end_kernel, 4, [wp.zeros(4, dtype=int, device=device)], device=device)
-
 
 def test_reads_what_nobody_wrote(device):
     a, out = (wp.empty(4, dtype=int, device=device) for _ in range(2))
     wp.launch(copy_kernel, 4, [a, out], device=device)
 
-
 @pytest.mark.slow_on_emulated_cuda("a thousand blocks")
 def test_takes_minutes(device):
     raise AssertionError
 
-
 def test_is_right(device):
     assert wp.zeros(4, dtype=int, device=device).numpy().sum() == 0
-
 
 def test_takes_no_device():
     pass
@@ -82,7 +69,6 @@ def test_takes_no_device():
 
 @pytest.fixture
 def run(tmp_path):
-    """A function (options): pytest's output for the tests above."""
     (tmp_path / "conftest.py").write_text(CONFTEST)
     (tmp_path / "test_some.py").write_text(TESTS)
 

@@ -1,7 +1,5 @@
 """A GPU's pool caches released memory: free for the next array, and returned on request."""
 
-from __future__ import annotations
-
 import gc
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The race detector: accesses of two threads to the same bytes, one of them a write that changes them."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Memory that runs out at any allocation of an operation: a named error, what there was is as before, and goes on."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -22,7 +20,6 @@ def cloud(**channels) -> loom.PointCloud:
 
 
 def arrays_of(result) -> list[np.ndarray]:
-    """All arrays of a result or an object, as NumPy."""
     if isinstance(result, loom.PointCloud):
         return [result.points, *([result.normals] if result.has_normals() else [])]
     if isinstance(result, loom.TriangleMesh):
@@ -35,7 +32,6 @@ def arrays_of(result) -> list[np.ndarray]:
 
 
 def fused() -> loom.TSDFVolume:
-    """A volume with a frame in it."""
     volume = loom.TSDFVolume(voxel_size=0.05, color=False, device="cuda:0")
     volume.integrate(DEPTHS[0], CAMERA, np.eye(4))
     return volume
@@ -49,7 +45,6 @@ def icp(target):
 
 
 SEARCHES = ("estimate_normals", "poisson")  # go on with less scratch
-
 # what there is before, and the operation on it
 OPERATIONS = {
     "voxel_down_sample": (cloud, lambda c: c.voxel_down_sample(0.1)),

@@ -3,8 +3,6 @@
 At a few allocations of each, spread over its course; test_scarce_memory.py tries every one of some of them.
 """
 
-from __future__ import annotations
-
 import pytest
 
 from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, digest
@@ -12,14 +10,8 @@ from .scarce_memory import failing_allocation
 
 TRIED = 4  # allocations of an operation
 QUICK = (
-    *(
-        "voxel_down_sample",
-        "estimate_normals, knn",
-        "cluster_dbscan",
-        "icp, point to plane",
-        "compute_fpfh_feature, knn",
-    ),
-    *("knn_search", "orient_normals_consistent_tangent_plane", "detect_planar_patches", "segment_plane"),
+    *("voxel_down_sample", "estimate_normals, knn", "cluster_dbscan", "icp, point to plane", "knn_search"),
+    *("orient_normals_consistent_tangent_plane", "detect_planar_patches", "segment_plane", "compute_fpfh_feature, knn"),
 )
 
 
@@ -40,17 +32,12 @@ def check(emulated, work) -> None:
         assert digest(work()) == expected
 
 
-@pytest.mark.parametrize("operation", [name for name in ON_CLOUDS if name in QUICK])
-def test_an_operation_goes_on_after_memory_ran_out(emulated, small, operation):
-    check(emulated, lambda: ON_CLOUDS[operation](small.surface))
+ON_DEVICE = [name for name in ON_CLOUDS if not name.startswith(ON_HOST)]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "operation", [name for name in ON_CLOUDS if not name.startswith(ON_HOST) and name not in QUICK]
-)
-def test_any_operation_on_clouds_goes_on_after_memory_ran_out(emulated, small, operation):
-    check(emulated, lambda: ON_CLOUDS[operation](small.surface))
+@pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in ON_DEVICE])
+def test_any_operation_on_clouds_goes_on_after_memory_ran_out(emulated, small, name):
+    check(emulated, lambda: ON_CLOUDS[name](small.surface))
 
 
 @pytest.mark.slow

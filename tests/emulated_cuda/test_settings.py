@@ -1,7 +1,5 @@
 """What the environment may ask for, and machines on which nothing would run."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

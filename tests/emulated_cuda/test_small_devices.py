@@ -1,7 +1,5 @@
 """A device with too little memory for all results: host results are computed in batches, others are refused."""
 
-from __future__ import annotations
-
 import gc
 
 import numpy as np
@@ -19,7 +17,6 @@ COUNT = 2 * MIN_ROWS + 300
 
 @pytest.fixture
 def search(emulated, rng):
-    """A search over points, some of them coincident."""
     points = rng.random((COUNT, 3)).astype(np.float32)
     points[::7] = points[0]
     return loom.NearestNeighborSearch(points, device="cuda:0")
@@ -27,8 +24,6 @@ def search(emulated, rng):
 
 @pytest.fixture
 def with_room(emulated, monkeypatch):
-    """A function that leaves so many bytes of the device free."""
-
     def limit(size: int) -> None:
         gc.collect()
         emulated.synchronize()
@@ -48,11 +43,9 @@ QUERIES = {
 def test_host_results_are_bitwise_identical_in_batches(emulated, search, with_room, name):
     queries, query_neighbors = search.cloud.points, QUERIES[name]
     query_neighbors(search, queries[:10])
-    before = emulated.memory.used
-    emulated.memory.peak = before
+    emulated.memory.peak = before = emulated.memory.used
     expected = query_neighbors(search, queries)
-    need = emulated.memory.peak - before
-    with_room(int(0.7 * need))
+    with_room(int(0.7 * (emulated.memory.peak - before)))
     with emulated.findings.expected():
         result = query_neighbors(search, queries)
     for array, other in zip(result, expected, strict=True):
@@ -74,8 +67,7 @@ def test_searches_with_less_scratch_are_bitwise_identical(search, emulated, with
     work(search.cloud)
     emulated.memory.peak = before = emulated.memory.used
     expected = work(search.cloud)
-    need = emulated.memory.peak - before
-    with_room(int(0.4 * need))
+    with_room(int(0.4 * (emulated.memory.peak - before)))
     with emulated.findings.expected():
         np.testing.assert_array_equal(work(search.cloud), expected)
     with_room(COUNT)
@@ -85,8 +77,7 @@ def test_searches_with_less_scratch_are_bitwise_identical(search, emulated, with
 
 def test_device_results_are_refused_with_their_size(emulated, search, with_room):
     queries = wp.array(search.cloud.points.astype(np.float32), device="cuda:0")
-    expected = search.knn_search(queries, 24)
-    expected = [array.numpy() for array in expected]
+    expected = [array.numpy() for array in search.knn_search(queries, 24)]
     with_room(24 * COUNT)
     reason = rf"cuda:0 has no room for an array of {4 * 24 * COUNT:,} bytes, [\d,]+ are free; take fewer points"
     with emulated.findings.expected(), pytest.raises(MemoryError, match=reason):

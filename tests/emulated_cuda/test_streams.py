@@ -1,7 +1,5 @@
 """Work runs when something waits for it, and not before."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -73,8 +71,7 @@ def test_a_missing_wait_between_streams_is_detected_and_an_event_fixes_it():
 
 
 def test_an_array_lives_until_its_launches_have_run():
-    out = wp.zeros(4, dtype=int, device=DEVICE)
-    a = wp.zeros(4, dtype=int, device=DEVICE)
+    out, a = (wp.zeros(4, dtype=int, device=DEVICE) for _ in range(2))
     wp.launch(number_kernel, 4, [a], device=DEVICE)
     wp.copy(out, a)
     del a

@@ -60,6 +60,5 @@ def test_a_kernel_without_tiles_shares_no_more_than_the_word_a_thread_that_warp_
     assert shared["copy_kernel"] == shared["mix_kernel"] == words
     vector = REDUCTION_BLOCK // 32 * 8  # a number of each warp
     shared_bytes = shared["sum_rows_tiles"]
-    assert words + 4 * vector <= shared_bytes == shared["sum_rows_fold_tiles"] < words + 8 * vector, (
-        "four numbers at a time"
-    )
+    # four numbers at a time
+    assert words + 4 * vector <= shared_bytes == shared["sum_rows_fold_tiles"] < words + 8 * vector

@@ -28,7 +28,6 @@ SELECT = "pointloom.kernels.arrays.select"
 
 
 def gpu(architecture, output="ptx"):
-    """What looks like a GPU, as far as the choice goes."""
     return SimpleNamespace(arch=architecture, get_cuda_output_format=lambda: output)
 
 
@@ -70,10 +69,8 @@ def test_a_damaged_archive_is_not_used_and_doctor_names_it(manifest, tmp_path, m
 @pytest.fixture
 def built():
     code = cuda_cache.Code(7, lzma.compress(b"machine"), 1.5)
-    meta = {"copy_kernel_smem_bytes": 0}
-    return [
-        cuda_cache.Built("pointloom.kernels.made_up", "ab" * 32, 3, meta, {"sm90.cubin": code, "sm100.cubin": code})
-    ]
+    codes, meta = {"sm90.cubin": code, "sm100.cubin": code}, {"copy_kernel_smem_bytes": 0}
+    return [cuda_cache.Built("pointloom.kernels.made_up", "ab" * 32, 3, meta, codes)]
 
 
 def test_an_archive_lists_its_sources_and_is_reproducible(built, tmp_path):
@@ -102,12 +99,6 @@ def test_the_wheel_records_its_files_and_requires_the_same_versions(built):
             assert (f"sha256={encoded}", str(len(data))) == (digest, size)
     assert f"Requires-Dist: pointloom=={version}\n" in metadata
     assert f"Requires-Dist: warp-lang=={wp.__version__}\n" in metadata
-
-
-def test_the_table_has_a_line_an_architecture(built):
-    head, first, second = cuda_cache.table_of(built)
-    assert "kernels" in head
-    assert first.split()[:3] == ["sm90.cubin", "3", "1"] and second.startswith("sm100.cubin")
 
 
 COMPILE_FAR_CONSTANTS = """
@@ -152,20 +143,14 @@ def test_a_constant_outside_the_hash_of_warp_is_recompiled(tmp_path):
 
 
 def command(folder, *options):
-    arguments = ["--work", str(folder / "work"), "--output", str(folder / "dist"), *options]
-    environment = os.environ | {"PYTHONPATH": SRC}
+    folders = ["--work", str(folder / "work"), "--output", str(folder / "dist")]
+    program = [sys.executable, "-m", "pointloom.kernels.cuda_cache", *folders, *options]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
 
     def hear_interrupts():
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # a shell's background jobs ignore it, and so would their children
 
-    return subprocess.Popen(
-        [sys.executable, "-m", "pointloom.kernels.cuda_cache", *arguments],
-        env=environment,
-        preexec_fn=hear_interrupts,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+    return subprocess.Popen(program, env=os.environ | {"PYTHONPATH": SRC}, preexec_fn=hear_interrupts, **pipes)
 
 
 @pytest.mark.slow

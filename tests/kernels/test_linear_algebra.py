@@ -1,7 +1,5 @@
 """Small linear algebra in a fixed order agrees with NumPy's, and its bits do not depend on the kernels of BLAS."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -24,13 +22,8 @@ def symmetric(rng, n, rank):
 
 
 SHAPES = [((3,), (3,)), ((2, 3), (3,)), ((3,), (3, 2)), ((2, 3), (3, 4)), ((5, 2, 3), (3,)), ((3,), (5, 3, 2))]
-SHAPES += [
-    ((5, 2, 3), (3, 4)),
-    ((2, 3), (5, 3, 4)),
-    ((5, 2, 3), (5, 3, 4)),
-    ((7, 1, 2, 3), (5, 3, 4)),
-    ((0, 3), (3, 3)),
-]
+SHAPES += [((5, 2, 3), (3, 4)), ((2, 3), (5, 3, 4)), ((5, 2, 3), (5, 3, 4)), ((7, 1, 2, 3), (5, 3, 4))]
+SHAPES += [((0, 3), (3, 3))]
 
 
 @pytest.mark.parametrize(("left", "right"), SHAPES)

@@ -1,7 +1,5 @@
 """Types end at no door: a wrong element, rank, order, kind or count of what a host function is given is an error."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess
@@ -11,7 +9,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-
 # (a planted mistake, its correct twin)
 PAIRS = [
     ('gather_rows("rows", rows)', "gather_rows(points, rows)"),
@@ -58,23 +55,14 @@ def use(points: Points, positions: Positions, rows: Indices, keys: Keys, mask: M
 
 def lines_with_errors(folder: Path, sources: dict[str, str]) -> dict[str, set[str]]:
     """The lines of each file that pyright finds an error in, as they are written."""
-    settings = {
-        "pythonVersion": "3.11",
-        "include": ["."],
-        "extraPaths": [str(ROOT / "src")],
-        "stubPath": str(ROOT / "typings"),
-        "typeCheckingMode": "standard",
-    }
+    paths = {"include": ["."], "extraPaths": [str(ROOT / "src")], "stubPath": str(ROOT / "typings")}
+    settings = {"pythonVersion": "3.11", "typeCheckingMode": "standard", **paths}
     (folder / "pyrightconfig.json").write_text(json.dumps(settings))
     for name, source in sources.items():
         (folder / name).write_text(source)
-    ran = subprocess.run(
-        [Path(sys.executable).with_name("pyright"), "-p", folder, "--pythonpath", sys.executable, "--outputjson"],
-        env={**os.environ, "PYRIGHT_PYTHON_IGNORE_WARNINGS": "1"},
-        stdout=subprocess.PIPE,
-        text=True,
-        check=False,
-    )
+    command = [Path(sys.executable).with_name("pyright"), "-p", folder, "--pythonpath", sys.executable, "--outputjson"]
+    environment = os.environ | {"PYRIGHT_PYTHON_IGNORE_WARNINGS": "1"}
+    ran = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True)
     lines: dict[str, set[str]] = {name: set() for name in sources}
     for diagnostic in json.loads(ran.stdout)["generalDiagnostics"]:
         name = Path(diagnostic["file"]).name
@@ -85,8 +73,6 @@ def lines_with_errors(folder: Path, sources: dict[str, str]) -> dict[str, set[st
 @pytest.mark.slow
 def test_each_planted_mistake_is_an_error_and_its_correct_twin_is_none(tmp_path):
     mistakes, twins = zip(*PAIRS, strict=True)
-    sources = {
-        "mistakes.py": HEAD + "".join(f"    {line}\n" for line in mistakes),
-        "twins.py": HEAD + "".join(f"    {line}\n" for line in twins),
-    }
+    parts = {"mistakes.py": mistakes, "twins.py": twins}
+    sources = {name: HEAD + "".join(f"    {line}\n" for line in lines) for name, lines in parts.items()}
     assert lines_with_errors(tmp_path, sources) == {"mistakes.py": set(mistakes), "twins.py": set()}

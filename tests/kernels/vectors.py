@@ -1,16 +1,13 @@
 """Vectors on a device, and rotations."""
 
-from __future__ import annotations
-
 import numpy as np
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 
 
 def vectors(device, values):
-    return upload(np.asarray(values, np.float32).reshape(-1, 3), vec3, resolve_device(device))
+    return upload(np.asarray(values, np.float32).reshape(-1, 3), vec3, device)
 
 
 def rotation(rng):

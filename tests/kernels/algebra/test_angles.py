@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.angles import angle_of
 from pointloom.kernels.lang import array, float64, kernel, launch, tid
 from pointloom.kernels.memory import empty, upload
@@ -15,18 +14,14 @@ def measure_kernel(sines: array(dtype=float64), cosines: array(dtype=float64), a
 
 
 def measure(device, sines, cosines):
-    warp_device = resolve_device(device)
-    angles = empty(len(sines), float64, warp_device)
-    launch(
-        measure_kernel, len(sines), [upload(sines, float64, warp_device), upload(cosines, float64, warp_device), angles]
-    )
+    angles = empty(len(sines), float64, device)
+    launch(measure_kernel, len(sines), [upload(sines, float64, device), upload(cosines, float64, device), angles])
     return angles.numpy()
 
 
 def test_angles_are_those_of_atan2(device, rng):
-    angles_expected = np.concatenate(
-        [np.linspace(0, np.pi, 1001), np.geomspace(1e-300, 1, 200), np.pi - np.geomspace(1e-15, 1, 200)]
-    )
+    ends = np.geomspace(1e-300, 1, 200), np.pi - np.geomspace(1e-15, 1, 200)
+    angles_expected = np.concatenate([np.linspace(0, np.pi, 1001), *ends])
     scales = np.exp(rng.uniform(-100, 100, len(angles_expected)))
     sines, cosines = scales * np.abs(np.sin(angles_expected)), scales * np.cos(angles_expected)
     # five square roots and quotients, twelve terms and eight times the result, at 1.1e-16 each

@@ -1,7 +1,5 @@
 """Products of matrices are sums of products in their order, the same bits everywhere."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

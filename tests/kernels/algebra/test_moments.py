@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.moments import MAX_EXACT_POINTS, steps_for
 from pointloom.kernels.lang import array, float32, int32, kernel, launch, tid
 from pointloom.kernels.memory import download, empty, upload
@@ -17,9 +16,9 @@ def measure_steps_kernel(sqdist: float, counts: array(dtype=int32), steps: array
 
 @pytest.mark.parametrize("sqdist", [1e-6, 1.0, 3.99, 4.0, 1e8])
 def test_products_of_any_number_of_differences_fit_into_64_bits(device, sqdist):
-    warp_device, counts = resolve_device(device), np.array([1, MAX_EXACT_POINTS, MAX_EXACT_POINTS + 1, 2**31 - 1])
-    steps = empty(len(counts), float32, warp_device)
-    launch(measure_steps_kernel, len(counts), [sqdist, upload(counts, int32, warp_device), steps])
+    counts = np.array([1, MAX_EXACT_POINTS, MAX_EXACT_POINTS + 1, 2**31 - 1])
+    steps = empty(len(counts), float32, device)
+    launch(measure_steps_kernel, len(counts), [sqdist, upload(counts, int32, device), steps])
     result = download(steps).astype(float)
     assert (counts * (np.sqrt(sqdist) * result + 0.5) ** 2 < 2.0**63).all()
     assert result[0] == result[1] > result[2] == result[3] and np.sqrt(sqdist) * result[2] >= 2**14

@@ -6,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.rigid_solve import (
     diagonalize,
     eigensystem,
@@ -48,13 +47,9 @@ def add_pair(sums: pair_sums, p: vec3d, q: vec3d, w: float64) -> pair_sums:
 
 @kernel
 def fit_kernel(
-    sources: array(dtype=vec3d),
-    targets: array(dtype=vec3d),
-    weights: array(dtype=float64),
-    pairs: int,
-    scaling: int,
+    sources: array(dtype=vec3d), targets: array(dtype=vec3d), weights: array(dtype=float64), pairs: int, scaling: int,
     poses: array(dtype=mat44d),
-):
+):  # fmt: skip
     i = tid()
     sums = pair_sums(float64(0.0))
     for j in range(i * pairs, (i + 1) * pairs):
@@ -64,14 +59,10 @@ def fit_kernel(
 
 @kernel
 def rotate_kernel(
-    steps: array(dtype=vec6d),
-    quaternions: array(dtype=float64, ndim=2),
-    points: array(dtype=vec3d),
-    motions: array(dtype=mat44d),
-    rotated: array(dtype=mat44d),
-    moved: array(dtype=vec3d),
+    steps: array(dtype=vec6d), quaternions: array(dtype=float64, ndim=2), points: array(dtype=vec3d),
+    motions: array(dtype=mat44d), rotated: array(dtype=mat44d), moved: array(dtype=vec3d),
     directions: array(dtype=vec3d),
-):
+):  # fmt: skip
     i = tid()
     motions[i] = euler_motion(steps[i])
     rotated[i] = rotation_about(quaternions[i, 0], quaternions[i, 1], quaternions[i, 2], quaternions[i, 3])
@@ -80,38 +71,33 @@ def rotate_kernel(
 
 
 def solve(device, matrices, sides):
-    warp_device = resolve_device(device)
-    solutions = empty(len(matrices), vec6d, warp_device)
+    solutions = empty(len(matrices), vec6d, device)
     upper = np.ascontiguousarray(np.asarray(matrices, float)[:, UPPER[0], UPPER[1]])
-    launch(
-        solve_kernel, len(upper), [upload(upper, triangle, warp_device), upload(sides, vec6d, warp_device), solutions]
-    )
+    launch(solve_kernel, len(upper), [upload(upper, triangle, device), upload(sides, vec6d, device), solutions])
     return solutions.numpy()
 
 
 def eigen(device, matrices):
     """Eigenvalues [m, n] and eigenvectors as columns [m, n, n] of symmetric matrices [m, n, n]."""
-    warp_device, n = resolve_device(device), matrices.shape[1]
+    n = matrices.shape[1]
     rows = np.zeros((len(matrices), 36))
     rows[:, : n * n] = matrices.reshape(len(matrices), -1)
-    systems = empty(len(matrices), eigensystem, warp_device)
-    launch(diagonalize_kernel, len(matrices), [upload(rows, square, warp_device), n, systems])
+    systems = empty(len(matrices), eigensystem, device)
+    launch(diagonalize_kernel, len(matrices), [upload(rows, square, device), n, systems])
     systems = systems.numpy()
     return systems[:, 36 : 36 + n], systems[:, : n * n].reshape(-1, n, n)
 
 
 def fit(device, sources, targets, weights=None, scaling=False):
-    """Poses [m, 4, 4] of pairs [m, k, 3]."""
-    where, (m, k, _) = resolve_device(device), sources.shape
+    (m, k, _) = sources.shape
     weights = np.ones((m, k)) if weights is None else weights
-    poses = empty(m, mat44d, where)
-    flat = [upload(np.ascontiguousarray(a).reshape(-1, 3), vec3d, where) for a in (sources, targets)]
-    launch(fit_kernel, m, [*flat, upload(weights.ravel(), float64, where), k, int(scaling), poses])
+    poses = empty(m, mat44d, device)
+    flat = [upload(np.ascontiguousarray(a).reshape(-1, 3), vec3d, device) for a in (sources, targets)]
+    launch(fit_kernel, m, [*flat, upload(weights.ravel(), float64, device), k, int(scaling), poses])
     return poses.numpy()
 
 
 def symmetric(rng, values, count):
-    """Random symmetric matrices with these eigenvalues."""
     n = len(values)
     Q = np.linalg.qr(rng.normal(size=(count, n, n)))[0]
     A = Q @ (np.asarray(values, float)[:, None] * Q.transpose(0, 2, 1))
@@ -136,9 +122,8 @@ def test_systems_are_solved_as_with_lapack(device, rng, tolerances, size):
     systems = symmetric(rng, [1, 2, 5, 10, 30, 100], 300)
     sides = rng.normal(size=(300, 6))
     solutions = solve(device, systems * size, sides * size)
-    np.testing.assert_allclose(
-        solutions, np.linalg.solve(systems, sides[..., None])[..., 0], atol=tolerances.solve_of_six
-    )
+    expected = np.linalg.solve(systems, sides[..., None])[..., 0]
+    np.testing.assert_allclose(solutions, expected, atol=tolerances.solve_of_six)
 
 
 def test_an_undetermined_unknown_stays_zero(device, rng, tolerances):
@@ -150,11 +135,8 @@ def test_an_undetermined_unknown_stays_zero(device, rng, tolerances):
     for k in range(6):
         rest = np.delete(np.arange(6), k)
         assert solutions[k, k] == 0
-        np.testing.assert_allclose(
-            solutions[k, rest],
-            np.linalg.solve(systems[k][np.ix_(rest, rest)], sides[k, rest]),
-            atol=tolerances.solve_of_six,
-        )
+        expected = np.linalg.solve(systems[k][np.ix_(rest, rest)], sides[k, rest])
+        np.testing.assert_allclose(solutions[k, rest], expected, atol=tolerances.solve_of_six)
     np.testing.assert_array_equal(solve(device, np.zeros((3, 6, 6)), np.ones((3, 6))), 0)
 
 
@@ -179,31 +161,21 @@ def test_a_system_of_few_rows_gets_a_step_that_satisfies_it(device, rng, toleran
     np.testing.assert_allclose(np.einsum("mij,mj->mi", systems, solutions), sides, atol=1e-6)  # of pivots cut at 1e-15
 
 
-@pytest.mark.parametrize(
-    "values",
-    [
-        [1, 2],
-        [3, 3, 3],
-        [0, 1, 1e-12],
-        [-1, 1, 2, 2],
-        [0, 0, 0, 1],
-        [1e-9, 1e-6, 1e-3, 1, 2],
-        [1, 2, 3, 4, 5, 6],
-        [0, 0, 0, 0, 0, 1],
-        [1e-12, 1e-12, 1e-6, 1, 1, 1],
-        [-3, -2, -1, 1, 2, 3],
-    ],
+VALUES = (
+    *([1, 2], [3, 3, 3], [0, 1, 1e-12], [-1, 1, 2, 2], [0, 0, 0, 1], [1e-9, 1e-6, 1e-3, 1, 2], [1, 2, 3, 4, 5, 6]),
+    *([0, 0, 0, 0, 0, 1], [1e-12, 1e-12, 1e-6, 1, 1, 1], [-3, -2, -1, 1, 2, 3]),
 )
+
+
+@pytest.mark.parametrize("values", VALUES)
 @pytest.mark.parametrize("size", [1e-100, 1.0, 1e100])
 def test_eigenvectors_match_lapack(device, rng, tolerances, values, size):
     matrices, n = symmetric(rng, values, 100), len(values)
-    eigenvalues, vectors = eigen(device, matrices * size)
-    np.testing.assert_allclose(
-        np.sort(eigenvalues, axis=1) / size, np.linalg.eigvalsh(matrices), atol=tolerances.jacobi * np.abs(values).max()
-    )
+    (eigenvalues, vectors), limit = eigen(device, matrices * size), tolerances.jacobi * np.abs(values).max()
+    np.testing.assert_allclose(np.sort(eigenvalues, axis=1) / size, np.linalg.eigvalsh(matrices), atol=limit)
     np.testing.assert_allclose(vectors.transpose(0, 2, 1) @ vectors, np.tile(np.eye(n), (100, 1, 1)), atol=1e-13)
     rebuilt = np.einsum("mik,mk,mjk->mij", vectors, eigenvalues / size, vectors)
-    np.testing.assert_allclose(rebuilt, matrices, atol=tolerances.jacobi * np.abs(values).max())
+    np.testing.assert_allclose(rebuilt, matrices, atol=limit)
 
 
 def test_diagonal_and_zero_matrices_have_the_axes(device):
@@ -222,9 +194,8 @@ def test_pairs_are_fitted_as_by_singular_values(device, rng, tolerances, shape, 
     targets = sources @ R.transpose(0, 2, 1) * 1.3 + rng.normal(size=(100, 1, 3)) + 0.02 * rng.normal(size=(100, k, 3))
     weights = rng.uniform(0.1, 2, (100, k))
     result = fit(device, sources, targets, weights, scaling)
-    expected = [
-        fit_by_svd(*pair, weights=w, with_scaling=scaling) for *pair, w in zip(sources, targets, weights, strict=True)
-    ]
+    given = zip(sources, targets, weights, strict=True)
+    expected = [fit_by_svd(*pair, weights=w, with_scaling=scaling) for *pair, w in given]
     np.testing.assert_allclose(result, expected, atol=tolerances.pair_fit)
 
 
@@ -233,9 +204,8 @@ def test_mirrored_pairs_get_a_rotation(device, rng):
     poses = fit(device, sources, sources * [1, 1, -1])
     np.testing.assert_allclose(np.linalg.det(poses[:, :3, :3]), 1, rtol=1e-13)
     # of all rotations the best: no other one leaves less
-    left = np.square(sources @ poses[:, :3, :3].transpose(0, 2, 1) + poses[:, None, :3, 3] - sources * [1, 1, -1]).sum(
-        (1, 2)
-    )
+    moved = sources @ poses[:, :3, :3].transpose(0, 2, 1) + poses[:, None, :3, 3]
+    left = np.square(moved - sources * [1, 1, -1]).sum((1, 2))
     for R in Rotation.random(100, rng=rng).as_matrix():
         moved = sources @ R.T
         moved += (sources * [1, 1, -1] - moved).mean(axis=1, keepdims=True)
@@ -282,14 +252,9 @@ def test_a_rigid_motion_is_recovered(vector, shift, count, seed):
 
 
 def test_rotations_match_scipy(device, rng):
-    warp_device = resolve_device(device)
     steps, quaternions, points = rng.normal(size=(200, 6)), rng.normal(size=(200, 4)), rng.normal(size=(200, 3))
-    motions, rotated, moved, directions = (zeros(200, t, warp_device) for t in (mat44d, mat44d, vec3d, vec3d))
-    given_arrays = [
-        upload(steps, vec6d, warp_device),
-        upload(quaternions, float64, warp_device),
-        upload(points, vec3d, warp_device),
-    ]
+    motions, rotated, moved, directions = (zeros(200, t, device) for t in (mat44d, mat44d, vec3d, vec3d))
+    given_arrays = [upload(steps, vec6d, device), upload(quaternions, float64, device), upload(points, vec3d, device)]
     launch(rotate_kernel, 200, [*given_arrays, motions, rotated, moved, directions])
     R = Rotation.from_euler("xyz", steps[:, :3]).as_matrix()
     np.testing.assert_allclose(motions.numpy()[:, :3, :3], R, atol=1e-14)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.rotations import best_rotation
 from pointloom.kernels.lang import array, kernel, launch, mat33d, tid
 from pointloom.kernels.memory import empty, upload
@@ -16,9 +15,8 @@ def fit_kernel(matrices: array(dtype=mat33d), rotations: array(dtype=mat33d)):
 
 
 def fit(device, matrices):
-    warp_device = resolve_device(device)
-    rotations = empty(len(matrices), mat33d, warp_device)
-    launch(fit_kernel, len(matrices), [upload(np.asarray(matrices, float), mat33d, warp_device), rotations])
+    rotations = empty(len(matrices), mat33d, device)
+    launch(fit_kernel, len(matrices), [upload(np.asarray(matrices, float), mat33d, device), rotations])
     return rotations.numpy()
 
 

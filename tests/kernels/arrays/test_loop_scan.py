@@ -1,7 +1,5 @@
 """Running sums and lists in a loop of the device: what NumPy gives."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

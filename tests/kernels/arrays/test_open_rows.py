@@ -11,7 +11,6 @@ from pointloom.kernels.memory import download, upload
 
 @kernel
 def wait_some_rounds_kernel(rows: array(dtype=int32), left: array(dtype=int32), open_rows: array(dtype=uint8)):
-    """A row is resolved after its given number of rounds."""
     i = tid()
     left[rows[i]] = left[rows[i]] - 1
     open_rows[i] = uint8(1 if left[rows[i]] > 0 else 0)

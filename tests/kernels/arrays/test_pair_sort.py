@@ -1,7 +1,5 @@
 """Pairs of small numbers are ordered as a stable sort of their keys orders them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

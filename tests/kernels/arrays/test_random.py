@@ -15,26 +15,20 @@ def philox_kernel(inputs: array(dtype=int64), words: array(dtype=int64)):
     i = tid()
     j = i * 6
     w = philox(
-        uint64(inputs[j]),
-        uint64(inputs[j + 1]),
-        uint64(inputs[j + 2]),
-        uint64(inputs[j + 3]),
-        uint64(inputs[j + 4]),
-        uint64(inputs[j + 5]),
-    )
+        uint64(inputs[j]), uint64(inputs[j + 1]), uint64(inputs[j + 2]),
+        uint64(inputs[j + 3]), uint64(inputs[j + 4]), uint64(inputs[j + 5]),
+    )  # fmt: skip
     for k in range(4):
         words[i * 4 + k] = int64(w[k])
 
 
 @kernel
-def draw_kernel(
-    seed: int, stream: int, words: array(dtype=int64), uniform: array(dtype=vec4), normal: array(dtype=vec4)
-):
+def draw_kernel(seed: int, part: int, words: array(dtype=int64), uniform: array(dtype=vec4), normal: array(dtype=vec4)):
     i = tid()
-    w = random_bits(seed, i, stream)
+    w = random_bits(seed, i, part)
     for k in range(4):
         words[i * 4 + k] = int64(w[k])
-    u = random_uniform(seed, i, stream)
+    u = random_uniform(seed, i, part)
     first = gaussian_pair(u[0], u[1])
     second = gaussian_pair(u[2], u[3])
     uniform[i] = u
@@ -56,7 +50,6 @@ def draw(device, count, seed=0, stream=0):
 
 
 def reference_words(counters, seed, stream):
-    """Philox4x32-10 in plain Python integers."""
     rows = []
     for counter in counters:
         c, k = [counter, 0, stream & 0xFFFFFFFF, 0], [seed & 0xFFFFFFFF, 0]

@@ -1,18 +1,15 @@
 """Running sums: exact to rounding, never falling, not raised by a zero, the same bits everywhere."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.running_sums import running_sums
 from pointloom.kernels.lang import float64
 from pointloom.kernels.memory import download, upload
 
 
 def sums_of(values: np.ndarray, device: str) -> np.ndarray:
-    return download(running_sums(upload(values, float64, resolve_device(device)))).copy()
+    return download(running_sums(upload(values, float64, device))).copy()
 
 
 @pytest.mark.parametrize("count", [0, 1, 63, 64, 65, 4097, 50_001])

@@ -13,7 +13,6 @@ LENGTH = 64  # of a run on the CPU
 
 @kernel
 def visit_elements_kernel(runs: Runs, visits: array(dtype=int32), taken: array(dtype=int32)):
-    """Count the visits of each element, and of each row."""
     i = tid()
     for j in elements_of(i, runs):
         visits[j] = visits[j] + 1
@@ -31,8 +30,6 @@ def test_each_element_is_taken_once(device, count):
 
 
 class Gpu:
-    """The device properties that Runs uses."""
-
     is_cuda = True
 
 

@@ -8,31 +8,17 @@ import warp as wp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointloom.core.devices import resolve_device
+from pointloom.kernels import lang
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
-from pointloom.kernels.lang import (
-    BLOCK,
-    DeviceLoop,
-    array,
-    atomic_add,
-    float64,
-    int32,
-    kernel,
-    launch,
-    loop_while,
-    reduce_segments,
-    segment_reduction,
-    tid,
-    vector,
-)
+from pointloom.kernels.lang import BLOCK, array, atomic_add, float64, int32, kernel, launch, tid
 from pointloom.kernels.language import segment_launches
 from pointloom.kernels.memory import empty, full, upload, zeros
 
-pair = vector(2, float64)
+pair = lang.vector(2, float64)
 SIZES = [0, 1, 2, 7, BLOCK - 1, BLOCK, BLOCK + 1, 0, 3 * BLOCK + 5, 0]
 
 
-@segment_reduction
+@lang.segment_reduction
 def sum_powers(values: array(dtype=float64)) -> pair:
     i = tid()
     return pair(values[i], values[i] * values[i])
@@ -48,12 +34,11 @@ def count_down_kernel(iterations: array(dtype=int32), running: array(dtype=int32
 
 
 def sums_of(device, values, firsts, counts, live=None, start=None):
-    warp_device = resolve_device(device)
-    blocks = SegmentBlocks(firsts, counts, warp_device)
-    alive = full(len(counts), 1, int32, warp_device) if live is None else upload(np.array(live), int32, warp_device)
-    partials = empty(max(1, blocks.count), pair, warp_device)
-    out = zeros(len(counts), pair, warp_device) if start is None else upload(start, pair, warp_device)
-    reduce_segments(sum_powers, blocks, alive, [upload(values, float64, warp_device)], partials, out)
+    blocks = SegmentBlocks(firsts, counts, device)
+    alive = full(len(counts), 1, int32, device) if live is None else upload(np.array(live), int32, device)
+    partials = empty(max(1, blocks.count), pair, device)
+    out = zeros(len(counts), pair, device) if start is None else upload(start, pair, device)
+    lang.reduce_segments(sum_powers, blocks, alive, [upload(values, float64, device)], partials, out)
     return out.numpy().copy()
 
 
@@ -110,11 +95,6 @@ def test_sums_in_several_launches_are_those_of_one(device, rng, monkeypatch):
     np.testing.assert_array_equal(sums_of(device, values, firsts, SIZES), at_once)
 
 
-def test_max_elements_of_one_sum_fill_complete_blocks():
-    """So the blocks of a plain `reduce` have no more threads than a launch may have."""
-    assert segment_launches.MAX_THREADS % segment_launches.REDUCTION_BLOCK == 0
-
-
 def test_more_segments_than_threads_can_be_numbered_for_are_parted():
     """Nine million segments of one block each would be 2.3e9 threads on CUDA; none of these arrays has memory."""
     count, launches = 9_000_000, []
@@ -153,33 +133,28 @@ def test_many_small_segments_have_their_sums(counts):
 
 @pytest.mark.parametrize("iterations", [[3], [1, 5, 2, 2], [1]])
 def test_a_loop_runs_until_the_last_is_done(device, iterations):
-    warp_device = resolve_device(device)
-    left, running = (
-        upload(np.array(iterations), int32, warp_device),
-        upload(np.array([len(iterations)]), int32, warp_device),
-    )
+    left, running = (upload(np.array(iterations), int32, device), upload(np.array([len(iterations)]), int32, device))
     calls = []
 
     def body():
         calls.append(None)
         launch(count_down_kernel, len(iterations), [left, running])
 
-    loop_while(running, body)
+    lang.loop_while(running, body)
     assert running.numpy()[0] == 0 and not left.numpy().any()
     assert len(calls) == 1  # the body is recorded, and its launches are made again
 
 
 @pytest.mark.parametrize("runs", [2, 5])
 def test_a_cached_loop_reruns_without_calling_its_body(device, runs):
-    warp_device = resolve_device(device)
-    left, running = upload(np.array([0]), int32, warp_device), upload(np.array([0]), int32, warp_device)
+    left, running = upload(np.array([0]), int32, device), upload(np.array([0]), int32, device)
     calls = []
 
     def body():
         calls.append(None)
         launch(count_down_kernel, 1, [left, running])
 
-    loop = DeviceLoop(running, body)
+    loop = lang.DeviceLoop(running, body)
     for iterations in range(1, runs + 1):
         left.fill_(iterations)
         running.fill_(1)
@@ -189,11 +164,8 @@ def test_a_cached_loop_reruns_without_calling_its_body(device, runs):
 
 
 def test_dropping_a_cached_loop_leaves_others_unchanged(device):
-    warp_device = resolve_device(device)
-    arrays = [[full(1, 3, int32, warp_device), full(1, 1, int32, warp_device)] for _ in range(2)]
-    loops = [
-        DeviceLoop(running, lambda a=(left, running): launch(count_down_kernel, 1, [*a])) for left, running in arrays
-    ]
+    arrays = [[full(1, 3, int32, device), full(1, 1, int32, device)] for _ in range(2)]
+    loops = [lang.DeviceLoop(a[1], lambda a=a: launch(count_down_kernel, 1, a)) for a in arrays]
     loops[0].run()
     del loops[0]
     loops[0].run()
@@ -201,21 +173,19 @@ def test_dropping_a_cached_loop_leaves_others_unchanged(device):
 
 
 def test_a_loop_that_fails_leaves_launches_as_they_were(device):
-    warp_device = resolve_device(device)
-    left, running = upload(np.array([2]), int32, warp_device), upload(np.array([1]), int32, warp_device)
+    left, running = upload(np.array([2]), int32, device), upload(np.array([1]), int32, device)
 
     def fail():
         raise RuntimeError("on purpose")
 
     with pytest.raises(RuntimeError, match="on purpose"):
-        loop_while(running, fail)
-    loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
+        lang.loop_while(running, fail)
+    lang.loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
     assert running.numpy()[0] == 0
 
 
 def test_a_loop_with_nothing_to_do_does_nothing(device):
-    warp_device = resolve_device(device)
-    left = full(1, 7, int32, warp_device)
-    running = zeros(1, int32, warp_device)
-    loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
+    left = full(1, 7, int32, device)
+    running = zeros(1, int32, device)
+    lang.loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
     assert left.numpy()[0] == 7

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.side_by_side import SideBySide
 from pointloom.kernels.lang import array, float32, float64, int32, kernel, launch, mat44d, tid, vec3d
 from pointloom.kernels.memory import download, fill
@@ -11,7 +10,6 @@ from pointloom.kernels.memory import download, fill
 
 @kernel
 def raise_kernel(counts: array(dtype=int32), positions: array(dtype=vec3d)):
-    """Change an element of two neighbors."""
     i = tid()
     counts[i] = counts[i] + 1
     positions[i] = positions[i] + vec3d(1.0, 2.0, 3.0)
@@ -30,7 +28,7 @@ def values_of(rng, count):
 @pytest.mark.parametrize("count", [0, 1, 3, 64, 65])
 def test_arrays_come_back_as_they_were_given(device, rng, count):
     values = values_of(rng, count)
-    together = SideBySide(values, resolve_device(device))
+    together = SideBySide(values, device)
     result = together.download()
     assert list(result) == list(values)
     for name, (value, dtype) in values.items():
@@ -43,7 +41,7 @@ def test_arrays_come_back_as_they_were_given(device, rng, count):
 
 def test_a_launch_changes_its_arrays_and_no_neighbor(device, rng):
     values = values_of(rng, 7)
-    together = SideBySide(values, resolve_device(device))
+    together = SideBySide(values, device)
     launch(raise_kernel, 7, [together.arrays["counts"], together.arrays["places"]])
     fill(together.arrays["shares"], 2.0)
     result = together.download()
@@ -55,5 +53,5 @@ def test_a_launch_changes_its_arrays_and_no_neighbor(device, rng):
 
 
 def test_an_array_outlives_its_container(device):
-    left = SideBySide({"a": (np.arange(5), int32), "b": (np.arange(9.0), float64)}, resolve_device(device)).arrays["b"]
+    left = SideBySide({"a": (np.arange(5), int32), "b": (np.arange(9.0), float64)}, device).arrays["b"]
     np.testing.assert_array_equal(download(left), np.arange(9.0))

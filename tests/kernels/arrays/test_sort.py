@@ -1,25 +1,20 @@
 """Stable sorting: what NumPy gives, on every device, to the last element."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.prefix_sum import exclusive_scan
-from pointloom.kernels.arrays.select import positions_of
 from pointloom.kernels.arrays.sort import MIN_RUN, argsort_keys
-from pointloom.kernels.lang import int32, int64, uint8
+from pointloom.kernels.lang import int64
 from pointloom.kernels.memory import upload
 
 SIZES = [0, 1, 2, 255, 256, 257, 70_001]
 
 
 def assert_sorted_stably(device, keys, bits, starts=None):
-    sorted_keys, order = argsort_keys(upload(keys, int64, resolve_device(device)), bits, starts)
+    sorted_keys, order = argsort_keys(upload(keys, int64, device), bits, starts)
     expected = np.argsort(keys, kind="stable")
     np.testing.assert_array_equal(order.numpy(), expected)
     np.testing.assert_array_equal(sorted_keys.numpy(), keys[expected])
@@ -51,7 +46,7 @@ def test_keys_already_in_order_reversed_and_all_equal_are_sorted_stably(device, 
 def test_sorting_leaves_the_keys_as_they_are(device, rng):
     for bits in (20, 63):
         keys = rng.integers(0, 2**bits, 500, dtype=np.int64)
-        array = upload(keys, int64, resolve_device(device))
+        array = upload(keys, int64, device)
         argsort_keys(array, bits)
         np.testing.assert_array_equal(array.numpy(), keys)
 
@@ -61,14 +56,7 @@ def test_sorting_leaves_the_keys_as_they_are(device, rng):
 def check_any_keys(device, keys):
     assert_sorted_stably(device, keys, 63)
     assert_sorted_stably(device, keys & 255, 8)
-    mask = (keys & 1).astype(np.uint8)
-    np.testing.assert_array_equal(
-        positions_of(upload(mask, uint8, resolve_device(device))).numpy(), np.flatnonzero(mask)
-    )
-    counts = (keys & 1023).astype(np.int32)
-    offsets, total = exclusive_scan(upload(counts, int32, resolve_device(device)))
-    assert offsets.numpy().tolist() == [0, *np.cumsum(counts)] and total == counts.sum()
 
 
-def test_any_keys_are_sorted_selected_and_scanned(device):
+def test_any_keys_are_sorted_stably(device):
     check_any_keys(device)

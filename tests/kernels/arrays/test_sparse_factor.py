@@ -1,7 +1,5 @@
 """Factors of sparse symmetric matrices solve what SuperLU solves."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import scipy.sparse as sp

@@ -1,20 +1,10 @@
 """Deformation graphs and borders of surfaces against float64 NumPy."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-import warp as wp
 from scipy.spatial.transform import Rotation
 
-from pointloom.kernels.bending.deformation_graph import (
-    DeformationGraph,
-    Influence,
-    bend_normals,
-    bend_points,
-    bend_wide,
-    measure_volumes,
-)
+from pointloom.kernels.bending import deformation_graph as graphs
 from pointloom.kernels.bending.surface_pairs import find_borders
 from pointloom.kernels.lang import mat33d, vec3, vec3d
 from pointloom.kernels.memory import download, upload
@@ -22,7 +12,6 @@ from pointloom.kernels.search.point_tree import PointTree
 
 
 def weights_of(p: np.ndarray, nodes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The nodes that move a point, and their weights."""
     d = np.linalg.norm(nodes - p, axis=1)
     near = np.argsort(d, kind="stable")[:5]
     end = d[near[-1]] * (1 if len(near) == 5 else 2)
@@ -48,28 +37,27 @@ def test_points_normals_and_volumes_follow_the_graph(device, count, spread):
     points = np.vstack([nodes[:1], rng.uniform(-1, 1, (6, 3)), [[np.nan, 0, 0]]]).astype(np.float32)
     normals = rng.normal(size=(8, 3)).astype(np.float32)
     normals[1] = 0
-    warp_device = wp.get_device(device)
-    graph = DeformationGraph(
-        upload(nodes, vec3, warp_device), upload(rotations, mat33d, warp_device), upload(centers, vec3d, warp_device)
-    )
-    influence = Influence(upload(points, vec3, warp_device), graph)
+    arrays = upload(nodes, vec3, device), upload(rotations, mat33d, device), upload(centers, vec3d, device)
+    graph = graphs.DeformationGraph(*arrays)
+    influence = graphs.Influence(upload(points, vec3, device), graph)
 
     def position(p):
         return bent(p, nodes.astype(float), rotations, centers)
 
     finite = points[:-1].astype(float)
     expected = np.array([position(p) for p in finite])
-    for moved, origin in ((bend_points(graph, influence), 0), (bend_wide(graph, influence, (5, 6, 7)), [5, 6, 7])):
+    wide = graphs.bend_wide(graph, influence, (5, 6, 7))
+    for moved, origin in ((graphs.bend_points(graph, influence), 0), (wide, [5, 6, 7])):
         np.testing.assert_allclose(download(moved)[:-1] - origin, expected, atol=1e-6)
         assert np.isnan(download(moved)[-1, 0])
     step = 1e-6 * np.eye(3)
     slopes = np.array([np.stack([position(p + e) - position(p - e) for e in step], axis=1) for p in finite]) / 2e-6
     volumes = np.linalg.det(slopes)
-    np.testing.assert_allclose(download(measure_volumes(graph, influence)), [*volumes, np.nan], rtol=1e-4)
+    np.testing.assert_allclose(download(graphs.measure_volumes(graph, influence)), [*volumes, np.nan], rtol=1e-4)
     transformed = volumes[:, None] * np.linalg.solve(slopes.transpose(0, 2, 1), normals[:-1, :, None])[:, :, 0]
     sizes = np.linalg.norm(transformed, axis=1, keepdims=True)
     transformed *= np.linalg.norm(normals[:-1], axis=1, keepdims=True) / np.where(sizes > 0, sizes, 1)
-    result = download(bend_normals(graph, influence, upload(normals, vec3, warp_device)))
+    result = download(graphs.bend_normals(graph, influence, upload(normals, vec3, device)))
     np.testing.assert_allclose(result, [*transformed, normals[-1]], atol=1e-4)
 
 
@@ -80,8 +68,7 @@ def test_borders_are_points_far_from_the_mean_of_their_neighbors(device, side):
     points = np.column_stack([grid, 0.1 * np.sin(grid[:, 0])]).astype(np.float32)
     points += np.random.default_rng(0).uniform(-0.1, 0.1, points.shape).astype(np.float32)  # no equal distances
     normals = np.tile(np.array([0, 0, 1], np.float32), (side * side, 1))
-    warp_device = wp.get_device(device)
-    result = download(find_borders(PointTree(upload(points, vec3, warp_device)), upload(normals, vec3, warp_device)))
+    result = download(find_borders(PointTree(upload(points, vec3, device)), upload(normals, vec3, device)))
     d = np.linalg.norm(points[:, None].astype(float) - points, axis=2)
     near = np.argsort(d, axis=1)[:, :20]
     offsets = np.linalg.norm((points[near].astype(float).mean(axis=1) - points)[:, :2], axis=1)

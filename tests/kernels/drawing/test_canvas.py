@@ -67,10 +67,8 @@ def test_blending_uses_integers_and_clears_the_sheet(sheet):
     shares = coverage(sheet)
     assert shares[6, 4] == 64 and shares[6, 10] == 255 and shares[3, 10] == 0 and shares[4, 10] == 255
     strokes.blend(sheet, ALL, Paint((0, 255, 100), 200))
-    share = 64 * 200
-    assert picture(sheet)[6, 4].tolist() == [
-        (200 * (65025 - share) + new * share + 32512) // 65025 for new in (0, 255, 100)
-    ]
+    share, new = 64 * 200, np.array([0, 255, 100])
+    assert (picture(sheet)[6, 4] == (200 * (65025 - share) + new * share + 32512) // 65025).all()
     assert not sheet.words.numpy().any()
 
 

@@ -3,20 +3,12 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels import memory
 from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.packed_keys import NO_KEY
+from pointloom.kernels.drawing import triangles as tri
 from pointloom.kernels.drawing.lines import Pen, draw_lines
 from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_points
-from pointloom.kernels.drawing.triangles import (
-    SIDE,
-    TILE_BITS,
-    LargeShapes,
-    draw_in_tiles,
-    draw_triangles,
-    draw_triangles_kernel,
-)
 from pointloom.kernels.drawing.z_buffer import DepthBuffer, View
 from pointloom.kernels.lang import int32, launch, vec3
 
@@ -30,14 +22,14 @@ def upload_points(points, device):
 
 
 def new_buffer(device):
-    return DepthBuffer(WIDTH, HEIGHT, resolve_device(device))
+    return DepthBuffer(WIDTH, HEIGHT, device)
 
 
 def draw(device, vertices, triangles, *, cull=False):
     """Depth [h, w] (0 where empty) and triangle [h, w] (-1 where empty)."""
     indices = memory.upload(np.asarray(triangles, np.int32).ravel(), int32, device)
     buffer = new_buffer(device)
-    draw_triangles(upload_points(vertices, device), indices, VIEW, buffer, cull=cull)
+    tri.draw_triangles(upload_points(vertices, device), indices, VIEW, buffer, cull=cull)
     return unpack(buffer)
 
 
@@ -145,34 +137,31 @@ def test_culling_keeps_front_faces(device):
     assert np.array_equal(draw(device, vertices, TWO)[0] > 0, draw(device, vertices, backward)[0] > 0)
 
 
-@pytest.mark.parametrize(
-    "vertices",
-    [
-        [[0, 0, -1], [1, 0, -1], [0, 1, -1]],
-        [[0, 0, 2], [1, 0, np.nan], [0, 1, 2]],
-        [[0, 0, 2], [1, 0, 2], [np.inf, 1, 2]],
-        [[0, 0, 2], [0.5, 0, 2], [1, 0, 2]],
-        [[50, 50, 2], [51, 50, 2], [50, 51, 2]],
-        [[-1, 0, -1], [1, 0, 3], [1, 0, -1]],
-    ],
-    ids=["behind", "NaN", "infinite", "flat", "outside", "a plane through the eye"],
-)
-def test_triangles_that_cannot_be_seen_are_left_out(device, vertices):
-    assert not (draw(device, vertices, [[0, 1, 2]])[0] > 0).any()
+UNSEEN = {
+    "behind": [[0, 0, -1], [1, 0, -1], [0, 1, -1]],
+    "NaN": [[0, 0, 2], [1, 0, np.nan], [0, 1, 2]],
+    "infinite": [[0, 0, 2], [1, 0, 2], [np.inf, 1, 2]],
+    "flat": [[0, 0, 2], [0.5, 0, 2], [1, 0, 2]],
+    "outside": [[50, 50, 2], [51, 50, 2], [50, 51, 2]],
+    "a plane through the eye": [[-1, 0, -1], [1, 0, 3], [1, 0, -1]],
+}
+CLIPPED = {
+    "one corner behind": [[-1, -1, 3], [1, -1, 2], [0.2, 0.6, -1]],
+    "two behind": [[-1, -1, -3], [0.3, -0.2, 2], [0.2, 0.9, -1]],
+    "a floor under the camera": [[-40, 3, 5], [40, 3, 9], [0, 3, -200]],
+    "beyond the guard band": [[0, -1, 2], [1e7, 3, 2], [0, 1, 2]],
+    "a corner at the eye": [[0.1, 0.1, 0], [3, 0.2, 5], [1, 4, 5]],
+}
 
 
-@pytest.mark.parametrize(
-    "vertices",
-    [
-        [[-1, -1, 3], [1, -1, 2], [0.2, 0.6, -1]],
-        [[-1, -1, -3], [0.3, -0.2, 2], [0.2, 0.9, -1]],
-        [[-40, 3, 5], [40, 3, 9], [0, 3, -200]],
-        [[0, -1, 2], [1e7, 3, 2], [0, 1, 2]],
-        [[0.1, 0.1, 0], [3, 0.2, 5], [1, 4, 5]],
-    ],
-    ids=["one corner behind", "two behind", "a floor under the camera", "beyond the guard band", "a corner at the eye"],
-)
-def test_triangles_are_clipped_in_front_of_the_camera(device, vertices):
+@pytest.mark.parametrize("name", UNSEEN)
+def test_triangles_that_cannot_be_seen_are_left_out(device, name):
+    assert not (draw(device, UNSEEN[name], [[0, 1, 2]])[0] > 0).any()
+
+
+@pytest.mark.parametrize("name", CLIPPED)
+def test_triangles_are_clipped_in_front_of_the_camera(device, name):
+    vertices = CLIPPED[name]
     depth, _ = draw(device, vertices, [[0, 1, 2]])
     expected = cast(vertices, (0, 1, 2))
     both = (depth > 0) & (expected > 0)
@@ -207,8 +196,9 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
     points, behind = upload_points(vertices, device), None
     for _ in range(3):  # layer behind layer
         words = []
-        for draw_them, options in ((draw_triangles, {}), (draw_in_tiles, {"threads": 3 * SIDE}), (draw_in_tiles, {})):
-            buffer = DepthBuffer(WIDTH, HEIGHT, resolve_device(device), behind=behind)
+        in_tiles = ((tri.draw_in_tiles, {"threads": 3 * tri.SIDE}), (tri.draw_in_tiles, {}))
+        for draw_them, options in ((tri.draw_triangles, {}), *in_tiles):
+            buffer = DepthBuffer(WIDTH, HEIGHT, device, behind=behind)
             draw_them(points, triangles, VIEW, buffer, cull=cull, start=7, **options)
             words.append(memory.download(buffer.words))
         assert np.unique(words[0]).size > 20
@@ -217,12 +207,12 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
 
 
 def test_a_list_of_large_shapes_contains_only_those(device):
-    warp_device, small = resolve_device(device), square(2.0, 0.05)
+    small = square(2.0, 0.05)
     triangles = memory.upload(np.array([*TWO, *(np.array(TWO) + 4)], np.int32).ravel(), int32, device)
-    large = LargeShapes(4, warp_device)
+    large = tri.LargeShapes(4, device)
     drawn = [upload_points([*small, *square(2.0, 0.9)], device), triangles, VIEW, 0, 0, large, new_buffer(device)]
-    launch(draw_triangles_kernel, 4, drawn)
-    assert memory.download(large.total).tolist() == [(2 << TILE_BITS) + 2 * 4]  # 45 x 45 cells are four tiles
+    launch(tri.draw_triangles_kernel, 4, drawn)
+    assert memory.download(large.total).tolist() == [(2 << tri.TILE_BITS) + 2 * 4]  # 45 x 45 cells are four tiles
     assert set(memory.download(large.shapes)[:2].tolist()) == {2, 3}
     assert sorted(memory.download(large.firsts)[:2].tolist()) == [0, 4]
     assert set(np.unique(unpack(drawn[-1])[1])) == {-1, 0, 1}

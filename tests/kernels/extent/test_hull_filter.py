@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.extent.hull_filter import farthest_rows, mask_outer
 from pointloom.kernels.lang import vec3d
 from pointloom.kernels.memory import download, upload
@@ -17,7 +16,7 @@ def test_the_farthest_point_of_each_cube_face_is_selected(device, rng):
     faces = 2 * np.abs(gaps[3:]).argmax(axis=1)
     faces += np.take_along_axis(gaps[3:], faces[:, None] // 2, axis=1)[:, 0] > 0
     expected = [3 + max(np.flatnonzero(faces == face), key=lambda row: distances[3 + row]) for face in range(6)]
-    rows = farthest_rows(upload(points, vec3d, resolve_device(device)), center, 1)
+    rows = farthest_rows(upload(points, vec3d, device), center, 1)
     assert sorted(rows.tolist()) == sorted(expected)
 
 
@@ -31,8 +30,7 @@ def test_only_interior_and_non_finite_points_are_dropped(device, rng, is_full):
     center = np.array([0.1, -0.2, 0.3])
     points = np.vstack([[[np.nan, 0, 0], [0, np.inf, 0], [0, 0, 0]], rng.uniform(-1, 1, (500, 3))])
     planes[:, 3] -= planes[:, :3] @ center
-    warp_device = resolve_device(device)
-    mask = download(mask_outer(upload(points + center, vec3d, warp_device), center, corners + center, planes, 8))
+    mask = download(mask_outer(upload(points + center, vec3d, device), center, corners + center, planes, 8))
     inside = np.abs(points[2:]).sum(axis=1) < 1
     is_covered = np.ones(501, bool) if is_full else points[2:, 2] > 0.2
     assert mask[:2].tolist() == [0, 0]

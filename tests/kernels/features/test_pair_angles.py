@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.features.pair_angles import UNSURE, exact_bins, quick_bins
 from pointloom.kernels.lang import array, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
@@ -11,23 +10,18 @@ from pointloom.kernels.memory import empty, upload
 
 @kernel
 def bin_pairs_kernel(
-    p: array(dtype=vec3),
-    n: array(dtype=vec3),
-    q: array(dtype=vec3),
-    m: array(dtype=vec3),
-    quick: array(dtype=int32),
-    exact: array(dtype=int32),
-):
+    p: array(dtype=vec3), n: array(dtype=vec3), q: array(dtype=vec3), m: array(dtype=vec3),
+    quick: array(dtype=int32), exact: array(dtype=int32),
+):  # fmt: skip
     i = tid()
     quick[i] = quick_bins(q[i] - p[i], n[i], m[i])
     exact[i] = exact_bins(p[i], n[i], q[i], m[i])
 
 
 def both_bins(device, *pairs):
-    warp_device = resolve_device(device)
     count = len(pairs[0])
-    quick, exact = empty(count, int32, warp_device), empty(count, int32, warp_device)
-    launch(bin_pairs_kernel, count, [*(upload(np.float32(a), vec3, warp_device) for a in pairs), quick, exact])
+    quick, exact = empty(count, int32, device), empty(count, int32, device)
+    launch(bin_pairs_kernel, count, [*(upload(np.float32(a), vec3, device) for a in pairs), quick, exact])
     return quick.numpy(), exact.numpy()
 
 
@@ -44,14 +38,9 @@ def formula(p, n, q, m):
         v = np.cross(d, a)
         across = np.linalg.norm(v, axis=1)
         v = v / across[:, None]
-        angles = np.stack(
-            [
-                (np.arctan2((np.cross(a, v) * b).sum(axis=1), (a * b).sum(axis=1)) + np.pi) / (2 * np.pi),
-                ((v * b).sum(axis=1) + 1) / 2,
-                (np.where(swap, -second, first) + 1) / 2,
-            ],
-            axis=1,
-        )
+        turn = (np.arctan2((np.cross(a, v) * b).sum(axis=1), (a * b).sum(axis=1)) + np.pi) / (2 * np.pi)
+        cosines = (v * b).sum(axis=1), np.where(swap, -second, first)
+        angles = np.stack([turn, *((cosine + 1) / 2 for cosine in cosines)], axis=1)
     return 11 * np.where((size == 0)[:, None] | (across == 0)[:, None], 0.5, angles)
 
 

@@ -16,20 +16,13 @@ JOBS = 40
 
 @kernel
 def solve_systems_kernel(
-    h: array(dtype=triangle),
-    g: array(dtype=vec6d),
-    centers: array(dtype=vec3d),
-    sizes: array(dtype=float64),
-    steps: array(dtype=vec6d),
-    free_counts: array(dtype=int32),
-    free_ones: array(dtype=free_directions),
-):
+    h: array(dtype=triangle), g: array(dtype=vec6d), centers: array(dtype=vec3d), sizes: array(dtype=float64),
+    steps: array(dtype=vec6d), counts: array(dtype=int32), free_ones: array(dtype=free_directions),
+):  # fmt: skip
     i = tid()
     job = job_of(i)
-    size = sizes[job]
-    step = constrained_step(
-        h[job], g[job], h[job], centers[job], size, float64(MIN_EIGENVALUE), job, free_counts, free_ones
-    )
+    limit = float64(MIN_EIGENVALUE)
+    step = constrained_step(h[job], g[job], h[job], centers[job], sizes[job], limit, job, counts, free_ones)
     if leads() == 1:
         steps[job] = step
 

@@ -6,24 +6,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from pointloom.core.devices import resolve_device
-from pointloom.kernels.icp.jobs import Jobs
-from pointloom.kernels.icp.loop import RegistrationLoop
 from pointloom.kernels.icp.pair_rejection import PairRejection
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.search.many_clouds import ManyClouds
-from pointloom.kernels.search.point_forest import PointForest
+
+from .test_correspondences import make_loop
 
 
-def matched(device, sources, targets, source_of=None, target_of=None, *, distance=1e3, poses=None):
-    """A loop whose pairs have been found."""
-    warp_device = resolve_device(device)
-    left, right = (
-        [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, warp_device) for p in c] for c in (sources, targets)
-    )
-    jobs = Jobs(ManyClouds(left), PointForest(right), source_of or [0], target_of or [0])
-    loop = RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)) if poses is None else poses, distance)
+def matched(device, *clouds_and_jobs, distance=1e3, poses=None):
+    loop = make_loop(device, *clouds_and_jobs, distance=distance, poses=poses)
     loop.match()
     return loop
 
@@ -40,6 +31,11 @@ def pairs_of(loop, job=0):
     return rows, columns, (d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1]) + d[:, 2] * d[:, 2]
 
 
+def nearest_pairs(loop, rank):
+    PairRejection(loop.matches, np.array([rank], np.int32)).run()
+    return pairs_of(loop)
+
+
 def trimmed_by_sorting(squares, rank):
     """The squares that stay: no farther than the one of rank `wanted`."""
     limit = np.sort(squares)[rank - 1] if 0 < rank <= len(squares) else np.inf
@@ -51,8 +47,7 @@ def test_the_nearest_fraction_stays(device, share, rng):
     loop = matched(device, [rng.random((1234, 3))], [rng.random((1500, 3))])
     before = pairs_of(loop)[2]
     count = int(np.ceil(share * 1234))
-    PairRejection(loop.matches, np.array([count], np.int32)).run()
-    after = pairs_of(loop)[2]
+    after = nearest_pairs(loop, count)[2]
     assert len(after) == count  # no two distances are equal here
     np.testing.assert_array_equal(np.sort(after), trimmed_by_sorting(before, count))
 
@@ -61,9 +56,7 @@ def test_pairs_as_far_as_the_last_selected_stay(device):
     """Four rings of ten pairs of one distance each: of 15 wanted the second ring stays whole."""
     source = np.stack([np.arange(40) * 100.0, np.zeros(40), np.zeros(40)], axis=1)
     loop = matched(device, [source], [source + np.repeat([[0, d, 0] for d in (1.0, 2, 4, 8)], 10, axis=0)])
-    PairRejection(loop.matches, np.array([15], np.int32)).run()
-    rows = pairs_of(loop)[0]
-    np.testing.assert_array_equal(np.sort(rows), np.arange(20))
+    np.testing.assert_array_equal(np.sort(nearest_pairs(loop, 15)[0]), np.arange(20))
 
 
 @pytest.mark.parametrize("scale", [1e-18, 1e-6, 1.0, 1e6, 1e15])
@@ -71,16 +64,13 @@ def test_distances_of_any_size_are_ranked(device, scale, rng):
     source = np.stack([np.arange(50) * 1e3, np.zeros(50), np.zeros(50)], axis=1) * scale
     gaps = rng.permutation(np.geomspace(1e-1, 1e2, 50)) * scale
     loop = matched(device, [source], [source + gaps[:, None] * [0, 1, 0]], distance=1e30)
-    PairRejection(loop.matches, np.array([17], np.int32)).run()
-    np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.sort(np.argsort(gaps)[:17]))
+    np.testing.assert_array_equal(np.sort(nearest_pairs(loop, 17)[0]), np.sort(np.argsort(gaps)[:17]))
 
 
 def test_exact_matches_are_the_nearest(device, rng):
     source = rng.random((300, 3))
     target = source + (np.arange(300) >= 100)[:, None] * 1e-3
-    loop = matched(device, [source], [target])
-    PairRejection(loop.matches, np.array([50], np.int32)).run()
-    assert set(pairs_of(loop)[0]) == set(range(100))
+    assert set(nearest_pairs(matched(device, [source], [target]), 50)[0]) == set(range(100))
 
 
 def test_all_pairs_stay_if_fewer_than_requested(device, rng):
@@ -88,8 +78,7 @@ def test_all_pairs_stay_if_fewer_than_requested(device, rng):
     loop = matched(device, [source], [rng.random((500, 3))], distance=5.0)
     before = pairs_of(loop)
     assert len(before[0]) == 90
-    PairRejection(loop.matches, np.array([95], np.int32)).run()
-    np.testing.assert_array_equal(pairs_of(loop)[0], before[0])
+    np.testing.assert_array_equal(nearest_pairs(loop, 95)[0], before[0])
 
 
 def test_each_job_has_its_own_share(device, rng):
@@ -117,8 +106,12 @@ def test_any_pattern_of_ties_is_cut_by_rank(gaps, rank):
     source = np.stack([np.arange(len(gaps)) * 100.0, np.zeros(len(gaps)), np.zeros(len(gaps))], axis=1)
     loop = matched("cpu", [source], [source + np.array(gaps)[:, None] * [0, 0.7, 0]])
     before = pairs_of(loop)[2]
-    PairRejection(loop.matches, np.array([rank], np.int32)).run()
-    np.testing.assert_array_equal(np.sort(pairs_of(loop)[2]), trimmed_by_sorting(before, rank))
+    np.testing.assert_array_equal(np.sort(nearest_pairs(loop, rank)[2]), trimmed_by_sorting(before, rank))
+
+
+def pairs_of_minimal_rmsd(loop):
+    PairRejection(loop.matches, sizes=loop.progress.sizes).run()
+    return pairs_of(loop)
 
 
 def fractional_rmsds(squares):
@@ -138,9 +131,7 @@ def overlapping(rng, shared, others, scale=1.0):
 @pytest.mark.parametrize("shared", [300, 500, 1000])
 def test_pairs_of_minimal_fractional_rmsd_stay(device, shared, rng):
     source, target, expected = overlapping(rng, shared, 1000 - shared)
-    loop = matched(device, [source], [target], distance=1e3)
-    PairRejection(loop.matches, sizes=loop.progress.sizes).run()
-    assert set(pairs_of(loop)[0]) == expected
+    assert set(pairs_of_minimal_rmsd(matched(device, [source], [target]))[0]) == expected
 
 
 @pytest.mark.parametrize("distance", [0.5, 1e3])
@@ -148,8 +139,7 @@ def test_fractional_rmsd_is_minimal_to_within_a_bin(device, distance, rng):
     """Random clouds: brute force over all numbers of pairs finds none that is less by more than a bin is wide."""
     loop = matched(device, [rng.random((3000, 3)) * [4, 1, 0.01]], [rng.random((2000, 3)) * [1, 1, 0.01]])
     before = pairs_of(loop)[2]
-    PairRejection(loop.matches, sizes=loop.progress.sizes).run()
-    distances = pairs_of(loop)[2]
+    distances = pairs_of_minimal_rmsd(loop)[2]
     assert 300 < len(distances) < 1500 and distances.max() == np.sort(before)[len(distances) - 1]
     scores = fractional_rmsds(before)
     assert scores[len(distances) - 1] < 1.01 * scores[299:].min()
@@ -162,8 +152,7 @@ def test_the_selection_does_not_depend_on_the_unit_of_length(exponent, seed):
     for scale in (1.0, 2.0**exponent):
         source, target, _ = overlapping(np.random.default_rng(seed), 60, 200, scale)
         loop = matched("cpu", [source], [target], distance=1e3 * scale)
-        PairRejection(loop.matches, sizes=loop.progress.sizes).run()
-        selections.append(set(pairs_of(loop)[0]))
+        selections.append(set(pairs_of_minimal_rmsd(loop)[0]))
     assert selections[0] == selections[1]
 
 
@@ -189,9 +178,7 @@ def test_a_few_points_that_coincide_are_not_the_overlap(device, rng):
     source, target, expected = overlapping(rng, 300, 700)
     same = sorted(expected)[:3]
     target[same] = source[same]
-    loop = matched(device, [source], [target], distance=1e3)
-    PairRejection(loop.matches, sizes=loop.progress.sizes).run()
-    assert set(pairs_of(loop)[0]) == expected
+    assert set(pairs_of_minimal_rmsd(matched(device, [source], [target]))[0]) == expected
 
 
 def in_tree_order(loop, source_normals, target_normals):
@@ -225,12 +212,9 @@ def test_pairs_with_a_larger_normal_angle_are_dropped(device, degrees, rng):
 @pytest.mark.parametrize(("min_cosine", "selected"), [(1.0, [0]), (0.0, [0, 1]), (-1.0, [0, 1, 2])])
 def test_pairs_at_exactly_the_maximum_normal_angle_stay(device, rng, min_cosine, selected):
     points = rng.random((90, 3))
-    source_normals, target_normals = (
-        np.tile([0.0, 0, 1], (90, 1)),
-        np.tile([[0.0, 0, 1], [1, 0, 0], [0, 0, -1]], (30, 1)),
-    )
+    normals = np.tile([0.0, 0, 1], (90, 1)), np.tile([[0.0, 0, 1], [1, 0, 0], [0, 0, -1]], (30, 1))
     loop = matched(device, [points], [points])
-    PairRejection(loop.matches, normals=(*in_tree_order(loop, source_normals, target_normals), min_cosine)).run()
+    PairRejection(loop.matches, normals=(*in_tree_order(loop, *normals), min_cosine)).run()
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.flatnonzero(np.isin(np.arange(90) % 3, selected)))
 
 
@@ -250,7 +234,6 @@ def test_disagreeing_pairs_do_not_count_among_the_nearest(device, rng):
     target = source + np.arange(100)[:, None] * [0, 0, 1e-5]
     normals = np.tile([0.0, 0, 1], (100, 1)) * np.where(np.arange(100) < 20, -1, 1)[:, None]
     loop = matched(device, [source], [target])
-    PairRejection(
-        loop.matches, np.array([30], np.int32), (*in_tree_order(loop, normals, np.tile([0.0, 0, 1], (100, 1))), 0.9)
-    ).run()
+    given = in_tree_order(loop, normals, np.tile([0.0, 0, 1], (100, 1)))
+    PairRejection(loop.matches, np.array([30], np.int32), (*given, 0.9)).run()
     np.testing.assert_array_equal(np.sort(pairs_of(loop)[0]), np.arange(20, 50))

@@ -23,12 +23,9 @@ UPPER = [0, 1, 2, 4, 5, 8]  # of nine entries, row by row
 
 @kernel
 def find_gaussians_kernel(
-    queries: array(dtype=vec3),
-    segments: array(dtype=int32),
-    steps: int,
-    voxels: VoxelGaussians,
+    queries: array(dtype=vec3), segments: array(dtype=int32), steps: int, voxels: VoxelGaussians,
     rows: array(dtype=int32),
-):
+):  # fmt: skip
     i = tid()
     row = -1
     if steps < 0:
@@ -129,10 +126,8 @@ def test_gaussians_are_the_means_of_each_voxel_and_segment(tolerances, rows, siz
     expected = group(points, covariances, size, segments, 3, [corner] * 3)
     assert voxels.count == len(expected)
     if expected:
-        rows_expected = np.array(list(expected.values()))
-        np.testing.assert_allclose(
-            voxels.gaussians.numpy(), rows_expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
-        )
+        rows_expected, limit = np.array(list(expected.values())), tolerances.gaussian
+        np.testing.assert_allclose(voxels.gaussians.numpy(), rows_expected, rtol=limit, atol=limit)
     for row, (own, own_segment) in enumerate(zip(points, segments, strict=True)):
         cell = np.floor((own.astype(np.float64) - corner) * (1.0 / size))
         key = (int(own_segment), *cell.astype(int).tolist()) if np.isfinite(cell).all() else None
@@ -207,12 +202,9 @@ def test_one_voxel_contains_all_points(device, rng, tolerances):
     points, covariances = rng.uniform(-1, 1, (1000, 3)).astype(np.float32), spread(rng, 1000)
     voxels = build(points, covariances, 100.0, device, corner=[-50.0] * 3)
     assert voxels.count == 1 and voxels.gaussians.numpy()[0, 9] == 1000
-    expected = np.concatenate(
-        [points.mean(axis=0, dtype=np.float64), covariances.mean(axis=0, dtype=np.float64)[UPPER]]
-    )
-    np.testing.assert_allclose(
-        voxels.gaussians.numpy()[0, :9], expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
-    )
+    means = [values.mean(axis=0, dtype=np.float64) for values in (points, covariances)]
+    expected, limit = np.concatenate([means[0], means[1][UPPER]]), tolerances.gaussian
+    np.testing.assert_allclose(voxels.gaussians.numpy()[0, :9], expected, rtol=limit, atol=limit)
 
 
 def test_grids_beyond_64_bits_are_refused(device):

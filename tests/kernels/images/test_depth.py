@@ -1,11 +1,8 @@
 """Raw depth in meters, and pixels unprojected: what NumPy gives, element by element."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.images.depth import RUN, PixelGrid, color_pixels, largest_depth, metric_depth, unproject_depth
 from pointloom.kernels.lang import float32, uint8, uint16
@@ -16,7 +13,7 @@ from ..vectors import rotation
 
 def meters(device, raw, dtype, scale, farthest):
     """Depth as NumPy, once the largest depth that comes with it was checked."""
-    depth, largest = metric_depth(upload(raw, dtype, resolve_device(device)), scale, farthest)
+    depth, largest = metric_depth(upload(raw, dtype, device), scale, farthest)
     assert largest_depth(largest) == depth.numpy().max(initial=0)
     return depth.numpy()
 
@@ -55,7 +52,7 @@ def test_pixels_are_unprojected_with_the_pinhole_model(device, height, width, st
     fx, fy, cx, cy = 5.5, 6.5, 3.2, 2.1
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = rotation(rng), [1, -2, 3]
-    flat = upload(depth.reshape(-1), float32, resolve_device(device))
+    flat = upload(depth.reshape(-1), float32, device)
     grid = PixelGrid(width, height, stride)
     points, valid = unproject_depth(flat, grid, Camera(width, height, fx, fy, cx, cy), T)
     v, u = np.mgrid[0:height:stride, 0:width:stride]
@@ -66,6 +63,6 @@ def test_pixels_are_unprojected_with_the_pinhole_model(device, height, width, st
     np.testing.assert_array_equal(valid.numpy().astype(bool), (z > 0).reshape(-1))
     np.testing.assert_allclose(points.numpy(), expected, rtol=6.1e-8, atol=1e-14)
     image = rng.integers(0, 256, (height, width, 3)).astype(np.uint8)
-    pixels = upload(image.reshape(-1, 3), uint8, resolve_device(device))
+    pixels = upload(image.reshape(-1, 3), uint8, device)
     colors = color_pixels(pixels, grid).numpy()
     np.testing.assert_array_equal(colors, image[v, u].reshape(-1, 3).astype(np.float32) / np.float32(255))

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.images.flying_pixels import drop_flying
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
@@ -12,7 +11,7 @@ from pointloom.kernels.memory import download, upload
 def filtered(depth, device, radius=4, jump=0.03):
     depth = np.asarray(depth, np.float32)
     height, width = depth.shape
-    flat = upload(np.ascontiguousarray(depth).reshape(-1), float32, resolve_device(device))
+    flat = upload(np.ascontiguousarray(depth).reshape(-1), float32, device)
     return download(drop_flying(flat, width, height, radius, jump)).reshape(height, width)
 
 

@@ -44,11 +44,8 @@ def test_slow_compilations_are_announced_once(caplog, monkeypatch, blocks_all_th
 
 def test_an_error_ends_the_announcement(caplog, monkeypatch):
     monkeypatch.setattr(compile_notices, "NOTICE_DELAY", 60.0)
-    with (
-        caplog.at_level(logging.INFO, "pointloom"),
-        pytest.raises(ValueError),
-        compile_notices.announced("broken_kernel"),
-    ):
+    caplog.set_level(logging.INFO, "pointloom")
+    with pytest.raises(ValueError), compile_notices.announced("broken_kernel"):
         compile_notices.compiling()
         raise ValueError
     assert not [thread for thread in threading.enumerate() if isinstance(thread, threading.Timer)]

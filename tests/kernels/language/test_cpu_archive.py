@@ -1,7 +1,5 @@
 """CPU kernels that were compiled ahead: used without compiling, or replaced by compiling."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -28,18 +26,15 @@ print("box", download(find_box(upload(points, vec3, "cpu"))).tolist(), is_usable
 """
 POINTS = np.random.default_rng(0).random((5000, 3), np.float32)
 BOX = f"box {[*POINTS.min(0).tolist(), *POINTS.max(0).tolist()]} True"
-
 pytestmark = pytest.mark.skipif(not cpu_archive.level_of_processor(), reason="no Linux on x86-64-v3")
 
 
 @pytest.fixture(scope="module")
 def compiled(tmp_path_factory):
-    """A folder with the code of MODULES for the level of this processor."""
     folder = tmp_path_factory.mktemp("compiled")
-    command = [sys.executable, "-m", "pointloom.kernels.cpu_kernels", "--output", str(folder)]
-    subprocess.run(
-        [*command, "--levels", cpu_archive.level_of_processor(), "--only", *MODULES], check=True, stdout=subprocess.PIPE
-    )
+    options = ["--output", str(folder), "--levels", cpu_archive.level_of_processor(), "--only", *MODULES]
+    command = [sys.executable, "-m", "pointloom.kernels.cpu_kernels", *options]
+    subprocess.run(command, check=True, stdout=subprocess.PIPE)
     return folder
 
 
@@ -51,12 +46,9 @@ def archive(compiled, tmp_path):
 def run(archive: Path, home: Path) -> tuple[list[str], list[Path]]:
     """Lines of the script's output with an archive, and the files that it left in an empty home folder."""
     home.mkdir()
-    environment = os.environ | {
-        cpu_archive.VARIABLE: str(archive.parent),
-        "HOME": str(home),
-        "XDG_CACHE_HOME": str(home / "cache"),
-    }
-    done = subprocess.run([sys.executable, "-c", SCRIPT], env=environment, check=True, capture_output=True, text=True)
+    settings = {cpu_archive.VARIABLE: str(archive.parent), "HOME": str(home), "XDG_CACHE_HOME": str(home / "cache")}
+    command = [sys.executable, "-c", SCRIPT]
+    done = subprocess.run(command, env=os.environ | settings, check=True, capture_output=True, text=True)
     assert done.stderr == ""
     return done.stdout.splitlines(), list(home.rglob("*"))
 

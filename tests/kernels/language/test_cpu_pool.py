@@ -29,7 +29,6 @@ def count_kernel(seen: array(dtype=int), total: array(dtype=int)):
     seen[i] = seen[i] + 1
     atomic_add(total, 0, 1)  # whole numbers
 
-
 @kernel
 def extremes_kernel(values: array(dtype=float), wholes: array(dtype=int64), low: array(dtype=float),
                     high: array(dtype=float), top: array(dtype=int64)):
@@ -37,7 +36,6 @@ def extremes_kernel(values: array(dtype=float), wholes: array(dtype=int64), low:
     atomic_min(low, 0, values[i])
     atomic_max(high, 0, values[i])
     atomic_max(top, i % 3, wholes[i])
-
 
 @kernel
 def meet_kernel(arrived: array(dtype=int), patience: int, met: array(dtype=int)):
@@ -49,13 +47,11 @@ def meet_kernel(arrived: array(dtype=int), patience: int, met: array(dtype=int))
         turns = turns + 1
     met[i] = 1 if turns < patience else 0
 
-
 @reduction
 def sums(values: array(dtype=float)) -> vec3d:
     i = tid()
     x = float64(values[i])
     return vec3d(x, x * x, 1.0)
-
 
 @segment_reduction
 def segment_sums(values: array(dtype=float)) -> vec2d:
@@ -112,11 +108,8 @@ def test_launches_in_quick_succession_lose_no_thread(kernels):
 def test_atomics_are_of_all_threads(kernels, rng, threads):
     loom.set_num_threads(threads)
     values, wholes = rng.normal(size=50_000).astype(np.float32), rng.integers(-(2**60), 2**60, 50_000)
-    low, high, top = (
-        device_array([np.inf], float),
-        device_array([-np.inf], float),
-        device_array([-(2**62)] * 3, wp.int64),
-    )
+    low, high = (device_array([limit], float) for limit in (np.inf, -np.inf))
+    top = device_array([-(2**62)] * 3, wp.int64)
     arrays = [device_array(values, float), device_array(wholes, wp.int64), low, high, top]
     lang.launch(kernels.extremes_kernel, len(values), arrays)
     assert (low.numpy()[0], high.numpy()[0]) == (values.min(), values.max())
@@ -256,13 +249,8 @@ points = np.random.default_rng(0).random((50_000, 3))
 def thin():
     return len(loom.PointCloud(points).voxel_down_sample(0.1))
 """
-
-
-@pytest.mark.slow
-def test_a_fork_has_threads_of_its_own():
-    done = run_program(
-        THIN
-        + """
+FORKS = {
+    "of a pool": """
 import multiprocessing, threading
 def work(_):
     return thin(), sum(thread.name.startswith("pointloom-cpu") for thread in threading.enumerate())
@@ -271,16 +259,7 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
     assert pool.map(work, range(4)) == [(expected, 2)] * 4
 assert thin() == expected
 """,
-        POINTLOOM_CPU_THREADS="3",
-    )
-    assert (done.returncode, done.stderr) == (0, "")
-
-
-@pytest.mark.slow
-def test_a_fork_during_launches_of_another_thread_works():
-    done = run_program(
-        THIN
-        + """
+    "during launches of another thread": """
 import os, threading
 expected, go_on = thin(), True
 def work():
@@ -296,17 +275,21 @@ for _ in range(5):
 go_on = False
 worker.join()
 """,
-        POINTLOOM_CPU_THREADS="2",
-    )
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", FORKS)
+def test_a_fork_has_threads_of_its_own(name):
+    done = run_program(THIN + FORKS[name], POINTLOOM_CPU_THREADS="3")
     assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.slow
 def test_a_handler_at_exit_can_still_work():
     """The handler of pointloom ends the threads, and runs before one that was registered earlier."""
-    done = run_program(
-        "import atexit\natexit.register(lambda: print(thin()))" + THIN + "thin()", POINTLOOM_CPU_THREADS="2"
-    )
+    program = "import atexit\natexit.register(lambda: print(thin()))" + THIN + "thin()"
+    done = run_program(program, POINTLOOM_CPU_THREADS="2")
     assert (done.returncode, done.stderr) == (0, "") and int(done.stdout) > 100
 
 
@@ -318,10 +301,8 @@ def test_ctrl_c_ends_a_program_during_launches():
     takes = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs of a shell ignore it
     program = takes + textwrap.dedent(THIN) + "thin()\nprint('begun', flush=True)\nwhile True:\n    thin()\n"
     command = [sys.executable, "-c", program]
-    environment = os.environ | {"POINTLOOM_CPU_THREADS": "2"}
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
-    ) as process:
+    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, env=os.environ | {"POINTLOOM_CPU_THREADS": "2"}, **options) as process:
         assert process.stdout.readline() == "begun\n"
         process.send_signal(signal.SIGINT)
         try:
@@ -350,18 +331,14 @@ assert get_num_threads() == 1
 (warning,) = [str(w.message) for w in caught if w.category is RuntimeWarning]
 assert "pointloom uses one CPU core, and slower code: Warp" in warning and EXPECTED in warning, warning
 """
+CHANGES = [("linear_tid", "line_tid", "begins elsewhere"), ("array_t<T>", "matrix_t<T>", "build failed")]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("change", "expected"),
-    [
-        ("header.replace('linear_tid', 'line_tid')", "begins elsewhere"),
-        ("header.replace('array_t<T>', 'matrix_t<T>')", "build failed"),
-    ],
-)
-def test_a_warp_without_the_header_runs_on_one_core_with_one_warning(change, expected):
-    program = FALLBACK.replace("CHANGED", change).replace("EXPECTED", repr(expected))
+@pytest.mark.parametrize(("old", "new", "expected"), CHANGES)
+def test_a_warp_without_the_header_runs_on_one_core_with_one_warning(old, new, expected):
+    changed = f"header.replace({old!r}, {new!r})"
+    program = FALLBACK.replace("CHANGED", changed).replace("EXPECTED", repr(expected))
     done = run_program(program, POINTLOOM_CPU_THREADS="4")
     assert done.returncode == 0, done.stderr
     assert int(done.stdout) == len(loom.PointCloud(np.random.default_rng(0).random((50_000, 3))).voxel_down_sample(0.1))

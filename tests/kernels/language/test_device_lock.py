@@ -1,7 +1,5 @@
 """The lock around the work of a device: releases that come in the midst of it wait their turn."""
 
-from __future__ import annotations
-
 import contextlib
 import threading
 from types import SimpleNamespace
@@ -11,14 +9,13 @@ import pytest
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int32
-from pointloom.kernels.language import device_lock, taichi_compiler
+from pointloom.kernels.language import device_lock
 from pointloom.kernels.memory import cast, clone, contiguous, download, empty, fill, host_view, move, upload
 
 pytestmark = pytest.mark.both_compilers
 
 
 def device_array(released):
-    """What looks like an array on a GPU, as far as its release goes."""
     stream = SimpleNamespace(is_blocking=True)
     device = SimpleNamespace(is_cuda=True, is_cpu=False, context_guard=contextlib.nullcontext(), stream=stream)
     return SimpleNamespace(device=device, deleter=lambda address, size: released.append((address, size)))
@@ -31,47 +28,33 @@ def in_another_thread(action):
     assert not thread.is_alive(), "it waited for the lock"
 
 
-def test_an_array_that_is_dropped_is_released_at_once():
-    released = []
-    array = device_lock.own(device_array(released))
-    array.deleter(4096, 12)
-    assert released == [(4096, 12)]
-
-
-def test_an_array_dropped_while_another_thread_works_is_released_with_the_next():
+def test_an_array_is_released_at_once_also_by_the_thread_that_has_the_lock():
     released = []
     first, second = (device_lock.own(device_array(released)) for _ in range(2))
+    first.deleter(4096, 12)
+    assert released == [(4096, 12)]
+    with device_lock.lock:
+        second.deleter(1, 10)
+        assert released[1:] == [(1, 10)]
+
+
+def test_an_array_dropped_while_another_thread_works_is_released_when_one_is_dropped_or_made():
+    released = []
+    first, second, third = (device_lock.own(device_array(released)) for _ in range(3))
     with device_lock.lock:
         in_another_thread(lambda: first.deleter(1, 10))
         assert released == []
     second.deleter(2, 20)
     assert released == [(1, 10), (2, 20)]
-
-
-def test_an_array_dropped_while_another_thread_works_is_released_when_one_is_made():
-    released = []
-    array = device_lock.own(device_array(released))
     with device_lock.lock:
-        in_another_thread(lambda: array.deleter(1, 10))
+        in_another_thread(lambda: third.deleter(3, 30))
     device_lock.own(device_array(released))
-    assert released == [(1, 10)]
-
-
-def test_the_thread_that_has_the_lock_releases_at_once():
-    released = []
-    array = device_lock.own(device_array(released))
-    with device_lock.lock:
-        array.deleter(1, 10)
-        assert released == [(1, 10)]
+    assert released[2:] == [(3, 30)]
 
 
 def test_the_host_has_nothing_to_wait_for():
     with device_lock.lock:
         in_another_thread(lambda: upload(np.arange(3), int32, resolve_device("cpu")))
-
-
-def test_taichi_takes_the_same_lock():
-    assert taichi_compiler.lock is device_lock.lock
 
 
 def test_arrays_are_filled_cloned_cast_and_moved(device, rng):

@@ -27,7 +27,6 @@ print(read, known, cloud.normals.tobytes().hex()[:64])
 
 @pytest.fixture
 def cache(tmp_path) -> Path:
-    """A cache of kernels of its own, with what is compiled for all tests."""
     folder = tmp_path / "cache"
     version = folder / wp.config.version
     version.mkdir(parents=True)
@@ -57,13 +56,7 @@ def test_the_second_process_compiles_nothing_and_is_bitwise_identical(cache):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "harm",
-    [
-        "machine code is gone",
-        *(pytest.param(harm, marks=pytest.mark.slow) for harm in ("broken", "of other making", "other places")),
-    ],
-)
+@pytest.mark.parametrize("harm", ["machine code is gone", "broken", "of other making", "other places"])
 def test_damaged_entries_are_not_used(cache, harm):
     before = run(cache).split()
     for path in files_of(cache):
@@ -81,43 +74,40 @@ def test_damaged_entries_are_not_used(cache, harm):
     assert run(cache).split()[0] == "0"  # and kept again
 
 
-def test_other_sources_keep_apart(monkeypatch, tmp_path):
-    stored = kernel_cache.CachedKernel([], "a", "=Q", "symbol", "code.o")
-    module = f"{kernel_cache.PACKAGE}.room.file"
-    monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
-
-    def folder_of(digest: str) -> None:
-        monkeypatch.setattr(kernel_cache, "digest_of_sources", lambda: digest)
-        kernel_cache._folder.cache_clear()
-        kernel_cache._read.cache_clear()
-
-    try:
-        for number in range(kernel_cache.MAX_FOLDERS + 3):
-            folder_of(f"sources {number}")
-            assert kernel_cache.find(module, "k") is None
-            kernel_cache.store(module, "k", stored)
-            assert kernel_cache.find(module, "k") == stored
-        assert len(list((tmp_path / kernel_cache.FOLDER).iterdir())) == kernel_cache.MAX_FOLDERS
-        kernel_cache.store("elsewhere.kernels", "k", stored)
-        assert kernel_cache.find("elsewhere.kernels", "k") is None
-    finally:
-        monkeypatch.undo()
-        kernel_cache._folder.cache_clear()
-        kernel_cache._read.cache_clear()
+STORED = kernel_cache.CachedKernel([], "a", "=Q", "symbol", "code.o")
+MODULE = f"{kernel_cache.PACKAGE}.room.file"
 
 
-def test_a_folder_that_cannot_be_written_to_keeps_nothing(monkeypatch, tmp_path):
-    (tmp_path / kernel_cache.FOLDER).touch()
-    monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
+def forget() -> None:
     kernel_cache._folder.cache_clear()
-    try:
-        kernel_cache.store(
-            f"{kernel_cache.PACKAGE}.room.file", "k", kernel_cache.CachedKernel([], "a", "=Q", "s", "c.o")
-        )
-        assert kernel_cache.find(f"{kernel_cache.PACKAGE}.room.file", "k") is None
-    finally:
-        monkeypatch.undo()
-        kernel_cache._folder.cache_clear()
+    kernel_cache._read.cache_clear()
+
+
+@pytest.fixture
+def folder(monkeypatch, tmp_path):
+    monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
+    forget()
+    yield tmp_path
+    monkeypatch.undo()
+    forget()
+
+
+def test_other_sources_keep_apart(monkeypatch, folder):
+    for number in range(kernel_cache.MAX_FOLDERS + 3):
+        monkeypatch.setattr(kernel_cache, "digest_of_sources", lambda number=number: f"sources {number}")
+        forget()
+        assert kernel_cache.find(MODULE, "k") is None
+        kernel_cache.store(MODULE, "k", STORED)
+        assert kernel_cache.find(MODULE, "k") == STORED
+    assert len(list((folder / kernel_cache.FOLDER).iterdir())) == kernel_cache.MAX_FOLDERS
+    kernel_cache.store("elsewhere.kernels", "k", STORED)
+    assert kernel_cache.find("elsewhere.kernels", "k") is None
+
+
+def test_a_folder_that_cannot_be_written_to_keeps_nothing(folder):
+    (folder / kernel_cache.FOLDER).touch()
+    kernel_cache.store(MODULE, "k", STORED)
+    assert kernel_cache.find(MODULE, "k") is None
 
 
 WRONG = """

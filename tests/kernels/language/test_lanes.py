@@ -6,24 +6,7 @@ import pytest
 import warp as wp
 
 from pointloom.kernels import lang
-from pointloom.kernels.lang import (
-    array,
-    ballot,
-    cuda_func,
-    float32,
-    float64,
-    func,
-    int32,
-    kernel,
-    lane,
-    launch,
-    loop,
-    shuffle,
-    shuffle_xor,
-    struct,
-    sync_lanes,
-    tid,
-)
+from pointloom.kernels.lang import array, ballot, float32, float64, int32, lane, shuffle, shuffle_xor, sync_lanes, tid
 from pointloom.kernels.language.source import KernelLanguageError
 from pointloom.kernels.language.warp_compiler import modules_for_cuda
 from pointloom.kernels.memory import download, empty, upload
@@ -31,7 +14,7 @@ from pointloom.kernels.memory import download, empty, upload
 pytestmark = pytest.mark.both_compilers
 
 
-@struct
+@lang.struct
 class Row:
     values: array(dtype=float32)
     counts: array(dtype=int32)
@@ -40,7 +23,7 @@ class Row:
         self.values, self.counts = values, counts
 
 
-@cuda_func
+@lang.cuda_func
 def lane_total(x: int) -> int:
     total = x + 0
     for bit in range(5):
@@ -48,7 +31,7 @@ def lane_total(x: int) -> int:
     return total
 
 
-@func
+@lang.func
 def group_total(i: int, row: Row) -> int:
     total = int(0)
     for j in range((i // 32) * 32, (i // 32) * 32 + 32):
@@ -61,12 +44,12 @@ def group_total_of_lanes(i: int, row: Row) -> int:
     return lane_total(row.counts[i])
 
 
-@func
+@lang.func
 def twice_the_total(i: int, row: Row) -> int:
     return 2 * group_total(i, row)
 
 
-@loop
+@lang.loop
 def others(i: int, row: Row) -> tuple[int, float]:
     for j in range((i // 32) * 32, (i // 32) * 32 + 32):
         if row.values[j] > 0.5:
@@ -86,7 +69,7 @@ def others_of_lanes(i: int, row: Row) -> tuple[int, float]:
             yield j, value
 
 
-@kernel(max_registers=64)
+@lang.kernel(max_registers=64)
 def sum_groups_kernel(row: Row, totals: array(dtype=int32), sums: array(dtype=float32), last: array(dtype=int32)):
     i = tid()
     totals[i] = twice_the_total(i, row)
@@ -99,13 +82,13 @@ def sum_groups_kernel(row: Row, totals: array(dtype=int32), sums: array(dtype=fl
     last[i] = last_index
 
 
-@kernel
+@lang.kernel
 def copy_kernel(row: Row, out: array(dtype=int32)):
     i = tid()
     out[i] = row.counts[i]
 
 
-@kernel
+@lang.kernel
 def fill_kernel(row: Row, out: array(dtype=int32)):
     i = tid()
     out[i] = group_total(i, row)
@@ -117,7 +100,7 @@ def fill_in_lanes_kernel(row: Row, out: array(dtype=int32)):
     out[i] = twice_the_total(i, row) // 2 + lane() - i % 32
 
 
-@func
+@lang.func
 def exchanged(i: int, values: array(dtype=float64)) -> float64:
     return values[i - i % 32 + 31 - i % 32] - values[i ^ 1]
 
@@ -127,7 +110,7 @@ def exchanged_of_lanes(i: int, values: array(dtype=float64)) -> float64:
     return shuffle(values[i], 31 - i % 32) - shuffle_xor(values[i], 1)
 
 
-@kernel
+@lang.kernel
 def exchange_kernel(values: array(dtype=float64), out: array(dtype=float64)):
     i = tid()
     out[i] = exchanged(i, values)
@@ -136,7 +119,7 @@ def exchange_kernel(values: array(dtype=float64), out: array(dtype=float64)):
 def test_shuffles_keep_all_bits_of_float64(device):
     values = np.random.default_rng(0).normal(size=64) * 1e300
     out = empty(64, float64, device)
-    launch(exchange_kernel, 64, [upload(values, float64, device), out])
+    lang.launch(exchange_kernel, 64, [upload(values, float64, device), out])
     rows = values.reshape(2, 32)
     expected = rows[:, ::-1] - rows.reshape(2, 16, 2)[:, :, ::-1].reshape(2, 32)
     np.testing.assert_array_equal(download(out), expected.ravel())
@@ -148,7 +131,7 @@ def test_a_variant_gives_the_result_of_the_original(device, groups):
     values, counts = rng.random(32 * groups).astype(np.float32), rng.integers(0, 100, 32 * groups).astype(np.int32)
     row = Row(upload(values, float32, device), upload(counts, int32, device))
     totals, sums, last = (empty(32 * groups, kind, device) for kind in (int32, float32, int32))
-    launch(sum_groups_kernel, 32 * groups, [row, totals, sums, last])
+    lang.launch(sum_groups_kernel, 32 * groups, [row, totals, sums, last])
     rows = values.reshape(-1, 32)
     assert (download(totals).reshape(-1, 32) == 2 * counts.reshape(-1, 32).sum(1)[:, None]).all()
     in_order = [np.cumsum(np.where(v > 0.5, v, np.float32(0)), dtype=np.float32)[-1] for v in rows]
@@ -174,19 +157,19 @@ def test_a_variant_has_the_parameters_of_the_original():
 def test_lanes_are_refused_outside_a_variant():
     with pytest.raises(KernelLanguageError, match=r"^count:"):
 
-        @func
+        @lang.func
         def count(x: int) -> int:
             return ballot(x)
 
     with pytest.raises(KernelLanguageError, match=r"^count_again:.*lane_total"):
 
-        @func
+        @lang.func
         def count_again(x: int) -> int:
             return lane_total(x)
 
 
 def test_lanes_accept_32_bit_integers_and_floats():
-    @cuda_func
+    @lang.cuda_func
     def far(x: float) -> float:
         return shuffle(x, x)
 
@@ -194,7 +177,7 @@ def test_lanes_accept_32_bit_integers_and_floats():
         far.resolve()
 
 
-@kernel(for_cpu=True)
+@lang.kernel(for_cpu=True)
 def count_on_the_cpu_kernel(row: Row, totals: array(dtype=int32)):
     i = tid()
     totals[i] = twice_the_total(i, row)
@@ -206,9 +189,9 @@ def test_a_kernel_for_the_cpu_is_not_made_for_cuda(device):
     assert count_on_the_cpu_kernel.twin is count_on_the_cpu_kernel
     if totals.device.is_cuda:
         with pytest.raises(TypeError, match="count_on_the_cpu_kernel is the CPU's alone"):
-            launch(count_on_the_cpu_kernel, 32, [row, totals])
+            lang.launch(count_on_the_cpu_kernel, 32, [row, totals])
     else:
-        launch(count_on_the_cpu_kernel, 32, [row, totals])
+        lang.launch(count_on_the_cpu_kernel, 32, [row, totals])
         assert (download(totals) == 64).all()
     lang.resolve_module(__name__)
     made = {kernel.key for module in modules_for_cuda(__name__) for kernel in module.kernels.values()}

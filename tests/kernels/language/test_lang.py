@@ -12,7 +12,6 @@ import warp as wp
 from pointloom.kernels import lang
 
 pytestmark = pytest.mark.both_compilers
-
 X = np.array([0.25, -1.5, 3.0, 0.7, -0.1, 100.0, -7.9, 0.0])
 INTEGERS = np.array([0, 1, 2, 3, 7, 100, 30, 5])
 SIGNED = np.array([0, -1, 2, -3, 7, -100, 30, -5])
@@ -158,10 +157,7 @@ CASES = [
     *scalar_cases("float32"), *scalar_cases("float64"), *integer_cases("int32"), *integer_cases("int64"),
     *integer_cases("uint32"), *integer_cases("uint64"), *vector_cases("float32"), *vector_cases("float64"), *CASTS,
 ]  # fmt: skip
-
 CONSTANTS = "THIRD = 1 / 3\nTENTH = 0.1\nINFINITY = math.inf\nWIDE = 0xFF_FFFF_FFFF\n"
-
-
 ARRAYS = list({case.a.tobytes(): None for case in CASES})
 GROUPS: dict[str, list[Case]] = {}  # one kernel each: expressions of one array
 for case in CASES:
@@ -179,7 +175,6 @@ def expressions(write_kernels):
 
 
 def run_group(module, name: str, device: str) -> np.ndarray:
-    """The results of each expression of a group."""
     group, k = GROUPS[name], list(GROUPS).index(name)
     kind, count = getattr(lang, group[0].kind), len(group[0].a)
     values = group[0].a.astype(wp.dtype_to_numpy(getattr(kind, "_wp_scalar_type_", kind)))

@@ -18,7 +18,6 @@ from pointloom.kernels.language import device_lock
 from pointloom.kernels.language.cuda_launches import CudaLaunch
 
 pytestmark = pytest.mark.both_compilers
-
 SOURCE = """
 V3 = vector(3, float64)
 
@@ -66,19 +65,14 @@ def kernels(write_kernels):
 
 
 def arrays(device, count=4):
-    warp_device = resolve_device(device)
-    return memory.upload(np.arange(count), lang.float32, warp_device), memory.zeros(count, lang.float32, warp_device)
+    return memory.upload(np.arange(count), lang.float32, device), memory.zeros(count, lang.float32, device)
 
 
-def test_no_threads_touch_nothing(kernels, device):
-    a, out = arrays(device)
-    lang.launch(kernels.double_kernel, 0, [a, 2.0, 1, [0, 0, 0], out])
-    assert out.numpy().tolist() == [0, 0, 0, 0]
-
-
-def test_empty_arrays_are_taken(kernels, device):
-    a, out = arrays(device, 0)
-    lang.launch(kernels.double_kernel, 0, [a, 2.0, 1, [0, 0, 0], out])
+def test_no_threads_touch_nothing_and_empty_arrays_are_taken(kernels, device):
+    for count in (4, 0):
+        a, out = arrays(device, count)
+        lang.launch(kernels.double_kernel, 0, [a, 2.0, 1, [0, 0, 0], out])
+        assert out.numpy().tolist() == [0] * count
     rows, sums = wp.zeros((3, 0), dtype=wp.float32, device=device), wp.zeros(3, dtype=wp.float32, device=device)
     lang.launch(kernels.scale_rows_kernel, 3, [rows, sums])
     assert sums.numpy().tolist() == [0, 0, 0]
@@ -135,9 +129,8 @@ def test_arrays_on_two_devices_are_refused(kernels, device, monkeypatch):
     other = wp.zeros(4, dtype=wp.float32, device="cpu")
     if device == "cpu":  # a GPU that is not there
         monkeypatch.setattr(other, "device", "cuda:9")
-    assert refused(kernels, device, 4, other).endswith(
-        f"an array on {other.device}, others on {device}; move one with .to(...)"
-    )
+    reason = f"an array on {other.device}, others on {device}; move one with .to(...)"
+    assert refused(kernels, device, 4, other).endswith(reason)
 
 
 def test_threads_of_the_program_may_launch_at_once(kernels, device):
@@ -182,15 +175,12 @@ def test_a_reduction_is_bitwise_identical_in_every_run(kernels, device, rng):
 
 @pytest.fixture
 def ran(monkeypatch):
-    """The compilers that CPU launches went through, in their order."""
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     compilers = []
     for name in ("_run_on_cpu", "_run_taichi"):
         run = getattr(launches, name)
-        compiler = "warp" if name == "_run_on_cpu" else "taichi"
-        monkeypatch.setattr(
-            launches, name, lambda *a, run=run, compiler=compiler: compilers.append(compiler) or run(*a)
-        )
+        kind = "warp" if name == "_run_on_cpu" else "taichi"
+        monkeypatch.setattr(launches, name, lambda *a, run=run, kind=kind: compilers.append(kind) or run(*a))
     return compilers
 
 
@@ -224,7 +214,6 @@ def test_a_loop_repeats_its_launches(kernels, ran, device):
 
 @pytest.fixture
 def share():
-    """A function (threads): CPU launches are shared by so many."""
     yield loom.set_num_threads
     loom.set_num_threads(None)
 
@@ -249,26 +238,23 @@ import numpy as np, warp as wp
 sys.path.insert(0, sys.argv[1])
 import launches
 from pointloom.kernels import lang
-from pointloom.kernels.language import cpu_pool, taichi_compiler
+from pointloom.kernels.language import taichi_compiler
 points = wp.array(np.random.default_rng(0).normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
 total = lang.reduce(launches.sum_points, 100_003, [points])
-by_taichi = lang.current_cpu_compiler() == "taichi"
-print(taichi_compiler.start().thread_count if by_taichi else cpu_pool.pool().thread_count)
+print(taichi_compiler.start().thread_count)
 print(total.numpy().tobytes().hex())
 """
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_a_reduction_is_bitwise_identical_for_any_number_of_threads(kernels, rng, share, compiler):
+@pytest.mark.taichi
+def test_a_reduction_by_taichi_is_that_of_warp_for_any_number_of_threads(kernels, rng):
+    """test_cpu_pool.py changes the number of Warp's threads."""
     points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
-    results = set()
     with lang.cpu_compiler("warp"):
-        for threads in (1, 2, 7):
-            share(threads)
-            results.add(lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex())
+        results = {lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex()}
     for threads in ("2", "3"):
-        environment = {**os.environ, "POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
+        environment = {**os.environ, "POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
         command = [sys.executable, "-c", PROGRAM, str(Path(kernels.__file__).parent)]
         run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
         count, bits = run.stdout.split()
@@ -334,6 +320,6 @@ def test_compilers_are_locked_while_another_thread_may_launch(kernels, device, m
     a, out = arrays(device)
     lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out])
     assert locked == [True]
-    values = memory.upload(np.arange(5000.0), lang.float64, resolve_device(device))
+    values = memory.upload(np.arange(5000.0), lang.float64, device)
     lang.reduce(kernels.moments, 5000, [values, 1, 0.25, [0.0, 0.0, 0.0]])
     assert len(locked) > 1 and all(locked)

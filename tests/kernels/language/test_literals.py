@@ -26,7 +26,6 @@ def text_kernel(
 ):
     i = tid()
 """
-
 # (as it is written, as both compilers see it)
 WRITTEN = [
     # numbers of 32 bits are what they are
@@ -82,7 +81,6 @@ WRITTEN = [
         "x = far\nif n > 0:\n    x = float64(0.0)\n    while x < far:\n        x += float64(1.0)",
     ),
 ]
-
 # (statements, the line of the fault counted from the first, a part of the message)
 REFUSED = [
     ("z[i] = z[i] * 2", 0, "`*` between float64 and int32: convert with float64(...)"),
@@ -93,16 +91,11 @@ REFUSED = [
     ("x = 0.0\nx = z[i]", 1, "x was float32 and becomes float64"),
     ("x = 0.0\nfor j in range(n):\n    x += z[j]", 2, "`+` between float32 and float64"),
     ("a[i] = 1\nk[i] = k[i] + 9223372036854775808", 1, "9223372036854775808 does not fit into int64"),
-    ("a[i] = a[i] + 3000000000", 0, "3000000000 needs more than 32 bits"),
     ("q[i] = q[i] - -1", 0, "-1 does not fit into uint32"),
     ("atomic_add()", 0, "atomic_add(array, index, value), with an index for each axis"),
     ("u[i] = 256", 0, "256 does not fit into uint8"),
     ("a[i] = int(u[i] == -1)", 0, "-1 does not fit into uint8"),
-    ("a[i] = u[i] + 1", 0, "8 and 16 bits are for storage"),
-    ("p[i] = p[i] + 1.0", 0, "write it out by components"),
-    ("x = True\nif n > 0:\n    x = False", 2, "x began as a truth value, which does not change; begin with `x = 0`"),
 ]
-
 VALUES = """
 NO_KEY = 0x7FFF_FFFF_FFFF_FFFF
 

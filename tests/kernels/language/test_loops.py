@@ -7,7 +7,6 @@ from pointloom.kernels import lang, memory
 from pointloom.kernels.language.source import KernelLanguageError
 
 pytestmark = pytest.mark.both_compilers
-
 TRAVERSALS = """
 LIMIT = 4
 STEP = 3
@@ -69,9 +68,7 @@ def twice(i: int, of: callback) -> int:
     for j in range(2):
         yield of(i) + j
 """
-KERNELS = (
-    TRAVERSALS
-    + """
+KERNELS = f"""{TRAVERSALS}
 @func
 def scaled(factor: int, n: int) -> int:
     return factor * n
@@ -139,6 +136,27 @@ def callbacks_kernel(table: Table, out: array(dtype=int32)):
         factor = 10
     out[i] = total + apply(i, partial(at_row, table, 1000), 5)
 
+@kernel
+def after_kernel(out: array(dtype=int32)):
+    i = tid()
+    n = int(100)
+    last = int(0)
+    for n, half in steps(0, 3 * i):
+        last = n
+    out[i] = 1000 * last + n
+
+@kernel
+def hygiene_kernel(table: Table, out: array(dtype=int32)):
+    i = tid()
+    count = int(0)
+    next_of = int(7)
+    LIMIT = int(1)
+    for j in places(table, i, 100):
+        count += j
+    for n, half in steps(i, 9):
+        count += n * next_of * LIMIT
+    out[i] = count
+
 @reduction
 def sum_places(table: Table) -> vec2:
     i = tid()
@@ -147,7 +165,6 @@ def sum_places(table: Table) -> vec2:
         total += float(j)
     return vec2(total, 1.0)
 """
-)
 FIRSTS, LASTS = np.array([0, 2, 5, 1, 3]), np.array([3, 9, 5, 4, 4])
 
 
@@ -184,10 +201,17 @@ def test_a_loop_sees_what_its_body_changes(run):
 
 
 def test_a_loop_can_yield_several_values_and_be_left(run):
-    expected = [
-        sum(0.5 * n for n in range(i, 20, 3)) + sum(100 * n for n in range(0, 2 * i, 3) if n <= 6) for i in range(5)
-    ]
-    assert run("steps_kernel", dtype=lang.float32) == expected
+    halves = [sum(0.5 * n for n in range(i, 20, 3)) for i in range(5)]
+    hundreds = [sum(100 * n for n in range(0, 2 * i, 3) if n <= 6) for i in range(5)]
+    assert run("steps_kernel", dtype=lang.float32) == [a + b for a, b in zip(halves, hundreds, strict=True)]
+
+
+def test_a_loop_leaves_its_variable_as_python_does(run):
+    assert run("after_kernel") == [100, 0, 3003, 6006, 9009]
+
+
+def test_a_loop_has_no_names_in_common_with_its_caller(run):
+    assert run("hygiene_kernel", run.table) == [sum(row(i)) + 7 * sum(range(i, 9, 3)) for i in range(5)]
 
 
 def test_loops_can_be_nested(run):
@@ -271,49 +295,23 @@ def test_errors_of_faulty_loops_give_the_line(write_kernels, source):
     assert DECLARATIONS[source] in caught.value.msg and caught.value.filename.endswith("faulty_walks.py")
 
 
-def test_loops_of_one_name_from_two_modules_keep_their_own_names(device, write_kernels):
-    for name, factor in (("walk_a", 10), ("walk_b", 100)):
-        write_kernels(
-            name,
-            f"""
-FACTOR = {factor}
+def test_loops_and_functions_of_one_name_from_two_modules_keep_their_own_names(device, write_kernels):
+    shared = """
+
+@func
+def scaled(n: int) -> int:
+    return FACTOR * n
 
 @loop
 def steps(last: int) -> int:
     for j in range(last):
         yield FACTOR * j
-""",
-        )
-    module = write_kernels(
-        "two_walks",
-        """
-from walk_a import steps
-from walk_b import steps as others
-
-@kernel
-def k(out: array(dtype=int32)):
-    i = tid()
-    total = int(0)
-    for a in steps(3):
-        total += a
-    for b in others(3):
-        total += b
-    out[i] = total
-""",
-    )
-    out = memory.zeros(1, lang.int32, device)
-    lang.launch(module.k, 1, [out])
-    assert memory.download(out).tolist() == [30 + 300]
-
-
-def test_two_functions_of_one_name_are_not_mixed_up(device, write_kernels):
-    for name, factor in (("function_a", 10), ("function_b", 100)):
-        write_kernels(name, f"FACTOR = {factor}\n\n@func\ndef scaled(n: int) -> int:\n    return FACTOR * n\n")
-    module = write_kernels(
-        "two_functions",
-        """
-from function_a import scaled
-from function_b import scaled as other
+"""
+    for name, factor in (("walk_a", 10), ("walk_b", 100)):
+        write_kernels(name, f"FACTOR = {factor}\n{shared}")
+    source = """
+from walk_a import scaled, steps
+from walk_b import scaled as other, steps as others
 
 @func
 def apply(n: int, of: callback) -> int:
@@ -322,37 +320,21 @@ def apply(n: int, of: callback) -> int:
 @kernel
 def k(out: array(dtype=int32)):
     i = tid()
-    out[i] = apply(i + 1, scaled) + apply(i + 1, other)
-""",
-    )
+    total = apply(i + 1, scaled) + apply(i + 1, other)
+    for a in steps(3):
+        total += a
+    for b in others(3):
+        total += b
+    out[i] = total
+"""
+    module = write_kernels("two_walks", source)
     out = memory.zeros(2, lang.int32, device)
     lang.launch(module.k, 2, [out])
-    assert memory.download(out).tolist() == [110, 220]
-
-
-def test_a_loop_leaves_its_variable_as_python_does(device, write_kernels):
-    module = write_kernels(
-        "after",
-        TRAVERSALS
-        + """
-@kernel
-def k(out: array(dtype=int32)):
-    i = tid()
-    n = int(100)
-    for n, half in steps(0, 3 * i):
-        out[5 + i] = n
-    out[i] = n
-""",
-    )
-    out = memory.zeros(10, lang.int32, device)
-    lang.launch(module.k, 5, [out])
-    assert memory.download(out).tolist() == [100, 0, 3, 6, 9, 0, 0, 3, 6, 9]
+    assert memory.download(out).tolist() == [110 + 30 + 300, 220 + 30 + 300]
 
 
 def test_a_traversal_may_use_words_and_widths_that_its_caller_does_not_use(device, write_kernels):
-    write_kernels(
-        "wide_walk",
-        """
+    wide = """
 MASK = 5
 
 @loop
@@ -360,11 +342,8 @@ def roots(last: int) -> float:
     for j in range(last):
         if (int64(j) & int64(MASK)) == int64(j):
             yield sqrt(float(j))
-""",
-    )
-    module = write_kernels(
-        "narrow_caller",
-        """
+"""
+    caller = """
 from wide_walk import MASK, roots
 del sqrt
 
@@ -375,35 +354,9 @@ def k(out: array(dtype=float32)):
     for root in roots(6):
         total += root
     out[i] = total
-""",
-    )
+"""
+    write_kernels("wide_walk", wide)
+    module = write_kernels("narrow_caller", caller)
     out = memory.zeros(1, lang.float32, device)
     lang.launch(module.k, 1, [out])
     assert memory.download(out)[0] == pytest.approx(1 + sum(np.sqrt(j) for j in (0, 1, 4, 5)), rel=1e-6)
-
-
-def test_a_loop_has_no_names_in_common_with_its_caller(device, write_kernels):
-    module = write_kernels(
-        "hygiene",
-        TRAVERSALS
-        + """
-@kernel
-def k(table: Table, out: array(dtype=int32)):
-    i = tid()
-    count = int(0)
-    next_of = int(7)
-    LIMIT = int(1)
-    for j in places(table, i, 100):
-        count += j
-    for n, half in steps(i, 9):
-        count += n * next_of * LIMIT
-    out[i] = count
-""",
-    )
-
-    class Table:
-        firsts, lasts = (memory.upload(values, lang.int32, device) for values in (FIRSTS, LASTS))
-
-    out = memory.zeros(5, lang.int32, device)
-    lang.launch(module.k, 5, [Table(), out])
-    assert memory.download(out).tolist() == [sum(row(i)) + 7 * sum(range(i, 9, 3)) for i in range(5)]

@@ -15,9 +15,7 @@ from pointloom.kernels import lang
 from pointloom.kernels.language import cache_folders, module_loading
 
 pytestmark = pytest.mark.both_compilers
-
 SRC = str(Path(__file__).parents[3] / "src")
-
 # Counts what Warp compiles for the CPU, in an operation of a few modules.
 PROGRAM = """
 import json, sys
@@ -35,7 +33,6 @@ points = np.random.default_rng(0).random((500, 3)).astype(np.float32)
 cloud = loom.PointCloud(points).voxel_down_sample(0.1)
 print(json.dumps({"compiled": compiled, "points": cloud.points.tolist()}))
 """
-
 LOCK_PROGRAM = """
 import sys, time
 from pointloom.kernels import lang  # starts Warp, whose folder the turns are in
@@ -141,30 +138,21 @@ def test_module_contents_do_not_depend_on_the_order_of_use():
     assert reports[0] == reports[1]
 
 
-def test_a_loaded_module_needs_no_lock(monkeypatch, write_kernels):
-    module = write_kernels(
-        "loaded_once",
-        """
-        @kernel
-        def count_kernel(out: array(dtype=int32)):
-            i = tid()
-            out[i] = i
-        """,
-    )
-    out = wp.zeros(4, dtype=int, device="cpu")
-    with lang.cpu_compiler("warp"):
-        lang.launch(module.count_kernel, 4, [out])
-    monkeypatch.setattr(module_loading, "locked", lambda name: pytest.fail(f"waits for {name}"))
-    module_loading.load_module(module.count_kernel.cpu.module, wp.get_device("cpu"))
-    assert out.numpy().tolist() == [0, 1, 2, 3]
-
-
 SMALL = """
 @kernel
 def small_kernel(out: array(dtype=int32)):
     i = tid()
     out[i] = 3 * i
 """
+
+
+def test_a_loaded_module_needs_no_lock(monkeypatch, write_kernels):
+    kernel, out = write_kernels("loaded_once", SMALL).small_kernel, wp.zeros(4, dtype=int, device="cpu")
+    with lang.cpu_compiler("warp"):
+        lang.launch(kernel, 4, [out])
+    monkeypatch.setattr(module_loading, "locked", lambda name: pytest.fail(f"waits for {name}"))
+    module_loading.load_module(kernel.cpu.module, wp.get_device("cpu"))
+    assert out.numpy().tolist() == [0, 3, 6, 9]
 
 
 @pytest.fixture
@@ -176,9 +164,7 @@ def loaded(monkeypatch, write_kernels, tmp_path):
     kernel = write_kernels(f"small_{tmp_path.name}", SMALL).small_kernel.cpu
     module, device = kernel.module, wp.get_device("cpu")
     compiled, real = [], build.build_cpu
-    monkeypatch.setattr(
-        build, "build_cpu", lambda path, *rest, **options: (compiled.append(path), real(path, *rest, **options))[1]
-    )
+    monkeypatch.setattr(build, "build_cpu", lambda path, *a, **k: (compiled.append(path), real(path, *a, **k))[1])
 
     def load():
         before = len(compiled)

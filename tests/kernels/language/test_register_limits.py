@@ -8,19 +8,13 @@ from pointloom.kernels.language.warp_compiler import VARIABLE, max_registers_of
 Two = vector(2, float32)
 
 
-def bounded_kernel() -> object:
-    """A kernel that nothing has made yet."""
-
+def made(device: str) -> object:
     @kernel(max_registers=80)
     def double_numbers_kernel(x: array(dtype=float32)):
         i = tid()
         x[i] = x[i] + x[i]
 
-    return double_numbers_kernel
-
-
-def made(device: str) -> object:
-    return bounded_kernel().make(device)
+    return double_numbers_kernel.make(device)
 
 
 def test_a_kernel_keeps_its_own_bound_where_none_is_tried(monkeypatch):

@@ -7,7 +7,6 @@ import warp as wp
 from pointloom.kernels import lang
 
 pytestmark = pytest.mark.both_compilers
-
 STATEMENTS = """
 LIMIT = 5
 FAR = 1 << 29

@@ -17,7 +17,6 @@ from pointloom.kernels.language import taichi_compiler
 from pointloom.kernels.language.taichi_compiler import KernelFolder, TaichiUnavailableError, require_threads
 
 pytestmark = [pytest.mark.both_compilers, pytest.mark.taichi]
-
 SMALL_WORK = """
 from pointloom.kernels.arrays.sort import positions
 from pointloom.kernels.lang import current_cpu_compiler
@@ -27,7 +26,6 @@ assert positions(3, "cpu").numpy().tolist() == [0, 1, 2]
 
 @pytest.fixture
 def cache(tmp_path) -> Path:
-    """Where the processes of a test keep their kernels; nothing is there yet."""
     return tmp_path / "taichi" / "ticache"
 
 
@@ -91,7 +89,6 @@ def test_a_program_with_a_deleted_folder_ends_normally(run):
 
 
 def is_free(folder: Path) -> bool:
-    """Whether no process has its turn."""
     with (folder / "pointloom.lock").open("w") as file:
         try:
             fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)

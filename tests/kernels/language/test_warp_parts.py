@@ -1,7 +1,5 @@
 """Warp's private parts: those in use exist, and without each of them results keep their bits."""
 
-from __future__ import annotations
-
 import ctypes
 import os
 import subprocess
@@ -80,7 +78,6 @@ def test_this_warp_has_the_private_parts_that_are_used():
 
 @pytest.fixture
 def fresh():
-    """What is known of this Warp is found out anew, before and after."""
     warp_parts.is_known.cache_clear()
     yield
     warp_parts.is_known.cache_clear()

@@ -1,11 +1,8 @@
 """Triangles without area, triangles that name a vertex twice, and vertices that are not finite."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import uint8, vec3, vec3i
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.meshes.clean_triangles import join_masks, mask_repeats
@@ -20,9 +17,7 @@ FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 
 @pytest.fixture
 def put(device):
-    """A function that uploads an array of a given type to the device."""
-    warp_device = resolve_device(device)
-    return lambda values, kind: upload(np.asarray(values), kind, warp_device)
+    return lambda values, kind: upload(np.asarray(values), kind, device)
 
 
 def test_triangles_that_name_a_vertex_twice_repeat_their_rotations(put):
@@ -32,10 +27,8 @@ def test_triangles_that_name_a_vertex_twice_repeat_their_rotations(put):
 
 def test_a_triangle_that_has_an_edge_twice_counts_once(put):
     edges = MeshEdges(put([[0, 1, 0], [0, 1, 2]], vec3i), 3)
-    counts = {
-        (a, b): n for a, b, n in zip(*map(download, (edges.lows, edges.highs, count_sharers(edges))), strict=True)
-    }
-    assert counts == {(0, 0): 1, (0, 1): 2, (1, 2): 1, (0, 2): 1}
+    numbers = map(download, (edges.lows, edges.highs, count_sharers(edges)))
+    assert {(a, b): n for a, b, n in zip(*numbers, strict=True)} == {(0, 0): 1, (0, 1): 2, (1, 2): 1, (0, 2): 1}
 
 
 def test_open_half_edges_without_length_belong_to_no_edge(put):

@@ -1,13 +1,10 @@
 """Sample elimination in rounds: the samples that a heap would leave, one removal after the other."""
 
-from __future__ import annotations
-
 import heapq
 
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.meshes import poisson_disk
@@ -16,7 +13,7 @@ from pointloom.kernels.search.point_tree import PointTree
 
 
 def by_rounds(points: np.ndarray, count: int, widest: float, device: str) -> np.ndarray:
-    tree = PointTree(upload(points, vec3, resolve_device(device)))
+    tree = PointTree(upload(points, vec3, device))
     return download(poisson_disk.eliminate_samples(tree, count, widest)).copy()
 
 
@@ -49,7 +46,6 @@ def by_heap(points: np.ndarray, count: int, widest: float) -> np.ndarray:
 
 
 def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
-    """Points, and the area that they cover."""
     if name == "square":
         return np.column_stack([rng.random((500, 2)), np.zeros(500)]), 1.0
     if name == "ball":

@@ -1,12 +1,16 @@
 """The voxel map against the same rules written out in NumPy: what it keeps, what it finds, however far it has gone."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
+from scipy.spatial.transform import Rotation
+
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.lang import launch, vec3, vec3d, vec4
+from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.odometry.voxel_map import VoxelMap
 
 ROOM = 4
 SEARCH = """
@@ -14,9 +18,7 @@ from pointloom.kernels.odometry.voxel_map import VoxelMap
 from pointloom.kernels.odometry.voxel_map_search import find_nearest_in_map
 
 @kernel
-def search_map_kernel(
-    queries: array(dtype=vec3d), limit: float, voxel_map: VoxelMap, found: array(dtype=vec4)
-):
+def search_map_kernel(queries: array(dtype=vec3d), limit: float, voxel_map: VoxelMap, found: array(dtype=vec4)):
     i = tid()
     answer = find_nearest_in_map(queries[i], limit, voxel_map)
     found[i] = vec4(float(answer[0]), float(answer[1]), float(answer[2]), float(answer[3]))
@@ -27,8 +29,6 @@ def search_map_kernel(
 def search(write_kernels):
     """A function (map, queries, limit) -> [n, 4]: the vectors from the nearest points, and their squares."""
     module = write_kernels("voxel_map_search", SEARCH)
-    from pointloom.kernels.lang import launch, vec3d, vec4
-    from pointloom.kernels.memory import empty, upload
 
     def run(voxel_map, queries, limit):
         result = empty(len(queries), vec4, voxel_map.device)
@@ -40,21 +40,14 @@ def search(write_kernels):
 
 
 def make_map(device, size=1.0, room=ROOM):
-    from pointloom.core.devices import resolve_device
-    from pointloom.kernels.odometry.voxel_map import VoxelMap
-
     return VoxelMap(size, room, resolve_device(device))
 
 
 def add(voxel_map, points, pose=None, max_range=60.0):
-    from pointloom.kernels.lang import vec3
-    from pointloom.kernels.memory import upload
-
     voxel_map.add(upload(points, vec3, voxel_map.device), np.eye(4) if pose is None else pose, max_range)
 
 
 def content(voxel_map) -> dict[tuple[int, ...], list[list[float]]]:
-    """The offsets stored in each voxel."""
     keys = voxel_map.keys.numpy()[: voxel_map.count]
     counts, offsets = voxel_map.counts.numpy(), voxel_map.offsets.numpy().reshape(-1, 3)
     mask, bias = (1 << 21) - 1, 1 << 20
@@ -97,8 +90,6 @@ def test_a_voxel_keeps_the_first_points_that_are_apart(device, first, second, si
 
 
 def test_a_cloud_and_a_pose_are_stored_by_the_rule(device, rng):
-    from scipy.spatial.transform import Rotation
-
     voxel_map, expected = make_map(device, 1.0, 20), {}
     for _ in range(3):
         pose = np.eye(4)

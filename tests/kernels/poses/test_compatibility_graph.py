@@ -1,7 +1,5 @@
 """The graph of correspondences that keep their distances, its counts and peaks, and the poses found from it."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -7,13 +7,8 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.block_keys import AXIS_BITS, BIAS
 from pointloom.kernels.lang import int32, launch, vec3, vec3d
 from pointloom.kernels.memory import download, empty, upload, write
-from pointloom.kernels.poses.control_lattice import (
-    bend_normals,
-    bend_points,
-    locate_points_kernel,
-    make_lattice,
-    motion_of,
-)
+from pointloom.kernels.poses import control_lattice
+from pointloom.kernels.poses.control_lattice import bend_normals, bend_points, make_lattice, motion_of
 
 SIZE = 0.375
 
@@ -40,8 +35,6 @@ def bend_in_numpy(points, lattice, shifts):
 
 
 class Bent:
-    """A lattice over some points, its anchors shifted by smooth random amounts."""
-
     def __init__(self, device, rng, count=300):
         self.device = resolve_device(device)
         self.points = (rng.random((count, 3)) * 2 - 1).astype(np.float32)
@@ -70,7 +63,7 @@ def test_a_lattice_does_not_depend_on_the_order_of_the_points(device, rng):
 
 def test_a_lattice_that_is_not_shifted_leaves_every_bit(device, rng):
     points = (rng.random((1000, 3)) * 7 - 3).astype(np.float32)
-    given = upload(points, vec3, resolve_device(device))
+    given = upload(points, vec3, device)
     assert (download(bend_points(given, make_lattice(SIZE, given))) == points).all()
 
 
@@ -103,7 +96,7 @@ def test_points_are_located_in_the_cells_of_the_lattice_or_in_none(device, rng):
     bent = Bent(device, rng, count=40)
     points = np.vstack([bent.points, [[50, 0, 0], [np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]]])
     cells = empty(len(points), int32, bent.device)
-    launch(locate_points_kernel, len(points), [bent.upload(points), bent.lattice, cells])
+    launch(control_lattice.locate_points_kernel, len(points), [bent.upload(points), bent.lattice, cells])
     result, grid_cells = download(cells), np.floor(bent.points.astype(float) / SIZE).astype(int)
     known = np.unique(grid_cells, axis=0)
     assert (known[result[:40]] == grid_cells).all() and (result[40:] == -1).all()
@@ -151,7 +144,7 @@ def test_added_cells_keep_the_existing_shifts(device, rng):
 
 @pytest.mark.parametrize("count", [0, 1, 2])
 def test_few_points_make_a_lattice_too(device, count):
-    points = upload(np.full((count, 3), 0.1, np.float32), vec3, resolve_device(device))
+    points = upload(np.full((count, 3), 0.1, np.float32), vec3, device)
     lattice = make_lattice(SIZE, points)
     assert (lattice.cell_count, lattice.anchor_count) == ((1, 8) if count else (0, 0))
     assert download(bend_points(points, lattice)).shape == (count, 3)

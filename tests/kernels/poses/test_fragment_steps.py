@@ -19,8 +19,8 @@ ENDS = [(0, 1), (1, 2), (2, 0)]
 
 
 def rotation(rng, angle):
-    K = np.cross(np.eye(3), rng.normal(size=3) * angle)
-    return np.linalg.qr(np.eye(3) + K)[0] * np.sign(np.linalg.det(np.linalg.qr(np.eye(3) + K)[0]))
+    Q = np.linalg.qr(np.eye(3) + np.cross(np.eye(3), rng.normal(size=3) * angle))[0]
+    return Q * np.sign(np.linalg.det(Q))
 
 
 class Scene:
@@ -33,8 +33,6 @@ class Scene:
             world, normals = self.surface(rng)
             T = np.eye(4)
             T[:3, :3], T[:3, 3] = rotation(rng, 0.2), rng.normal(size=3) * 0.3
-            R = T[:3, :3] / np.cbrt(np.linalg.det(T[:3, :3]))
-            T[:3, :3] = R if np.linalg.det(R) > 0 else -R
             self.parts.append(((world - T[:3, 3]) @ T[:3, :3]).astype(np.float32))
             self.normals.append((normals @ T[:3, :3]).astype(np.float32))
             T[:3, 3] += rng.normal(size=3) * 0.01

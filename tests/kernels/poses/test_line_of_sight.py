@@ -11,7 +11,6 @@ EYE = np.zeros((1, 3))
 
 
 def plate(x, y=(-1.0, 1.0), z=(-1.0, 1.0), step=0.03):
-    """Points of a plate square to x."""
     u, v = (np.arange(low, high + 1e-9, step) for low, high in (y, z))
     return np.stack(np.meshgrid([x], u, v, indexing="ij"), -1).reshape(-1, 3)
 
@@ -21,7 +20,6 @@ def points_of(rows, device):
 
 
 def shifted(rows, device):
-    """Points of a cloud on the device, and its origin."""
     cloud = loom.PointCloud(rows, device=device)
     return cloud.array("points"), np.asarray(cloud.origin, float)
 

@@ -1,7 +1,5 @@
 """The planes with the most points; the remaining points equal those of a brute-force search."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -27,12 +25,9 @@ def sheets(rng, counts, noise=0.002):
 
 
 def on_device(points, normals, device, rows=None):
-    import pointloom as loom
-
-    warp_device = loom.PointCloud(np.zeros((1, 3)), device=device).array("points").device
     mask = np.zeros(len(points), np.uint8)
     mask[slice(None) if rows is None else rows] = 1
-    return [upload(points, vec3, warp_device), upload(normals, vec3, warp_device), upload(mask, uint8, warp_device)]
+    return [upload(points, vec3, device), upload(normals, vec3, device), upload(mask, uint8, device)]
 
 
 def planes_of(arrays, max_planes):

@@ -3,7 +3,6 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int64, vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.poses.point_sums import count_agreeing, position_moments
@@ -14,13 +13,11 @@ def test_moments_are_the_sums_of_coordinates_and_their_products(device, rng):
     points, origin = rng.normal(size=(300, 3)).astype(np.float32), np.array([10.0, -20.0, 30.0])
     x, y, z = (points.astype(float) + origin).T
     expected = [np.sum(a) for a in (x**0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)]
-    np.testing.assert_allclose(
-        position_moments(upload(points, vec3, resolve_device(device)), origin), expected, rtol=1e-12
-    )
+    np.testing.assert_allclose(position_moments(upload(points, vec3, device), origin), expected, rtol=1e-12)
 
 
 def test_pairs_agree_where_two_poses_bring_them_within_the_distance(device, rng):
-    warp_device, count = resolve_device(device), 300
+    count = 300
     source, target = rng.random((2, count, 3)).astype(np.float32)
     rows, distances = rng.permutation(count), rng.random(count).astype(np.float32)
     keys = (distances.view(np.int32).astype(np.int64) << 32) | rows
@@ -32,6 +29,6 @@ def test_pairs_agree_where_two_poses_bring_them_within_the_distance(device, rng)
     is_pair = keys != NO_POINT
     gaps = np.linalg.norm(a - b[rows], axis=1)
     limit = float(np.median(gaps[is_pair]))
-    arrays = upload(source, vec3, warp_device), upload(target, vec3, warp_device), upload(keys, int64, warp_device)
+    arrays = upload(source, vec3, device), upload(target, vec3, device), upload(keys, int64, device)
     counts = download(count_agreeing(*arrays, tuple(origins), tuple(poses), limit + 1e-9))
     assert np.asarray(counts).reshape(-1).tolist() == [is_pair.sum(), (gaps[is_pair] <= limit + 1e-9).sum()]

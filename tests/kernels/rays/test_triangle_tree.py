@@ -1,7 +1,5 @@
 """The tree over triangles contains each triangle once, inside the boxes above it."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -24,7 +22,6 @@ def soup(count: int, seed: int = 0):
 
 
 def corners_in_tree(tree: TriangleTree) -> np.ndarray:
-    """The corners by slot, [slots, 3, 3]."""
     return download(tree.corners).reshape(-1, 3, 3, LEAF).transpose(0, 3, 1, 2).reshape(-1, 3, 3)
 
 

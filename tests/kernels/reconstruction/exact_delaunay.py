@@ -4,8 +4,6 @@ Ties are settled by a real perturbation: every point is lifted by its square les
 nothing else, the first point's the largest.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import combinations
 from typing import Any

@@ -1,7 +1,5 @@
 """Trees over oriented samples for the tests of the octree and of the Poisson equation, in NumPy."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np
@@ -16,7 +14,6 @@ SIDE, CORNER = 2.2, np.array([-1.1, -1.1, -1.1])
 
 @cache
 def ball_samples(count: int, share: float = 1.0):
-    """Points of the unit sphere; below its cap only a share of them."""
     rng = np.random.default_rng(0)
     points = rng.normal(size=(count, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
@@ -25,10 +22,8 @@ def ball_samples(count: int, share: float = 1.0):
 
 def tree_of(points, depth, device, normals=None, samples_per_cell=1.5):
     """A DensityPyramid over points, by default of the unit sphere, in a cube of edge 2.2."""
-    import warp as wp
 
-    warp_device = wp.get_device(device)
-    points, normals = (upload(a, vec3, warp_device) for a in (points, points if normals is None else normals))
+    points, normals = (upload(a, vec3, device) for a in (points, points if normals is None else normals))
     rows = sample_rows(points, normals)
     cells = gather_samples(points, normals, rows, Cube(CORNER, SIDE), depth)
     return grow_tree(cells, rows.size, depth, max(1, depth - 2), samples_per_cell)
@@ -45,7 +40,6 @@ def is_cell(level):
 
 
 def leaves_of(pyramid):
-    """(cells, depths) of the undivided cells."""
     cells, depths = [], []
     for level in pyramid.levels[1:]:
         chosen = is_cell(level) & (download(level.divided) == 0)
@@ -55,7 +49,6 @@ def leaves_of(pyramid):
 
 
 def code_cells(codes):
-    """Cells of Morton codes, int [n, 3]."""
     codes = codes[:, None].astype(np.int64)
     bits = np.arange(21)
     return np.stack([((codes >> (3 * bits + axis) & 1) << bits).sum(axis=1) for axis in range(3)], axis=1)

@@ -1,7 +1,5 @@
 """Stars and faces of alpha shapes against whole-number arithmetic over all sets of four points."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from itertools import combinations, permutations, product
@@ -39,12 +37,17 @@ SETS = {
 
 
 def find(points, alphas, device="cpu"):
-    """Faces and tetrahedra for each alpha."""
     cloud = PointCloud(points, device=device)
     tree = cloud.search_tree()
     rows = tree.order[: tree.count]
     shapes = alpha_faces.find_alpha_shapes(tree, rows, len(cloud), alphas, True)
     return [(download(faces).reshape(-1, 3), download(corners).reshape(-1, 4)) for faces, corners in shapes]
+
+
+def assert_same(shapes, others):
+    for arrays, expected in zip(shapes, others, strict=True):
+        for array, other in zip(arrays, expected, strict=True):
+            np.testing.assert_array_equal(array, other)
 
 
 def as_set(rows):
@@ -92,9 +95,7 @@ def test_tables_that_are_too_small_are_made_again(device, monkeypatch):
     expected = find(points, [0.3], device)
     monkeypatch.setattr(alpha_faces, "FACES_A_POINT", 0)
     monkeypatch.setattr(alpha_faces, "TETRAHEDRA_A_POINT", 0)
-    for (faces, corners), (others, more) in zip(find(points, [0.3], device), expected, strict=True):
-        np.testing.assert_array_equal(faces, others)
-        np.testing.assert_array_equal(corners, more)
+    assert_same(find(points, [0.3], device), expected)
 
 
 def test_launches_in_parts_change_nothing(device, monkeypatch):
@@ -102,19 +103,14 @@ def test_launches_in_parts_change_nothing(device, monkeypatch):
     expected = find(points, [0.2], device)
     monkeypatch.setattr(alpha_faces, "SCRATCH", alpha_faces.ROOM * alpha_faces.NUMBERS)
     monkeypatch.setattr(alpha_faces, "RUN", 7)
-    for (faces, corners), (others, more) in zip(find(points, [0.2], device), expected, strict=True):
-        np.testing.assert_array_equal(faces, others)
-        np.testing.assert_array_equal(corners, more)
+    assert_same(find(points, [0.2], device), expected)
 
 
 def test_several_alphas_give_the_results_of_each_alone(device):
     points = np.random.default_rng(6).random((80, 3))
     alphas = [0.15, 0.2, 0.25, 0.5, math.inf]
     together = find(points, alphas, device)
-    for alpha, (faces, corners) in zip(alphas, together, strict=True):
-        ((alone, more),) = find(points, [alpha], device)
-        np.testing.assert_array_equal(faces, alone)
-        np.testing.assert_array_equal(corners, more)
+    assert_same(together, [find(points, [alpha], device)[0] for alpha in alphas])
     sizes = [len(corners) for _, corners in together]
     assert sizes == sorted(sizes) and sizes[0] < sizes[-1]
 

@@ -1,7 +1,5 @@
 """Triangles under empty balls: those of brute force in float64, and on grids, circles and solids one triangulation."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np
@@ -10,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.kernels.arrays.select import gather_rows
 from pointloom.kernels.arrays.sort import positions
-from pointloom.kernels.lang import uint8
+from pointloom.kernels.lang import cpu_compiler, uint8
 from pointloom.kernels.memory import download, full
 from pointloom.kernels.reconstruction import ball_faces
 from pointloom.kernels.reconstruction.ball_faces import BallPoints, list_faces
@@ -182,8 +180,6 @@ def test_a_power_of_two_as_scale_changes_no_triangle(device, rng, power):
 
 
 def test_compilers_and_thread_orders_are_bitwise_identical(device, rng):
-    from pointloom.kernels.lang import cpu_compiler
-
     points, normals = bumpy(rng, 400, 0.3)
     faces, widths = faces_of(points, normals, 0.15, device)
     with cpu_compiler("warp"):

@@ -1,7 +1,5 @@
 """The octree's levels: leaves that tile the cube, balance, and neighbors, compared with brute force."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -75,9 +73,8 @@ def test_parent_and_child_positions_differ_by_a_factor_of_two(pyramid):
 
 def test_each_sample_cell_has_the_slot_of_its_position(pyramid):
     reached = 0
-    for cells, nodes, at, level in zip(
-        pyramid.cells[1:], pyramid.nodes[1:], pyramid.cells_at[1:], pyramid.levels[1:], strict=False
-    ):
+    parts = (pyramid.cells, pyramid.nodes, pyramid.cells_at, pyramid.levels)
+    for cells, nodes, at, level in zip(*(part[1:] for part in parts), strict=False):
         slots = download(nodes.slots)
         exists = slots >= 0
         positions = slot_cells(level)

@@ -1,10 +1,7 @@
 """The Poisson system of a level: right-hand sides by integration, solutions by scipy's sparse solver, in float64."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-import warp as wp
 from scipy import sparse
 from scipy.sparse.linalg import spsolve
 
@@ -23,7 +20,7 @@ DEPTH = 3  # all cells of all levels exist, so arrays [n, n, n] represent them
 
 def one_face(device):
     """Samples for one face of the cube, which give a known pull."""
-    return upload(np.ones((1, 2)), vec2d, wp.get_device(device))
+    return upload(np.ones((1, 2)), vec2d, device)
 
 
 def mean_of(pyramid, solutions):
@@ -83,7 +80,6 @@ def hats(n, positions):
 
 
 def slopes(n, positions):
-    """Their derivatives."""
     away = positions[:, None] - np.arange(n + 1)
     return np.where(np.abs(away) < 1, -np.sign(away), 0)
 
@@ -138,21 +134,16 @@ def test_a_converged_solution_matches_a_sparse_solver(device, tolerances, monkey
     solutions = solve(pyramid, tests, weight, one_face(device))
     for depth in range(1, DEPTH + 1):
         n = 1 << depth
-        mass = sparse.diags(
-            [np.full(n, 1 / 6), np.r_[1 / 3, np.full(n - 1, 2 / 3), 1 / 3], np.full(n, 1 / 6)], [-1, 0, 1]
+        mass, stiff = (
+            sparse.diags([np.full(n, side), np.r_[end, np.full(n - 1, 2 * end), end], np.full(n, side)], [-1, 0, 1])
+            for side, end in ((1 / 6, 1 / 3), (-1.0, 1.0))
         )
-        stiff = sparse.diags([np.full(n, -1.0), np.r_[1, np.full(n - 1, 2.0), 1], np.full(n, -1.0)], [-1, 0, 1])
-        system = sum(
-            sparse.kron(sparse.kron(*[stiff if a == axis else mass for a in range(2)]), stiff if axis == 2 else mass)
-            for axis in range(3)
-        )
+        products = ((stiff, mass, mass), (mass, stiff, mass), (mass, mass, stiff))
+        system = sum(sparse.kron(sparse.kron(x, y), z) for x, y, z in products)
         cells = pyramid.cells[depth]
-        positions = download(cells.means).astype(float) * n
-        rows = np.einsum("px,py,pz->pxyz", *[hats(n, positions[:, axis]) for axis in range(3)]).reshape(
-            len(positions), -1
-        )
+        lines = [hats(n, download(cells.means)[:, axis].astype(float) * n) for axis in range(3)]
         pulls = sparse.diags(weight * 4.0**depth * download(cells.weights))
-        rows = sparse.csr_matrix(rows)
+        rows = sparse.csr_matrix(np.einsum("px,py,pz->pxyz", *lines).reshape(cells.count, -1))
         system = sparse.csc_matrix(system + rows.T @ pulls @ rows)
         expected = spsolve(system, as_grid(download(tests[depth]), pyramid.levels[depth]).ravel())
         solution = as_grid(download(solutions[depth]), pyramid.levels[depth]).ravel()

@@ -1,12 +1,10 @@
 """Samples gathered into cells: counts, means and normals of every level, and the density that the tree goes by."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.kernels.lang import vec3
-from pointloom.kernels.memory import download, upload
+from pointloom.kernels.lang import launch, vec3
+from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.reconstruction.sample_cells import Cube, gather_samples, sample_rows
 from pointloom.kernels.reconstruction.sample_density import ENDS, ON
 
@@ -14,21 +12,19 @@ from .octree_trees import CORNER, SIDE, ball_samples, code_cells, tree_of
 
 
 def spline(t):
-    """The quadratic B-spline about 0."""
     t = np.abs(t)
     return np.where(t < 0.5, 0.75 - t**2, np.where(t < 1.5, 0.5 * (1.5 - t) ** 2, 0))
 
 
 @pytest.mark.parametrize("by_length", [False, True])
 def test_cells_contain_the_sums_of_their_points(device, by_length):
-    import warp as wp
 
     rng = np.random.default_rng(1)
     points = ball_samples(500)
     normals = (points * rng.uniform(0.5, 2, (500, 1))).astype(np.float32)
     points = points.copy()
     points[7], normals[8], normals[9] = np.nan, np.inf, 0
-    arrays = [upload(a, vec3, wp.get_device(device)) for a in (points, normals)]
+    arrays = [upload(a, vec3, device) for a in (points, normals)]
     rows = sample_rows(*arrays)
     np.testing.assert_array_equal(download(rows), np.delete(np.arange(500), [7, 8, 9]))
     positions = (points.astype(float)[download(rows)] - CORNER) / SIDE
@@ -72,11 +68,6 @@ def test_the_density_is_that_of_splines_by_brute_force(device):
 
 
 def test_the_splines_of_all_cells_add_up_to_one(device, write_kernels):
-    import warp as wp
-
-    from pointloom.kernels.lang import float32, launch
-    from pointloom.kernels.memory import empty
-
     module = write_kernels(
         "spline_sums",
         """
@@ -96,10 +87,8 @@ def test_the_splines_of_all_cells_add_up_to_one(device, write_kernels):
             sums[i] = vec3(total, slope - f[0], corners)
         """,
     )
-    warp_device = wp.get_device(device)
     shares = np.random.default_rng(0).random((100, 3))
     shares[0], shares[1] = 0, 1
-    sums = empty(100, vec3, warp_device)
-    launch(module.sum_splines_kernel, 100, [upload(shares, vec3, warp_device), sums])
+    sums = empty(100, vec3, device)
+    launch(module.sum_splines_kernel, 100, [upload(shares, vec3, device), sums])
     np.testing.assert_allclose(download(sums), np.tile([1.0, 0, 1], (100, 1)), atol=3e-7)
-    assert float32

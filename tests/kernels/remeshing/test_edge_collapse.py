@@ -1,29 +1,14 @@
 """The steps of decimation: kinds of vertices, edges that are chosen at once, and the lists after they collapsed."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int32, uint8, vec2, vec3, vec3i
 from pointloom.kernels.memory import download, upload, write
 from pointloom.kernels.meshes.mesh_topology import CornersByVertex
-from pointloom.kernels.remeshing.collapse_mesh import (
-    CHOSEN,
-    CORNER,
-    EDGES,
-    FREE,
-    LINE,
-    PICKED,
-    SLOTS,
-    SQUEEZE,
-    TRIANGLES,
-    VERTICES,
-    CollapseMesh,
-)
+from pointloom.kernels.remeshing import collapse_mesh as cm
 from pointloom.kernels.remeshing.collapse_rounds import CollapseRounds, EdgeBins
 from pointloom.kernels.remeshing.decimation import Decimation
 
@@ -31,27 +16,24 @@ from ...meshing.simplification_scenes import bumpy_torus, grid
 
 
 def started(vertices, triangles, device: str, materials=None, target=10) -> CollapseRounds:
-    """A mesh whose edges have their prices."""
-    warp_device = resolve_device(device)
-    arrays = [upload(vertices, vec3, warp_device)]
-    ids = None if materials is None else upload(materials, int32, warp_device)
-    job = Decimation(upload(triangles, vec3i, warp_device), arrays, [], None, ids, target, np.inf, 1.0)
+    arrays = [upload(vertices, vec3, device)]
+    ids = None if materials is None else upload(materials, int32, device)
+    job = Decimation(upload(triangles, vec3i, device), arrays, [], None, ids, target, np.inf, 1.0)
     rounds = CollapseRounds(job.mesh, [], target, np.inf)
     rounds.price_edges()
     return rounds
 
 
-def number(mesh: CollapseMesh, index: int) -> int:
+def number(mesh: cm.CollapseMesh, index: int) -> int:
     return int(download(mesh.numbers)[index])
 
 
-def note(mesh: CollapseMesh, index: int, value: int) -> None:
+def note(mesh: cm.CollapseMesh, index: int, value: int) -> None:
     write(mesh.numbers[index : index + 1], np.array([value], np.int32))
 
 
 def chosen_of(job: CollapseRounds, edges, rounds: int) -> np.ndarray:
-    """Which of some edges may collapse at once."""
-    note(job.mesh, EDGES, edges.size)
+    note(job.mesh, cm.EDGES, edges.size)
     job.choice.run(job.mesh, edges, rounds)
     return download(job.choice.chosen)[: edges.size] == 1
 
@@ -68,7 +50,6 @@ def ends_of(job: CollapseRounds, edges) -> np.ndarray:
 
 
 def rings_of(triangles: np.ndarray, count: int) -> list[set[int]]:
-    """Each vertex with those around it."""
     rings = [{v} for v in range(count)]
     for t in triangles:
         for v in t:
@@ -82,10 +63,10 @@ def test_vertices_are_free_on_a_line_or_corners(device):
     middles = vertices[triangles].mean(axis=1)
     materials = np.where(middles[:, 0] < 2, 0, np.where(middles[:, 1] < 2, 1, 2))
     kinds = download(started(vertices, triangles, device, materials).mesh.kinds).reshape(5, 5)
-    expected = np.full((5, 5), FREE)
-    expected[[0, 4], :] = expected[:, [0, 4]] = LINE
-    expected[:, 2] = expected[2, 2:] = LINE
-    expected[2, 2] = expected[0, 2] = expected[4, 2] = expected[2, 4] = CORNER
+    expected = np.full((5, 5), cm.FREE)
+    expected[[0, 4], :] = expected[:, [0, 4]] = cm.LINE
+    expected[:, 2] = expected[2, 2:] = cm.LINE
+    expected[2, 2] = expected[0, 2] = expected[4, 2] = expected[2, 4] = cm.CORNER
     np.testing.assert_array_equal(kinds, expected)
 
 
@@ -125,12 +106,10 @@ def test_the_number_of_collapsed_edges_matches_the_target(device):
     border |= ((ends // 12 == 0) | (ends // 12 == 11)).all(axis=1) & (np.ptp(ends, axis=1) == 1)
     order = np.argsort(download(job.mesh.keys)[download(edges)])
     removed = np.cumsum(np.where(border, 1, 2)[order])
-    note(job.mesh, PICKED, edges.size)
+    note(job.mesh, cm.PICKED, edges.size)
     for max_count in (1, 2, 7, 100, int(removed[-1]), len(edges) // 2, 2 * len(edges)):
-        bins, mask = (
-            EdgeBins(len(triangles) - max_count, job.mesh.numbers),
-            upload(np.zeros(edges.size), uint8, edges.device),
-        )
+        bins = EdgeBins(len(triangles) - max_count, job.mesh.numbers)
+        mask = upload(np.zeros(edges.size), uint8, edges.device)
         bins.mark_cheapest(job.mesh, edges, edges.size, mask)
         expected = np.zeros(len(order), np.uint8)
         expected[order[: np.searchsorted(removed, max_count) + 1]] = 1
@@ -143,16 +122,16 @@ def test_lists_that_are_joined_are_those_of_the_new_triangles(device):
     job = started(vertices, triangles, device)
     mesh, edges = job.mesh, owners(job)
     chosen = upload(download(edges)[chosen_of(job, edges, 3)], int32, edges.device)
-    note(mesh, CHOSEN, chosen.size)
+    note(mesh, cm.CHOSEN, chosen.size)
     job.collapse.run(mesh, job.twin, chosen)
     count = len(triangles) - 2 * chosen.size
-    note(mesh, TRIANGLES, count)
+    note(mesh, cm.TRIANGLES, count)
     for _ in range(2):
-        slots = number(mesh, SLOTS)
+        slots = number(mesh, cm.SLOTS)
         left = download(mesh.triangles).reshape(-1, 3)[:slots]
         rows = np.flatnonzero(left[:, 0] >= 0)
         assert len(rows) == count
-        vertices = number(mesh, VERTICES)
+        vertices = number(mesh, cm.VERTICES)
         expected = CornersByVertex(upload(left[rows], vec3i, mesh.triangles.device), vertices)
         starts, corners = download(mesh.starts)[: vertices + 1], download(mesh.corners)[: 3 * count]
         np.testing.assert_array_equal(starts, download(expected.starts))
@@ -164,9 +143,9 @@ def test_lists_that_are_joined_are_those_of_the_new_triangles(device):
         flat, h = left.reshape(-1), corners
         spokes = np.stack([flat[h // 3 * 3 + (h + 1) % 3], flat[h // 3 * 3 + (h + 2) % 3]], axis=1)
         np.testing.assert_array_equal(download(mesh.spokes)[: 3 * count], spokes)
-        note(mesh, SQUEEZE, 1)
+        note(mesh, cm.SQUEEZE, 1)
         job.squeeze()
-    assert number(mesh, SLOTS) == count
+    assert number(mesh, cm.SLOTS) == count
 
 
 def test_keys_of_edges_stay_unique_after_renumbering(device):
@@ -174,17 +153,17 @@ def test_keys_of_edges_stay_unique_after_renumbering(device):
     vertices, triangles = grid(40)
     job = started(vertices, triangles, device)
     mesh, slot_counts = job.mesh, []
-    while number(mesh, TRIANGLES) > 300:
-        slot_counts.append(number(mesh, SLOTS))
+    while number(mesh, cm.TRIANGLES) > 300:
+        slot_counts.append(number(mesh, cm.SLOTS))
         job.run_round()
-        assert number(mesh, CHOSEN)
+        assert number(mesh, cm.CHOSEN)
         job.price_edges()
-        slots = number(mesh, SLOTS)
+        slots = number(mesh, cm.SLOTS)
         keys = download(mesh.keys)[: 3 * slots]
         keys = keys[keys < 2**63 - 3]
         assert len(keys) == len(np.unique(keys))
         left = download(mesh.triangles).reshape(-1, 3)[:slots, 0] >= 0
-        assert left.sum() == number(mesh, TRIANGLES)
+        assert left.sum() == number(mesh, cm.TRIANGLES)
     assert len(np.unique(slot_counts)) > 4
 
 
@@ -192,14 +171,10 @@ def test_keys_of_edges_stay_unique_after_renumbering(device):
 def test_the_mesh_that_was_given_stays(device, target):
     """Rounds write in place: to copies."""
     vertices, triangles = grid(12)
-    warp_device = resolve_device(device)
-    given, materials = (
-        upload(triangles, vec3i, warp_device),
-        upload(np.arange(len(triangles)) // 121, int32, warp_device),
-    )
-    uvs = upload(np.repeat(vertices[triangles].reshape(-1, 3)[:, :2], 1, axis=0), vec2, warp_device)
+    given, materials = (upload(triangles, vec3i, device), upload(np.arange(len(triangles)) // 121, int32, device))
+    uvs = upload(np.repeat(vertices[triangles].reshape(-1, 3)[:, :2], 1, axis=0), vec2, device)
     originals = [download(values).copy() for values in (given, uvs, materials)]
-    job = Decimation(given, [upload(vertices, vec3, warp_device)], [], uvs, materials, target, np.inf, 1.0)
+    job = Decimation(given, [upload(vertices, vec3, device)], [], uvs, materials, target, np.inf, 1.0)
     job.run()
     assert job.mesh.triangles.size <= target
     for values, was in zip((given, uvs, materials), originals, strict=True):

@@ -82,13 +82,10 @@ def test_vertices_without_springs_move_by_their_own_weights(device, rng):
     """More vertices than a matrix is inverted for, and none to make a coarser level of."""
     system = System(device)
     warp_device, weights = system.solution.device, rng.uniform(1, 2, (system.count, 1))
-    free, springs = (
-        upload(np.ones(system.count, np.int32), int32, warp_device),
-        zeros(system.edges.count, float64, warp_device),
-    )
-    solver = LaplacianSolver(
-        Level(system.edges, springs, upload(weights, float64, warp_device), free), system.solution, 1e-24
-    )
+    free = upload(np.ones(system.count, np.int32), int32, warp_device)
+    springs = zeros(system.edges.count, float64, warp_device)
+    level = Level(system.edges, springs, upload(weights, float64, warp_device), free)
+    solver = LaplacianSolver(level, system.solution, 1e-24)
     assert solver.preconditioner.inverse is None
     solver.solve(system.sides)
     np.testing.assert_allclose(system.solution.numpy(), system.right / weights, rtol=0, atol=1e-12)

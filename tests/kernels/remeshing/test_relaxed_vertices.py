@@ -1,10 +1,7 @@
 """Vertices move only as far as no triangle flips."""
 
-from __future__ import annotations
-
 import numpy as np
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import uint8, vec3, vec3i
 from pointloom.kernels.memory import download, upload, zeros
 from pointloom.kernels.remeshing.creased_mesh import CreasedMesh
@@ -16,18 +13,13 @@ FANS = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [5, 6, 7]])
 
 def test_vertices_of_triangles_that_would_flip_stay(device):
     """The last triangle has no area, so nothing can turn there."""
-    warp_device = resolve_device(device)
     for step, stays in ((0.5, False), (1.5, True)):
-        faces, count = upload(FANS, vec3i, warp_device), len(SQUARE)
-        mesh = CreasedMesh(
-            upload(SQUARE, vec3, warp_device),
-            faces,
-            zeros(3 * len(FANS), uint8, warp_device),
-            zeros(count, uint8, warp_device),
-        )
+        faces, count = upload(FANS, vec3i, device), len(SQUARE)
+        creases, corners = zeros(3 * len(FANS), uint8, device), zeros(count, uint8, device)
+        mesh = CreasedMesh(upload(SQUARE, vec3, device), faces, creases, corners)
         moved = SQUARE.copy()
         moved[4:6, 0] += step
-        move_without_flips(mesh, upload(moved, vec3, warp_device))
+        move_without_flips(mesh, upload(moved, vec3, device))
         expected = moved.copy()
         if stays:
             expected[4] = SQUARE[4]

@@ -1,10 +1,7 @@
 """Loop's masks where a vertex has three neighbors, and where a triangle runs an edge twice."""
 
-from __future__ import annotations
-
 import numpy as np
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3d, vec3i
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.remeshing.subdivision import EdgeSplit, mask
@@ -13,11 +10,9 @@ TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 
 
 def masked(device, points, triangles) -> tuple[np.ndarray, EdgeSplit]:
-    """The vertices of a mesh after one round, and its edges."""
-    warp_device = resolve_device(device)
-    faces = upload(triangles, vec3i, warp_device)
+    faces = upload(triangles, vec3i, device)
     split = EdgeSplit(faces, len(points))
-    return download(mask(faces, split, [upload(points, vec3d, warp_device)])[0]), split
+    return download(mask(faces, split, [upload(points, vec3d, device)])[0]), split
 
 
 def test_a_tetrahedron_is_masked_by_the_weights_of_three_neighbors(device, rng):

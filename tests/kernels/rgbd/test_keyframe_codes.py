@@ -1,11 +1,8 @@
 """Codes of frames recognize the same view despite holes and exposure."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, uint8
 from pointloom.kernels.memory import download, upload, zeros
 from pointloom.kernels.rgbd.keyframe_codes import FERNS, compare_codes, encode_frame
@@ -14,7 +11,6 @@ WIDTH, HEIGHT = 40, 30
 
 
 def picture(rng):
-    """Smooth depth [m] and brightness."""
     v, u = np.mgrid[:HEIGHT, :WIDTH] / 10
     a, b, c, d = rng.uniform(0.5, 2.0, 4)
     depth = 2 + 1.2 * np.sin(a * u + c) * np.cos(b * v + d)
@@ -22,7 +18,7 @@ def picture(rng):
 
 
 def code_of(device, depth, brightness, seed=0, **options):
-    arrays = [upload(np.ascontiguousarray(x.reshape(-1)), float32, resolve_device(device)) for x in (depth, brightness)]
+    arrays = [upload(np.ascontiguousarray(x.reshape(-1)), float32, device) for x in (depth, brightness)]
     return encode_frame(*arrays, options.pop("first", 0), WIDTH, HEIGHT, seed=seed, **options)
 
 
@@ -63,7 +59,7 @@ def test_without_color_depth_decides(device, rng):
 
 
 def test_codes_are_stored_in_rows_and_each_is_compared(device, rng):
-    codes = zeros(3 * FERNS, uint8, resolve_device(device))
+    codes = zeros(3 * FERNS, uint8, device)
     pictures = [picture(rng) for _ in range(3)]
     for row, (depth, brightness) in enumerate(pictures):
         code_of(device, depth, brightness, codes=codes, row=row)
@@ -87,7 +83,7 @@ def test_another_seed_gives_other_comparisons(device, rng, seed):
 def test_the_code_of_a_pixel_matches_numpy(device):
     """An image of one pixel: every test compares that pixel, and depth exceeds a threshold at the expected rate."""
     depth, brightness = np.array([2.4], np.float32), np.array([0.5], np.float32)
-    arrays = [upload(x, float32, resolve_device(device)) for x in (depth, brightness)]
+    arrays = [upload(x, float32, device) for x in (depth, brightness)]
     code = download(encode_frame(*arrays, 0, 1, 1, seed=0)).astype(int)
     assert (code >> 4 == 15).all()
     assert abs((code & 1).mean() - 0.5) < 0.1, "thresholds lie between 0.4 and 4.4 m"

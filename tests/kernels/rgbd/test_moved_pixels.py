@@ -1,12 +1,9 @@
 """Pixels of what an earlier frame looked through, and only those, are hidden."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
 from pointloom.cameras.camera import PinholeCameraIntrinsic
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd.moved_pixels import FreeSpace, hide_moved
@@ -19,7 +16,7 @@ WALL = 2.0  # [m]
 def hidden(device, before, now, T=None):
     """Which pixels of `now` are hidden by the frame `before`."""
     earlier = OdometryFrame(before.astype(np.float32), CAMERA, device=device)
-    depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
+    depth = upload(now.astype(np.float32).reshape(-1), float32, device)
     views = [(FreeSpace(earlier.levels), np.eye(4) if T is None else T)]
     filtered = download(hide_moved(depth, CAMERA, views)).reshape(now.shape)
     assert ((filtered == now.astype(np.float32)) | (filtered == 0)).all()
@@ -80,7 +77,7 @@ def test_either_of_two_earlier_frames_is_enough(device):
     wide_camera = PinholeCameraIntrinsic(128, 96, 120.0, 120.0, 63.5, 47.5)
     now = np.kron(with_box(20), np.ones((2, 2)))
     frames = [OdometryFrame(f.astype(np.float32), CAMERA, device=device) for f in (with_box(20), wall())]
-    depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
+    depth = upload(now.astype(np.float32).reshape(-1), float32, device)
     for order in ([0, 1], [1, 0]):
         views = [(FreeSpace(frames[k].levels), np.eye(4)) for k in order]
         filtered = download(hide_moved(depth, wide_camera, views)).reshape(now.shape)

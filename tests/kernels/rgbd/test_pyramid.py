@@ -1,9 +1,6 @@
 """Pyramids of frames: near and far are not mixed, holes do not grow, pixels keep their positions, planes are right."""
 
-from __future__ import annotations
-
 import numpy as np
-import warp as wp
 
 from pointloom.kernels.lang import float32, uint8, vec3
 from pointloom.kernels.memory import download, upload
@@ -11,12 +8,11 @@ from pointloom.kernels.rgbd.pyramid import level_sizes, make_levels
 
 
 def levels_of(depth, device, *, shade=None, normals=None, max_pixels=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
-    warp_device = wp.get_device(device)
     height, width = depth.shape
-    brightness = None if shade is None else upload(shade.reshape(-1), float32, warp_device)
+    brightness = None if shade is None else upload(shade.reshape(-1), float32, device)
     numbers = {"max_pixels": max_pixels, "min_side": 4, "radius": 2}
-    numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, warp_device)
-    return make_levels(upload(depth.reshape(-1), float32, warp_device), brightness, width, height, lens, **numbers)
+    numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, device)
+    return make_levels(upload(depth.reshape(-1), float32, device), brightness, width, height, lens, **numbers)
 
 
 def image(levels, values, k):
@@ -84,12 +80,11 @@ def test_given_normals_are_taken(device):
 
 
 def test_colors_are_weighed_as_brightness(device):
-    warp_device = wp.get_device(device)
     pixels = np.tile(np.array([255, 0, 0], np.uint8), (24 * 32, 1))
-    depth = upload(np.full(24 * 32, 1.0), float32, warp_device)
+    depth = upload(np.full(24 * 32, 1.0), float32, device)
     for max_pixels in (10**6, 500):
         numbers = {"max_pixels": max_pixels, "min_side": 4, "radius": 2}
-        levels = make_levels(depth, upload(pixels, uint8, warp_device), 32, 24, (50.0, 50.0, 15.5, 11.5), **numbers)
+        levels = make_levels(depth, upload(pixels, uint8, device), 32, 24, (50.0, 50.0, 15.5, 11.5), **numbers)
         assert np.allclose(download(levels.brightness), 0.299, atol=1e-6)
 
 

@@ -1,11 +1,8 @@
 """Views in few cells: means, the shift of each picture, and whether a depth picture is the same to the last bit."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, uint8
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd import stream_views as at
@@ -25,9 +22,8 @@ def pictures(shift=(0.0, 0.0)):
 
 
 def view(device, depth, color=None):
-    warp_device = resolve_device(device)
-    pixels = None if color is None else upload(color.reshape(-1, 3), uint8, warp_device)
-    return view_stream(upload(depth.reshape(-1), float32, warp_device), pixels, WIDTH, HEIGHT)
+    pixels = None if color is None else upload(color.reshape(-1, 3), uint8, device)
+    return view_stream(upload(depth.reshape(-1), float32, device), pixels, WIDTH, HEIGHT)
 
 
 def sums(now, before):
@@ -81,5 +77,5 @@ def test_a_blank_wall_has_no_shift(device):
 
 def test_what_is_near_is_hidden(device):
     depth = np.array([0.0, 0.5, 1.0, 1.0001, 3.0], np.float32)
-    far = download(hide_near(upload(depth, float32, resolve_device(device)), 1.0))
+    far = download(hide_near(upload(depth, float32, device), 1.0))
     assert far.tolist() == [0.0, 0.0, 0.0, depth[3], 3.0]

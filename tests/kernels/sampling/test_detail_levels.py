@@ -3,10 +3,8 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
-from pointloom.kernels.sampling import detail_levels
 from pointloom.kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, find_levels
 
 
@@ -41,7 +39,7 @@ def plain_levels(points, corner, side):
 
 
 def levels_by_index(points, corner, side, device):
-    _, order, levels = find_levels(upload(points, vec3, resolve_device(device)), corner, side)
+    _, order, levels = find_levels(upload(points, vec3, device), corner, side)
     assert np.array_equal(np.sort(order), np.flatnonzero(np.isfinite(points).all(axis=1)))
     result = np.empty(len(points), np.int64)
     result[order] = levels
@@ -89,7 +87,7 @@ def test_keys_ascend_and_equal_ones_by_index(device, rng):
     points = rng.integers(0, 3, (3000, 3)).astype(np.float32)
     points[::7, 1] = np.nan
     points[3] = [np.inf, 0, 0]
-    keys, order, _ = find_levels(upload(points, vec3, resolve_device(device)), np.zeros(3), 4.0)
+    keys, order, _ = find_levels(upload(points, vec3, device), np.zeros(3), 4.0)
     assert len(order) == np.isfinite(points).all(axis=1).sum()
     steps, index_steps = np.diff(keys), np.diff(order)
     assert (steps >= 0).all()
@@ -98,13 +96,5 @@ def test_keys_ascend_and_equal_ones_by_index(device, rng):
 
 @pytest.mark.parametrize("points", [np.zeros((0, 3)), np.full((4, 3), np.nan)], ids=["no point", "none finite"])
 def test_of_no_points_there_are_no_levels(device, points):
-    result = find_levels(upload(points.astype(np.float32), vec3, resolve_device(device)), np.zeros(3), 1.0)
+    result = find_levels(upload(points.astype(np.float32), vec3, device), np.zeros(3), 1.0)
     assert [part.size for part in result] == [0, 0, 0]
-
-
-def test_the_priority_is_no_order_of_its_own():
-    """Neighbors by index are scattered: the first half of 4,096 ranks contains about half of any run."""
-    ranks = np.argsort(np.argsort([plain_priority(i) for i in range(4096)]))
-    for run in ranks.reshape(16, 256):
-        assert 90 < (run < 2048).sum() < 166
-    assert detail_levels.LEVELS == 16

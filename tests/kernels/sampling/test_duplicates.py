@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling import duplicates
@@ -21,10 +20,10 @@ def test_first_occurrences_do_not_depend_on_the_hash(device, hash_bits, rng, mon
             expected.append(row)
         visited.add(tuple(point))
     monkeypatch.setattr(duplicates, "WORD_BITS", 8 + hash_bits)
-    assert first_occurrences(upload(points, vec3, resolve_device(device))).numpy().tolist() == expected
+    assert first_occurrences(upload(points, vec3, device)).numpy().tolist() == expected
 
 
 def test_subnormal_coordinates_are_not_zero(device):
     """In threads that take subnormal numbers for zero too."""
     points = np.array([[0, 0, 0], [1e-45, 0, 0], [-0.0, 0, 0], [-1e-45, 0, 0], [1e-45, 0, 0]], np.float32)
-    assert first_occurrences(upload(points, vec3, resolve_device(device))).numpy().tolist() == [0, 1, 3]
+    assert first_occurrences(upload(points, vec3, device)).numpy().tolist() == [0, 1, 3]

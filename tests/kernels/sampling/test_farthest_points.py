@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling import farthest_points
@@ -32,7 +31,7 @@ def plain(points, count, start):
 
 
 def choose(device, points, count, start, at_once):
-    tree = PointTree(upload(points, vec3, resolve_device(device)))
+    tree = PointTree(upload(points, vec3, device))
     return choose_farthest(tree, count, start, at_once).tolist()
 
 

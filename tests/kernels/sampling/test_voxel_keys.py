@@ -1,7 +1,5 @@
 """Voxel groups: every finite point in its voxel by float64 arithmetic, runs in ascending order of the key."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np
@@ -9,7 +7,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling.voxel_keys import VoxelGroups
@@ -20,7 +17,7 @@ def group(device, points, size):
     finite = points[np.isfinite(points).all(axis=1)].astype(np.float64)
     corner = finite.min(axis=0)
     cells = np.floor((finite.max(axis=0) - corner) / size) + 1
-    groups = VoxelGroups(upload(points, vec3, resolve_device(device)), corner, size, cells)
+    groups = VoxelGroups(upload(points, vec3, device), corner, size, cells)
     order, starts = groups.order.numpy(), groups.starts.numpy()
     assert len(starts) == groups.count + 1
     return [order[a:b].tolist() for a, b in itertools.pairwise(starts)]
@@ -66,7 +63,7 @@ def test_points_that_are_not_finite_are_in_no_voxel(device, rng):
 
 
 def test_a_grid_of_more_than_62_bits_is_refused_with_its_size(device):
-    points = upload(np.array([[0, 0, 0], [1, 1, 1]], np.float32), vec3, resolve_device(device))
+    points = upload(np.array([[0, 0, 0], [1, 1, 1]], np.float32), vec3, device)
     with pytest.raises(ValueError, match="voxel_size:"):
         VoxelGroups(points, np.zeros(3), 1e-9, [1e9 + 1, 3.0, 1e30])
     with pytest.raises(ValueError, match=r"^voxel_size:.*2.*62"):
@@ -77,7 +74,7 @@ def test_a_grid_of_more_than_62_bits_is_refused_with_its_size(device):
 
 def test_a_grid_of_exactly_62_bits_is_taken(device):
     points = np.array([[0, 0, 0], [2.0**30, 2.0**30 - 64, 0.5], [2.0**30, 2.0**30 - 64, 0.5]], np.float32)
-    groups = VoxelGroups(upload(points, vec3, resolve_device(device)), np.zeros(3), 1.0, [2**30 + 1, 2**30, 1])
+    groups = VoxelGroups(upload(points, vec3, device), np.zeros(3), 1.0, [2**30 + 1, 2**30, 1])
     assert groups.order.numpy().tolist() == [0, 1, 2] and groups.starts.numpy().tolist() == [0, 1, 3]
 
 

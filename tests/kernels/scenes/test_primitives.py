@@ -13,12 +13,9 @@ from pointloom.kernels.scenes.primitives import BOX, CYLINDER, Solids, distance_
 
 @kernel
 def meet_kernel(
-    origins: array(dtype=vec3d),
-    directions: array(dtype=vec3d),
-    extents: array(dtype=vec4d),
-    kinds: array(dtype=int32),
-    parameters: array(dtype=float64),
-):
+    origins: array(dtype=vec3d), directions: array(dtype=vec3d), extents: array(dtype=vec4d),
+    kinds: array(dtype=int32), parameters: array(dtype=float64),
+):  # fmt: skip
     i = tid()
     parameters[i] = meet_solid(origins[i], directions[i], extents[0], kinds[0], float64(100.0))
 
@@ -78,17 +75,11 @@ def meet(device, kind, extent, origins, directions):
     return parameters.numpy()
 
 
-@pytest.mark.parametrize(
-    ("kind", "extent"),
-    [
-        (BOX, (0.4, 0.3, 0.2, 0.0)),
-        (BOX, (0.3, 0.2, 0.1, 0.1)),
-        (BOX, (0.0, 0.0, 0.0, 0.5)),
-        (CYLINDER, (0.3, 0.0, 0.4, 0.0)),
-        (CYLINDER, (0.2, 0.0, 0.3, 0.1)),
-        (CYLINDER, (0.0, 0.0, 0.3, 0.2)),
-    ],
-)
+SHAPES = [(BOX, (0.4, 0.3, 0.2, 0.0)), (BOX, (0.3, 0.2, 0.1, 0.1)), (BOX, (0.0, 0.0, 0.0, 0.5))]
+SHAPES += [(CYLINDER, (0.3, 0.0, 0.4, 0.0)), (CYLINDER, (0.2, 0.0, 0.3, 0.1)), (CYLINDER, (0.0, 0.0, 0.3, 0.2))]
+
+
+@pytest.mark.parametrize(("kind", "extent"), SHAPES)
 def test_rays_stop_on_the_surface_and_misses_pass_it_by(device, kind, extent):
     rng = np.random.default_rng(2)
     origins = rng.normal(size=(2000, 3))

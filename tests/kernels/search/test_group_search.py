@@ -25,16 +25,11 @@ def test_values_after_the_last_candidate_are_infinite(compiler, count, rng, monk
     """Eight candidates are measured at a time: memory that held numbers near the query must not look like points."""
     warp_device = resolve_device("cpu")
     monkeypatch.setattr(group_scratch, "candidate_room", lambda device, k: 64 * LEAF)
-    fill_values = {float32: 0.5}
-    monkeypatch.setattr(
-        group_scratch, "empty", lambda shape, dtype, device_: full(shape, fill_values.get(dtype, 1), dtype, device_)
-    )
+    made = lambda shape, dtype, device: full(shape, {float32: 0.5}.get(dtype, 1), dtype, device)  # noqa: E731
+    monkeypatch.setattr(group_scratch, "empty", made)
     points = rng.random((count, 3)).astype(np.float32)
-    tree, scratch, sizes = (
-        PointTree(upload(points, vec3, warp_device)),
-        GroupScratch(warp_device, 1, 8),
-        empty(1, int32, warp_device),
-    )
+    tree, scratch = PointTree(upload(points, vec3, warp_device)), GroupScratch(warp_device, 1, 8)
+    sizes = empty(1, int32, warp_device)
     with cpu_compiler(compiler):
         launch(gather_kernel, 1, [[0.5, 0.5, 0.5], 4.0, tree, scratch, sizes])
     size, rows = int(download(sizes)[0]), [download(a) for a in (scratch.xs, scratch.ys, scratch.zs)]
@@ -62,13 +57,12 @@ def test_too_many_candidates_do_not_overflow_the_scratch_memory(compiler, rng, m
 @pytest.mark.parametrize("k", [1, 7, 40])
 def test_neighbors_do_not_depend_on_the_size_of_the_scratch_memory(device, k, rng, monkeypatch):
     """Crowds of equal points, outliers and a surface: groups that fit, groups that do not, growing radii."""
-    warp_device = resolve_device(device)
     points = rng.random((1500, 3)).astype(np.float32)
     points[:, 2] *= 0.05
     points[200:500] = points[200]
     points[600:700] = np.round(points[600:700] * 4) / 4
     points[-3:] *= 1000
-    tree, results = PointTree(upload(points, vec3, warp_device)), []
+    tree, results = PointTree(upload(points, vec3, device)), []
     for room in (group_scratch.candidate_room, lambda device, k: 2 * LEAF, lambda device, k: 0):
         monkeypatch.setattr(group_scratch, "candidate_room", room)
         results.append([download(a) for a in search_nearest(tree, tree.source, k)])

@@ -14,12 +14,9 @@ from pointloom.kernels.search.point_tree import FAN, LEAF, SIDES, PointTree, mea
 
 @kernel
 def list_leaves_kernel(
-    points: array(dtype=vec3),
-    radii: array(dtype=float32),
-    tree: PointTree,
-    scratch: GroupScratch,
+    points: array(dtype=vec3), radii: array(dtype=float32), tree: PointTree, scratch: GroupScratch,
     sizes: array(dtype=int32),
-):
+):  # fmt: skip
     """By the CPU: eight points after another, whose boxes are measured against every leaf."""
     i = tid()
     if i == 0:
@@ -45,12 +42,9 @@ def list_leaves_kernel(
 
 @list_leaves_kernel.on_cuda
 def list_leaves_of_lanes_kernel(
-    points: array(dtype=vec3),
-    radii: array(dtype=float32),
-    tree: PointTree,
-    scratch: GroupScratch,
+    points: array(dtype=vec3), radii: array(dtype=float32), tree: PointTree, scratch: GroupScratch,
     sizes: array(dtype=int32),
-):
+):  # fmt: skip
     """By the lanes of one warp."""
     i = tid()
     size = list_leaves(points[lane()], radii[lane()], 0, tree, scratch, 0)
@@ -68,11 +62,8 @@ def test_leaves_near_each_eight_points_are_listed_and_no_others(device, apart, r
     radii = np.repeat(np.float32([0.001, 0.002, 0.004, 0.01]), LEAF)
     radii[::3] = 0.0
     scratch, sizes = GroupScratch(warp_device, WARP, 8), empty(1, int32, warp_device)
-    launch(
-        list_leaves_kernel,
-        WARP,
-        [upload(points, vec3, warp_device), upload(radii, float32, warp_device), tree, scratch, sizes],
-    )
+    given = [upload(points, vec3, warp_device), upload(radii, float32, warp_device), tree, scratch, sizes]
+    launch(list_leaves_kernel, WARP, given)
     size = int(download(sizes)[0])
     boxes = download(tree.boxes)[: -(-tree.count // (LEAF * FAN)) * SIDES].reshape(-1, 2, 3, FAN)
     low, high = (boxes[:, side].transpose(0, 2, 1).reshape(-1, 3) for side in (0, 1))

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.search import nearest_point
@@ -34,7 +33,7 @@ def clouds(rng):
 @pytest.mark.parametrize("name", list(clouds(np.random.default_rng(0))))
 @pytest.mark.parametrize("radius", [np.inf, 0.5, 0.05, 1e-30])
 def test_the_nearest_point_is_the_first_that_the_search_finds(device, name, radius, rng, monkeypatch):
-    target, queries = (upload(p.astype(np.float32), vec3, resolve_device(device)) for p in clouds(rng)[name])
+    target, queries = (upload(p.astype(np.float32), vec3, device) for p in clouds(rng)[name])
     tree = PointTree(target)
     indices, sqdists, counts = (part.numpy() for part in search_nearest(tree, queries, 1, radius))
     for sparse in (0, 10**9):  # each query alone; all in groups
@@ -50,7 +49,7 @@ def test_the_nearest_point_is_the_first_that_the_search_finds(device, name, radi
 def test_a_point_is_not_the_nearest_other_one(device, name, rng, monkeypatch):
     points = clouds(rng)[name][0]
     finite = np.isfinite(points).all(axis=1)
-    array = upload(points.astype(np.float32), vec3, resolve_device(device))
+    array = upload(points.astype(np.float32), vec3, device)
     tree = PointTree(array)
     expected = np.full(len(points), NO_POINT)
     p = points.astype(np.float32)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.features.fpfh import count_angles, sum_histograms
 from pointloom.kernels.lang import float32, int32, vec3
 from pointloom.kernels.memory import empty, upload
@@ -16,7 +15,7 @@ SEARCHES = [(0.2, 12), (np.inf, 12), (0.2, None), (np.inf, None), (0.2, 1), (1e-
 
 
 def tree_of(device, points):
-    return PointTree(upload(np.float32(points), vec3, resolve_device(device)))
+    return PointTree(upload(np.float32(points), vec3, device))
 
 
 def sorted_sqdists(tree, row):

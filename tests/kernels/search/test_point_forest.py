@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.point_forest import PointForest
@@ -14,7 +13,7 @@ from pointloom.kernels.search.point_tree import BUCKET, FAN, PointTree
 def test_a_tree_that_is_known_gives_the_same_forest(device, rng, count):
     values = np.float32(rng.normal(size=(count, 3)))
     values[3::11] = np.nan
-    points = upload(values, vec3, resolve_device(device))
+    points = upload(values, vec3, device)
     rebuilt, from_tree = PointForest([points]), PointForest([points], PointTree(points))
     for name in ("points", "order", "owners", "starts", "first_positions", "finite_counts", "codes"):
         arrays = [download(getattr(forest.clouds, name)) for forest in (rebuilt, from_tree)]
@@ -28,6 +27,6 @@ def test_a_tree_that_is_known_gives_the_same_forest(device, rng, count):
 
 
 def test_clouds_without_finite_points_have_empty_trees(device):
-    invalid = upload(np.full((3, 3), np.nan, np.float32), vec3, resolve_device(device))
+    invalid = upload(np.full((3, 3), np.nan, np.float32), vec3, device)
     forest = PointForest([invalid], PointTree(invalid))
     assert forest.clouds.counts.tolist() == [0] and (download(forest.clouds.order) == -1).all()

@@ -1,7 +1,5 @@
 """The search tree: a curve through every cell between neighbors, and boxes that contain their points."""
 
-import itertools
-
 import numpy as np
 import pytest
 
@@ -9,17 +7,10 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.bounds import bound_points
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import download, empty, upload, zeros
+from pointloom.kernels.search import hilbert_order as hilbert
 from pointloom.kernels.search.bucket_walk import next_bucket, start_traversal
-from pointloom.kernels.search.hilbert_order import (
-    HilbertCurve,
-    HilbertOrder,
-    argsort_along,
-    hilbert_codes,
-    lanes,
-    order_in_box,
-    spread_bits,
-)
-from pointloom.kernels.search.neighbor_keys import keep_nearest, sort_keys, thin_keys
+from pointloom.kernels.search.hilbert_order import hilbert_codes, lanes
+from pointloom.kernels.search.neighbor_keys import thin_keys
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, PointTree
 from pointloom.kernels.search.tree_search import squared_radius
 
@@ -32,39 +23,15 @@ def encode_cells_kernel(cells: array(dtype=int32), levels: int, codes: array(dty
 
 
 @kernel
-def spread_kernel(values: array(dtype=int32), spread: array(dtype=int64)):
-    i = tid()
-    spread[i] = spread_bits(values[i])
-
-
-@kernel
-def keep_kernel(keys: array(dtype=int64), count: int, k: int, room: int, counts: array(dtype=int32)):
-    i = tid()
-    counts[i] = keep_nearest(keys, i * (room + k), 1, count, k, room)
-
-
-@kernel
 def thin_kernel(keys: array(dtype=int64), count: int, k: int, max_sqdist: float, counts: array(dtype=int32)):
     i = tid()
     counts[i] = thin_keys(keys, 0, 1, count, k, max_sqdist) + i
 
 
-@kernel
-def sort_rows_kernel(keys: array(dtype=int64), size: int):
-    i = tid()
-    sort_keys(keys, i * size, 1, size)
-
-
 def codes_of(device, cells, levels):
-    codes = empty(len(cells), int64, resolve_device(device))
-    launch(encode_cells_kernel, len(cells), [upload(cells.reshape(-1), int32, resolve_device(device)), levels, codes])
+    codes = empty(len(cells), int64, device)
+    launch(encode_cells_kernel, len(cells), [upload(cells.reshape(-1), int32, device), levels, codes])
     return codes.numpy()
-
-
-def levels_of(tree):
-    """(first, last) node of each level from the leaves up."""
-    firsts = tree.levels.numpy()
-    return list(itertools.pairwise(firsts.tolist()))
 
 
 @pytest.mark.parametrize("levels", [1, 2, 4])
@@ -83,19 +50,11 @@ def test_codes_at_16_levels_are_distinct_and_fit_48_bits(device, rng):
     assert len(np.unique(codes)) == len(cells) and codes.min() >= 0 and codes.max() < 2**48
 
 
-def test_bits_are_spread_by_two_zeros(device, rng):
-    values = np.concatenate([[0, 1, 2**16 - 1], rng.integers(0, 2**16, 200)]).astype(np.int32)
-    spread = empty(len(values), int64, resolve_device(device))
-    launch(spread_kernel, len(values), [upload(values, int32, resolve_device(device)), spread])
-    expected = [sum(((int(v) >> b) & 1) << (3 * b) for b in range(16)) for v in values]
-    np.testing.assert_array_equal(spread.numpy(), expected)
-
-
 @pytest.mark.parametrize("count", [0, 1, LEAF, LEAF + 1, 2 * LEAF, 3 * LEAF, 1003])
 def test_the_order_contains_every_point_once_and_the_rest_at_the_end(device, count, rng):
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points[::5, 0] = np.nan
-    curve = HilbertOrder(upload(points, vec3, resolve_device(device)))
+    curve = hilbert.HilbertOrder(upload(points, vec3, device))
     order, codes = curve.order.numpy(), curve.codes.numpy()
     finite = np.isfinite(points).all(axis=1)
     assert curve.finite_count == finite.sum()
@@ -104,71 +63,19 @@ def test_the_order_contains_every_point_once_and_the_rest_at_the_end(device, cou
     assert (np.diff(codes) >= 0).all()
 
 
-def box(points):
-    """The lowest and highest corner; an empty box where there is no point."""
-    return points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
-
-
-@pytest.mark.parametrize("count", [0, 1, LEAF - 1, LEAF, LEAF + 1, BUCKET, BUCKET + 1, FAN * BUCKET + 1, 40_003])
-def test_each_box_of_a_node_is_the_box_of_its_points_and_a_missing_child_is_empty(device, count, rng):
-    points = rng.normal(size=(count, 3)).astype(np.float32)
-    points[3::50] = np.nan
-    tree = PointTree(upload(points, vec3, resolve_device(device)))
-    stored = tree.points.numpy()[: tree.count]
-    assert tree.count == np.isfinite(points).all(axis=1).sum() == len(stored)
-    np.testing.assert_array_equal(stored, points[tree.order.numpy()[: tree.count]])
-    boxes = tree.boxes.numpy().reshape(-1, 2, 3, FAN).transpose(0, 3, 1, 2)
-    size = LEAF
-    for first, last in levels_of(tree):
-        children = boxes[first:last].reshape(-1, 2, 3)
-        assert len(children) * size >= tree.count
-        for child, sides in enumerate(children):
-            np.testing.assert_array_equal(sides, box(stored[child * size : (child + 1) * size]))
-        size *= FAN
-    assert levels_of(tree)[-1][1] - levels_of(tree)[-1][0] == 1 and size >= tree.count
-
-
-@pytest.mark.parametrize(("count", "k"), [(0, 3), (1, 3), (3, 3), (4, 3), (40, 7), (40, 40)])
-def test_the_nearest_keys_are_stored_in_order(device, count, k, rng):
-    room, rows = 48, 5
-    keys = np.zeros((rows, room + k), np.int64)
-    for row in keys:
-        row[:count] = rng.permutation(2**40 + np.arange(count) * 2**33)
-    array_, counts = upload(keys.reshape(-1), int64, resolve_device(device)), empty(rows, int32, resolve_device(device))
-    launch(keep_kernel, rows, [array_, count, k, room, counts])
-    left = min(count, k)
-    assert (counts.numpy() == left).all()
-    np.testing.assert_array_equal(array_.numpy().reshape(rows, -1)[:, :left], np.sort(keys[:, :count])[:, :left])
-
-
 @pytest.mark.parametrize("spread", ["surface", "all at the reach", "all at zero"])
 def test_thinning_never_loses_one_of_the_nearest(device, spread, rng):
     count, k, max_sqdist = 200, 20, 2.0
-    squares = {"surface": rng.random(count) * max_sqdist, "all at the reach": np.full(count, max_sqdist)}.get(
-        spread, np.zeros(count)
-    )
-    bits = squares.astype(np.float32).view(np.int32).astype(np.int64)
+    squares = {"surface": rng.random(count), "all at the reach": np.ones(count), "all at zero": np.zeros(count)}[spread]
+    bits = (max_sqdist * squares).astype(np.float32).view(np.int32).astype(np.int64)
     keys = (bits << 32) | rng.permutation(count)
-    array_, counts = upload(keys, int64, resolve_device(device)), empty(1, int32, resolve_device(device))
+    array_, counts = upload(keys, int64, device), empty(1, int32, device)
     launch(thin_kernel, 1, [array_, count, k, max_sqdist, counts])
     left = int(counts.numpy()[0])
     assert k <= left <= count
     np.testing.assert_array_equal(np.sort(array_.numpy()[:left])[:k], np.sort(keys)[:k])
     if spread == "surface":
         assert left < count / 2, "it does thin"
-
-
-@pytest.mark.parametrize("size", [0, 1, 2, 3, 10, 257])
-def test_rows_of_keys_are_sorted_within_the_array(device, size, rng):
-    rows = 6
-    keys = rng.integers(0, 2**62, (rows, max(size, 1)), dtype=np.int64)
-    keys[1] = np.sort(keys[1])
-    keys[2] = np.sort(keys[2])[::-1]
-    keys[3] = 7
-    array_ = upload(keys.reshape(-1), int64, resolve_device(device))
-    launch(sort_rows_kernel, rows, [array_, size])
-    expected = keys if size == 0 else np.sort(keys, axis=1)
-    np.testing.assert_array_equal(array_.numpy().reshape(rows, -1), expected)
 
 
 @pytest.mark.parametrize("radius", [1e-18, 0.1, 0.25, 1 / 3, 1.0, 2.0, 7e5, 1e18])
@@ -195,10 +102,10 @@ def visit_buckets_kernel(start: int, max_sqdist: float, tree: PointTree, visits:
 
 @pytest.mark.parametrize("count", [1, BUCKET + 1, 3 * BUCKET, FAN * BUCKET + 1, 10 * FAN * BUCKET + 1])
 def test_a_traversal_without_a_radius_visits_each_bucket_once(device, count, rng):
-    tree = PointTree(upload(rng.normal(size=(count, 3)).astype(np.float32), vec3, resolve_device(device)))
+    tree = PointTree(upload(rng.normal(size=(count, 3)).astype(np.float32), vec3, device))
     buckets = -(-count // BUCKET)
     for start in {0, buckets // 2, buckets - 1}:
-        visits = zeros(buckets + 1, int32, resolve_device(device))
+        visits = zeros(buckets + 1, int32, device)
         launch(visit_buckets_kernel, 1, [start, squared_radius(np.inf), tree, visits])
         np.testing.assert_array_equal(visits.numpy(), [1] * buckets + [0])
 
@@ -207,16 +114,16 @@ def test_a_traversal_without_a_radius_visits_each_bucket_once(device, count, rng
 def test_the_order_along_the_curve_does_not_depend_on_where_the_box_is_known(device, spread, rng):
     points = 3.0 * (spread < 1) + spread * rng.normal(size=(1_003, 3))
     points[::50] = np.nan
-    given = upload(points, vec3, resolve_device(device))
+    given = upload(points, vec3, device)
     low, high, count = bound_points(given)
-    expected = argsort_along(given, HilbertCurve(low, high, 10, is_empty=not count))[1]
-    np.testing.assert_array_equal(download(order_in_box(given, 10)), download(expected))
+    expected = hilbert.argsort_along(given, hilbert.HilbertCurve(low, high, 10, is_empty=not count))[1]
+    np.testing.assert_array_equal(download(hilbert.order_in_box(given, 10)), download(expected))
 
 
 def test_a_part_on_the_full_curve_has_the_full_order(device):
     points = np.round(np.random.default_rng(4).random((3000, 3)), 1).astype(np.float32)  # many at one place
     device = resolve_device(device)
-    full = HilbertOrder(upload(points, vec3, device))
+    full = hilbert.HilbertOrder(upload(points, vec3, device))
     rows = np.flatnonzero((abs(points - 0.6) < 0.25).all(axis=1))
     part = download(PointTree(upload(points[rows], vec3, device), full.curve).order)
     full_order = download(full.order)

@@ -1,11 +1,8 @@
 """The boxes of a tree: of each node's children those of the points below, and empty where there is no child."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.point_forest import HEIGHTS, PointForest
@@ -24,7 +21,6 @@ def boxes_of_runs(points, run, slots):
 
 
 def check_levels(points, levels, root, boxes):
-    """Every record of every level; `levels` gives their offsets."""
     run = LEAF
     for level in range(root + 1):
         records = max(1, -(-len(points) // (run * FAN)))
@@ -40,7 +36,7 @@ def check_levels(points, levels, root, boxes):
 def test_boxes_bound_their_points_and_contain_their_positions(device, count, rng):
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points[rng.integers(0, max(count, 1), count // 20)] = np.nan
-    tree = PointTree(upload(points, vec3, resolve_device(device)))
+    tree = PointTree(upload(points, vec3, device))
     order = download(tree.order)[: tree.count]
     assert tree.count == np.isfinite(points).all(axis=1).sum()
     tree_points, behind = np.split(download(tree.points).reshape(-1, 3), [tree.count])
@@ -51,7 +47,7 @@ def test_boxes_bound_their_points_and_contain_their_positions(device, count, rng
 
 def test_boxes_of_a_forest_are_those_of_each_tree(device, rng):
     clouds = [rng.normal(size=(count, 3)).astype(np.float32) for count in (5, 70, FAN * BUCKET + 1, 1)]
-    forest = PointForest([upload(cloud, vec3, resolve_device(device)) for cloud in clouds])
+    forest = PointForest([upload(cloud, vec3, device) for cloud in clouds])
     levels, roots = download(forest.levels).reshape(-1, HEIGHTS), download(forest.roots)
     forest_points, first = download(forest.clouds.points).reshape(-1, 3), forest.clouds.bases
     for k, cloud in enumerate(clouds):

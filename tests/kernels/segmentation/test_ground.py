@@ -1,33 +1,19 @@
 """Morphological opening of a grid of heights, and springs that fill its gaps."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, uint8, vec3
 from pointloom.kernels.memory import download, upload, write, zeros
-from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid, pass_distances
+from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid
 
 
 def grid_of(heights, device):
     """A grid with these heights, NaN or infinite where there is none."""
-    warp_device = resolve_device(device)
     columns, rows = heights.shape
-    grid = HeightGrid(upload(np.zeros((0, 3)), vec3, warp_device), np.zeros(3), 1.0, columns, rows)
-    grid.heights = upload(heights.astype(np.float32).ravel(), float32, warp_device)
+    grid = HeightGrid(upload(np.zeros((0, 3)), vec3, device), np.zeros(3), 1.0, columns, rows)
+    grid.heights = upload(heights.astype(np.float32).ravel(), float32, device)
     return grid
-
-
-def octagon(radius):
-    """The offsets of a window: all sums of its four segments'."""
-    diagonal = int(DIAGONAL * radius + 0.5)
-    straight = radius - 2 * diagonal
-    offsets = {(0, 0)}
-    for dx, dy, half in ((1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)):
-        offsets = {(x + k * dx, y + k * dy) for x, y in offsets for k in range(-half, half + 1)}
-    return offsets
 
 
 def swept(heights, dx, dy, half, choose):
@@ -54,45 +40,6 @@ def test_a_window_opens_as_its_segments_do_one_by_one(device, rng, first, then, 
         expected = swept(expected, dx, dy, half, min if side == EROSION else max)
     grid = grid_of(heights, device)
     np.testing.assert_array_equal(download(grid._opened(grid.heights, radius, first)).reshape(shape), expected)
-
-
-def test_a_pit_is_spread_to_the_shape_of_the_window(device):
-    heights = np.zeros((41, 41), np.float32)
-    heights[20, 20] = -1
-    grid = grid_of(heights, device)
-    for radius in (1, 3, 9, 18):
-        eroded = grid.heights
-        for dx, dy in octagon(radius):
-            assert max(abs(dx), abs(dy)) <= radius
-        lowest = {(x - 20, y - 20) for x, y in zip(*np.nonzero(_eroded(grid, eroded, radius)), strict=True)}
-        assert lowest == octagon(radius)
-
-
-def _eroded(grid, heights, radius):
-    from pointloom.kernels.lang import launch
-    from pointloom.kernels.memory import empty
-    from pointloom.kernels.segmentation.ground import filter_along_kernel
-
-    diagonal = int(DIAGONAL * radius + 0.5)
-    straight = radius - 2 * diagonal
-    for dx, dy, half in ((1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)):
-        for distance in pass_distances(half):
-            out = empty(grid.size, float32, grid.device)
-            launch(filter_along_kernel, grid.size, [heights, grid.columns, grid.rows, dx, dy, distance, EROSION, out])
-            heights = out
-    return download(heights).reshape(grid.columns, grid.rows)
-
-
-def test_passes_that_triple_a_segment_add_up_to_its_length():
-    assert [pass_distances(half) for half in (0, 1, 2, 4, 5, 13, 18)] == [
-        [],
-        [1],
-        [1, 1],
-        [1, 3],
-        [1, 3, 1],
-        [1, 3, 9],
-        [1, 3, 9, 5],
-    ]
 
 
 def filled_once(grid, unwanted):

@@ -1,7 +1,5 @@
 """Samples and scores of planes: against NumPy, sample by sample."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

@@ -43,26 +43,15 @@ def made(kind, rng, count=700, noise=0.004):
 
 
 def distances(kind, shape, x):
-    """True distances from a shape, in NumPy."""
     y, a = x - shape[:3], shape[3:6] / np.linalg.norm(shape[3:6])
     h = y @ a
     q = np.linalg.norm(y - h[:, None] * a, axis=1)
     r, s = shape[6:]
-    return {
-        PLANE: h,
-        SPHERE: np.linalg.norm(y, axis=1) - r,
-        CYLINDER: q - r,
-        CONE: (q * r - h * s) / np.hypot(r, s),
-        TORUS: np.hypot(q - r, h) - s,
-    }[kind]
-
-
-def there(array, kind, device):
-    return upload(array, kind, device)
+    found = {PLANE: h, SPHERE: np.linalg.norm(y, axis=1) - r, CYLINDER: q - r, TORUS: np.hypot(q - r, h) - s}
+    return found[kind] if kind in found else (q * r - h * s) / np.hypot(r, s)
 
 
 def begun(kind, rng):
-    """A start beside the truth."""
     start = np.array(TRUE[kind])
     start[:3] += 0.03 * rng.normal(size=3)
     start[3:6] += 0.05 * rng.normal(size=3)
@@ -78,8 +67,8 @@ def begun(kind, rng):
 def test_fits_from_several_starts_match_scipy_least_squares(device, rng, kind):
     points = made(kind, rng)[0]
     starts = [begun(kind, rng) for _ in range(3)]
-    fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
-    rows = there(np.arange(700), int32, device)
+    fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
+    rows = upload(np.arange(700), int32, device)
     fits = fitter.fit_all([kind] * 3, starts, rows, EXACT)
     best = least_squares(lambda x: distances(kind, x, points.astype(float)), starts[0], xtol=1e-14, ftol=1e-14).fun
     for fit in fits:
@@ -91,8 +80,8 @@ def test_fits_from_several_starts_match_scipy_least_squares(device, rng, kind):
 def test_fits_of_several_kinds_are_each_that_of_its_own(device, rng):
     """Together and alone, to the bit: no fit sees another's rows or ends with it."""
     points = np.vstack([made(kind, rng, 300)[0] for kind in NAMES])
-    fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
-    rows = there(np.arange(0, 1500, 2), int32, device)
+    fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
+    rows = upload(np.arange(0, 1500, 2), int32, device)
     starts = [begun(kind, rng) for kind in NAMES]
     together = fitter.fit_all(list(NAMES), starts, rows, EXACT)
     alone = [fitter.fit(kind, start, rows) for kind, start in zip(NAMES, starts, strict=True)]
@@ -106,8 +95,8 @@ def test_a_cylinder_and_a_plane_are_at_the_mean_of_their_rows(device, rng):
         points = made(kind, rng)[0]
         start = np.array(TRUE[kind])
         start[:3] += 3 * (AXIS if kind == CYLINDER else np.cross(AXIS, [0, 0, 1.0]))
-        fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
-        fit = fitter.fit(kind, start, there(np.arange(700), int32, device))
+        fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
+        fit = fitter.fit(kind, start, upload(np.arange(700), int32, device))
         y = points.mean(axis=0) - fit.shape[:3]
         along = fit.frame[2] @ y if kind == CYLINDER else fit.frame[:2] @ y
         assert np.abs(along).max() < 0.02
@@ -118,13 +107,12 @@ def test_rows_on_a_shape_are_chosen_again_while_they_grow(device, rng):
     points, normals = made(SPHERE, rng)
     wild = rng.uniform(-1, 1, (300, 3)).astype(np.float32)
     points, normals = np.vstack([points, wild]), np.vstack([normals, wild])
-    fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
-    rows = there(np.arange(1000), int32, device)
+    fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
+    rows = upload(np.arange(1000), int32, device)
     start = np.add(TRUE[SPHERE], [0.01, 0, 0, 0, 0, 0, -0.012, 0])
-    near = Selection(there(normals, vec3, device), 0.012, 0.9, 0.0, 10.0, 6)
-    (fit, count), none, large = fitter.refine_all(
-        [SPHERE] * 3, [start, [9.0, 0, 0, *AXIS, 0.1, 1.0], start], rows, near, EXACT
-    )
+    near = Selection(upload(normals, vec3, device), 0.012, 0.9, 0.0, 10.0, 6)
+    starts = [start, [9.0, 0, 0, *AXIS, 0.1, 1.0], start]
+    (fit, count), none, large = fitter.refine_all([SPHERE] * 3, starts, rows, near, EXACT)
     inside = np.abs(distances(SPHERE, fit.shape, points)) < 0.012
     unit = normals / np.linalg.norm(normals, axis=1)[:, None]
     outwards = points - fit.shape[:3]
@@ -139,8 +127,8 @@ def test_rows_on_a_shape_are_chosen_again_while_they_grow(device, rng):
 
 def test_only_a_fit_far_from_its_points_is_stopped_early(device, rng):
     points = made(TORUS, rng)[0]
-    fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
-    rows = there(np.arange(700), int32, device)
+    fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
+    rows = upload(np.arange(700), int32, device)
     slow = np.array([*TRUE[TORUS][:3], *AXIS, 5.0, 4.0])
     complete_fit, given_up = (fitter.fit_all([TORUS], [slow], rows, EXACT, hopeless)[0] for hopeless in (0.0, 1e-6))
     assert given_up.rms > 1.01 * complete_fit.rms
@@ -152,13 +140,13 @@ def test_only_a_fit_far_from_its_points_is_stopped_early(device, rng):
 def test_a_fit_ends_no_farther_from_its_points_than_it_began(device, rng, kind):
     """From anywhere: a step that makes it worse is not taken, and one that leaves what is a shape neither."""
     points = made(kind, rng)[0]
-    fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
+    fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
     starts = []
     for _ in range(20):
         axis = rng.normal(size=3)
         sizes = (0.8, 0.6) if kind == CONE else (1.0, 0.05)
         starts.append([*rng.uniform(-1, 1, 3), *axis / np.linalg.norm(axis), *sizes])
-    fits = fitter.fit_all([kind] * 20, starts, there(np.arange(700), int32, device), EXACT)
+    fits = fitter.fit_all([kind] * 20, starts, upload(np.arange(700), int32, device), EXACT)
     for fit, start in zip(fits, np.array(starts), strict=True):
         assert fit.rms <= 1.000001 * np.sqrt((distances(kind, start, points) ** 2).mean())
         assert (fit.shape[6:] > 0).all()

@@ -1,7 +1,5 @@
 """Depth held against that of other pictures, beside the same arithmetic in NumPy's float64."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -50,9 +48,13 @@ def surface(u, v, depth):
     return u, v, total
 
 
-def oracle(depth, source_depth, pair, T_source_reference, back, max_pixels, max_relative):
+def relation(reference, source):
+    return pair_of(reference, source), source.T_camera_world @ np.linalg.inv(reference.T_camera_world)
+
+
+def oracle(depth, source_depth, pair, T_source_reference, max_pixels, max_relative):
     """Which pixels a source confirms, and its inverse depths there, pixel by pixel."""
-    counts, totals = np.zeros(depth.shape, np.int32), np.zeros(depth.shape)
+    counts, totals, back = np.zeros(depth.shape, np.int32), np.zeros(depth.shape), np.linalg.inv(T_source_reference)
     for y, x in np.argwhere(depth > 0):
         d = float(depth[y, x])
         u, v, w = seen(np.array(moved(T_source_reference, lifted(x, y, d, pair.reference))), pair.source)
@@ -71,12 +73,11 @@ def oracle(depth, source_depth, pair, T_source_reference, back, max_pixels, max_
 
 def checked(depths, posed, i, others, device, max_pixels=1.0, max_relative=0.01):
     """Counts, totals and kept depth of picture i, on a device."""
-    warp_device = wp.get_device(device)
-    arrays = [upload(depth.reshape(-1), wp.float32, warp_device) for depth in depths]
+    arrays = [upload(depth.reshape(-1), wp.float32, device) for depth in depths]
     checks = DepthChecks(arrays[i], max_pixels, max_relative)
     for j in others:
         checks.compare(arrays[j], pair_of(posed[i], posed[j]))
-    sure = upload(np.ones(depths[i].size, np.float32), wp.float32, warp_device)
+    sure = upload(np.ones(depths[i].size, np.float32), wp.float32, device)
     shape = depths[i].shape
     return [download(a).reshape(shape).copy() for a in (checks.counts, checks.totals, checks.mean(1, sure, 0.0))]
 
@@ -89,10 +90,8 @@ def test_counts_and_sums_are_bitwise_identical_to_float64(device, rng, limits):
         depth = true_map(camera).depth * (1 + 0.006 * rng.normal(size=true_map(camera).depth.shape))
         depth[rng.random(depth.shape) < 0.1] = 0
         depths.append(depth.astype(np.float32))
-    T_source_reference = posed[1].T_camera_world @ np.linalg.inv(posed[0].T_camera_world)
     counts, totals, _ = checked(depths, posed, 0, [1], device, *limits)
-    pair = pair_of(*posed)
-    expected = oracle(*depths, pair, T_source_reference, np.linalg.inv(T_source_reference), *limits)
+    expected = oracle(*depths, *relation(*posed), *limits)
     assert 0.3 < expected[0].mean() < 0.9  # both answers occur
     np.testing.assert_array_equal(counts, expected[0])
     np.testing.assert_array_equal(totals, expected[1])
@@ -125,8 +124,7 @@ def test_occluded_pixels_are_not_confirmed(device):
     posed = cameras(2, step=0.6)
     depths = [true_map(camera).depth for camera in posed]
     counts, _, _ = checked(depths, posed, 0, [1], device)
-    pair = pair_of(*posed)
-    T_source_reference = posed[1].T_camera_world @ np.linalg.inv(posed[0].T_camera_world)
+    pair, T_source_reference = relation(*posed)
     v, u = np.mgrid[: depths[0].shape[0], : depths[0].shape[1]]
     z = depths[0].astype(np.float64)
     p = np.array(moved(T_source_reference, lifted(u, v, z, pair.reference)))

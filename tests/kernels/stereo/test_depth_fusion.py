@@ -1,7 +1,5 @@
 """Which of the pixels that meet makes the point, and what it takes in, beside a slow float64 form."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import warp as wp
@@ -13,18 +11,17 @@ from pointloom.photogrammetry.mvs.depth_maps import DepthMap
 from pointloom.photogrammetry.mvs.filtering import pair_of
 
 from ...photogrammetry.mvs.made_maps import cameras, true_map
-from .test_depth_checks import lifted, moved, oracle, seen
+from .test_depth_checks import lifted, moved, oracle, relation, seen
 
 HALF = 0.5
 
 
 def uploaded(each, color, device):
-    warp_device = wp.get_device(device)
     return DepthPixels(
-        upload(each.depth.reshape(-1), wp.float32, warp_device),
-        upload(each.normals.reshape(-1, 3), wp.vec3, warp_device),
-        upload(each.confidence.reshape(-1), wp.float32, warp_device),
-        upload(color.reshape(-1, 3), wp.uint8, warp_device),
+        upload(each.depth.reshape(-1), wp.float32, device),
+        upload(each.normals.reshape(-1, 3), wp.vec3, device),
+        upload(each.confidence.reshape(-1), wp.float32, device),
+        upload(color.reshape(-1, 3), wp.uint8, device),
     )
 
 
@@ -32,7 +29,7 @@ def fused(maps, posed, colors, i, device, min_views=1, angle=30.0):
     """Arrays, kept and beaten pixels of picture i beside all others."""
     limits = Agreement(2.0, 0.01, np.cos(np.radians(angle)))
     pixels = [uploaded(*given, device) for given in zip(maps, colors, strict=True)]
-    gathered = Gathered(maps[i].depth.size, wp.get_device(device))
+    gathered = Gathered(maps[i].depth.size, device)
     for j in range(len(maps)):
         if j != i:
             gather_pixels(pixels[i], pixels[j], pair_of(posed[i], posed[j]), limits, j < i, gathered)
@@ -69,20 +66,11 @@ def test_fused_points_are_means_of_the_agreeing_pixels(device, rng):
     maps, colors = noisy(posed, rng)
     result, _, beaten = fused(maps, posed, colors, 1, device)
     reference_map, views = maps[1], np.ones(maps[1].depth.shape, int)
-    color, sure, lost = (
-        colors[1].astype(float),
-        reference_map.confidence.astype(float),
-        np.zeros(reference_map.depth.shape, bool),
-    )
-    z = reference_map.depth.astype(float)
+    color, sure = colors[1].astype(float), reference_map.confidence.astype(float)
+    z, lost = reference_map.depth.astype(float), np.zeros(reference_map.depth.shape, bool)
     for j in (0, 2):
-        pair, T_source_reference = (
-            pair_of(posed[1], posed[j]),
-            posed[j].T_camera_world @ np.linalg.inv(posed[1].T_camera_world),
-        )
-        agree, inverse = oracle(
-            reference_map.depth, maps[j].depth, pair, T_source_reference, np.linalg.inv(T_source_reference), 2.0, 0.01
-        )
+        pair, T_source_reference = relation(posed[1], posed[j])
+        agree, inverse = oracle(reference_map.depth, maps[j].depth, pair, T_source_reference, 2.0, 0.01)
         rotation = posed[1].T_camera_world[:3, :3] @ posed[j].T_camera_world[:3, :3].T
         for y, x in np.argwhere(agree > 0):
             at = met_pixel(x, y, float(reference_map.depth[y, x]), pair, T_source_reference)
@@ -114,13 +102,8 @@ def test_of_two_pixels_that_meet_only_one_makes_a_point(device, rng):
         for j in range(4):
             if i == j:
                 continue
-            pair, T_source_reference = (
-                pair_of(posed[i], posed[j]),
-                posed[j].T_camera_world @ np.linalg.inv(posed[i].T_camera_world),
-            )
-            agree, _ = oracle(
-                maps[i].depth, maps[j].depth, pair, T_source_reference, np.linalg.inv(T_source_reference), 2.0, 0.01
-            )
+            pair, T_source_reference = relation(posed[i], posed[j])
+            agree, _ = oracle(maps[i].depth, maps[j].depth, pair, T_source_reference, 2.0, 0.01)
             rotation = posed[i].T_camera_world[:3, :3] @ posed[j].T_camera_world[:3, :3].T
             for y, x in np.argwhere((agree > 0) & selected[i]):
                 at = met_pixel(x, y, float(maps[i].depth[y, x]), pair, T_source_reference)

@@ -1,11 +1,8 @@
 """PatchMatch's parts: planes are exact over the image, costs detect a shifted patch, hidden sources are ignored."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, launch, uint8, vec4
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.stereo.brightness import resize_brightness_kernel
@@ -21,33 +18,32 @@ SHIFT = 4  # [px] at inverse depth SHIFT / (FOCAL * BASELINE) = 0.5
 
 
 def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndarray:
-    warp_device = resolve_device(device)
-    out = empty(width * height, float32, warp_device)
+    out = empty(width * height, float32, device)
     channels = 3 if pixels.ndim == 3 else 1
     rows, columns = pixels.shape[:2]
-    flat = upload(pixels.reshape(-1), uint8, warp_device)
+    flat = upload(pixels.reshape(-1), uint8, device)
     launch(resize_brightness_kernel, width * height, [flat, channels, columns, rows, width, height, 0, out])
     return download(out).reshape(height, width)
 
 
 def problem(device: str, count: int = 1, hidden: int = -1):
     """A picture and sources that see all of it SHIFT pixels to the left; a hidden one shows something else."""
-    warp_device, rng = resolve_device(device), np.random.default_rng(0)
+    rng = np.random.default_rng(0)
     wide = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
     pictures = [wide[:, :WIDTH]]
     for k in range(count):
         pictures.append(rng.random((HEIGHT, WIDTH)).astype(np.float32) if k == hidden else wide[:, SHIFT:])
-    values = upload(np.concatenate([each.ravel() for each in pictures]), float32, warp_device)
+    values = upload(np.concatenate([each.ravel() for each in pictures]), float32, device)
     there = np.column_stack([np.eye(3), [-FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
     back = np.column_stack([np.eye(3), [FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
     layout = [(WIDTH, HEIGHT, (1 + k) * WIDTH * HEIGHT) for k in range(count)]
-    maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, warp_device)
+    maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, device)
     sources = Sources(there, there, back, layout, [(WIDTH, HEIGHT, 0)] * count, values, maps)
-    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, warp_device)), sources
+    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, device)), sources
 
 
 def planes_of(w: float, device: str):
-    return upload(np.tile(np.float32([w, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, resolve_device(device))
+    return upload(np.tile(np.float32([w, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, device)
 
 
 def costs_of(w: float, device: str, geometric: float = 0.0) -> np.ndarray:
@@ -70,11 +66,10 @@ def test_a_smaller_image_is_the_mean_of_the_covered_pixels(device):
 
 
 def test_a_plane_is_the_same_plane_in_a_larger_image(device):
-    warp_device = resolve_device(device)
     v, u = np.mgrid[:6, :8]
     small = np.stack([0.5 + 0.01 * u - 0.02 * v, *np.broadcast_arrays(0.01, -0.02, u * 0.0)[:3]], -1).reshape(-1, 4)
-    planes = empty(16 * 12, vec4, warp_device)
-    launch(refine_planes_kernel, 16 * 12, [upload(small, vec4, warp_device), 8, 6, 16, 12, planes])
+    planes = empty(16 * 12, vec4, device)
+    launch(refine_planes_kernel, 16 * 12, [upload(small, vec4, device), 8, 6, 16, 12, planes])
     result = np.array(download(planes)).reshape(12, 16, 4)
     v, u = (np.mgrid[:12, :16] + 0.5) / 2 - 0.5
     np.testing.assert_allclose(result[..., 0], 0.5 + 0.01 * u - 0.02 * v, atol=1e-6)
@@ -94,7 +89,7 @@ def test_brightness_and_contrast_of_a_source_do_not_matter(device):
     first = WIDTH * HEIGHT
     values = np.array(download(sources.pictures))
     values[first:] = 0.3 * values[first:] + 0.4
-    sources.pictures = upload(values, float32, resolve_device(device))
+    sources.pictures = upload(values, float32, device)
     planes = planes_of(0.5, device)
     costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)
     assert np.array(download(costs)).reshape(HEIGHT, WIDTH)[6:-6, SHIFT + 6 : -6].max() < 1e-3
@@ -109,7 +104,7 @@ def test_the_way_there_and_back_counts_in_pixels(device):
 
 def test_planes_converge_despite_an_occluded_source(device):
     reference, sources = problem(device, count=3, hidden=1)
-    planes = empty(WIDTH * HEIGHT, vec4, resolve_device(device))
+    planes = empty(WIDTH * HEIGHT, vec4, device)
     costs = start_planes(reference, sources, planes, seed=3, is_given=False, geometric=0.0, chosen=2)
     for number in range(4):
         for color in (0, 1):
@@ -121,12 +116,11 @@ def test_planes_converge_despite_an_occluded_source(device):
 
 
 def test_stored_costs_belong_to_the_stored_planes(device):
-    warp_device = resolve_device(device)
     reference, sources = problem(device, count=3, hidden=1)
     rng = np.random.default_rng(2)
     table = np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1))
     table[:, 0] += rng.uniform(-0.1, 0.1, len(table)).astype(np.float32)
-    planes, given = upload(table, vec4, warp_device), {"seed": 0, "is_given": True, "geometric": 0.1, "chosen": 2}
+    planes, given = upload(table, vec4, device), {"seed": 0, "is_given": True, "geometric": 0.1, "chosen": 2}
     costs = start_planes(reference, sources, planes, **given)
     for color in (0, 1):
         spread_planes(HalfIteration(3, 0, color, 8, 4, 2, 0.3, 0.1, 0.8), reference, sources, planes, costs)
@@ -137,12 +131,11 @@ def test_stored_costs_belong_to_the_stored_planes(device):
 
 @pytest.mark.parametrize("slopes", [(0.0, 0.0), (0.004, -0.003)])
 def test_depth_and_normals_are_those_of_the_plane(device, slopes):
-    warp_device = resolve_device(device)
     reference, sources = problem(device)
     v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
     w = 0.5 + slopes[0] * (u - 19.5) + slopes[1] * (v - 14.5)
     table = np.stack([w, w * 0 + slopes[0], w * 0 + slopes[1], w * 0 + 0.2], -1)
-    planes = upload(table.reshape(-1, 4), vec4, warp_device)
+    planes = upload(table.reshape(-1, 4), vec4, device)
     depth, normals, confidence = (np.array(download(each)) for each in finish_planes(reference, sources, planes))
     np.testing.assert_allclose(depth, 1 / w.ravel(), rtol=1e-5)
     points = np.stack([(u - 19.5) / FOCAL / w, (v - 14.5) / FOCAL / w, 1 / w], -1)
@@ -154,5 +147,5 @@ def test_depth_and_normals_are_those_of_the_plane(device, slopes):
         np.testing.assert_allclose(trust[:, SHIFT:], 0.4, atol=1e-6)  # (1 - 0.2) / 2: one source agrees
         assert not trust[:, : SHIFT - 1].any()
     table[..., 3] = 1.0
-    depth = download(finish_planes(reference, sources, upload(table.reshape(-1, 4), vec4, warp_device))[0])
+    depth = download(finish_planes(reference, sources, upload(table.reshape(-1, 4), vec4, device))[0])
     assert not np.array(depth).any()  # patches that have nothing to do with each other

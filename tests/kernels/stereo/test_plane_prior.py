@@ -1,10 +1,7 @@
 """Textureless regions and reliable depth are detected; a prior applies there unless images clearly contradict it."""
 
-from __future__ import annotations
-
 import numpy as np
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, vec2, vec4
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.patch_costs import Reference, Sources, patch_on
@@ -22,18 +19,18 @@ TEXTURED = (slice(6, -6), slice(SHIFT + 6, EDGE - 6))
 
 def half_plain(device: str):
     """A wall that is textured on the left and gray, but for a camera's noise, on the right, in two views."""
-    warp_device, rng = resolve_device(device), np.random.default_rng(0)
+    rng = np.random.default_rng(0)
     canvas = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
     canvas[:, EDGE:] = 0.5
     views = [canvas[:, :WIDTH], canvas[:, SHIFT:]]
     noisy = [each + rng.normal(0, 0.006, each.shape).astype(np.float32) for each in views]
-    values = upload(np.concatenate([each.ravel() for each in noisy]), float32, warp_device)
+    values = upload(np.concatenate([each.ravel() for each in noisy]), float32, device)
     there = np.column_stack([np.eye(3), np.array([-FOCAL * BASELINE, 0.0, 0.0])])[None]
     back = np.column_stack([np.eye(3), np.array([FOCAL * BASELINE, 0.0, 0.0])])[None]
-    maps = upload(table(TRUE, 0.0), vec4, warp_device)
+    maps = upload(table(TRUE, 0.0), vec4, device)
     sources = Sources(there, there, back, [(WIDTH, HEIGHT, WIDTH * HEIGHT)], [(WIDTH, HEIGHT, 0)], values, maps)
     lens = (FOCAL, FOCAL, 29.5, 14.5)
-    return Reference(WIDTH, HEIGHT, 0, lens, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, warp_device)), sources
+    return Reference(WIDTH, HEIGHT, 0, lens, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, device)), sources
 
 
 def table(w: float, last: float) -> np.ndarray:
@@ -43,16 +40,16 @@ def table(w: float, last: float) -> np.ndarray:
 def after_priors(device: str, own: float, prior: float, weight: float) -> np.ndarray:
     """Inverse depths [h, w] of planes at `own` that are offered another."""
     reference, sources = half_plain(device)
-    planes = upload(table(own, 0.0), vec4, resolve_device(device))
+    planes = upload(table(own, 0.0), vec4, device)
     costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)
-    priors = upload(table(prior, weight), vec4, resolve_device(device))
+    priors = upload(table(prior, weight), vec4, device)
     take_priors(1, 0.0, reference, sources, priors, planes, costs)
     return np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)
 
 
 def test_a_gray_wall_is_plain_in_spite_of_noise_and_a_textured_one_is_not(device):
     reference, sources = half_plain(device)
-    planes = upload(table(TRUE, 0.1), vec4, resolve_device(device))
+    planes = upload(table(TRUE, 0.1), vec4, device)
     plain = np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 0]
     assert plain[INNER].mean() > 0.95
     assert not plain[TEXTURED].any()
@@ -62,7 +59,7 @@ def test_depth_is_sure_where_it_fits_and_the_source_agrees(device):
     reference, sources = half_plain(device)
     sure = []
     for w, cost in ((TRUE, 0.1), (TRUE, 0.6), (TRUE * 1.1, 0.1)):
-        planes = upload(table(w, cost), vec4, resolve_device(device))
+        planes = upload(table(w, cost), vec4, device)
         sure.append(np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 1])
     assert (sure[0][:, SHIFT:] == 1).all()  # one source is all that there is
     assert not sure[1].any()  # does not fit
@@ -88,7 +85,7 @@ def test_a_sure_pixel_between_two_regions_counts_once_for_each(device):
     judged = np.zeros((height, width, 2), np.float32)
     judged[:, :, 0] = 1.0
     judged[:, seam] = (0.0, 1.0)
-    regions = find_regions(upload(judged.reshape(-1, 2), vec2, resolve_device(device)), width)
+    regions = find_regions(upload(judged.reshape(-1, 2), vec2, device), width)
     assert regions is not None
     pairs = np.array(download(regions.pairs))
     pixels = np.arange(height) * width + seam

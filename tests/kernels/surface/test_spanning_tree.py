@@ -1,7 +1,5 @@
 """Spanning trees give the signs of Kruskal's algorithm for the same order of edges, for any graph."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np
@@ -16,9 +14,8 @@ from pointloom.kernels.surface import orientation
 from pointloom.kernels.surface.orientation import bridge_components
 from pointloom.kernels.surface.spanning_tree import HOPS, Forest, span_neighbors
 
-SETTINGS = settings(
-    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
+FIXTURES = [HealthCheck.function_scoped_fixture]
+SETTINGS = settings(max_examples=25, deadline=None, suppress_health_check=FIXTURES, derandomize=True)
 
 
 class Kruskal:
@@ -72,7 +69,6 @@ def bridge_by_kruskal(kruskal, points, normals):
 
 
 def read_forest(forest):
-    """As Kruskal.relative, of a Forest."""
     links = download(forest.links)
     labels, signs = links >> 1, 1.0 - 2 * (links & 1)
     assert (np.unique(labels) == download(forest.roots)).all()

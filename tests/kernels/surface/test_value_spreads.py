@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float64, vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.point_tree import PointTree
@@ -15,8 +14,7 @@ def test_spreads_are_those_of_the_finite_numbers_of_the_neighbors(device, rng):
     points, values = rng.random((300, 3)).astype(np.float32), rng.normal(size=300)
     points[0] = 5.0  # a point without neighbors
     values[1:30:3] = [np.nan, np.inf] * 5
-    warp_device = resolve_device(device)
-    result = spread_values(PointTree(upload(points, vec3, warp_device)), upload(values, float64, warp_device), RADIUS)
+    result = spread_values(PointTree(upload(points, vec3, device)), upload(values, float64, device), RADIUS)
     near = np.linalg.norm(points[:, None].astype(float) - points[None], axis=2) < RADIUS
     groups = [values[row & np.isfinite(values)] for row in near]
     known = np.isfinite(values)

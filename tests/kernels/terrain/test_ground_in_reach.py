@@ -2,20 +2,19 @@
 
 import numpy as np
 
-from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, launch
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.terrain.ground_in_reach import relax_cells_kernel
 
 
 def test_filled_cells_take_the_mean_of_their_known_neighbors_and_known_ones_stay(device, rng):
-    warp_device, shape = resolve_device(device), (6, 9)
+    shape = (6, 9)
     heights, is_known = rng.normal(size=shape).astype(np.float32), rng.random(shape) < 0.4
     heights[rng.random(shape) < 0.2] = np.nan
     heights[:2, :2] = [[1, np.nan], [np.nan, np.nan]]  # a filled cell without neighbors
     is_known[:2, :2] = False
-    known, out = np.where(is_known, heights, np.float32(np.nan)), empty(heights.size, float32, warp_device)
-    arrays = [upload(a.ravel(), float32, warp_device) for a in (known, heights)]
+    known, out = np.where(is_known, heights, np.float32(np.nan)), empty(heights.size, float32, device)
+    arrays = [upload(a.ravel(), float32, device) for a in (known, heights)]
     launch(relax_cells_kernel, heights.size, [*arrays, *shape, out])
     padded = np.pad(heights.astype(float), 1, constant_values=np.nan)
     sides = np.stack([padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]])

@@ -4,7 +4,6 @@ import itertools
 
 import numpy as np
 import pytest
-import warp as wp
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import maximum_flow
 
@@ -41,14 +40,11 @@ def grid(columns, rows):
 @pytest.mark.parametrize("price", [0, 0.2, 0.6])
 def test_a_strip_of_triangles_gets_the_images_of_minimal_energy(device, rng, price):
     """Its graph is a tree, on which the messages between triangles are exact."""
-    warp_device, triangles = (
-        wp.get_device(device),
-        np.array([(t, t + 1, t + 2) if t % 2 else (t + 1, t, t + 2) for t in range(7)]),
-    )
+    triangles = np.array([(t, t + 1, t + 2) if t % 2 else (t + 1, t, t + 2) for t in range(7)])
     costs = rng.integers(0, UNIT, (7, 3))
     costs[rng.random(costs.shape) < 0.2] = -1
     costs[:, 0] = np.maximum(costs[:, 0], 0)
-    graph = make_graph(triangles, costs, round(price * UNIT), warp_device)
+    graph = make_graph(triangles, costs, round(price * UNIT), device)
     labels = choose_labels(graph)
     choices = itertools.product(*(np.flatnonzero(row >= 0) for row in costs))
     best = min(energy_by_hand(triangles, costs, graph.price, views)[0] for views in choices)
@@ -59,9 +55,9 @@ def test_a_strip_of_triangles_gets_the_images_of_minimal_energy(device, rng, pri
 
 @pytest.mark.parametrize("price", [0.1, 0.3, 0.8])
 def test_two_images_of_a_grid_are_within_a_percent_of_the_minimum_cut(device, rng, price):
-    warp_device, triangles = wp.get_device(device), grid(12, 9)
+    triangles = grid(12, 9)
     costs = rng.integers(0, UNIT, (len(triangles), 2))
-    graph = make_graph(triangles, costs, round(price * UNIT), warp_device)
+    graph = make_graph(triangles, costs, round(price * UNIT), device)
     energy = energy_of(graph, choose_labels(graph))
     count = len(triangles)
     _, met = energy_by_hand(triangles, costs, 0, np.zeros(count, int))
@@ -74,9 +70,9 @@ def test_two_images_of_a_grid_are_within_a_percent_of_the_minimum_cut(device, rn
 
 
 def test_triangles_without_an_image_stay_without_and_cost_nothing(device):
-    warp_device, triangles = wp.get_device(device), grid(2, 1)
+    triangles = grid(2, 1)
     costs = np.array([[5, 9], [-1, -1], [9, 5], [5, 5]])
-    graph = make_graph(triangles, costs, 100, warp_device)
+    graph = make_graph(triangles, costs, 100, device)
     labels = choose_labels(graph)
     assert download(labels)[1] == -1 and energy_of(graph, labels) <= 5 + 9 + 5
 
@@ -84,9 +80,9 @@ def test_triangles_without_an_image_stay_without_and_cost_nothing(device):
 @pytest.mark.parametrize("price", [0.1, 0.4])
 def test_after_no_messages_no_single_change_lowers_the_energy(device, rng, price):
     """The start is the cheapest view of each triangle; changes of single triangles lead to a local minimum."""
-    warp_device, triangles = wp.get_device(device), grid(7, 5)
+    triangles = grid(7, 5)
     costs = rng.integers(0, UNIT, (len(triangles), 3))
-    graph = make_graph(triangles, costs, round(price * UNIT), warp_device)
+    graph = make_graph(triangles, costs, round(price * UNIT), device)
     views = download(graph.views)[download(choose_labels(graph, iterations=0))]
     start, _ = energy_by_hand(triangles, costs, graph.price, costs.argmin(axis=1))
     energy, _ = energy_by_hand(triangles, costs, graph.price, views)

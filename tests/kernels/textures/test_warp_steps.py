@@ -2,12 +2,11 @@
 
 import numpy as np
 import pytest
-import warp as wp
 
 from pointloom.kernels.arrays.concatenation import concatenate_rows
-from pointloom.kernels.lang import int32, uint8, vec2d, vec3
+from pointloom.kernels.lang import int32, reduce_segments, uint8, vec2d, vec3
 from pointloom.kernels.memory import copy, download, upload
-from pointloom.kernels.textures.color_steps import ColorSearch
+from pointloom.kernels.textures.color_steps import SQUARES, ColorSearch, sum_pair_rows
 from pointloom.kernels.textures.posed_pictures import PosedPictures, Warps, smooth_brightness
 from pointloom.kernels.textures.vertex_views import Sightings
 from pointloom.kernels.textures.warp_steps import WarpSearch
@@ -16,7 +15,6 @@ SIZES = ((48, 36), (40, 30))
 
 
 def make_pictures(warp_device, rng, paint=None):
-    """Two pictures of different sizes, and their poses."""
     pixels, layout, first = [], [], 0
     for width, height in SIZES:
         v, u = np.mgrid[:height, :width]
@@ -60,18 +58,17 @@ def dense_system(search, image):
 
 @pytest.mark.parametrize("anchors", [2, 3, 5])
 def test_a_step_is_the_solution_of_the_dense_system(device, rng, anchors):
-    warp_device = wp.get_device(device)
-    pictures, (vertices, sightings) = make_pictures(warp_device, rng), make_vertices(warp_device, rng)
-    warps = Warps(pictures.layout, anchors, warp_device)
+    pictures, (vertices, sightings) = make_pictures(device, rng), make_vertices(device, rng)
+    warps = Warps(pictures.layout, anchors, device)
     start = rng.normal(0, 0.3, (warps.count, 2))
-    copy(warps.shifts, upload(start, vec2d, warp_device), count=warps.count)
+    copy(warps.shifts, upload(start, vec2d, device), count=warps.count)
     search = WarpSearch(vertices, sightings, pictures, warps, 1, 0.9)
     poses = download(pictures.poses).copy()
     assert search.iterate()
     damping = 1 + 1e-6  # FIRST_DAMPING
     shifts = download(warps.shifts).copy()
     moved = download(pictures.poses)
-    copy(warps.shifts, upload(start, vec2d, warp_device), count=warps.count)  # the ties are about the start
+    copy(warps.shifts, upload(start, vec2d, device), count=warps.count)  # the ties are about the start
     for image in range(2):
         A, b = dense_system(search, image)
         A[range(len(A)), range(len(A))] *= damping
@@ -86,11 +83,10 @@ def test_a_step_is_the_solution_of_the_dense_system(device, rng, anchors):
 
 def test_slopes_are_those_of_the_residuals(device, rng):
     """Of a picture whose brightness rises evenly, where bilinear values and Sobel's slopes are exact."""
-    warp_device = wp.get_device(device)
-    pictures = make_pictures(warp_device, rng, lambda u, v: 3 * u + 2 * v)
-    vertices, sightings = make_vertices(warp_device, rng, 200)
-    warps = Warps(pictures.layout, 3, warp_device)
-    copy(warps.shifts, upload(rng.normal(0, 0.2, (warps.count, 2)), vec2d, warp_device), count=warps.count)
+    pictures = make_pictures(device, rng, lambda u, v: 3 * u + 2 * v)
+    vertices, sightings = make_vertices(device, rng, 200)
+    warps = Warps(pictures.layout, 3, device)
+    copy(warps.shifts, upload(rng.normal(0, 0.2, (warps.count, 2)), vec2d, device), count=warps.count)
     search = ColorSearch(vertices, sightings, pictures, warps, 0)
     search.measure()
     sums = download(search.sums).copy()
@@ -106,11 +102,11 @@ def test_slopes_are_those_of_the_residuals(device, rng):
             else:
                 motion[unknown - 3, 3] = sign * h
             tried = ColorSearch(vertices, sightings, pictures, warps, 0)
-            copy(pictures.poses, upload(motion @ poses, pictures.poses.dtype, warp_device), count=2)
+            copy(pictures.poses, upload(motion @ poses, pictures.poses.dtype, device), count=2)
             tried.measure()
             copy(tried.proxies, proxies, count=vertices.size)  # held
             errors.append(squares_with(tried))
-        copy(pictures.poses, upload(poses, pictures.poses.dtype, warp_device), count=2)
+        copy(pictures.poses, upload(poses, pictures.poses.dtype, device), count=2)
         slope = (errors[0] - errors[1]) / (4 * h)  # of half the squares
         scale = np.abs(sums[:, 21:27]).max()
         # brightness is float32 in 0..1: 6e-8 over 2 h
@@ -118,10 +114,6 @@ def test_slopes_are_those_of_the_residuals(device, rng):
 
 
 def squares_with(search):
-    """The squares of each image with the current means."""
-    from pointloom.kernels.lang import reduce_segments
-    from pointloom.kernels.textures.color_steps import SQUARES, sum_pair_rows
-
     given = [search.vertices, search.sightings, search.proxies, search.pictures, search.warps]
     reduce_segments(sum_pair_rows, search.blocks, search.live, given, search.partials, search.sums)
     return download(search.sums)[:, SQUARES].copy()

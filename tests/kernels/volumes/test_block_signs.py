@@ -8,24 +8,13 @@ from pointloom.kernels.volumes.block_rows import BlockNeighbors, neighbors_of
 from pointloom.kernels.volumes.block_signs import BlockSigns, signs_of
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
 
-from ...meshing.tsdf_scenes import (
-    CAMERA,
-    SMALL,
-    TRUNCATION,
-    VOXEL,
-    look_at,
-    set_voxels,
-    small_frames,
-    sphere_frames,
-    view_from,
-)
+from ...meshing import tsdf_scenes as scenes
 
 
 def volumes_of_frames(device, rng, count=5):
-    """A volume after each of some frames."""
-    volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device)
-    for depth, T, _ in small_frames(rng, count):
-        volume.integrate(depth, SMALL, np.linalg.inv(T))
+    volume = loom.TSDFVolume(voxel_size=scenes.VOXEL, truncation=scenes.TRUNCATION, color=False, device=device)
+    for depth, T, _ in scenes.small_frames(rng, count):
+        volume.integrate(depth, scenes.SMALL, np.linalg.inv(T))
         yield volume
 
 
@@ -52,7 +41,6 @@ def cells_behind(volume):
 
 
 def bits_of(words, count):
-    """Words of slices as bool [blocks, 8, 8, 8]."""
     words = words.numpy()[: count * SIDE].view(np.uint64).reshape(-1, SIDE, 1)
     return ((words >> np.arange(64, dtype=np.uint64)) & np.uint64(1)).astype(bool).reshape(-1, SIDE, SIDE, SIDE)
 
@@ -82,7 +70,7 @@ def test_signs_follow_voxels_that_are_put_in_by_other_means(device, rng):
     *_, volume = volumes_of_frames(device, rng, 2)
     signs_of(volume._blocks)
     negated = -volume._blocks.distances.numpy()
-    set_voxels(volume, "distances", negated)
+    scenes.set_voxels(volume, "distances", negated)
     signs = signs_of(volume._blocks)
     np.testing.assert_array_equal(bits_of(signs.cells, volume.block_count), cells_behind(volume))
 
@@ -100,27 +88,25 @@ def test_signs_after_several_frames_equal_recomputed_ones(device, rng):
 
 
 def test_signs_of_an_empty_volume_are_none(device):
-    volume = loom.TSDFVolume(voxel_size=VOXEL, device=device)
+    volume = loom.TSDFVolume(voxel_size=scenes.VOXEL, device=device)
     signs_of(volume._blocks)
-    assert not view_from(volume, np.eye(4)).depth.any()
+    assert not scenes.view_from(volume, np.eye(4)).depth.any()
 
 
 @pytest.mark.parametrize("other", ["copied", "loaded"])
 def test_an_image_does_not_depend_on_earlier_rays(device, tmp_path, other):
-    watched, T = (
-        loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device),
-        look_at((1.0, 0.5, 0.4)),
-    )
-    for k, (depth, pose) in enumerate(sphere_frames()):
-        watched.integrate(depth, CAMERA, np.linalg.inv(pose))
+    watched = loom.TSDFVolume(voxel_size=scenes.VOXEL, truncation=scenes.TRUNCATION, color=False, device=device)
+    T = scenes.look_at((1.0, 0.5, 0.4))
+    for k, (depth, pose) in enumerate(scenes.sphere_frames()):
+        watched.integrate(depth, scenes.CAMERA, np.linalg.inv(pose))
         if k % 4 != 2:
-            view_from(watched, T)
+            scenes.view_from(watched, T)
     if other == "copied":
         fresh = watched.copy()
     else:
         watched.save(tmp_path / "volume.npz")
         fresh = loom.TSDFVolume.load(tmp_path / "volume.npz", device=device)
-    a, b = view_from(watched, T), view_from(fresh, T)
+    a, b = scenes.view_from(watched, T), scenes.view_from(fresh, T)
     assert (a.depth > 0).sum() > 3000
     np.testing.assert_array_equal(a.depth, b.depth)
     np.testing.assert_array_equal(a.normals, b.normals)

@@ -160,10 +160,8 @@ def test_all_pixels_of_realistic_slopes_are_in_touched_blocks(device, rng):
     depth = (1.5 + 0.002 * (u - 160) + 0.001 * (v - 120) + 0.03 * np.sin(u / 15) * np.cos(v / 11)).astype(np.float32)
     T = random_pose(rng)
     blocks = touched(depth, T, 0.04, voxel_size, device, camera)
-    local = np.column_stack(
-        [((u - camera[2]) / camera[0] * depth).ravel(), ((v - camera[3]) / camera[1] * depth).ravel()]
-    )
-    points = np.column_stack([local, depth.ravel()]) @ T[:3, :3].T + T[:3, 3]
+    x, y = (u - camera[2]) / camera[0] * depth, (v - camera[3]) / camera[1] * depth
+    points = np.stack([x, y, depth], axis=-1).reshape(-1, 3) @ T[:3, :3].T + T[:3, 3]
     cells = np.floor(points / (SIDE * voxel_size)).astype(np.int64)
     inside = np.isin(cells @ [1 << 42, 1 << 21, 1], blocks @ [1 << 42, 1 << 21, 1])
     assert inside.mean() > 0.999
