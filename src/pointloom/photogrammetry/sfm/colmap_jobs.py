@@ -8,6 +8,7 @@ import os
 import select
 import shutil
 import sqlite3
+import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
