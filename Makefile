@@ -38,7 +38,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel trust bench docs docs-clean demo clean distclean
+.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -124,6 +124,9 @@ wheel: cpu-kernels ## Build the wheel with compiled kernels, into dist/
 
 cuda-cache: $(RUNTIME) ## Compile all kernels for GPUs ahead, into a wheel in dist/ (no GPU; goes on where it stopped)
 	@$(BIN)/python -m pointloom.kernels.cuda_cache $(ARGS)
+
+release: $(FULL) ## Build and check a release: packages, site, fresh environments, SBOM (ARGS=--without-cuda saves an hour)
+	@$(BIN)/python scripts/release.py $(ARGS)
 
 # Of `make gpu-kit`: what a call to a GPU machine without network carries, and for what machine.
 CALL_MIB ?= 64

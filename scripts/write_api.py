@@ -2,6 +2,7 @@
 
     python scripts/write_api.py            # write the file
     python scripts/write_api.py --check    # print the difference and names without a docstring; exit code 1 if any
+    python scripts/write_api.py --compare docs/api-0.1.0.txt    # print what was removed or changed since; 1 if any
 
 The file makes each change of the public interface visible in a diff. Names of `pointloom.open3d` are Open3D's and are
 left out.
@@ -117,12 +118,47 @@ def undocumented() -> Iterator[str]:
                         yield f"{title}.{name}.{member}"
 
 
+def entries(text: str) -> dict[str, str]:
+    """Full name -> signature of each name in the text of the file, empty for names without one."""
+    result, parents = {}, [""]
+    for line in text.splitlines()[1:]:
+        depth = (len(line) - len(line.lstrip())) // 4
+        name, parenthesis, rest = line.strip().removeprefix("class ").partition("(")
+        if name:
+            parents = [*parents[: depth + 1], f"{parents[depth]}{name}."]
+            result[parents[-1][:-1]] = parenthesis + rest
+    return result
+
+
+def breaking(earlier: str, current: str) -> Iterator[str]:
+    """Each name that was removed since an earlier text of the file, and each changed signature.
+
+    Parameters with a default that were appended are no change.
+    """
+    names = entries(current)
+    for name, old in entries(earlier).items():
+        new = names.get(name)
+        kept = old.removesuffix(")") + (", " if old != "()" else "")
+        if new is None:
+            yield f"removed: {name}{old}"
+        elif new != old and not (old and new.startswith(kept) and "=" in new[len(kept) :].partition(", ")[0]):
+            yield f"changed: {name}{old} -> {name}{new}"
+
+
 def main() -> int:
     """The command."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="print the difference instead of writing")
+    parser.add_argument(
+        "--compare", type=Path, metavar="FILE", help="print changes since this file of an earlier release"
+    )
+    options = parser.parse_args()
     text = api()
-    if not parser.parse_args().check:
+    if options.compare:
+        messages = list(breaking(options.compare.read_text(), text))
+        print("\n".join([*messages, f"{len(messages)} names removed or changed since {options.compare.name}"]))
+        return bool(messages)
+    if not options.check:
         FILE.write_text(text)
         return 0
     stored = FILE.read_text() if FILE.exists() else ""

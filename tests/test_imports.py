@@ -493,6 +493,20 @@ def test_importing_pointloom_starts_no_runtime():
     assert {"warp", "taichi", "scipy", "numpy", "PIL", "rich", "click", "open3d"} & set(loaded) == set()
 
 
+def test_a_first_cloud_imports_no_slow_modules_that_it_does_not_need():
+    program = """
+        import json, sys
+        import numpy as np, pointloom
+        cloud = pointloom.PointCloud(np.arange(30.0).reshape(10, 3)).voxel_down_sample(5.0)
+        print(json.dumps([name for name in sys.argv[1:] if name in sys.modules]))
+    """
+    slow = ["numpy.ma", "tomllib", "scipy", "PIL", "rich", "click"]
+    path = json.dumps([str(ROOT / "src"), *sys.path])
+    command = [sys.executable, "-c", f"import sys; sys.path[:] = {path}\n{textwrap.dedent(program)}", *slow]
+    answer = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300, cwd=ROOT / "tests")
+    assert json.loads(answer.stdout) == []
+
+
 def test_public_packages_show_their_public_names_alone():
     import pointloom as loom
     import pointloom.open3d as o3d

@@ -13,10 +13,12 @@ from typing import Any, NoReturn
 
 import warp as wp
 
+context: Any
+types: Any
 try:
     from warp._src import context, types
 except ImportError:  # a Warp with other modules
-    context = types = None  # type: ignore[assignment]
+    context = types = None
 
 TESTED = ("1.19.0",)  # versions of Warp that all tests pass with
 MAX_AXES = 4  # of an array

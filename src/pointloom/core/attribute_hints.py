@@ -24,6 +24,8 @@ class HintedClass(type):
     if not TYPE_CHECKING:  # it detects misspelled names by itself
 
         def __getattr__(cls, name: str) -> Any:  # called only for missing attributes
+            if name in vars(cls).get("__annotations__", ()):  # a field: `dataclass` looks for its default
+                raise AttributeError(f"type object {cls.__name__!r} has no attribute {name!r}", name=name, obj=cls)
             raise AttributeError(_message(cls, name), name=name, obj=cls)
 
 

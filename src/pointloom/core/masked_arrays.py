@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ import numpy as np
 def unmasked(name: str, values: Any, *, missing: float | None = None) -> Any:
     """A masked array, or list of them, as a plain array with `missing` (None: NaN). Other values are unchanged.
     Raises `ValueError` for masked integers or booleans without `missing`."""
+    if "numpy.ma" not in sys.modules:  # slow import, needed to make a masked array
+        return values
     if isinstance(values, list | tuple) and any(isinstance(part, np.ma.MaskedArray) for part in values):
         values = np.ma.array(values)
     if not isinstance(values, np.ma.MaskedArray):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import tomllib
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -18,6 +17,8 @@ ARGUMENTS = "arguments"
 
 @functools.cache
 def sections() -> dict[str, dict[str, str]]:
+    import tomllib  # slow import, needed for errors only
+
     return tomllib.loads(Path(__file__).with_name("open3d_names.toml").read_text("utf-8"))
 
 
