@@ -133,7 +133,7 @@ def test_stray_return_is_removed_and_steep_pit_is_preserved(device, rng):
 
 def test_a_point_at_the_threshold_above_flat_ground_is_ground(device, rng):
     flat = rng.uniform(0, 20, (4000, 3)) * [1, 1, 0]
-    heights = [0.5, np.nextafter(np.float32(0.5), 1), 0.25]
+    heights = [0.5, np.nextafter(np.float32(0.5), np.float32(1)), 0.25]
     points = np.concatenate([flat, np.column_stack([[8.3, 10.3, 12.3], [9.1] * 3, heights])])
     mask = loom.classify_ground(loom.PointCloud(points, device=device), elevation_threshold=0.5)
     assert mask[:4000].all() and mask[4000:].tolist() == [True, False, True]

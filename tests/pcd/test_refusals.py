@@ -71,7 +71,7 @@ cloud.concatenate([]) | clouds
 cloud.to("cpu", arrays="tensorflow") | arrays: expected one of numpy, warp, torch, cupy, jax
 cloud.translate([1, 2]) | translation
 cloud.rotate(90) | R: expected shape [3, 3], got []: a rotation matrix; scipy
-np.asarray(cloud, copy=False) | so its points are copied
+cloud.__array__(copy=False) | so its points are copied
 cloud.rotate([[2, 0, 0], [0, 1, 0], [0, 0, 1]]) | R: expected a rigid motion
 cloud.scale(0) | scale
 cloud.scale(2, [0, 0]) | center
