@@ -116,7 +116,7 @@ types: $(FULL) ## Check the types
 check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120, or ARGS=90 for one (needs no GPU)
 	@$(BIN)/python -m pointloom.kernels.check_cuda $(ARGS)
 
-cpu-kernels: $(RUNTIME) ## Compile all kernels for x86-64-v3 and v4 ahead, into kernels/compiled, which wheels contain
+cpu-kernels: $(RUNTIME) ## Compile all kernels for x86-64-v2 to v4 ahead, into kernels/compiled, which wheels contain
 	@$(BIN)/python -m pointloom.kernels.cpu_kernels $(ARGS)
 
 wheel: cpu-kernels ## Build the wheel with compiled kernels, into dist/

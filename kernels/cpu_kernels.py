@@ -1,4 +1,4 @@
-"""Compile every CPU kernel ahead: python -m pointloom.kernels.cpu_kernels [--levels x86-64-v3 x86-64-v4].
+"""Compile every CPU kernel ahead: python -m pointloom.kernels.cpu_kernels [--levels x86-64-v3].
 
 Writes kernels/compiled, which wheels contain and `language/cpu_archive.py` reads. The result depends on the sources,
 Warp's version and the level, not on this machine.

@@ -26,7 +26,7 @@ print("box", download(find_box(upload(points, vec3, "cpu"))).tolist(), is_usable
 """
 POINTS = np.random.default_rng(0).random((5000, 3), np.float32)
 BOX = f"box {[*POINTS.min(0).tolist(), *POINTS.max(0).tolist()]} True"
-pytestmark = pytest.mark.skipif(not cpu_archive.level_of_processor(), reason="no Linux on x86-64-v3")
+pytestmark = pytest.mark.skipif(not cpu_archive.level_of_processor(), reason="no Linux on x86-64-v2")
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +82,8 @@ def test_code_made_from_other_sources_is_not_used(archive, name, tmp_path):
     [
         ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v4"] | {"sse2"}, "x86-64-v4"),
         ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v4"] - {"avx512vl"}, "x86-64-v3"),
-        ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v3"] - {"fma"}, ""),
+        ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v3"] - {"fma"}, "x86-64-v2"),
+        ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v2"] - {"popcnt"}, ""),
         ("linux", "x86_64", set(), ""),
         ("linux", "aarch64", cpu_archive.LEVELS["x86-64-v3"], ""),
         ("darwin", "x86_64", cpu_archive.LEVELS["x86-64-v3"], ""),
