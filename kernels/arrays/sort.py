@@ -1,7 +1,7 @@
 """Stable sort of 64-bit keys.
 
-CUDA: Warp's radix sort. CPU: NumPy's vectorized sort of keys packed with positions if both fit into 63 bits (twice as
-fast), else Warp's radix sort.
+CUDA: Warp's radix sort. CPU: keys packed with positions if both fit into 63 bits, sorted by radix_sort.py if there are
+many, else by NumPy. Longer ones by Warp's radix sort.
 """
 
 import itertools
@@ -13,7 +13,9 @@ from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
 from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of
+from .radix_sort import radix_argsort
 
+MIN_RADIX = 1 << 14  # keys: NumPy sorts fewer faster
 MIN_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
 
 
@@ -72,6 +74,8 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
         return empty(0, int64, device), empty(0, int32, device)
     index_bits = max(1, (count - 1).bit_length())
     if not device.is_cuda and bit_count + index_bits <= 63:
+        if starts is None and count >= MIN_RADIX:
+            return radix_argsort(keys, bit_count, index_bits)
         packed = download(keys) << index_bits
         packed |= np.arange(count, dtype=np.int64)
         if starts is None or len(starts) - 1 > count // MIN_RUN:
