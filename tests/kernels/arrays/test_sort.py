@@ -23,7 +23,7 @@ def assert_sorted_stably(device, keys, bits, starts=None):
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("bits", [1, 8, 33, 46, 47, 62, 63])
 def test_keys_are_sorted_stably(device, size, bits, rng):
-    """Up to 46 bits these sizes take the packed sort on the CPU, above it the radix sort of pairs."""
+    """On the CPU up to 46 bits of the largest size are sorted by radix_sort.py in five blocks, more by Warp."""
     assert_sorted_stably(device, rng.integers(0, 2**bits, size, dtype=np.int64), bits)
 
 
