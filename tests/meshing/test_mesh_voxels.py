@@ -192,3 +192,11 @@ def test_points_have_voxels_inside_and_outside_the_grid():
     for bad, message in (([0, 0], "shape"), ([np.nan, 0, 0], "finite"), ([1e90, 0, 0], "beyond the range of 64-bit")):
         with pytest.raises(ValueError, match=message):
             grid.get_voxel(bad)
+
+
+def test_a_triangle_with_a_non_finite_corner_touches_no_voxel(device):
+    vertices, triangles = [[0, 0, 0], [3, 1, 2], [1, 2, 0], [np.nan, 0, 0]], [[0, 1, 2], [0, 1, 3]]
+    complete, part = (
+        TriangleMesh(vertices, triangles[:n], device=device).voxelize(0.3, [0, 0, 0], [3, 2, 2]) for n in (2, 1)
+    )
+    assert as_set(complete) == as_set(part) and len(part) > 50

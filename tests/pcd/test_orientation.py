@@ -166,3 +166,12 @@ def test_duplicates_terminate(device, rng, k):
     assert agreement(orient(points, random_signs(rng, down), k, device), down) == 1.0
     equal = np.full((420, 3), 0.3)
     assert agreement(orient(equal, random_signs(rng, down), k, device), down) == 1.0
+
+
+@pytest.mark.parametrize("k", [1, 2, 10_000_000])
+def test_clouds_of_a_few_points_are_oriented(device, k):
+    points = np.array([[0, 0, 1], [0, 0, 0], [1, 0, 0.0]])
+    normals = np.array([[0, 0.6, 0.8], [0, 0, 1], [0, 0.6, -0.8]], np.float32)
+    for count, expected in ((0, []), (1, [-1]), (2, [-1, -1]), (3, [-1, -1, 1])):
+        result = orient(points[:count].reshape(-1, 3), normals[:count].reshape(-1, 3), k, device)
+        np.testing.assert_array_equal(result, normals[:count] * np.array(expected, np.float32).reshape(-1, 1))
