@@ -106,6 +106,13 @@ def test_a_prism_is_closed_and_has_its_volume(way, is_reversed, is_far):
     assert prism._signed_volume() > 0
 
 
+@pytest.mark.parametrize("height", [1, -1])
+def test_a_triangle_that_is_not_finite_does_not_turn_a_prism_inside_out(height):
+    corners, triangles = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [np.nan, 0, 0]], [[0, 1, 2], [0, 2, 3], [0, 1, 4]]
+    prism, other = (TriangleMesh(corners, triangles[:n]).extrude_linear([0, 0, height]) for n in (2, 3))
+    assert other.triangles[:2].tolist() == prism.triangles[:2].tolist()
+
+
 def test_a_spring_matches_open3ds_example():
     spring = TriangleMesh(*TRIANGLE).extrude_rotation(3 * 360, [0, 1, 0], resolution=3 * 16, translation=2)
     assert (len(spring.vertices), len(spring)) == (147, 290) and spring.is_watertight()
