@@ -1,21 +1,27 @@
 """Stable sort of 64-bit keys.
 
-CUDA: Warp's radix sort. CPU: keys packed with positions if both fit into 63 bits, sorted by radix_sort.py if there are
-many, else by NumPy. Longer ones by Warp's radix sort.
+CUDA: Warp's radix sort. CPU: keys packed with positions if both fit into 63 bits, else Warp's radix sort. Packed keys
+are sorted by NumPy on one core, or if there are many and that is faster, by radix_sort.py on all cores. The order is
+the same.
 """
 
+import functools
 import itertools
+import time
 
 import numpy as np
 import warp as wp
 
 from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
+from ..language import cpu_pool
 from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of
 from .radix_sort import radix_argsort
 
 MIN_RADIX = 1 << 14  # keys: NumPy sorts fewer faster
+RADIX_SECONDS = 12e-9  # [s] per key and core, AMD EPYC (Zen 4)
+SPREAD = 0x9E3779B97F4A7C15  # multiples of it, modulo 2^64, are spread like random words
 MIN_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
 
 
@@ -65,6 +71,17 @@ def copy_pairs_kernel(keys: array(dtype=int64), pair_keys: array(dtype=int64), p
     pair_values[i] = i
 
 
+@functools.cache
+def numpy_seconds() -> float:
+    """Seconds per key of NumPy's sort, of which processors differ tenfold: its AVX-512 code is slow on AMD's Zen 4."""
+    words, seconds = (np.arange(MIN_RADIX, dtype=np.uint64) * np.uint64(SPREAD)).view(np.int64), []
+    for _ in range(3):
+        begin = time.perf_counter()
+        np.sort(words)
+        seconds.append(time.perf_counter() - begin)
+    return min(seconds) / MIN_RADIX
+
+
 def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[Keys, Integers]:
     """Stable order of non-negative keys (unchanged): (sorted keys int64 (n), order int32 (n)). 40 B per key. `starts`:
     boundaries of runs with ascending key ranges, if known. The CPU sorts them separately.
@@ -74,7 +91,7 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
         return empty(0, int64, device), empty(0, int32, device)
     index_bits = max(1, (count - 1).bit_length())
     if not device.is_cuda and bit_count + index_bits <= 63:
-        if starts is None and count >= MIN_RADIX:
+        if starts is None and count >= MIN_RADIX and RADIX_SECONDS < cpu_pool.thread_count() * numpy_seconds():
             return radix_argsort(keys, bit_count, index_bits)
         packed = download(keys) << index_bits
         packed |= np.arange(count, dtype=np.int64)

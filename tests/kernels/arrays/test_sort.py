@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from pointloom.kernels.arrays import sort
 from pointloom.kernels.arrays.sort import MIN_RUN, argsort_keys
 from pointloom.kernels.lang import int64
 from pointloom.kernels.memory import upload
@@ -23,8 +24,15 @@ def assert_sorted_stably(device, keys, bits, starts=None):
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("bits", [1, 8, 33, 46, 47, 62, 63])
 def test_keys_are_sorted_stably(device, size, bits, rng):
-    """On the CPU up to 46 bits of the largest size are sorted by radix_sort.py in five blocks, more by Warp."""
+    """On the CPU up to 46 bits of the largest size are packed with the positions, more are sorted by Warp."""
     assert_sorted_stably(device, rng.integers(0, 2**bits, size, dtype=np.int64), bits)
+
+
+@pytest.mark.parametrize("seconds", [0.0, 1.0])
+def test_many_keys_are_sorted_alike_by_numpy_and_by_the_radix_sort(seconds, rng, monkeypatch):
+    monkeypatch.setattr(sort, "numpy_seconds", lambda: seconds)
+    for bits in (1, 9, 40):
+        assert_sorted_stably("cpu", rng.integers(0, 2**bits, 70_001, dtype=np.int64), bits)
 
 
 @pytest.mark.parametrize("mean", [MIN_RUN // 4, MIN_RUN, 2000])
