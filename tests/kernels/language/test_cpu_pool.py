@@ -20,7 +20,7 @@ from pointloom.kernels import lang, memory
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.language import cpu_code, cpu_pool
 from pointloom.kernels.language.device_lock import lock
-from pointloom.kernels.language.pool_code import FIELDS
+from pointloom.kernels.language.pool_code import FIELDS, LINE, WORKER
 
 SOURCE = """
 @kernel
@@ -405,7 +405,8 @@ def test_a_pool_uses_the_semaphores_of_its_system(kernels, system, monkeypatch):
     assert create.calls == [(None, 0, 2**30, None) if system == "win32" else (0,)] * 2
     for _ in range(20):
         lang.launch(kernels.count_kernel, 1000, [visits, total])
-        time.sleep(0.001)  # they sleep
+        while not all(pool._words[WORKER + LINE * worker] for worker in range(2)):  # they sleep
+            os.sched_yield()
     assert (visits.numpy() == 21).all() and total.numpy()[0] == 21_000
 
 
