@@ -65,6 +65,7 @@ def check(actual: Array, reference: Array, peer: str) -> None:
 ALPHA_SHAPE = Operation(
     name="alpha_shape",
     scenes={
+        "1k": surface(1000, 0.7),
         "bunny 8k, 6 mm": bunny("_res2", 0.006),
         "bunny 36k, 2 mm": bunny("", 0.002),
         "bunny 36k, 6 mm": bunny("", 0.006),

@@ -67,21 +67,22 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
     assert common >= SHARE * len(reference), f"of {peer}'s {len(reference)} triangles only {common} are in the result"
 
 
-def operation(name: str, factors: tuple[float, ...]) -> Operation:
+def operation(name: str, factors: tuple[float, ...], long: tuple[str, ...] = ()) -> Operation:
     return Operation(
         name=name,
-        scenes={"60k": surface(60_000, factors), "1M": surface(1_000_000, factors)},
+        scenes={"1k": surface(1000, factors), "60k": surface(60_000, factors), "1M": surface(1_000_000, factors)},
         quick={"20k": surface(20_000, factors)},
         contestants=(
             Contestant(POINTLOOM, prepare_pointloom, triangles_of, ("cpu", "cuda")),
             Contestant("open3d-legacy", prepare_open3d, triangles_of),
         ),
         check=check,
-        memory_size="1M",
+        memory_size="60k",
+        long=long,
     )
 
 
-ONE = operation("ball_pivoting", (2.0,))
+ONE = operation("ball_pivoting", (2.0,), long=("1M",))
 THREE = operation("ball_pivoting_3", (1.0, 2.0, 4.0))
 OPERATIONS = (ONE, THREE)
 

@@ -83,7 +83,7 @@ def check(actual: Any, reference: Any, peer: str) -> None:
 
 M3C2 = Operation(
     name="m3c2",
-    scenes={"200k": epochs(200_000, 200_000), "1M, 100k cores": epochs(1_000_000, 100_000)},
+    scenes={"1k": epochs(1000, 1000), "200k": epochs(200_000, 200_000), "1M, 100k cores": epochs(1_000_000, 100_000)},
     quick={"50k": epochs(50_000, 10_000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

@@ -55,7 +55,7 @@ def check(actual: NDArray[np.float32], reference: NDArray[np.float32], peer: str
 
 CLOSEST_POINTS = Operation(
     name="closest_points",
-    scenes={"box 200k": box_scene, "near 200k": near_scene},
+    scenes={"box 1k": partial(box_scene, 16, 1000), "box 200k": box_scene, "near 200k": near_scene},
     quick={"box": partial(box_scene, 24, 2000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

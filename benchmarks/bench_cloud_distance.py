@@ -52,7 +52,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 DISTANCE = Operation(
     name="cloud_distance",
-    scenes={"200k": samplings(200_000), "1M": samplings(1_000_000)},
+    scenes={"1k": samplings(1000), "200k": samplings(200_000), "1M": samplings(1_000_000)},
     quick={"50k": samplings(50_000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, np.asarray, ("cpu", "cuda")),

@@ -86,7 +86,11 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 COLOR_MAP = Operation(
     name="color_map",
-    scenes={"40k": partial(pictured_plain, 200), "160k": partial(pictured_plain, 400)},
+    scenes={
+        "1k, 64x48": partial(pictured_plain, 32, 64),
+        "40k": partial(pictured_plain, 200),
+        "160k": partial(pictured_plain, 400),
+    },
     quick={"2k": partial(pictured_plain, 45, 160)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

@@ -39,7 +39,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 HULL = Operation(
     name="convex_hull",
-    scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
+    scenes={"1k": surface(1000), "200k": surface(200_000), "1M": surface(1_000_000)},
     quick={"50k": surface(50_000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, np.sort, ("cpu", "cuda")),

@@ -88,7 +88,12 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 DBSCAN = Operation(
     name="dbscan",
-    scenes={"200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.009), "5M": surface(5_000_000, 0.0045)},
+    scenes={
+        "1k": surface(1000, 0.28),
+        "200k": surface(200_000, 0.02),
+        "1M": surface(1_000_000, 0.009),
+        "5M": surface(5_000_000, 0.0045),
+    },
     quick={"50k": surface(50_000, 0.04)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, lambda labels: labels, ("cpu", "cuda")),
@@ -97,7 +102,8 @@ DBSCAN = Operation(
         Contestant("scikit-learn", prepare_scikit_learn, lambda labels: labels),
     ),
     check=check,
-    memory_size="5M",
+    memory_size="200k",
+    long=("5M",),
 )
 OPERATIONS = (DBSCAN,)
 

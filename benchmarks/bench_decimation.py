@@ -125,6 +125,7 @@ def check(actual: tuple[Thinning, Arrays], reference: tuple[Thinning, Arrays], p
 
 def scenes() -> dict[str, Callable[[], Thinning]]:
     return {
+        "wavy 1k to 300": partial(wavy, 16, 0.25),
         "bunny 69k to 7k": partial(bunny, 7000),
         "bunny 69k to 2k": partial(bunny, 2000),
         "wavy 1M to 100k": partial(wavy, 465, 0.1),

@@ -118,7 +118,7 @@ def mean_of(normals: list[np.ndarray]) -> tuple[int, np.ndarray]:
 
 UNPROJECT = Operation(
     name="depth_to_cloud_with_normals",
-    scenes={"30 frames": partial(scenes.room_frames, 30)},
+    scenes={"64x48": partial(scenes.room_frames, 30, 64, 48), "30 frames": partial(scenes.room_frames, 30)},
     quick={"3 frames": partial(scenes.room_frames, 3)},
     contestants=(
         Contestant(

@@ -91,6 +91,7 @@ BUILD = Operation(
         Contestant("open3d-legacy", prepare_open3d_legacy, lambda cloud: {"coarsest": len(cloud.points)}),
     ),
     check=check_build,
+    long=("10M",),
 )
 VIEW = Operation(
     name="detail_tree_view",

@@ -75,7 +75,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 OPERATION = Operation(
     name="fpfh",
-    scenes={"200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.01)},
+    scenes={"1k": surface(20_000, 0.12), "200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.01)},
     quick={"50k": surface(50_000, 0.04)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, lambda features: features, ("cpu", "cuda")),

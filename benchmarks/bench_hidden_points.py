@@ -58,7 +58,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 HIDDEN = Operation(
     name="hidden_points",
-    scenes={"200k": surface(200_000), "1M": surface(1_000_000), "fragment": fragment},
+    scenes={"1k": surface(1000), "200k": surface(200_000), "1M": surface(1_000_000), "fragment": fragment},
     quick={"50k": surface(50_000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, np.sort, ("cpu", "cuda")),

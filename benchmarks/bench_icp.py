@@ -188,7 +188,7 @@ PLANE = iterating("icp_plane", "PointToPlane", "PLANE_ICP")
 POINT = iterating("icp_point", "PointToPoint", "ICP")
 GENERALIZED = Operation(
     name="gicp",
-    scenes={"200k": surface(200_000), "kitti pair": street},
+    scenes={"1k": surface(1000), "200k": surface(200_000), "kitti pair": street},
     quick={"20k": surface(20_000), "kitti pair": street},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, lambda facts: facts, ("cpu", "cuda")),

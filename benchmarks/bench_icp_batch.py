@@ -101,13 +101,14 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 BATCH = Operation(
     name="icp_batch",
-    scenes={"1000 pairs": patches(1000), "50 pairs": patches(50)},
+    scenes={"1000 pairs": patches(1000), "50 pairs": patches(50), "1 pair": patches(1)},
     quick={"50 pairs": patches(50)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, poses_of, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, poses_of),
     ),
     check=check,
+    memory_size="1000 pairs",
     unit_count=lambda scene: len(scene.sources),
 )
 OPERATIONS = (BATCH,)

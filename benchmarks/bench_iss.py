@@ -42,7 +42,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 OPERATION = Operation(
     name="iss_keypoints",
-    scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
+    scenes={"1k": surface(1000), "200k": surface(200_000), "1M": surface(1_000_000)},
     quick={"50k": surface(50_000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, in_order, ("cpu", "cuda")),

@@ -97,7 +97,7 @@ def check_filled(actual: tuple[int, int], reference: tuple[int, int], peer: str)
 def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], ...], same: Any = check) -> Operation:
     return Operation(
         name=name,
-        scenes={"76k": partial(scene, 128)},
+        scenes={"1k": partial(scene, 16), "76k": partial(scene, 128)},
         quick={"small": partial(scene, 24)},
         contestants=(
             Contestant(POINTLOOM, partial(run_pointloom, steps=steps), facts, ("cpu", "cuda")),
@@ -114,7 +114,7 @@ CROWDED = operation("mesh_non_manifold", crowded_mesh, (("remove_non_manifold_ed
 ORIENT = operation("mesh_orient", flipped_mesh, (("orient_triangles", ()),))
 FILL = Operation(
     name="mesh_fill_holes",
-    scenes={"76k": partial(holed_mesh, 128)},
+    scenes={"1k": partial(holed_mesh, 16), "76k": partial(holed_mesh, 128)},
     quick={"small": partial(holed_mesh, 24)},
     contestants=(
         Contestant(POINTLOOM, partial(run_pointloom, steps=(("fill_holes", ()),)), facts, ("cpu", "cuda")),

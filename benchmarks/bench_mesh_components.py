@@ -32,7 +32,11 @@ def check(actual: tuple[np.ndarray, ...], reference: tuple[np.ndarray, ...], pee
 
 MESH_COMPONENTS = Operation(
     name="mesh_components",
-    scenes={"closed 76k": partial(wavy_mesh, 128), "torn 38k": partial(torn_mesh, 128)},
+    scenes={
+        "closed 1k": partial(wavy_mesh, 16),
+        "closed 76k": partial(wavy_mesh, 128),
+        "torn 38k": partial(torn_mesh, 128),
+    },
     quick={"torn": partial(torn_mesh, 24)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

@@ -35,7 +35,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 MESH_SAMPLING = Operation(
     name="mesh_sampling",
-    scenes={"100k": partial(surface, 100_000), "1M": partial(surface, 1_000_000)},
+    scenes={"1k": partial(surface, 1000, 16), "100k": partial(surface, 100_000), "1M": partial(surface, 1_000_000)},
     quick={"5k": partial(surface, 5_000, 32)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, lambda cloud: spread(cloud.points), ("cpu", "cuda")),

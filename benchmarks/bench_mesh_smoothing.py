@@ -33,7 +33,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 MESH_TAUBIN = Operation(
     name="mesh_taubin",
-    scenes={"closed 76k": partial(wavy_mesh, 128)},
+    scenes={"closed 1k": partial(wavy_mesh, 16), "closed 76k": partial(wavy_mesh, 128)},
     quick={"closed": partial(wavy_mesh, 24)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

@@ -33,7 +33,7 @@ def check(actual: tuple[np.ndarray, np.ndarray], reference: tuple[np.ndarray, np
 def subdivision(name: str, method: str) -> Operation:
     return Operation(
         name=name,
-        scenes={"closed 76k": partial(wavy_mesh, 128)},
+        scenes={"closed 1k": partial(wavy_mesh, 16), "closed 76k": partial(wavy_mesh, 128)},
         quick={"closed": partial(wavy_mesh, 24)},
         contestants=(
             Contestant(POINTLOOM, partial(prepare_pointloom, method), facts, ("cpu", "cuda")),

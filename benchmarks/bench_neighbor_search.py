@@ -103,6 +103,7 @@ def contestants(kind: Callable) -> tuple[Contestant, ...]:
 
 
 SCENES: dict[str, Callable[[], Any]] = {
+    "surface 1k": partial(scenes.bumpy_surface, 1000),
     "surface 200k": partial(scenes.bumpy_surface, 200_000),
     "lidar synthetic": scenes.spinning_scan,
     "lidar real": scenes.real_scan,

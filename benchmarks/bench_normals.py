@@ -95,7 +95,7 @@ CONTESTANTS = (
 )
 HYBRID = Operation(
     name="normals_hybrid",
-    scenes={"200k": surface(200_000, 0.03), "1M": surface(1_000_000, 0.0135)},
+    scenes={"1k": surface(1000, 0.42), "200k": surface(200_000, 0.03), "1M": surface(1_000_000, 0.0135)},
     quick={"50k": surface(50_000, 0.06)},
     contestants=CONTESTANTS[:3],
     check=check,
@@ -103,7 +103,7 @@ HYBRID = Operation(
 )
 KNN = Operation(
     name="normals_knn30",
-    scenes={"200k": surface(200_000, None)},
+    scenes={"1k": surface(1000, None), "200k": surface(200_000, None)},
     quick={"50k": surface(50_000, None)},
     contestants=(CONTESTANTS[0], CONTESTANTS[3]),
     check=check,

@@ -67,7 +67,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 ORIENTATION = Operation(
     name="orient_consistently",
-    scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
+    scenes={"1k": surface(1000), "200k": surface(200_000), "1M": surface(1_000_000)},
     quick={"20k": surface(20_000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, lambda cloud: cloud.normals, ("cpu", "cuda")),
@@ -75,6 +75,7 @@ ORIENTATION = Operation(
     ),
     check=check,
     memory_size="200k",
+    long=("1M",),
 )
 OPERATIONS = (ORIENTATION,)
 

@@ -88,7 +88,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
     assert differing <= 1e-4 * len(actual), f"{differing} of {len(actual)} points are not {peer}'s"
 
 
-SCENES = {"200k": surface(200_000), "1M": surface(1_000_000)}
+SCENES = {"1k": surface(1000), "200k": surface(200_000), "1M": surface(1_000_000)}
 STATISTICAL = Operation(
     name="statistical_outliers",
     scenes=SCENES,

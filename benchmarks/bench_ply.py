@@ -75,7 +75,7 @@ def check(actual: tuple[np.ndarray, np.ndarray], reference: tuple[np.ndarray, np
 
 READ = Operation(
     name="ply_read",
-    scenes={"5M": partial(scenes.colored_points, 5_000_000)},
+    scenes={"1k": partial(scenes.colored_points, 1000), "5M": partial(scenes.colored_points, 5_000_000)},
     quick={"200k": partial(scenes.colored_points, 200_000)},
     contestants=(
         Contestant(POINTLOOM, reading_pointloom, facts_pointloom),

@@ -62,7 +62,8 @@ def check(actual: Surface, reference: Surface, peer: str) -> None:
 
 POISSON = Operation(
     name="poisson",
-    scenes={f"200k, depth {depth}": partial(samples, 200_000, depth) for depth in (8, 9)},
+    scenes={"1k, depth 5": partial(samples, 1000, 5)}
+    | {f"200k, depth {depth}": partial(samples, 200_000, depth) for depth in (8, 9)},
     quick={"5k, depth 5": partial(samples, 5_000, 5, 32)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

@@ -85,7 +85,11 @@ def check(actual: NDArray[np.float32], reference: NDArray[np.float32], peer: str
 
 RAY_CASTING = Operation(
     name="ray_casting",
-    scenes={"camera 1280x960": camera_scene, "crossing 500k": crossing_scene},
+    scenes={
+        "camera 64x48": partial(camera_scene, 16, 64, 48),
+        "camera 1280x960": camera_scene,
+        "crossing 500k": crossing_scene,
+    },
     quick={"camera": partial(camera_scene, 24, 64, 48)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 Scene = tuple[NDArray[np.float32], NDArray[np.int32] | None, tuple[int, int]]
 
 CAMERA = {"front": [0.3, 0.5, 0.6], "up": [0.0, 1.0, 0.0], "zoom": 0.55}
+POINT_SIZE = 2.0  # [px]
 WHITE = 250
 
 
@@ -40,7 +41,8 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
 
     points, triangles, size = scene
     if triangles is None:
-        return partial(loom.render, loom.PointCloud(points, colors=shades(points), device=device), CAMERA, size)
+        cloud = loom.PointCloud(points, colors=shades(points), device=device)
+        return partial(loom.render, cloud, CAMERA, size, point_size=POINT_SIZE)
     mesh = loom.TriangleMesh(points, triangles, device=device).compute_vertex_normals()
     return partial(loom.render, mesh, CAMERA, size)
 
@@ -60,7 +62,7 @@ def prepare_open3d(scene: Scene, device: str) -> Any:
         if not window.create_window(visible=False, width=width, height=height):
             raise RuntimeError("Open3D cannot create an off-screen window: EGL is required (libegl1, libgl1-mesa-dri)")
     window.add_geometry(geometry)
-    window.get_render_option().point_size = 2.0
+    window.get_render_option().point_size = POINT_SIZE
     control = window.get_view_control()
     control.set_lookat((points.min(axis=0) + points.max(axis=0)) / 2)
     for name, value in CAMERA.items():
@@ -89,9 +91,11 @@ def check(actual: float, reference: float, peer: str) -> None:
 RENDER = Operation(
     name="render",
     scenes={
+        "cloud 1k": partial(cloud_scene, 1000, (64, 48)),
+        "mesh 1k": partial(mesh_scene, 16, (64, 48)),
         "cloud 1M": partial(cloud_scene, 1_000_000),
-        "cloud 20M": partial(cloud_scene, 20_000_000),
         "mesh 200k": partial(mesh_scene, 208),
+        "cloud 20M": partial(cloud_scene, 20_000_000),
     },
     quick={"cloud": partial(cloud_scene, 20_000, (160, 120)), "mesh": partial(mesh_scene, 24, (160, 120))},
     contestants=(
@@ -99,6 +103,8 @@ RENDER = Operation(
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
+    memory_size="cloud 1M",
+    long=("cloud 20M",),
 )
 OPERATIONS = (RENDER,)
 

@@ -91,7 +91,11 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 RGBD_ODOMETRY = Operation(
     name="rgbd_odometry",
-    scenes={"pair": wavy_frames, "prepared": partial(wavy_frames, is_prepared=True)},
+    scenes={
+        "pair 64x48": partial(wavy_frames, 64),
+        "pair": wavy_frames,
+        "prepared": partial(wavy_frames, is_prepared=True),
+    },
     quick={"pair 160": partial(wavy_frames, 160)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

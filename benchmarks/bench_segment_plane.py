@@ -62,7 +62,7 @@ def check(actual: Any, reference: Any, peer: str) -> None:
 
 SEGMENT = Operation(
     name="segment_plane",
-    scenes={"200k": scene(200_000), "1M": scene(1_000_000)},
+    scenes={"1k": scene(1000), "200k": scene(200_000), "1M": scene(1_000_000)},
     quick={"50k": scene(50_000)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

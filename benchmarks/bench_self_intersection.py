@@ -30,7 +30,7 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 SELF_INTERSECTION = Operation(
     name="self_intersection",
-    scenes={"closed 76k": partial(wavy_mesh, 128)},
+    scenes={"closed 1k": partial(wavy_mesh, 16), "closed 76k": partial(wavy_mesh, 128)},
     quick={"closed": partial(wavy_mesh, 24)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),

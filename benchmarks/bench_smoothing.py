@@ -104,7 +104,7 @@ def operation(name: str, smooth: Callable) -> Operation:
     ]
     return Operation(
         name=name,
-        scenes={"200k": surface(200_000, 0.03), "1M": surface(1_000_000, 0.0135)},
+        scenes={"1k": surface(1000, 0.42), "200k": surface(200_000, 0.03), "1M": surface(1_000_000, 0.0135)},
         quick={"50k": surface(50_000, 0.06)},
         contestants=tuple(contestants),
         check=check,

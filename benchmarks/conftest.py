@@ -19,8 +19,8 @@ from contest import POINTLOOM, Operation, Trial, limit_threads
 from real_data import DataMissingError
 
 LAPS = 4
-LAP_SECONDS = 0.4  # timed per lap, at least one round
-CONTESTANT_SECONDS = 8.0  # timed in all laps; a slow baseline stops after that
+LAP_SECONDS = 0.3  # timed per lap, at least one round
+CONTESTANT_SECONDS = 4.0  # timed in all laps; a slow baseline stops after that
 MAX_ROUNDS = 12  # per lap
 PAUSE_SECONDS = 0.03  # waiting threads of the previous contestant spin for some ms before they sleep
 
@@ -53,7 +53,7 @@ class Contest:
         self.our_facts: Any = None
         self.missing = ""
         try:
-            self.scene = (operation.quick if quick else operation.scenes)[size]()
+            self.scene = operation.sizes(quick=quick, long=True)[size]()
         except DataMissingError as error:
             self.missing = str(error)
         else:
@@ -106,6 +106,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("pointloom benchmarks")
     group.addoption("--bench-device", default="cpu", help="device of pointloom: cpu or cuda:0")
     group.addoption("--bench-quick", action="store_true", help="small sizes, one lap")
+    group.addoption("--bench-long", action="store_true", help="the long sizes, too")
     group.addoption("--bench-operation", action="append", help="only this operation; may be repeated")
 
 
@@ -120,7 +121,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         return
     quick = config.getoption("--bench-quick")
     names = [label for _, _, label in operation.contestants_on(config.getoption("--bench-device"))]
-    sizes = operation.quick if quick else operation.scenes
+    sizes = operation.sizes(quick=quick, long=config.getoption("--bench-long"))
     laps = 1 if quick else LAPS
     parameters = [Lap(operation, s, label, lap) for s in sizes for lap in range(laps) for label in names]
     ids = [f"{t.size}-{t.label}-{t.lap}".replace(" ", "_") for t in parameters]

@@ -77,6 +77,7 @@ class Operation:
         check: (actual, reference, name of the baseline): raises AssertionError if the results disagree.
         unit_count: Scene -> number of units per call; times are given per unit.
         memory_size: The size for the peak memory; None for the last one.
+        long: Sizes that only `--long` measures.
     """
 
     name: str
@@ -86,6 +87,13 @@ class Operation:
     check: Callable[[Any, Any, str], None]
     unit_count: Callable[[Any], int] = field(default=lambda scene: 1)
     memory_size: str | None = None
+    long: tuple[str, ...] = ()
+
+    def sizes(self, *, quick: bool = False, long: bool = False) -> Mapping[str, Callable[[], Any]]:
+        """The sizes that a run measures."""
+        if quick:
+            return self.quick
+        return {name: make for name, make in self.scenes.items() if long or name not in self.long}
 
     def contestants_on(self, device: str) -> Iterator[tuple[Contestant, str, str]]:
         """Yield the contestants on a device as (contestant, device of the contestant, label).

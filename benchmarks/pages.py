@@ -5,8 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 
+def replaced_between(page: str, name: str, text: str) -> str:
+    """The page with other text between its marks `<!-- name -->` and `<!-- /name -->`."""
+    begin, end = f"<!-- {name} -->", f"<!-- /{name} -->"
+    before, rest = page.split(begin)
+    return f"{before}{begin}\n{text}\n{end}{rest.split(end)[1]}"
+
+
 def write_between(page: Path, name: str, text: str) -> None:
     """Replace the text between the marks `<!-- name -->` and `<!-- /name -->` of a page."""
-    begin, end = f"<!-- {name} -->", f"<!-- /{name} -->"
-    before, rest = page.read_text().split(begin)
-    page.write_text(f"{before}{begin}\n{text}\n{end}{rest.split(end)[1]}")
+    page.write_text(replaced_between(page.read_text(), name, text))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import statistics
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 from contest import POINTLOOM
-from targets import targets_of
+from targets import TARGETS
 
 
 @dataclass
@@ -43,26 +43,6 @@ class Timing:
         return max(0.0, self.first_call - self.units * self.median)
 
 
-@dataclass(frozen=True)
-class TargetResult:
-    """A target and its result; `ratio` is None if its baselines did not run."""
-
-    factor: float
-    peers: tuple[str, ...]
-    ratio: float | None
-
-    @property
-    def met(self) -> bool | None:
-        """True if the target was reached."""
-        return None if self.ratio is None else self.ratio >= self.factor
-
-    def __str__(self) -> str:
-        peers = " ".join(self.peers) if len(self.peers) == 1 else f"best of {', '.join(self.peers)}"
-        if self.ratio is None:
-            return f"{self.factor:g}x {peers}: not run"
-        return f"{self.factor:g}x {peers}: {self.ratio:.2f}x, {'met' if self.met else 'MISSED'}"
-
-
 @dataclass
 class Row:
     """One operation at one size."""
@@ -82,10 +62,18 @@ class Row:
         times = [self.timings[peer].best for peer in peers if peer in self.timings]
         return min(times) / self.timings[POINTLOOM].best if times and POINTLOOM in self.timings else None
 
-    def target_results(self) -> list[TargetResult]:
-        """The targets of this row."""
-        targets = targets_of(self.operation, self.size)
-        return [TargetResult(t.factor, t.peers, self.ratio(t.peers)) for t in targets]
+    @property
+    def target(self) -> float | None:
+        """The required ratio to the best baseline; None if there is none."""
+        return TARGETS.get((self.operation, self.size))
+
+    def target_text(self) -> str:
+        """The target and whether it was reached."""
+        if self.target is None:
+            return ""
+        ratio = self.ratio([self.best_peer]) if self.best_peer else None
+        result = "not run" if ratio is None else "met" if ratio >= self.target else "MISSED"
+        return f"{self.target:g}x: {result}"
 
 
 def collect(documents: Iterable[dict[str, Any]]) -> dict[tuple[str, str], Row]:
@@ -111,7 +99,6 @@ def table(rows: Iterable[Row], *, with_targets: bool) -> str:
     """
     lines: list[tuple[str, ...]] = [HEADINGS]
     for row in rows:
-        texts = [str(target) for target in row.target_results()] if with_targets else []
         for k, (label, timing) in enumerate(row.timings.items()):
             name, size = (row.operation, row.size) if k == 0 else ("", "")
             memory = "-" if timing.memory is None else f"{timing.memory / 1e6:.0f}"
@@ -120,8 +107,9 @@ def table(rows: Iterable[Row], *, with_targets: bool) -> str:
             cells.append(f"{1000 * timing.compile:.0f}" if label == POINTLOOM else "")
             mark = " best" if label == row.best_peer and len(row.timings) > 2 else ""
             shown = f"{ratio:.2f}{mark}" if isinstance(ratio, float) else "-"
-            lines.append((name, size, label, *cells, memory, shown, texts.pop(0) if texts else ""))
-        lines += [("",) * 8 + (text,) for text in texts]
+            lines.append(
+                (name, size, label, *cells, memory, shown, row.target_text() if with_targets and k == 0 else "")
+            )
     widths = [max(len(line[k]) for line in lines) for k in range(len(HEADINGS))]
     numbers = range(3, 7)
     texts_of_lines = []
@@ -152,5 +140,5 @@ def _result(row: Row, with_targets: bool) -> dict[str, Any]:
     if row.best_peer is not None:
         result |= {"best_peer": row.best_peer, "ratio": row.ratio([row.best_peer])}
     if with_targets:
-        result["targets"] = [{**asdict(target), "met": target.met} for target in row.target_results()]
+        result["target"] = row.target
     return result

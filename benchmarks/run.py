@@ -1,6 +1,6 @@
 """Run the benchmarks: one table on stdout, progress on stderr, a JSON document under benchmarks/results/.
 
-python benchmarks/run.py [--only OPERATION] [--device cpu|cuda:0] [--quick] [--profile] [--output FILE]
+python benchmarks/run.py [--only OPERATION] [--device cpu|cuda:0] [--quick | --long] [--profile] [--output FILE]
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,7 @@ FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))
 
 from contest import Operation, operations, thread_count, versions  # noqa: E402
-from report import Row, collect, document, table  # noqa: E402
+from report import Row, Timing, collect, document, table  # noqa: E402
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -58,7 +59,7 @@ def measure(options: argparse.Namespace) -> int:
     begin = time.monotonic()
     rows, problems = run_timings(chosen, options)
     if not options.quick:
-        measure_memory(chosen, rows, options.device, problems)
+        measure_memory(chosen, rows, options, problems)
     about["seconds"] = round(time.monotonic() - begin, 1)
     with_targets = options.device == "cpu" and not options.quick
     print(table(rows.values(), with_targets=with_targets), flush=True)
@@ -75,6 +76,7 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--only", action="append", metavar="OPERATION", help="an operation or file, or a prefix")
     parser.add_argument("--device", default="cpu", help="device of pointloom: cpu (default) or cuda:0")
     parser.add_argument("--quick", action="store_true", help="test run: small sizes, one lap, no memory")
+    parser.add_argument("--long", action="store_true", help="the largest sizes, too")
     parser.add_argument("--profile", action="store_true", help="print pointloom's times by kernel instead")
     parser.add_argument("--cold", action="store_true", help="start with empty kernel caches, to include compilation")
     parser.add_argument("--threads", type=int, default=2, help="threads and cores of every contestant (default 2)")
@@ -124,6 +126,7 @@ def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Name
             command += ["-q", "-s", "--tb=short"]
             command += [f"--benchmark-json={output}", "--benchmark-quiet", f"--bench-device={options.device}"]
             command += [f"--bench-operation={name}" for name in names] + ["--bench-quick"] * options.quick
+            command += ["--bench-long"] * options.long
             done = subprocess.run(command, stdout=subprocess.PIPE, text=True, cwd=FOLDER.parent, check=False)
             is_written = output.exists() and output.stat().st_size > 0
             if is_written:
@@ -138,22 +141,35 @@ def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Name
 
 
 def measure_memory(
-    chosen: dict[str, tuple[str, Operation]], rows: dict[tuple[str, str], Row], device: str, problems: dict
+    chosen: dict[str, tuple[str, Operation]],
+    rows: dict[tuple[str, str], Row],
+    options: argparse.Namespace,
+    problems: dict,
 ) -> None:
-    """Measure the peak memory of each contestant in a separate process, and add it to the rows."""
+    """Measure the peak memory of each contestant in a separate process, and add it to the rows.
+
+    On the CPU two processes run at a time: no time is measured here.
+    """
+
+    def measure_one(case: tuple[str, str, str, Timing]) -> None:
+        name, size, label, timing = case
+        command = [sys.executable, str(FOLDER / "memory.py"), name, size, label, options.device]
+        done = subprocess.run(command, capture_output=True, text=True, cwd=FOLDER.parent, check=False)
+        try:
+            timing.memory = document_in(done.stdout)["bytes"]
+        except (ValueError, KeyError, IndexError):
+            reason = (done.stderr.strip().splitlines() or ["no result"])[-1]
+            problems["failed"].append(without_folders(f"{name} {size} {label}: peak memory: {reason}"))
+            return
+        print(f"  {name:18} {size:16} {label:20} {timing.memory / 1e6:10.1f} MB", file=sys.stderr, flush=True)
+
+    cases = []
     for name, (_, operation) in chosen.items():
-        size = operation.memory_size or list(operation.scenes)[-1]
-        row = rows.get((name, size))
-        for label, timing in row.timings.items() if row else ():
-            command = [sys.executable, str(FOLDER / "memory.py"), name, size, label, device]
-            done = subprocess.run(command, capture_output=True, text=True, cwd=FOLDER.parent, check=False)
-            try:
-                timing.memory = document_in(done.stdout)["bytes"]
-            except (ValueError, KeyError, IndexError):
-                reason = (done.stderr.strip().splitlines() or ["no result"])[-1]
-                problems["failed"].append(without_folders(f"{name} {size} {label}: peak memory: {reason}"))
-                continue
-            print(f"  {name:18} {size:16} {label:20} {timing.memory / 1e6:10.1f} MB", file=sys.stderr, flush=True)
+        size = operation.memory_size or list(operation.sizes(long=options.long))[-1]
+        if row := rows.get((name, size)):
+            cases += [(name, size, label, timing) for label, timing in row.timings.items()]
+    with ThreadPoolExecutor(2 if options.device == "cpu" else 1) as pool:
+        list(pool.map(measure_one, cases))
 
 
 def document_in(text: str) -> dict[str, Any]:
@@ -174,7 +190,7 @@ def print_profiles(chosen: dict[str, tuple[str, Operation]], options: argparse.N
     """Print pointloom's times by kernel, each operation and size in a separate process."""
     code = 0
     for name, (_, operation) in chosen.items():
-        for size in operation.quick if options.quick else operation.scenes:
+        for size in operation.sizes(quick=options.quick, long=options.long):
             command = [sys.executable, str(FOLDER / "launches.py"), name, size, options.device]
             code |= subprocess.run(command, cwd=FOLDER.parent, check=False).returncode != 0
     return int(code)
@@ -192,6 +208,7 @@ def describe(options: argparse.Namespace) -> dict[str, Any]:
         "commit": commit or "unknown",
         "dirty": bool(_git("status", "--porcelain")) if commit else None,
         "quick": options.quick,
+        "long": options.long,
         "kernel_caches": "empty" if options.cold else "as found",
         "machine": machine(options.device),
         "versions": versions(),
@@ -239,7 +256,7 @@ def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, 
         if options.quick or options.only:
             return
         device = about["device"].replace(":", "")
-        path, content = FOLDER / "results" / f"operations-{device}.json", {"schema": 1, "runs": [content]}
+        path = FOLDER / "results" / f"operations-{device}.json"
         path.parent.mkdir(exist_ok=True)
     from pointloom.core.atomic import atomic_write
 

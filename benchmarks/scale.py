@@ -1,19 +1,18 @@
-"""Run every operation once at a large size: time and peak memory, each in a separate process.
+"""Growth of time and memory: every operation at four sizes, each a quarter of the next, in a process of its own.
 
-    python benchmarks/scale.py [--points 20000000] [--only NAME] [--write] [--device cpu]
+    python benchmarks/scale.py [--points 2000000] [--only NAME] [--device cpu] [--output FILE]
 
-Mesh operations get as many triangles as the others get points. Each operation first runs on 20,000 of them to
-compile its
-kernels. Then the cloud or mesh is created, and the time and the additional resident memory are measured for one
-call. For
-a failing operation, the table contains the error message.
+Mesh operations get as many triangles as the others get points. Each operation first runs on 20,000 of them, to compile
+its kernels. At each size the cloud or mesh is created, and the time and the additional resident memory are measured for
+one call. For a failing operation, the results contain the error message. A complete run on the CPU is saved in
+results/scale-cpu.json, from which write_pages.py makes the tables of docs/measured.md.
 """
 
 from __future__ import annotations
 
 import argparse
+import datetime
 import json
-import platform
 import subprocess
 import sys
 import tempfile
@@ -27,13 +26,14 @@ sys.path.insert(0, str(FOLDER))
 
 import numpy as np  # noqa: E402
 import scenes  # noqa: E402
-from contest import Trial, limit_threads, thread_count  # noqa: E402
+from contest import Trial, limit_threads  # noqa: E402
 from memory import peak_bytes  # noqa: E402
-from pages import write_between  # noqa: E402
+from run import machine  # noqa: E402
 
-PAGE = FOLDER.parent / "docs" / "measured.md"
+RESULTS = FOLDER / "results" / "scale-cpu.json"
 SMALL = 20_000
 TIME_LIMIT = 900  # [s] per operation
+STEPS = 4  # sizes, a factor of 4 apart
 Make = Callable[[Any, float], Any]  # (cloud, mean spacing [m]) -> result
 
 
@@ -197,8 +197,8 @@ def bumpy_mesh(count: int, device: str) -> tuple[Any, float]:
     return loom().TriangleMesh(np.stack([x, y, z], axis=1), triangles, device=device), edge
 
 
-def run_one(name: str, count: int, device: str) -> dict[str, Any]:
-    """Time and memory of one operation in this process."""
+def run_one(name: str, largest: int, device: str) -> list[dict[str, Any]]:
+    """Time and memory of one operation in this process, by size."""
     limit_threads(device)
     work, normals = (MESH_OPERATIONS[name], False) if name in MESH_OPERATIONS else OPERATIONS[name]
 
@@ -208,75 +208,74 @@ def run_one(name: str, count: int, device: str) -> dict[str, Any]:
         data = loom().PointCloud(scenes.bumpy_surface(n), device=device)
         return (data.estimate_normals(max_nn=12) if normals else data), scenes.SURFACE_EDGE / n**0.5
 
-    work(*scene(min(SMALL, count)))
-    arguments = scene(count)
-    seconds = []
+    work(*scene(min(SMALL, largest)))
+    records = []
+    for step in reversed(range(STEPS)):
+        count = largest // 4**step
+        arguments = scene(count)
+        seconds: list[float] = []
 
-    def call() -> Any:
-        begin = time.perf_counter()
-        result = work(*arguments)
-        seconds.append(time.perf_counter() - begin)
-        return result
+        def call(arguments: tuple[Any, float] = arguments, seconds: list[float] = seconds) -> Any:
+            begin = time.perf_counter()
+            result = work(*arguments)
+            seconds.append(time.perf_counter() - begin)
+            return result
 
-    return {"bytes": peak_bytes(Trial(call)), "seconds": seconds[0]}
+        records.append({"count": count, "bytes": peak_bytes(Trial(call)), "seconds": seconds[0]})
+    return records
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--points", type=int, default=20_000_000)
+    parser.add_argument("--points", type=int, default=2_000_000, help="the largest size")
     parser.add_argument("--only", action="append", help="operations whose names start with this")
     parser.add_argument("--device", default="cpu")
-    parser.add_argument("--write", action="store_true", help="write the tables into docs/measured.md")
+    parser.add_argument(
+        "--output", type=Path, metavar="FILE", help="JSON file; without it only complete runs are saved"
+    )
     parser.add_argument("--one", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.one:
         print(json.dumps(run_one(options.one, options.points, options.device)))
         return 0
+    about = {
+        "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "device": options.device,
+        "machine": machine(options.device),
+    }
     rows = []
     for name in [*OPERATIONS, *MESH_OPERATIONS]:
         if options.only and not any(name.startswith(start) for start in options.only):
             continue
-        rows.append((name, *attempt(name, options)))
-        print(f"{rows[-1][0]:45s} {rows[-1][1]:>10s} {rows[-1][2]:>9s}", flush=True)
-    if options.write:
-        write_tables(rows)
-        print(f"{options.points:,} points, {options.device}, {thread_count()} threads ({processor()})")
+        rows.append({"operation": name, **attempt(name, options)})
+        print(f"{name:45s} {text_of(rows[-1])}", flush=True)
+    path = options.output or (None if options.only or options.device != "cpu" else RESULTS)
+    if path is not None:
+        from pointloom.core.atomic import atomic_write
+
+        with atomic_write(path) as file:
+            file.write((json.dumps({"about": about, "rows": rows}, indent=1) + "\n").encode())
     return 0
 
 
-def attempt(name: str, options: argparse.Namespace) -> tuple[str, str]:
-    """Time and memory as table texts, or the error."""
+def attempt(name: str, options: argparse.Namespace) -> dict[str, Any]:
+    """Times and memory by size, or the error."""
     command = [sys.executable, __file__, "--one", name, "--points", str(options.points), "--device", options.device]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
     except subprocess.TimeoutExpired:
-        return f"> {TIME_LIMIT} s", "-"
+        return {"error": f"> {TIME_LIMIT} s"}
     if done.returncode:
         lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
-        return lines[-1][:200], "-"
-    record = json.loads(done.stdout.strip().splitlines()[-1])
-    return f"{record['seconds']:.1f}", f"{record['bytes'] / 2**30:.2f}"
+        return {"error": lines[-1][:200]}
+    return {"sizes": json.loads(done.stdout.strip().splitlines()[-1])}
 
 
-def write_tables(rows: list[tuple[str, str, str]]) -> None:
-    """Replace the tables of docs/measured.md. A table is kept if some of its operations were not measured."""
-    for mark, names in (("scale", OPERATIONS), ("scale-meshes", MESH_OPERATIONS)):
-        lines = [f"| `{name}` | {seconds} | {memory} |" for name, seconds, memory in rows if name in names]
-        if len(lines) == len(names):
-            head = ["| operation | seconds | peak memory [GiB] |", "|---|---|---|"]
-            write_between(PAGE, mark, "\n".join([*head, *lines]))
-
-
-def processor() -> str:
-    try:
-        names = [
-            line.split(":")[1].strip()
-            for line in Path("/proc/cpuinfo").read_text().splitlines()
-            if "model name" in line
-        ]
-        return names[0]
-    except (OSError, IndexError):
-        return platform.processor()
+def text_of(row: dict[str, Any]) -> str:
+    """Times [s] and memory [GiB] by size in one line, or the error."""
+    if "error" in row:
+        return row["error"]
+    return "  ".join(f"{size['seconds']:8.3f} s {size['bytes'] / 2**30:6.3f} GiB" for size in row["sizes"])
 
 
 if __name__ == "__main__":

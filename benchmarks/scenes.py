@@ -41,6 +41,12 @@ def bumpy_surface(count: int, seed: int = 0) -> NDArray[np.float64]:
     return _float32_exact(points)
 
 
+def small_patch(count: int = 1000, seed: int = 0) -> NDArray[np.float64]:
+    """About `count` points of the bumpy surface on 0.4 x 0.4 m."""
+    points = bumpy_surface(100 * count, seed)
+    return points[(np.abs(points[:, :2]) < SURFACE_EDGE / 20).all(axis=1)]
+
+
 def spinning_scan(count: int = 100_000, seed: int = 0) -> NDArray[np.float64]:
     """A spinning LiDAR scan of a street, float64 [n, 3]: the point density varies more than a thousandfold.
 

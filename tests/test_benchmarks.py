@@ -32,23 +32,28 @@ def harness() -> Iterator[None]:
 # ------------------------------------------------------------------------------------------------ operations
 
 
-def test_every_target_names_an_operation_a_size_and_peers_that_run():
+def test_every_target_and_every_reason_names_an_operation_and_a_size():
     import contest
     import targets
 
     known = contest.operations()
-    for target in targets.TARGETS:
-        _, operation = known[target.operation]
-        labels = {label for _, _, label in operation.contestants_on("cpu")}
-        assert target.size in operation.scenes
-        assert set(target.peers) <= labels - {contest.POINTLOOM}
+    for operation, size in [*targets.TARGETS, *targets.REASONS]:
+        assert size in known[operation][1].scenes
+
+
+def test_long_and_memory_sizes_are_sizes_of_the_operation():
+    import contest
+
+    for _, operation in contest.operations().values():
+        assert set(operation.long) < set(operation.scenes)
+        assert list(operation.sizes(long=True)) == list(operation.scenes)
+        assert operation.memory_size is None or operation.memory_size in operation.sizes()
 
 
 def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device():
     import contest
 
     for _, operation in contest.operations().values():
-        assert operation.memory_size is None or operation.memory_size in operation.scenes
         for device in ("cpu", "cuda:0"):
             labels = [label for _, _, label in operation.contestants_on(device)]
             assert labels[0] == contest.POINTLOOM and len(labels) > 1
@@ -119,6 +124,78 @@ def test_available_baselines_agree_with_pointloom_at_the_quick_size(peer, monkey
 
 
 # ------------------------------------------------------------------------------------------------ report, run
+
+
+def saved_run(ratio: float, operation: str = "dbscan", size: str = "1k") -> dict:
+    contestants = {
+        name: {"min_s": seconds, "peak_memory_bytes": None}
+        for name, seconds in (("pointloom", 0.01), ("other", ratio / 100))
+    }
+    row = {"operation": operation, "size": size, "contestants": contestants, "target": 2.0}
+    return {
+        "date": "2026-02-01T00:00:00+00:00", "seconds": 60.0, "commit": "0123456789ab",
+        "machine": {"cpu": "a processor", "threads": 2},
+        "results": [{**row, "best_peer": "other", "ratio": ratio}, {**row, "size": "alone"}],
+    }  # fmt: skip
+
+
+def test_the_page_has_each_row_with_a_baseline():
+    import write_pages
+
+    text = write_pages.measured_table(saved_run(3.0))
+    assert "1 February 2026" in text and "2 cores (a processor)" in text
+    assert "| `dbscan` | 1k | 10.0 ms | other 30.0 ms | 3.0 | 2 |  |" in text and "alone" not in text
+
+
+@pytest.mark.parametrize("ratio", [0.5, 1.5])
+def test_a_row_below_its_target_needs_a_reason(ratio, monkeypatch):
+    import write_pages
+
+    monkeypatch.setattr(write_pages, "REASONS", {})
+    with pytest.raises(ValueError, match="dbscan 1k"):
+        write_pages.measured_table(saved_run(ratio))
+    monkeypatch.setattr(write_pages, "REASONS", {("dbscan", "1k"): "Memory is the limit."})
+    assert "| `dbscan` | 1k | Memory is the limit. |" in write_pages.measured_table(saved_run(ratio))
+
+
+def test_the_readme_has_the_rows_that_are_furthest_behind(monkeypatch):
+    import write_pages
+
+    monkeypatch.setattr(write_pages, "SHOWN", {("dbscan", "1k"): ("clusters", "1k points")})
+    run = saved_run(3.0)
+    run["results"] += [
+        saved_run(ratio, "fpfh", size)["results"][0] for size, ratio in zip("abcd", (0.9, 0.5, 0.7, 2), strict=True)
+    ]
+    lines = [line for line in write_pages.readme_table(run).splitlines() if line.startswith("|")]
+    assert [line.split("|")[1:3] for line in lines[2:]] == [
+        [" clusters ", " 1k points "], [" `fpfh` ", " b "], [" `fpfh` ", " c "]
+    ]  # fmt: skip
+    assert "ahead in 2 of 5 rows" in " ".join(write_pages.readme_table(run).split())
+
+
+def test_growth_of_n_squared_has_the_exponent_two():
+    import write_pages
+
+    sizes = [{"count": 4**k, "seconds": 16.0**k, "bytes": 4**k} for k in range(4)]
+    rows = [{"operation": "pairs", "sizes": sizes}, {"operation": "other", "error": "MemoryError"}]
+    lines = list(write_pages.growth_tables({"about": saved_run(1.0), "rows": rows}))
+    assert lines[-2].startswith("| `pairs` |") and [t.strip() for t in lines[-2].split("|")][6::2] == ["2.00", "1.00"]
+    assert "MemoryError" in lines[-1]
+
+
+def test_check_finds_a_page_that_differs_from_the_saved_runs(tmp_path, monkeypatch, capsys):
+    import write_pages
+
+    page = tmp_path / "page.md"
+    page.write_text("old")
+    monkeypatch.setattr(write_pages, "ROOT", tmp_path)
+    monkeypatch.setattr(write_pages, "pages", lambda: {page: "new"})
+    monkeypatch.setattr(sys, "argv", ["write_pages.py", "--check"])
+    assert write_pages.main() == 1 and "page.md" in capsys.readouterr().err and page.read_text() == "old"
+    monkeypatch.setattr(sys, "argv", ["write_pages.py"])
+    assert write_pages.main() == 0 and page.read_text() == "new"
+    monkeypatch.setattr(sys, "argv", ["write_pages.py", "--check"])
+    assert write_pages.main() == 0
 
 
 # ------------------------------------------------------------------------------------------------ first use

@@ -1,0 +1,204 @@
+"""Write the tables of README.md and docs/measured.md from the saved runs in benchmarks/results.
+
+    python benchmarks/write_pages.py [--check]
+
+`--check` writes nothing. The exit code is then 1 if a page differs from the saved runs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import json
+import math
+import sys
+import textwrap
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from pages import replaced_between
+from targets import REASONS
+
+FOLDER = Path(__file__).resolve().parent
+ROOT = FOLDER.parent
+README, MEASURED = ROOT / "README.md", ROOT / "docs" / "measured.md"
+
+# Of the README: (operation, size) and their texts. The rows in which pointloom is furthest behind follow.
+SHOWN = {
+    ("voxel_down_sample", "1M"): ("voxel down-sampling, 2 cm", "1M points"),
+    ("normals_hybrid", "1M"): ("hybrid normals, 30 within r", "1M"),
+    ("orient_consistently", "200k"): ("consistent orientation", "200k"),
+    ("statistical_outliers", "1M"): ("statistical outliers, 20 neighbors", "1M"),
+    ("segment_plane", "1M"): ("plane, 1000 samples", "1M"),
+    ("fpfh", "200k"): ("FPFH, 100 neighbors", "62k"),
+    ("icp_plane", "200k"): ("point-to-plane ICP, one of 20 steps with all set-up", "200k"),
+    ("register_globally", "200k, 5 cm"): ("global registration", "200k"),
+    ("tsdf_integrate", "30 frames"): ("TSDF integration, 1 cm", "640 x 480"),
+    ("poisson", "200k, depth 9"): ("Poisson surface, depth 9", "200k"),
+}
+BEHIND = 2  # rows in which pointloom is furthest behind
+MONTHS = "January February March April May June July August September October November December"
+
+
+def load(name: str) -> dict[str, Any]:
+    """A saved run."""
+    return json.loads((FOLDER / "results" / name).read_text())
+
+
+def milliseconds(seconds: float) -> str:
+    """A time with three digits: 12.3 ms, or 1.23 s from a second on."""
+    value, unit = (seconds, "s") if seconds >= 1 else (1000 * seconds, "ms")
+    digits = max(0, 2 - math.floor(math.log10(value))) if value > 0 else 0
+    return f"{value:.{digits}f} {unit}"
+
+
+def times(ratio: float) -> str:
+    """A ratio with two digits, or as a whole number from 10 on."""
+    return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}" if ratio < 1 else f"{ratio:.1f}"
+
+
+def day(about: dict[str, Any]) -> str:
+    """The date of a run in words."""
+    date = datetime.datetime.fromisoformat(about["date"])
+    return f"{date.day} {MONTHS.split()[date.month - 1]} {date.year}"
+
+
+def computer(about: dict[str, Any]) -> str:
+    """The processor of a run."""
+    machine = about["machine"]
+    return f"{machine['threads']} cores ({machine['cpu']})"
+
+
+def cells(row: dict[str, Any]) -> list[str]:
+    """pointloom's time, the best baseline with its time, and the ratio."""
+    contestants, best = row["contestants"], row["best_peer"]
+    own, peer = contestants["pointloom"]["min_s"], contestants[best]["min_s"]
+    return [milliseconds(own), f"{best} {milliseconds(peer)}", times(row["ratio"])]
+
+
+def filled(text: str) -> str:
+    """A paragraph in lines of 120 characters."""
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
+
+
+def line(texts: list[str]) -> str:
+    """A line of a Markdown table."""
+    return f"| {' | '.join(texts)} |"
+
+
+def compared(run: dict[str, Any]) -> list[dict[str, Any]]:
+    """The rows that have a baseline."""
+    return [row for row in run["results"] if "ratio" in row]
+
+
+def readme_table(run: dict[str, Any]) -> str:
+    """The selected rows and those in which pointloom is furthest behind."""
+    rows = {(row["operation"], row["size"]): row for row in compared(run)}
+    lowest = sorted((row["ratio"], key) for key, row in rows.items() if key not in SHOWN and row["ratio"] < 1)
+    behind = {key: (f"`{key[0]}`", key[1]) for _, key in lowest[:BEHIND]}
+    ahead = sum(row["ratio"] >= 1 for row in rows.values())
+    threads = run["machine"]["threads"]
+    text = (
+        f"Times beside the fastest other library on {computer(run)}, all with {threads} threads, one run of `make "
+        f"bench` on {day(run)}. The ratio is baseline / pointloom. pointloom is ahead in {ahead} of {len(rows)} rows. "
+        "The last rows below are those in which it is furthest behind. All rows, with memory and the reasons of those "
+        "behind: [docs/measured.md](docs/measured.md)."
+    )
+    lines = [filled(text), "", "| operation | size | pointloom | best baseline | ratio |", "|---|---|---|---|---|"]
+    return "\n".join([*lines, *(line([*name, *cells(rows[key])]) for key, name in (SHOWN | behind).items())])
+
+
+def memory(row: dict[str, Any]) -> str:
+    """Peak memory of pointloom and of the best baseline [MB]; empty if not measured."""
+    values = [row["contestants"][label]["peak_memory_bytes"] for label in ("pointloom", row["best_peer"])]
+    return " / ".join(f"{value / 1e6:.0f}" for value in values) if None not in values else ""
+
+
+def measured_table(run: dict[str, Any]) -> str:
+    """All rows, and the reasons of those below their target or behind.
+
+    Raises:
+        ValueError: A row is behind or below its target, and targets.py has no reason.
+    """
+    rows = compared(run)
+    text = (
+        f"One run of `make bench` on {day(run)} ({run['seconds'] / 60:.0f} minutes, commit {run['commit'][:8]}), on "
+        f"{computer(run)}, every program with {run['machine']['threads']} threads: the best of several rounds, the "
+        "ratio baseline / pointloom with its target, and the peak memory above the data (pointloom / baseline)."
+    )
+    lines = [filled(text), "", "| operation | size | pointloom | best baseline | ratio | target | memory [MB] |"]
+    lines.append("|---|---|---|---|---|---|---|")
+    below = []
+    for row in rows:
+        target = row["target"]
+        texts = [f"`{row['operation']}`", row["size"], *cells(row), f"{target:g}" if target else "", memory(row)]
+        lines.append(line(texts))
+        if row["ratio"] < (target or 1):
+            below.append((row["operation"], row["size"]))
+    if missing := [f"{operation} {size}" for operation, size in below if (operation, size) not in REASONS]:
+        raise ValueError(
+            f"targets.py: REASONS has no entry for {'; '.join(missing)}, which are behind or below a target"
+        )
+    ahead = sum(row["ratio"] >= 1 for row in rows)
+    lines += ["", f"pointloom is ahead in {ahead} of {len(rows)} rows. Rows behind, or below their target:", ""]
+    lines += ["| operation | size | reason |", "|---|---|---|"]
+    lines += [line([f"`{operation}`", size, REASONS[operation, size]]) for operation, size in below]
+    return "\n".join(lines)
+
+
+def growth_tables(run: dict[str, Any]) -> Iterator[str]:
+    """The sentence about the run, and the table of growth."""
+    largest = max(size["count"] for row in run["rows"] for size in row.get("sizes", ()))
+    counts = [f"{largest // 4**step:,}" for step in (3, 2, 1, 0)]
+    yield f"One call each on {computer(run['about'])}, {day(run['about'])}: `python benchmarks/scale.py`."
+    yield ""
+    yield line(["operation", *(f"{count} [s]" for count in counts), "exponent", "memory [MB]", "exponent"])
+    yield "|---|---|---|---|---|---|---|---|"
+    for row in run["rows"]:
+        if "error" in row:
+            yield line([f"`{row['operation']}`", row["error"], "", "", "", "", "", ""])
+            continue
+        sizes = row["sizes"]
+        seconds = [f"{size['seconds']:.3f}" for size in sizes]
+        exponents = [exponent([size[key] for size in sizes]) for key in ("seconds", "bytes")]
+        yield line([f"`{row['operation']}`", *seconds, exponents[0], f"{sizes[-1]['bytes'] / 1e6:.0f}", exponents[1]])
+
+
+def exponent(values: list[float]) -> str:
+    """p of growth like n^p between the second and the last of four sizes; empty if a value is not positive."""
+    return f"{math.log(values[-1] / values[1]) / math.log(16):.2f}" if min(values[1], values[-1]) > 0 else ""
+
+
+def pages() -> dict[Path, str]:
+    """The contents of the pages with the tables of the saved runs."""
+    run, growth = load("operations-cpu.json"), load("scale-cpu.json")
+    measured = replaced_between(MEASURED.read_text(), "bench", measured_table(run))
+    return {
+        README: replaced_between(README.read_text(), "bench", readme_table(run)),
+        MEASURED: replaced_between(measured, "growth", "\n".join(growth_tables(growth))),
+    }
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="only check that the pages match the saved runs")
+    options = parser.parse_args()
+    code = 0
+    for path, text in pages().items():
+        if text == path.read_text():
+            continue
+        code = 1
+        if options.check:
+            name = path.relative_to(ROOT)
+            print(
+                f"{name}: its tables differ from benchmarks/results; run python benchmarks/write_pages.py",
+                file=sys.stderr,
+            )
+        else:
+            path.write_text(text)
+    return code if options.check else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
