@@ -101,11 +101,14 @@ def check_room(device: Device, size: int, what: str) -> None:
         )
 
 
-def _new_on_gpu(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
-    """Uninitialized array on a GPU. None if Warp must allocate it."""
-    if getattr(device, "ordinal", -1) < 0 or why_no_cuda_here():
+def _new(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
+    """Uninitialized array. None if Warp must allocate it."""
+    if isinstance(device, str):
         return None
-    _keep_pool(device)
+    if device.is_cuda:
+        if why_no_cuda_here():
+            return None
+        _keep_pool(device)
     try:
         return device_arrays.new(shape, dtype, device)
     except RuntimeError:
@@ -123,7 +126,7 @@ def empty(shape: tuple[int, int, int], dtype: type[Element], device: Device | st
 def empty(shape: tuple[int, ...], dtype: type[Element], device: Device | str) -> DeviceArray[Element, Any]: ...
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Device | str) -> Any:
     """Uninitialized array. Raises MemoryError, as all functions here that allocate."""
-    created = _new_on_gpu(shape, dtype, device)
+    created = _new(shape, dtype, device)
     if created is not None:
         return created
     with _Allocation(device):
@@ -139,7 +142,7 @@ def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Device) -> 
 @overload
 def zeros(shape: tuple[int, ...], dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def zeros(shape: int | tuple[int, ...], dtype: Any, device: Device) -> Any:
-    created = _new_on_gpu(shape, dtype, device)
+    created = _new(shape, dtype, device)
     if created is not None:
         with lock_for(device):
             if not device_copies.is_zeroed(created):
@@ -158,7 +161,7 @@ def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: 
 @overload
 def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
-    created = _new_on_gpu(shape, dtype, device)
+    created = _new(shape, dtype, device)
     if created is not None:
         with lock_for(device):
             created.fill_(value)
@@ -184,19 +187,18 @@ def upload(
         return empty(shape, dtype, device)
     if not copied:  # an axis of one element may have any stride, which Warp treats as non-contiguous
         values = values.reshape(-1).reshape(values.shape)
-    if copied and getattr(device, "is_cpu", False):
-        inner = getattr(dtype, "_shape_", ())
-        outer = values.shape[: values.ndim - len(inner)]
-        if values.shape == (*outer, *inner) and outer:  # Warp would make two arrays and a copy, in twice the time
-            out = empty(outer, dtype, device)
-            np.copyto(host_view(out), values)
-            return out
     inner = getattr(dtype, "_shape_", ())
     outer = values.shape[: values.ndim - len(inner)]
-    if outer and values.shape == (*outer, *inner) and (created := _new_on_gpu(outer, dtype, device)) is not None:
-        with lock_for(device):
-            if device_copies.is_written(created, values):
-                return created
+    if outer and values.shape == (*outer, *inner):
+        if getattr(device, "is_cpu", False):
+            if copied:  # Warp would make two arrays and a copy, in twice the time
+                out = empty(outer, dtype, device)
+                np.copyto(host_view(out), values)
+                return out
+        elif (created := _new(outer, dtype, device)) is not None:
+            with lock_for(device):
+                if device_copies.is_written(created, values):
+                    return created
     with _Allocation(device):
         out: Any = wp.array(values, dtype=dtype, device=device, copy=copied)
         return own(out)

@@ -5,6 +5,7 @@ Functions return False or None without any effect if Warp has to do it, such as 
 
 from __future__ import annotations
 
+import ctypes
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,9 @@ def _is_plain(values: Any) -> bool:
 
 
 def is_zeroed(values: Any) -> bool:
+    if values.device.is_cpu and values.is_contiguous:
+        ctypes.memset(values.ptr or 0, 0, values.capacity)
+        return True
     if not _is_plain(values):
         return False
     size = values.size * _kind(values).element_bytes

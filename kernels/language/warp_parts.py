@@ -36,6 +36,7 @@ LAUNCH = ("block_dim", "bounds", "cluster_dim", "grid_stride", "hooks", "max_blo
 HOOKS = ("det_launch_meta", "forward", "forward_smem_bytes")
 FUNCTIONS = {  # of the native library, with their argument types
     "wp_cuda_launch_kernel": 11,
+    "wp_alloc_host": 2,
     "wp_alloc_device_async": 4,
     "wp_free_device_async": 3,
     "wp_memset_device": 5,
@@ -63,6 +64,7 @@ def missing() -> list[str]:
     names += [f"Device.{name}" for name in DEVICE if not _has(context.Device, name)]
     names += [f"Launch.{name}" for name in LAUNCH if not _has(context.Launch, name)]
     names += [f"KernelHooks.{name}" for name in HOOKS if not _has(context.KernelHooks, name)]
+    names += [] if hasattr(context, "CpuDefaultAllocator") else ["CpuDefaultAllocator"]
     names += [] if hasattr(context, "_raise_cuda_launch_error") else ["_raise_cuda_launch_error"]
     names += [f"runtime.{name}" for name in ("_apic_capture", "core", "tape") if not hasattr(context.runtime, name)]
     for name, count in FUNCTIONS.items():
@@ -96,8 +98,11 @@ def raise_launch_error(kernel: Any, device: Any, hooks: Any) -> NoReturn:
 
 
 def makes_arrays_plainly(device: Any) -> bool:
-    """True if a GPU array is plain memory of Warp's pool."""
+    """True if an array is plain memory of the host, or of Warp's pool on a GPU."""
     try:
+        if device.is_cpu:
+            allocator = type(device.default_allocator)
+            return allocator is context.CpuDefaultAllocator and context.runtime._apic_capture is None and is_known()
         return (
             device._custom_allocator is None
             and device.current_allocator is device.mempool_allocator

@@ -144,6 +144,21 @@ class Pooled:
         self.threshold = threshold
 
 
+@pytest.mark.parametrize("shape", [5, 0, (4,), (2, 3), (2, 0, 4), (np.int64(3), np.int32(2))], ids=str)
+@pytest.mark.parametrize("dtype", [wp.float32, wp.uint8, wp.vec3, wp.mat44d], ids=lambda t: t.__name__)
+def test_a_new_array_of_the_host_has_the_state_of_a_warp_array(shape, dtype):
+    where = wp.get_device("cpu")
+    for array, warps in (
+        (memory.empty(shape, dtype, where), wp.empty(shape, dtype=dtype, device=where)),
+        (memory.zeros(shape, dtype, where), wp.zeros(shape, dtype=dtype, device=where)),
+    ):
+        own = {"kind_", "packed_", "ptr", "ctype", "_array_interface"}
+        states = [{name: value for name, value in vars(a).items() if name not in own} for a in (array, warps)]
+        assert states[0] == states[1] and (array.ptr is None) == (warps.ptr is None)
+        assert bytes(array.__ctype__())[8:] == bytes(warps.__ctype__())[8:]
+    np.testing.assert_array_equal(array.numpy(), warps.numpy())
+
+
 def test_the_pool_of_a_gpu_is_configured_once_to_keep_released_memory(monkeypatch):
     gpu = Pooled(monkeypatch)
     memory._keep_pool(gpu)

@@ -19,6 +19,7 @@ ON_HOST = [
     ("wp", "_src"),
     ("wp", "ModuleBuildOptions"),
     ("wp", "get_cpu_kernel_cache_key"),
+    (CONTEXT, "CpuDefaultAllocator"),
     (CONTEXT, "MemoryKind"),
     (CONTEXT, "runtime"),
     (f"{CONTEXT}.runtime", "llvm"),
