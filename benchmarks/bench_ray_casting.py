@@ -26,7 +26,7 @@ def camera_scene(cells: int = 128, width: int = 1280, height: int = 960) -> Scen
     middle, size = (vertices.min(axis=0) + vertices.max(axis=0)) / 2, np.ptp(vertices, axis=0).max()
     eye = middle + size * np.array([0.2, 0.3, 1.2])
     rays = loom.RaycastingScene.create_rays_pinhole(60, middle, eye, [0, 1, 0], width, height)
-    return (vertices, triangles), rays
+    return (vertices, triangles), rays.astype(np.float32)  # float64 if the eye is far from zero
 
 
 @cache

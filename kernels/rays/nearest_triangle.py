@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from ..algebra.plain_min_max import smaller
+from ..algebra.plain_min_max import larger, smaller
 from ..array_types import Indices, Points
 from ..lang import (
     INFINITY,
@@ -21,6 +21,7 @@ from ..lang import (
     cuda_func,
     float32,
     float64,
+    float_bits,
     func,
     int32,
     int64,
@@ -41,12 +42,14 @@ from ..lang import (
 from ..memory import full
 from ..search.bucket_walk import byte_shift
 from ..search.hilbert_order import order_in_box
-from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES, measure_boxes
+from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES
 from .triangle_bounds import SMALLEST, bound_distance, load_corners, sqdist_at, sqdist_limit
-from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
+from .triangle_tree import LEAF, LEAF_NUMBERS, MAX_LEVEL, TriangleTree, level_keys
 
 GROUP_BITS = 3  # of a lane index within its group
 BYTE = 255
+CHILD = 7  # the bits of a child's index
+NO_CHILD = 0x7FFFFFFF  # above the bits of any distance
 EVERY = 255  # one byte, in 64 bits
 WIDER = 1.000002  # as triangle_bounds.SLACK, plus the rounding of this product
 LAST = 2147483647  # triangle number after all others
@@ -186,7 +189,8 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
 NO_TRIANGLE = -1
 RUN = 16  # queries per thread
 CURVE_LEVELS = 10  # of the curve that orders queries
-lane_numbers = vector(8, float32)
+run_coordinates = vector(48, float32)
+run_sqdists = vector(16, float64)
 lane_bounds = vector(16, float32)  # upper bounds of eight squared distances, then lower bounds
 
 
@@ -247,65 +251,54 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
 
 
 @func
-def measure_bucket(node: int, q: vec3, tree: TriangleTree, scale: float, best: vec4d) -> vec4d:
-    """Update the best triangle with the leaves of a node of level 0, nearest first."""
-    distances = measure_boxes(tree.boxes, node, q, q)
-    result = best + vec4d(0.0, 0.0, 0.0, 0.0)
-    searching = 1
-    while searching == 1:
-        j = nearest_of(distances, BYTE)
-        if distances[j] <= sqdist_limit(result[0]):
-            result = measure_leaf(node * FAN + j, q, tree, scale, result)
-            distances[j] = INFINITY
-        else:
-            searching = 0
-    return result
-
-
-@func
-def nearest_of(distances: lane_numbers, wanted: int) -> int:
-    nearest = 0
-    shortest = float(INFINITY)
-    for j in range(FAN):
-        closer = 1 if distances[j] < shortest else 0
-        closer = closer & (wanted >> j)
-        nearest = j if closer == 1 else nearest
-        shortest = distances[j] if closer == 1 else shortest
-    return nearest
-
-
-@func
 def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4d:
-    """Nearest triangle as `measure_leaf`, or `near` if none is nearer."""
-    best = near + vec4d(0.0, 0.0, 0.0, 0.0)
+    """Nearest triangle as `measure_leaf`, or `near` if none is nearer. A node is measured once: `pending` stores the
+    distances to its children, their lowest three bits the child, NO_CHILD after the visit.
+    """
+    upper = near[0]  # numbers, since a vector would be copied at each node
+    lower = near[1]
+    exact = near[2]
+    index = near[3]
+    limit = float_bits(sqdist_limit(upper)) | CHILD
     level = tree.root
     node = 0
-    pending = int64(EVERY) << byte_shift(level)  # one byte per level: pending children
-    if level == 0:
-        best = measure_bucket(0, q, tree, scale, best)
-        level = 1
+    is_new = 1
+    pending = level_keys(0)
     while level <= tree.root:
-        left = int(pending >> byte_shift(level)) & BYTE
-        chosen = -1
-        if left != 0:
-            distances = measure_boxes(tree.boxes, tree.levels[level] + node, q, q)
-            limit = sqdist_limit(best[0])
-            j = nearest_of(distances, left)
-            if ((left >> j) & 1) == 1 and distances[j] <= limit:
-                chosen = j
-        if chosen < 0:
-            pending = pending & ~(int64(EVERY) << byte_shift(level))
-            level += 1
-            node = node // FAN
+        at = FAN * (level & MAX_LEVEL)  # never negative, which saves a check of each index
+        nearest = int(NO_CHILD)
+        if is_new == 1:
+            first = (tree.levels[level] + node) * SIDES
+            for j in range(FAN):
+                box = first + j
+                x = larger(larger(tree.boxes[box] - q[0], q[0] - tree.boxes[box + 3 * FAN]), 0.0)
+                y = larger(larger(tree.boxes[box + FAN] - q[1], q[1] - tree.boxes[box + 4 * FAN]), 0.0)
+                z = larger(larger(tree.boxes[box + 2 * FAN] - q[2], q[2] - tree.boxes[box + 5 * FAN]), 0.0)
+                key = (float_bits(x * x + y * y + z * z) & ~CHILD) | j
+                pending[at + j] = key
+                nearest = min(nearest, key)
         else:
-            pending = pending & ~(int64(1 << chosen) << byte_shift(level))
-            if level == 1:
-                best = measure_bucket(node * FAN + chosen, q, tree, scale, best)
+            for j in range(FAN):
+                nearest = min(nearest, pending[at + j])
+        is_new = 0
+        if nearest > limit:
+            node = node // FAN
+            level = level + 1
+        else:
+            child = node * FAN + (nearest & CHILD)
+            pending[at + (nearest & CHILD)] = NO_CHILD
+            if level == 0:
+                best = measure_leaf(child, q, tree, scale, vec4d(upper, lower, exact, index))
+                upper = best[0]
+                lower = best[1]
+                exact = best[2]
+                index = best[3]
+                limit = float_bits(sqdist_limit(upper)) | CHILD
             else:
-                node = node * FAN + chosen
-                level -= 1
-                pending = pending | (int64(EVERY) << byte_shift(level))
-    return best
+                node = child
+                level = level - 1
+                is_new = 1
+    return vec4d(upper, lower, exact, index)
 
 
 @struct
@@ -344,17 +337,28 @@ def find_nearest_triangles_kernel(
     nearest: NearestTriangles,
 ):
     i = tid()
-    for rank in range(i * run, min((i + 1) * run, queries.shape[0])):
-        row = query_order[rank]
+    first = i * run
+    count = min(run, queries.shape[0] - first)
+    coordinates = run_coordinates(0.0)
+    known = run_sqdists(0.0)
+    for j in range(count):  # at once, since the rows are in random order
+        row = query_order[first + j]
         q = queries[row]
+        at = 3 * (j & (RUN - 1))
+        coordinates[at] = q[0]
+        coordinates[at + 1] = q[1]
+        coordinates[at + 2] = q[2]
+        known[j & (RUN - 1)] = nearest.sqdists[row]
+    for j in range(count):
+        q = vec3(coordinates[3 * j], coordinates[3 * j + 1], coordinates[3 * j + 2])
         if tree.count > 0 and isfinite(q):
-            known_sqdist = nearest.sqdists[row]
-            bound = min(known_sqdist, float64(LARGEST_SQDIST))
+            bound = min(known[j], float64(LARGEST_SQDIST))
             best = find_nearest(q, tree, scale, vec4d(bound, 0.0, -1.0, -1.0))
             if best[3] >= 0.0:
                 index = int(best[3])
                 sqdist = sqdist_at(q, index, tree)
-                if sqdist < known_sqdist:
+                if sqdist < known[j]:
+                    row = query_order[first + j]
                     nearest.sqdists[row] = sqdist
                     nearest.meshes[row] = mesh
                     nearest.triangles[row] = tree.order[index]

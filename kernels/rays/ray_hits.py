@@ -27,7 +27,7 @@ from ..lang import (
 from ..search.point_tree import FAN, SIDES
 from ..search.tree_walk import bits_of
 from .scene_trees import FIRST_LEAF, MOTION, NUMBER, ROOT, ROW, SceneTrees
-from .triangle_tree import LEAF, LEAF_NUMBERS
+from .triangle_tree import LEAF, LEAF_NUMBERS, MAX_LEVEL, level_keys
 
 BYTE = 255
 FULL_BYTE = 255
@@ -109,11 +109,11 @@ def near_sides(d: vec3) -> vec3i:
     return sides
 
 
-@func
-def measure_entries(
+@loop
+def child_entries(
     boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, end: float
-) -> entry_keys:
-    """Depth bits at which a ray enters the child boxes, lowest three bits the child. NOT_ENTERED beyond `end`."""
+) -> tuple[int, int]:
+    """Each child, and depth bits of its box on the ray, lowest three bits the child; NOT_ENTERED beyond `end`."""
     at = record * SIDES
     x0 = at + near[0]
     y0 = at + near[1]
@@ -121,7 +121,6 @@ def measure_entries(
     x1 = at + 3 * FAN - near[0]
     y1 = at + 5 * FAN - near[1]
     z1 = at + 7 * FAN - near[2]
-    keys = entry_keys(0)
     for j in range(FAN):
         x = (boxes[x0 + j] - a[0]) * rates[0]
         y = (boxes[y0 + j] - a[1]) * rates[1]
@@ -131,7 +130,18 @@ def measure_entries(
         v = (boxes[y1 + j] - b[1]) * rates[1]
         w = (boxes[z1 + j] - b[2]) * rates[2]
         last = smaller(smaller(u, v), smaller(w, end))
-        keys[j] = ((float_bits(first) & ~7) | j) if first <= last else NOT_ENTERED
+        key = ((float_bits(first) & ~7) | j) if first <= last else NOT_ENTERED
+        yield j, key
+
+
+@func
+def measure_entries(
+    boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, end: float
+) -> entry_keys:
+    """Keys of a record's children by `child_entries`."""
+    keys = entry_keys(0)
+    for j, key in child_entries(boxes, record, near, a, b, rates, begin, end):
+        keys[j] = key
     return keys
 
 
@@ -167,7 +177,53 @@ def leaves_on_ray(
     begin: float,
     end: float,
 ) -> int:
-    """Leaves whose boxes a ray enters by `end`, which the body may shrink. Nearest sibling first."""
+    """Leaves whose boxes a ray enters by `end`, which the body may shrink. Nearest sibling first.
+
+    A node is measured once: `pending` stores the keys of its children, NOT_ENTERED after the visit.
+    """
+    level = root
+    node = 0
+    is_new = 1
+    pending = level_keys(0)
+    while level <= root:
+        at = FAN * (level & MAX_LEVEL)  # never negative, which saves a check of each index
+        nearest = int(NOT_ENTERED)
+        if is_new == 1:
+            for j, key in child_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, end):
+                pending[at + j] = key
+                nearest = min(nearest, key)
+        else:
+            for j in range(FAN):
+                nearest = min(nearest, pending[at + j])
+        is_new = 0
+        if nearest > (float_bits(end) | 7):
+            node = node // FAN
+            level = level + 1
+        else:
+            pending[at + (nearest & 7)] = NOT_ENTERED
+            if level == 0:
+                leaf = node * FAN + (nearest & 7)
+                yield leaf
+            else:
+                node = node * FAN + (nearest & 7)
+                level = level - 1
+                is_new = 1
+
+
+@leaves_on_ray.on_cuda
+def leaves_on_ray_by_bits(
+    levels: array(dtype=int32),
+    first: int,
+    root: int,
+    boxes: array(dtype=float32),
+    near: vec3i,
+    a: vec3,
+    b: vec3,
+    rates: vec3,
+    begin: float,
+    end: float,
+) -> int:
+    """CUDA variant with a bit per child instead of its key: a vector with a computed index is slow there."""
     level = root
     node = 0
     pending = ~int64(0)

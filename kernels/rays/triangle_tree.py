@@ -19,7 +19,23 @@ from ..arrays.bounds import NOTHING, WIDTH, box_of, merge_box
 from ..arrays.runs import Runs, elements_of
 from ..arrays.select import positions_of
 from ..arrays.side_by_side import read_together
-from ..lang import INFINITY, NAN, array, float32, func, int32, isfinite, kernel, launch, struct, tid, uint8, vec3, vec3i
+from ..lang import (
+    INFINITY,
+    NAN,
+    array,
+    float32,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3i,
+    vector,
+)
 from ..memory import download, empty, full, upload
 from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
 from .split_order import order_by_splits
@@ -27,6 +43,8 @@ from .split_order import order_by_splits
 LEAF = 8  # triangles per leaf
 RUN = 1024  # triangles per CPU thread: one atomic each
 LEAF_NUMBERS = 9 * LEAF  # numbers of a leaf's corners
+MAX_LEVEL = 15  # 2^k - 1, above the root of 2^31 triangles
+level_keys = vector(128, int32)  # FAN per level
 
 
 class Extent:

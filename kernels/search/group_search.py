@@ -50,6 +50,15 @@ def grown_sqradius(bound: float, sqdist: float) -> float:
 
 
 @func
+def is_repeated(p: vec3, before: vec3, bound: float) -> int:
+    """1 if a query has the keys of the one before, whose k-th squared distance is `bound`, infinite for fewer than k.
+
+    The scans of some LiDARs contain thousands of missing returns at zero.
+    """
+    return 1 if p[0] == before[0] and p[1] == before[1] and p[2] == before[2] and bound < BOUNDLESS else 0
+
+
+@func
 def gather_candidates(
     a: vec3,
     b: vec3,
@@ -193,20 +202,24 @@ def nearest_of_leaves(
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
+    size = 0
     for leaf in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
         covered = min(max_sqdist, widest * GUESS)
         gathered = gather_around_leaf(leaf, covered, tree, labels, scratch, listing)
         widest = 0.0
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
             p = tree.points[rank]
-            near = min(max_sqdist, grown_sqradius(bound, square_distance(before, p)))
-            size = search_member(p, leaf // FAN, gathered, covered, tree, labels, scratch, listing, base, near, sort)
-            yield rank, base, size
-            before = p
-            bound = float(INFINITY)
-            if size == scratch.k:
-                bound = farthest_key(scratch, base, size)
+            if is_repeated(p, before, bound) == 0:
+                near = min(max_sqdist, grown_sqradius(bound, square_distance(before, p)))
+                size = search_member(
+                    p, leaf // FAN, gathered, covered, tree, labels, scratch, listing, base, near, sort
+                )
+                before = p
+                bound = float(INFINITY)
+                if size == scratch.k:
+                    bound = farthest_key(scratch, base, size)
             widest = max(widest, bound)
+            yield rank, base, size
 
 
 @nearest_of_leaves.on_cuda

@@ -28,7 +28,7 @@ from ..lang import (
 from ..memory import empty, flat, rows_of
 from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
-from .group_search import GUESS, gather_candidates, grown_sqradius, search_member
+from .group_search import GUESS, gather_candidates, grown_sqradius, is_repeated, search_member
 from .hilbert_order import argsort_along
 from .lane_search import point_of_lane, search_lanes
 from .neighbor_keys import BOUNDLESS, sort_keys
@@ -105,12 +105,15 @@ def search_nearest_kernel(
             p = queries[row]
             size = 0
             if tree.count > 0 and isfinite(p):
-                near = min(max_sqdist, grown_sqradius(bound, square_distance(before, p)))
-                size = search_member(p, start, gathered, covered, tree, tree.order, scratch, listing, base, near, 1)
-                before = p
-                bound = float(INFINITY)
-                if size == scratch.k:
-                    bound = key_number(scratch.keys[base + scratch.k - 1])
+                if is_repeated(p, before, bound) == 1:
+                    size = scratch.k
+                else:
+                    near = min(max_sqdist, grown_sqradius(bound, square_distance(before, p)))
+                    size = search_member(p, start, gathered, covered, tree, tree.order, scratch, listing, base, near, 1)
+                    before = p
+                    bound = float(INFINITY)
+                    if size == scratch.k:
+                        bound = key_number(scratch.keys[base + scratch.k - 1])
                 widest = max(widest, bound)
             write_row(row, size, base, 1, scratch, indices, distances, counts)
 

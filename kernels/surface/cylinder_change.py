@@ -51,6 +51,7 @@ TWO_SIDED = 1.96  # standard deviations of a 95 % interval
 # Of points in a cylinder: their count, the sum of coordinates along the axis, and those of the squares of their upper
 # halves, of both halves' products, and of the squares of lower halves.
 coordinate_sums = vector(5, int64)
+lane_numbers = vector(8, float32)
 
 
 @struct
@@ -183,15 +184,6 @@ def leaves_near_axis(start: int, p: vec3, axis: vec3, radius: float, length: flo
         )  # fmt: skip
 
 
-@func
-def add_coordinate(total: coordinate_sums, coordinate: float64, scale: float64) -> coordinate_sums:
-    """Add a coordinate along the axis and its square, in integer steps."""
-    steps = int64(coordinate * scale)
-    high = steps >> int64(HALF_BITS)
-    low = steps & int64(HALF)
-    return total + coordinate_sums(1, steps, high * high, high * low, low * low)
-
-
 @kernel
 def sum_cylinders_kernel(
     cores: array(dtype=vec3),
@@ -206,7 +198,11 @@ def sum_cylinders_kernel(
     i = order[t]
     p = cores[i]
     axis = directions[i]
-    total = coordinate_sums(0)
+    count = int64(0)
+    total = int64(0)
+    highs = int64(0)
+    products = int64(0)
+    lows = int64(0)
     if tree.count > 0 and isfinite(p) and isfinite(axis):
         middle = vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
         along = vec3d(float64(axis[0]), float64(axis[1]), float64(axis[2]))
@@ -215,15 +211,32 @@ def sum_cylinders_kernel(
         unit = vec3(float(along[0]), float(along[1]), float(along[2]))
         wide = widened(cylinder.radius, p) + float(cylinder.length) * OUTWARDS
         long = widened(cylinder.length, p)
+        xs = lane_numbers(0.0)
+        ys = lane_numbers(0.0)
+        zs = lane_numbers(0.0)
         for first in leaves_near_axis(find_bucket(p, tree), p, unit, wide, long, tree):
-            for j in range(first, min(first + LEAF, tree.count)):
-                q = tree.points[j]
-                to = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - middle
-                coordinate = dot(to, along)
-                beside = dot(to, to) - coordinate * coordinate
-                if beside <= widest and abs(coordinate) <= cylinder.length:
-                    total = add_coordinate(total, coordinate, cylinder.scale)
-    sums[i] = total
+            for j in range(LEAF):  # missing points are infinite and outside
+                q = tree.points[first + j]
+                xs[j] = q[0]
+                ys[j] = q[1]
+                zs[j] = q[2]
+            for j in range(LEAF):
+                x = float64(xs[j]) - middle[0]
+                y = float64(ys[j]) - middle[1]
+                z = float64(zs[j]) - middle[2]
+                coordinate = x * along[0] + y * along[1] + z * along[2]
+                beside = (x * x + y * y + z * z) - coordinate * coordinate
+                is_beside = 1 if beside <= widest else 0
+                inside = is_beside & (1 if abs(coordinate) <= cylinder.length else 0)
+                steps = int64((coordinate if inside == 1 else float64(0.0)) * cylinder.scale)
+                high = steps >> int64(HALF_BITS)
+                low = steps & int64(HALF)
+                count += int64(inside)
+                total += steps
+                highs += high * high
+                products += high * low
+                lows += low * low
+    sums[i] = coordinate_sums(count, total, highs, products, lows)
 
 
 @func

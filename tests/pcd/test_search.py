@@ -26,6 +26,16 @@ def test_k_nearest_agree_with_brute_force(device, shape, rng, tolerances):
     assert_nearest(search.knn_search(cloud, 20), self_sqdists, 20, np.inf, tolerances, shape in EXACT)
 
 
+def test_equal_points_have_the_same_neighbors_lowest_indices_first(device, rng):
+    points = rng.random((600, 3)) + 1.0
+    missing = np.sort(rng.permutation(len(points))[:300])
+    points[missing] = 0.0
+    cloud = loom.PointCloud(points, device=device)
+    result = loom.NearestNeighborSearch(cloud).knn_search(cloud, 20)
+    np.testing.assert_array_equal(result.indices[missing], np.tile(missing[:20], (len(missing), 1)))
+    assert not result.sqdists[missing].any()
+
+
 @pytest.mark.parametrize("shape", SHAPES)
 def test_radius_search_agrees_with_brute_force(device, shape, rng, tolerances):
     cloud = make_cloud(shape, rng, device)
