@@ -78,28 +78,19 @@ def inverse_root(M: mat33d) -> mat33d:
 
 
 @func
-def inverse_factor(M: mat33d) -> mat33d:
-    """W with W^T W = M^-1 of a positive definite M: inverse Cholesky factor."""
-    W = mat33d(0.0)
-    d0 = M[0, 0]
-    if d0 > 0.0:
-        l00 = sqrt(d0)
-        l10 = M[1, 0] / l00
-        l20 = M[2, 0] / l00
-        d1 = M[1, 1] - l10 * l10
-        if d1 > 0.0:
-            l11 = sqrt(d1)
-            l21 = (M[2, 1] - l20 * l10) / l11
-            d2 = M[2, 2] - l20 * l20 - l21 * l21
-            if d2 > 0.0:
-                l22 = sqrt(d2)
-                W[0, 0] = 1.0 / l00
-                W[1, 1] = 1.0 / l11
-                W[2, 2] = 1.0 / l22
-                W[1, 0] = -l10 * W[0, 0] / l11
-                W[2, 0] = -(l20 * W[0, 0] + l21 * W[1, 0]) / l22
-                W[2, 1] = -l21 * W[1, 1] / l22
-    return W
+def inverse(M: mat33d) -> mat33d:
+    """Inverse of a symmetric positive definite matrix by cofactors. Zero if singular."""
+    x = M[1, 1] * M[2, 2] - M[1, 2] * M[1, 2]
+    y = M[0, 2] * M[1, 2] - M[0, 1] * M[2, 2]
+    z = M[0, 1] * M[1, 2] - M[0, 2] * M[1, 1]
+    det = M[0, 0] * x + M[0, 1] * y + M[0, 2] * z
+    s = float64(0.0)
+    if det > 0.0:
+        s = 1.0 / det
+    a = (M[0, 0] * M[2, 2] - M[0, 2] * M[0, 2]) * s
+    b = (M[0, 1] * M[0, 2] - M[0, 0] * M[1, 2]) * s
+    c = (M[0, 0] * M[1, 1] - M[0, 1] * M[0, 1]) * s
+    return mat33d(x * s, y * s, z * s, y * s, a, b, z * s, b, c)
 
 
 @func
@@ -134,6 +125,33 @@ def sum_row(u: vec3d, v: vec3d, r: float64, w: float64) -> row_sums:
         b[2] * v[2],
         a[0] * r, a[1] * r, a[2] * r, b[0] * r, b[1] * r, b[2] * r,
         w * r * r, z, z, z, z, z, z, z, z,
+    )  # fmt: skip
+
+
+@func
+def sum_block(p: vec3d, A: mat33d, d: vec3d) -> row_sums:
+    """The sum of `sum_row` of (p x v, v, v . d, 1) over vectors v whose sum of v v^T is A."""
+    a = vec3d(A[0, 0], A[1, 0], A[2, 0])
+    b = vec3d(A[0, 1], A[1, 1], A[2, 1])
+    c = vec3d(A[0, 2], A[1, 2], A[2, 2])
+    ta = cross(p, a)
+    tb = cross(p, b)
+    tc = cross(p, c)
+    x = cross(p, vec3d(ta[0], tb[0], tc[0]))
+    y = cross(p, vec3d(ta[1], tb[1], tc[1]))
+    z = cross(p, vec3d(ta[2], tb[2], tc[2]))
+    f = a * d[0] + b * d[1] + c * d[2]
+    m = cross(p, f)
+    o = float64(0.0)
+    return row_sums(
+        x[0], y[0], z[0], ta[0], tb[0], tc[0],
+        y[1], z[1], ta[1], tb[1], tc[1],
+        z[2], ta[2], tb[2], tc[2],
+        a[0], b[0], c[0],
+        b[1], c[1],
+        c[2],
+        m[0], m[1], m[2], f[0], f[1], f[2],
+        dot(d, f), o, o, o, o, o, o, o, o,
     )  # fmt: skip
 
 
@@ -273,7 +291,7 @@ def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, targe
 
 @segment_reduction
 def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, target: PointColumns) -> row_sums:
-    """Generalized: rows of W d with W^T W = (C_target + R C_source R^T)^-1. A kernel weights each row."""
+    """Generalized: rows of W d with W^T W = (C_target + R C_source R^T)^-1. A kernel weights those of a symmetric W."""
     i = tid()
     p, q, paired = pair_of(i, matches)
     total = row_sums(0.0)
@@ -284,27 +302,25 @@ def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, tar
         M = read_covariance(target.covariances, matches.pairs[i]) + rotate_covariance(
             pose, read_covariance(source.covariances, at)
         )
-        W = mat33d(0.0)
+        d = p - q
         if loss.kind <= L2:
-            W = inverse_factor(M)
+            A = inverse(M)
+            scale = weight_of(i, matches)
+            if loss.kind == GEOMETRY:
+                # in-plane covariance fixes no motion of a smooth surface: remove it, and count pairs equally
+                floor = 1.0 / sqrt(trace_of_square(M))  # upper bound of the eigenvalues of M is this root
+                for row in range(3):
+                    A[row, row] = A[row, row] - floor
+                scale = scale / (A[0, 0] + A[1, 1] + A[2, 2])
+            total = sum_block(p, A, d) * scale
         else:
             W = inverse_root(M)
-        d = p - q
-        for row in range(3):
-            v = vec3d(W[row, 0], W[row, 1], W[row, 2])
-            r = dot(v, d)
-            total += sum_row(cross(p, v), v, r, robust_weight(loss, r))
-        if loss.kind == GEOMETRY:
-            # in-plane covariance fixes no motion of a smooth surface: remove it, and count pairs equally
-            floor = 1.0 / sqrt(trace_of_square(M))  # upper bound of the eigenvalues of M is this root
-            trace = float64(0.0)
             for row in range(3):
-                e = vec3d(0.0, 0.0, 0.0)
-                e[row] = 1.0
-                total += sum_row(cross(p, e), e, 0.0, -floor)
-                trace += W[row, 0] * W[row, 0] + W[row, 1] * W[row, 1] + W[row, 2] * W[row, 2] - floor
-            total = total * (1.0 / trace)
-        total = count_pair(total * weight_of(i, matches), p, q, paired)
+                v = vec3d(W[row, 0], W[row, 1], W[row, 2])
+                r = dot(v, d)
+                total += sum_row(cross(p, v), v, r, robust_weight(loss, r))
+            total = total * weight_of(i, matches)
+        total = count_pair(total, p, q, paired)
     return total
 
 

@@ -52,18 +52,23 @@ def voxels_around(
 ) -> tuple[int, vec3]:
     """Occupied voxels of the 27 within sqrt(`sqradius`), and offsets [m]; `side` gives the order along an axis."""
     edge = float(voxel_map.voxel_size)
-    for k in range(27):
-        sx = side(k % 3, near[0])
-        sy = side((k // 3) % 3, near[1])
-        sz = side(k // 9, near[2])
-        gx = gap_to(position[0], sx, edge)
-        gy = gap_to(position[1], sy, edge)
+    n = int(3)
+    for z in range(n):
+        sz = side(z, near[2])
         gz = gap_to(position[2], sz, edge)
-        if gx * gx + gy * gy + gz * gz < sqradius:
-            voxel = find_position(block_key(cell[0] + sx, cell[1] + sy, cell[2] + sz), voxel_map.table)
-            if voxel >= 0:
-                shift = vec3(float(sx) * edge, float(sy) * edge, float(sz) * edge)
-                yield voxel, shift
+        if gz * gz < sqradius:
+            for y in range(n):
+                sy = side(y, near[1])
+                gy = gap_to(position[1], sy, edge)
+                if gy * gy + gz * gz < sqradius:
+                    for x in range(n):
+                        sx = side(x, near[0])
+                        gx = gap_to(position[0], sx, edge)
+                        if gx * gx + gy * gy + gz * gz < sqradius:
+                            voxel = find_position(block_key(cell[0] + sx, cell[1] + sy, cell[2] + sz), voxel_map.table)
+                            if voxel >= 0:
+                                shift = vec3(float(sx) * edge, float(sy) * edge, float(sz) * edge)
+                                yield voxel, shift
 
 
 @func

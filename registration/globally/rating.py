@@ -179,20 +179,8 @@ def rate_registration(
     T = check_transformation("transformation", transformation)
     if np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() > 0.05 or det(T[:3, :3]) < 0:
         source, T = source.transform(T), np.eye(4)
-    try:
-        size = distance / VOXELS
-        left, right = surface_of(source, size), surface_of(target, size)
-    except ValueError as error:
-        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
-    if not len(left) or not len(right):
-        return 0.0
-    pose = to_local(T, source.origin, target.origin)
-    pose[:3, :3] = nearest_rotation(pose[:3, :3])  # also of matrices rounded to a few digits
-    refined = refine_poses(left, right, pose[None], distance)[0].transformation
-    drift = np.diff(moved_samples(left, np.stack([pose, refined])), axis=0)
-    if np.sqrt((drift**2).sum(axis=2).mean()) > distance:
-        refined = pose
-    return rate_surfaces(Witness(left, size), Witness(right, size), refined, distance).score
+    source_witness, target_witness = witness_of(source, distance), witness_of(target, distance)
+    return rate_pose(source_witness, target_witness, to_local(T, source.origin, target.origin), distance)
 
 
 class Witness:
@@ -200,6 +188,9 @@ class Witness:
 
     def __init__(self, surface: Surface, voxel_size: float):
         self.surface, self._margin = surface, MARGIN * voxel_size
+
+    def __len__(self) -> int:
+        return len(self.surface)
 
     @cached_property
     def sight(self) -> Sight | None:
@@ -211,6 +202,39 @@ def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
     bare = cloud._with_arrays({"points": cloud._device_array("points")})
     thinned = bare.voxel_down_sample(voxel_size)
     return Surface(thinned._device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
+
+
+def witness_of(cloud: PointCloud, distance: float) -> Witness:
+    """The surface of a cloud for `rate_pose` at a match distance [m]."""
+    size = distance / VOXELS
+    try:
+        return Witness(surface_of(cloud, size), size)
+    except ValueError as error:
+        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+
+
+def rate_pose(source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> float:
+    """As `rate_registration`, of a pose about the clouds' origins."""
+    return rate_poses([source], [target], pose[None], distance)[0]
+
+
+def rate_poses(
+    sources: Sequence[Witness], targets: Sequence[Witness], poses: NDArray[np.float64], distance: float
+) -> list[float]:
+    """As `rate_pose`, of many pairs. All are refined in the same launches."""
+    scores, rated = [0.0] * len(poses), [k for k, pair in enumerate(zip(sources, targets, strict=True)) if all(pair)]
+    if not rated:
+        return scores
+    poses = poses.copy()
+    poses[:, :3, :3] = [nearest_rotation(R) for R in poses[:, :3, :3]]  # also of matrices rounded to a few digits
+    left, right = [sources[k].surface for k in rated], [targets[k].surface for k in rated]
+    for k, result in zip(rated, refine_pairs(left, right, poses[rated], distance), strict=True):
+        pose, refined = poses[k], result.transformation
+        drift = np.diff(moved_samples(sources[k].surface, np.stack([pose, refined])), axis=0)
+        if np.sqrt((drift**2).sum(axis=2).mean()) > distance:
+            refined = pose
+        scores[k] = rate_surfaces(sources[k], targets[k], refined, distance).score
+    return scores
 
 
 def rate_surfaces(source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> Evidence:
@@ -295,12 +319,25 @@ def refine_poses(
     free: Sequence[str] | None = None,
 ) -> list[RegistrationResult]:
     """Refine poses about the clouds' origins by point-to-plane ICP with free motions, all at once."""
-    left, right = clouds = [
-        PointCloud._from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3))
-        for s in (source, target)
-    ]
-    for cloud, surface in zip(clouds, (source, target), strict=True):
-        cloud._adopt_search_tree(surface.tree)
+    return refine_pairs([source], [target], poses, distance, steps, free)
+
+
+def refine_pairs(
+    sources: Sequence[Surface],
+    targets: Sequence[Surface],
+    poses: NDArray[np.float64],
+    distance: float,
+    steps: int = 30,
+    free: Sequence[str] | None = None,
+) -> list[RegistrationResult]:
+    """As `refine_poses`, of one pair or of one per pose."""
+    clouds: dict[int, PointCloud] = {}
+    for surface in (*sources, *targets):
+        if id(surface) not in clouds:
+            arrays = {"points": surface.points, "normals": surface.normals}
+            clouds[id(surface)] = PointCloud._from_device_arrays(arrays, np.zeros(3))
+            clouds[id(surface)]._adopt_search_tree(surface.tree)
+    left, right = [clouds[id(s)] for s in sources], [clouds[id(s)] for s in targets]
     rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
     plane = TransformationEstimationPointToPlane()
     return registration_icp_batch(left, right, distance, poses, plane, rules, free=free)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -40,8 +42,7 @@ def evaluate_registration(
         (0.5, 0.1, [[0, 0]])
     """
     T = np.eye(4) if transformation is None else check_transformation("transformation", transformation)
-    problem = _evaluate(source, target, max_correspondence_distance, T)
-    result = problem.results()[0]
+    result = _evaluate(source, target, max_correspondence_distance, T).results()[0]
     result.transformation = T.copy()
     result.warnings = () if result.fitness else ("no correspondences",)
     return result
@@ -66,9 +67,22 @@ def get_information_matrix_from_point_clouds(
     return _evaluate(source, target, max_correspondence_distance, T).information()[0]
 
 
+def fitness_of(
+    sources: Sequence[PointCloud], targets: Sequence[PointCloud], distance: float, poses: NDArray[np.float64]
+) -> list[float]:
+    """The fitness of many pairs of checked clouds under their poses [n, 4, 4], in the same launches."""
+    return [result.fitness for result in _evaluate_pairs(sources, targets, distance, poses).results()]
+
+
 def _evaluate(source: PointCloud, target: PointCloud, distance: float, T: NDArray[np.float64]) -> IterativeRegistration:
     check_clouds(source, target)
     distance = check_positive("max_correspondence_distance", distance)
-    problem = IterativeRegistration([source], [target], T[None], distance, TransformationEstimationPointToPoint())
+    return _evaluate_pairs([source], [target], distance, T[None])
+
+
+def _evaluate_pairs(
+    sources: Sequence[PointCloud], targets: Sequence[PointCloud], distance: float, poses: NDArray[np.float64]
+) -> IterativeRegistration:
+    problem = IterativeRegistration(sources, targets, poses, distance, TransformationEstimationPointToPoint())
     problem.run(0, 0.0, 0.0)
     return problem

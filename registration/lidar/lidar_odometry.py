@@ -7,7 +7,9 @@ Way", IEEE Robotics and Automation Letters 8(2), 2023. Equation numbers refer to
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -22,7 +24,7 @@ from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.memory import clone, contiguous, download
 from ...kernels.odometry.deskewing import bound_times, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
-from ...kernels.odometry.odometry_sampling import shift_points, thin_successively
+from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points, thin_successively
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
@@ -245,8 +247,10 @@ class LidarOdometry:
         return self._steps[-1].pose if self._steps else np.eye(4)
 
     def _downsample(self, raw: RawScan, motion: Matrix) -> DownsampledScan:
-        sizes = [share * self.voxel_size for share in (MAP_VOXELS, SCAN_VOXELS, START_VOXELS)]
-        return DownsampledScan(*thin_successively(raw.deskewed(motion), sizes, self.min_range, self.max_range))
+        sizes = [share * self.voxel_size for share in (MAP_VOXELS, SCAN_VOXELS)]
+        dense, sparse = thin_successively(raw.deskewed(motion), sizes, self.min_range, self.max_range)
+        few = partial(first_in_voxels, sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
+        return DownsampledScan(dense, sparse, few)
 
     def _match(
         self,
@@ -258,21 +262,22 @@ class LidarOdometry:
         is_start: bool = False,
     ) -> OdometryStep:
         threshold = self._known.threshold
-        index, sigma = len(self._steps), threshold.value(self.poses)
+        ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
+        index, sigma = len(self._steps), threshold.value(ends)
         if scan.dense.size == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, False, True, NO_POINTS)
         if voxel_map.count == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, FIRST_SCAN)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
         search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
-        few = scan.few if further else None
+        few = scan.few() if further else None
         match = match_scan(
             self._aligner, scan.sparse, voxel_map, predicted, sigma, further, few, scan.dense, search_range
         )
         step = self._step_of(match, predicted, sigma, has_prior)
         if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
             guesses = rotated_guesses(predicted, self._last_pose())
-            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few, scan.dense)
+            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few(), scan.dense)
             rotated = self._step_of(again, predicted, sigma, has_prior)
             if rotated.is_sound and (rotated.disagreement < step.disagreement or not step.is_sound):
                 return rotated
@@ -444,9 +449,13 @@ class RawScan:
     def deskewed(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""
         if self.times is not None and not np.array_equal(motion, np.eye(4)):
-            span = bound_times(self.points, self.times)
-            return deskew_points(self.points, self.times, self.origin, span, self.part * twist_of(motion))
+            return deskew_points(self.points, self.times, self.origin, self._span, self.part * twist_of(motion))
         return shift_points(self.points, self.origin)
+
+    @cached_property
+    def _span(self) -> wp.array:
+        """The first and the last time, on the device."""
+        return bound_times(self.points, self.times)
 
 
 def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float64], interval: float | None) -> float:
@@ -481,4 +490,4 @@ class DownsampledScan:
 
     dense: wp.array
     sparse: wp.array
-    few: wp.array
+    few: Callable[[], wp.array]

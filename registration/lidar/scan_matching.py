@@ -94,13 +94,11 @@ def match_scan(
     ]
     aligner.load(points, few, voxel_map)
     results, information = aligner.run(legs)  # sync
-    far = _match_of(results[0], legs[0], count, np.zeros((6, 6)))
-    if not far.is_matched:
-        return far
-    last = _match_of(results[-1], legs[-1], count, information)
     iterations = sum(reached.iterations for reached in results)
-    if not last.is_matched:
-        return replace(far, iterations=iterations)
+    if results[0].state == LOST or results[-1].state == LOST:
+        far = _match_of(results[0], legs[0], count, np.zeros((6, 6)))
+        return replace(far, iterations=iterations) if far.is_matched else far
+    last = _match_of(results[-1], legs[-1], count, information)
     dense, rivals = points if dense is None else dense, ()
     for way in weak_directions(last.information, count) if search_range > 0 else ():
         last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, search_range)
@@ -250,6 +248,7 @@ MAX_RIVALS = 4  # examined in detail
 RIVAL_RISE = 0.25
 RIVAL_SEEN = 0.75  # minimum ratio of points with a plane, compared with the best pose: floors may be out of range
 MIN_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
+SAFETY = 1e-6  # relative margin for rounding: undecided matrices are decided by their eigenvalues
 FIXED_WEIGHT = 1.0e6  # weight of a fixed motion, relative to all pairs
 
 
@@ -292,7 +291,10 @@ def open_directions(
         return OpenDirections(1.0, np.eye(6), is_blind=True)
     lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size)
     scale = np.array([lever] * 3 + [1.0] * 3)
-    values, vectors = eigh(information / np.outer(scale, scale) / planes)
+    normal_matrix = information / np.outer(scale, scale) / planes
+    if _exceeds(normal_matrix, SUSPECT_SHARE):
+        return None
+    values, vectors = eigh(normal_matrix)
     suspects = vectors[:, values < SUSPECT_SHARE]
     if not suspects.shape[1]:
         return None
@@ -300,6 +302,15 @@ def open_directions(
     rises = compare_poses(points, JUDGING_POINTS, voxel_map, np.array([pose, *(moved(pose, s) for s in steps)]), size)
     is_open = ~rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
+
+
+def _exceeds(A: Matrix, limit: float) -> bool:
+    """True if all eigenvalues surely exceed a limit: a quick check before `eigh`, the same on all processors."""
+    try:
+        np.linalg.cholesky(A - (1 + SAFETY) * limit * np.eye(len(A)))
+    except np.linalg.LinAlgError:
+        return False
+    return True
 
 
 def weak_directions(information: Matrix, count: int) -> Matrix:

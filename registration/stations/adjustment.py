@@ -224,7 +224,8 @@ def _descend(
     rows = network.rows(poses, points)
     for _ in range(MAX_STEPS):
         A, right = network.matrix(rows), np.concatenate([*rows.right, np.empty(0)])
-        datum = _datum_constraints(A, network, reference)
+        H, left, _, stiff = _conditions(A, network, reference)
+        datum = _datum_constraints(H, left, stiff)
         N = (A.T @ A).tocsc()
         step = -_factor_of(N + datum).solve(A.T @ right)
         if float(np.sqrt(max((step * (N @ step)).sum(), 0.0))) < CONVERGED_STEP:
@@ -276,8 +277,7 @@ def _factor_of(system: sp.spmatrix) -> SparseFactor:
     return factor
 
 
-def _datum_constraints(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
-    H, left, _, stiff = _conditions(A, network, reference)
+def _datum_constraints(H: Array, left: Array, stiff: Array) -> sp.csc_matrix:
     full = matmul(H.T, H) + matmul(left, left.T)
     return sp.csc_matrix(full * stiff[:, None] * stiff[None])
 
@@ -286,7 +286,7 @@ def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Arr
     """Cofactors of the unknowns, numbers of datum and of all conditions, mask of loose stations."""
     H, left, Z, stiff = _conditions(A, network, reference)
     N = (A.T @ A).tocsc()
-    Q = _factor_of(N + _datum_constraints(A, network, reference)).solve(np.eye(network.unknowns))
+    Q = _factor_of(N + _datum_constraints(H, left, stiff)).solve(np.eye(network.unknowns))
     Q = (Q + Q.T) / 2 * stiff[:, None] * stiff[None]
     if Z.shape[1]:  # the conditions are exact: their contribution is subtracted
         C = np.vstack([H, left.T])

@@ -38,15 +38,15 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import LEVEL
-from ..globally.rating import rate_registration
+from ..globally.rating import Witness, rate_poses, witness_of
 from ..icp.estimation import TransformationEstimationPointToPlane
-from ..icp.evaluation import evaluate_registration
+from ..icp.evaluation import fitness_of
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
-from ..icp.multi_scale import multi_scale_icp
+from ..icp.multi_scale import LITTLE, MIN_OVERLAP_RATIO
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.spanning_tree import chain, spanning_tree
 from ..result import MIN_SCORE, RegistrationResult
-from ..rigid import about_up, fit_pose, invert_pose, make_pose, nearest_rotation, rotation_vector
+from ..rigid import about_up, fit_pose, invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
 from ..robust_kernels import TukeyLoss
 from ..voxel_size import choose_voxel_size
 from .adjustment import Adjusted, Observed
@@ -482,6 +482,7 @@ MIN_LIMIT = 0.01  # [voxels]
 GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # decreasing factors of the cutoff
 MAX_BENT = np.radians(30.0)  # maximum angle between the normals of a pair
 RATED_WITHIN = 1.5  # [voxels]
+SAME = 0.25  # [voxels] maximum displacement of points to keep a rating, which first refines the pose itself
 NEAR = 4.0  # [voxels] overlap distance for approximate poses
 BLOCK = 8.0  # [voxels] edge of blocks with correlated errors
 MIN_BLOCKS = 12  # minimum occupied blocks for an error estimate
@@ -513,6 +514,8 @@ class PairFinder:
         self.scans, self.size, self.min_overlap, self.seed = scans, size, min_overlap, seed
         self.free = LEVEL if level else None
         self.descriptions: dict[int, Description] = {}
+        self.witnesses: dict[tuple[int, float], Witness] = {}
+        self.thinned: dict[tuple[int, float], PointCloud] = {}
         self.limit = MIN_LIMIT * size  # cutoff of the residuals
 
     def candidates(self, poses: Array | None, positions: Array | None, rough: float) -> list[tuple[int, int]]:
@@ -527,23 +530,27 @@ class PairFinder:
                 f"positions: {count} stations without known positions give too many pairs to search. "
                 f"Pass rough positions or poses, or at most {ALL_PAIRS} stations"
             )
-        if poses is not None:
+        if poses is not None and pairs:
             max_distance = max(NEAR * self.size, min(rough, MAX_DISTANCE * COARSE_TO_FINE[0] * self.size))
-            pairs = [pair for pair in pairs if self._overlap(pair, poses, max_distance) >= self.min_overlap]
+            between = [matmul(invert_pose(poses[b]), poses[a]) for a, b in pairs]
+            overlaps = self._overlaps(pairs, between, max_distance)
+            pairs = [pair for pair, overlap in zip(pairs, overlaps, strict=True) if overlap >= self.min_overlap]
         return pairs
 
-    def _overlap(self, pair: tuple[int, int], poses: Array, max_distance: float) -> float:
-        a, b = pair
-        X = matmul(invert_pose(poses[b]), poses[a])
-        return evaluate_registration(self.scans[a].cloud, self.scans[b].cloud, max_distance, X).fitness
+    def _overlaps(self, pairs: Sequence[tuple[int, int]], poses: Sequence[Array], distance: float) -> list[float]:
+        return fitness_of(*self._clouds(pairs), distance, np.array(poses))
+
+    def _clouds(self, pairs: Sequence[tuple[int, int]]) -> tuple[list[PointCloud], list[PointCloud]]:
+        return [self.scans[a].cloud for a, _ in pairs], [self.scans[b].cloud for _, b in pairs]
 
     def find(
         self, pairs: Sequence[tuple[int, int]], poses: Array | None, report_progress: Callable[[str, int, int], None]
     ) -> list[StationPair]:
         starts, search_scores, ends = [], [], []
-        for done, (a, b) in enumerate(pairs):
+        near = [None] * len(pairs) if poses is None else self._near_poses(pairs, poses)
+        for done, ((a, b), known) in enumerate(zip(pairs, near, strict=True)):
             report_progress("pairs", done, len(pairs))
-            start, score = self._start(a, b, poses)
+            start, score = self._searched(a, b) if known is None else (known, 1.0)
             if start is not None:
                 starts.append(start)
                 search_scores.append(score)
@@ -551,17 +558,49 @@ class PairFinder:
         report_progress("pairs", len(pairs), len(pairs))
         return self._refined(ends, starts, search_scores)
 
-    def _start(self, a: int, b: int, poses: Array | None) -> tuple[Array | None, float]:
-        source, target = self.scans[a].cloud, self.scans[b].cloud
-        if poses is not None:
-            sizes = [scale * self.size for scale in COARSE_TO_FINE]
-            rules = [ICPConvergenceCriteria(max_iteration=50)] * len(sizes)
-            init, options = matmul(invert_pose(poses[b]), poses[a]), {"free": self.free, "estimate_normals": True}
-            result = multi_scale_icp(
-                source, target, sizes, rules, [MAX_DISTANCE * s for s in sizes], init, PLANE, **options
-            )
-            if self._rate(a, b, result.transformation, RATED_WITHIN * sizes[-1]) > MIN_SCORE:
-                return result.transformation, 1.0
+    def _near_poses(self, pairs: Sequence[tuple[int, int]], poses: Array) -> list[Array | None]:
+        """Poses of the pairs by ICP from approximate poses of the stations. None if the surfaces do not match.
+
+        From coarse to fine, and then at the finest scale alone: coarse scales may lose a good initial pose.
+        """
+        found: list[Array | None] = [None] * len(pairs)
+        for scales in (COARSE_TO_FINE, COARSE_TO_FINE[-1:]):
+            rows = [k for k, pose in enumerate(found) if pose is None]
+            if rows:
+                remaining = [pairs[k] for k in rows]
+                between = np.array([matmul(invert_pose(poses[b]), poses[a]) for a, b in remaining])
+                for scale in scales:
+                    between = self._at_scale(remaining, scale * self.size, between)
+                scores = self._rates(remaining, between, RATED_WITHIN * scales[-1] * self.size)
+                for k, pose, score in zip(rows, between, scores, strict=True):
+                    found[k] = pose if score > MIN_SCORE else None
+        return found
+
+    def _thinned(self, i: int, size: float) -> PointCloud:
+        if (i, size) not in self.thinned:
+            self.thinned[i, size] = self.scans[i].cloud.voxel_down_sample(size)
+        return self.thinned[i, size]
+
+    def _at_scale(self, pairs: Sequence[tuple[int, int]], size: float, starts: Array) -> Array:
+        """Poses by all pairs of points, or by those of an estimated overlap if few points match."""
+        distance = MAX_DISTANCE * size
+
+        def register(rows: list[int], overlap: float | None) -> tuple[Array, Array]:
+            rules, options = ICPConvergenceCriteria(max_iteration=50), {"free": self.free, "overlap": overlap}
+            clouds = [self._thinned(pairs[k][0], size) for k in rows], [self._thinned(pairs[k][1], size) for k in rows]
+            results = registration_icp_batch(*clouds, distance, starts[rows], PLANE, rules, **options)
+            poses = np.array([result.transformation for result in results])
+            return poses, np.array(fitness_of(*clouds, distance, poses))
+
+        poses, matched = register(list(range(len(starts))), 1.0)
+        few = np.flatnonzero((matched > 0) & (matched < LITTLE))
+        if len(few):
+            trimmed, still_matched = register(few.tolist(), None)
+            is_better = still_matched >= MIN_OVERLAP_RATIO * matched[few]
+            poses[few[is_better]] = trimmed[is_better]
+        return poses
+
+    def _searched(self, a: int, b: int) -> tuple[Array | None, float]:
         result = register_described(self._described(a), self._described(b), seed=self.seed, free=self.free)
         return (result.transformation, float(result.score)) if result.score else (None, 0.0)
 
@@ -570,44 +609,53 @@ class PairFinder:
             self.descriptions[i] = describe(self.scans[i].cloud, COARSE_TO_FINE[-1] * self.size)
         return self.descriptions[i]
 
-    def _rate(self, a: int, b: int, T: Array, distance: float) -> float:
-        return rate_registration(self.scans[a].cloud, self.scans[b].cloud, T, distance)
+    def _rates(self, pairs: Sequence[tuple[int, int]], poses: Sequence[Array], distance: float) -> list[float]:
+        local = [
+            to_local(T, self.scans[a].cloud.origin, self.scans[b].cloud.origin)
+            for (a, b), T in zip(pairs, poses, strict=True)
+        ]
+        sources, targets = ([self._witness(ends[k], distance) for ends in pairs] for k in (0, 1))
+        return rate_poses(sources, targets, np.array(local).reshape(-1, 4, 4), distance)
+
+    def _witness(self, i: int, distance: float) -> Witness:
+        if (i, distance) not in self.witnesses:
+            self.witnesses[i, distance] = witness_of(self.scans[i].cloud, distance)
+        return self.witnesses[i, distance]
 
     def _refined(
         self,
         pairs: Sequence[tuple[int, int]],
         starts: Sequence[Array],
         search_scores: Sequence[float],
-        limit: float | None = None,
+        earlier: Sequence[StationPair] = (),
     ) -> list[StationPair]:
-        """Refine all pairs in the same launches, point to plane. A limit requires correct initial poses."""
+        """Refine all pairs in the same launches, point to plane. With earlier results, the poses are accurate."""
         if not pairs:
             return []
-        sources, targets = ([self.scans[ends[k]].cloud for ends in pairs] for k in (0, 1))
+        sources, targets = self._clouds(pairs)
         options: dict[str, Any] = {"free": self.free, "max_normal_angle": MAX_BENT}
         rules, poses, results = ICPConvergenceCriteria(max_iteration=60), np.array(starts), []
-        if limit is None:
+        if not earlier:
             for voxels in (2 * MAX_DISTANCE, MAX_DISTANCE):
                 results = registration_icp_batch(sources, targets, voxels * self.size, poses, PLANE, rules, **options)
                 poses = np.array([result.transformation for result in results])
             self.limit = self._limit(pairs, results)
-        for factor in GRADED if limit is None else (1.0,):
+        for factor in (1.0,) if earlier else GRADED:
             method = TransformationEstimationPointToPlane(TukeyLoss(factor * self.limit))
             results = registration_icp_batch(
                 sources, targets, MAX_DISTANCE * self.size, poses, method, rules, **options
             )
             poses = np.array([result.transformation for result in results])
-        return [self._judged(*each, self.limit) for each in zip(pairs, results, search_scores, strict=True)]
+        return self._judged(pairs, results, search_scores, earlier)
 
     def again(self, pairs: Sequence[StationPair], poses: Array, is_placed: NDArray[np.bool_]) -> list[StationPair]:
         """Register the pairs again from adjusted poses, to leave local minima."""
         selected = [
             k for k, pair in enumerate(pairs) if is_placed[pair.source] and is_placed[pair.target] and pair.score > 0
         ]
-        ends = [(pairs[k].source, pairs[k].target) for k in selected]
-        refined = self._refined(
-            ends, [matmul(invert_pose(poses[b]), poses[a]) for a, b in ends], [1.0] * len(selected), self.limit
-        )
+        earlier = [pairs[k] for k in selected]
+        starts = [matmul(invert_pose(poses[pair.target]), poses[pair.source]) for pair in earlier]
+        refined = self._refined([(p.source, p.target) for p in earlier], starts, [1.0] * len(earlier), earlier)
         renewed = dict(zip(selected, refined, strict=True))
         return [renewed.get(k, pair) for k, pair in enumerate(pairs)]
 
@@ -617,22 +665,35 @@ class PairFinder:
         return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, MIN_LIMIT * self.size)
 
     def _judged(
-        self, pair: tuple[int, int], result: RegistrationResult, search_score: float, limit: float
-    ) -> StationPair:
-        a, b = pair
-        X = result.transformation
-        backwards = evaluate_registration(
-            self.scans[b].cloud, self.scans[a].cloud, MAX_DISTANCE * self.size, invert_pose(X)
-        ).fitness
-        overlap = max(result.fitness, backwards)
-        if overlap < self.min_overlap:
-            return StationPair(a, b, X, np.zeros((6, 6)), overlap, 0.0, 0.0, ("no overlap",))
-        information, rms = self._information(pair, result, limit)
-        score = min(search_score, self._rate(a, b, X, RATED_WITHIN * self.size))
-        warning = "" if score > MIN_SCORE else "the surfaces hardly match, or match elsewhere equally well"
-        if not warning and not information.any():
-            warning = "too few points match to estimate the accuracy"
-        return StationPair(a, b, X, information, overlap, rms, score, failed(warning))
+        self,
+        pairs: Sequence[tuple[int, int]],
+        results: Sequence[RegistrationResult],
+        search_scores: Sequence[float],
+        earlier: Sequence[StationPair],
+    ) -> list[StationPair]:
+        poses = [result.transformation for result in results]
+        back = self._overlaps([(b, a) for a, b in pairs], [invert_pose(X) for X in poses], MAX_DISTANCE * self.size)
+        overlaps = [max(result.fitness, backwards) for result, backwards in zip(results, back, strict=True)]
+        scores = {k: pair.score for k, pair in enumerate(earlier) if pair.reliable and self._is_near(pair, poses[k])}
+        rated = [k for k, overlap in enumerate(overlaps) if overlap >= self.min_overlap and k not in scores]
+        rates = self._rates([pairs[k] for k in rated], [poses[k] for k in rated], RATED_WITHIN * self.size)
+        scores |= {k: min(search_scores[k], rate) for k, rate in zip(rated, rates, strict=True)}
+        judged = []
+        for k, (pair, result, overlap) in enumerate(zip(pairs, results, overlaps, strict=True)):
+            information, rms, score, warning = np.zeros((6, 6)), 0.0, 0.0, "no overlap"
+            if overlap >= self.min_overlap:
+                (information, rms), score = self._information(pair, result, self.limit), scores[k]
+                warning = "" if score > MIN_SCORE else "the surfaces hardly match, or match elsewhere equally well"
+                if not warning and not information.any():
+                    warning = "too few points match to estimate the accuracy"
+            judged.append(StationPair(*pair, poses[k], information, overlap, rms, score, failed(warning)))
+        return judged
+
+    def _is_near(self, pair: StationPair, X: Array) -> bool:
+        """True if a pose differs so little from an earlier one that it needs no new rating."""
+        D = matmul(invert_pose(pair.transformation), X)
+        angle = float(norm(rotation_vector(D[:3, :3])))
+        return float(norm(D[:3, 3])) + angle * self.scans[pair.source].radius < SAME * self.size
 
     def _information(self, pair: tuple[int, int], result: RegistrationResult, limit: float) -> tuple[Array, float]:
         """Information of the residual in the source frame, and the root mean square of the used residuals."""
