@@ -247,7 +247,7 @@ class Selection(PointArrays):
     def remove_duplicated_points(self) -> Self:
         """Keep the first point at each position, in order.
 
-        Compares float32 coordinates. Zero equals minus zero. Points with NaN are kept. O(n log n) time, 40 B per point.
+        Compares float32 coordinates. Zero equals minus zero. Points with NaN are kept. O(n) time, 45 B per point.
 
         Example:
             >>> import pointloom as loom

@@ -1,13 +1,13 @@
 """Masks of degenerate, non-finite and duplicate triangles.
 
-Duplicates are adjacent in the order (triangle_order.py) of triangles rotated to begin with their lowest vertex.
+Duplicates are equal rows (first_rows.py) once triangles are rotated to begin with their lowest vertex.
 """
 
 from ..array_types import Mask, Points, Triangles
-from ..lang import array, func, int32, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
+from ..arrays.first_rows import mask_first_rows
+from ..lang import array, func, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
 from ..memory import empty, zeros
 from .mesh_measures import triangle_cross
-from .triangle_order import mark_new_triangles_kernel, sort_triangles
 
 
 @func
@@ -60,13 +60,6 @@ def list_rotated_kernel(triangles: array(dtype=vec3i), rotated: array(dtype=vec3
     rotated[i] = best
 
 
-@kernel
-def mask_old_kernel(order: array(dtype=int32), marks: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 if a triangle equals its predecessor in sorted order. Equal ones are sorted by index."""
-    i = tid()
-    mask[order[i]] = uint8(1 if i > 0 and marks[i] == 0 else 0)
-
-
 def mask_degenerate(vertices: Points, triangles: Triangles, *, zero_area: bool) -> Mask:
     """uint8 [t]: 1 for triangles with repeated vertices, and with `zero_area` also finite triangles without area."""
     mask = empty(triangles.size, uint8, triangles.device)
@@ -110,13 +103,8 @@ def mask_used(triangles: Triangles, removed: Mask, vertex_count: int) -> Mask:
     return used
 
 
-def mask_repeats(triangles: Triangles, vertex_count: int) -> Mask:
+def mask_repeats(triangles: Triangles) -> Mask:
     """uint8 [t]: 1 for triangles that equal an earlier one up to rotation. The opposite orientation differs."""
-    device, count = triangles.device, triangles.size
-    rotated = empty(count, vec3i, device)
-    launch(list_rotated_kernel, count, [triangles, rotated])
-    order = sort_triangles(rotated, vertex_count)
-    marks, mask = empty(count, int32, device), empty(count, uint8, device)
-    launch(mark_new_triangles_kernel, count, [rotated, order, marks])
-    launch(mask_old_kernel, count, [order, marks, mask])
-    return mask
+    rotated = empty(triangles.size, vec3i, triangles.device)
+    launch(list_rotated_kernel, triangles.size, [triangles, rotated])
+    return mask_first_rows(rotated, 0)

@@ -8,31 +8,11 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Indices, Integers, Mask, Points, Triangles, Vectors
+from ..array_types import Indices, Integers, Mask, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.sort import argsort_keys, positions
-from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, int32, int64, kernel, launch, length, tid, uint8, vec3, vec3d, vec3i
 from ..memory import empty
-from ..sampling.duplicates import WORD_BITS, hash_points_kernel, is_nan, same_point
-
-
-@kernel
-def unite_equal_kernel(
-    points: array(dtype=vec3), keys: array(dtype=int64), order: array(dtype=int32), parents: array(dtype=int32)
-):
-    """Unite a point with its predecessor if the coordinates are equal. NaN equals nothing."""
-    i = tid()
-    p = points[order[i]]
-    j = i - 1
-    if is_nan(p) == 1:
-        j = -1
-    while j >= 0 and keys[max(j, 0)] == keys[i]:
-        if same_point(p, points[order[j]]) == 1:
-            unite(parents, order[i], order[j])
-            j = 0
-        j -= 1
 
 
 @kernel
@@ -79,18 +59,6 @@ def average_members_kernel(rows: array(dtype=vec3), groups: UniqueKeys, unit: in
             total = total / size
         mean = narrow(total)
     means[i] = mean
-
-
-def find_equal_vertices(vertices: Points) -> Indices:
-    """First vertex at each one's position, int32 [m]; those with a NaN map to themselves."""
-    device, count = vertices.device, vertices.size
-    bits = WORD_BITS - max(1, (count - 1).bit_length())
-    keys, owners = empty(count, int64, device), positions(count, device)
-    launch(hash_points_kernel, count, [vertices, bits, keys])
-    keys, order = argsort_keys(keys, bits)
-    launch(unite_equal_kernel, count, [vertices, keys, order, owners])
-    launch(flatten_sets_kernel, count, [owners])
-    return owners
 
 
 def number_owners(owners: Indices) -> tuple[Integers, int]:

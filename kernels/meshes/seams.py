@@ -11,7 +11,7 @@ from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, int32, int64, kernel, launch, tid, uint8, vec3i
 from ..memory import empty
-from .merge_vertices import find_equal_vertices
+from ..sampling.duplicates import find_equal_points
 from .mesh_edges import edge_key, key_bits, sorted_edges
 from .mesh_topology import corner_vertex, next_corner
 
@@ -81,7 +81,7 @@ def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
     rows, bits = positions_of(border), key_bits(count)  # sync
     if not rows.size:
         return None
-    owners, keys, parents = find_equal_vertices(vertices), empty(rows.size, int64, device), positions(count, device)
+    owners, keys, parents = find_equal_points(vertices), empty(rows.size, int64, device), positions(count, device)
     launch(list_position_keys_kernel, rows.size, [triangles, owners, rows, bits, keys])
     groups = UniqueKeys(keys, 2 * bits, padded=True)
     launch(unite_ends_kernel, groups.count, [triangles, owners, rows, groups, parents])

@@ -1,17 +1,15 @@
-"""First occurrences of points: sort by a coordinate hash and compare bits (zero equals minus zero)."""
+"""First occurrences of points with equal coordinate bits (zero equals minus zero)."""
 
-from ..array_types import Indices, Points
-from ..arrays.hash_table import mix_bits
+from ..array_types import Cells, Indices, Points
+from ..arrays.first_rows import first_rows, mask_first_rows
 from ..arrays.select import positions_of
-from ..arrays.sort import argsort_keys
-from ..lang import array, float_bits, func, int32, int64, kernel, launch, tid, uint8, vec3
+from ..lang import array, float_bits, func, int64, kernel, launch, tid, vec3, vec3i
 from ..memory import empty
 
 LOW_WORD = 0xFFFFFFFF
 MINUS_ZERO = 0x80000000
 MAGNITUDE = 0x7FFFFFFF
 INFINITE = 0x7F800000  # bits of infinity. NaN is above
-WORD_BITS = 63  # of a sort key with its row index: sorted as one number
 
 
 @func
@@ -40,41 +38,27 @@ def same_point(p: vec3, q: vec3) -> int:
 
 
 @kernel
-def hash_points_kernel(points: array(dtype=vec3), bits: int, keys: array(dtype=int64)):
-    """Hash of the coordinates with the given number of bits."""
+def list_words_kernel(points: array(dtype=vec3), words: array(dtype=vec3i)):
+    """The three coordinates as integers. A point with a NaN gets a row that no other has."""
     i = tid()
     p = points[i]
-    h = mix_bits(coordinate_bits(p[0]) | (coordinate_bits(p[1]) << 32))
-    h = mix_bits(h + coordinate_bits(p[2]))
-    keys[i] = h & ((1 << int64(bits)) - 1)
-
-
-@kernel
-def mark_first_kernel(
-    points: array(dtype=vec3), keys: array(dtype=int64), order: array(dtype=int32), mask: array(dtype=uint8)
-):
-    """1 if no earlier point has the same coordinates. NaN equals none."""
-    i = tid()
-    p = points[order[i]]
-    first = 1
-    j = i - 1
+    row = vec3i(int(coordinate_bits(p[0])), int(coordinate_bits(p[1])), int(coordinate_bits(p[2])))
     if is_nan(p) == 1:
-        j = -1
-    while j >= 0 and keys[j] == keys[i]:
-        if same_point(p, points[order[j]]) == 1:
-            first = 0
-            j = 0
-        j -= 1
-    mask[order[i]] = uint8(first)
+        row = vec3i(MAGNITUDE, i, 0)
+    words[i] = row
+
+
+def list_words(points: Points) -> Cells:
+    words = empty(points.size, vec3i, points.device)
+    launch(list_words_kernel, points.size, [points, words])
+    return words
+
+
+def find_equal_points(points: Points) -> Indices:
+    """First point at each one's position, int32 [n]; those with a NaN map to themselves."""
+    return first_rows(list_words(points))
 
 
 def first_occurrences(points: Points) -> Indices:
     """Rows of vec3 points that equal no earlier row; int32, ascending."""
-    device = points.device
-    bits = WORD_BITS - max(1, (points.size - 1).bit_length())
-    keys = empty(points.size, int64, device)
-    launch(hash_points_kernel, points.size, [points, bits, keys])
-    sorted_keys, order = argsort_keys(keys, bits)
-    mask = empty(points.size, uint8, device)
-    launch(mark_first_kernel, points.size, [points, sorted_keys, order, mask])
-    return positions_of(mask)
+    return positions_of(mask_first_rows(list_words(points)))

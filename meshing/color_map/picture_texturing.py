@@ -12,7 +12,8 @@ from ...core.checks import check_color, check_count, check_positive, check_progr
 from ...core.progress import ReportProgress
 from ...kernels.arrays.sort import positions
 from ...kernels.memory import check_room, download
-from ...kernels.meshes.merge_vertices import find_equal_vertices, rename_corners
+from ...kernels.meshes.merge_vertices import rename_corners
+from ...kernels.sampling.duplicates import find_equal_points
 from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
 from ...kernels.textures.charts import compute_uvs, cut_charts, find_twins
 from ...kernels.textures.color_outliers import keep_likely
@@ -153,7 +154,7 @@ def _choose(
 ) -> _Choice:
     outliers, exposures = wanted
     vertices = mesh.array("vertices")
-    owners = find_equal_vertices(vertices)
+    owners = find_equal_points(vertices)
     triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
     pictures = images.pictures(mesh.origin, 0)
     looks = FaceVisibility(vertices, triangles, pictures, plant_trees(vertices, triangles), farthest)

@@ -43,6 +43,7 @@ from ...kernels.meshes.level_cut import LevelCut
 from ...kernels.meshes.mesh_components import Parts
 from ...kernels.meshes.mesh_edits import mask_and_index, renumber_triangles
 from ...kernels.meshes.trim import mask_trimmed
+from ...kernels.sampling.duplicates import find_equal_points
 from ...pcd.bounding_box import BoundingBox
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.line_set import LineSet
@@ -180,7 +181,7 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_duplicated_triangles().triangles.tolist()
             [[0, 1, 2], [0, 2, 1]]
         """
-        return self._without(clean_triangles.mask_repeats(self._arrays["triangles"], self._vertex_count))
+        return self._without(clean_triangles.mask_repeats(self._arrays["triangles"]))
 
     @returns_new
     def remove_duplicated_vertices(self) -> Self:
@@ -196,7 +197,7 @@ class MeshSelection(MeshArrays):
             >>> mesh.triangles.tolist(), len(mesh.vertices)
             ([[0, 1, 2], [1, 3, 2]], 4)
         """
-        owners = merge_vertices.find_equal_vertices(self._arrays["vertices"])
+        owners = find_equal_points(self._arrays["vertices"])
         new_indices, count = merge_vertices.number_owners(owners)  # sync
         owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
@@ -282,7 +283,7 @@ class MeshSelection(MeshArrays):
         """Remove non-finite, degenerate and duplicate triangles and unused vertices."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         removed = clean_triangles.join_masks(
-            clean_triangles.mask_repeats(triangles, vertices.size),
+            clean_triangles.mask_repeats(triangles),
             clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
             clean_triangles.mask_not_finite(vertices, triangles),
         )
@@ -411,7 +412,7 @@ class MeshSelection(MeshArrays):
             return chosen
         chosen = chosen.remove_duplicated_vertices()
         vertices, triangles = chosen._arrays["vertices"], chosen._arrays["triangles"]
-        repeats = clean_triangles.mask_repeats(triangles, vertices.size)
+        repeats = clean_triangles.mask_repeats(triangles)
         used = clean_triangles.mask_used(triangles, repeats, vertices.size)  # keep those of degenerate triangles
         degenerate = clean_triangles.mask_degenerate(vertices, triangles, zero_area=False)
         return chosen._left(clean_triangles.join_masks(repeats, degenerate), used)

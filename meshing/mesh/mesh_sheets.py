@@ -21,6 +21,7 @@ from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
 from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles, repeated_positions
 from ...kernels.meshes.part_votes import keep_alone, mark_open_sides
 from ...kernels.meshes.sheets import Sheets, mask_loose
+from ...kernels.sampling.duplicates import find_equal_points
 from .covered_parts import Copies, find_covered, find_doubled
 from .doubled_edges import part_doubled_edges
 from .mesh_selection import MeshSelection
@@ -53,7 +54,7 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
     single triangles without a partner are removed. If one triangle per vertex set leaves less border, it is kept."""
     clean = mesh.remove_degenerate_triangles()
     vertices, triangles = clean._device_arrays["vertices"], clean._device_arrays["triangles"]
-    owners = merge_vertices.find_equal_vertices(vertices)
+    owners = find_equal_points(vertices)
     merged_triangles = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
     loose = mask_loose(triangles, vertices.size)
     folded, repeated, oriented_repeats = _find_worthless(clean, merged_triangles, loose)
@@ -103,7 +104,7 @@ def _find_worthless(mesh: MeshSelection, merged_triangles: Triangles, loose: Mas
     folded = positions_of(clean_triangles.mask_degenerate(vertices, candidates, zero_area=False))  # sync
     rest = other_rows(folded, rows.size, are_distinct=True)
     triangles, rows_left = gather_triangles(candidates, rest), gather_rows(rows, rest)
-    repeats = positions_of(clean_triangles.mask_repeats(triangles, vertices.size))  # sync
+    repeats = positions_of(clean_triangles.mask_repeats(triangles))  # sync
     classes, count = find_copies(triangles, vertices.size)  # sync
     oriented_repeats = repeats
     if count < rest.size:
