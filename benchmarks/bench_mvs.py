@@ -1,13 +1,15 @@
 """Depth of rectified image pairs at three sizes, and of a real pair, beside OpenCV's semi-global matching.
 
-pointloom estimates the depth of both images and keeps consistent pixels, as for any number of images. OpenCV's
-StereoSGBM searches integer disparities from 0 along a row, refines them, and does a left-right check. Both get the
-search range: pointloom from sparse points, OpenCV as a number of disparities. `python benchmarks/bench_mvs.py` prints
-completeness, bad-2 and the median error of both.
+`stereo_pair`: pointloom estimates the depth of both images by PatchMatch and keeps consistent pixels, as for any number
+of images. `stereo_pair_sgm`: semi-global matching by both, each with a left-right check. OpenCV's StereoSGBM has one
+thread and five paths, or eight (MODE_HH). It searches integer disparities from 0 along a row, and refines them. All get
+the search range: pointloom from sparse points, OpenCV as a number of disparities. `python benchmarks/bench_mvs.py`
+prints completeness, errors and the best time of five calls for each.
 """
 
 from __future__ import annotations
 
+import time
 from functools import cache, partial
 from typing import Any
 
@@ -53,7 +55,17 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
     return match
 
 
-def prepare_opencv(scene: Scene, device: str) -> Any:
+def prepare_sgm(scene: Scene, device: str) -> Any:
+    import pointloom as loom
+
+    def match() -> Any:
+        maps = loom.mvs.estimate_depth_maps(scene.pictures, scene.cameras, scene.sparse, method="sgm", device=device)
+        return scene, maps[0].depth
+
+    return match
+
+
+def prepare_opencv(scene: Scene, device: str, mode: str = "SGBM") -> Any:
     import cv2
 
     cv2.setNumThreads(thread_count())
@@ -61,6 +73,7 @@ def prepare_opencv(scene: Scene, device: str) -> Any:
     count = motorcycle_disparities() if scene.disparity[1] else round(DISPARITIES * width)
     costs = {"P1": 8 * 3 * BLOCK**2, "P2": 32 * 3 * BLOCK**2}  # as in OpenCV's documentation and sample
     checks = {"disp12MaxDiff": 1, "uniquenessRatio": 10, "speckleWindowSize": 100, "speckleRange": 2}
+    checks["mode"] = getattr(cv2, f"STEREO_SGBM_MODE_{mode}")
     matcher = cv2.StereoSGBM_create(0, -(-count // 16) * 16, BLOCK, **costs, **checks)
     left, right = (cv2.cvtColor(picture, cv2.COLOR_RGB2BGR) for picture in scene.pictures)
 
@@ -72,13 +85,18 @@ def prepare_opencv(scene: Scene, device: str) -> Any:
     return match
 
 
-def facts(result: Any) -> tuple[float, float, float]:
-    """Completeness, fraction with an error above two pixels, and median [px], over the pixels with ground truth."""
+def errors_of(result: Any) -> tuple[float, np.ndarray]:
+    """Completeness and the errors [px] over the pixels with ground truth."""
     scene, depth = result
     truth, scale = scene.truth[0], scene.disparity[0]
     known, has = truth > 0, (truth > 0) & (depth > 0)
-    errors = np.abs(scale / depth[has] - scale / truth[has])
-    return float(has.sum() / known.sum()), float((errors > 2).mean()), float(np.median(errors))
+    return float(has.sum() / known.sum()), np.abs(scale / depth[has] - scale / truth[has])
+
+
+def facts(result: Any) -> tuple[float, float, float]:
+    """Completeness, fraction with an error above two pixels, and median [px]."""
+    completeness, errors = errors_of(result)
+    return completeness, float((errors > 2).mean()), float(np.median(errors))
 
 
 def check(actual: Any, reference: Any, peer: str) -> None:
@@ -89,22 +107,35 @@ def check(actual: Any, reference: Any, peer: str) -> None:
         assert median < 0.5, (peer, actual, reference)
 
 
+SCENES = {
+    "room 320x240": partial(room_pair, 320),
+    "room 640x480": partial(room_pair, 640),
+    "room 960x720": partial(room_pair, 960),
+    "motorcycle 741x500": real_pair,
+}
+QUICK = {"room 320x240": SCENES["room 320x240"]}
 STEREO_PAIR = Operation(
     name="stereo_pair",
-    scenes={
-        "room 320x240": partial(room_pair, 320),
-        "room 640x480": partial(room_pair, 640),
-        "room 960x720": partial(room_pair, 960),
-        "motorcycle 741x500": real_pair,
-    },
-    quick={"room 320x240": partial(room_pair, 320)},
+    scenes=SCENES,
+    quick=QUICK,
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("opencv-sgbm", prepare_opencv, facts),
     ),
     check=check,
 )
-OPERATIONS = (STEREO_PAIR,)
+SEMI_GLOBAL = Operation(
+    name="stereo_pair_sgm",
+    scenes=SCENES,
+    quick=QUICK,
+    contestants=(
+        Contestant(POINTLOOM, prepare_sgm, facts, ("cpu", "cuda")),
+        Contestant("opencv-sgbm", prepare_opencv, facts),
+        Contestant("opencv-sgbm-hh", partial(prepare_opencv, mode="HH"), facts),
+    ),
+    check=check,
+)
+OPERATIONS = (STEREO_PAIR, SEMI_GLOBAL)
 
 
 @timed(STEREO_PAIR)
@@ -112,14 +143,29 @@ def test_stereo_pair(time_lap) -> None:
     time_lap()
 
 
+@timed(SEMI_GLOBAL)
+def test_stereo_pair_sgm(time_lap) -> None:
+    time_lap()
+
+
 def main() -> None:
-    """Print completeness and accuracy of both."""
-    for size, make in STEREO_PAIR.scenes.items():
+    """Print completeness, accuracy and time of all."""
+    for size, make in SCENES.items():
         scene = make()
-        for contestant in STEREO_PAIR.contestants:
-            completeness, bad, median = contestant.facts(contestant.trial(scene, "cpu").once())
-            line = f"{size:20} {contestant.name:12} kept {100 * completeness:.1f} %, bad-2 {100 * bad:.1f} %"
-            print(f"{line}, median {median:.3f} px", flush=True)
+        for operation, contestant in (
+            *((STEREO_PAIR, each) for each in STEREO_PAIR.contestants[:1]),
+            *((SEMI_GLOBAL, each) for each in SEMI_GLOBAL.contestants),
+        ):
+            trial, seconds = contestant.trial(scene, "cpu"), []
+            completeness, errors = errors_of(trial.once())
+            for _ in range(5):
+                start = time.perf_counter()
+                trial.once()
+                seconds.append(time.perf_counter() - start)
+            line = f"{size:20} {operation.name:16} {contestant.name:14} kept {100 * completeness:.1f} %"
+            bad = ", ".join(f"bad-{limit} {100 * (errors > limit).mean():.2f} %" for limit in (1, 2))
+            accuracy = f"median {np.median(errors):.3f} px, mean {errors.mean():.3f} px"
+            print(f"{line}, {bad}, {accuracy}, {1000 * min(seconds):.0f} ms", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
-"""The operation of digests.py that estimates depth maps."""
+"""The operations of digests.py that estimate depth maps."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-from digest_scenes import loom
+from digest_scenes import loom, pose_of
 
 
 def estimated_depth_maps(d: Any) -> list[Any]:
@@ -19,6 +19,24 @@ def plain_depth_maps(d: Any) -> list[Any]:
     wall = rng.integers(0, 256, (60, 80), dtype=np.uint8)
     wall[18:42, 22:56] = rng.integers(126, 131, (24, 34), dtype=np.uint8)
     return _depth_maps_of(d, wall)
+
+
+def pair_depth_maps(d: Any) -> list[Any]:
+    """Depth maps of a rectified pair and of a rotated one by semi-global matching."""
+    from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+
+    mvs = loom().mvs
+    wall = np.random.default_rng(9).integers(0, 256, (60, 80), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
+    lens = loom().PinholeCameraIntrinsic(72, 36, 80.0, 80.0, 35.5, 17.5)
+    points, results = [[x, y, 2.0] for x in (-0.6, 0.0, 0.6) for y in (-0.3, 0.3)], []
+    for degrees in (0.0, 3.0):
+        T = pose_of(degrees, [-4 * 2.0 / 80.0, 0.0, 0.0])
+        cameras = [mvs.PosedCamera(lens, np.eye(4)), mvs.PosedCamera(lens, T)]
+        sparse = SparsePoints(points, [[i, k] for i in range(2) for k in range(6)])
+        pictures, sources = [wall[10:46, 20:92], wall[10:46, 24:96]], [(1,), (0,)]
+        maps = mvs.estimate_depth_maps(pictures, cameras, sparse, sources=sources, method="sgm", device=d.device)
+        results += [[each.depth, each.normals, each.confidence] for each in maps]
+    return results
 
 
 def _depth_maps_of(d: Any, texture: Any) -> list[Any]:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import scenes
 from bench_pose_graph import DISTANCE
-from digest_depth_maps import estimated_depth_maps, plain_depth_maps
+from digest_depth_maps import estimated_depth_maps, pair_depth_maps, plain_depth_maps
 from digest_drawing import DRAWN
 from digest_fields import FIELDS
 from digest_files import WRITTEN
@@ -596,6 +596,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ),
     "slam, DenseSLAM": tracked_frames,
     "mvs, estimate_depth_maps": estimated_depth_maps,
+    "mvs, estimate_depth_maps, pair": pair_depth_maps,
     "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
     "room, film": filmed_room,
     "mvs, filter_depth_maps": filtered_depth_maps,

@@ -19,7 +19,7 @@ CALLS = """
 loom.mvs.filter_depth_maps(maps=maps, min_views=2, max_pixels=1.0, max_relative=0.01, min_confidence=0.0, min_support=0.25, folder=None, device="cpu", progress=None)
 loom.mvs.fuse(maps=maps, pictures=None, to="points", voxel_size=0.5, min_views=2, max_pixels=2.0, max_relative=0.01, max_angle=30.0, device="cpu", progress=None)
 loom.mvs.PosedCamera(intrinsic=lens, T_camera_world=pose)
-loom.mvs.estimate_depth_maps(pictures=pictures, cameras=cameras, sparse=sparse, sources=sources, masks=None, seed=0, device="cpu", folder=None, going=None, device_bytes=1000, progress=None)
+loom.mvs.estimate_depth_maps(pictures=pictures, cameras=cameras, sparse=sparse, sources=sources, masks=None, method="patch_match", seed=0, device="cpu", folder=None, going=None, device_bytes=1000, progress=None)
 loom.mvs.read_depth_bundle(path=path, names=["a", "b"], device="cpu")
 bundle.transform(transformation=pose)
 bundle.fuse(to="points", voxel_size=0.5, min_confidence=0.1, max_relative=0.01, device="cpu", progress=None)

@@ -177,7 +177,7 @@ def find_depth(
                         files.write(number, i, planes)
                 report("depth", number * count + i + 1, len(plan) * count)
                 if number == len(plan) - 1:
-                    yield _no_depth(setting.cameras[i]) if planes is None else run.result(i, planes)
+                    yield no_depth(setting.cameras[i]) if planes is None else run.result(i, planes)
                 elif planes is not None:
                     fresh[i] = files.read(number, i, camera)
                     if fresh[i] is None:
@@ -211,7 +211,7 @@ def _drop(stored: Sequence[StoredPlanes | None]) -> None:
             each.planes.unlink()
 
 
-def _no_depth(camera: PosedCamera) -> DepthMap:
+def no_depth(camera: PosedCamera) -> DepthMap:
     size = (camera.intrinsic.height, camera.intrinsic.width)
     return DepthMap(*(np.zeros(shape, np.float32) for shape in (size, (*size, 3), size)))
 

@@ -1,0 +1,176 @@
+"""Semi-global matching: costs of all disparities summed along eight paths, with penalties for changes of disparity.
+
+Hirschmueller, "Stereo processing by semiglobal matching and mutual information", PAMI 2008, equations 13 and 14. All
+numbers are integers, so the result is bitwise identical on every device. A cell is a pixel at a disparity. `step_rows`
+computes costs and both horizontal paths, one thread per row. `step_down` computes three paths from one row to the next,
+one launch per row: each row depends on the previous one. Memory: 3 B per cell, read or written are 13 B per cell.
+Eight paths take 8 x 6 integer operations per cell, vectorized over LANES disparities.
+"""
+
+from ..array_types import Array1, Bytes, Integers
+from ..lang import array, bit_count, func, int32, kernel, launch, tid, uint8, uint16
+from ..memory import empty, full
+from .census import LANES, lanes
+
+SMALL = 8  # penalty of a change by one disparity (P1)
+LARGE = 32  # penalty of any other change (P2)
+WORST = 31  # cost without a code, the maximum distance of codes
+FAR = 255  # path cost beyond the range of disparities, above any other
+PATHS = 3  # from the previous row
+COLUMNS = 40  # per thread on the CPU
+NO_COST = 1 << 20
+
+
+@func
+def least_of(values: lanes) -> int:
+    least = int(NO_COST)
+    for k in range(LANES):
+        least = min(least, values[k])
+    return least
+
+
+@func
+def step_path(costs: lanes, before: array(dtype=uint8), b: int, low: int, after: array(dtype=uint8), a: int) -> lanes:
+    """Path costs of LANES disparities from those `before` the pixel, whose minimum is `low`."""
+    values = lanes(0)
+    for k in range(LANES):
+        near = min(int(before[b + k - 1]), int(before[b + k + 1])) + SMALL
+        values[k] = costs[k] + min(min(int(before[b + k]), near), low + LARGE) - low
+    for k in range(LANES):
+        after[a + k] = uint8(values[k])
+    return values
+
+
+@kernel
+def step_rows_kernel(
+    left: array(dtype=int32),
+    right: array(dtype=int32),
+    width: int,
+    count: int,
+    paths: array(dtype=uint8),
+    costs: array(dtype=uint8),
+    sums: array(dtype=uint16),
+):
+    """Costs of a row, and the sums of its paths from the left and from the right."""
+    y = tid()
+    stride = count + LANES
+    for direction in range(2):
+        low = 0
+        for k in range(2 * (stride + LANES)):
+            paths[y * 2 * (stride + LANES) + k] = uint8(0)
+        for k in range(4):
+            row = y * 2 * (stride + LANES) + k // 2 * (stride + LANES)
+            paths[row + LANES - 1 + k % 2 * (count + 1)] = uint8(FAR)
+        for step in range(width):
+            x = step
+            if direction == 1:
+                x = width - 1 - step
+            cell = (y * width + x) * count
+            opposite = y * (width + count) + width - 1 - x
+            code = left[y * width + x]
+            here = (2 * y + step % 2) * (stride + LANES) + LANES
+            there = (2 * y + 1 - step % 2) * (stride + LANES) + LANES
+            least = lanes(NO_COST)
+            for chunk in range(count // LANES):
+                d = chunk * LANES
+                c = lanes(0)
+                total = lanes(0)
+                if direction == 0:
+                    for k in range(LANES):
+                        other = right[opposite + d + k]
+                        c[k] = min(bit_count(code ^ other) | (((code | other) >> 31) & WORST), WORST)
+                    for k in range(LANES):
+                        costs[cell + d + k] = uint8(c[k])
+                else:
+                    for k in range(LANES):
+                        c[k] = int(costs[cell + d + k])
+                        total[k] = int(sums[cell + d + k])
+                values = step_path(c, paths, here + d, low, paths, there + d)
+                for k in range(LANES):
+                    total[k] = total[k] + values[k]
+                    least[k] = min(least[k], values[k])
+                for k in range(LANES):
+                    sums[cell + d + k] = uint16(total[k])
+            low = least_of(least)
+
+
+@kernel
+def step_down_kernel(
+    y: int,
+    width: int,
+    count: int,
+    columns: int,
+    costs: array(dtype=uint8),
+    before: array(dtype=uint8),
+    lows_before: array(dtype=int32),
+    after: array(dtype=uint8),
+    lows_after: array(dtype=int32),
+    sums: array(dtype=uint16),
+):
+    """Add the three paths from the previous row to the sums of a row. A thread has some adjacent columns."""
+    i = tid()
+    stride = count + LANES
+    row = width + 2
+    for x in range(i * columns, min((i + 1) * columns, width)):
+        cell = (y * width + x) * count
+        low_left = lows_before[x]
+        low_above = lows_before[row + x + 1]
+        low_right = lows_before[2 * row + x + 2]
+        least_left = lanes(NO_COST)
+        least_above = lanes(NO_COST)
+        least_right = lanes(NO_COST)
+        for chunk in range(count // LANES):
+            d = chunk * LANES
+            at = LANES + (x + 1) * stride + d
+            c = lanes(0)
+            total = lanes(0)
+            for k in range(LANES):
+                c[k] = int(costs[cell + d + k])
+                total[k] = int(sums[cell + d + k])
+            from_left = step_path(c, before, at - stride, low_left, after, at)
+            from_above = step_path(c, before, at + row * stride, low_above, after, at + row * stride)
+            from_right = step_path(c, before, at + (2 * row + 1) * stride, low_right, after, at + 2 * row * stride)
+            for k in range(LANES):
+                total[k] = total[k] + from_left[k] + from_above[k] + from_right[k]
+                least_left[k] = min(least_left[k], from_left[k])
+                least_above[k] = min(least_above[k], from_above[k])
+                least_right[k] = min(least_right[k], from_right[k])
+            for k in range(LANES):
+                sums[cell + d + k] = uint16(total[k])
+        lows_after[x + 1] = least_of(least_left)
+        lows_after[row + x + 1] = least_of(least_above)
+        lows_after[2 * row + x + 1] = least_of(least_right)
+
+
+@kernel
+def clear_paths_kernel(count: int, paths: array(dtype=uint8)):
+    """Path costs of zero before the first row and beside the image: a path begins with the cost of its first pixel."""
+    i = tid()
+    value = 0
+    if i % (count + LANES) < LANES:
+        value = FAR
+    paths[i] = uint8(value)
+
+
+def sum_paths(left: Integers, right: Integers, width: int, height: int, count: int) -> Array1[uint16]:
+    """Sums of the eight path costs (height, width, count), flat.
+
+    `left` has the codes of the left image, (height, width). `right` those of the right image from right to left,
+    (height, width + count): pixel x at disparity number d is compared with element width - 1 - x + d.
+    """
+    device, stride = left.device, count + LANES
+    costs, sums = empty(width * height * count, uint8, device), empty(width * height * count, uint16, device)
+    paths = empty(2 * height * (stride + LANES), uint8, device)
+    launch(step_rows_kernel, height, [left, right, width, count, paths, costs, sums])
+    columns = 1 if device.is_cuda else COLUMNS
+    size, rows = PATHS * (width + 2) * stride + LANES, PATHS * (width + 2)
+    for order in (range(height), range(height - 1, -1, -1)):
+        states: list[tuple[Bytes, Integers]] = []
+        for _ in range(2):
+            state = empty(size, uint8, device)
+            launch(clear_paths_kernel, size, [count, state])
+            states.append((state, full(rows, 0, int32, device)))
+        for k, y in enumerate(order):
+            arrays = [y, width, count, columns, costs, *states[k % 2], *states[1 - k % 2], sums]
+            launch(step_down_kernel, -(-width // columns), arrays)
+    return sums
