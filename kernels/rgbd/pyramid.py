@@ -13,7 +13,10 @@ from ..images.depth import BLUE, GREEN, RED, intensity_of
 from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
 
-nine = vector(9, float32)
+LANES = 8  # pixels of a thread that fits planes, which a CPU fits at once
+nine = vector(9, float32)  # sums over a window: 1, u, v, u^2, u v, v^2, w, u w, v w, relative to the center
+five = vector(5, float32)  # a plane, and its depth on the ray of a pixel
+octet = vector(8, float32)  # one number per pixel of a thread
 SAME_SURFACE = 0.04  # relative depth difference of four pixels of one surface: 80 degrees of slope at f = 300 px
 WINDOW_SURFACE = 0.06  # the same per pixel of distance from a window's center
 NO_DEPTH = 1.0e30  # [m] result without valid pixels
@@ -166,28 +169,8 @@ def take_level_kernel(
 
 
 @func
-def window_sums(i: int, u: int, v: int, radius: int, level: int, levels: FrameLevels) -> nine:
-    """Sums over window pixels on the surface of pixel i: 1, u, v, u^2, u v, v^2, w, u w, v w, relative to it."""
-    sums = nine(0.0)
-    size = levels.layout[level]
-    z = levels.depth[i]
-    w0 = 1.0 / z
-    for dv in range(-radius, radius + 1):
-        if v + dv >= 0 and v + dv < size[1]:
-            for du in range(-radius, radius + 1):
-                if u + du >= 0 and u + du < size[0]:
-                    d = levels.depth[i + dv * size[0] + du]
-                    if abs(d - z) <= WINDOW_SURFACE * z:
-                        x = float(du)
-                        y = float(dv)
-                        w = 1.0 / d - w0
-                        sums += nine(1.0, x, y, x * x, x * y, y * y, w, x * w, y * w)
-    return sums
-
-
-@func
-def slopes_of(sums: nine, w0: float) -> vec4:
-    """Least-squares a, b, c of a window's sums, and 1 if valid."""
+def plane_of(sums: nine, z: float, u: float, v: float, lens: vec4, support: float) -> five:
+    """Plane of a pixel's window sums and its depth on the ray. A zero plane and `z` if the window has no plane."""
     n = sums[0]
     mu = sums[1] / n
     mv = sums[2] / n
@@ -198,51 +181,108 @@ def slopes_of(sums: nine, w0: float) -> vec4:
     cuw = sums[7] / n - mu * mw
     cvw = sums[8] / n - mv * mw
     det = cuu * cvv - cuv * cuv
-    slopes = vec4(0.0, 0.0, 0.0, 0.0)
-    if det > 0.1:
-        a = (cuw * cvv - cvw * cuv) / det
-        b = (cvw * cuu - cuw * cuv) / det
-        slopes = vec4(a, b, w0 + mw - a * mu - b * mv, 1.0)
-    return slopes
+    a = (cuw * cvv - cvw * cuv) / det
+    b = (cvw * cuu - cuw * cuv) / det
+    c = 1.0 / z + mw - a * mu - b * mv
+    nx = a * lens[0]
+    ny = b * lens[1]
+    nz = c + a * (lens[2] - u) + b * (lens[3] - v)
+    length = sqrt(nx * nx + ny * ny + nz * nz)
+    rx = (u - lens[2]) / lens[0]
+    ry = (v - lens[3]) / lens[1]
+    ray = sqrt(rx * rx + ry * ry + 1.0)
+    has_plane = n >= support and det > 0.1 and c > MIN_SINE * length * ray  # n . ray = c here
+    return five(
+        -nx / length if has_plane else 0.0,
+        -ny / length if has_plane else 0.0,
+        -nz / length if has_plane else 0.0,
+        -1.0 / length if has_plane else 0.0,
+        1.0 / c if has_plane else z,
+    )
+
+
+@func
+def group_count(size: vec4i) -> int:
+    return size[1] * ((size[0] + LANES - 1) // LANES)
 
 
 @kernel
 def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4), smoothed: array(dtype=float32)):
-    """Least-squares planes: w = 1 / z = a (u - u0) + b (v - v0) + c = n . (x, y, 1) / (n . q), x = (u - cx) / fx."""
+    """Least-squares planes: w = 1 / z = a (u - u0) + b (v - v0) + c = n . (x, y, 1) / (n . q), x = (u - cx) / fx. Over
+    window pixels on the surface of a pixel. A thread fits LANES pixels of a row."""
     i = tid()
     level = 0
-    for k in range(1, levels.layout.shape[0]):
-        if i >= levels.layout[k][2]:
-            level = k
+    group = i
+    for k in range(levels.layout.shape[0] - 1):
+        groups = group_count(levels.layout[k])
+        if level == k and group >= groups:
+            level = k + 1
+            group = group - groups
     size = levels.layout[level]
-    u = (i - size[2]) % size[0]
-    v = (i - size[2]) // size[0]
-    z = levels.depth[i]
-    plane = vec4(0.0, 0.0, 0.0, 0.0)
-    surface = z
-    if z > 0.0:
-        lens = levels.lenses[level]
-        w0 = 1.0 / z
-        sums = window_sums(i, u, v, radius, level, levels)
-        side = float(2 * radius + 1)
-        if sums[0] >= MIN_SUPPORT * side * side:
-            slopes = slopes_of(sums, w0)
-            if slopes[3] > 0.0:
-                a = slopes[0]
-                b = slopes[1]
-                c = slopes[2]
-                nx = a * lens[0]
-                ny = b * lens[1]
-                nz = c + a * (lens[2] - float(u)) + b * (lens[3] - float(v))
-                length = sqrt(nx * nx + ny * ny + nz * nz)
-                rx = (float(u) - lens[2]) / lens[0]
-                ry = (float(v) - lens[3]) / lens[1]
-                ray = sqrt(rx * rx + ry * ry + 1.0)
-                if c > MIN_SINE * length * ray:  # n . ray = c here
-                    plane = vec4(-nx / length, -ny / length, -nz / length, -1.0 / length)
-                    surface = 1.0 / c
-    planes[i] = plane
-    smoothed[i] = surface
+    lens = levels.lenses[level]
+    width = size[0]
+    first = group % ((width + LANES - 1) // LANES) * LANES
+    v = group // ((width + LANES - 1) // LANES)
+    line = size[2] + v * width
+    z = octet(0.0)
+    d = octet(0.0)
+    count = octet(0.0)
+    su = octet(0.0)
+    sv = octet(0.0)
+    suu = octet(0.0)
+    suv = octet(0.0)
+    svv = octet(0.0)
+    sw = octet(0.0)
+    suw = octet(0.0)
+    svw = octet(0.0)
+    for lane in range(LANES):
+        z[lane] = levels.depth[line + min(first + lane, width - 1)]
+    for dv in range(max(-radius, -v), min(radius, size[1] - 1 - v) + 1):
+        y = float(dv)
+        for du in range(-radius, radius + 1):
+            x = float(du)
+            start = first + du
+            if start >= 0 and start + LANES <= width:
+                for lane in range(LANES):
+                    d[lane] = levels.depth[line + dv * width + start + lane]
+            else:
+                for lane in range(LANES):
+                    column = min(max(start + lane, 0), width - 1)
+                    value = levels.depth[line + dv * width + column]
+                    d[lane] = value if column == start + lane else 0.0
+            for lane in range(LANES):
+                is_near = abs(d[lane] - z[lane]) <= WINDOW_SURFACE * z[lane]
+                one = 1.0 if is_near else 0.0
+                w = 1.0 / d[lane] - 1.0 / z[lane] if is_near else 0.0  # relative to the center
+                count[lane] += one
+                su[lane] += one * x
+                sv[lane] += one * y
+                suu[lane] += one * (x * x)
+                suv[lane] += one * (x * y)
+                svv[lane] += one * (y * y)
+                sw[lane] += w
+                suw[lane] += x * w
+                svw[lane] += y * w
+    support = MIN_SUPPORT * float(2 * radius + 1) * float(2 * radius + 1)
+    for lane in range(LANES):
+        sums = nine(
+            count[lane], su[lane], sv[lane], suu[lane], suv[lane], svv[lane], sw[lane], suw[lane], svw[lane]
+        )  # fmt: skip
+        plane = plane_of(sums, z[lane], float(first + lane), float(v), lens, support)
+        su[lane] = plane[0]
+        sv[lane] = plane[1]
+        suu[lane] = plane[2]
+        suv[lane] = plane[3]
+        svv[lane] = plane[4]
+    for lane in range(LANES):
+        if first + lane < width:
+            at = line + first + lane
+            if z[lane] > 0.0:
+                planes[at] = vec4(su[lane], sv[lane], suu[lane], suv[lane])
+                smoothed[at] = svv[lane]
+            else:
+                planes[at] = vec4(0.0, 0.0, 0.0, 0.0)
+                smoothed[at] = z[lane]
 
 
 @kernel
@@ -319,7 +359,8 @@ def make_levels(
         arguments = [levels.depth, levels.brightness, first, width, columns, out, levels.depth, levels.brightness]
         launch(halve_level_kernel, int(levels.counts[k]), arguments)
     smoothed = empty(levels.total, float32, device)
-    launch(fit_planes_kernel, levels.total, [radius, levels, levels.planes, smoothed])
+    groups = sum(rows * -(-columns // LANES) for columns, rows in sizes)
+    launch(fit_planes_kernel, groups, [radius, levels, levels.planes, smoothed])
     levels.depth = smoothed
     if normals is not None and not halvings:
         arguments = [normals, levels.depth, vec4(*map(float, lenses[0])), int(sizes[0][0]), levels.planes]

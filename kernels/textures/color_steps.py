@@ -22,16 +22,28 @@ from ..lang import (
     struct,
     tid,
     vec3,
+    vec4d,
     vector,
 )
 from ..memory import empty, full, upload, zeros
-from .posed_pictures import PosedPictures, Warps, is_inside, project_vertex, shade_at, warp_at
+from .posed_pictures import (
+    PosedPictures,
+    Warps,
+    is_inside,
+    pixel,
+    project_vertex,
+    shade,
+    shade_at,
+    warp_at,
+    warp_sample,
+)
 from .vertex_views import Sightings
 
 SQUARES, COUNT = 27, 28  # behind 21 of the matrix and 6 of the right side
 pose_sums = vector(29, float64)
 # 1 if the pair counts, residual, derivatives by the pose's 6 unknowns, image gradient, column, row
 pair_row = vector(12, float64)
+NOTHING = -1.0  # brightness of a vertex that is not in an image
 FIRST_DAMPING = 1.0e-6  # of the diagonal: negligible unless a step fails
 MIN_DAMPING, MAX_DAMPING = 1.0e-9, 1.0e4  # above the maximum a step is negligible
 SHRINK, GROW = 0.1, 10.0  # factors of the damping after good and bad steps
@@ -60,48 +72,71 @@ def average_brightness_kernel(
     sightings: Sightings,
     pictures: PosedPictures,
     warps: Warps,
+    samples: array(dtype=shade),
     proxies: array(dtype=float64),
 ):
-    """Mean brightness of a vertex over its images. 0 without any."""
+    """Samples of a vertex in its images, and their mean brightness. 0 without any."""
     i = tid()
     total = float64(0.0)
     count = float64(0.0)
     for k in range(sightings.starts[i], sightings.starts[i + 1]):
-        row = measure_pair(vertices[i], sightings.images[sightings.order[k]], 0.0, pictures, warps)
-        total += row[0] * row[1]
-        count += row[0]
+        pair = sightings.order[k]
+        image = sightings.images[pair]
+        projected = project_vertex(vertices[i], image, pictures)
+        warp = warp_at(projected[0], projected[1], image, warps)
+        sampled = sample_pair(projected, warp, image, pictures)
+        samples[pair] = sampled
+        if sampled[0] >= 0.0:
+            total += sampled[0]
+            count += 1.0
     if count > 0.0:
         total = total / count
     proxies[i] = total
 
 
 @func
-def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
-    """Row of an image and a vertex. Zero if the vertex is outside or in the margin."""
-    row = pair_row(0.0)
-    projected = project_vertex(p, image, pictures)
+def sample_pair(projected: pixel, warp: warp_sample, image: int, pictures: PosedPictures) -> shade:
+    """Brightness and gradient of a warped vertex. NOTHING, 0, 0 if it is outside or in the margin."""
+    sampled = shade(NOTHING, 0.0, 0.0)
     if projected[2] > 0.0:
         u = projected[0]
         v = projected[1]
-        warp = warp_at(u, v, image, warps)
         inside = is_inside(u, v, image, pictures.margin, pictures)
         inside += is_inside(u + warp[0], v + warp[1], image, pictures.margin, pictures)
         if inside == 2:
-            lens = pictures.lenses[image]
             sampled = shade_at(u + warp[0], v + warp[1], image, pictures)
-            along_u = sampled[1] * (1.0 + warp[2]) + sampled[2] * warp[3]
-            along_v = sampled[1] * warp[4] + sampled[2] * (1.0 + warp[5])
-            z = projected[2]
-            x = (u - lens[2]) * z / lens[0]
-            y = (v - lens[3]) * z / lens[1]
-            a = along_u * lens[0] / z
-            b = along_v * lens[1] / z
-            c = -(a * x + b * y) / z
-            row = pair_row(
-                1.0, sampled[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
-                sampled[1], sampled[2], u, v,
-            )  # fmt: skip
+    return sampled
+
+
+@func
+def pair_row_of(projected: pixel, warp: warp_sample, sampled: shade, proxy: float64, lens: vec4d) -> pair_row:
+    """Row of a sample. Zero without one."""
+    row = pair_row(0.0)
+    if sampled[0] >= 0.0:
+        along_u = sampled[1] * (1.0 + warp[2]) + sampled[2] * warp[3]
+        along_v = sampled[1] * warp[4] + sampled[2] * (1.0 + warp[5])
+        u = projected[0]
+        v = projected[1]
+        z = projected[2]
+        x = (u - lens[2]) * z / lens[0]
+        y = (v - lens[3]) * z / lens[1]
+        a = along_u * lens[0] / z
+        b = along_v * lens[1] / z
+        c = -(a * x + b * y) / z
+        row = pair_row(
+            1.0, sampled[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
+            sampled[1], sampled[2], u, v,
+        )  # fmt: skip
     return row
+
+
+@func
+def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
+    """Row of an image and a vertex. Zero if the vertex is outside or in the margin."""
+    projected = project_vertex(p, image, pictures)
+    warp = warp_at(projected[0], projected[1], image, warps)
+    sampled = sample_pair(projected, warp, image, pictures)
+    return pair_row_of(projected, warp, sampled, proxy, pictures.lenses[image])
 
 
 @segment_reduction
@@ -109,23 +144,31 @@ def sum_pair_rows(
     vertices: array(dtype=vec3),
     sightings: Sightings,
     proxies: array(dtype=float64),
+    samples: array(dtype=shade),
     pictures: PosedPictures,
     warps: Warps,
 ) -> pose_sums:
     """Normal equations of an image's pose, squared residuals and pair count."""
     i = tid()
-    vertex = sightings.vertices[i]
-    row = measure_pair(vertices[vertex], sightings.images[i], proxies[vertex], pictures, warps)
     total = pose_sums(0.0)
-    n = int(6)
-    at = 0
-    for a in range(n):
-        for b in range(a, n):
-            total[at] = row[2 + a] * row[2 + b]
-            at += 1
-        total[21 + a] = row[2 + a] * row[1]
-    total[SQUARES] = row[1] * row[1]
-    total[COUNT] = row[0]
+    sampled = samples[i]
+    if sampled[0] >= 0.0:
+        vertex = sightings.vertices[i]
+        image = sightings.images[i]
+        projected = project_vertex(vertices[vertex], image, pictures)
+        warp = warp_at(projected[0], projected[1], image, warps)
+        row = pair_row_of(projected, warp, sampled, proxies[vertex], pictures.lenses[image])
+        r = row[1]
+        a = row[2]
+        b = row[3]
+        c = row[4]
+        d = row[5]
+        e = row[6]
+        f = row[7]
+        total = pose_sums(
+            a * a, a * b, a * c, a * d, a * e, a * f, b * b, b * c, b * d, b * e, b * f, c * c, c * d, c * e, c * f,
+            d * d, d * e, d * f, e * e, e * f, f * f, a * r, b * r, c * r, d * r, e * r, f * r, r * r, 1.0,
+        )  # fmt: skip
     return total
 
 
@@ -220,14 +263,16 @@ class ColorSearch:
         self.partials = empty(self.blocks.count, pose_sums, device)
         self.sums, self.best_sums = zeros(count, pose_sums, device), zeros(count, pose_sums, device)
         self.best_poses = zeros(count, mat44d, device)
+        self.samples = empty(sightings.count, shade, device)
         self.proxies, self.ties = zeros(vertices.size, float64, device), zeros(count, float64, device)
         self.state = SearchState(max_iterations, device)
 
     def measure(self) -> None:
         """Evaluate means, sums and acceptance at the current poses."""
         shared = [self.pictures, self.warps]
-        launch(average_brightness_kernel, self.vertices.size, [self.vertices, self.sightings, *shared, self.proxies])
-        given = [self.vertices, self.sightings, self.proxies, *shared]
+        averaged = [self.vertices, self.sightings, *shared, self.samples, self.proxies]
+        launch(average_brightness_kernel, self.vertices.size, averaged)
+        given = [self.vertices, self.sightings, self.proxies, self.samples, *shared]
         reduce_segments(sum_pair_rows, self.blocks, self.live, given, self.partials, self.sums)
 
     def judge(self) -> None:

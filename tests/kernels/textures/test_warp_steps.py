@@ -114,6 +114,7 @@ def test_slopes_are_those_of_the_residuals(device, rng):
 
 
 def squares_with(search):
-    given = [search.vertices, search.sightings, search.proxies, search.pictures, search.warps]
+    shared = [search.pictures, search.warps]
+    given = [search.vertices, search.sightings, search.proxies, search.samples, *shared]
     reduce_segments(sum_pair_rows, search.blocks, search.live, given, search.partials, search.sums)
     return download(search.sums)[:, SQUARES].copy()

@@ -241,8 +241,8 @@ class Stills:
             self._parts[number] = _part(self._timeline.shapes[number], self._device)
         parts = [dataclasses.replace(self._parts[number], pose=pose) for number, pose in placements]
         camera = self._view.intrinsic
-        drawing = Scene(parts, self._device).draw(self._view, background=self._background)
-        return Canvas(drawing.picture, camera.width, camera.height)
+        picture = Scene(parts, self._device).draw(self._view).before(self._background)
+        return Canvas(picture, camera.width, camera.height)
 
 
 def _part(shape: Shape, device: Any) -> Part:

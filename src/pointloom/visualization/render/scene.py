@@ -102,14 +102,14 @@ class Scene:
             extents.append(find_extremes(bounded.part.positions, local) + offset)  # sync
         return frame.view(np.max(extents, axis=0), float((self.high - self.low).max()))
 
-    def draw(self, view: View, *, background: Triple = (1.0, 1.0, 1.0)) -> Drawing:
-        return Drawing(self, view, background)
+    def draw(self, view: View) -> Drawing:
+        return Drawing(self, view)
 
 
 class Drawing:
-    """An image of a scene on the device, uint8 (3 * pixels,), and its z-buffer."""
+    """The light and the z-buffer of a scene on the device."""
 
-    def __init__(self, scene: Scene, view: View, background: Triple):
+    def __init__(self, scene: Scene, view: View):
         camera = view.intrinsic
         cells = camera.width * SAMPLES, camera.height * SAMPLES
         need = cells[0] * cells[1] * CELL_BYTES + camera.width * camera.height * PIXEL_BYTES
@@ -127,9 +127,9 @@ class Drawing:
         self.left = full(cells[0] * cells[1] if veils or splats else 0, 1.0, float32, self.device)
         self.stop = 0
         self._draw(veils, [bounded.part for bounded in splats])
-        self.picture = self.before(background)
 
     def before(self, background: Triple) -> Any:
+        """The image before a background, uint8 (3 * pixels,)."""
         return finish_picture(self.buffer, self.light, self.left, vec3(*background))
 
     def depth(self) -> Any:
