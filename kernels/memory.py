@@ -116,9 +116,6 @@ def _new(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
             raise
 
 
-MAPPED = range(1 << 20, 1 << 28)  # elements of CPU arrays that NumPy fills: its memory has huge pages
-
-
 @overload
 def empty(shape: int | tuple[int], dtype: type[Element], device: Device | str) -> Array1[Element]: ...
 @overload
@@ -169,8 +166,6 @@ def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -
         with lock_for(device):
             created.fill_(value)
         return created
-    if shape in MAPPED and dtype in (wp.int32, wp.int64, wp.float32) and device.is_cpu:
-        return upload(np.full(shape, value, wp.dtype_to_numpy(dtype)), dtype, device, copied=False)
     with _Allocation(device):
         return own(wp.full(shape, value, dtype=dtype, device=device))
 

@@ -1,8 +1,8 @@
 """Fast creation and slicing of arrays, and release of GPU arrays.
 
 `wp.empty` and the release take 11 us of Python for two driver calls of less than 1 us, and 6 us on the CPU. Here arrays
-are copies of a Warp array with their own memory, and cache the bytes passed to kernels. This depends on the internals of Warp 1.19
-(warp_parts.py). Warp itself is used if they differ or if it has hooks.
+are copies of a Warp array with their own memory, and cache the bytes passed to kernels. This depends on the internals
+of Warp 1.19 (warp_parts.py). Warp itself is used if they differ or if it has hooks.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import warp as wp
 
 from . import device_lock, warp_parts
 from .device_lock import lock, waiting
+from .huge_pages import MAPPED, ask_for_huge_pages
 from .streams import note_use
 
 Shape = tuple[int, ...]
@@ -31,7 +32,7 @@ class Unfit(TypeError):  # noqa: N818  not an error yet: a slower check decides
 
 
 class Kind:
-    """Arrays of a device, type and number of axes. Checked arrays cache it as `kind_`, and launch bytes as `packed_`."""
+    """Arrays of a device, type and number of axes. Checked arrays cache it as `kind_`, launch bytes as `packed_`."""
 
     def __init__(self, dtype: Any, axes: int, device: Any) -> None:
         self.dtype, self.axes, self.device = dtype, axes, device
@@ -80,6 +81,8 @@ class Kind:
             address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
         else:
             address = core.wp_alloc_host(size, None)
+            if address and size >= MAPPED:
+                ask_for_huge_pages(address, size)
         if not address:
             raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
         return address
