@@ -16,7 +16,7 @@ import warp as wp
 
 from . import device_lock, warp_parts
 from .device_lock import lock, waiting
-from .huge_pages import MAPPED, ask_for_huge_pages
+from .huge_pages import MAPPED, request_huge_pages
 from .streams import note_use
 
 Shape = tuple[int, ...]
@@ -82,7 +82,7 @@ class Kind:
         else:
             address = core.wp_alloc_host(size, None)
             if address and size >= MAPPED:
-                ask_for_huge_pages(address, size)
+                request_huge_pages(address, size)
         if not address:
             raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
         return address

@@ -14,8 +14,8 @@ ADVICE = getattr(mmap, "MADV_HUGEPAGE", None)  # Linux alone has it
 _system = ctypes.CDLL(None) if sys.platform == "linux" and ADVICE is not None else None
 
 
-def ask_for_huge_pages(address: int, size: int) -> None:
-    """Ask the system for huge pages within a block. It may refuse, which changes no result."""
+def request_huge_pages(address: int, size: int) -> None:
+    """Request huge pages within a block. The system may refuse, which changes no result."""
     if _system is not None:
         begin = -(-address // mmap.PAGESIZE) * mmap.PAGESIZE
         length = (address + size) // mmap.PAGESIZE * mmap.PAGESIZE - begin

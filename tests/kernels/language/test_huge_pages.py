@@ -26,7 +26,7 @@ def asked(monkeypatch):
     ids=["whole pages", "parts of pages at both ends"],
 )
 def test_the_request_covers_the_whole_pages_of_a_block(asked, address, size, begin, length):
-    huge_pages.ask_for_huge_pages(address, size)
+    huge_pages.request_huge_pages(address, size)
     assert asked == [(begin, length, huge_pages.ADVICE)]
 
 
