@@ -448,14 +448,14 @@ class RawScan:
 
     def deskewed(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""
-        if self.times is not None and not np.array_equal(motion, np.eye(4)):
+        if self.times is not None and self._span is not None and not np.array_equal(motion, np.eye(4)):
             return deskew_points(self.points, self.times, self.origin, self._span, self.part * twist_of(motion))
         return shift_points(self.points, self.origin)
 
     @cached_property
-    def _span(self) -> wp.array:
-        """The first and the last time, on the device."""
-        return bound_times(self.points, self.times)
+    def _span(self) -> wp.array | None:
+        """The first and the last time, on the device; None without times."""
+        return None if self.times is None else bound_times(self.points, self.times)
 
 
 def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float64], interval: float | None) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -609,7 +609,7 @@ class PairFinder:
             self.descriptions[i] = describe(self.scans[i].cloud, COARSE_TO_FINE[-1] * self.size)
         return self.descriptions[i]
 
-    def _rates(self, pairs: Sequence[tuple[int, int]], poses: Sequence[Array], distance: float) -> list[float]:
+    def _rates(self, pairs: Sequence[tuple[int, int]], poses: Iterable[Array], distance: float) -> list[float]:
         local = [
             to_local(T, self.scans[a].cloud.origin, self.scans[b].cloud.origin)
             for (a, b), T in zip(pairs, poses, strict=True)
