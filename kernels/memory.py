@@ -103,7 +103,7 @@ def check_room(device: Device, size: int, what: str) -> None:
 
 def _new(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
     """Uninitialized array. None if Warp must allocate it."""
-    if isinstance(device, str):
+    if device is None or isinstance(device, str):
         return None
     if device.is_cuda:
         if why_no_cuda_here():

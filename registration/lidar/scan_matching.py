@@ -16,7 +16,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...kernels.linear_algebra import EPSILON, eigh, matmul, norm, pinvh
+from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
 from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
@@ -305,12 +305,8 @@ def open_directions(
 
 
 def _exceeds(A: Matrix, limit: float) -> bool:
-    """True if all eigenvalues surely exceed a limit: a quick check before `eigh`, the same on all processors."""
-    try:
-        np.linalg.cholesky(A - (1 + SAFETY) * limit * np.eye(len(A)))
-    except np.linalg.LinAlgError:
-        return False
-    return True
+    """True if all eigenvalues surely exceed a limit: a quick check before `eigh`."""
+    return is_positive_definite(A - (1 + SAFETY) * limit * np.eye(len(A)))
 
 
 def weak_directions(information: Matrix, count: int) -> Matrix:

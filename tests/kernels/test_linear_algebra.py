@@ -192,3 +192,12 @@ def test_results_do_not_depend_on_the_kernels_of_blas():
     blas = np.show_config(mode="dicts")["Build Dependencies"]["blas"]["name"]
     if "openblas" in blas and np._core._multiarray_umath.__cpu_features__.get("AVX2"):
         assert lines[0][1] != lines[1][1]  # the bits of `@` do, so this test can fail
+
+
+@pytest.mark.parametrize("smallest", [1e-9, 0.3, -1e-9, -2.0])
+def test_a_matrix_is_positive_definite_if_its_smallest_eigenvalue_is_positive(smallest, rng):
+    for n in (1, 2, 6):
+        Q, _ = np.linalg.qr(rng.normal(size=(n, n)))
+        A = (Q * np.linspace(smallest, 1, n) if n > 1 else Q * smallest) @ Q.T
+        assert la.is_positive_definite((A + A.T) / 2) == (smallest > 0)
+    assert not la.is_positive_definite(np.zeros((3, 3))) and not la.is_positive_definite(np.full((2, 2), np.nan))
