@@ -16,6 +16,7 @@ prints the absolute trajectory error (ATE) of each: the RMS position error from 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -121,13 +122,13 @@ def inertia(scan_count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return times, felt, np.stack([nothing, nothing, (right - left) / (2 * h)], axis=1)
 
 
-def prepare_rko_lio(scene: Drive, device: str) -> Any:
+def prepare_rko_lio(scene: Drive, device: str, **setting: bool) -> Any:
     from rko_lio.config import LIOConfig
     from rko_lio.lio import LIO
 
     config = LIOConfig(
         voxel_size=VOXEL_SIZE, max_range=MAX_RANGE, min_range=MIN_RANGE, max_num_threads=thread_count(),
-        max_correspondence_distance=RKO_CORRESPONDENCE, double_downsample=False,
+        max_correspondence_distance=RKO_CORRESPONDENCE, **setting,
     )  # fmt: skip
     count = len(scene.scans)
     scans = [points.astype(np.float64) for points in scene.scans]
@@ -169,7 +170,13 @@ ODOMETRY = Operation(
         Contestant("kiss-icp", prepare_kiss_icp, lambda poses: poses),
         Contestant("small_gicp", prepare_small_gicp, lambda poses: poses),
         Contestant("genz-icp", prepare_genz_icp, lambda poses: poses),
-        Contestant("rko-lio", prepare_rko_lio, lambda poses: poses),
+        Contestant("rko-lio", partial(prepare_rko_lio, double_downsample=False), lambda poses: poses),
+        Contestant("rko-lio, thinned", partial(prepare_rko_lio, double_downsample=True), lambda poses: poses),
+        Contestant(
+            "rko-lio, no deskewing",
+            partial(prepare_rko_lio, double_downsample=False, deskew=False),
+            lambda poses: poses,
+        ),
     ),
     check=check,
     unit_count=lambda scene: len(scene.scans),

@@ -134,7 +134,7 @@ def eigvalsh(A: Any) -> Array:
 
 
 def is_positive_definite(A: Any) -> bool:
-    """True if symmetric elimination of a matrix (n, n) finds positive pivots alone. A tenth of the time of `eigh`."""
+    """True if symmetric elimination of a matrix (n, n) finds positive pivots alone. An eighth of the time of `eigh`."""
     A = np.array(A, np.float64)
     for k in range(len(A)):
         if not A[k, k] > 0:
