@@ -28,7 +28,8 @@ def surface(count: int, voxel_size: float) -> Any:
         cloud = loom.PointCloud(scenes.bumpy_surface(count)).voxel_down_sample(voxel_size)
         cloud = cloud.estimate_normals(radius=2 * voxel_size, max_nn=30)
         cloud = cloud.orient_normals_to_align_with_direction()
-        return OrientedSurface(cloud.points.copy(), cloud.normals.astype(np.float64), 5 * voxel_size)
+        points = cloud.points.astype(np.float32).astype(np.float64)
+        return OrientedSurface(points, cloud.normals.astype(np.float64), 5 * voxel_size)
 
     return make
 

@@ -57,7 +57,8 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
 def prepare_open3d(scene: Pair, device: str) -> Any:
     o3d = load_open3d()
     registration, size = o3d.pipelines.registration, scene.voxel_size
-    clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)) for points in (scene.source, scene.target)]
+    vectors = [o3d.utility.Vector3dVector(points.copy()) for points in (scene.source, scene.target)]
+    clouds = [o3d.geometry.PointCloud(points) for points in vectors]
     checkers = [
         registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
         registration.CorrespondenceCheckerBasedOnDistance(1.5 * size),

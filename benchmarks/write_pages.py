@@ -31,7 +31,7 @@ SHOWN = {
     ("orient_consistently", "200k"): ("consistent orientation", "200k"),
     ("statistical_outliers", "1M"): ("statistical outliers, 20 neighbors", "1M"),
     ("segment_plane", "1M"): ("plane, 1000 samples", "1M"),
-    ("fpfh", "200k"): ("FPFH, 100 neighbors", "62k"),
+    ("cloud_distance", "1M"): ("distance to another cloud", "1M"),
     ("icp_plane", "200k"): ("point-to-plane ICP, one of 20 steps with all set-up", "200k"),
     ("register_globally", "200k, 5 cm"): ("global registration", "200k"),
     ("tsdf_integrate", "30 frames"): ("TSDF integration, 1 cm", "640 x 480"),
@@ -144,6 +144,9 @@ def measured_table(run: dict[str, Any]) -> str:
     lines += ["", f"pointloom is ahead in {ahead} of {len(rows)} rows. Rows behind, or below their target:", ""]
     lines += ["| operation | size | reason |", "|---|---|---|"]
     lines += [line([f"`{operation}`", size, REASONS[operation, size]]) for operation, size in below]
+    if failed := run["problems"]["failed"]:
+        lines += ["", "Baselines without a time, because they failed or their results differ:", ""]
+        lines += [f"- {text}" for text in failed]
     return "\n".join(lines)
 
 

@@ -136,6 +136,7 @@ def saved_run(ratio: float, operation: str = "dbscan", size: str = "1k") -> dict
         "date": "2026-02-01T00:00:00+00:00", "seconds": 60.0, "commit": "0123456789ab",
         "machine": {"cpu": "a processor", "threads": 2},
         "results": [{**row, "best_peer": "other", "ratio": ratio}, {**row, "size": "alone"}],
+        "problems": {"failed": ["dbscan 1k third: it failed"]},
     }  # fmt: skip
 
 
@@ -145,6 +146,7 @@ def test_the_page_has_each_row_with_a_baseline():
     text = write_pages.measured_table(saved_run(3.0))
     assert "1 February 2026" in text and "2 cores (a processor)" in text
     assert "| `dbscan` | 1k | 10.0 ms | other 30.0 ms | 3.0 | 2 |  |" in text and "alone" not in text
+    assert "- dbscan 1k third: it failed" in text
 
 
 @pytest.mark.parametrize("ratio", [0.5, 1.5])
