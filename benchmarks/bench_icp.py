@@ -134,6 +134,7 @@ def iterating(name: str, method: str, kind: str) -> Operation:
         check=check_iterations,
         unit_count=lambda scene: ITERATIONS,
         memory_size="200k",
+        long=("1M",),
     )
 
 

@@ -89,6 +89,7 @@ def operation(kind: str) -> Operation:
             Contestant("pyransac3d", prepare_pyransac3d, lambda result: (float(result[-2]), len(result[-1]))),
         ),
         check=check,
+        long=("150k",),
     )
 
 
