@@ -296,6 +296,7 @@ def test_the_native_library_gets_arguments_of_its_types(kernels, where, monkeypa
         monkeypatch.setattr(core, name, checked(name))
     n, numbers = np.int64(4), (1, 2, 3, 4, 0.5, 0.25, 5, 6)
     out, table = memory.zeros((n, np.int32(1)), lang.float64, where), memory.upload(np.arange(4), lang.int32, where)
+    memory.empty((n, np.int32(1)), lang.float64, wp.get_device("cpu"))
     for _ in range(2):
         lang.launch(kernels.numbers_kernel, n, [*numbers, memory.flat(out)])
         lang.reduce(kernels.add_up, 4, [memory.rows_of(memory.zeros(9, lang.float32, where), n, 2 * n), 1.0])
