@@ -37,7 +37,7 @@ SHOWN = {
     ("tsdf_integrate", "30 frames"): ("TSDF integration, 1 cm", "640 x 480"),
     ("poisson", "200k, depth 9"): ("Poisson surface, depth 9", "200k"),
 }
-BEHIND = 2  # rows in which pointloom is furthest behind
+BEHIND = 2  # operations in which pointloom is furthest behind, with their lowest rows
 MONTHS = "January February March April May June July August September October November December"
 
 
@@ -96,14 +96,16 @@ def readme_table(run: dict[str, Any]) -> str:
     """The selected rows and those in which pointloom is furthest behind."""
     rows = {(row["operation"], row["size"]): row for row in compared(run)}
     lowest = sorted((row["ratio"], key) for key, row in rows.items() if key not in SHOWN and row["ratio"] < 1)
-    behind = {key: (f"`{key[0]}`", key[1]) for _, key in lowest[:BEHIND]}
+    first = {key[0]: key for _, key in reversed(lowest)}  # the lowest row of each operation
+    behind = {key: (f"`{key[0]}`", key[1]) for _, key in lowest if first[key[0]] == key}
+    behind = dict(list(behind.items())[:BEHIND])
     ahead = sum(row["ratio"] >= 1 for row in rows.values())
     threads = run["machine"]["threads"]
     text = (
         f"Times beside the fastest other library on {computer(run)}, all with {threads} threads, one run of `make "
         f"bench` on {day(run)}. The ratio is baseline / pointloom. pointloom is ahead in {ahead} of {len(rows)} rows. "
-        "The last rows below are those in which it is furthest behind. All rows, with memory and the reasons of those "
-        "behind: [docs/measured.md](docs/measured.md)."
+        "The last rows below are the operations in which it is furthest behind. All rows, with memory and the reasons "
+        "of those behind: [docs/measured.md](docs/measured.md)."
     )
     lines = [filled(text), "", "| operation | size | pointloom | best baseline | ratio |", "|---|---|---|---|---|"]
     return "\n".join([*lines, *(line([*name, *cells(rows[key])]) for key, name in (SHOWN | behind).items())])
@@ -124,8 +126,8 @@ def measured_table(run: dict[str, Any]) -> str:
     rows = compared(run)
     text = (
         f"One run of `make bench` on {day(run)} ({run['seconds'] / 60:.0f} minutes, commit {run['commit'][:8]}), on "
-        f"{computer(run)}, every program with {run['machine']['threads']} threads: the best of several rounds, the "
-        "ratio baseline / pointloom with its target, and the peak memory above the data (pointloom / baseline)."
+        f"{computer(run)}. Every program has {run['machine']['threads']} threads. Times are the best of several "
+        "rounds. The ratio is baseline / pointloom. Memory is the peak above the data (pointloom / baseline)."
     )
     lines = [filled(text), "", "| operation | size | pointloom | best baseline | ratio | target | memory [MB] |"]
     lines.append("|---|---|---|---|---|---|---|")
