@@ -103,7 +103,8 @@ def numba_kernel() -> Callable[..., None]:
 
 
 def prepare_numba(count: int, device: str) -> Any:
-    scan, deskew, m = Scan(count, "cpu"), numba_kernel(), Scan(count, "cpu").motion
+    scan, deskew = Scan(count, "cpu"), numba_kernel()
+    m = scan.motion
     points, out = [array.numpy() for array in scan.points], scan.out.numpy()
     axis, velocity = (np.array(vector, np.float32) for vector in (m.axis, m.velocity))
     rest = (scan.times.numpy(), np.array(scan.origin), m.span.numpy(), axis, np.float32(m.angle), velocity, out)

@@ -97,8 +97,8 @@ def readme_table(run: dict[str, Any]) -> str:
     rows = {(row["operation"], row["size"]): row for row in compared(run)}
     lowest = sorted((row["ratio"], key) for key, row in rows.items() if key not in SHOWN and row["ratio"] < 1)
     first = {key[0]: key for _, key in reversed(lowest)}  # the lowest row of each operation
-    behind = {key: (f"`{key[0]}`", key[1]) for _, key in lowest if first[key[0]] == key}
-    behind = dict(list(behind.items())[:BEHIND])
+    furthest = sorted(first.values(), key=lambda key: rows[key]["ratio"])[:BEHIND]
+    behind = {key: (f"`{key[0]}`", key[1]) for key in furthest}
     ahead = sum(row["ratio"] >= 1 for row in rows.values())
     threads = run["machine"]["threads"]
     text = (

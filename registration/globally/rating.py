@@ -180,7 +180,8 @@ def rate_registration(
     if np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() > 0.05 or det(T[:3, :3]) < 0:
         source, T = source.transform(T), np.eye(4)
     source_witness, target_witness = witness_of(source, distance), witness_of(target, distance)
-    return rate_pose(source_witness, target_witness, to_local(T, source.origin, target.origin), distance)
+    pose = to_local(T, source.origin, target.origin)
+    return rate_poses([source_witness], [target_witness], pose[None], distance)[0]
 
 
 class Witness:
@@ -205,7 +206,7 @@ def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
 
 
 def witness_of(cloud: PointCloud, distance: float) -> Witness:
-    """The surface of a cloud for `rate_pose` at a match distance [m]."""
+    """The surface of a cloud for `rate_poses` at a match distance [m]."""
     size = distance / VOXELS
     try:
         return Witness(surface_of(cloud, size), size)
@@ -213,15 +214,10 @@ def witness_of(cloud: PointCloud, distance: float) -> Witness:
         raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
 
 
-def rate_pose(source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> float:
-    """As `rate_registration`, of a pose about the clouds' origins."""
-    return rate_poses([source], [target], pose[None], distance)[0]
-
-
 def rate_poses(
     sources: Sequence[Witness], targets: Sequence[Witness], poses: NDArray[np.float64], distance: float
 ) -> list[float]:
-    """As `rate_pose`, of many pairs. All are refined in the same launches."""
+    """As `rate_registration`, of poses about the clouds' origins. All are refined in the same launches."""
     scores, rated = [0.0] * len(poses), [k for k, pair in enumerate(zip(sources, targets, strict=True)) if all(pair)]
     if not rated:
         return scores

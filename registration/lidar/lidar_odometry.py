@@ -448,7 +448,7 @@ class RawScan:
 
     def deskewed(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""
-        if self.times is not None and self._span is not None and not np.array_equal(motion, np.eye(4)):
+        if not np.array_equal(motion, np.eye(4)) and self.times is not None and self._span is not None:
             return deskew_points(self.points, self.times, self.origin, self._span, self.part * twist_of(motion))
         return shift_points(self.points, self.origin)
 
