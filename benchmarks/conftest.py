@@ -1,8 +1,8 @@
 """Timing of an operation: contestants alternate on the same data, in laps, in one process.
 
-In its first lap a contestant prepares its data and makes one call outside the timed rounds. That call compiles kernels
-and starts threads, and its result is compared with pointloom's. A contestant that disagrees is an error and is not
-timed.
+In lap 0 a contestant prepares its data and makes one call, whose result is compared with pointloom's: a contestant that
+disagrees is an error and is not timed further. This call compiles kernels and starts threads. It counts only for
+baselines that take so long that they are not called again.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ import pytest
 from contest import POINTLOOM, Operation, Trial, limit_threads
 from real_data import DataMissingError
 
-LAPS = 4
+LAPS = 3  # after lap 0
 LAP_SECONDS = 0.3  # timed per lap, at least one round
-CONTESTANT_SECONDS = 4.0  # timed in all laps; a slow baseline stops after that
+CONTESTANT_SECONDS = 4.0  # a slow baseline stops after that
 MAX_ROUNDS = 12  # per lap
 PAUSE_SECONDS = 0.03  # waiting threads of the previous contestant spin for some ms before they sleep
 
@@ -36,12 +36,11 @@ class Lap(NamedTuple):
 
 @dataclass
 class Entry:
-    """A contestant that has started: durations of its first call and of a later one."""
+    """A contestant that has started: the seconds of a usual call, and of its calls so far."""
 
     trial: Trial
-    first_call: float
     estimate: float
-    spent: float = 0.0
+    spent: float
 
 
 class Contest:
@@ -49,7 +48,7 @@ class Contest:
 
     def __init__(self, operation: Operation, size: str, device: str, quick: bool):
         self.operation, self.size, self.device = operation, size, device
-        self.entries: dict[str, Entry | Exception] = {}
+        self.entries: dict[str, Entry] = {}
         self.our_facts: Any = None
         self.missing = ""
         try:
@@ -59,41 +58,49 @@ class Contest:
         else:
             self.unit_count = operation.unit_count(self.scene)
 
-    def entry(self, label: str) -> Entry:
-        """Return the contestant, ready to be timed; raises its first error."""
-        if label not in self.entries:
-            try:
-                self.entries[label] = self._begin(label)
-            except Exception as error:
-                self.entries[label] = error
-                raise
-        entry = self.entries[label]
-        if isinstance(entry, Exception):
-            pytest.skip(f"{label} is out")
-        return entry
-
-    def _begin(self, label: str) -> Entry:
+    def first_call(self, label: str, benchmark: Any) -> None:
+        """Prepare a contestant, time its first call and compare its result with pointloom's."""
         contestant, run_device = self.operation.contestant(label, self.device)
         try:
             trial = contestant.trial(self.scene, run_device)
         except ModuleNotFoundError as error:
             pytest.skip(f"{label}: {error}")
-        first_call, result = _timed(trial)
+        seconds, result = _timed(trial, benchmark, rounds=1)
         facts = contestant.facts(result)
         del result
-        estimate = _timed(trial)[0] if label == POINTLOOM else first_call  # the first call of pointloom compiles
         if label == POINTLOOM:
             self.our_facts = facts
-        elif self.our_facts is not None:
+            begin = time.perf_counter()
+            trial.once()  # the first call compiles
+            self.entries[label] = Entry(trial, time.perf_counter() - begin, 0.0)
+            return
+        if self.our_facts is not None:
             self.operation.check(self.our_facts, facts, label)
-        return Entry(trial, first_call, estimate)
+        self.entries[label] = Entry(trial, seconds, seconds)
+
+    def later_calls(self, label: str, benchmark: Any) -> None:
+        """Time the rounds of a later lap."""
+        entry = self.entries.get(label)
+        if entry is None:
+            pytest.skip(f"{label} is out")
+        if entry.spent > CONTESTANT_SECONDS:
+            pytest.skip("has been timed long enough")
+        rounds = min(MAX_ROUNDS, max(1, int(LAP_SECONDS / max(entry.estimate, 1e-6))))
+        entry.spent += _timed(entry.trial, benchmark, rounds)[0]
 
 
-def _timed(trial: Trial) -> tuple[float, Any]:
-    arguments = trial.arguments()
-    begin = time.perf_counter()
-    result = trial.call(*arguments)
-    return time.perf_counter() - begin, result
+def _timed(trial: Trial, benchmark: Any, rounds: int) -> tuple[float, Any]:
+    """Time some rounds: the total [s] and the last result. Results are freed outside the timed region."""
+    results: list[Any] = []
+
+    def make() -> tuple[tuple[Any, ...], dict[str, Any]]:
+        results.clear()
+        return trial.arguments(), {}
+
+    gc.collect()
+    time.sleep(PAUSE_SECONDS)
+    benchmark.pedantic(lambda *arguments: results.append(trial.call(*arguments)), setup=make, rounds=rounds)
+    return benchmark.stats.stats.total if benchmark.stats else 0.0, results.pop()  # no statistics if disabled
 
 
 # ------------------------------------------------------------------------------------------------ pytest
@@ -123,7 +130,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     names = [label for _, _, label in operation.contestants_on(config.getoption("--bench-device"))]
     sizes = operation.sizes(quick=quick, long=config.getoption("--bench-long"))
     laps = 1 if quick else LAPS
-    parameters = [Lap(operation, s, label, lap) for s in sizes for lap in range(laps) for label in names]
+    parameters = [Lap(operation, s, label, lap) for s in sizes for lap in range(1 + laps) for label in names]
     ids = [f"{t.size}-{t.label}-{t.lap}".replace(" ", "_") for t in parameters]
     metafunc.parametrize("time_lap", parameters, ids=ids, indirect=True)
 
@@ -164,28 +171,11 @@ def time_lap(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callabl
 
     def run_rounds() -> None:
         benchmark.group = f"{operation.name} {size}"
-        entry = contest.entry(label)
-        if entry.spent > CONTESTANT_SECONDS:
-            pytest.skip("has been timed long enough")
-        results: list[Any] = []  # results are freed outside the timed region
-
-        def make() -> tuple[tuple[Any, ...], dict[str, Any]]:
-            results.clear()
-            return entry.trial.arguments(), {}
-
-        rounds = min(MAX_ROUNDS, max(1, int(LAP_SECONDS / max(entry.estimate, 1e-6))))
-        gc.collect()
-        time.sleep(PAUSE_SECONDS)
-        benchmark.pedantic(lambda *arguments: results.append(entry.trial.call(*arguments)), setup=make, rounds=rounds)
-        if benchmark.stats is None:  # --benchmark-disable
-            return
-        entry.spent += benchmark.stats.stats.total
-        benchmark.extra_info.update(
-            operation=operation.name, size=size, label=label, lap=lap, units=contest.unit_count,
-            first_call_s=entry.first_call,
-        )  # fmt: skip
-        best = benchmark.stats.stats.min / contest.unit_count
-        print(f"  {operation.name:18} {size:16} {label:20} {1000 * best:10.2f} ms", file=sys.stderr, flush=True)
+        (contest.later_calls if lap else contest.first_call)(label, benchmark)
+        benchmark.extra_info.update(operation=operation.name, size=size, label=label, lap=lap, units=contest.unit_count)
+        if benchmark.stats:
+            best = 1000 * benchmark.stats.stats.min / contest.unit_count
+            print(f"  {operation.name:18} {size:16} {label:20} lap {lap} {best:10.2f} ms", file=sys.stderr, flush=True)
 
     yield run_rounds
 

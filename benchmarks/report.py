@@ -16,7 +16,7 @@ class Timing:
     """Times of one contestant at one operation and size.
 
     Attributes:
-        seconds: Of each round, per unit.
+        seconds: Of each round, per unit; without the first call, unless it is the only one.
         units: Units per call.
         first_call: [s] of the first call with all its units; pointloom compiles or loads its kernels in it.
         memory: Peak [B]; None if not measured.
@@ -82,11 +82,18 @@ def collect(documents: Iterable[dict[str, Any]]) -> dict[tuple[str, str], Row]:
     for document in documents:
         for entry in document["benchmarks"]:
             info = entry["extra_info"]
+            if not info:  # the result disagreed
+                continue
             key = (info["operation"], info["size"])
             row = rows.setdefault(key, Row(*key))
-            timing = row.timings.setdefault(info["label"], Timing())
-            timing.seconds += [seconds / info["units"] for seconds in entry["stats"]["data"]]
-            timing.units, timing.first_call = info["units"], info["first_call_s"]
+            timing = row.timings.setdefault(info["label"], Timing(units=info["units"]))
+            seconds = entry["stats"]["data"]
+            if info["lap"] == 0:
+                timing.first_call = seconds[0]
+            else:
+                timing.seconds += [value / timing.units for value in seconds]
+    for timing in (timing for row in rows.values() for timing in row.timings.values()):
+        timing.seconds = timing.seconds or [timing.first_call / timing.units]
     return rows
 
 
