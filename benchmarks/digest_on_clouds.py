@@ -222,5 +222,6 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
         p.source, p.cloud, p.max_distance, p.pose
     ),
     "localizability": lambda p: reg().localizability(p.source, p.cloud, p.pose, p.max_distance),
+    "check_alignment": lambda p: reg().check_alignment(p.source, p.cloud, p.pose, p.max_distance),
     "rate_registration": lambda p: reg().rate_registration(p.source, p.cloud, p.pose, p.max_distance),
 }

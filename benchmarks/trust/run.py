@@ -32,6 +32,7 @@ OWN = (
     "tracking",
     "maps",
     "registration",
+    "alignment",
     "surfaces",
     "fusing",
 )  # files with `judge`

@@ -71,6 +71,7 @@ reg.LidarOdometry(voxel_size=0.1, max_range=10.0, min_range=0.1, max_points_per_
 odometry().register(scan=source, timestamps=times, prior=pose)
 reg.correspondences_from_features(source_features=features, target_features=features, mutual_consistency_ratio=0.1, ratio=0.9, device="cpu")
 reg.deskew_point_cloud(cloud=source, T_start_end=pose, timestamps=times)
+reg.check_alignment(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
 reg.evaluate_registration(source=source, target=target, max_correspondence_distance=0.2, transformation=pose)
 reg.evaluate_trajectory(estimate=trajectory, truth=trajectory, align="first", delta=1, lengths=[1.0], max_time_difference=0.1, extrinsic=pose)
 reg.fit_to_positions(model=model, positions=positions, max_error=0.1, seed=0)

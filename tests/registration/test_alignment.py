@@ -1,0 +1,96 @@
+"""`check_alignment`: displacements of a few centimeters are measured with their uncertainty, correct poses pass."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .poses import as_pose
+
+reg = loom.registration
+UTM = np.array([455_000.25, 5_420_000.5, 312.0])
+NOISE = 0.004
+
+
+def room(rng, count=12_000):
+    """Points of a floor, two walls, a box and a pillar, with noise [m]."""
+    u, v = rng.random((2, count))
+    side = np.arange(count) % 6
+    angle = 2 * np.pi * u
+    faces = [
+        np.column_stack([4 * u, 3 * v, 0 * u]),
+        np.column_stack([4 * u, 0 * u, 2.5 * v]),
+        np.column_stack([0 * u, 3 * u, 2.5 * v]),
+        np.column_stack([2 + 0.8 * u, 0.5 + 0.6 * v, 0.7 + 0 * u]),
+        np.column_stack([2 + 0.8 * u, 1.1 + 0 * u, 0.7 * v]),
+        np.column_stack([3.2 + 0.25 * np.cos(angle), 2.2 + 0.25 * np.sin(angle), 1.6 * v]),
+    ]
+    return np.choose(side[:, None], faces) + NOISE * rng.normal(size=(count, 3))
+
+
+def pair(rng, device="cpu", corner=(0.0, 0.0, 0.0)):
+    return [loom.PointCloud(room(rng) + corner, device=device) for _ in range(2)]
+
+
+def about(corner, pose):
+    return as_pose([0, 0, 0], corner) @ pose @ as_pose([0, 0, 0], -np.asarray(corner))
+
+
+@pytest.mark.parametrize("corner", [np.zeros(3), UTM], ids=["zero", "UTM"])
+def test_a_displacement_is_measured_and_its_correction_undoes_it(device, corner, rng):
+    source, target = pair(rng, device, corner)
+    for rotation, translation in (([0, 0, 0], [0.03, 0, 0.04]), ([0, 0.01, 0.02], [0, 0.02, 0])):
+        wrong = about(corner, as_pose(rotation, translation))
+        check = reg.check_alignment(source, target, wrong, 0.15)
+        moved = np.linalg.norm((source.transform(wrong).points - source.points), axis=1)
+        assert check.displacement == pytest.approx(np.sqrt((moved**2).mean()), rel=0.15)
+        assert not check.aligned and not check.reliable and "off by" in check.warnings[0]
+        again = reg.check_alignment(source, target, check.correction @ wrong, 0.15)
+        assert again.aligned and again.displacement < 0.15 * check.displacement
+
+
+def test_the_covariance_covers_the_errors_of_samplings(rng):
+    """At the true pose the distance has about the distribution of six deviations, and it grows with a displacement."""
+    distances = [reg.check_alignment(*pair(rng), np.eye(4), 0.15).distance for _ in range(12)]
+    assert np.mean(np.array(distances) <= 3.55) >= 0.9 and np.median(distances) > 0.3
+    source, target = pair(rng)
+    by_shift = [reg.check_alignment(source, target, as_pose([0, 0, 0], [d, 0, 0]), 0.15) for d in (0, 0.01, 0.02, 0.04)]
+    assert (np.diff([check.distance for check in by_shift[1:]]) > 0).all()
+    assert not any(check.aligned for check in by_shift[2:])
+    sigmas = [check.sigma for check in by_shift]
+    assert max(sigmas) < 2 * min(sigmas)
+
+
+def test_a_motion_that_planes_do_not_determine_has_a_large_variance(device, rng):
+    plane = [
+        loom.PointCloud(np.column_stack([*rng.uniform(-1, 1, (2, 8000)), NOISE * rng.normal(size=8000)]), device=device)
+        for _ in range(2)
+    ]
+    check = reg.check_alignment(*plane, as_pose([0, 0, 0], [0, 0, 0.03]), 0.1)
+    deviations = np.sqrt(np.diag(check.covariance))
+    assert deviations[[2, 3, 4]].min() > 30 * deviations[[0, 1, 5]].max()
+    assert check.distance > 3.55 and check.correction[2, 3] == pytest.approx(-0.03, abs=0.003)
+
+
+def test_clouds_without_a_common_surface_are_not_aligned(rng):
+    source, target = pair(rng)
+    far = reg.check_alignment(source, target, as_pose([0, 0, 0], [50, 0, 0]), 0.15)
+    assert not far.aligned and far.matches == 0 and np.isinf(far.sigma) and far.to_dict()["sigma"] is None
+    for translation in ([0, 0, 0.5], [0.4, 0.4, 0]):
+        assert not reg.check_alignment(source, target, as_pose([0, 0, 0], translation), 0.15).aligned
+    assert not reg.check_alignment(loom.PointCloud(), target, np.eye(4), 0.15).aligned
+
+
+def test_the_default_distance_is_chosen_from_the_clouds(rng):
+    source, target = pair(rng)
+    assert reg.check_alignment(source, target, np.eye(4)).aligned
+    assert not reg.check_alignment(source, target, as_pose([0, 0, 0], [0.05, 0.05, 0.05])).aligned
+
+
+def test_the_result_is_the_same_on_each_run_and_either_way(device, rng):
+    source, target = pair(rng, device)
+    wrong = as_pose([0.005, 0, 0], [0.02, 0.01, 0])
+    checks = [reg.check_alignment(source, target, wrong, 0.15) for _ in range(2)]
+    assert checks[0].distance == checks[1].distance and (checks[0].covariance == checks[1].covariance).all()
+    back = reg.check_alignment(target, source, np.linalg.inv(wrong), 0.15)
+    assert back.displacement == pytest.approx(checks[0].displacement, rel=0.1)
