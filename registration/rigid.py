@@ -112,15 +112,16 @@ def pose_error(T: Matrix, T_true: Matrix) -> tuple[float, float]:
 
 
 def to_local(T: Matrix, source_origin: NDArray[np.float64], target_origin: NDArray[np.float64]) -> Matrix:
-    """Convert a pose from world coordinates to coordinates about the clouds' origins."""
+    """Convert poses [..., 4, 4] from world coordinates to coordinates about the clouds' origins [..., 3]."""
     local = T.copy()
-    local[:3, 3] = matmul(T[:3, :3], source_origin) + T[:3, 3] - target_origin
+    local[..., :3, 3] = matmul(T[..., :3, :3], source_origin[..., None])[..., 0] + T[..., :3, 3] - target_origin
     return local
 
 
 def to_world(T: Matrix, source_origin: NDArray[np.float64], target_origin: NDArray[np.float64]) -> Matrix:
+    """Inverse of `to_local`."""
     world = T.copy()
-    world[:3, 3] = T[:3, 3] + target_origin - matmul(T[:3, :3], source_origin)
+    world[..., :3, 3] = T[..., :3, 3] + target_origin - matmul(T[..., :3, :3], source_origin[..., None])[..., 0]
     return world
 
 

@@ -31,6 +31,11 @@ def concatenate_points(arrays: Sequence[Points], shifts: Sequence[np.ndarray]) -
     return out
 
 
+def joined_rows(arrays: Sequence[Array]) -> Array:
+    """As `concatenate_rows`, without a copy of a single array."""
+    return arrays[0] if len(arrays) == 1 else concatenate_rows(arrays)
+
+
 def concatenate_rows(arrays: Sequence[Array]) -> Array:
     first = arrays[0]
     out: Any = empty((sum(a.shape[0] for a in arrays), *first.shape[1:]), first.dtype, first.device)

@@ -130,17 +130,22 @@ def mask_finite(points: Points, drop_nan: bool | int, drop_infinite: bool | int)
     return mask
 
 
+def count_unusable(clouds: Sequence[Points], columns: Sequence[Sequence[Array2[Any]]]) -> NDArray[np.int32]:
+    """Counts of finite points of each cloud with non-finite values in its `columns` (at most one sync)."""
+    if not any(columns):
+        return np.zeros(len(clouds), np.int32)
+    counts = zeros(len(clouds), int32, clouds[0].device)
+    for k, (points, arrays) in enumerate(zip(clouds, columns, strict=True)):
+        for rows in arrays:
+            launch(count_unusable_kernel, points.size, [points, rows, k, counts])
+    return download(counts)  # sync
+
+
 def drop_unusable(
     clouds: Sequence[Points], columns: Sequence[Sequence[Array2[Any]]]
 ) -> tuple[list[Points], NDArray[np.int32]]:
     """Exclude points with non-finite values in `columns` (at most one sync): (points, counts), NaN copies if needed."""
-    cleaned, counts = list(clouds), np.zeros(len(clouds), np.int32)
-    if any(columns):
-        unusable = zeros(len(clouds), int32, clouds[0].device)
-        for k, (points, arrays) in enumerate(zip(clouds, columns, strict=True)):
-            for rows in arrays:
-                launch(count_unusable_kernel, points.size, [points, rows, k, unusable])
-        counts = download(unusable)  # sync
+    cleaned, counts = list(clouds), count_unusable(clouds, columns)
     for k in np.flatnonzero(counts).tolist():
         cleaned[k] = clone(clouds[k])
         for rows in columns[k]:

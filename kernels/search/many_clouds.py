@@ -10,7 +10,7 @@ import numpy as np
 
 from ..array_types import AnyArray, Integers, LongIntegers, Points, Vectors
 from ..arrays.bounds import bound_points
-from ..arrays.concatenation import concatenate_rows
+from ..arrays.concatenation import joined_rows
 from ..arrays.prefix_sum import find_owner
 from ..arrays.sort import SortKeys
 from ..lang import INFINITY, array, float32, func, int32, int64, kernel, launch, struct, tid, vec3
@@ -35,13 +35,14 @@ class ManyClouds:
     codes: array(dtype=int64)
     curve: HilbertCurve
 
-    def __init__(self, clouds: Sequence[Vectors], tree: PointTree | None = None) -> None:
+    def __init__(self, clouds: Sequence[Vectors], tree: PointTree | None = None, joined: Vectors | None = None) -> None:
+        """`joined`: the clouds in one array, if there is one."""
         device = clouds[0].device
         sizes = np.array([c.size for c in clouds], np.int64)
         starts, count = np.concatenate([[0], np.cumsum(sizes)]), len(clouds)
         if starts[-1] + BUCKET * count >= 2**31:
             raise ValueError(f"{starts[-1]:,} points in {count:,} clouds; register them in parts below 2^31 points")
-        points = clouds[0] if count == 1 else concatenate_rows(clouds)
+        points = joined_rows(clouds) if joined is None else joined
         self.device, self.starts = device, upload(starts, int32, device)
         if tree is None:
             keys, bits, rows = self._sort(points, sizes)
@@ -84,7 +85,7 @@ class ManyClouds:
 
     def gather(self, arrays: Sequence[AnyArray]) -> AnyArray:
         """One attribute of all clouds, vec3 or float32 (n, c), in sorted order."""
-        values = arrays[0] if len(arrays) == 1 else concatenate_rows(arrays)
+        values = joined_rows(arrays)
         if values.dtype == vec3:
             gathered, gather = empty(self.points.size, vec3, self.device), gather_vectors_kernel
         else:

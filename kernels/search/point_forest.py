@@ -35,8 +35,10 @@ class PointForest:
     roots: array(dtype=int32)
     boxes: array(dtype=float32)
 
-    def __init__(self, clouds: Sequence[Vectors], tree: "PointTree | None" = None) -> None:
-        sorted_clouds = self.clouds = ManyClouds(clouds, tree)
+    def __init__(
+        self, clouds: Sequence[Vectors], tree: "PointTree | None" = None, joined: Vectors | None = None
+    ) -> None:
+        sorted_clouds = self.clouds = ManyClouds(clouds, tree, joined)
         device, trees = sorted_clouds.device, len(clouds)
         sizes = [sorted_clouds.buckets]
         while sizes[-1].max() > 1:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import NUMPY, hand_out
 from ...core.devices import check_same_device
-from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.arrays.concatenation import joined_rows
 from ...kernels.arrays.row_numbers import list_partners
 from ...kernels.icp.freedom import Freedom
 from ...kernels.icp.job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
@@ -31,7 +31,7 @@ from ..result import Pairs, RegistrationResult
 from ..rigid import skew, symmetric_matrices, to_local, to_world
 from .constraint import Constraint, make_freedom
 from .estimation import Columns, TransformationEstimation
-from .preparation import in_sensor_frame, normals_of, point_weights, usable_points
+from .preparation import Side, drop_unusable_points, in_sensor_frame, normals_of, point_weights
 
 FAILURES = {
     OUT_OF_ITERATIONS: "ICP did not converge within {} iterations",
@@ -51,8 +51,8 @@ class IterativeRegistration:
 
     def __init__(
         self,
-        sources: Sequence[PointCloud],
-        targets: Sequence[PointCloud],
+        source_clouds: Sequence[PointCloud],
+        target_clouds: Sequence[PointCloud],
         poses: NDArray[np.float64],
         distance: float,
         estimation: TransformationEstimation,
@@ -64,19 +64,18 @@ class IterativeRegistration:
         weights: ArrayLike | str | None = None,
     ):
         self.estimation, self.distance, self.degeneracy = estimation, distance, degeneracy
-        self._take_clouds(sources, targets)
-        source_columns, target_columns = self._columns(max_normal_angle is not None)
-        points, self._target_points = self._usable_points(source_columns, target_columns)
+        self._take_clouds(source_clouds, target_clouds)
+        sources, targets = self._sides(max_normal_angle is not None)
         known = self._sources[0]._known_search_tree if len(self._sources) == 1 else None
-        is_complete = points[0] is self._sources[0]._device_array("points")
-        self.source_clouds = ManyClouds(points, known if is_complete else None)
-        source = _point_columns(self.source_clouds, source_columns)
+        is_complete = sources.points[0] is self._sources[0]._device_array("points")
+        self.source_clouds = ManyClouds(sources.points, known if is_complete else None, sources.joined)
+        source = _point_columns(self.source_clouds, sources.columns)
         forest, gaussians, target = None, None, PointColumns()
         if estimation._target_voxel_size is None:
-            forest = self._grow_forest()
-            target = _point_columns(forest.clouds, target_columns)
+            forest = _grow_forest(targets)
+            target = _point_columns(forest.clouds, targets.columns)
         else:
-            gaussians = self._make_gaussians(target_columns["covariances"], estimation._target_voxel_size)
+            gaussians = _make_gaussians(targets, estimation._target_voxel_size)
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
         geometry = estimation.geometry()
         local = self._local_poses(poses)
@@ -105,44 +104,24 @@ class IterativeRegistration:
             self._sources = [in_sensor_frame(c, n) for c, n in zip(self._sources, names[0], strict=True)]
             self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, names[1], strict=True)]
 
-    def _columns(self, with_normals: bool) -> tuple[Any, Any]:
+    def _sides(self, with_normals: bool) -> tuple[Side, Side]:
         source_names, target_names = self._names()
         source_columns = self.estimation._source_columns(self._sources, source_names, self.distance)
         target_columns = self.estimation._target_columns(self._targets, target_names, self.distance)
         if with_normals:
             self._add_normals(source_columns, self._sources, source_names)
             self._add_normals(target_columns, self._targets, target_names)
-        return source_columns, target_columns
+        sides = Side(self._sources, source_columns, source_names), Side(self._targets, target_columns, target_names)
+        drop_unusable_points(sides)
+        return sides
 
     def _names(self) -> tuple[list[str], list[str]]:
         return _names("source", self.source_of), _names("target", self.target_of)
 
-    def _usable_points(self, source_columns: Columns, target_columns: Columns) -> tuple[list[Any], list[Any]]:
-        """The points of both sides, NaN where a required value is not finite."""
-        sides = (self._sources, source_columns), (self._targets, target_columns)
-        columns = [
-            {name: arrays[i] for name, arrays in side.items()} for clouds, side in sides for i in range(len(clouds))
-        ]
-        names = [name for side in self._names() for name in side]
-        points = usable_points([*self._sources, *self._targets], columns, names)
-        return points[: len(self._sources)], points[len(self._sources) :]
-
-    def _grow_forest(self) -> PointForest:
-        first, points = self._targets[0], self._target_points
-        is_cached = len(points) == 1 and points[0] is first._device_array("points")
-        tree = first.search_tree() if is_cached else None
-        forest = PointForest(points, tree)
-        if tree is None:
-            clouds = forest.clouds
-            check_extent("targets", clouds.low, clouds.high, clouds.points)
-        return forest
-
     def _local_poses(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-        self._source_origins = [cloud.origin for cloud in self._sources]
-        self._target_origins = [cloud.origin for cloud in self._targets]
-        pairs = zip(self.source_of, self.target_of, poses, strict=True)
-        local = [to_local(T, self._source_origins[s], self._target_origins[t]) for s, t, T in pairs]
-        return np.array(local).reshape(-1, 4, 4)
+        self._source_origins = np.array([cloud.origin for cloud in self._sources])
+        self._target_origins = np.array([cloud.origin for cloud in self._targets])
+        return to_local(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
 
     def _constrain(
         self, constraint: Constraint | None, weights: ArrayLike | str | None, local: NDArray[np.float64]
@@ -192,7 +171,7 @@ class IterativeRegistration:
         state = {
             # a running job has taken one more step
             "iteration_index": int(states["iterations"][0]) - int(states["live"][0]),
-            "transformation": self._world(0, states["earlier"][0]),
+            "transformation": self._world(states["earlier"])[0],
             "fitness": float(states["fitness"][0]),
             "inlier_rmse": float(states["rmse"][0]),
         }
@@ -200,21 +179,22 @@ class IterativeRegistration:
 
     def results(self) -> list[RegistrationResult]:
         states = self.loop.states.download()  # sync
-        outcomes, free_counts = states["outcomes"], states["free_counts"]
+        names = ("fitness", "rmse", "iterations", "outcomes", "free_counts")
+        rows = zip(self._world(states["poses"]), *(states[name].tolist() for name in names), strict=True)
         constraint_results = self._constraint_results()
         results = [
             RegistrationResult(
-                self._world(job, states["poses"][job]),
-                float(states["fitness"][job]),
-                float(states["rmse"][job]),
+                pose.copy(),
+                fitness,
+                rmse,
                 lambda job=job: self._pairs_of(job),
-                iterations=int(states["iterations"][job]),
-                converged=bool(outcomes[job] == CONVERGED),
-                warnings=_warnings_of(int(outcomes[job]), int(states["iterations"][job])),
-                degenerate_directions=states["free"][job].reshape(6, 6)[: free_counts[job]].copy(),
+                iterations=iterations,
+                converged=outcome == CONVERGED,
+                warnings=_warnings_of(outcome, iterations),
+                degenerate_directions=states["free"][job].reshape(6, 6)[:free_count].copy(),
                 **constraint_results[job],
             )
-            for job in range(self.loop.jobs.count)
+            for job, (pose, fitness, rmse, iterations, outcome, free_count) in enumerate(rows)
         ]
         for result in results if self.estimation.scales else ():
             result.check_scale()
@@ -238,8 +218,8 @@ class IterativeRegistration:
             matrices[job] = matmul(shift.T, matrices[job], shift)
         return matrices
 
-    def _world(self, job: int, pose: NDArray[np.float64]) -> NDArray[np.float64]:
-        return to_world(pose, self._source_origins[self.source_of[job]], self._target_origins[self.target_of[job]])
+    def _world(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
+        return to_world(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
 
     def _pairs_of(self, job: int) -> Pairs:
         """(source, target) rows of a job's pairs, by source. Target rows are voxels in a voxelized target."""
@@ -265,25 +245,36 @@ class IterativeRegistration:
         if "normals" not in columns:
             columns["normals"] = normals_of(clouds, names, "max_normal_angle")
 
-    def _make_gaussians(self, covariances: list[Any], voxel_size: float) -> VoxelGaussians:
-        points = concatenate_rows(self._target_points)
-        sizes = [len(c) for c in self._targets]
-        segments = upload(np.repeat(np.arange(len(sizes)), sizes), int32, points.device)
-        return VoxelGaussians(
-            points, concatenate_rows(covariances), voxel_size, segments=segments, segment_count=len(sizes)
-        )
+
+def _grow_forest(targets: Side) -> PointForest:
+    first, points = targets.clouds[0], targets.points
+    is_cached = len(points) == 1 and points[0] is first._device_array("points")
+    tree = first.search_tree() if is_cached else None
+    forest = PointForest(points, tree, targets.joined)
+    if tree is None:
+        clouds = forest.clouds
+        check_extent("targets", clouds.low, clouds.high, clouds.points)
+    return forest
+
+
+def _make_gaussians(targets: Side, voxel_size: float) -> VoxelGaussians:
+    points = joined_rows(targets.points) if targets.joined is None else targets.joined
+    sizes = [len(c) for c in targets.clouds]
+    segments = upload(np.repeat(np.arange(len(sizes)), sizes), int32, points.device)
+    covariances = joined_rows(targets.columns["covariances"])
+    return VoxelGaussians(points, covariances, voxel_size, segments=segments, segment_count=len(sizes))
 
 
 def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64]]:
     indices: dict[int, int] = {}
     distinct: list[PointCloud] = []
-    numbers = np.empty(len(clouds), np.int64)
-    for i, cloud in enumerate(clouds):
+    numbers = []
+    for cloud in clouds:
         index = indices.setdefault(id(cloud), len(distinct))
         if index == len(distinct):
             distinct.append(cloud)
-        numbers[i] = index
-    return distinct, numbers
+        numbers.append(index)
+    return distinct, np.array(numbers, np.int64)
 
 
 def _warnings_of(outcome: int, iterations: int) -> tuple[str, ...]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
@@ -16,7 +17,8 @@ from ...core.exchange import share_vectors
 from ...core.units import NonFiniteWarning, warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.bounds import bound_points
-from ...kernels.extent.masks import drop_unusable
+from ...kernels.arrays.concatenation import joined_rows
+from ...kernels.extent.masks import count_unusable, drop_unusable
 from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
 from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from ...kernels.lang import float32, vec3
@@ -49,24 +51,58 @@ def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
     return type(cloud)._from_device_arrays(arrays, np.zeros(3), cloud.array_library)
 
 
-def usable_points(
-    clouds: Sequence[PointCloud], columns: Sequence[Mapping[str, wp.array]], names: Sequence[str]
-) -> list[wp.array]:
-    """The points, vec3 [n], set to NaN with a NonFiniteWarning where a required column is not finite."""
-    flat = [
-        [view_as(c, float32, (len(cloud), 3)) if c.dtype == vec3 else c for c in arrays.values()]
-        for cloud, arrays in zip(clouds, columns, strict=True)
-    ]
-    points, counts = drop_unusable([cloud._device_array("points") for cloud in clouds], flat)
+@dataclass
+class Side:
+    """All sources or all targets, with the columns that the estimator requires: arrays by cloud, or one for all.
+
+    `points`: usable points by cloud. `joined`: those of all clouds, if they are in one array.
+    """
+
+    clouds: Sequence[PointCloud]
+    columns: dict[str, list[Any]]
+    names: Sequence[str]
+
+    def __post_init__(self) -> None:
+        self.points = [cloud._device_array("points") for cloud in self.clouds]
+        self.joined: wp.array | None = None
+
+    def columns_of(self, k: int) -> list[wp.array]:
+        return [_as_rows(arrays[k]) for arrays in self.columns.values()]
+
+
+def drop_unusable_points(sides: Sequence[Side]) -> None:
+    """Set the points to NaN with a NonFiniteWarning where a required column is not finite. Join many clouds."""
+    if any(len(side.clouds) > 1 for side in sides) and _join_usable(sides):
+        return
+    columns = [side.columns_of(k) for side in sides for k in range(len(side.clouds))]
+    points, counts = drop_unusable([p for side in sides for p in side.points], columns)
+    clouds, names = ([x for side in sides for x in getattr(side, name)] for name in ("clouds", "names"))
+    required = [list(side.columns) for side in sides for _ in side.clouds]
     for k in np.flatnonzero(counts).tolist():
         lost = len(clouds[k]) - bound_points(points[k])[2]
         lost -= len(clouds[k]) - bound_points(clouds[k]._device_array("points"))[2]
         warn_of_units(
-            f"{names[k]}: {' or '.join(columns[k])} of {lost:,} of {len(clouds[k]):,} points are not finite. "
+            f"{names[k]}: {' or '.join(required[k])} of {lost:,} of {len(clouds[k]):,} points are not finite. "
             "These points are not used.",
             NonFiniteWarning,
         )
-    return points
+    for side in sides:
+        side.points, points = points[: len(side.clouds)], points[len(side.clouds) :]
+
+
+def _join_usable(sides: Sequence[Side]) -> bool:
+    """Join the clouds of each side if all their points are usable: one launch per column instead of one per cloud."""
+    joined = [joined_rows(side.points) for side in sides]
+    columns = [{name: [joined_rows(arrays)] for name, arrays in side.columns.items()} for side in sides]
+    if count_unusable(joined, [[_as_rows(c[0]) for c in arrays.values()] for arrays in columns]).any():  # sync
+        return False
+    for side, points, arrays in zip(sides, joined, columns, strict=True):
+        side.joined, side.columns = points, arrays
+    return True
+
+
+def _as_rows(values: wp.array) -> wp.array:
+    return view_as(values, float32, (len(values), 3)) if values.dtype == vec3 else values
 
 
 def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
