@@ -32,28 +32,39 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..search.bucket_walk import next_step, start_traversal, traversal
+from ..search.bucket_walk import children_within, next_step, start_traversal, traversal
 from ..search.lane_search import nearby_children, nearby_nodes, sqdist_of
-from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
+from ..search.nearest_point import closest_leaf, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
-from ..search.point_tree import BUCKET, FAN, LEAF, measure_box, measure_boxes, square_distance
+from ..search.point_tree import BUCKET, FAN, LEAF, measure_box, square_distance
 from ..search.tree_walk import bits_of, lowest_bit
 from .jobs import source_position
 from .matches import Matches
 
-lane_flags = vector(8, int32)
+lane_integers = vector(8, int32)
 motion = vector(12, float32)
-lane_results = vector(24, int32)  # bits of the nearest squared distances, positions, bits of the second nearest
 LARGEST_BITS = 0x7F7F_FFFF  # of the largest float32
+NO_LEAF = 0x7FFF_FFFF  # beyond all leaves
 SLACK = 1.0e-6  # of a coordinate: exceeds the rounding of a moved point and its distance
 
 
 @func
 def measure_lanes(
-    first: int, points: array(dtype=vec3), xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, best: lane_results
-) -> lane_results:
-    """Update the lanes with a leaf's points. Padding is at infinity."""
-    updated = best
+    first: int,
+    points: array(dtype=vec3),
+    xs: lane_numbers,
+    ys: lane_numbers,
+    zs: lane_numbers,
+    best: lane_integers,
+    places: lane_integers,
+    second: lane_integers,
+) -> tuple[lane_integers, lane_integers, lane_integers]:
+    """Update the nearest and second nearest squared distances (bits) and the nearest positions with a leaf's points.
+    Padding is at infinity.
+    """
+    nearest = best
+    positions = places
+    others = second
     for i in range(first, first + LEAF):
         p = points[i]
         for j in range(LEAF):
@@ -61,25 +72,25 @@ def measure_lanes(
             y = p[1] - ys[j]
             z = p[2] - zs[j]
             bits = min(float_bits(x * x + y * y + z * z), LARGEST_BITS)
-            nearest = updated[j]
-            position = updated[LEAF + j]
-            closer = 1 if bits < nearest else 0
-            passed = nearest if position >= 0 else LARGEST_BITS  # the initial bound is not a second nearest
+            before = nearest[j]
+            position = positions[j]
+            closer = 1 if bits < before else 0
+            passed = before if position >= 0 else LARGEST_BITS  # the initial bound is not a second nearest
             behind = passed if closer == 1 else bits
-            updated[j] = bits if closer == 1 else nearest
-            updated[LEAF + j] = i if closer == 1 else position
-            updated[2 * LEAF + j] = min(updated[2 * LEAF + j], behind)
-    return updated
+            nearest[j] = bits if closer == 1 else before
+            positions[j] = i if closer == 1 else position
+            others[j] = min(others[j], behind)
+    return nearest, positions, others
 
 
 @func
-def lane_limits(best: lane_results, wanted: lane_flags, margin: float) -> lane_numbers:
+def lane_limits(best: lane_integers, second: lane_integers, wanted: lane_integers, margin: float) -> lane_numbers:
     """Squared search limit of each lane: a margin beyond its nearest point, not beyond the second."""
     limits = lane_numbers(-1.0)
     for j in range(LEAF):
         nearest = bits_float(best[j])
         radius = sqrt(nearest) + margin
-        limit = smaller(larger(radius * radius, nearest), bits_float(best[2 * LEAF + j]))  # a root rounds down too
+        limit = smaller(larger(radius * radius, nearest), bits_float(second[j]))  # a root rounds down too
         limits[j] = limit if wanted[j] == 1 else -1.0
     return limits
 
@@ -92,29 +103,13 @@ def limit_beside(best: int, second: int, margin: float) -> float:
 
 
 @func
-def lanes_within(
-    node: int,
-    child: int,
-    boxes: array(dtype=float32),
-    xs: lane_numbers,
-    ys: lane_numbers,
-    zs: lane_numbers,
-    limits: lane_numbers,
-) -> int:
-    """Count of lanes nearer to a child's box than their limits."""
-    distances = lane_distances(node, child, boxes, xs, ys, zs)
-    count = 0
-    for j in range(LEAF):
-        count += 1 if distances[j] < limits[j] else 0
-    return count
-
-
-@func
-def largest_limit(limits: lane_numbers) -> float:
-    largest = limits[0]
-    for j in range(1, LEAF):
-        largest = larger(largest, limits[j])
-    return largest
+def largest_lane(values: lane_numbers) -> float:
+    """Largest of eight numbers, in pairs: the comparisons of a level are one instruction."""
+    a = larger(values[0], values[4])
+    b = larger(values[1], values[5])
+    c = larger(values[2], values[6])
+    d = larger(values[3], values[7])
+    return larger(larger(a, c), larger(b, d))
 
 
 @func
@@ -140,17 +135,20 @@ def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
 
 
 @loop
-def leaves_nearer(bucket: int, a: vec3, b: vec3, limit: float, target: int, forest: PointForest) -> tuple[int, int]:
-    """Leaves (bucket record, leaf) nearer to the box (a, b) than the squared `limit`, which may shrink."""
+def leaves_nearer(
+    bucket: int, a: vec3, b: vec3, limit: float, target: int, forest: PointForest, seed: int
+) -> tuple[int, int]:
+    """Leaves (bucket record, leaf) but `seed` within the squared `limit` of the box (a, b). It may shrink."""
     root = forest.roots[target]
     first_bucket = forest.levels[target * HEIGHTS]
     step = start_traversal(bucket)
     while int(step[0]) <= root:
         record = first_bucket + int(step[2])
-        distances = measure_boxes(forest.boxes, record, a, b)
-        for leaf in range(FAN):
-            if distances[leaf] < limit:
-                yield record, leaf
+        near = children_within(forest.boxes, record, a, b, limit)
+        if record == seed // FAN:
+            near = near & ~(1 << (seed % FAN))
+        for leaf in bits_of(near):
+            yield record, leaf
         step = next_bucket_of(step, a, b, limit, target, forest)
 
 
@@ -163,12 +161,14 @@ def search_lanes(
     xs: lane_numbers,
     ys: lane_numbers,
     zs: lane_numbers,
-    wanted: lane_flags,
+    wanted: lane_integers,
     margin: float,
-    initial: lane_results,
+    initial: lane_integers,
     forest: PointForest,
-) -> lane_results:
-    """Results of lanes in the box (a, b) after one traversal of their target's tree, from position `known` if >= 0."""
+) -> tuple[lane_integers, lane_numbers]:
+    """Nearest positions and limits of lanes in the box (a, b) after one traversal of their target's tree, from position
+    `known` if >= 0.
+    """
     first = forest.levels[target * HEIGHTS]  # first bucket of the tree
     bucket = known // BUCKET - first
     if known < 0:
@@ -176,16 +176,17 @@ def search_lanes(
     seed = known // LEAF
     if known < 0:
         seed = closest_leaf(first + bucket, a, b, forest.boxes)  # its points bound the search from the start
-    best = measure_lanes(seed * LEAF, forest.clouds.points, xs, ys, zs, initial)
-    limits = lane_limits(best, wanted, margin)
-    bound_all = largest_limit(limits)
-    for record, leaf in leaves_nearer(bucket, a, b, bound_all, target, forest):
-        if record * FAN + leaf != seed:
-            if lanes_within(record, leaf, forest.boxes, xs, ys, zs, limits) > 0:
-                best = measure_lanes(record * BUCKET + leaf * LEAF, forest.clouds.points, xs, ys, zs, best)
-                limits = lane_limits(best, wanted, margin)
-                bound_all = largest_limit(limits)
-    return best
+    best, places, second = measure_lanes(
+        seed * LEAF, forest.clouds.points, xs, ys, zs, initial, lane_integers(-1), lane_integers(LARGEST_BITS)
+    )
+    limits = lane_limits(best, second, wanted, margin)
+    bound_all = largest_lane(limits)
+    for record, leaf in leaves_nearer(bucket, a, b, bound_all, target, forest, seed):
+        start = record * BUCKET + leaf * LEAF
+        best, places, second = measure_lanes(start, forest.clouds.points, xs, ys, zs, best, places, second)
+        limits = lane_limits(best, second, wanted, margin)
+        bound_all = largest_lane(limits)
+    return places, limits
 
 
 @kernel(for_cpu=True)
@@ -201,8 +202,8 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
         xs = lane_numbers(0.0)
         ys = lane_numbers(0.0)
         zs = lane_numbers(0.0)
-        wanted = lane_flags(0)
-        best = lane_results(LARGEST_BITS)
+        wanted = lane_integers(0)
+        best = lane_integers(LARGEST_BITS)
         none = float_bits(matches.max_sqdist) + 1
         count = 0
         known = -1
@@ -234,17 +235,15 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                     a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                     b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
                     count += 1
-                best[LEAF + j] = -1
             matches.pairs[head + j] = pair
         if count > 0:
             target = matches.jobs.job_targets[job]
             margin = matches.margins[job]
-            best = search_lanes(known, target, a, b, xs, ys, zs, wanted, margin, best, forest)
-            limits = lane_limits(best, wanted, margin)
+            places, limits = search_lanes(known, target, a, b, xs, ys, zs, wanted, margin, best, forest)
             for j in range(LEAF):
                 if wanted[j] == 1:
-                    matches.nearest[head + j] = best[LEAF + j]
-                    matches.pairs[head + j] = best[LEAF + j]
+                    matches.nearest[head + j] = places[j]
+                    matches.pairs[head + j] = places[j]
                     matches.lowers[head + j] = sqrt(limits[j])
 
 
@@ -277,7 +276,7 @@ def match_points_kernel(matches: Matches, forest: PointForest):
                 second = int(LARGEST_BITS)
                 margin = matches.margins[job]
                 limit = limit_beside(best, second, margin)
-                for record, leaf in leaves_nearer(bucket, q, q, limit, target, forest):
+                for record, leaf in leaves_nearer(bucket, q, q, limit, target, forest, NO_LEAF):
                     for j in range(record * BUCKET + leaf * LEAF, record * BUCKET + (leaf + 1) * LEAF):
                         bits = min(float_bits(square_distance(q, forest.clouds.points[j])), LARGEST_BITS)
                         if bits < best:
