@@ -23,6 +23,7 @@ OWNER, FEATURE = 1, 2  # bits of a half-edge: owner of its edge. Feature edge
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
 REJECTED_KEY = NO_KEY - 1  # of an edge that may not collapse in its current neighborhood
 STALE_KEY = NO_KEY - 2  # of an edge whose cost must be computed
+MAX_NEAR = 16  # corners of a vertex that are always read: longer lists only if the neighbor's is not shorter
 
 # Record: remaining triangles. Triangles and vertices including removed ones. Edges considered, able to collapse at
 # once, and collapsing. The highest cost bin considered (-1 for none).
@@ -113,8 +114,7 @@ class CollapseMesh:
         self._find_features(moved, self.live(CHOSEN, capacity))
 
     def _find_features(self, rows: Integers, count: int) -> None:
-        launch(flag_edges_kernel, count, [self, rows, self.flags, self.keys])
-        launch(sort_vertices_kernel, count, [self, rows, self.kinds])
+        launch(find_features_kernel, count, [self, rows, self.flags, self.keys, self.kinds])
 
     def join_corners(self, partners: Integers, other: "CollapseMesh", scan: LoopScan) -> None:
         """Update corner lists. `partners`: vertex whose corners each takes over; -2 - v if v keeps its own, else -1."""
@@ -263,11 +263,22 @@ def edge_valence(mesh: CollapseMesh, a: int, b: int) -> int:
 
 
 @func
+def reads_other(mesh: CollapseMesh, v: int, u: int) -> int:
+    """1 if a search for the edge v, u should read the list of u. That of v is in the cache, if it is not long."""
+    count = valence(mesh, v)
+    other = 0
+    if count > MAX_NEAR:
+        if valence(mesh, u) < count:
+            other = 1
+    return other
+
+
+@func
 def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
     """Flags of a half-edge between a and b. The first half-edge of an edge owns it."""
     v = a
     u = b
-    if valence(mesh, b) < valence(mesh, a):
+    if reads_other(mesh, a, b) == 1:
         v = b
         u = a
     first = h
@@ -302,45 +313,44 @@ def row_at(mesh: CollapseMesh, i: int, rows: array(dtype=int32)) -> int:
     return v
 
 
+@func
+def key_of_flags(value: int) -> int64:
+    return int64(STALE_KEY) if (value & OWNER) != 0 else int64(NO_KEY)
+
+
 @kernel
-def flag_edges_kernel(
-    mesh: CollapseMesh, rows: array(dtype=int32), flags: array(dtype=uint8), keys: array(dtype=int64)
+def find_features_kernel(
+    mesh: CollapseMesh,
+    rows: array(dtype=int32),
+    flags: array(dtype=uint8),
+    keys: array(dtype=int64),
+    kinds: array(dtype=uint8),
 ):
-    """Flags of the half-edges from and to some vertices. Of all without rows."""
+    """Flags of the half-edges from and to some vertices, of all without rows. Classify these vertices by their number
+    of feature edges (0, 2, other). Each edge is counted at its owner."""
     i = tid()
     v = row_at(mesh, i, rows)
     if v < 0:
         return
     seams = mesh.numbers[SEAMS]
     both_ways = min(rows.shape[0], 1)
+    both = OWNER + FEATURE
+    count = 0
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         c = mesh.corners[j]
         s = mesh.spokes[j]
         value = edge_flags(mesh, c, v, s[0], seams)
+        if value == both:
+            count += 1
         flags[c] = uint8(value)
-        keys[c] = int64(STALE_KEY) if (value & OWNER) != 0 else int64(NO_KEY)
+        keys[c] = key_of_flags(value)
+        d = last_corner(c)
+        value = edge_flags(mesh, d, v, s[1], seams)
+        if value == both:
+            count += 1
         if both_ways == 1:
-            d = last_corner(c)
-            value = edge_flags(mesh, d, s[1], v, seams)
             flags[d] = uint8(value)
-            keys[d] = int64(STALE_KEY) if (value & OWNER) != 0 else int64(NO_KEY)
-
-
-@kernel
-def sort_vertices_kernel(mesh: CollapseMesh, rows: array(dtype=int32), kinds: array(dtype=uint8)):
-    """Classify vertices by their number of feature edges (0, 2, other). Each edge is counted at its owner."""
-    i = tid()
-    v = row_at(mesh, i, rows)
-    if v < 0:
-        return
-    count = 0
-    both = OWNER + FEATURE
-    for j in range(mesh.starts[v], mesh.starts[v + 1]):
-        c = mesh.corners[j]
-        if int(mesh.flags[c]) == both:
-            count += 1
-        if int(mesh.flags[last_corner(c)]) == both:
-            count += 1
+            keys[d] = key_of_flags(value)
     kind = int(CORNER)
     if count == 0:
         kind = FREE

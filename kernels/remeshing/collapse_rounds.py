@@ -91,24 +91,24 @@ def weights_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
     return vec3d(one - tip - share, share, tip)
 
 
+@func
+def new_position(mesh: CollapseMesh, h: int, a: int, b: int) -> vec3d:
+    merged = merged_position(mesh, a, b, placement(mesh, h, a, b))
+    return vec3d(merged[0], merged[1], merged[2])
+
+
 @kernel
-def position_edges_kernel(
-    mesh: CollapseMesh,
-    edges: array(dtype=int32),
-    new_positions: array(dtype=vec3d),
-    shares: array(dtype=vec3d),
-    tips: array(dtype=int32),
+def weigh_corners_kernel(
+    mesh: CollapseMesh, edges: array(dtype=int32), shares: array(dtype=vec3d), tips: array(dtype=int32)
 ):
-    """New vertex positions of edges; `shares` of first end, other end and tip (`tips`) of the triangle below."""
+    """Weights `shares` of first end, other end and tip (`tips`) of the triangle below the new vertex."""
     i = tid()
     if i >= mesh.numbers[CHOSEN]:
         return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
     b = corner_vertex(mesh.triangles, next_corner(h))
-    mode = placement(mesh, h, a, b)
-    merged = merged_position(mesh, a, b, mode)
-    x = vec3d(merged[0], merged[1], merged[2])
+    x = new_position(mesh, h, a, b)
     p = mesh.positions[a]
     r = mesh.positions[b]
     best = weights_in_triangle(p, r, p, x)
@@ -122,7 +122,6 @@ def position_edges_kernel(
                 if here[2] > best[2]:
                     best = here
                     tip = other
-    new_positions[i] = x
     shares[i] = best
     tips[i] = tip
 
@@ -131,7 +130,6 @@ def position_edges_kernel(
 def collapse_edges_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
-    new_positions: array(dtype=vec3d),
     partners: array(dtype=int32),
     positions: array(dtype=vec3d),
     quadrics: array(dtype=quadric),
@@ -148,8 +146,8 @@ def collapse_edges_kernel(
     b = corner_vertex(triangles, next_corner(h))
     partners[a] = b
     partners[b] = -2 - a
+    positions[a] = new_position(mesh, h, a, b)
     quadrics[a] = quadrics[a] + quadrics[b]
-    positions[a] = new_positions[i]
     moved[i] = a
     for j in range(mesh.starts[b], mesh.starts[b + 1]):
         s = mesh.spokes[j]
@@ -258,14 +256,16 @@ class EdgeCollapse:
     def __init__(self, mesh: CollapseMesh, capacity: int, unit: Sequence[bool]) -> None:
         device, self.capacity, self.unit = mesh.numbers.device, capacity, unit
         self.moved: Indices = empty(capacity, int32, device)
-        self._positions, self._shares = empty(capacity, vec3d, device), empty(capacity, vec3d, device)
-        self._tips, self._partners = empty(capacity, int32, device), empty(mesh.positions.size, int32, device)
+        self._partners: Indices = empty(mesh.positions.size, int32, device)
+        self._weighted = capacity if mesh.rows or mesh.has_uvs else 0  # edges whose corners need weights
+        self._shares, self._tips = empty(self._weighted, vec3d, device), empty(self._weighted, int32, device)
         self._scan = LoopScan(mesh.positions.size, device)
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
         """Collapse independent edges (int32 half-edges), as many as in the record."""
         count, vertices = mesh.live(CHOSEN, self.capacity), mesh.live(VERTICES, mesh.positions.size)
-        launch(position_edges_kernel, count, [mesh, edges, self._positions, self._shares, self._tips])
+        if self._weighted:
+            launch(weigh_corners_kernel, count, [mesh, edges, self._shares, self._tips])
         for rows, is_unit in zip(mesh.rows, self.unit, strict=True):
             launch(merge_rows_kernel, count, [mesh, edges, self._shares, self._tips, int(is_unit), rows])
         if mesh.has_uvs:
@@ -273,7 +273,7 @@ class EdgeCollapse:
             launch(take_uvs_kernel, count, [mesh, edges, twin.uvs, mesh.uvs])
         fill(self._partners[:vertices], -1)
         outputs = [self._partners, mesh.positions, mesh.quadrics, mesh.triangles, mesh.keys, self.moved]
-        launch(collapse_edges_kernel, count, [mesh, edges, self._positions, *outputs])
+        launch(collapse_edges_kernel, count, [mesh, edges, *outputs])
         mesh.join_corners(self._partners, twin, self._scan)
 
 
@@ -617,7 +617,7 @@ class CollapseRounds:
         launch(price_edges_kernel, count, [mesh, self.max_error, mesh.keys, self.bins.bins])
         self.bins.limit_prices()
 
-    def choose(self) -> None:
+    def choose(self) -> Indices:
         """Select cheap independent edges, at most as many as needed."""
         mesh, numbers = self.mesh, self.mesh.numbers
         count = 3 * mesh.live(SLOTS, mesh.triangles.size)
@@ -629,16 +629,21 @@ class CollapseRounds:
         picked = mesh.live(PICKED, self.picked.size)
         rows = [self.considered.rows, self.picked_list.rows, numbers, PICKED, self.picked]
         launch(take_rows_kernel, picked, rows)
+        if not self.running.device.is_cuda:
+            record = host_view(numbers)
+            if 2 * picked <= record[TRIANGLES] - self.target:  # as is_cut
+                record[CHOSEN] = picked
+                return self.picked
         self.bins.mark_cheapest(mesh, self.picked, picked, self.taken)
         self.taken_list.find(self.taken, picked, numbers, CHOSEN)
         rows = [self.picked, self.taken_list.rows, numbers, CHOSEN, self.chosen]
         launch(take_rows_kernel, mesh.live(CHOSEN, self.chosen.size), rows)
+        return self.chosen
 
     def run_round(self) -> None:
         mesh = self.mesh
         self.price_edges()
-        self.choose()
-        self.collapse.run(mesh, self.twin, self.chosen)
+        self.collapse.run(mesh, self.twin, self.choose())
         mesh.find_features(self.collapse.moved, self.collapse.capacity)
         launch(judge_round_kernel, 1, [mesh, self.stops_at_limit, mesh.numbers, self.running])
         if self.running.device.is_cuda or host_view(mesh.numbers)[EVERY]:

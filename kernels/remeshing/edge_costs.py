@@ -26,7 +26,18 @@ from ..lang import (
     vec4d,
 )
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import BIN, FEATURE, FREE, LINE, SLOTS, STALE_KEY, CollapseMesh, last_corner, mix_number, valence
+from .collapse_mesh import (
+    BIN,
+    FEATURE,
+    FREE,
+    LINE,
+    SLOTS,
+    STALE_KEY,
+    CollapseMesh,
+    last_corner,
+    mix_number,
+    reads_other,
+)
 from .quadrics import minimum_point, plane_quadric, quadric, quadric_error, quadric_trace
 
 REJECTED, BEST, FIRST, SECOND = -1, 0, 1, 2  # possible positions of the merged vertex
@@ -163,10 +174,10 @@ def mark_cheap_edges_kernel(keys: array(dtype=int64), numbers: array(dtype=int32
 
 @func
 def has_neighbor(mesh: CollapseMesh, v: int, u: int) -> int:
-    """1 if a triangle of v contains u; reads the shorter list."""
+    """1 if a triangle of v contains u."""
     w = v
     wanted = u
-    if valence(mesh, u) < valence(mesh, v):
+    if reads_other(mesh, v, u) == 1:
         w = u
         wanted = v
     flag = 0
