@@ -28,6 +28,7 @@ from ..lang import (
     tid,
     uint8,
     vec2,
+    vec2i,
     vec3,
     vec3d,
     vec3i,
@@ -430,21 +431,37 @@ class EdgeBins:
 
 
 @kernel
-def take_edges_kernel(
-    mesh: CollapseMesh, edges: array(dtype=int32), blocked: array(dtype=uint8), lowest: array(dtype=int64)
+def list_edges_kernel(
+    mesh: CollapseMesh, edges: array(dtype=int32), keys: array(dtype=int64), ends: array(dtype=vec2i)
 ):
-    """Minimum key of the unblocked edges at each vertex. The minimum does not depend on the order."""
+    """Keys and ends of the considered edges, adjacent in memory."""
     i = tid()
-    if i >= mesh.numbers[EDGES]:
+    if i < mesh.numbers[EDGES]:
+        h = edges[i]
+        keys[i] = mesh.keys[h]
+        ends[i] = vec2i(corner_vertex(mesh.triangles, h), corner_vertex(mesh.triangles, next_corner(h)))
+
+
+@kernel
+def take_edges_kernel(
+    numbers: array(dtype=int32),
+    ends: array(dtype=vec2i),
+    blocked: array(dtype=uint8),
+    keys: array(dtype=int64),
+    lowest: array(dtype=int64),
+):
+    """Minimum key of the edges at each vertex, without blocked ones. The minimum does not depend on the order."""
+    i = tid()
+    if i >= numbers[EDGES]:
         return
-    h = edges[i]
-    key = mesh.keys[h]
+    key = keys[i]
     if key < int64(STALE_KEY):
-        a = corner_vertex(mesh.triangles, h)
-        b = corner_vertex(mesh.triangles, next_corner(h))
-        if blocked[a] == 0 and blocked[b] == 0:
-            atomic_min(lowest, a, key)
-            atomic_min(lowest, b, key)
+        e = ends[i]
+        if blocked[e[0]] == 0 and blocked[e[1]] == 0:
+            atomic_min(lowest, e[0], key)
+            atomic_min(lowest, e[1], key)
+        else:
+            keys[i] = int64(NO_KEY)
 
 
 @func
@@ -473,29 +490,34 @@ def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
 def choose_edges_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
+    ends: array(dtype=vec2i),
     lowest: array(dtype=int64),
+    listed: array(dtype=int64),
     keys: array(dtype=int64),
     chosen: array(dtype=uint8),
     blocked: array(dtype=uint8),
 ):
-    """Select or reject edges whose key is minimal around; `keys` are those of the mesh."""
+    """Select or reject edges whose key is minimal around; `keys` are those of the mesh, `listed` of the edges."""
     i = tid()
     if i >= mesh.numbers[EDGES]:
         return
-    h = edges[i]
-    key = mesh.keys[h]
-    a = corner_vertex(mesh.triangles, h)
-    b = corner_vertex(mesh.triangles, next_corner(h))
+    key = listed[i]
+    if key >= int64(STALE_KEY):
+        return
+    a = ends[i][0]
+    b = ends[i][1]
     if lowest[a] == key and lowest[b] == key:
         first = is_lowest_around(mesh, a, key, lowest)
         if first == 1:
             first = is_lowest_around(mesh, b, key, lowest)
         if first == 1:
+            h = edges[i]
             if may_collapse(mesh, h, a, b, mesh.numbers[BENDING]) == 1:
                 chosen[i] = 1
                 block_around(mesh, a, blocked)
                 block_around(mesh, b, blocked)
             else:
+                listed[i] = int64(REJECTED_KEY)
                 keys[h] = int64(REJECTED_KEY)
 
 
@@ -507,16 +529,18 @@ class EdgeChoice:
         self.chosen: Bytes = empty(mesh.keys.size, uint8, device)
         self._lowest = empty(mesh.positions.size, int64, device)
 
-    def run(self, mesh: CollapseMesh, edges: Indices, passes: int) -> None:
-        """Select independent `edges` (owners) in passes; sets `mesh.touched` and the keys of rejected edges."""
+    def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices, passes: int) -> None:
+        """Select independent `edges` (owners) in passes; sets `mesh.touched` and the keys of rejected edges. Keys and
+        spokes of the twin are scratch memory."""
         count, vertices = mesh.live(EDGES, edges.size), mesh.live(VERTICES, mesh.positions.size)
         fill(self.chosen[:count], 0)
         fill(mesh.touched[:vertices], 0)
-        lowest = self._lowest[:vertices]
+        lowest, keys, ends = self._lowest[:vertices], twin.keys, twin.spokes
+        launch(list_edges_kernel, count, [mesh, edges, keys, ends])
         for _ in range(passes):
             fill(lowest, NO_KEY)
-            launch(take_edges_kernel, count, [mesh, edges, mesh.touched, self._lowest])
-            arguments = [mesh, edges, self._lowest, mesh.keys, self.chosen, mesh.touched]
+            launch(take_edges_kernel, count, [mesh.numbers, ends, mesh.touched, keys, self._lowest])
+            arguments = [mesh, edges, ends, self._lowest, keys, mesh.keys, self.chosen, mesh.touched]
             launch(choose_edges_kernel, count, arguments)
 
 
@@ -623,7 +647,7 @@ class CollapseRounds:
         count = 3 * mesh.live(SLOTS, mesh.triangles.size)
         launch(mark_cheap_edges_kernel, count, [mesh.keys, numbers, self.cheap])
         self.considered.find(self.cheap, count, numbers, EDGES)
-        self.choice.run(mesh, self.considered.rows, PASSES)
+        self.choice.run(mesh, self.twin, self.considered.rows, PASSES)
         considered_count = mesh.live(EDGES, self.considered.rows.size)
         self.picked_list.find(self.choice.chosen, considered_count, numbers, PICKED)
         picked = mesh.live(PICKED, self.picked.size)

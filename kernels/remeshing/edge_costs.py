@@ -19,7 +19,6 @@ from ..lang import (
     isfinite,
     kernel,
     length,
-    sqrt,
     tid,
     uint8,
     vec3d,
@@ -119,7 +118,9 @@ def merged_position(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
     if mode == BEST:
         middle = (p + r) * 0.5
         x = minimum_point(q, middle, float64(PULL))
-        if not (length(x - middle) <= float64(MAX_SHIFT) * length(r - p)):
+        shift = x - middle
+        edge = r - p
+        if not (dot(shift, shift) <= float64(MAX_SHIFT * MAX_SHIFT) * dot(edge, edge)):
             x = middle
             if quadric_error(q, p) < quadric_error(q, x):
                 x = p
@@ -249,7 +250,9 @@ def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
             after = cross(side, x - mesh.positions[p])
             old = dot(before, before)
             new = dot(after, after)
-            if dot(before, after) < float64(MIN_COSINE) * sqrt(old * new) or new < old * float64(SHRINK * SHRINK):
+            product = dot(before, after)
+            flips = product < 0.0 or product * product < float64(MIN_COSINE * MIN_COSINE) * (old * new)
+            if flips or new < old * float64(SHRINK * SHRINK):
                 bent = 1
         j += 1
     return bent

@@ -34,7 +34,7 @@ def note(mesh: cm.CollapseMesh, index: int, value: int) -> None:
 
 def chosen_of(job: CollapseRounds, edges, rounds: int) -> np.ndarray:
     note(job.mesh, cm.EDGES, edges.size)
-    job.choice.run(job.mesh, edges, rounds)
+    job.choice.run(job.mesh, job.twin, edges, rounds)
     return download(job.choice.chosen)[: edges.size] == 1
 
 
