@@ -70,21 +70,49 @@ def inverse_distance(p: vec3d, q: vec3d) -> float64:
 
 @kernel
 def approach_mean_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64, out: array(dtype=vec3d)):
-    """Move a vertex by `factor` toward the weighted mean of its neighbors, closer ones with larger weights."""
+    """Move a vertex by `factor` toward the weighted mean of its neighbors, closer ones with larger weights. The sums
+    are scalars: LLVM keeps a vector that changes under a condition in memory."""
     i = tid()
     own = values[i]
-    way = vec3d(0.0, 0.0, 0.0)
+    p = rule.positions[i]
+    x = float64(0.0)
+    y = float64(0.0)
+    z = float64(0.0)
     weights = float64(0.0)
     for j in range(rule.around.starts[i], rule.around.starts[i + 1]):
         neighbor = rule.around.vertices[j]
-        weight = inverse_distance(rule.positions[i], rule.positions[neighbor])
+        weight = inverse_distance(p, rule.positions[neighbor])
         value = values[neighbor]
         if weight > 0.0 and isfinite(value):
-            way = way + weight * (value - own)
+            x += weight * (value[0] - own[0])
+            y += weight * (value[1] - own[1])
+            z += weight * (value[2] - own[2])
             weights += weight
     if isfinite(own) and weights > 0.0:
-        own = own + factor * (way / weights)
+        own = own + factor * (vec3d(x, y, z) / weights)
     out[i] = own
+
+
+@kernel
+def approach_mean_position_kernel(rule: FilterPass, factor: float64, out: array(dtype=vec3d)):
+    """`approach_mean_kernel` of the positions themselves: each neighbor is read once."""
+    i = tid()
+    p = rule.positions[i]
+    x = float64(0.0)
+    y = float64(0.0)
+    z = float64(0.0)
+    weights = float64(0.0)
+    for j in range(rule.around.starts[i], rule.around.starts[i + 1]):
+        q = rule.positions[rule.around.vertices[j]]
+        weight = inverse_distance(p, q)
+        if weight > 0.0:
+            x += weight * (q[0] - p[0])
+            y += weight * (q[1] - p[1])
+            z += weight * (q[2] - p[2])
+            weights += weight
+    if weights > 0.0:
+        p = p + factor * (vec3d(x, y, z) / weights)
+    out[i] = p
 
 
 def filter_values(
@@ -101,6 +129,9 @@ def filter_values(
         rule = FilterPass(around, values.get("vertices", positions))
         for name, before in list(values.items()):
             after = empty(before.size, vec3d, before.device)
-            launch(kernel_of_pass, before.size, [rule, before, factor, after])
+            if kernel_of_pass is approach_mean_kernel and before is rule.positions:
+                launch(approach_mean_position_kernel, before.size, [rule, factor, after])
+            else:
+                launch(kernel_of_pass, before.size, [rule, before, factor, after])
             values[name] = after
     return values
