@@ -1,11 +1,13 @@
 """Ray queries against a scene: first hit, occlusion, hit count, and all hits in order.
 
-One thread per ray. Hits of one object at the same parameter count once, with the smallest triangle number. Further hits
-are found by repeated queries, in order and without memory. Non-finite and zero-direction rays hit nothing.
+One thread per ray; for first hits on the CPU, one per eight rays (ray_packets.py). Hits of one object at the same
+parameter count once, with the smallest triangle number. Further hits are found by repeated queries, in order and
+without memory. Non-finite and zero-direction rays hit nothing.
 """
 
 import math
 
+from ..algebra.plain_min_max import larger
 from ..algebra.transform import narrow, widen
 from ..array_types import Device, Indices, Integers, Mask, Scalars, Vectors
 from ..arrays.prefix_sum import exclusive_scan
@@ -28,8 +30,23 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty
-from .ray_hits import next_hit, rotate_back
-from .scene_trees import NUMBER, ROW, SceneTrees
+from ..search.tree_walk import bits_of
+from .ray_hits import WIDER, lanes_met, meet_triangle, near_sides, next_hit, ray_axes, rotate_back
+from .ray_packets import (
+    PACKET,
+    RAY,
+    SHEAR,
+    direction_in,
+    is_packet,
+    leaves_of_packet,
+    numbers_of,
+    packet,
+    ray_direction,
+    ray_indices,
+    ray_lanes,
+    ray_origin,
+)
+from .scene_trees import FIRST_LEAF, NUMBER, ROW, SceneTrees
 from .triangle_tree import LEAF, leaf_corner
 
 NO_ID = -1  # 0xFFFFFFFF as unsigned
@@ -52,16 +69,6 @@ class RayHits:
 
 
 @func
-def ray_origin(rays: array(dtype=float32), i: int) -> vec3:
-    return vec3(rays[6 * i], rays[6 * i + 1], rays[6 * i + 2])
-
-
-@func
-def ray_direction(rays: array(dtype=float32), i: int) -> vec3:
-    return vec3(rays[6 * i + 3], rays[6 * i + 4], rays[6 * i + 5])
-
-
-@func
 def normal_of(index: int, row: int, trees: SceneTrees) -> vec3:
     """Unit normal of a triangle by the right-hand rule, in the scene's frame."""
     a = leaf_corner(trees.corners, index // LEAF, index % LEAF, 0)
@@ -71,24 +78,96 @@ def normal_of(index: int, row: int, trees: SceneTrees) -> vec3:
     return narrow(n / length(n))
 
 
-@kernel
-def cast_rays_kernel(rays: array(dtype=float32), trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)):
-    i = tid()
-    o = ray_origin(rays, i)
-    d = ray_direction(rays, i)
-    met = next_hit(o, d, 0.0, INFINITY, float64(BEFORE), NO_ID, 0, trees)
-    hits.t_hit[i] = float(met[0])
+@func
+def store_hit(i: int, row: int, index: int, trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)):
+    """Numbers and normal of the triangle at a position in the tree; none for position -1."""
     hits.geometry_ids[i] = NO_ID
     hits.primitive_ids[i] = NO_ID
-    hits.primitive_uvs[i] = vec2(float(met[3]), float(met[4]))
     normal = vec3(0.0, 0.0, 0.0)
-    if isfinite(met[0]):
-        row = int(met[1])
-        index = int(met[2])
+    if index >= 0:
         hits.geometry_ids[i] = trees.rows[row * ROW + NUMBER]
         hits.primitive_ids[i] = trees.order[index]
         normal = normal_of(index, row, trees)
     normals[i] = normal
+
+
+@func
+def cast_ray(i: int, rays: array(dtype=float32), trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)):
+    met = next_hit(ray_origin(rays, i), ray_direction(rays, i), 0.0, INFINITY, float64(BEFORE), NO_ID, 0, trees)
+    hits.t_hit[i] = float(met[0])
+    hits.primitive_uvs[i] = vec2(float(met[3]), float(met[4]))
+    store_hit(i, int(met[1]), int(met[2]) if isfinite(met[0]) else -1, trees, hits, normals)
+
+
+@func
+def cast_packet(first: int, rays: array(dtype=float32), trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)):
+    """First hits of eight coherent rays."""
+    numbers = packet(0.0)
+    count = int(PACKET)
+    for r in range(count):
+        own = numbers_of(ray_origin(rays, first + r), ray_direction(rays, first + r), trees)
+        for k in range(RAY):
+            numbers[RAY * r + k] = own[k]
+    e = direction_in(ray_direction(rays, first), trees)
+    axes = ray_axes(e)
+    near = near_sides(e)
+    first_leaf = trees.rows[FIRST_LEAF]
+    ends = ray_lanes(INFINITY)
+    limit = float(INFINITY)
+    depths = ray_lanes(INFINITY)
+    indices = ray_indices(-1)
+    u = ray_lanes(0.0)
+    v = ray_lanes(0.0)
+    for leaf, mask in leaves_of_packet(trees, numbers, near, ends, limit):
+        leaf_index = first_leaf + leaf
+        closer = 0
+        for r in bits_of(mask):
+            of = RAY * r
+            q = vec3(numbers[of], numbers[of + 1], numbers[of + 2])
+            shear = vec3(numbers[of + SHEAR], numbers[of + SHEAR + 1], numbers[of + SHEAR + 2])
+            for lane in bits_of(lanes_met(trees.corners, leaf_index, q, axes, shear)):
+                met = meet_triangle(trees.corners, leaf_index, lane, q, axes, shear)
+                main = abs(shear[2])
+                t = float(met[0] / float64(main))
+                if t >= 0.0 and t <= depths[r] and isfinite(t):
+                    index = leaf_index * LEAF + lane
+                    is_first = t < depths[r]
+                    if is_first or trees.order[index] < trees.order[max(indices[r], 0)]:
+                        depths[r] = t
+                        indices[r] = index
+                        u[r] = float(met[2])
+                        v[r] = float(met[3])
+                        ends[r] = t * main * WIDER
+                        closer = 1
+        if closer == 1:
+            limit = ends[0]
+            for r in range(1, PACKET):
+                limit = larger(limit, ends[r])
+    for r in range(count):
+        hits.t_hit[first + r] = depths[r]
+        hits.primitive_uvs[first + r] = vec2(u[r], v[r])
+        store_hit(first + r, 0, indices[r], trees, hits, normals)
+
+
+@kernel
+def cast_rays_kernel(
+    rays: array(dtype=float32), run: int, trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)
+):
+    i = tid()
+    first = i * run
+    if is_packet(rays, first, trees) == 1:
+        cast_packet(first, rays, trees, hits, normals)
+    else:
+        for j in range(first, min(first + run, normals.shape[0])):
+            cast_ray(j, rays, trees, hits, normals)
+
+
+@cast_rays_kernel.on_cuda
+def cast_single_rays_kernel(
+    rays: array(dtype=float32), run: int, trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)
+):
+    i = tid()
+    cast_ray(i, rays, trees, hits, normals)
 
 
 @kernel
@@ -147,7 +226,8 @@ def cast_rays(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Vectors]:
     """First hits of rays, float32 (6 n): (RayHits, unit normals vec3 (n), 0 without a hit)."""
     count = rays.size // 6
     hits, normals = RayHits(count, rays.device), empty(count, vec3, rays.device)
-    launch(cast_rays_kernel, count, [rays, trees, hits, normals])
+    run = 1 if rays.device.is_cuda else PACKET
+    launch(cast_rays_kernel, -(-count // run), [rays, run, trees, hits, normals])
     return hits, normals
 
 

@@ -138,6 +138,22 @@ def test_hits_match_brute_force(device):
     np.testing.assert_allclose(positions, on_ray, atol=2e-6)  # float32 of numbers up to 2
 
 
+@pytest.mark.parametrize("edges", [False, True])
+def test_hits_do_not_depend_on_adjacent_rays(device, edges):
+    """On the CPU, eight rays of the same octant are cast together."""
+    vertices, triangles = ball(10)
+    scene = scene_of((vertices, triangles), device=device)
+    rays = RaycastingScene.create_rays_pinhole(50, [0, 0, 0], [0.2, -0.3, 3], [0, 1, 0], 37, 29).reshape(-1, 6)
+    if edges:  # targets shared by several triangles
+        targets = (vertices[triangles[:, 0]] + vertices[triangles[:, 1]]) / 2
+        rays = np.hstack([np.broadcast_to([0.2, -0.3, 3], targets.shape), targets - [0.2, -0.3, 3]])
+    order = np.random.default_rng(5).permutation(len(rays))
+    together, apart = scene.cast_rays(rays), scene.cast_rays(rays[order])
+    assert np.isfinite(together["t_hit"]).mean() > 0.1
+    for name, values in together.items():
+        np.testing.assert_array_equal(values[order], apart[name], err_msg=name)
+
+
 @settings(deadline=None, max_examples=25)
 @given(
     st.lists(st.tuples(*[st.integers(0, 9)] * 3), min_size=1, max_size=12),
