@@ -113,7 +113,6 @@ DECIMATION = (
     "each round takes an independent set of the cheapest edges, about one in ten of those it looks at. Of the time on "
     "one core, 25 to 30 % is their selection and 15 to 22 % costs of edges."
 )
-QHULL = "Most of the time is the convex hull by Qhull, as in Open3D."
 PYTHON_LAUNCH = "Numba compiles the call, too: its launch has no checks of arguments in Python."
 
 # (operation, size): why its target is not reached, or why the baseline is faster; docs/measured.md lists these
@@ -159,7 +158,6 @@ REASONS: dict[tuple[str, str], str] = {
     **dict.fromkeys(
         [("decimation", size) for size in ("bunny 69k to 7k", "bunny 69k to 2k", "wavy 1M to 100k")], DECIMATION
     ),
-    **dict.fromkeys([("hidden_points", size) for size in ("fragment", "200k", "1k")], QHULL),
     **dict.fromkeys(
         [("launch_of_one_thread", "1 thread"), ("launch_shared", "4096 threads"), ("transform_kernel", "1k")],
         PYTHON_LAUNCH,

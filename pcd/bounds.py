@@ -18,14 +18,14 @@ from ..kernels.algebra.transform import transform_covariances, transform_directi
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
-from ..kernels.extent.visibility import visible_rows
+from ..kernels.extent.visibility import direct_positions, visible_rows
 from ..kernels.lang import float32, int32
 from ..kernels.linear_algebra import inv, matmul, pinvh
 from ..kernels.memory import download, upload
 from ..kernels.search.hilbert_order import HilbertOrder
 from ..kernels.search.neighbor_distances import nearest_distances
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
-from .convex_hull import ConvexHull, VisibleSurface, find_extremes, hull_of_cloud
+from .convex_hull import ConvexHull, VisibleSurface, find_outer_facets, hull_of_cloud
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .motion import Movable
 from .point_arrays import PointArrays, check_cloud
@@ -211,12 +211,9 @@ class Bounds(Selection, Movable):
         camera = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
         points = self._arrays["points"]
         candidates, flipped = visible_rows(points, self._origin - camera, check_positive("radius", radius))
-        # Qhull is 20% faster on points along a space-filling curve
-        along = download(HilbertOrder(gather_rows(points, candidates)).order)  # sync
+        along = download(HilbertOrder(direct_positions(flipped)).order)  # sync
         rows, mirrored = download(candidates).astype(np.int64)[along], download(flipped)[along]  # sync
-        extremes = find_extremes(np.concatenate([mirrored, np.zeros((1, 3))]))
-        visible = extremes.rows[extremes.rows < len(rows)]  # the camera, the last row, is not a point of the cloud
-        triangles = extremes.triangles[(extremes.triangles < len(visible)).all(axis=1)]
+        visible, triangles = find_outer_facets(mirrored)
         ascending = np.argsort(rows[visible])
         indices = rows[visible][ascending]
         new_indices = np.empty(len(visible), np.int32)

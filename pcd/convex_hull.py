@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..core.attribute_hints import HintedNames
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
+from ..kernels.extent.central_hull import find_central_hull
 from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
 from ..kernels.lang import int32
 from ..kernels.linear_algebra import matmul
@@ -95,6 +96,23 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
     triangles = new_indices[orient(hull.simplices, positions, hull.equations)]
     normals = np.ascontiguousarray(hull.equations[:, :3])
     return Extremes(np.flatnonzero(used), triangles, 3, normals, float(hull.volume), float(hull.area))
+
+
+def find_outer_facets(positions: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
+    """Ascending vertices of the hull of the origin and finite positions, and its triangles without the origin (rows of
+    the vertices). By Qhull if points are coplanar, up to rounding, with a facet."""
+    count = len(positions)
+    triangles = find_central_hull(positions)
+    if triangles is not None:
+        used = np.zeros(count, bool)
+        used[triangles[triangles >= 0]] = True
+        vertices, triangles = np.flatnonzero(used), triangles[(triangles >= 0).all(axis=1)]
+        if len(triangles):
+            new_indices = np.cumsum(used, dtype=np.int32) - np.int32(1)
+            return vertices, new_indices[triangles]
+    extremes = find_extremes(np.concatenate([positions, np.zeros((1, 3))]))
+    vertices = extremes.rows[extremes.rows < count]
+    return vertices, extremes.triangles[(extremes.triangles < len(vertices)).all(axis=1)]
 
 
 def _run_qhull(positions: NDArray[np.float64], options: str) -> Qhull | None:
