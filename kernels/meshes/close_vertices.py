@@ -180,8 +180,11 @@ def find_earlier_vertex(v: int, cells: Cells) -> int:
         if block >= 0:
             for c in range(cells.blocks.starts[block], cells.blocks.starts[block + 1]):
                 state = cells.states[c]
-                if state >= 0 and state < v:
+                if state >= 0 and state < v and waits == 0:
                     waits = 1
+                    if cells.rank[state] + 1 == cells.cells.starts[c + 1]:  # the last vertex of its cell
+                        if square_gap(p, cells.points[state]) >= cells.square_radius:
+                            waits = 0
                 other = -2 - state
                 if state < NO_STATE and other < v:
                     if square_gap(p, cells.points[other]) < cells.square_radius and (earliest < 0 or other < earliest):
