@@ -22,13 +22,13 @@ from ..lang import (
     struct,
     tid,
     vec3,
-    vec4d,
     vector,
 )
 from ..memory import empty, full, upload, zeros
 from .posed_pictures import (
     PosedPictures,
     Warps,
+    camera_position,
     is_inside,
     pixel,
     project_vertex,
@@ -109,25 +109,24 @@ def sample_pair(projected: pixel, warp: warp_sample, image: int, pictures: Posed
 
 
 @func
-def pair_row_of(projected: pixel, warp: warp_sample, sampled: shade, proxy: float64, lens: vec4d) -> pair_row:
+def pair_row_of(p: vec3, image: int, sampled: shade, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
     """Row of a sample. Zero without one."""
-    row = pair_row(0.0)
-    if sampled[0] >= 0.0:
-        along_u = sampled[1] * (1.0 + warp[2]) + sampled[2] * warp[3]
-        along_v = sampled[1] * warp[4] + sampled[2] * (1.0 + warp[5])
-        u = projected[0]
-        v = projected[1]
-        z = projected[2]
-        x = (u - lens[2]) * z / lens[0]
-        y = (v - lens[3]) * z / lens[1]
-        a = along_u * lens[0] / z
-        b = along_v * lens[1] / z
-        c = -(a * x + b * y) / z
-        row = pair_row(
-            1.0, sampled[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
-            sampled[1], sampled[2], u, v,
-        )  # fmt: skip
-    return row
+    counts = sampled[0] >= 0.0
+    q = camera_position(p, image, pictures)
+    lens = pictures.lenses[image]
+    x = q[0] if counts else 0.0
+    y = q[1] if counts else 0.0
+    z = q[2] if counts else 1.0
+    inverse = 1.0 / z
+    u = lens[0] * x * inverse + lens[2]
+    v = lens[1] * y * inverse + lens[3]
+    warp = warp_at(u, v, image, warps)
+    a = (sampled[1] * (1.0 + warp[2]) + sampled[2] * warp[3]) * lens[0] * inverse
+    b = (sampled[1] * warp[4] + sampled[2] * (1.0 + warp[5])) * lens[1] * inverse
+    c = -(a * x + b * y) * inverse
+    residual = sampled[0] - proxy if counts else 0.0
+    count = float64(1.0) if counts else 0.0
+    return pair_row(count, residual, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c, sampled[1], sampled[2], u, v)
 
 
 @func
@@ -136,7 +135,7 @@ def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, w
     projected = project_vertex(p, image, pictures)
     warp = warp_at(projected[0], projected[1], image, warps)
     sampled = sample_pair(projected, warp, image, pictures)
-    return pair_row_of(projected, warp, sampled, proxy, pictures.lenses[image])
+    return pair_row_of(p, image, sampled, proxy, pictures, warps)
 
 
 @segment_reduction
@@ -150,26 +149,19 @@ def sum_pair_rows(
 ) -> pose_sums:
     """Normal equations of an image's pose, squared residuals and pair count."""
     i = tid()
-    total = pose_sums(0.0)
-    sampled = samples[i]
-    if sampled[0] >= 0.0:
-        vertex = sightings.vertices[i]
-        image = sightings.images[i]
-        projected = project_vertex(vertices[vertex], image, pictures)
-        warp = warp_at(projected[0], projected[1], image, warps)
-        row = pair_row_of(projected, warp, sampled, proxies[vertex], pictures.lenses[image])
-        r = row[1]
-        a = row[2]
-        b = row[3]
-        c = row[4]
-        d = row[5]
-        e = row[6]
-        f = row[7]
-        total = pose_sums(
-            a * a, a * b, a * c, a * d, a * e, a * f, b * b, b * c, b * d, b * e, b * f, c * c, c * d, c * e, c * f,
-            d * d, d * e, d * f, e * e, e * f, f * f, a * r, b * r, c * r, d * r, e * r, f * r, r * r, 1.0,
-        )  # fmt: skip
-    return total
+    vertex = sightings.vertices[i]
+    row = pair_row_of(vertices[vertex], sightings.images[i], samples[i], proxies[vertex], pictures, warps)
+    r = row[1]
+    a = row[2]
+    b = row[3]
+    c = row[4]
+    d = row[5]
+    e = row[6]
+    f = row[7]
+    return pose_sums(
+        a * a, a * b, a * c, a * d, a * e, a * f, b * b, b * c, b * d, b * e, b * f, c * c, c * d, c * e, c * f,
+        d * d, d * e, d * f, e * e, e * f, f * f, a * r, b * r, c * r, d * r, e * r, f * r, r * r, row[0],
+    )  # fmt: skip
 
 
 @kernel

@@ -31,6 +31,9 @@ from ..lang import (
 )
 from ..memory import empty, upload, zeros
 
+LANES = 8  # pixels of a thread, which a CPU smooths at once
+octet = vector(8, float32)
+padded_octet = vector(10, float32)  # with the pixels on both sides
 LARGEST_PIXEL = 1.0e9  # limit of image coordinates, which fits into int32
 pixel = vector(3, float64)  # column, row and depth [m]
 shade = vector(3, float64)  # brightness, and its gradient along row and column [1 / px]
@@ -89,38 +92,47 @@ class Warps:
 def smooth_brightness_kernel(
     pixels: array(dtype=uint8, ndim=2), first: int, width: int, height: int, brightness: array(dtype=float32)
 ):
-    """Smoothed brightness of one image. The border is replicated."""
+    """Smoothed brightness of one image. The border is replicated. A thread smooths LANES pixels of a row."""
     i = tid()
-    u = i % width
-    v = i // width
-    total = 0.0
-    n = int(3)
-    for a in range(n):
-        row = min(max(v + a - 1, 0), height - 1)
-        line = 0.0
-        for b in range(n):
-            column = min(max(u + b - 1, 0), width - 1)
-            at = first + row * width + column
-            luma = RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])
-            line += luma * float(2 - abs(b - 1))
-        total += line * float(2 - abs(a - 1))
-    brightness[first + i] = total / 4080.0  # 16 weights times 255
+    groups = (width + LANES - 1) // LANES
+    u = (i % groups) * LANES
+    v = i // groups
+    total = octet(0.0)
+    luma = padded_octet(0.0)
+    for a in range(3):
+        row = first + min(max(v + a - 1, 0), height - 1) * width
+        for b in range(LANES + 2):
+            at = row + min(max(u + b - 1, 0), width - 1)
+            luma[b] = RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])
+        for lane in range(LANES):
+            line = luma[lane] + 2.0 * luma[lane + 1] + luma[lane + 2]
+            total[lane] += line * float(2 - abs(a - 1))
+    for lane in range(LANES):
+        if u + lane < width:
+            brightness[first + v * width + u + lane] = total[lane] / 4080.0  # 16 weights times 255
+
+
+@func
+def camera_position(p: vec3, image: int, pictures: PosedPictures) -> vec3d:
+    T = pictures.poses[image]
+    return vec3d(
+        T[0, 0] * float64(p[0]) + T[0, 1] * float64(p[1]) + T[0, 2] * float64(p[2]) + T[0, 3],
+        T[1, 0] * float64(p[0]) + T[1, 1] * float64(p[1]) + T[1, 2] * float64(p[2]) + T[1, 3],
+        T[2, 0] * float64(p[0]) + T[2, 1] * float64(p[1]) + T[2, 2] * float64(p[2]) + T[2, 3],
+    )
 
 
 @func
 def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
     """Column, row and depth of a point. Depth -1 behind the camera, or NaN."""
-    T = pictures.poses[image]
+    q = camera_position(p, image, pictures)
     lens = pictures.lenses[image]
-    x = T[0, 0] * float64(p[0]) + T[0, 1] * float64(p[1]) + T[0, 2] * float64(p[2]) + T[0, 3]
-    y = T[1, 0] * float64(p[0]) + T[1, 1] * float64(p[1]) + T[1, 2] * float64(p[2]) + T[1, 3]
-    z = T[2, 0] * float64(p[0]) + T[2, 1] * float64(p[1]) + T[2, 2] * float64(p[2]) + T[2, 3]
     projected = pixel(0.0, 0.0, -1.0)
-    if isfinite(p) and z > 0.0:
-        u = lens[0] * x / z + lens[2]
-        v = lens[1] * y / z + lens[3]
+    if isfinite(p) and q[2] > 0.0:
+        u = lens[0] * q[0] / q[2] + lens[2]
+        v = lens[1] * q[1] / q[2] + lens[3]
         if abs(u) < float64(LARGEST_PIXEL) and abs(v) < float64(LARGEST_PIXEL):
-            projected = pixel(u, v, z)
+            projected = pixel(u, v, q[2])
     return projected
 
 
@@ -278,7 +290,7 @@ def smooth_brightness(pixels: Array2[uint8], sizes: np.ndarray) -> Scalars:
     """Smoothed brightness of concatenated images, float32 (pixels)."""
     brightness = empty(pixels.shape[0], float32, pixels.device)
     for width, height, first in np.asarray(sizes).tolist():
-        launch(smooth_brightness_kernel, width * height, [pixels, first, width, height, brightness])
+        launch(smooth_brightness_kernel, -(-width // LANES) * height, [pixels, first, width, height, brightness])
     return brightness
 
 

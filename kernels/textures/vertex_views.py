@@ -18,7 +18,6 @@ from ..lang import (
     float32,
     float64,
     floor,
-    func,
     int32,
     int64,
     kernel,
@@ -30,7 +29,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import cast, download, empty, upload, zeros
-from .posed_pictures import PosedPictures, Warps, find_vertex, is_inside, nearest_pixel, project_vertex
+from .posed_pictures import LANES, PosedPictures, Warps, find_vertex, is_inside, nearest_pixel, octet, project_vertex
 
 MAX_MARKS = 1 << 26  # flags of images whose vertices are listed together: 5 B each
 
@@ -89,31 +88,32 @@ def count_views_kernel(vertices: array(dtype=int32), counts: array(dtype=int32))
     atomic_add(counts, vertices[i], 1)  # integer sum: order-independent
 
 
-@func
-def depth_at(u: int, v: int, width: int, height: int, depth: array(dtype=float32)) -> float:
-    return depth[min(max(v, 0), height - 1) * width + min(max(u, 0), width - 1)]
-
-
 @kernel
 def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump: float, marks: array(dtype=uint8)):
-    """1 where the Sobel gradient of the depth exceeds a limit. Missing depth counts as 0, which marks its boundary."""
+    """1 where the Sobel gradient of the depth exceeds a limit. Missing depth counts as 0, which marks its boundary. A
+    thread marks LANES pixels of a row."""
     i = tid()
-    u = i % width
-    v = i // width
-    a = depth_at(u - 1, v - 1, width, height, depth)
-    b = depth_at(u, v - 1, width, height, depth)
-    c = depth_at(u + 1, v - 1, width, height, depth)
-    d = depth_at(u - 1, v, width, height, depth)
-    e = depth_at(u + 1, v, width, height, depth)
-    f = depth_at(u - 1, v + 1, width, height, depth)
-    g = depth_at(u, v + 1, width, height, depth)
-    h = depth_at(u + 1, v + 1, width, height, depth)
-    dx = (c - a) + 2.0 * (e - d) + (h - f)
-    dy = (f - a) + 2.0 * (g - b) + (h - c)
-    mark = 0
-    if sqrt(dx * dx + dy * dy) > jump:
-        mark = 1
-    marks[i] = uint8(mark)
+    groups = (width + LANES - 1) // LANES
+    first = (i % groups) * LANES
+    v = i // groups
+    upper = max(v - 1, 0) * width
+    lower = min(v + 1, height - 1) * width
+    middle = v * width
+    size = octet(0.0)
+    for lane in range(LANES):
+        u = min(first + lane, width - 1)
+        left = max(u - 1, 0)
+        right = min(u + 1, width - 1)
+        a = depth[upper + left]
+        c = depth[upper + right]
+        f = depth[lower + left]
+        h = depth[lower + right]
+        dx = (c - a) + 2.0 * (depth[middle + right] - depth[middle + left]) + (h - f)
+        dy = (f - a) + 2.0 * (depth[lower + u] - depth[upper + u]) + (h - c)
+        size[lane] = sqrt(dx * dx + dy * dy)
+    for lane in range(LANES):
+        if first + lane < width:
+            marks[middle + first + lane] = uint8(1 if size[lane] > jump else 0)
 
 
 @kernel
@@ -215,7 +215,7 @@ def mask_by_depth(vertices: Points, image: int, pictures: PosedPictures, depth: 
     """Vertices visible in a depth image, uint8 (m); `depth` float32 (pixels) [m], 0 for none."""
     width, height, _ = pictures.layout[image].tolist()
     marks, mask = empty(depth.size, uint8, depth.device), empty(vertices.size, uint8, depth.device)
-    launch(mark_jumps_kernel, depth.size, [depth, width, height, rule.jump, marks])
+    launch(mark_jumps_kernel, -(-width // LANES) * height, [depth, width, height, rule.jump, marks])
     launch(match_depth_kernel, vertices.size, [vertices, image, pictures, depth, marks, rule, mask])
     return mask
 
