@@ -5,7 +5,7 @@ at a loss of at most a sliver of a cell, so 20 points per cell cost little more 
 import numpy as np
 
 from ..array_types import Points
-from ..arrays.packed_keys import NO_KEY, key_number, offer_cell
+from ..arrays.packed_keys import NO_KEY, key_number, offer_cell, pack_key
 from ..lang import (
     array,
     atomic_add,
@@ -22,6 +22,7 @@ from ..lang import (
     struct,
     tid,
     vec3,
+    vector,
 )
 from ..memory import download, full, zeros
 from .z_buffer import DepthBuffer, View, is_before, project, to_camera
@@ -31,6 +32,11 @@ FEW_POINTS = 0.03125  # points per cell up to which each draws its own disc
 SAMPLE = 1 << 18  # points sampled to find the size that closes gaps
 SQUARE = 32  # [cells] side of the counting squares
 LAYER = 1.04  # of the nearest depth in a square: farther points belong to another surface
+POINTS = 8  # points of a thread
+LANES = 32  # cells of a thread, which a CPU compares at once
+MAX_GATHERED = 4.0  # [cells] radius up to which cells look for the points around them
+eight_cells, eight_keys = vector(8, int32), vector(8, int64)
+words_of_thread = vector(32, int64)
 FAR_BITS = 0x7F7F_FFFF  # bits of the largest float32
 
 
@@ -90,15 +96,26 @@ def draw_points_kernel(points: array(dtype=vec3), view: View, splat: Splat, star
 
 
 @kernel
-def mark_middles_kernel(points: array(dtype=vec3), view: View, start: int, middles: DepthBuffer):
+def mark_middles_kernel(points: array(dtype=vec3), threads: int, view: View, start: int, middles: DepthBuffer):
+    """Mark the center cells of points i, i + threads, ... A loop of its own reads the cells, so the reads overlap."""
     i = tid()
-    q = to_camera(points[i], view)
-    if is_before(q) == 1:
-        p = project(q, view)
-        column = int(floor(p[0] + 0.5))
-        row = int(floor(p[1] + 0.5))
-        if column >= 0 and row >= 0 and column < middles.width and row < middles.height:
-            offer_cell(row * middles.width + column, p[2], start + i, middles.words)
+    cells = eight_cells(-1)
+    keys = eight_keys(int64(NO_KEY))
+    for k in range(POINTS):
+        j = i + k * threads
+        if j < points.shape[0]:
+            q = to_camera(points[j], view)
+            p = project(q, view)
+            column = int(floor(p[0] + 0.5))
+            row = int(floor(p[1] + 0.5))
+            if column >= 0 and row >= 0 and column < middles.width and row < middles.height and is_before(q) == 1:
+                cells[k] = row * middles.width + column
+                keys[k] = pack_key(p[2], start + j)
+    for k in range(POINTS):
+        cells[k] = cells[k] if keys[k] < middles.words[max(cells[k], 0)] else -1
+    for k in range(POINTS):
+        if cells[k] >= 0:
+            atomic_min(middles.words, cells[k], keys[k])  # minimum: order-independent
 
 
 @kernel
@@ -118,6 +135,41 @@ def spread_middles_kernel(middles: DepthBuffer, splat: Splat, buffer: DepthBuffe
             for x in range(max(column - half, 0), min(column + half + 1, buffer.width)):
                 if word < buffer.words[line + x]:
                     atomic_min(buffer.words, line + x, word)  # minimum: order-independent
+
+
+@func
+def least_around(up: int, down: int, left: int, right: int, words: array(dtype=int64)) -> int64:
+    return min(min(words[up + left], words[up + right]), min(words[down + left], words[down + right]))
+
+
+@kernel
+def gather_middles_kernel(middles: DepthBuffer, radius: float, buffer: DepthBuffer):
+    """As `spread_middles_kernel` for discs of one radius: each cell takes the foremost point around it. A thread takes
+    LANES cells of a row. Clamped rows and columns are nearer ones of the disc."""
+    i = tid()
+    groups = (buffer.width + LANES - 1) // LANES
+    first = (i % groups) * LANES
+    row = i // groups
+    last = buffer.width - 1
+    nearest = words_of_thread(int64(NO_KEY))
+    for rise in range(int(radius) + 1):
+        up = max(row - rise, 0) * buffer.width
+        down = min(row + rise, buffer.height - 1) * buffer.width
+        half = int(sqrt(radius * radius - float(rise * rise)))
+        inside = first >= half and first + LANES - 1 + half <= last
+        for shift in range(half + 1):
+            if inside:
+                for lane in range(LANES):
+                    left = first + lane - shift
+                    nearest[lane] = min(nearest[lane], least_around(up, down, left, left + 2 * shift, middles.words))
+            else:
+                for lane in range(LANES):
+                    left = min(max(first + lane - shift, 0), last)
+                    right = min(first + lane + shift, last)
+                    nearest[lane] = min(nearest[lane], least_around(up, down, left, right, middles.words))
+    for lane in range(min(LANES, last + 1 - first)):
+        cell = row * buffer.width + first + lane
+        buffer.words[cell] = min(buffer.words[cell], nearest[lane])
 
 
 @func
@@ -156,6 +208,12 @@ def count_in_squares_kernel(
             atomic_add(counts, square, 1)  # integer sum: order-independent
 
 
+def mark_middles(points: Points, view: View, start: int, middles: DepthBuffer) -> None:
+    """Mark the center cells of points; `start` is the first index."""
+    threads = -(-points.size // POINTS)
+    launch(mark_middles_kernel, threads, [points, threads, view, start, middles])
+
+
 def draw_points(points: Points, view: View, buffer: DepthBuffer, *, splat: Splat, start: int = 0) -> None:
     """Draw points as discs into a z-buffer, if finite and before the camera; `start` is the first index."""
     cells = buffer.width * buffer.height
@@ -163,11 +221,20 @@ def draw_points(points: Points, view: View, buffer: DepthBuffer, *, splat: Splat
         launch(draw_points_kernel, points.size, [points, view, splat, start, buffer])
         return
     if splat.scaled_radius == 0 and splat.radius <= 0.5:  # [cells] the disc is its center cell
-        launch(mark_middles_kernel, points.size, [points, view, start, buffer])
+        mark_middles(points, view, start, buffer)
         return
     middles = DepthBuffer(buffer.width, buffer.height, points.device)
-    launch(mark_middles_kernel, points.size, [points, view, start, middles])
-    launch(spread_middles_kernel, cells, [middles, splat, buffer])
+    mark_middles(points, view, start, middles)
+    if not points.device.is_cuda and splat.scaled_radius == 0 and splat.radius <= MAX_GATHERED:
+        gather_middles(middles, splat.radius, buffer)
+    else:
+        launch(spread_middles_kernel, cells, [middles, splat, buffer])
+
+
+def gather_middles(middles: DepthBuffer, radius: float, buffer: DepthBuffer) -> None:
+    """Draw discs of one `radius` around their center cells without atomics, which suits the vectors of a CPU."""
+    threads = buffer.height * -(-buffer.width // LANES)
+    launch(gather_middles_kernel, threads, [middles, float(radius), buffer])
 
 
 def count_in_squares(points: Points, view: View) -> tuple[np.ndarray, np.ndarray]:

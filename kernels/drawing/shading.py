@@ -6,9 +6,25 @@ thesis, Grenoble 2009, chapter 4). Triangle edges by image distance (Baerentzen 
 rendering", SIGGRAPH 2006). Only + - * / and sqrt: bitwise identical everywhere.
 """
 
-from ..array_types import Bytes, Scalars, Vectors
+from ..array_types import Bytes, Device, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_index, key_number
-from ..lang import array, dot, float32, func, int64, kernel, launch, length, loop, struct, tid, uint8, vec3, vector
+from ..lang import (
+    array,
+    dot,
+    float32,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    length,
+    loop,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vector,
+)
 from ..memory import empty, zeros
 from .z_buffer import DepthBuffer, View, ray_through
 
@@ -20,7 +36,8 @@ KEY_X, KEY_Y, KEY_Z = 0.45, 0.65, 0.612  # lamp above left, in the camera frame:
 RELIEF = 45.0  # strength of eye-dome lighting, per logarithm of depth
 RELIEF_LIMIT = 0.025  # ... maximum contribution of a neighbor, so that outlines stay gray
 RELIEF_RADIUS = 3  # [cells]
-octet = vector(8, float32)
+PIXELS = 4  # pixels of a thread that shades points
+octet, sixteen, sixteen_points = vector(8, float32), vector(16, float32), vector(16, int32)
 
 
 @struct
@@ -38,6 +55,19 @@ class Region:
         left, top, right, bottom = rectangle
         self.start, self.stop, self.left, self.top, self.wide = start, stop, left, top, max(right - left, 0)
         self.pixels = self.wide * max(bottom - top, 0)
+
+
+@struct
+class PixelRuns:
+    """Pixels of each thread, PIXELS: `stride` between threads' first pixels, `step` within a thread."""
+
+    count: int
+    stride: int
+    step: int
+
+    def __init__(self, count: int, device: Device) -> None:
+        self.count, self.threads = count, -(-count // PIXELS)
+        self.stride, self.step = (1, self.threads) if device.is_cuda else (PIXELS, 1)
 
 
 @struct
@@ -146,6 +176,7 @@ def shade_points_kernel(
     buffer: DepthBuffer,
     view: View,
     region: Region,
+    pixels: PixelRuns,
     colors: array(dtype=vec3),
     normals: array(dtype=vec3),
     plain: vec3,
@@ -156,33 +187,56 @@ def shade_points_kernel(
     veil: Veil,
     light: array(dtype=vec3),
 ):
-    """Add the colors of cells that show points, shaded by the cells around them."""
+    """Add the colors of cells that show points, shaded by the cells around them.
+
+    A loop of its own reads the colors, so that the reads overlap.
+    """
     i = tid()
-    pixel = pixel_of(i, region, buffer)
-    total = vec3(0.0, 0.0, 0.0)
-    color = vec3(0.0, 0.0, 0.0)
-    known = -1
-    foremost = -1
-    for cell in cells_of(pixel, buffer):
-        point = element_at(cell, region, buffer)
-        if point >= 0:
-            if foremost < 0 or buffer.words[cell] < buffer.words[max(foremost, 0)]:
-                foremost = cell
-            if point != known:
-                known = point
-                color = plain
+    points = sixteen_points(-1)
+    red = sixteen(plain[0])
+    green = sixteen(plain[1])
+    blue = sixteen(plain[2])
+    last = -1
+    for n in range(PIXELS):
+        j = i * pixels.stride + n * pixels.step
+        if j < pixels.count:
+            k = n * SAMPLES * SAMPLES
+            for cell in cells_of(pixel_of(j, region, buffer), buffer):
+                points[k] = element_at(cell, region, buffer)
+                last = max(last, points[k])
+                k += 1
+    if colors.shape[0] > 0 and last >= 0:
+        for k in range(PIXELS * SAMPLES * SAMPLES):
+            color = colors[max(points[k], 0)]
+            red[k] = color[0]
+            green[k] = color[1]
+            blue[k] = color[2]
+    for n in range(PIXELS):
+        pixel = pixel_of(min(i * pixels.stride + n * pixels.step, pixels.count - 1), region, buffer)
+        total = vec3(0.0, 0.0, 0.0)
+        brightness = 0.0
+        known = -1
+        foremost = -1
+        k = n * SAMPLES * SAMPLES
+        for cell in cells_of(pixel, buffer):
+            if points[k] >= 0:
+                if foremost < 0 or buffer.words[cell] < buffer.words[max(foremost, 0)]:
+                    foremost = cell
+                color = vec3(red[k], green[k], blue[k])
                 if colors.shape[0] > 0:
-                    color = clamp_color(colors[point])
+                    color = clamp_color(color)
                 if lit == 1:
-                    column = float(cell % buffer.width)
-                    row = float(cell // buffer.width)
-                    ray = ray_through(column, row, view)
-                    color = color * light_face(view.rotation @ normals[point], ray, ray)
-            total = total + color * seen_share(cell, veil)
-    if foremost >= 0:
-        if relief == 1:
-            total = total * eye_dome(foremost, last_point, around)
-        light[pixel] = light[pixel] + total
+                    if points[k] != known:
+                        known = points[k]
+                        ray = ray_through(float(cell % buffer.width), float(cell // buffer.width), view)
+                        brightness = light_face(view.rotation @ normals[known], ray, ray)
+                    color = color * brightness
+                total = total + color * seen_share(cell, veil)
+            k += 1
+        if foremost >= 0:
+            if relief == 1:
+                total = total * eye_dome(foremost, last_point, around)
+            light[pixel] = light[pixel] + total
 
 
 @kernel
@@ -274,7 +328,8 @@ def shade_points(
     """
     lit = shaded and lit and normals.size > 0
     look = [colors, normals, plain, int(lit), int(shaded and not lit), last_point, around, veil]
-    launch(shade_points_kernel, region.pixels, [buffer, view, region, *look, light])
+    pixels = PixelRuns(region.pixels, light.device)
+    launch(shade_points_kernel, pixels.threads, [buffer, view, region, pixels, *look, light])
 
 
 def shade_lines(

@@ -8,9 +8,9 @@ from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.packed_keys import NO_KEY
 from pointloom.kernels.drawing import triangles as tri
 from pointloom.kernels.drawing.lines import Pen, draw_lines
-from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_points
+from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_points, gather_middles, spread_middles_kernel
 from pointloom.kernels.drawing.z_buffer import DepthBuffer, View
-from pointloom.kernels.lang import int32, launch, vec3
+from pointloom.kernels.lang import int32, int64, launch, vec3
 
 WIDTH, HEIGHT = 64, 48
 CAMERA = Camera(WIDTH, HEIGHT, 50.0, 50.0, 31.5, 23.5)
@@ -260,6 +260,21 @@ def test_each_cell_shows_its_nearest_disc(device, radius, count):
         cells = np.floor(v[inside] + 0.5).astype(int), np.floor(u[inside] + 0.5).astype(int)
         np.minimum.at(nearest, cells, points[inside, 2])
         assert (depth[nearest < np.inf] <= nearest[nearest < np.inf]).all()
+
+
+@pytest.mark.parametrize("width", [5, 32, 70])
+@pytest.mark.parametrize("radius", [0.5, 1.0, 2.9, 4.0])
+def test_cells_that_gather_discs_show_what_discs_that_are_spread_show(device, width, radius):
+    words = np.random.default_rng(6).integers(0, 100, 11 * width)
+    words[words > 30] = NO_KEY
+    before = np.random.default_rng(7).integers(0, 60, 11 * width)
+    middles, gathered, spread = (
+        DepthBuffer(width, 11, device, words=memory.upload(each, int64, device)) for each in (words, before, before)
+    )
+    gather_middles(middles, radius, gathered)
+    launch(spread_middles_kernel, words.size, [middles, Splat(radius), spread])
+    assert (memory.download(gathered.words) == memory.download(spread.words)).all()
+    assert (memory.download(spread.words) < before).any()
 
 
 def test_points_are_counted_where_they_are_visible(device):
