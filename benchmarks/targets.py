@@ -172,7 +172,7 @@ REASONS: dict[tuple[str, str], str] = {
     (
         "ball_pivoting_3",
         "1M",
-    ): "94 % of the time is the search for the next point of a ball; its neighbors differ by radius.",
+    ): "92 % of the time is the search for triangles: neighbors, directions without a ball, pairs of corners.",
     ("gicp", "kitti pair"): "As for 200k; not profiled by itself.",
     ("gicp", "200k"): "A third of the time is normals, a tenth down-sampling, half ICP.",
     **dict.fromkeys(

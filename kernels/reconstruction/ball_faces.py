@@ -1,10 +1,11 @@
 """All triangles on which an empty ball of one radius rests, on the side of their normals.
 
 Bernardini et al., "The ball-pivoting algorithm for surface reconstruction", IEEE TVCG 1999. A triangle is found once,
-at its first corner in tree order. For each neighbor b, the centers of balls on both points form a circle. Every other
-neighbor removes an arc of it, and points that touch an end of a remaining arc are tested exactly. Arcs are kept too
-long rather than too short. At most about k^2 / 2 steps for k neighbors. 56 B of scratch memory per neighbor and 100 B
-per point.
+at its first corner in tree order. Directions in which a ball may be (ball_directions.py) select the neighbors that may
+be its other corners. Of up to FEW_CORNERS, all pairs are tested. Of more, for each neighbor b, the centers of balls on
+both points form a circle. Every other one removes an arc of it, and those that touch an end of a remaining arc are
+tested exactly. Arcs are kept too long rather than too short. At most about k^2 / 2 steps for k neighbors. 56 B of
+scratch memory per neighbor and 100 B per point.
 
 The exact test uses float64 relative to the first corner. With edges B and C, N = B x C and a fourth point D, the center
 is
@@ -20,7 +21,7 @@ import numpy as np
 from ..algebra.transform import widen
 from ..array_types import Bytes, Device, Integers, Scalars, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.packed_keys import key_index, pack_key
+from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import scan_together
 from ..lang import (
     array,
@@ -38,6 +39,7 @@ from ..lang import (
     struct,
     tid,
     uint8,
+    vec2i,
     vec3,
     vec3d,
     vec3i,
@@ -46,6 +48,18 @@ from ..memory import empty, fill
 from ..search.bucket_walk import points_within
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
+from .ball_directions import (
+    ALL_CELLS,
+    COSINE,
+    NEAR_SHARE,
+    SINE,
+    TINY,
+    any_cell,
+    cap_limit,
+    cover_cells,
+    eight_cells,
+    touches_cells,
+)
 
 ARCS = 8  # per circle. If there are more, one is not split, so that too much of it remains
 SHARE = 1.0e-9  # relative rounding of the numbers that define an arc's ends, by which it is shortened
@@ -330,18 +344,20 @@ def contains_point(
     return inside
 
 
-FIRST_ROOM = 96  # initial neighbors per thread in scratch memory
+FIRST_ROOM, CPU_ROOM = 96, 384  # initial neighbors per thread in scratch memory
 FIRST_SLOTS = 8  # triangles per point, which is the first corner of about two
 SCRATCH = 2**24  # neighbors of all threads of a launch
-NEAREST = 5  # points that cut a circle before testing which others reach the rest
 PART = 2**18  # points a launch
 CPU_THREADS = 512  # per launch: few, so that scratch memory stays in the caches, but more than the chunks
+NEAREST = 5  # points that cut a circle before testing which others reach the rest
+FEW_CORNERS = 40  # possible corners up to which all pairs are tested
 SQDIST_MARGIN = 1.00001  # times the squared search radius: float32 distances must not lose a neighbor
 
 
 @struct
 class BallScratch:
-    """Scratch memory: `room` neighbors by distance, arcs of the current circle. Only `cutters` can touch arc ends."""
+    """Scratch memory: `room` neighbors, first possible corners by distance with coordinates. Arcs of the current
+    circle, whose ends only `cutters` can touch."""
 
     room: int
     run: int
@@ -411,27 +427,82 @@ def neighbor_at(scratch: BallScratch, j: int) -> vec3d:
 
 
 @func
-def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> int:
-    """List up to `room` neighbors of a point by distance. Return their total number."""
+def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> vec2i:
+    """List up to `room` neighbors of a point, first those that may be corners of its triangles, by distance. Return
+    their numbers: of all, or 0 if no ball is empty, and of the first."""
     p = points.tree.points[index]
+    diameter = float(points.radius * 2.0)
+    near = points.max_sqdist * NEAR_SHARE
+    cells = eight_cells(ALL_CELLS)
+    halves = ALL_CELLS + 0
     neighbor_count = 0
-    for j, sqdist in points_within(index // BUCKET, p, points.max_sqdist, points.tree):
+    max_sqdist = points.max_sqdist + 0.0
+    for j, sqdist in points_within(index // BUCKET, p, max_sqdist, points.tree):
         if j != index:
             if neighbor_count < scratch.room:
                 scratch.keys[2 * base + neighbor_count] = pack_key(sqdist, j)
             neighbor_count += 1
+            if sqdist <= near and sqdist > TINY:
+                limit = cap_limit(sqdist, diameter, COSINE, SINE)
+                cells = cover_cells(cells, halves, points.tree.points[j] - p, limit)
+                halves = any_cell(cells)
+                if halves == 0:
+                    max_sqdist = -1.0
+    if halves == 0:
+        neighbor_count = 0
+    corner_count = 0
     if neighbor_count <= scratch.room:
-        size = keep_nearest(scratch.keys, 2 * base, 1, neighbor_count, neighbor_count, scratch.room)
-        middle = widen(p)
-        for j in range(size):
+        for j in range(neighbor_count):
+            key = scratch.keys[2 * base + j]
+            sqdist = key_number(key)
+            limit = cap_limit(sqdist, diameter, COSINE, -SINE)
+            q = points.tree.points[key_index(key)] - p
+            if sqdist <= TINY or touches_cells(cells, halves, q, limit) != 0:
+                scratch.keys[2 * base + j] = scratch.keys[2 * base + corner_count]
+                scratch.keys[2 * base + corner_count] = key
+                corner_count += 1
+        corner_count = keep_nearest(scratch.keys, 2 * base, 1, corner_count, corner_count, scratch.room)
+        for j in range(corner_count):
             other = key_index(scratch.keys[2 * base + j])
-            d = widen(points.tree.points[other]) - middle
+            d = widen(points.tree.points[other]) - widen(p)
             scratch.indices[base + j] = other
             scratch.xs[base + j] = d[0]
             scratch.ys[base + j] = d[1]
             scratch.zs[base + j] = d[2]
             scratch.sizes[base + j] = sqrt(dot(d, d))
-    return neighbor_count
+    return vec2i(neighbor_count, corner_count)
+
+
+@func
+def is_outside(
+    index: int,
+    jb: int,
+    jc: int,
+    other: int,
+    q: vec3d,
+    size: float64,
+    x: vec3d,
+    root: float64,
+    side: int,
+    points: BallPoints,
+    scratch: BallScratch,
+) -> int:
+    """1 if a neighbor is not in the ball on a point and two of its neighbors, with the given center."""
+    outside = 1
+    clearance = size * size - 2.0 * dot(x, q)
+    slack = float64(NEAR) * points.radius * size
+    if clearance < -slack:
+        outside = 0
+    elif clearance <= slack:
+        b = neighbor_at(scratch, jb)
+        c = neighbor_at(scratch, jc)
+        ia = points.tree.order[index]
+        ib = points.tree.order[scratch.indices[jb]]
+        ic = points.tree.order[scratch.indices[jc]]
+        at = points.tree.order[other]
+        if contains_point(b, c, q, root, side, points.radius, ia, ib, ic, at) == 1:
+            outside = 0
+    return outside
 
 
 @func
@@ -444,29 +515,23 @@ def is_empty_ball(
     points: BallPoints,
     scratch: BallScratch,
     base: int,
-    neighbor_count: int,
+    counts: vec2i,
 ) -> int:
     """1 if no neighbor is in the ball on a point and two of its neighbors."""
-    b = neighbor_at(scratch, jb)
-    c = neighbor_at(scratch, jc)
-    x = ball_center(b, c, root, side)
+    x = ball_center(neighbor_at(scratch, jb), neighbor_at(scratch, jc), root, side)
     empty = 1
     j = base
-    while j < base + neighbor_count and empty == 1:
-        q = neighbor_at(scratch, j)
-        size = scratch.sizes[j]
-        clearance = size * size - 2.0 * dot(x, q)
-        slack = float64(NEAR) * points.radius * size
-        if clearance <= slack and j != jb and j != jc:
-            if clearance < -slack:
-                empty = 0
-            else:
-                ia = points.tree.order[index]
-                ib = points.tree.order[scratch.indices[jb]]
-                ic = points.tree.order[scratch.indices[jc]]
-                at = points.tree.order[scratch.indices[j]]
-                if contains_point(b, c, q, root, side, points.radius, ia, ib, ic, at) == 1:
-                    empty = 0
+    while j < base + counts[1] and empty == 1:
+        if j != jb and j != jc:
+            q = neighbor_at(scratch, j)
+            empty = is_outside(index, jb, jc, scratch.indices[j], q, scratch.sizes[j], x, root, side, points, scratch)
+        j += 1
+    p = widen(points.tree.points[index])
+    j = 2 * base + counts[1]
+    while j < 2 * base + counts[0] and empty == 1:
+        other = key_index(scratch.keys[j])
+        q = widen(points.tree.points[other]) - p
+        empty = is_outside(index, jb, jc, other, q, sqrt(dot(q, q)), x, root, side, points, scratch)
         j += 1
     return empty
 
@@ -496,7 +561,7 @@ def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: 
 
 @func
 def free_arcs(
-    jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, neighbor_count: int, at: int
+    jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, corner_count: int, at: int
 ) -> int:
     """Number of remaining arcs of the circle of centers over two points. Neighbors between both go first."""
     b = neighbor_at(scratch, jb)
@@ -516,7 +581,7 @@ def free_arcs(
     early = cuts + NEAREST
     j = base
     known = 0
-    while j < base + neighbor_count and count > 0:
+    while j < base + corner_count and count > 0:
         q = neighbor_at(scratch, j)
         cut = 0
         if j > jb or (j < jb and dot(q, q - b) >= 0.0):
@@ -544,76 +609,90 @@ def store_face(index: int, b: int, c: int, width: float, row: int, face_index: i
 
 
 @func
-def try_faces(
+def ends_at(j: int, count: int, points: BallPoints, scratch: BallScratch, at: int) -> vec2i:
+    """1 if a neighbor touches the start of an arc, 1 if it touches the end of one."""
+    q = neighbor_at(scratch, j)
+    size = scratch.sizes[j]
+    slack = float64(NEAR) * points.radius * size
+    begins = 0
+    ends = 0
+    for k in range(count):
+        if abs(size * size - 2.0 * dot(q, scratch.ends[at + 2 * k])) <= slack:
+            begins = 1
+        if abs(size * size - 2.0 * dot(q, scratch.ends[at + 2 * k + 1])) <= slack:
+            ends = 1
+    return vec2i(begins, ends)
+
+
+@func
+def try_face(
     index: int,
     row: int,
     jb: int,
-    count: int,
+    jc: int,
+    sides: vec2i,
     points: BallPoints,
     scratch: BallScratch,
     base: int,
-    neighbor_count: int,
-    at: int,
+    counts: vec2i,
     face_count: int,
     faces: BallFaces,
 ) -> int:
-    """Store the triangles of a point, a neighbor, and points that touch arc ends. Return their number."""
+    """Store the triangle of a point and two neighbors if it agrees with the normals, `sides` is 1 for its front or
+    back, and its ball is empty. Return the number of triangles."""
     total = face_count
     b = neighbor_at(scratch, jb)
+    c = neighbor_at(scratch, jc)
     other = scratch.indices[jb]
-    for i in range(scratch.cuts[base // scratch.room]):
-        j = scratch.cutters[base + i]
-        third = scratch.indices[j]
-        if third > other and points.searched[third] != 0:
-            q = neighbor_at(scratch, j)
-            size = scratch.sizes[j]
-            slack = float64(NEAR) * points.radius * size
-            begins = 0
-            ends = 0
-            for k in range(count):
-                if abs(size * size - 2.0 * dot(q, scratch.ends[at + 2 * k])) <= slack:
-                    begins = 1
-                if abs(size * size - 2.0 * dot(q, scratch.ends[at + 2 * k + 1])) <= slack:
-                    ends = 1
-            if begins + ends > 0:
-                root = root_of_ball(b, q, points.radius)
-                side = 0
-                if root >= 0.0:
-                    n = cross(b, q)
-                    side = side_of_normals(n, points.normals[index], points.normals[other], points.normals[third])
-                if (side == 1 and begins == 1) or (side == -1 and ends == 1):
-                    if is_empty_ball(index, jb, j, root, side, points, scratch, base, neighbor_count) == 1:
-                        width = width_of_circle(b, q, points.radius)
-                        if side == 1:
-                            store_face(index, other, third, width, row, total, faces)
-                        else:
-                            store_face(index, third, other, width, row, total, faces)
-                        total += 1
+    third = scratch.indices[jc]
+    root = root_of_ball(b, c, points.radius)
+    side = 0
+    if root >= 0.0:
+        n = cross(b, c)
+        side = side_of_normals(n, points.normals[index], points.normals[other], points.normals[third])
+    if (side == 1 and sides[0] == 1) or (side == -1 and sides[1] == 1):
+        if is_empty_ball(index, jb, jc, root, side, points, scratch, base, counts) == 1:
+            width = width_of_circle(b, c, points.radius)
+            if side == 1:
+                store_face(index, other, third, width, row, total, faces)
+            else:
+                store_face(index, third, other, width, row, total, faces)
+            total += 1
     return total
 
 
 @func
 def find_faces(
-    index: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, neighbor_count: int, faces: BallFaces
+    index: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, counts: vec2i, faces: BallFaces
 ) -> int:
     """Find triangles of a point whose other corners follow it in tree order. Return their number."""
     base = thread * scratch.room
     at = thread * 2 * ARCS
     face_count = 0
-    for jb in range(base, base + neighbor_count):
+    for jb in range(base, base + counts[1]):
         other = scratch.indices[jb]
         half = scratch.sizes[jb] * 0.5
         rise = points.radius * points.radius - half * half
         if other > index and rise > 0.0 and points.searched[other] != 0:
-            b = neighbor_at(scratch, jb)
-            u = across(b)
-            v = cross(b / scratch.sizes[jb], u)
-            height = sqrt(rise)
-            count = free_arcs(jb, u, v, height, scratch, base, neighbor_count, at)
-            if count > 0:
-                face_count = try_faces(
-                    index, row, jb, count, points, scratch, base, neighbor_count, at, face_count, faces
-                )
+            arcs = 0
+            size = counts[1]
+            if counts[1] > FEW_CORNERS:
+                b = neighbor_at(scratch, jb)
+                u = across(b)
+                v = cross(b / scratch.sizes[jb], u)
+                arcs = free_arcs(jb, u, v, sqrt(rise), scratch, base, counts[1], at)
+                size = scratch.cuts[thread] if arcs > 0 else 0
+            for i in range(base, base + size):
+                jc = scratch.cutters[i] if arcs > 0 else i
+                third = scratch.indices[jc]
+                if third > other and points.searched[third] != 0:
+                    sides = vec2i(1, 1)
+                    if arcs > 0:
+                        sides = ends_at(jc, arcs, points, scratch, at)
+                    if sides[0] + sides[1] > 0:
+                        face_count = try_face(
+                            index, row, jb, jc, sides, points, scratch, base, counts, face_count, faces
+                        )
     return face_count
 
 
@@ -622,11 +701,11 @@ def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces
     i = tid()
     for row in range(i * scratch.run, min((i + 1) * scratch.run, faces.indices.shape[0])):
         index = faces.indices[row]
-        neighbor_count = gather_neighbors(index, points, scratch, i * scratch.room)
+        counts = gather_neighbors(index, points, scratch, i * scratch.room)
         face_count = 0
-        if neighbor_count <= scratch.room:
-            face_count = find_faces(index, row, i, points, scratch, neighbor_count, faces)
-        faces.neighbor_counts[row] = neighbor_count
+        if counts[0] <= scratch.room:
+            face_count = find_faces(index, row, i, points, scratch, counts, faces)
+        faces.neighbor_counts[row] = counts[0]
         faces.counts[row] = face_count
 
 
@@ -672,7 +751,8 @@ def list_faces(points: BallPoints, indices: Integers) -> tuple[Triangles, Scalar
     float32 [t]). One sync per batch, and one more if points need more room."""
     device, batches = indices.device, []
     for begin in range(0, indices.size, PART):
-        left, room, slots = indices[begin : min(begin + PART, indices.size)], FIRST_ROOM, FIRST_SLOTS
+        left, slots = indices[begin : min(begin + PART, indices.size)], FIRST_SLOTS
+        room = FIRST_ROOM if device.is_cuda else CPU_ROOM
         while left.size:
             faces = BallFaces(left, slots)
             scratch = BallScratch(left.size, room, device)

@@ -15,7 +15,8 @@ from pointloom.kernels.reconstruction.ball_faces import BallPoints, list_faces
 
 
 def faces_of(points, normals, radius, device):
-    """The triangles as rows of the cloud, the lowest first, none left out or refused; and their circles' widths."""
+    """The triangles as rows of the cloud, the lowest first, sorted, none left out or refused; and their circles'
+    widths. The order of the list depends on the first room, which differs by device."""
     cloud = loom.PointCloud(points, normals=normals, device=device, origin=[0, 0, 0])
     tree = cloud.search_tree()
     mask = full(tree.count, 1, uint8, tree.device)
@@ -24,28 +25,28 @@ def faces_of(points, normals, radius, device):
     rows = download(tree.order)[download(corners).reshape(-1, 3)]
     first = rows.argmin(axis=1)
     rolled = np.stack([rows[np.arange(len(rows)), (first + k) % 3] for k in range(3)], axis=1)
-    return rolled, download(widths)
+    order = np.lexsort(rolled.T[::-1])
+    return rolled[order], download(widths)[order]
 
 
 def brute_faces(points, normals, radius):
-    """All triples, one after the other: the ball's center by the circumcenter, and its distance to all points."""
-    faces = set()
-    for a, b, c in itertools.combinations(range(len(points)), 3):
-        B, C = points[b] - points[a], points[c] - points[a]
-        n = np.cross(B, C)
-        nn = n @ n
-        middle = (np.cross(n, B) * (C @ C) + np.cross(C, n) * (B @ B)) / (2 * nn)
-        rest = radius**2 - middle @ middle
-        u = n / np.sqrt(nn)
-        agree = normals[[a, b, c]] @ u
-        side = np.sign(agree.sum())
-        if rest < 0 or (side * agree < 0).any():
-            continue
-        center = points[a] + middle + side * u * np.sqrt(rest)
-        distances = np.delete(np.linalg.norm(points - center, axis=1), [a, b, c])
-        if (distances > radius).all():
-            faces.add((a, b, c) if side > 0 else (a, c, b))
-    return faces
+    """All triples at once: the ball's center by the circumcenter, and its distance to all points."""
+    rows = np.array(list(itertools.combinations(range(len(points)), 3)))
+    a, b, c = rows.T
+    B, C = points[b] - points[a], points[c] - points[a]
+    n = np.cross(B, C)
+    squares = [(x * x).sum(axis=1, keepdims=True) for x in (B, C, n)]
+    middle = (np.cross(n, B) * squares[1] + np.cross(C, n) * squares[0]) / (2 * squares[2])
+    rest = radius**2 - (middle**2).sum(axis=1)
+    u = n / np.sqrt(squares[2])
+    agree = (normals[rows] * u[:, None]).sum(axis=2)
+    side = np.sign(agree.sum(axis=1))
+    fits = (rest >= 0) & (side[:, None] * agree >= 0).all(axis=1)
+    centers = points[a] + middle + u * (side * np.sqrt(np.maximum(rest, 0)))[:, None]
+    distances = np.linalg.norm(points - centers[:, None], axis=2)
+    np.put_along_axis(distances, rows, np.inf, axis=1)
+    fits &= (distances > radius).all(axis=1)
+    return {(a, b, c) if s > 0 else (a, c, b) for (a, b, c), s in zip(rows[fits].tolist(), side[fits], strict=True)}
 
 
 def as_set(triangles):
@@ -62,13 +63,26 @@ def bumpy(rng, count, thickness):
     return points.astype(np.float32).astype(np.float64), normals.astype(np.float32).astype(np.float64)
 
 
-@pytest.mark.parametrize(("thickness", "radius"), [(0.05, 0.2), (0.3, 0.4), (1.0, 0.4), (0.3, 2.0)])
-def test_the_triangles_are_those_of_brute_force(device, rng, thickness, radius):
-    points, normals = bumpy(rng, 26, thickness)
+@pytest.mark.parametrize(
+    ("count", "thickness", "radius"),
+    [(26, 0.05, 0.2), (26, 0.3, 0.4), (26, 1.0, 0.4), (26, 0.3, 2.0), (90, 0.1, 0.4), (90, 1.0, 0.3), (90, 0.3, 0.8)],
+)
+def test_the_triangles_are_those_of_brute_force(device, rng, count, thickness, radius):
+    points, normals = bumpy(rng, count, thickness)
     faces, _ = faces_of(points, normals, radius, device)
     expected = brute_faces(points, normals, radius)
     assert len(faces) == len(expected) > 0
     assert as_set(faces) == expected
+
+
+def test_a_ball_nearly_as_large_as_a_sphere_of_points_finds_the_triangles_of_brute_force(device, rng):
+    """Each point has more possible corners than those of which all pairs are tested."""
+    points = rng.normal(size=(90, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    points = points.astype(np.float32).astype(np.float64)
+    faces, _ = faces_of(points, points, 0.98, device)
+    assert len(faces) == 2 * 90 - 4
+    assert as_set(faces) == brute_faces(points, points, 0.98)
 
 
 def test_circle_widths_are_fractions_of_the_ball(device, rng):
@@ -84,6 +98,7 @@ def test_points_with_too_many_neighbors_are_processed_again(device, rng, monkeyp
     points, normals = bumpy(rng, 300, 0.1)
     expected, _ = faces_of(points, normals, 0.3, device)
     monkeypatch.setattr(ball_faces, "FIRST_ROOM", 4)
+    monkeypatch.setattr(ball_faces, "CPU_ROOM", 4)
     monkeypatch.setattr(ball_faces, "FIRST_SLOTS", 1)
     monkeypatch.setattr(ball_faces, "PART", 70)
     faces, _ = faces_of(points, normals, 0.3, device)
