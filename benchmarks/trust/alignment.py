@@ -198,10 +198,7 @@ def judge() -> Iterator[Judged]:
 
 def table(rows: Sequence[Answer]) -> str:
     """Rejected poses of the pairs on which no constant was chosen."""
-    lines = [
-        "| pose | `check_alignment`, rooms | streets | CorAl, rooms | streets |",
-        "|---|---|---|---|---|",
-    ]
+    lines = ["| pose | `check_alignment`, rooms | streets | CorAl, rooms | streets |", "|---|---|---|---|---|"]
     limit = float(np.quantile([row.coral for row in rows if row.what == "correct"], 0.95))
     for what, _ in DISPLACEMENTS:
         cells = []

@@ -111,9 +111,7 @@ def sum_positions(surfaces: PairedSurfaces, pairs: array(dtype=int32)) -> positi
     i = tid()
     source, _target = rows_of_pair(surfaces, pairs[i])
     p = widen(surfaces.moved[source])
-    return position_sums(
-        p[0], p[1], p[2], p[0] * p[0], p[0] * p[1], p[0] * p[2], p[1] * p[1], p[1] * p[2], p[2] * p[2]
-    )
+    return position_sums(p[0], p[1], p[2], p[0] * p[0], p[0] * p[1], p[0] * p[2], p[1] * p[1], p[1] * p[2], p[2] * p[2])
 
 
 @kernel
@@ -199,9 +197,7 @@ def score_rows_kernel(
         scores[i, k] = factor * a[k]
     source, _target = rows_of_pair(surfaces, pairs[i])
     p = surfaces.moved[source]
-    blocks[i] = block_key(
-        int(floor(p[0] / block_size)), int(floor(p[1] / block_size)), int(floor(p[2] / block_size))
-    )
+    blocks[i] = block_key(int(floor(p[0] / block_size)), int(floor(p[1] / block_size)), int(floor(p[2] / block_size)))
 
 
 class AlignmentRows:
@@ -248,6 +244,8 @@ class AlignmentRows:
         device = self._rows.device
         scores, keys = empty((len(self), 6), float64, device), empty(len(self), int64, device)
         at = [motions(*motion), width, block_size]
-        launch(score_rows_kernel, len(self), [self._surfaces, self._pairs, self._rows, self._residuals, *at, scores, keys])
+        launch(
+            score_rows_kernel, len(self), [self._surfaces, self._pairs, self._rows, self._residuals, *at, scores, keys]
+        )
         groups = UniqueKeys(keys)
         return download(sum_columns(scores, groups.order, groups.starts))

@@ -85,10 +85,7 @@ class Alignment(AssessedRecord):
 
 
 def check_alignment(
-    source: PointCloud,
-    target: PointCloud,
-    transformation: ArrayLike,
-    max_correspondence_distance: float | None = None,
+    source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float | None = None
 ) -> Alignment:
     """Check whether the surfaces of two clouds match under a pose, and measure how far they are apart.
 
