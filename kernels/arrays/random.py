@@ -14,6 +14,7 @@ WEYL_0 = 0x9E3779B9
 WEYL_1 = 0xBB67AE85
 LOW_WORD = 0xFFFFFFFF
 ROUNDS = 10
+UPPER_HALF = 0xFFFF0000
 
 UNIT = 1.0 / 16777216.0  # 2^-24: float32 represents the upper 24 bits of a word exactly
 TWO_PI = 6.283185307179586
@@ -66,6 +67,19 @@ def unit_float(word: uint32) -> float:
 def random_uniform(seed: int, counter: int, stream: int) -> vec4:
     words = random_bits(seed, counter, stream)
     return vec4(unit_float(words[0]), unit_float(words[1]), unit_float(words[2]), unit_float(words[3]))
+
+
+@func
+def half_uniform(words: vec4u, half: int) -> vec4:
+    """Numbers in [0, 1), multiples of 2^-16, of the upper (0) or lower half (1) of each word."""
+    shift = uint32(16 * half)
+    upper = uint32(UPPER_HALF)
+    return vec4(
+        unit_float((words[0] << shift) & upper),
+        unit_float((words[1] << shift) & upper),
+        unit_float((words[2] << shift) & upper),
+        unit_float((words[3] << shift) & upper),
+    )
 
 
 @func

@@ -1,9 +1,15 @@
-"""Brightness of an image at another size, by area averaging."""
+"""Brightness of an image at another size, by area averaging, as blocks of 2 x 2 pixels.
+
+A block is one load in bilinear interpolation: 16 bits each for a pixel, the ones to the right and below, and the
+opposite one, from the lowest bits on. 8 B per pixel.
+"""
 
 from ..images.depth import BLUE, GREEN, RED
-from ..lang import array, float32, func, kernel, tid, uint8
+from ..lang import array, func, int64, kernel, tid, uint8, uint64
 
 WHITE = 255.0
+LEVELS = 65535.0  # of brightness 1
+LEVEL = 0xFFFF
 
 
 @func
@@ -17,23 +23,15 @@ def brightness_of(pixels: array(dtype=uint8), pixel: int, channels: int) -> floa
     return value / WHITE
 
 
-@kernel
-def resize_brightness_kernel(
-    pixels: array(dtype=uint8),
-    channels: int,
-    columns: int,
-    rows: int,
-    width: int,
-    height: int,
-    first: int,
-    brightness: array(dtype=float32),
-):
-    """Resize an image of columns x rows to width x height, into `brightness` from `first` on."""
-    i = tid()
+@func
+def resized_brightness(
+    pixels: array(dtype=uint8), channels: int, columns: int, rows: int, width: int, height: int, x: int, y: int
+) -> float:
+    """Mean brightness of the area of a pixel of a smaller image."""
     across = float(columns) / float(width)
     down = float(rows) / float(height)
-    left = float(i % width) * across
-    top = float(i // width) * down
+    left = float(x) * across
+    top = float(y) * down
     right = left + across
     bottom = top + down
     total = 0.0
@@ -45,4 +43,36 @@ def resize_brightness_kernel(
             if part > 0.0:
                 total += part * brightness_of(pixels, row * columns + column, channels)
                 area += part
-    brightness[first + i] = total / area
+    return total / area
+
+
+@func
+def brightness_in(block: uint64) -> float:
+    """Brightness of the pixel of a block."""
+    return float(int(block & uint64(LEVEL))) * (1.0 / LEVELS)
+
+
+@kernel
+def resize_brightness_kernel(
+    pixels: array(dtype=uint8),
+    channels: int,
+    columns: int,
+    rows: int,
+    width: int,
+    height: int,
+    first: int,
+    blocks: array(dtype=uint64),
+):
+    """Resize an image of columns x rows to width x height, into `blocks` from `first` on. The border is repeated."""
+    i = tid()
+    block = uint64(0)
+    for k in range(4):
+        x = min(i % width + k % 2, width - 1)
+        y = min(i // width + k // 2, height - 1)
+        value = 0.0
+        if width == columns and height == rows:
+            value = brightness_of(pixels, y * columns + x, channels)
+        else:
+            value = resized_brightness(pixels, channels, columns, rows, width, height, x, y)
+        block = block | (uint64(int64(value * LEVELS + 0.5)) << uint64(16 * k))
+    blocks[first + i] = block

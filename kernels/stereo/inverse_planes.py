@@ -14,10 +14,10 @@ def ray_of(x: int, y: int, lens: vec4) -> vec3:
 
 
 @func
-def slopes_of(normal: vec3, x: int, y: int, w: float, lens: vec4) -> vec2:
-    """gx and gy of the plane with this normal at inverse depth w."""
-    d = dot(normal, ray_of(x, y, lens)) / w
-    return vec2(normal[0] / (lens[0] * d), normal[1] / (lens[1] * d))
+def slopes_of(direction: vec3, ray: vec3, w: float, lens: vec4) -> vec2:
+    """gx and gy of the plane with a normal of this direction and any length at inverse depth w of a ray."""
+    scale = w / dot(direction, ray)
+    return vec2(direction[0] * scale / lens[0], direction[1] * scale / lens[1])
 
 
 @func
@@ -27,23 +27,22 @@ def normal_of(plane: vec4, x: int, y: int, lens: vec4) -> vec3:
 
 
 @func
-def faced_away(direction: vec3, x: int, y: int, lens: vec4) -> vec3:
-    """Unit normal along a direction, mirrored and tilted to point away from the camera."""
-    ray = normalize(ray_of(x, y, lens))
-    n = normalize(direction)
-    c = dot(n, ray)
-    if c < 0.0:
-        n = n * -1.0
-        c = -c
-    if c < MIN_COSINE:
-        n = normalize(n + ray * LEANING)
-    return n
+def limited_tilt(direction: vec3, ray: vec3) -> vec3:
+    """A normal of any length and sign, tilted to the ray if almost perpendicular to it."""
+    c = dot(direction, ray)
+    tilted = direction
+    if c * c <= MIN_COSINE * MIN_COSINE * (dot(direction, direction) * dot(ray, ray)):
+        leaning = LEANING
+        if c < 0.0:
+            leaning = -LEANING
+        tilted = normalize(direction) + normalize(ray) * leaning
+    return tilted
 
 
 @func
-def random_direction(u: vec4, x: int, y: int, lens: vec4) -> vec3:
-    """Random normal pointing away from the camera, from uniform numbers u[1:]."""
-    return faced_away(vec3(u[1] * 2.0 - 1.0, u[2] * 2.0 - 1.0, u[3] * 2.0 - 1.0), x, y, lens)
+def random_direction(u: vec4) -> vec3:
+    """A vector in a cube about 0 from uniform numbers u[1:]."""
+    return vec3(u[1] * 2.0 - 1.0, u[2] * 2.0 - 1.0, u[3] * 2.0 - 1.0)
 
 
 @func

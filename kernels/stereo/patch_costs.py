@@ -8,8 +8,9 @@ with rational weights for reproducibility). Reference terms are precomputed per 
 import numpy as np
 
 from ..array_types import Array1, Device, Scalars
-from ..lang import array, float32, floor, func, int32, mat33, sqrt, struct, vec2, vec3, vec4, vec4i, vector
+from ..lang import array, float32, floor, func, int32, mat33, sqrt, struct, uint64, vec2, vec3, vec4, vec4i, vector
 from ..memory import upload
+from .brightness import LEVEL, LEVELS, brightness_in
 from .inverse_planes import inverse_depth_at
 
 BAD = 2.0  # cost if a source does not see a patch, or of negatively correlated ones
@@ -24,6 +25,7 @@ MAX_BLOCKS = 4  # groups per patch
 samples = vector(LANES * MAX_BLOCKS, float32)
 eight = vector(LANES, float32)
 eight_indices = vector(LANES, int32)
+eight_blocks = vector(LANES, uint64)
 
 
 @struct
@@ -75,7 +77,7 @@ class Sources:
     map_back_shift: array(dtype=vec3)
     layout: array(dtype=vec4i)
     map_layout: array(dtype=vec4i)
-    pictures: array(dtype=float32)
+    pictures: array(dtype=uint64)
     maps: array(dtype=vec4)
 
     def __init__(
@@ -85,7 +87,7 @@ class Sources:
         map_back: np.ndarray,
         layout: np.ndarray,
         map_layout: np.ndarray,
-        pictures: Scalars,
+        pictures: Array1[uint64],
         maps: Array1[vec4],
     ) -> None:
         device = pictures.device
@@ -100,57 +102,67 @@ class Sources:
 
 
 @func
-def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[samples, samples, float]:
-    """Normalized weights of a pixel's samples, times centered brightness, and the variance."""
-    count = LANES * reference.blocks
-    weights = samples(0.0)
-    rises = samples(0.0)
-    center = sources.pictures[reference.first + y * reference.width + x]
-    total = 0.0
-    sum_r = 0.0
-    sum_rr = 0.0
-    for k in range(count):
-        dx = int(reference.patch[k])
-        dy = int(reference.patch[count + k])
-        row = y + dy
-        column = x + dx
-        if row >= 0 and row < reference.height and column >= 0 and column < reference.width:
-            r = sources.pictures[reference.first + row * reference.width + column] - center
-            d = r * (1.0 / COLOR_SCALE)
-            w = reference.patch[2 * count + k] / (1.0 + d * d)
-            weights[k] = w
-            rises[k] = r
-            total += w
-            sum_r += w * r
-            sum_rr += w * r * r
-    share = 1.0 / total
-    mean = sum_r * share
-    for k in range(count):
-        weights[k] = weights[k] * share
-        rises[k] = weights[k] * (rises[k] - mean)
-    return weights, rises, sum_rr * share - mean * mean
-
-
-@func
 def sum_of(lanes: eight) -> float:
     """Fixed-order sum of eight numbers."""
     return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]))
 
 
 @func
-def correlation_cost(
-    middle: vec3,
-    across: vec3,
-    down: vec3,
-    center: float,
-    there: vec4i,
-    weights: samples,
-    rises: samples,
-    variance: float,
-    reference: Reference,
-    sources: Sources,
-) -> float:
-    """1 - weighted correlation of a patch about `middle` with a source; vectorized by LLVM."""
+def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[samples, samples, float]:
+    """Normalized weights of a pixel's samples, times centered brightness, and the variance; vectorized by LLVM."""
+    count = LANES * reference.blocks
+    weights = samples(0.0)
+    rises = samples(0.0)
+    center = brightness_in(sources.pictures[reference.first + y * reference.width + x])
+    totals = eight(0.0)
+    sums = eight(0.0)
+    squares = eight(0.0)
+    for block in range(reference.blocks):
+        first = block * LANES
+        indices = eight_indices(0)
+        near = eight(0.0)
+        for k in range(LANES):
+            dx = x + int(reference.patch[first + k])
+            dy = y + int(reference.patch[count + first + k])
+            column = min(max(dx, 0), reference.width - 1)
+            row = min(max(dy, 0), reference.height - 1)
+            indices[k] = reference.first + row * reference.width + column
+            near[k] = reference.patch[2 * count + first + k] if column == dx else 0.0
+            near[k] = near[k] if row == dy else 0.0
+        r = eight(0.0)
+        for k in range(LANES):
+            r[k] = brightness_in(sources.pictures[indices[k]])
+        for k in range(LANES):
+            rise = r[k] - center
+            d = rise * (1.0 / COLOR_SCALE)
+            w = near[k] / (1.0 + d * d)
+            weights[first + k] = w
+            rises[first + k] = rise
+            totals[k] = totals[k] + w
+            sums[k] = sums[k] + w * rise
+            squares[k] = squares[k] + w * rise * rise
+    share = 1.0 / sum_of(totals)
+    mean = sum_of(sums) * share
+    for block in range(reference.blocks):
+        first = block * LANES
+        for k in range(LANES):
+            weights[first + k] = weights[first + k] * share
+            rises[first + k] = weights[first + k] * (rises[first + k] - mean)
+    return weights, rises, sum_of(squares) * share - mean * mean
+
+
+@func
+def correlation_sums(
+    x: int, y: int, plane: vec3, s: int, weights: samples, rises: samples, reference: Reference, sources: Sources
+) -> vec3:
+    """Weighted mean, mean square and product of a slanted patch in a source; vectorized by LLVM."""
+    A = sources.there[s]
+    b = sources.shift[s]
+    there = sources.layout[s]
+    middle = A @ vec3(float(x), float(y), 1.0) + b * plane[0]
+    across = vec3(A[0, 0], A[1, 0], A[2, 0]) + b * plane[1]
+    down = vec3(A[0, 1], A[1, 1], A[2, 1]) + b * plane[2]
+    center = brightness_in(sources.pictures[reference.first + y * reference.width + x])
     count = LANES * reference.blocks
     means = eight(0.0)
     squares = eight(0.0)
@@ -173,31 +185,121 @@ def correlation_cost(
             along[k] = u - float(column)
             below[k] = v - float(row)
             indices[k] = there[2] + row * there[0] + column
-        here = eight(0.0)
-        beside = eight(0.0)
-        under = eight(0.0)
-        opposite = eight(0.0)
+        shown = eight_blocks(uint64(0))
         for k in range(LANES):
-            index = indices[k]
-            low = index + there[0]
-            here[k] = sources.pictures[index]
-            beside[k] = sources.pictures[index + 1]
-            under[k] = sources.pictures[low]
-            opposite[k] = sources.pictures[low + 1]
+            shown[k] = sources.pictures[indices[k]]
         for k in range(LANES):
-            top = here[k] + (beside[k] - here[k]) * along[k]
-            shown = top + ((under[k] + (opposite[k] - under[k]) * along[k]) - top) * below[k]
-            q = shown - center
+            here = float(int(shown[k] & uint64(LEVEL)))
+            beside = float(int((shown[k] >> uint64(16)) & uint64(LEVEL)))
+            under = float(int((shown[k] >> uint64(32)) & uint64(LEVEL)))
+            opposite = float(int(shown[k] >> uint64(48)))
+            top = here + (beside - here) * along[k]
+            value = top + ((under + (opposite - under) * along[k]) - top) * below[k]
+            q = value * (1.0 / LEVELS) - center
             wq = weights[first + k] * q
             means[k] = means[k] + wq
             squares[k] = squares[k] + wq * q
             products[k] = products[k] + rises[first + k] * q
-    mean = sum_of(means)
-    spread = sum_of(squares) - mean * mean
-    cost = float(BAD)
-    if spread > MIN_VARIANCE:
-        cost = min(max(1.0 - sum_of(products) / sqrt(variance * spread), 0.0), BAD)
-    return cost
+    return vec3(sum_of(means), sum_of(squares), sum_of(products))
+
+
+@func
+def patch_costs(
+    x: int,
+    y: int,
+    w: eight,
+    gx: eight,
+    gy: eight,
+    is_tried: eight_indices,
+    s: int,
+    weights: samples,
+    rises: samples,
+    variance: float,
+    reference: Reference,
+    sources: Sources,
+) -> eight:
+    """1 - weighted correlation of the slanted patches of eight planes, 0 to 2. BAD if not visible or not tried."""
+    b = sources.shift[s]
+    there = sources.layout[s]
+    base = sources.there[s] @ vec3(float(x), float(y), 1.0)
+    is_visible = eight_indices(0)
+    for k in range(LANES):
+        depth = base[2] + b[2] * w[k]
+        inverse = 1.0 / max(depth, NEAR)
+        u = (base[0] + b[0] * w[k]) * inverse
+        v = (base[1] + b[1] * w[k]) * inverse
+        beyond = max(max(-u, u - float(there[0] - 1)), max(-v, v - float(there[1] - 1)))
+        is_visible[k] = is_tried[k] if depth > NEAR else 0
+        is_visible[k] = is_visible[k] if beyond <= 0.0 else 0
+    means = eight(0.0)
+    squares = eight(0.0)
+    products = eight(0.0)
+    if variance > MIN_VARIANCE:
+        listed = eight_indices(0)  # without branches that the processor cannot predict
+        number = 0
+        for k in range(LANES):
+            listed[number] = k
+            number += is_visible[k]
+        for j in range(number):
+            k = listed[j]
+            sums = correlation_sums(x, y, vec3(w[k], gx[k], gy[k]), s, weights, rises, reference, sources)
+            means[k] = sums[0]
+            squares[k] = sums[1]
+            products[k] = sums[2]
+    costs = eight(0.0)
+    for k in range(LANES):
+        spread = squares[k] - means[k] * means[k]
+        cost = 1.0 - products[k] / sqrt(variance * max(spread, MIN_VARIANCE))
+        costs[k] = min(max(cost, 0.0), BAD) if spread > MIN_VARIANCE else float(BAD)
+    return costs
+
+
+@func
+def round_trips(x: int, y: int, w: eight, s: int, sources: Sources) -> eight:
+    """Round-trip errors [px] of eight inverse depths through a source's surface, at most MAX_BACK."""
+    start = sources.map_there[s] @ vec3(float(x), float(y), 1.0)
+    shift = sources.map_shift[s]
+    back = sources.map_back[s]
+    back_shift = sources.map_back_shift[s]
+    there = sources.map_layout[s]
+    us = eight(0.0)
+    vs = eight(0.0)
+    across = eight(0.0)
+    down = eight(0.0)
+    outside = eight(0.0)
+    indices = eight_indices(0)
+    for k in range(LANES):
+        depth = start[2] + shift[2] * w[k]
+        inverse = 1.0 / max(depth, NEAR)
+        u = (start[0] + shift[0] * w[k]) * inverse
+        v = (start[1] + shift[1] * w[k]) * inverse
+        column = floor(min(max(u + 0.5, 0.0), float(there[0]) - 0.5))
+        row = floor(min(max(v + 0.5, 0.0), float(there[1]) - 0.5))
+        us[k] = u
+        vs[k] = v
+        across[k] = u - column
+        down[k] = v - row
+        outside[k] = max(abs(u - column), abs(v - row)) if depth > NEAR else 1.0
+        indices[k] = there[2] + int(row) * there[0] + int(column)
+    middle = eight(0.0)
+    slope_x = eight(0.0)
+    slope_y = eight(0.0)
+    for k in range(LANES):
+        plane = sources.maps[indices[k]]
+        middle[k] = plane[0]
+        slope_x[k] = plane[1]
+        slope_y[k] = plane[2]
+    errors = eight(0.0)
+    for k in range(LANES):
+        d = middle[k] + slope_x[k] * across[k] + slope_y[k] * down[k]
+        depth = back[2, 0] * us[k] + back[2, 1] * vs[k] + back[2, 2] + back_shift[2] * d
+        inverse = 1.0 / max(depth, NEAR)
+        dx = (back[0, 0] * us[k] + back[0, 1] * vs[k] + back[0, 2] + back_shift[0] * d) * inverse - float(x)
+        dy = (back[1, 0] * us[k] + back[1, 1] * vs[k] + back[1, 2] + back_shift[1] * d) * inverse - float(y)
+        error = min(sqrt(dx * dx + dy * dy), MAX_BACK) if outside[k] <= 0.5 else float(MAX_BACK)
+        error = error if depth > NEAR else float(MAX_BACK)
+        errors[k] = error if d > 0.0 else float(MAX_BACK)
+    return errors
 
 
 @func
@@ -213,23 +315,23 @@ def patch_cost(
     sources: Sources,
 ) -> float:
     """1 - weighted correlation of a slanted patch with a source, 0 to 2. BAD if not visible."""
-    A = sources.there[s]
-    b = sources.shift[s]
-    there = sources.layout[s]
-    middle = A @ vec3(float(x), float(y), 1.0) + b * plane[0]
-    cost = float(BAD)
-    inside = 0
-    if middle[2] > NEAR and variance > MIN_VARIANCE:
-        u = middle[0] / middle[2]
-        v = middle[1] / middle[2]
-        if u >= 0.0 and v >= 0.0 and u <= float(there[0]) - 1.0 and v <= float(there[1]) - 1.0:
-            inside = 1
-    if inside == 1:
-        across = vec3(A[0, 0], A[1, 0], A[2, 0]) + b * plane[1]
-        down = vec3(A[0, 1], A[1, 1], A[2, 1]) + b * plane[2]
-        center = sources.pictures[reference.first + y * reference.width + x]
-        cost = correlation_cost(middle, across, down, center, there, weights, rises, variance, reference, sources)
-    return cost
+    is_tried = eight_indices(0)
+    is_tried[0] = 1
+    costs = patch_costs(
+        x,
+        y,
+        eight(plane[0]),
+        eight(plane[1]),
+        eight(plane[2]),
+        is_tried,
+        s,
+        weights,
+        rises,
+        variance,
+        reference,
+        sources,
+    )
+    return costs[0]
 
 
 @func

@@ -4,15 +4,28 @@ Pixels of one color test the planes of the best of eight regions of the other co
 et al. 2015, "Massively parallel multiview stereopsis by surface normal diffusion"; regions and joint view selection of
 Xu and Tao 2019, "Multi-scale geometric consistency guided multi-view stereo", section 3.1, without random sampling).
 Costs are means over the chosen sources plus round-trip errors where maps are known. Random numbers depend on seed,
-pixel and iteration only: bitwise reproducible.
+pixel and iteration only: bitwise reproducible. The planes of the regions, then the perturbed ones, are evaluated
+together as eight lanes, since the divisions and roots of one plane after another would wait for each other.
 """
 
 from ..array_types import Array1, Scalars
-from ..arrays.random import random_uniform
-from ..lang import array, float32, func, int32, kernel, launch, struct, tid, vec3, vec4, vector
+from ..arrays.random import half_uniform, random_bits, random_uniform
+from ..lang import array, float32, func, kernel, launch, struct, tid, vec4, vector
 from ..memory import empty
-from .inverse_planes import faced_away, inverse_depth_at, normal_of, random_direction, slopes_of
-from .patch_costs import Reference, Sources, patch_cost, round_trip, samples, window_of
+from .inverse_planes import limited_tilt, normal_of, random_direction, ray_of, slopes_of
+from .patch_costs import (
+    LANES,
+    Reference,
+    Sources,
+    eight,
+    eight_indices,
+    patch_cost,
+    patch_costs,
+    round_trip,
+    round_trips,
+    samples,
+    window_of,
+)
 
 NEIGHBORS = 8
 MAX_SOURCES = 8
@@ -22,8 +35,7 @@ MIN_GOOD = 2
 FALLOFF = 0.09  # squared cost that halves the weight of a good one
 UNSURE = 0.02  # weight of a source without evidence
 
-eight = vector(8, float32)
-eight_indices = vector(8, int32)
+source_costs = vector(MAX_SOURCES * LANES, float32)  # of eight planes
 
 
 @func
@@ -136,43 +148,59 @@ def source_cost(
 
 
 @func
-def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width: int, height: int) -> int:
-    """Pixel of least cost in a region of the other color, or -1 outside."""
-    best = -1
+def best_of_region(
+    planes: array(dtype=vec4), x: int, y: int, region: int, width: int, height: int
+) -> tuple[int, int, int]:
+    """Pixel of least cost in a region of the other color, or -1 outside, and its offset along and across."""
+    best_step = 0
+    best_shift = 0
     low = float(NO_COST)
     side = region % 4
-    count = int(NEAR_COUNT)
-    if region >= 4:
-        count = FAR_COUNT
-    for k in range(count):
-        across = 0
-        along = 0
-        if region >= 4:
-            along = FAR_BEGIN + 2 * k
-        else:
-            step = (k + 1) // 2
-            along = step + 1
-            across = step
-            if k % 2 == 1:
-                across = -step
-        dx = int(across)
-        dy = int(along)
-        if side == 1:
-            dy = -along
-        if side == 2:
-            dx = along
-            dy = across
+    beyond = height - 1 - y  # pixels in the direction of the region, and to both sides
+    along = int(width)
+    if side == 1:
+        beyond = y
+        along = -width
+    left = int(x)
+    right = width - 1 - x
+    across = 1
+    if side >= 2:
+        left = y
+        right = height - 1 - y
+        across = width
+        beyond = width - 1 - x
+        along = 1
         if side == 3:
-            dx = -along
-            dy = across
-        u = x + dx
-        v = y + dy
-        if u >= 0 and v >= 0 and u < width and v < height:
-            c = planes[v * width + u][3]
+            beyond = x
+            along = -1
+    pixel = y * width + x
+    if region >= 4:
+        count = min(max((beyond - FAR_BEGIN) // 2 + 1, 0), FAR_COUNT)
+        for k in range(count):
+            step = FAR_BEGIN + 2 * k
+            c = planes[pixel + step * along][3]
             if c < low:
                 low = c
-                best = v * width + u
-    return best
+                best_step = step
+    else:
+        count = int(NEAR_COUNT)
+        for k in range(count):
+            step = (k + 1) // 2
+            shift = int(step)
+            if k % 2 == 1:
+                shift = -step
+            if step < beyond and -shift <= left and shift <= right:
+                c = planes[pixel + (step + 1) * along + shift * across][3]
+                if c < low:
+                    low = c
+                    best_step = step + 1
+                    best_shift = shift
+    best = -1
+    if best_step > 0:
+        best = pixel + best_step * along + best_shift * across
+    if side % 2 == 1:
+        best_step = -best_step
+    return best, best_step, best_shift
 
 
 @func
@@ -210,7 +238,8 @@ def start_planes_kernel(
     if is_given == 0:
         u = random_uniform(seed, i, 0)
         w = reference.farthest + (reference.nearest - reference.farthest) * u[0]
-        slopes = slopes_of(random_direction(u, x, y, reference.lens), x, y, w, reference.lens)
+        ray = ray_of(x, y, reference.lens)
+        slopes = slopes_of(limited_tilt(random_direction(u), ray), ray, w, reference.lens)
         plane = vec4(w, slopes[0], slopes[1], 0.0)
     weights, rises, variance = window_of(x, y, reference, sources)
     for s in range(sources.count):
@@ -222,59 +251,77 @@ def start_planes_kernel(
 
 
 @func
-def changed_plane(
-    plane: vec4, x: int, y: int, pixel: int, trial: int, options: HalfIteration, reference: Reference
-) -> vec4:
-    """A perturbed or random plane. The cost is not set."""
-    u = random_uniform(options.seed, pixel, 1 + options.number * TRIALS + trial)
-    n = normal_of(plane, x, y, reference.lens)
-    w = plane[0]
-    if trial % 2 == 0:
-        w = plane[0] + options.spread / reference.pixels_per * (u[0] * 2.0 - 1.0)
-    if trial == 1 or trial == 2:
-        tilt = options.spread * TILT
-        n = faced_away(n + vec3(u[1] * 2.0 - 1.0, u[2] * 2.0 - 1.0, u[3] * 2.0 - 1.0) * tilt, x, y, reference.lens)
-    if trial == 3:
-        w = reference.farthest + (reference.nearest - reference.farthest) * u[0]
-        n = random_direction(u, x, y, reference.lens)
-    slopes = slopes_of(n, x, y, w, reference.lens)
-    return vec4(w, slopes[0], slopes[1], 0.0)
+def region_planes(
+    x: int, y: int, plane: vec4, planes: array(dtype=vec4), options: HalfIteration, reference: Reference
+) -> tuple[eight_indices, eight, eight, eight, eight_indices]:
+    """The best pixels of the regions, -1 if outside, their planes as w, gx, gy, and 1 for those that may be better."""
+    near = eight_indices(-1)
+    dx = eight(0.0)
+    dy = eight(0.0)
+    for k in range(options.regions):
+        best, step, shift = best_of_region(planes, x, y, k, reference.width, reference.height)
+        near[k] = best
+        across = int(step)
+        down = int(shift)
+        if k % 4 < 2:
+            across = shift
+            down = step
+        dx[k] = float(across)
+        dy[k] = float(down)
+    w = eight(0.0)
+    gx = eight(0.0)
+    gy = eight(0.0)
+    for k in range(LANES):
+        other = planes[max(near[k], 0)]
+        w[k] = other[0]
+        gx[k] = other[1]
+        gy[k] = other[2]
+    is_tried = eight_indices(0)
+    for k in range(LANES):
+        w[k] = w[k] - gx[k] * dx[k] - gy[k] * dy[k]
+        slopes = abs(gx[k] - plane[1]) + abs(gy[k] - plane[2])
+        difference = (abs(w[k] - plane[0]) + PATCH_RADIUS * slopes) * reference.pixels_per
+        tried = 1 if near[k] >= 0 else 0
+        is_tried[k] = tried if difference > SAME_PLANE else 0
+    return near, w, gx, gy, is_tried
 
 
 @func
-def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
-    """1 if two planes differ significantly over a patch."""
-    difference = abs(a[0] - b[0]) + PATCH_RADIUS * (abs(a[1] - b[1]) + abs(a[2] - b[2]))
-    other = 0
-    if difference * pixels_per > SAME_PLANE:
-        other = 1
-    return other
-
-
-@func
-def hypothesis(
-    k: int,
-    x: int,
-    y: int,
-    plane: vec4,
-    near: eight_indices,
-    planes: array(dtype=vec4),
-    options: HalfIteration,
-    reference: Reference,
-) -> vec4:
-    """Candidate plane: of a region, or perturbed. The fourth number is 1 if it may be better."""
-    candidate = vec4(0.0, 0.0, 0.0, 0.0)
-    if k >= options.regions:
-        candidate = changed_plane(plane, x, y, y * reference.width + x, k - options.regions, options, reference)
-        candidate[3] = 1.0
-    elif near[k] >= 0:
-        o = planes[near[k]]
-        w = inverse_depth_at(o, float(x - near[k] % reference.width), float(y - near[k] // reference.width))
-        candidate = vec4(w, o[1], o[2], 0.0)
-        candidate[3] = float(is_other(candidate, plane, reference.pixels_per))
-    if candidate[0] > reference.nearest or candidate[0] < reference.farthest:
-        candidate[3] = 0.0
-    return candidate
+def changed_planes(
+    x: int, y: int, pixel: int, plane: vec4, options: HalfIteration, reference: Reference
+) -> tuple[eight, eight, eight, eight_indices]:
+    """Perturbed depth, normal, both, and a random plane, as w, gx, gy, and 1 for each."""
+    stream = 1 + options.number * (TRIALS // 2)
+    a = random_bits(options.seed, pixel, stream)
+    b = random_bits(options.seed, pixel, stream + 1)
+    lens = reference.lens
+    ray = ray_of(x, y, lens)
+    normal = normal_of(plane, x, y, lens)
+    w = eight(0.0)
+    gx = eight(0.0)
+    gy = eight(0.0)
+    is_tried = eight_indices(0)
+    for k in range(TRIALS):
+        words = a
+        if k >= 2:
+            words = b
+        u = half_uniform(words, k % 2)
+        w[k] = plane[0]
+        if k % 2 == 0:
+            w[k] = plane[0] + options.spread / reference.pixels_per * (u[0] * 2.0 - 1.0)
+        if k == 3:
+            w[k] = reference.farthest + (reference.nearest - reference.farthest) * u[0]
+        direction = random_direction(u)
+        if k == 0:
+            direction = normal
+        elif k < 3:
+            direction = normal + direction * (options.spread * TILT)
+        slopes = slopes_of(limited_tilt(direction, ray), ray, w[k], lens)
+        gx[k] = slopes[0]
+        gy[k] = slopes[1]
+        if k < options.trials:
+            is_tried[k] = 1
+    return w, gx, gy, is_tried
 
 
 @func
@@ -297,31 +344,6 @@ def weights_of(ratings: eight, order: eight_indices, count: int, max_sources: in
     return weight, chosen, total
 
 
-@func
-def round_trip_costs(
-    x: int,
-    y: int,
-    w: float,
-    first: int,
-    last: int,
-    bound: float,
-    geometric: float,
-    order: eight_indices,
-    weight: eight,
-    sources: Sources,
-) -> tuple[eight, float]:
-    """Round-trip costs in the sources of some ranks, and their weighted sum, up to the bound."""
-    errors = eight(0.0)
-    total = 0.0
-    if geometric > 0.0:
-        for rank in range(first, last):
-            if total < bound:
-                back = round_trip(x, y, w, order[rank], sources)
-                errors[rank] = geometric * back[0]
-                total += weight[rank] * errors[rank]
-    return errors, total
-
-
 @kernel
 def spread_planes_kernel(
     options: HalfIteration,
@@ -339,51 +361,60 @@ def spread_planes_kernel(
         return
     pixel = y * reference.width + x
     count = sources.count
-    near = eight_indices(-1)
-    for k in range(options.regions):
-        near[k] = best_of_region(planes, x, y, k, reference.width, reference.height)
+    plane = planes[pixel]
+    near, w, gx, gy, is_tried = region_planes(x, y, plane, planes, options, reference)
     ratings = rate_sources(pixel, count, near, options.good, costs)
     order = order_of(ratings, count)  # sources behind the chosen ones are evaluated once, at the end
     weight, chosen, sum_of_weights = weights_of(ratings, order, count, options.chosen)
-    plane = planes[pixel]
     bound = 0.0  # weighted cost sum that a better plane must not exceed
     for k in range(chosen):
         bound += weight[k] * costs[pixel * count + order[k]]
     is_new = 0
     weights, rises, variance = window_of(x, y, reference, sources)
-    hypotheses = options.regions + options.trials
-    for k in range(hypotheses + 1):
-        is_last = 1 if k == hypotheses else 0  # evaluate the resulting plane in the remaining sources
-        candidate = plane
-        is_tried = is_new
-        first = chosen
-        last = count
-        if is_last == 0:
-            candidate = hypothesis(k, x, y, plane, near, planes, options, reference)
-            is_tried = int(candidate[3])
-            first = 0
-            last = chosen
-        if is_tried == 1:
-            new_costs = eight(0.0)
-            limit = bound
-            if is_last == 1:
-                limit = NO_COST
-            # Round trips are fast to compute: if they reject a plane, no patch is compared.
-            errors, total = round_trip_costs(
-                x, y, candidate[0], first, last, limit, options.geometric, order, weight, sources
-            )
-            rank = first
-            while rank < last and total < limit:
-                c = patch_cost(x, y, candidate, order[rank], weights, rises, variance, reference, sources)
-                new_costs[rank] = c + errors[rank]
-                total += weight[rank] * c
-                rank = rank + 1
-            if is_last == 1 or total < bound:
-                for r in range(first, last):
-                    costs[pixel * count + order[r]] = new_costs[r]
-            if is_last == 0 and total < bound:
-                bound = total
-                plane = candidate
+    for part in range(3):  # planes of the regions, perturbed ones, the resulting one in the remaining sources
+        first = 0
+        last = int(chosen)
+        limit = float(bound)
+        if part == 1:
+            w, gx, gy, is_tried = changed_planes(x, y, pixel, plane, options, reference)
+        if part == 2:
+            w = eight(plane[0])
+            gx = eight(plane[1])
+            gy = eight(plane[2])
+            is_tried = eight_indices(0)
+            is_tried[0] = is_new
+            first = chosen
+            last = count
+            limit = NO_COST
+        for k in range(LANES):
+            is_tried[k] = is_tried[k] if w[k] <= reference.nearest else 0
+            is_tried[k] = is_tried[k] if w[k] >= reference.farthest else 0
+        table = source_costs(0.0)
+        totals = eight(0.0)
+        if options.geometric > 0.0:  # fast to compute: if they reject a plane, no patch is compared
+            for rank in range(first, last):
+                errors = round_trips(x, y, w, order[rank], sources)
+                for k in range(LANES):
+                    table[rank * LANES + k] = options.geometric * errors[k]
+                    totals[k] = totals[k] + weight[rank] * table[rank * LANES + k]
+        for rank in range(first, last):
+            for k in range(LANES):
+                is_tried[k] = is_tried[k] if totals[k] < limit else 0
+            c = patch_costs(x, y, w, gx, gy, is_tried, order[rank], weights, rises, variance, reference, sources)
+            for k in range(LANES):
+                table[rank * LANES + k] = table[rank * LANES + k] + c[k]
+                totals[k] = totals[k] + weight[rank] * c[k]
+        best = -1
+        for k in range(LANES):
+            if is_tried[k] == 1 and totals[k] < limit:
+                limit = totals[k]
+                best = k
+        if best >= 0:
+            for rank in range(first, last):
+                costs[pixel * count + order[rank]] = table[rank * LANES + best]
+            if part < 2:
+                bound = limit
+                plane = vec4(w[best], gx[best], gy[best], 0.0)
                 is_new = 1
     planes[pixel] = vec4(plane[0], plane[1], plane[2], bound / sum_of_weights)
 

@@ -28,6 +28,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, zeros
+from .brightness import brightness_in
 from .patch_costs import Reference, Sources, round_trip, window_of
 from .patch_match import mean_of_best, source_cost
 from .plane_results import AGREED_PIXELS, AGREED_SHARE
@@ -48,7 +49,7 @@ def judge_pixels_kernel(reference: Reference, sources: Sources, planes: array(dt
     i = tid()
     x = i % reference.width
     y = i // reference.width
-    center = sources.pictures[reference.first + i]
+    center = brightness_in(sources.pictures[reference.first + i])
     count = 0.0
     total = 0.0
     squares = 0.0
@@ -59,7 +60,8 @@ def judge_pixels_kernel(reference: Reference, sources: Sources, planes: array(dt
             for k in range(side):
                 column = x + k - TEXTURE_RADIUS
                 if column >= 0 and column < reference.width:
-                    d = sources.pictures[reference.first + row * reference.width + column] - center
+                    shown = sources.pictures[reference.first + row * reference.width + column]
+                    d = brightness_in(shown) - center
                     count += 1.0
                     total += d
                     squares += d * d

@@ -3,13 +3,15 @@
 import numpy as np
 import pytest
 
-from pointloom.kernels.lang import float32, launch, uint8, vec4
+from pointloom.kernels.lang import launch, uint8, uint64, vec4
 from pointloom.kernels.memory import download, empty, upload
-from pointloom.kernels.stereo.brightness import resize_brightness_kernel
+from pointloom.kernels.stereo.brightness import LEVELS, resize_brightness_kernel
 from pointloom.kernels.stereo.inverse_planes import refine_planes_kernel
 from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import HalfIteration, spread_planes, start_planes
 from pointloom.kernels.stereo.plane_results import finish_planes
+
+from .made_brightness import as_blocks, stored
 
 WIDTH, HEIGHT, FOCAL, BASELINE = 40, 30, 40.0, 0.2
 LENS = (FOCAL, FOCAL, 19.5, 14.5)
@@ -18,12 +20,14 @@ SHIFT = 4  # [px] at inverse depth SHIFT / (FOCAL * BASELINE) = 0.5
 
 
 def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndarray:
-    out = empty(width * height, float32, device)
+    out = empty(width * height, uint64, device)
     channels = 3 if pixels.ndim == 3 else 1
     rows, columns = pixels.shape[:2]
     flat = upload(pixels.reshape(-1), uint8, device)
     launch(resize_brightness_kernel, width * height, [flat, channels, columns, rows, width, height, 0, out])
-    return download(out).reshape(height, width)
+    blocks = download(out).view(np.uint16).reshape(height, width, 4) / LEVELS
+    np.testing.assert_array_equal(blocks, as_blocks(blocks[..., 0]))
+    return blocks[..., 0]
 
 
 def problem(device: str, count: int = 1, hidden: int = -1):
@@ -33,7 +37,7 @@ def problem(device: str, count: int = 1, hidden: int = -1):
     pictures = [wide[:, :WIDTH]]
     for k in range(count):
         pictures.append(rng.random((HEIGHT, WIDTH)).astype(np.float32) if k == hidden else wide[:, SHIFT:])
-    values = upload(np.concatenate([each.ravel() for each in pictures]), float32, device)
+    values = stored(pictures, device)
     there = np.column_stack([np.eye(3), [-FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
     back = np.column_stack([np.eye(3), [FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
     layout = [(WIDTH, HEIGHT, (1 + k) * WIDTH * HEIGHT) for k in range(count)]
@@ -57,12 +61,12 @@ def test_a_smaller_image_is_the_mean_of_the_covered_pixels(device):
     rng = np.random.default_rng(1)
     pixels = rng.integers(0, 256, (12, 16), dtype=np.uint8)
     halved = pixels.reshape(6, 2, 8, 2).mean(axis=(1, 3)) / 255
-    np.testing.assert_allclose(resized(pixels, 8, 6, device), halved, atol=1e-6)
-    np.testing.assert_allclose(resized(pixels, 16, 12, device), pixels / 255, atol=1e-6)
-    np.testing.assert_allclose(resized(pixels, 7, 5, device).mean(), pixels.mean() / 255, atol=1e-6)
+    np.testing.assert_allclose(resized(pixels, 8, 6, device), halved, atol=1e-5)
+    np.testing.assert_allclose(resized(pixels, 16, 12, device), pixels / 255, atol=1e-5)
+    np.testing.assert_allclose(resized(pixels, 7, 5, device).mean(), pixels.mean() / 255, atol=1e-5)
     color = rng.integers(0, 256, (12, 16, 3), dtype=np.uint8)
     gray = color @ [0.299, 0.587, 0.114] / 255
-    np.testing.assert_allclose(resized(color, 16, 12, device), gray, atol=1e-6)
+    np.testing.assert_allclose(resized(color, 16, 12, device), gray, atol=1e-5)
 
 
 def test_a_plane_is_the_same_plane_in_a_larger_image(device):
@@ -86,10 +90,10 @@ def test_the_true_plane_costs_nothing_and_others_do(device):
 
 def test_brightness_and_contrast_of_a_source_do_not_matter(device):
     reference, sources = problem(device)
-    first = WIDTH * HEIGHT
-    values = np.array(download(sources.pictures))
-    values[first:] = 0.3 * values[first:] + 0.4
-    sources.pictures = upload(values, float32, device)
+    levels = np.array(download(sources.pictures)).view(np.uint16)
+    source = levels[4 * WIDTH * HEIGHT :]
+    source[:] = np.round(0.3 * source + 0.4 * LEVELS)
+    sources.pictures = upload(levels.view(np.uint64), uint64, device)
     planes = planes_of(0.5, device)
     costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)
     assert np.array(download(costs)).reshape(HEIGHT, WIDTH)[6:-6, SHIFT + 6 : -6].max() < 1e-3

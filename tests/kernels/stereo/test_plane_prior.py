@@ -2,12 +2,14 @@
 
 import numpy as np
 
-from pointloom.kernels.lang import float32, vec2, vec4
+from pointloom.kernels.lang import vec2, vec4
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.patch_costs import Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import start_planes
 from pointloom.kernels.stereo.region_planes import judge_pixels, take_priors
 from pointloom.kernels.stereo.textureless_regions import find_regions
+
+from .made_brightness import stored
 
 WIDTH, HEIGHT, FOCAL, BASELINE, SHIFT = 60, 30, 40.0, 0.2, 4
 TRUE = SHIFT / (FOCAL * BASELINE)
@@ -24,7 +26,7 @@ def half_plain(device: str):
     canvas[:, EDGE:] = 0.5
     views = [canvas[:, :WIDTH], canvas[:, SHIFT:]]
     noisy = [each + rng.normal(0, 0.006, each.shape).astype(np.float32) for each in views]
-    values = upload(np.concatenate([each.ravel() for each in noisy]), float32, device)
+    values = stored(noisy, device)
     there = np.column_stack([np.eye(3), np.array([-FOCAL * BASELINE, 0.0, 0.0])])[None]
     back = np.column_stack([np.eye(3), np.array([FOCAL * BASELINE, 0.0, 0.0])])[None]
     maps = upload(table(TRUE, 0.0), vec4, device)

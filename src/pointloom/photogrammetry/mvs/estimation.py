@@ -137,7 +137,7 @@ def estimate_depth_maps(
         DeviceError: No such device.
 
     Notes:
-        Bitwise reproducible for any number of threads. Device memory: 20 B per pixel of each cached image, up to 96 B
+        Bitwise reproducible for any number of threads. Device memory: 24 B per pixel of each cached image, up to 96 B
         more for the current one. Host memory (or `folder`): 32 B per pixel of all images. Galliani et al. 2015. Xu and
         Tao, "Multi-scale geometric consistency guided multi-view stereo", CVPR 2019, and "Planar prior assisted
         PatchMatch multi-view stereo", AAAI 2020. "sgm": 3 B per pixel and disparity of the depth range, whatever

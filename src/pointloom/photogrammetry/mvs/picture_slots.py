@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ...kernels.lang import float32, launch, uint8, vec4
+from ...kernels.lang import launch, uint8, uint64, vec4
 from ...kernels.lru_cache import LruCache
 from ...kernels.memory import copy, empty, upload, write
 from ...kernels.stereo.brightness import resize_brightness_kernel
@@ -67,7 +67,7 @@ def put_brightness(slots: Slots, first: int, pixels: NDArray[np.uint8], width: i
 
 
 def picture_slots(count: int, size: int, device: Any) -> Slots:
-    return Slots(count, size, float32, device)
+    return Slots(count, size, uint64, device)
 
 
 def plane_slots(count: int, size: int, device: Any) -> Slots:

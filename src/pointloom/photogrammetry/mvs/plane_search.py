@@ -87,7 +87,7 @@ class PlaneFiles:
 
 
 Matrix = NDArray[np.float64]
-SLOT_BYTES = 20  # per pixel: brightness and plane
+SLOT_BYTES = 24  # per pixel: brightness and plane
 PLANE_BYTES = 16  # per pixel
 SEED_STEP = 7919  # between seeds of consecutive images and phases
 MIN_SIDE = 24  # [px] minimum image side of a phase
