@@ -101,7 +101,7 @@ TARGETS: dict[tuple[str, str], float] = {
 CALL = "The fixed cost of a call: its arrays, checks and launches take 0.1 to 2 ms of Python."
 ROUNDS = "Launches of many dependent rounds: each costs the host about 10 us, and the work of a round is smaller."
 PATCH_MATCH = (
-    "PatchMatch compares patches of any pose and orientation, and SGBM codes of one row of disparities. "
+    "PatchMatch compares 35 slanted patches per pixel of each image, and SGBM codes of one row of disparities. "
     '`method="sgm"` is the fast way for pairs.'
 )
 NO_DESKEWING = "Times are those of RKO-LIO without deskewing, which also gets the motion from an inertial sensor."
