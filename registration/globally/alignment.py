@@ -32,8 +32,7 @@ RIDGE = 1e-6  # relative to the normal matrix of a row: undetermined motions
 # Error of the surfaces that more points do not reduce, relative to the residuals: lenses, distortion by motion, biased
 # normals.
 COMMON_ERROR = 0.1
-# Smallest share of the matches along any motion, with a ridge in units of the mean eigenvalue. 192 correct poses of rooms
-# and streets have 0.075 and more (but 1 %), displacements of six match distances or 10 degrees at most 0.04.
+# Smallest share of the matches along any motion, with a ridge in units of the mean eigenvalue: see docs/trust.md.
 MIN_SUPPORT, SUPPORT_RIDGE = 0.05, 0.01
 MAX_DISTANCE = 3.55  # standard deviations: 95 % quantile of the chi distribution with six degrees of freedom
 
