@@ -3,7 +3,6 @@
 from ..io.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
-from .globally.alignment import Alignment as Alignment
 from .globally.alignment import check_alignment as check_alignment
 from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
 from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength

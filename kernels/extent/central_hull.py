@@ -10,7 +10,7 @@ et al., "Computational Geometry", 2008, chapter 11. Devillers, Pion and Teillaud
 import numpy as np
 
 from ..lang import array, cross, dot, float64, func, int32, kernel, launch, struct, tid, vec3d, vec3i
-from ..memory import download, empty, host_view, upload, zeros
+from ..memory import download, empty, host_view, upload
 
 ERROR = 1e-14  # of three lengths: the rounding of their volume is less (Shewchuk 1997: 5e-15)
 CORE = 1e-10  # size of the tetrahedron, of the distance of the first point
@@ -293,7 +293,8 @@ def find_central_hull(points: np.ndarray) -> np.ndarray | None:
     Negative corners are the origin. None if a sign is uncertain."""
     if not len(points):
         return None
-    hull, counts = Hull(points), zeros(2, int32, "cpu")
+    hull = Hull(points)
+    counts = empty(2, int32, hull.points.device)
     launch(build_hull_kernel, 1, [hull, counts])
     used, uncertain = download(counts).tolist()
     if uncertain:

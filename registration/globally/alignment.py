@@ -32,7 +32,7 @@ RIDGE = 1e-6  # relative to the normal matrix of a row: undetermined motions
 # Error of the surfaces that more points do not reduce, relative to the residuals: lenses, distortion by motion, biased
 # normals.
 COMMON_ERROR = 0.1
-# Smallest share of the matches along any motion, with a ridge in units of the mean eigenvalue: see docs/trust.md.
+# Least constraint by matches along any motion, relative to the attainable one. Ridge relative to the mean eigenvalue
 MIN_SUPPORT, SUPPORT_RIDGE = 0.05, 0.01
 MAX_DISTANCE = 3.55  # standard deviations: 95 % quantile of the chi distribution with six degrees of freedom
 
