@@ -68,10 +68,13 @@ def prepare_open3d_tensor(scene: OrientedSurface, device: str) -> Any:
 
 
 def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
-    """Check for the same histograms; in float32, as in the tensor API, one neighbor in 1e5 falls into another bin."""
+    """Check for the same histograms. In float32, as in the tensor API, about one pair in 1e6 falls into another bin. A
+    feature has 1e4 pairs.
+    """
     assert actual.shape == reference.shape
     different = np.abs(actual - reference).max(axis=1) > 0.02
-    assert different.mean() < 0.01, f"{different.mean():.2%} of the features are not {peer}'s"
+    limit = 0.03 if peer == "open3d-tensor" else 0.01
+    assert different.mean() < limit, f"{different.mean():.2%} of the features are not {peer}'s"
 
 
 OPERATION = Operation(
