@@ -6,8 +6,7 @@ is valid if the errors within a block are correlated (Liang and Zeger 1986).
 
 import numpy as np
 
-from ..algebra.rigid_solve import move
-from ..algebra.transform import narrow, widen
+from ..algebra.transform import transform_points, widen
 from ..arrays.block_keys import block_key
 from ..arrays.packed_keys import key_index
 from ..arrays.quantiles import median_above_zero
@@ -46,12 +45,6 @@ system_sums = vector(28, float64)  # weight, upper triangle, right side
 TRIANGLE = 21
 
 
-@kernel
-def move_points_kernel(points: array(dtype=vec3), pose: mat44d, moved: array(dtype=vec3)):
-    i = tid()
-    moved[i] = narrow(move(pose, widen(points[i])))
-
-
 @struct
 class PairedSurfaces:
     """Two surfaces, the source moved by a pose, with the nearest point of each point in the other surface."""
@@ -73,8 +66,7 @@ class PairedSurfaces:
         self.moved, self.moved_normals = (empty(len(source), vec3, device) for _ in range(2))
         T = mat44d(*pose.ravel().tolist())
         launch(move_surface_kernel, len(source), [source.points, source.normals, T, self.moved, self.moved_normals])
-        back = empty(len(target), vec3, device)
-        launch(move_points_kernel, len(target), [target.points, mat44d(*inverse.ravel().tolist()), back])
+        back = transform_points(target.points, inverse[:3, :3], inverse[:3, 3])
         self.nearest_target = find_nearest(target.tree, self.moved, radius=radius)
         self.nearest_source = find_nearest(source.tree, back, radius=radius)
 

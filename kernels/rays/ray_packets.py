@@ -120,11 +120,8 @@ def leaves_of_packet(trees: SceneTrees, numbers: packet, near: vec3i, ends: ray_
                 for j, key in child_entries(trees.boxes, trees.rows[level] + node, near, a, b, rates, 0.0, end):
                     pending[at + j] = min(pending[at + j], key)
                     masks[j] = masks[j] | ((1 << r) if key < NOT_ENTERED else 0)
-            for j in range(FAN):
-                nearest = min(nearest, pending[at + j])
-        else:
-            for j in range(FAN):
-                nearest = min(nearest, pending[at + j])
+        for j in range(FAN):
+            nearest = min(nearest, pending[at + j])
         is_new = 0
         if nearest > (float_bits(limit) | 7):
             node = node // FAN

@@ -19,7 +19,7 @@ from ..correspondence_input import check_clouds
 from ..rigid import invert_pose, make_pose, nearest_rotation, rotation_of, symmetric_matrices, to_local, to_world
 from ..voxel_size import choose_voxel_size
 from .localizability import FINER
-from .rating import COSINE, ENOUGH, NEAR, TIGHT, VOXELS, surface_of
+from .rating import COSINE, ENOUGH, NEAR, TIGHT, VOXELS, surface_for
 
 Matrix = NDArray[np.float64]
 FINE = 0.5  # voxels of the compared surfaces, relative to those of the registration
@@ -132,10 +132,7 @@ def check_alignment(
     else:
         distance = check_positive("max_correspondence_distance", max_correspondence_distance)
     voxel = distance / VOXELS
-    try:
-        left, right = surface_of(source, FINER * FINE * voxel), surface_of(target, FINE * voxel)
-    except ValueError as error:
-        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+    left, right = surface_for(source, FINER * FINE * voxel, distance), surface_for(target, FINE * voxel, distance)
     pose = to_local(T, source.origin, target.origin)
     if not (len(left) and len(right)):
         return _undetermined(T, target.origin.copy(), 0)

@@ -16,7 +16,7 @@ from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior
 from ..rigid import nearest_rotation, symmetric_matrices, to_local
 from ..unobservable_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
-from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_of
+from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_for
 
 Matrix = NDArray[np.float64]
 FINER = 0.8  # source voxel relative to the target's, to avoid aligned grids
@@ -127,10 +127,7 @@ def localizability(
     T = np.array(check_rigid("transformation", transformation))
     T[:3, :3] = nearest_rotation(T[:3, :3])
     size = distance / VOXELS
-    try:
-        left, right = surface_of(source, FINER * size), surface_of(target, size)
-    except ValueError as error:
-        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+    left, right = surface_for(source, FINER * size, distance), surface_for(target, size, distance)
     pose = to_local(T, source.origin, target.origin)
     constraints = (
         find_pose_constraint(left, right, pose, distance, NEAR * distance, COSINE) if len(left) and len(right) else None

@@ -205,13 +205,18 @@ def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
     return Surface(thinned._device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
 
 
+def surface_for(cloud: PointCloud, voxel_size: float, distance: float) -> Surface:
+    """As `surface_of`. Its error names the match distance [m] that the voxels were chosen for."""
+    try:
+        return surface_of(cloud, voxel_size)
+    except ValueError as error:
+        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+
+
 def witness_of(cloud: PointCloud, distance: float) -> Witness:
     """The surface of a cloud for `rate_poses` at a match distance [m]."""
     size = distance / VOXELS
-    try:
-        return Witness(surface_of(cloud, size), size)
-    except ValueError as error:
-        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+    return Witness(surface_for(cloud, size, distance), size)
 
 
 def rate_poses(
