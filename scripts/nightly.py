@@ -35,6 +35,7 @@ build/beside/bin/python -m pytest -n 0 {TESTS_BESIDE}"""
 STAGES: dict[str, tuple[list[str], dict[str, str]]] = {
     "gpu-kit": (["make", "gpu-run", "ARGS=--dry"], {}),
     "cuda-architectures": (["make", "check-cuda"], {}),
+    "trust": (["make", "trust", "ARGS=--quick"], {}),
     "fuzz": (FUZZ, {}),
     "nightly-tests": (["make", "test-all", "ARGS=-m nightly"], {}),
     "oldest-versions": ([".venv/bin/python", "scripts/test_versions.py", "oldest"], {}),

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 Z = 1.959963984540054  # of a normal distribution: 95 % are within
+NO_CONSTANT = ", scenes that chose no constant"
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ def rates(cases: Iterable[Judged]) -> list[str]:
         lines.append(_rate(area, [case for case in chosen if case.area == area]))
         held_out = [case for case in chosen if case.area == area and case.held_out]
         if held_out and len(held_out) < len([case for case in chosen if case.area == area]):
-            lines.append(_rate(f"{area}, scenes that chose no constant", held_out))
+            lines.append(_rate(area + NO_CONSTANT, held_out))
     return lines
 
 

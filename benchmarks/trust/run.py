@@ -1,9 +1,11 @@
 """Rates of unreliable results accepted and of reliable results rejected.
 
-    make trust [ARGS="--only scanning --output FILE"]        POINTLOOM_DATA: folder of real data, optional
+    make trust [ARGS="--only lidar --write"]        POINTLOOM_DATA: folder of real data, optional
+    make trust ARGS=--quick                         the first cases of each area, five minutes in total
 
 Cases that should be rejected and cases that should be accepted, by area: those of each area's own file, and synthetic
-sites on which no constant was chosen (held_out.py). Prints the tables of docs/trust.md.
+sites on which no constant was chosen (held_out.py). Prints the tables of docs/trust.md. `--write` replaces the rows of
+the areas that were run, and keeps the others.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ import dataclasses
 import importlib
 import json
 import sys
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -20,10 +23,12 @@ FOLDER = Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 
 import held_out  # noqa: E402
-from judged import Judged, rates, table  # noqa: E402
-from pages import write_between  # noqa: E402
+from judged import NO_CONSTANT, Judged, rates, table  # noqa: E402
+from pages import text_between, write_between  # noqa: E402
 
 PAGE = FOLDER.parent.parent / "docs" / "trust.md"
+QUICK_SECONDS = 300.0  # of all areas with --quick
+MOST_CASES = 12  # of a kind of result in the table of failure cases
 OWN = (
     "pictures",
     "depth",
@@ -54,6 +59,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, help="write each case as a line of JSON")
     parser.add_argument("--cases", action="store_true", help="print each case, not only the rates")
     parser.add_argument("--write", action="store_true", help="write the tables into docs/trust.md")
+    parser.add_argument("--quick", action="store_true", help="the first cases of each area, five minutes in all")
     parser.add_argument(
         "--read", type=Path, action="append", help="read the cases from the --output of earlier runs instead"
     )
@@ -64,15 +70,18 @@ def main() -> None:
         return
     judged_cases: list[Judged] = []
     lines = arguments.output.open("w") if arguments.output else None
-    for name, judge in areas().items():
-        if arguments.only and name not in arguments.only:
-            continue
+    chosen = {name: judge for name, judge in areas().items() if not arguments.only or name in arguments.only}
+    seconds = QUICK_SECONDS / len(chosen) if arguments.quick else float("inf")
+    for name, judge in chosen.items():
+        begin = time.monotonic()
         for judged in judge():
             judged_cases.append(judged)
             print(f"\r{name}: {len(judged_cases)} cases", end="", file=sys.stderr, flush=True)
             if lines is not None:
                 lines.write(json.dumps(dataclasses.asdict(judged)) + "\n")
                 lines.flush()
+            if time.monotonic() - begin > seconds:
+                break
         print(file=sys.stderr)
     if lines is not None:
         lines.close()
@@ -83,8 +92,19 @@ def report(cases_of_run: list[Judged], *, cases: bool, write: bool) -> None:
     """Print the tables and write them into the page."""
     print("\n".join([*rates(cases_of_run), "", *(table(cases_of_run) if cases else [])]))
     if write:
-        write_between(PAGE, "rates", "\n".join(rates(cases_of_run)))
-        write_between(PAGE, "cases", "\n".join(table(c for c in cases_of_run if c.wrong_believed or c.right_refused)))
+        failures = [c for c in cases_of_run if c.wrong_believed or c.right_refused]
+        kinds = list(dict.fromkeys(c.area for c in cases_of_run))
+        first = [c for kind in kinds for c in [f for f in failures if f.area == kind][:MOST_CASES]]
+        for name, lines in (("rates", rates(cases_of_run)), ("cases", table(first))):
+            write_between(PAGE, name, "\n".join(merged(text_between(PAGE, name).splitlines(), lines, kinds)))
+
+
+def merged(old: list[str], new: list[str], kinds: list[str]) -> list[str]:
+    """The rows of a table, with those of some kinds of results replaced where the first of each kind was."""
+    heading, rows = new[:2], new[2:]
+    kind_of = {row: row.split(" | ")[0].removeprefix("| ").removesuffix(NO_CONSTANT) for row in old[2:] + rows}
+    order = dict.fromkeys([kind_of[row] for row in old[2:]] + kinds)
+    return heading + [row for kind in order for row in (rows if kind in kinds else old[2:]) if kind_of[row] == kind]
 
 
 if __name__ == "__main__":
