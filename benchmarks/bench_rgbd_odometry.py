@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import POINTLOOM, Contestant, Operation, timed
+from contest import POINTLOOM, Contestant, Operation, open3d_device, timed, waiting
 
 Scene = dict[str, Any]
 TRUTH = np.array([0.02, -0.015, 0.03])  # [m]
@@ -68,15 +68,17 @@ def prepare_legacy(scene: Scene, device: str) -> Any:
 def prepare_tensor(scene: Scene, device: str) -> Any:
     import open3d as o3d
 
-    pipeline, tensor = o3d.t.pipelines.odometry, o3d.core.Tensor
+    pipeline, tensor, on = o3d.t.pipelines.odometry, o3d.core.Tensor, open3d_device(device)
     images = [
-        o3d.t.geometry.RGBDImage(*(o3d.t.geometry.Image(tensor(part)) for part in frame)) for frame in scene["frames"]
+        o3d.t.geometry.RGBDImage(*(o3d.t.geometry.Image(tensor(part)).to(on) for part in frame))
+        for frame in scene["frames"]
     ]
     _, _, fx, fy, cx, cy = scene["camera"]
     matrix, start = tensor([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]]), tensor(np.eye(4))
     criteria = [pipeline.OdometryConvergenceCriteria(steps) for steps in (20, 10, 5)]
     numbers = (matrix, start, 1000.0, 4.0, criteria, pipeline.Method.Hybrid)
-    return lambda: pipeline.rgbd_odometry_multi_scale(*images, *numbers).transformation.numpy()
+    run = waiting(lambda: pipeline.rgbd_odometry_multi_scale(*images, *numbers), device, "open3d")
+    return lambda: run().transformation.numpy()
 
 
 def facts(result: Any) -> np.ndarray:
@@ -100,7 +102,7 @@ RGBD_ODOMETRY = Operation(
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_legacy, facts),
-        Contestant("open3d-tensor", prepare_tensor, facts),
+        Contestant("open3d-tensor", prepare_tensor, facts, ("cpu", "cuda")),
     ),
     check=check,
 )

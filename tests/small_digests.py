@@ -1,6 +1,6 @@
 """Print a digest of every operation on the small scenes, for tests that compare processes.
 
-    python -m tests.small_digests [--cpu-target x86-64-v3]
+    python -m tests.small_digests [--cpu-target x86-64-v3] [--device cuda:0]
 
 The first line is a JSON object with the BLAS kernels and the vector instructions of NumPy in use. Every other line is
 a digest, or an error, and the operation's name.
@@ -41,6 +41,7 @@ def blas_kernels() -> list[str]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--cpu-target", help="of CPU kernels, such as x86-64-v2; this processor by default")
+    parser.add_argument("--device", default="cpu", help="device of the scenes")
     options = parser.parse_args()
     if options.cpu_target:
         cpu_code.set_target(options.cpu_target)
@@ -49,7 +50,7 @@ def main() -> None:
     print(
         json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS, "pool": pool_code.is_usable()})
     )
-    scenes = SmallScenes("cpu")
+    scenes = SmallScenes(options.device)
     scene_names = ("surface", "far", "dirty")
     works = {f"{name} [{p}]": (work, p) for name, work in ON_CLOUDS.items() for p in scene_names}
     for name, (work, scene) in {**works, **{name: (work, "") for name, work in ONCE.items()}}.items():

@@ -37,14 +37,15 @@ AT_LEAST, AT_MOST = 15.0, 80.0  # seconds per operation
 
 
 def chosen() -> dict[str, str]:
-    """Operations and their modules, in order; unlisted ones are last."""
+    """Operations and their modules: those with a baseline on the GPU first, then in order; unlisted ones are last."""
     known = operations()
     modules: dict[str, str] = {}
     for prefix in DRY_ORDER if devices.is_dry() else [*ORDER, ""]:
         for name, (module, _) in known.items():
             if name.startswith(prefix) or module == f"bench_{prefix}":
                 modules.setdefault(name, module)
-    return modules
+    on_gpu = {name: any("cuda" in peer.devices for peer in known[name][1].contestants[1:]) for name in modules}
+    return dict(sorted(modules.items(), key=lambda each: not on_gpu[each[0]]))
 
 
 def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | None, str]:

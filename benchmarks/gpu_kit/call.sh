@@ -26,6 +26,7 @@ done <"$FOLDER/pieces.txt"
 
 export PYTHONUNBUFFERED=1 POINTLOOM_CPU=warp WARP_CACHE_PATH=${WARP_CACHE_PATH:-$HOME_OF_RUN/cache}
 export PYTHONPATH=$PWD/src:$HOME_OF_RUN/start:$SITE:${PYTHONPATH:-}
+[ -e "$HERE/cpu" ] && export POINTLOOM_CPU_KERNELS=$SITE/cpu-kernels
 [ -e "$HOME_OF_RUN/kernels.zip" ] && export POINTLOOM_CUDA_KERNELS=$HOME_OF_RUN/kernels.zip
 if [ -e "$HERE/open3d" ]; then # the packages of Open3D's viewers are not installed
     echo 'import open3d_stub' >"$HOME_OF_RUN/start/sitecustomize.py"

@@ -6,6 +6,7 @@
 
     warp      Warp with the GPU code of one architecture
     kernels   pointloom's precompiled kernels
+    cpu       the same for the CPU of the GPU machine, for tests that compare both
     wheels    small packages that tests import and that are missing on such a machine
     open3d    Open3D likewise, with the system libraries that it links; for the Python of the GPU machine
     layout    split into build/gpu-kit/1 to N; the working tree is sent with each and counts toward the size of a call
@@ -40,7 +41,8 @@ PLATFORMS += ["manylinux2014_x86_64", "manylinux1_x86_64"]
 ON_DEMAND = ("fem", "render", "optim")  # optional modules of Warp, imported on demand
 NOT_OF_WARP = ("__pycache__", "tests", "examples", *ON_DEMAND, "jax_experimental")
 NOT_OF_OPEN3D = ("resources", "examples", "labextension", "nbextension", "_ml3d", "agent_skills")
-PARTS = ("warp", "kernels", "wheels", "open3d", "layout")
+PARTS = ("warp", "kernels", "cpu", "wheels", "open3d", "layout")
+CPU_LEVELS = ("x86-64-v3", "x86-64-v4")
 EVERYWHERE = ("libc.so", "libm.so", "libpthread", "libdl.so", "librt.so", "ld-linux", "libstdc++", "libgcc_s")
 EVERYWHERE += ("libresolv", "libOpen3D", "libtbb")
 
@@ -106,6 +108,13 @@ class Packer:
         archive = max((self.out / "dist").glob("pointloom-cuda-kernels-*.zip"), key=lambda path: path.stat().st_mtime)
         shutil.copy(archive, self.out / "kernels.zip")
         print(f"kernels.zip: {archive.stat().st_size / 2**20:.1f} MiB", flush=True)
+
+    def cpu(self) -> None:
+        """The compiled CPU kernels of `make cpu-kernels`, for recent processors."""
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            command = [sys.executable, "-m", "pointloom.kernels.cpu_kernels", "--levels", *CPU_LEVELS]
+            subprocess.run([*command, "--output", str(Path(folder, "cpu-kernels"))], check=True)
+            self.archive(Path(folder), "cpu.tar.xz")
 
     def download(self, names: tuple[str, ...], to: Path) -> None:
         """Download wheels for the Python of the GPU machine; prints packages without a wheel."""

@@ -54,6 +54,7 @@ STEPS = (
     Step("torch", "torch_constants", 15, 60, (), in_dry_run=False),
     Step("questions", "questions", 40, 300, part="questions"),
     Step("constants", "constants", 30, 120, part="constants"),
+    Step("digests", "digests", 60, 240, in_dry_run=False, part="digests"),
     Step("tests", "suite", 60, 1200, part="tests"),
     Step("benchmarks", "benches", 60, 900, ("warp", "kernels", "open3d"), part="benchmarks"),
     Step("profile", "profile", 30, 500, part="operations"),
