@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # One call on a GPU machine without network: unpack the archives of this call, then continue the run, as far as
 # archives and time allow.
-#   bash benchmarks/gpu_kit/call.sh FOLDER [SECONDS]      in the repository's root; FOLDER: archives of this call
+#   bash benchmarks/gpu_kit/call.sh FOLDER [SECONDS [--steps STEP ...]]
+# in the repository's root; FOLDER: archives of this call.
 # At the end of a call, logs, marks and partial results are written to one archive in $OUT.
 # POINTLOOM_GPU_HOME is the folder for data between calls. POINTLOOM_GPU_DRY=1 uses the emulated device.
 set -u
 BEGIN=$SECONDS
 FOLDER=${1:?the folder of the pieces of this call} TOTAL=${2:-570}
+shift $(($# < 2 ? $# : 2))
 HOME_OF_RUN=${POINTLOOM_GPU_HOME:-${TMPDIR:-/tmp}/pointloom-gpu}
 OUT=${OUT:-$HOME_OF_RUN/out}
 IN=$HOME_OF_RUN/in SITE=$HOME_OF_RUN/site STATE=$HOME_OF_RUN/state HERE=$HOME_OF_RUN/here
@@ -34,4 +36,4 @@ if [ -e "$HERE/open3d" ]; then # the packages of Open3D's viewers are not instal
 fi
 # shellcheck disable=SC2046  # one word per archive
 "${PYTHON:-python3}" benchmarks/gpu_kit --state "$STATE" --seconds $((TOTAL - (SECONDS - BEGIN) - 6)) --no-keep \
-    ${POINTLOOM_GPU_DRY:+--dry} --pieces $(ls "$HERE")
+    ${POINTLOOM_GPU_DRY:+--dry} "$@" --pieces $(ls "$HERE")
