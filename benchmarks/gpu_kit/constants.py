@@ -139,12 +139,15 @@ def copies(probe: Probe) -> dict[str, float]:
     """Bandwidths between host and device, and within the device."""
     import warp as wp
 
+    from pointloom.kernels.memory import download
+
     count = 40_000 if SMALL else 40_000_000
     on_device = wp.zeros(count, dtype=wp.float32, device=DEVICE)
     host = wp.zeros(count, dtype=wp.float32, device="cpu")
     pinned = wp.zeros(count, dtype=wp.float32, device="cpu", pinned=True)
     calls: dict[str, Callable[[], Any]] = {
         "LINK_FRESH": lambda: on_device.numpy(),
+        "to host, fresh, mapped by threads": lambda: download(on_device),
         "to host, reused": lambda: wp.copy(host, on_device),
         "LINK_PINNED": lambda: wp.copy(pinned, on_device),
         "LINK_PAGEABLE": lambda: wp.copy(on_device, host),

@@ -1,4 +1,4 @@
-"""A pytest plugin for a GPU, `-p gpu_kit.gpu_only`: skips CPU compilers and restarts workers that have lost their
+"""A pytest plugin for a GPU, `-p gpu_kit.gpu_only`: runs tests of a GPU only and restarts workers that have lost their
 device.
 
 An illegal address invalidates the CUDA context for all later tests of the process. So a worker of pytest-xdist whose
@@ -19,11 +19,11 @@ LOST = 77  # exit code of a worker without a device
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    def is_cpu(item: Any) -> bool:
-        return str(item.callspec.params.get("device", "")).startswith("cpu") if hasattr(item, "callspec") else False
+    def on_gpu(item: Any) -> bool:
+        return hasattr(item, "callspec") and str(item.callspec.params.get("device", "")).startswith("cuda")
 
-    config.hook.pytest_deselected(items=[item for item in items if is_cpu(item)])
-    items[:] = [item for item in items if not is_cpu(item)]
+    config.hook.pytest_deselected(items=[item for item in items if not on_gpu(item)])
+    items[:] = [item for item in items if on_gpu(item)]
 
 
 @pytest.hookimpl(wrapper=True)

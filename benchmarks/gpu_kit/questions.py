@@ -216,6 +216,7 @@ def main() -> int:
         if time.monotonic() > end:
             print(f"no time left before: {name}")
             break
+        print(f"-- {name}", file=sys.stderr, flush=True)  # between the driver's own messages
         start = time.monotonic()
         results[name] = answer_to(name)
         print(f"{name}: {results[name]}   [{time.monotonic() - start:.1f} s]", flush=True)

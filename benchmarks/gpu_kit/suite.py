@@ -25,7 +25,8 @@ from gpu_kit.documents import keep_part
 from gpu_kit.runner import MORE
 
 SMOKE = ["arrays", "language/test_launch.py", "language/test_lanes.py", "test_memory.py"]
-PACKAGES = ("kernels", "pcd", "registration meshing rgbd", "visualization photogrammetry cli")  # few: each start costs
+# few stages: each start costs
+PACKAGES = ("registration meshing rgbd", "pcd visualization photogrammetry cli", "kernels")
 STAGES = {"smoke": [f"tests/kernels/{name}" for name in SMOKE]} | {
     packages: [f"tests/{package}" for package in packages.split()] for packages in PACKAGES
 }

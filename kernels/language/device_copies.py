@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from . import warp_parts
 from .device_arrays import Kind, kind_of
+from .huge_pages import MAPPED, populate
 
 
 def _kind(values: Any) -> Kind:
@@ -82,7 +83,10 @@ def fetched(values: Any) -> NDArray[Any] | None:
     kind = _kind(values)
     out = np.empty((*values.shape, *kind.inner), kind.scalar)
     core, stream = warp_parts.core(), device.stream.cuda_stream
-    done = core.wp_memcpy_d2h(device.context, out.__array_interface__["data"][0], values.ptr, out.nbytes, stream)
+    address = out.__array_interface__["data"][0]
+    if out.nbytes >= MAPPED:
+        populate(address, out.nbytes)  # while the device works
+    done = core.wp_memcpy_d2h(device.context, address, values.ptr, out.nbytes, stream)
     _checked(done, device)
     if not core.wp_cuda_stream_synchronize(stream):  # sync
         raise RuntimeError(f"Failed to synchronize stream on device {device}: {device.runtime.get_error_string()}")

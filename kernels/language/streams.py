@@ -34,6 +34,9 @@ class NonBlockingStream(wp.Stream):
         if error or not handle.value:
             raise RuntimeError(f"{device}: the driver makes no stream (CUDA error {error})")
         super().__init__(device, cuda_stream=handle.value)
+        self._is_blocking = (
+            False  # else Warp queries the driver, which breaks a recording of the stream (CUDA error 900)
+        )
 
     def __del__(self) -> None:
         handle = self.cuda_stream
@@ -45,9 +48,17 @@ class NonBlockingStream(wp.Stream):
 def note_use(device: Any) -> None:
     """Note that the current stream may have to be waited for before a release."""
     stream = device.stream
-    if not stream.is_blocking and not isinstance(stream, NonBlockingStream):
+    if not isinstance(stream, NonBlockingStream) and not _blocks(stream):
         is_torchs = getattr(stream, "_torch_stream", None) is not None  # which it never releases
         _used[stream.cuda_stream] = device, (lambda: True) if is_torchs else weakref.ref(stream)
+
+
+def _blocks(stream: Any) -> bool:
+    """True if a stream synchronizes with the legacy stream. A recorded one of unknown kind counts as one that does
+    not: a query would break the recording."""
+    if stream._is_blocking is None and _is_recorded(stream.cuda_stream, stream.device):
+        return False
+    return stream.is_blocking
 
 
 def order_releases() -> None:

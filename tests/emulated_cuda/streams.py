@@ -229,6 +229,8 @@ class Streams:
         return int(self.stream(stream).capture is not None)
 
     def wp_cuda_stream_is_blocking(self, stream):
+        if self.stream(stream).capture:
+            return self.findings.refuse(f"operation not permitted when stream is capturing: flags ({caller()})")
         return int(self.stream(stream).blocks)
 
     def wp_cuda_stream_get_priority(self, stream):

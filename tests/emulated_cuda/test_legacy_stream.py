@@ -86,6 +86,29 @@ def test_another_library_works_on_its_default_stream_while_we_record_a_loop(gpu,
     assert download(left)[0] == 0
 
 
+def test_arrays_are_created_while_a_loop_is_recorded(gpu, kernel):
+    left, created = upload(np.array([3], np.int32), int32, gpu), []
+
+    def body():
+        created.append(zeros(0, int32, gpu))
+        launch(kernel, 1, [left])
+
+    loop_while(left, body)
+    assert download(left)[0] == 0 and len(created) == 1
+
+
+def test_arrays_are_created_on_a_stream_of_the_caller_that_is_recorded(gpu, apart, kernel):
+    left = upload(np.array([3], np.int32), int32, gpu)
+    launch(kernel, 1, [left])
+    wp.synchronize_device(gpu)
+    with wp.ScopedStream(apart, sync_enter=False), wp.ScopedCapture(stream=apart) as capture:
+        zeros(0, int32, gpu)
+        launch(kernel, 1, [left])
+    wp.capture_launch(capture.graph, stream=apart)
+    wp.synchronize_stream(apart)
+    assert download(left)[0] == 1
+
+
 def test_a_blocking_stream_that_records_would_refuse_the_other_library(emulated, gpu):
     other_library = OtherLibrary(gpu)
     with emulated.findings.expected(), wp.ScopedCapture(stream=wp.Stream(gpu)):

@@ -10,6 +10,7 @@ import warp as wp
 from pointloom.core.devices import resolve_device
 from pointloom.kernels import memory
 from pointloom.kernels.lang import vec3, vec3d
+from pointloom.kernels.language import huge_pages
 from pointloom.kernels.memory import cast, download, upload
 
 
@@ -184,6 +185,18 @@ def test_tables_uploaded_together_equal_single_uploads(device):
     parts = memory.upload_together(tables, wp.int32, resolve_device(device))
     assert [download(part).tolist() for part in parts] == [table.tolist() for table in tables]
     assert all(part.dtype == wp.int32 and part.is_contiguous for part in parts)
+
+
+def test_a_large_array_is_downloaded_into_pages_that_were_mapped_before(device, rng):
+    values = rng.integers(0, 2**31, huge_pages.MAPPED // 4 + 5).astype(np.int32)
+    assert (download(upload(values, wp.int32, resolve_device(device))) == values).all()
+
+
+def test_pages_are_mapped_without_a_change_of_their_bytes():
+    values = np.arange(1 << 20, dtype=np.int32)
+    huge_pages.populate(values.ctypes.data + 4, values.nbytes - 4)  # neither end is that of a page
+    huge_pages.populate(values.ctypes.data, 8)
+    assert (values == np.arange(1 << 20)).all()
 
 
 def test_a_download_contains_the_values_at_the_time_of_the_request(device):
