@@ -103,6 +103,7 @@ lint: $(FULL) ## Check style, format, sizes, prose and docs/api.txt
 	@$(BIN)/python scripts/check_prose.py
 	@$(BIN)/python scripts/write_api.py --check
 	@$(BIN)/python benchmarks/write_pages.py --check
+	@$(BIN)/python benchmarks/gpu_kit/page.py --check
 
 api: $(FULL) ## Write docs/api.txt, the list of public names
 	@$(BIN)/python scripts/write_api.py
