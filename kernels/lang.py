@@ -248,6 +248,11 @@ class _Launched(_DeviceCode):
 
     for_cpu = False
 
+    @property
+    def is_apart(self) -> bool:
+        """True if its CUDA kernels are in a module of their own, `<file>.cuda`."""
+        return self.for_cuda
+
     @once
     def cached(self) -> CachedKernel | None:
         """Machine code for the CPU that an earlier process compiled."""
@@ -297,7 +302,7 @@ class _Launched(_DeviceCode):
     def cuda(self) -> Any:
         """The kernels that Warp compiles for CUDA, if it has no CUDA variant."""
         twins = [other.twin for other in LAUNCHED[self.module].values()]
-        self._make_all("cuda", [twin for twin in twins if twin.for_cuda == self.for_cuda and not twin.for_cpu])
+        self._make_all("cuda", [twin for twin in twins if twin.is_apart == self.is_apart and not twin.for_cpu])
         return vars(self).get("cuda") or self.make("cuda")
 
     @staticmethod
@@ -360,6 +365,10 @@ class Reduction(_Launched):
     def twin(self) -> Reduction:
         """Itself: reductions have CUDA kernels of their own."""
         return self
+
+    @property
+    def is_apart(self) -> bool:
+        return True
 
     @property
     def vector(self) -> Any:

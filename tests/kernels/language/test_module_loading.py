@@ -138,6 +138,31 @@ def test_module_contents_do_not_depend_on_the_order_of_use():
     assert reports[0] == reports[1]
 
 
+FIRST = """
+from pointloom.kernels import lang
+from pointloom.kernels.language.warp_compiler import cuda_module
+from pointloom.kernels.search import neighbor_distances as file
+
+kernels = cuda_module(file.__name__).kernels
+_ = getattr(file, "{first}").twin.cuda
+of_first = set(kernels)
+lang.resolve_module(file.__name__)
+assert of_first == set(kernels) and len(kernels) == 5, (of_first, set(kernels))
+"""
+
+
+@pytest.mark.parametrize("first", ["average_distances_kernel", "sum_finite"])
+def test_the_first_launch_prepares_all_kernels_of_its_module_for_gpus(first):
+    """Else the module is compiled again for the next one, and code that was compiled ahead does not match."""
+    done = subprocess.run(
+        [sys.executable, "-c", FIRST.format(first=first)],
+        env=os.environ | {"PYTHONPATH": SRC},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+
+
 SMALL = """
 @kernel
 def small_kernel(out: array(dtype=int32)):
