@@ -223,5 +223,6 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     ),
     "localizability": lambda p: reg().localizability(p.source, p.cloud, p.pose, p.max_distance),
     "check_alignment": lambda p: reg().check_alignment(p.source, p.cloud, p.pose, p.max_distance),
+    "pose_covariance": lambda p: reg().pose_covariance(p.source, p.cloud, p.pose, p.max_distance),
     "rate_registration": lambda p: reg().rate_registration(p.source, p.cloud, p.pose, p.max_distance),
 }

@@ -51,6 +51,7 @@ from .lidar.lidar_runs import iterate_odometry as iterate_odometry
 from .lidar.lidar_runs import run_odometry as run_odometry
 from .lidar.lidar_steps import summarize_steps as summarize_steps
 from .matching import correspondences_from_features as correspondences_from_features
+from .pose_errors import pose_covariance as pose_covariance
 from .pose_graphs.fragment_graph import FragmentPair as FragmentPair
 from .pose_graphs.multiway import register_fragments as register_fragments
 from .pose_graphs.pose_graph import PoseGraph as PoseGraph

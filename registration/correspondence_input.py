@@ -18,8 +18,7 @@ from ..kernels.lang import int32
 from ..kernels.memory import empty, upload
 from ..pcd.cloud import PointCloud
 from ..pcd.point_arrays import check_cloud as check_cloud
-from .matching import features_on_device
-from .result import Pairs
+from .matching import Pairs, features_on_device
 
 
 def check_clouds(source: PointCloud, target: PointCloud) -> None:

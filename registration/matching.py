@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 from ..core.array_libraries import hand_out, library_of
 from ..core.checks import check_numeric, check_positive, is_on_gpu
@@ -14,7 +15,8 @@ from ..core.gpu_arrays import take_numbers
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import float32
 from ..kernels.memory import cast, move, upload
-from .result import Pairs
+
+Pairs = NDArray[np.int32]
 
 
 def correspondences_from_features(

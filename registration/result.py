@@ -15,11 +15,13 @@ from ..core.exchange import share_numbers
 from ..core.reports import Assessed, quality
 from ..core.wording import plain
 from ..kernels.memory import download
+from ..pcd.cloud import PointCloud
+from .matching import Pairs
+from .pose_errors import PoseCovariance, pose_covariance
 
 MIN_TARGETS = 10  # minimum matched targets for a scale
 SHARED = 10  # source points per target point above which the scale is undetermined
 MIN_SCORE = 0.5  # results with this score or less are unreliable
-Pairs = NDArray[np.int32]
 
 
 class RegistrationResult(Assessed):
@@ -51,6 +53,7 @@ class RegistrationResult(Assessed):
         free: tuple[str, ...] | None = None,
         prior_count: int = 0,
         motion: NDArray[np.float64] | None = None,
+        clouds: tuple[PointCloud, PointCloud, float] | None = None,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
         self.iterations, self.converged, self._warnings, self._score = iterations, converged, warnings, score
@@ -58,6 +61,7 @@ class RegistrationResult(Assessed):
         self.free, self.prior_directions = free, self.degenerate_directions[:prior_count]
         self._motion = motion  # parameters since the initial pose, to continue from here
         self._correspondences = correspondences
+        self._clouds = clouds  # source, target and match distance [m], for the covariance
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -66,6 +70,18 @@ class RegistrationResult(Assessed):
         In the array library of the source cloud; pickles contain Warp arrays as NumPy.
         """
         return self._correspondences() if callable(self._correspondences) else self._correspondences
+
+    @cached_property
+    def covariance(self) -> PoseCovariance | None:
+        """Covariance of the error of the pose by `pose_covariance`, computed on first access.
+
+        From the surfaces alone: priors and fixed motions are not used. None without clouds: results with a scale,
+        results from correspondences, and pickles made before the first access.
+        """
+        if self._clouds is None:
+            return None
+        source, target, distance = self._clouds
+        return pose_covariance(source, target, self.transformation, distance)
 
     @property
     def score(self) -> float | None:
@@ -99,7 +115,7 @@ class RegistrationResult(Assessed):
         self._warnings = value
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the correspondences in JSON types, with `reliable` and `warnings`."""
+        """All but the correspondences and the covariance in JSON types, with `reliable` and `warnings`."""
         names = ("transformation", "fitness", "inlier_rmse", "iterations", "converged", "score")
         names += ("degenerate_directions", "prior_directions", "free")
         return {name: plain(getattr(self, name)) for name in names} | quality(self)
@@ -118,9 +134,10 @@ class RegistrationResult(Assessed):
             self.warnings = (f"scale not determined: {len(rows):,} source points match {targets} target points",)
 
     def __getstate__(self) -> dict[str, Any]:
-        """State for pickle, with all lazy values computed."""
+        """State for pickle without clouds, with correspondences and score computed."""
         pairs = self.correspondence_set
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
+        known["_clouds"] = None
         return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
 
     def __repr__(self) -> str:

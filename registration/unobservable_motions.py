@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.linear_algebra import eigh, matmul
-from .rigid import make_pose, nearest_rotation, rotation_of
+from ..kernels.poses.pair_probes import compare_pair, find_pose_constraint
+from ..kernels.surface.hollow_side import Surface
+from .rigid import make_pose, nearest_rotation, rotation_of, symmetric_matrices
+from .surfaces import COSINE, ENOUGH, NEAR, VOXELS
 
 Matrix = NDArray[np.float64]
 
@@ -20,6 +24,44 @@ JUDGING_POINTS = 1024  # sampled points: detect a mean cost rise of 0.01
 # Minimum mean cost rise (0..1) per step, and in standard deviations. Undetermined: -0.012 to 0.011 and at most 2.4
 # (three synthetic corridors, a tunnel, a field); weakly determined (doors of 6 cm, far boxes): 0.03 and 5.
 MIN_RISE, MIN_DEVIATIONS = 0.02, 3.0
+RADIUS_VOXELS = 2.0  # search radius of planes
+
+
+class JudgedMotions(NamedTuple):
+    """Motions about `middle` [m] (rotation times `lever` [m], translation), float64 [6, 6] rows, with their constraint
+    0..1, the smallest first, and whether they are "full", "partial" or "none"."""
+
+    middle: Matrix
+    lever: float
+    motions: Matrix
+    shares: Matrix
+    kinds: tuple[str, ...]
+
+
+def judge_motions(source: Surface, target: Surface, pose: Matrix, distance: float) -> JudgedMotions | None:
+    """The motions that two surfaces in voxels of `distance` / VOXELS determine. None if they hardly match.
+
+    `pose`: T_target_source about the origins. Weakly constrained motions are verified: undetermined if the source
+    matches as well when moved both ways.
+    """
+    if not (len(source) and len(target)):
+        return None
+    constraint = find_pose_constraint(source, target, pose, distance, NEAR * distance, COSINE)
+    if constraint.matches < ENOUGH:
+        return None
+    size = distance / VOXELS
+    (matrix,) = symmetric_matrices(constraint.triangle[None])
+    shares, vectors = eigh(matrix / constraint.matches)
+    scale = np.array([constraint.lever] * 3 + [1.0] * 3)
+    suspects = vectors.T[shares < SUSPECT_SHARE]
+    kinds = ["full"] * 6
+    if len(suspects):
+        steps = [sign * STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
+        poses = np.array([pose, *(moved(pose, step, about=constraint.middle) for step in steps)])
+        rises = compare_pair(source, target, JUDGING_POINTS, poses, RADIUS_VOXELS * size, COSINE, size)
+        is_constrained: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
+        kinds[: len(suspects)] = ["partial" if constrained else "none" for constrained in is_constrained.tolist()]
+    return JudgedMotions(constraint.middle, constraint.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
 
 
 def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:

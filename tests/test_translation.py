@@ -102,6 +102,7 @@ pose 1e-3 reg.registration_ransac_based_on_feature_matching(other, cloud, *featu
 pose 1e-3 reg.registration_fgr_based_on_feature_matching(other, cloud, *features).transformation
 pose 2e-5 reg.registration_ransac_based_on_correspondence(other, cloud, pairs, 0.1, seed=1).transformation
 same 1e-4 reg.check_alignment(other, cloud, about(near), 0.2).displacement
+same 1e-3 reg.pose_covariance(other, cloud, about(near), 0.2).sigmas
 same 1e-4 reg.localizability(other, cloud, about(near), 0.2).shares
 moved 1e-3 reg.register_nonrigid(other, cloud).warped.points
 world 1e-5 reg.register_fragments([cloud, other], voxel_size=0.1).poses[1] @ shift(1)

@@ -8,27 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_positive, check_rigid
+from ...core.checks import check_rigid
 from ...core.reports import AssessedRecord
-from ...kernels.linear_algebra import eigh, eigvalsh, inv, matmul, solve
-from ...kernels.poses.alignment_rows import AlignmentRows, PairedSurfaces
+from ...kernels.linear_algebra import eigh, eigvalsh, matmul, solve
 from ...kernels.poses.overlap_evidence import weigh_overlaps
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
-from ..rigid import invert_pose, make_pose, nearest_rotation, rotation_of, symmetric_matrices, to_local, to_world
-from ..voxel_size import choose_voxel_size
-from .localizability import FINER
-from .rating import COSINE, ENOUGH, NEAR, TIGHT, VOXELS, surface_for
+from ..pose_errors import match_distance, measure_step
+from ..rigid import invert_pose, make_pose, nearest_rotation, rotation_of, symmetric_matrices, to_world
+from ..surfaces import COSINE, ENOUGH, NEAR
+from .rating import TIGHT
 
 Matrix = NDArray[np.float64]
-FINE = 0.5  # voxels of the compared surfaces, relative to those of the registration
-REACH = 3.0  # [voxels] distance up to which nearest points are pairs
-BLOCK = 10.0  # [voxels] edge of the blocks within which errors may be correlated
-ROUNDS = 5  # reweighted solutions
-TO_SIGMA = 1.4826  # standard deviation of a normal distribution from its median absolute deviation
-WIDTH = 2.0  # standard deviations of the residuals at which a row has a quarter of its weight
-RIDGE = 1e-6  # relative to the normal matrix of a row: undetermined motions
 # Error of the surfaces that more points do not reduce, relative to the residuals: lenses, distortion by motion, biased
 # normals.
 COMMON_ERROR = 0.1
@@ -127,20 +119,15 @@ def check_alignment(
     check_clouds(source, target)
     T = np.array(check_rigid("transformation", transformation))
     T[:3, :3] = nearest_rotation(T[:3, :3])
-    if max_correspondence_distance is None:
-        distance = VOXELS * choose_voxel_size(source, target)
-    else:
-        distance = check_positive("max_correspondence_distance", max_correspondence_distance)
-    voxel = distance / VOXELS
-    left, right = surface_for(source, FINER * FINE * voxel, distance), surface_for(target, FINE * voxel, distance)
-    pose = to_local(T, source.origin, target.origin)
-    if not (len(left) and len(right)):
+    distance = match_distance(source, target, max_correspondence_distance)
+    step = measure_step(source, target, T, distance)
+    if step is None:
         return _undetermined(T, target.origin.copy(), 0)
-    rows = AlignmentRows(PairedSurfaces(left, right, pose, invert_pose(pose), REACH * voxel, COSINE))
+    rows, motion, noise = step.rows, step.motion, step.noise
     middle = rows.middle + target.origin
-    if len(rows) < ENOUGH:
+    if not step.is_solved:
         return _undetermined(T, middle, len(rows))
-    motion, covariance, noise = _solve(rows, BLOCK * voxel)
+    covariance = step.scatter + (COMMON_ERROR * noise) ** 2 * step.unit
     to_radians = np.repeat([1 / rows.lever, 1.0], 3)
     rotation = rotation_of(motion[:3] / rows.lever)
     correction = make_pose(rotation, rows.middle + motion[3:] - matmul(rotation, rows.middle))
@@ -154,7 +141,7 @@ def check_alignment(
         middle,
         noise,
         len(rows),
-        _support(left, right, matmul(correction, pose), distance),
+        _support(step.source, step.target, matmul(correction, step.pose), distance),
     )
 
 
@@ -173,30 +160,6 @@ def _support(source: Surface, target: Surface, pose: Matrix, distance: float) ->
         whitened = vectors / np.sqrt(np.maximum(values, 1e-300))
         supports.append(float(eigvalsh(matmul(whitened.T, matched + ridge, whitened))[0]))
     return max(min(supports), 0.0)
-
-
-def _solve(rows: AlignmentRows, block_size: float) -> tuple[NDArray[np.float64], Matrix, float]:
-    """The motion (rotation times lever, translation) that aligns the rows, its covariance, and their noise [m]."""
-    motion = np.zeros(6)
-    for _ in range(ROUNDS):
-        _, matrix, right, _ = _normal_equations(rows, motion)
-        motion = -solve(matrix, right)
-    weight, matrix, _, width = _normal_equations(rows, motion)
-    scores = rows.block_scores(motion, width, block_size)
-    inverse, noise = inv(matrix), width / WIDTH
-    scatter = matmul(scores.T, scores) * (len(scores) / max(len(scores) - 6, 1))
-    covariance = matmul(inverse, scatter, inverse) + (COMMON_ERROR * noise) ** 2 * weight * inverse
-    return motion, (covariance + covariance.T) / 2, noise
-
-
-def _normal_equations(
-    rows: AlignmentRows, motion: NDArray[np.float64]
-) -> tuple[float, Matrix, NDArray[np.float64], float]:
-    """Sum of the weights at a motion, normal matrix with a ridge, right side, and width of the weights [m]."""
-    width = WIDTH * TO_SIGMA * max(rows.median_residual(motion), 1e-9)
-    weight, triangle, right = rows.system(motion, width)
-    (matrix,) = symmetric_matrices(triangle[None])
-    return weight, matrix + RIDGE * weight * np.eye(6), right, width
 
 
 def _mean_square(covariance: Matrix, spread: Matrix) -> float:

@@ -28,6 +28,7 @@ from ..correspondence_input import check_clouds, check_pairs, match_clouds, pair
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import make_pose, to_world
+from ..surfaces import surface_of
 from .level_poses import MAX_TILT, check_level, level_poses
 from .ransac import no_pose
 from .rating import (
@@ -39,7 +40,6 @@ from .rating import (
     rate_registration,
     rate_surfaces,
     refine_poses,
-    surface_of,
 )
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
@@ -175,6 +175,7 @@ def register_described(
         free=result.free,
         score=score / equals,
         converged=score / equals > 0.5,
+        clouds=(*pair, NOISE * size),
     )
     if score <= 0.5:
         chosen.warnings = (evidence.problem,)

@@ -9,18 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_rigid
 from ...core.reports import AssessedRecord
-from ...kernels.linear_algebra import eigh, matmul
-from ...kernels.poses.pair_probes import compare_pair, find_pose_constraint
+from ...kernels.linear_algebra import matmul
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior
-from ..rigid import nearest_rotation, symmetric_matrices, to_local
-from ..unobservable_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
-from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_for
+from ..rigid import nearest_rotation, to_local
+from ..surfaces import FINER, VOXELS, surface_for
+from ..unobservable_motions import judge_motions, spanned
 
 Matrix = NDArray[np.float64]
-FINER = 0.8  # source voxel relative to the target's, to avoid aligned grids
-RADIUS_VOXELS = 2.0  # search radius of planes
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,25 +125,11 @@ def localizability(
     T[:3, :3] = nearest_rotation(T[:3, :3])
     size = distance / VOXELS
     left, right = surface_for(source, FINER * size, distance), surface_for(target, size, distance)
-    pose = to_local(T, source.origin, target.origin)
-    constraints = (
-        find_pose_constraint(left, right, pose, distance, NEAR * distance, COSINE) if len(left) and len(right) else None
-    )
-    if constraints is None or constraints.matches < ENOUGH:
+    judged = judge_motions(left, right, to_local(T, source.origin, target.origin), distance)
+    if judged is None:
         return Localizability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
-    (matrix,) = symmetric_matrices(constraints.triangle[None])
-    shares, vectors = eigh(matrix / constraints.matches)
-    scale = np.array([constraints.lever] * 3 + [1.0] * 3)
-    suspects = vectors.T[shares < SUSPECT_SHARE]
-    kinds = ["full"] * 6
-    if len(suspects):
-        steps = [sign * STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
-        poses = np.array([pose, *(moved(pose, step, about=constraints.middle) for step in steps)])
-        rises = compare_pair(left, right, JUDGING_POINTS, poses, RADIUS_VOXELS * size, COSINE, size)
-        is_constrained: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
-        kinds[: len(suspects)] = ["partial" if constrained else "none" for constrained in is_constrained.tolist()]
-    middle = constraints.middle + target.origin
-    return Localizability(T, middle, constraints.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
+    middle = judged.middle + target.origin
+    return Localizability(T, middle, judged.lever, judged.motions, judged.shares, judged.kinds)
 
 
 def _format_direction(direction: tuple[float, float, float]) -> str:

@@ -23,11 +23,8 @@ from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from ..result import RegistrationResult
 from ..rigid import invert_pose, nearest_rotation, symmetric_matrices, to_local
+from ..surfaces import COSINE, ENOUGH, NEAR, VOXELS, surface_for
 
-VOXELS = 1.5  # match distance, as usual for downsampled clouds
-NARROW, WIDE = 3.0, 5.0  # [voxels] radii for normals, and for their orientation
-NEAR = 4.0  # match distances within which surfaces should match
-COSINE = 0.866  # 30 degrees: correct normals mostly differ by less, crossing surfaces by more
 TIGHT = 0.2  # normal distance, relative to the match distance, at which a match counts 0
 RIDGE = 1e-3  # relative to the mean eigenvalue: poorly determined overlap is no evidence
 
@@ -53,7 +50,6 @@ MAX_BLOCKED = 0.02  # from SOME_ALIGNED on, since objects are seen from outside
 # correct ones all but one have 4.5 and more (rooms, a street and a figure in 60 to 500 voxels).
 CHANCE = 4.4
 SAMPLES = 64  # sample points for pose comparison
-ENOUGH = 30  # matches below which they may be chance
 # Minimum number and fraction of matches outside the planes: 31 of 3,638 and 32 of 1,720 supported wrong poses in
 # benchmarks/box_rooms.py (aligned 0.44 and 0.64). Correct poses of kitchens have 26 of 200, hills 0.37 aligned.
 ENOUGH_BESIDE, PART_BESIDE = 100, 0.05
@@ -197,20 +193,6 @@ class Witness:
     def sight(self) -> Sight | None:
         """As of `find_sight`, cached. None if there is no viewpoint."""
         return find_sight(self.surface.points, self._margin)
-
-
-def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
-    bare = cloud._with_arrays({"points": cloud._device_array("points")})
-    thinned = bare.voxel_down_sample(voxel_size)
-    return Surface(thinned._device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
-
-
-def surface_for(cloud: PointCloud, voxel_size: float, distance: float) -> Surface:
-    """As `surface_of`. Its error names the match distance [m] that the voxels were chosen for."""
-    try:
-        return surface_of(cloud, voxel_size)
-    except ValueError as error:
-        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
 
 
 def witness_of(cloud: PointCloud, distance: float) -> Witness:

@@ -192,6 +192,7 @@ class IterativeRegistration:
                 converged=outcome == CONVERGED,
                 warnings=_warnings_of(outcome, iterations),
                 degenerate_directions=states["free"][job].reshape(6, 6)[:free_count].copy(),
+                clouds=None if self.estimation.scales else self._clouds_of(job),
                 **constraint_results[job],
             )
             for job, (pose, fitness, rmse, iterations, outcome, free_count) in enumerate(rows)
@@ -199,6 +200,10 @@ class IterativeRegistration:
         for result in results if self.estimation.scales else ():
             result.check_scale()
         return results
+
+    def _clouds_of(self, job: int) -> tuple[PointCloud, PointCloud, float]:
+        """The clouds of a job as they are now, and the match distance [m]."""
+        return self._sources[self.source_of[job]].copy(), self._targets[self.target_of[job]].copy(), self.distance
 
     def _constraint_results(self) -> list[dict[str, Any]]:
         """Constraint results of each job: free motions, prior directions, and parameters."""

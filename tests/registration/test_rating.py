@@ -18,8 +18,9 @@ from pointloom.kernels.poses.overlap_evidence import (
 )
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
 from pointloom.registration.globally import rating
-from pointloom.registration.globally.rating import Evidence, surface_of
+from pointloom.registration.globally.rating import Evidence
 from pointloom.registration.rigid import symmetric_matrices
+from pointloom.registration.surfaces import surface_of
 
 from .poses import as_pose, moved
 from .room_corners import ONE, OTHER, corner

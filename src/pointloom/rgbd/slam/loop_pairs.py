@@ -19,13 +19,14 @@ from ...kernels.linear_algebra import matmul
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import MIN_POINTS, Description, describe, register_described
-from ...registration.globally.rating import Witness, rate_surfaces, surface_of
+from ...registration.globally.rating import Witness, rate_surfaces
 from ...registration.icp.estimation import (
     TransformationEstimationForGeneralizedICP,
     TransformationEstimationPointToPlane,
 )
 from ...registration.icp.iterative import IterativeRegistration
 from ...registration.rigid import adjoint_of, invert_pose, to_local
+from ...registration.surfaces import surface_of
 from .submaps import Submap
 
 Matrix = NDArray[np.float64]

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import MIN_POINTS
-from ...registration.globally.rating import Witness, rate_surfaces, surface_of
+from ...registration.globally.rating import Witness, rate_surfaces
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
+from ...registration.surfaces import surface_of
 from ..odometry.alignment import align_frames
 from ..odometry.results import OdometryResult
 from .frame_checks import FIRM_OVERLAP, MIN_OVERLAP, SURE_AGREEMENT, agreement_of, is_determined

@@ -1,0 +1,197 @@
+"""Coverage of `pose_covariance`: errors of registered pairs beside their standard deviations.
+
+    POINTLOOM_DATA=... python benchmarks/trust/calibration.py [--fitted] [--pairs 60] [--write]
+
+ICP starts near the true pose. The error is divided by the standard deviations along the six eigenvectors of the
+covariance. Of a calibrated covariance 68 % of these components are within 1, and 95 % within 2. Constants were chosen
+on the scenes of `--fitted`, other seeds are held out.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import zlib
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+FOLDER = Path(__file__).resolve().parent
+sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
+
+import belief_scenes  # noqa: E402
+import box_rooms  # noqa: E402
+import places  # noqa: E402
+import street  # noqa: E402
+from judged import share_in_words  # noqa: E402
+from pages import write_between  # noqa: E402
+from real_data import DataMissingError  # noqa: E402
+from real_scans import Rotation  # noqa: E402
+
+Array = NDArray[np.float64]
+PAGE = FOLDER.parent.parent / "docs" / "trust.md"
+FITTED, HELD_OUT = 0, 2000  # first seeds
+PAIRS = 60  # of each kind: 360 components
+SITES = ("hall", "forest", "outdoors", "tunnel")
+OPERATIONS = ("point-to-plane", "generalized")
+TURN, SHIFT = 0.2, 0.2  # standard deviations of the initial error [degrees], [voxels]
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two scans in their own frames [m], the true T_target_source, and the voxel size of the registration [m]."""
+
+    kind: str
+    source: Array
+    target: Array
+    T: Array
+    voxel: float
+
+
+def rooms(seeds: range) -> Iterator[Pair]:
+    """Parts of rooms of boxes by a depth camera with the noise of a Kinect."""
+    for seed in seeds:
+        (source, a), (target, b) = box_rooms.fragments(seed, (0.0, 40.0))
+        yield Pair("rooms", source, target, np.linalg.inv(b) @ a, 0.05)
+
+
+def sites(seeds: range) -> Iterator[Pair]:
+    """Scans of halls, woods, open ground and tunnels by a spinning LiDAR, up to 3 m apart, 1 cm noise."""
+    import pointloom as loom
+
+    for seed in seeds:
+        site = places.KINDS[SITES[seed % len(SITES)]](seed)
+        scene = loom.RaycastingScene()
+        scene.add_triangles(site.vertices.astype(np.float32), site.triangles.astype(np.uint32))
+        rng, scans, along = np.random.default_rng([seed, 77]), [], np.random.default_rng([seed, 78]).uniform(-8, 4)
+        for k in range(2):
+            T = np.eye(4)
+            T[:3, :3] = Rotation.from_euler("z", rng.uniform(-0.3, 0.3)).as_matrix()
+            T[:3, 3] = [along + 3 * k * rng.uniform(0.5, 1), rng.uniform(-0.7, 0.7), 1.5 + rng.uniform(-0.1, 0.2)]
+            rays, _ = street.rotating_rays(np.linspace(-0.87, 0.87, 40) + rng.uniform(0, 0.04), 600, rng)
+            lines = np.concatenate([np.broadcast_to(T[:3, 3], rays.shape), rays @ T[:3, :3].T], 1)
+            distances = np.asarray(scene.cast_rays(lines.astype(np.float32))["t_hit"], float)
+            scans.append((_measured(rays, distances, 0.01, 40.0, rng), T))
+        (source, a), (target, b) = scans
+        yield Pair("sites", source, target, np.linalg.inv(b) @ a, 0.2)
+
+
+def streets(seeds: range) -> Iterator[Pair]:
+    """Scans of synthetic streets by a spinning LiDAR, up to 5 m apart, 2 cm noise."""
+    for seed in seeds:
+        rng, scans = np.random.default_rng([seed, 79]), []
+        made, along = street.make_street(40, seed), rng.uniform(0, 25)
+        for k in range(2):
+            T = street.sensor_pose(along + k * rng.uniform(1, 5), 0.1)
+            rays, _ = street.rotating_rays(np.radians(np.linspace(-22, 4, 32)), 900, rng)
+            distances = street.cast_rays(made, np.repeat(T[None, :3, 3], len(rays), 0), rays @ T[:3, :3].T)
+            scans.append((_measured(rays, distances, 0.02, street.MAX_RANGE, rng), T))
+        (source, a), (target, b) = scans
+        yield Pair("streets", source, target, np.linalg.inv(b) @ a, 0.5)
+
+
+def parts_of_real(seeds: range) -> Iterator[Pair]:
+    """Real clouds, each divided into two random halves, of which parts are removed on opposite sides.
+
+    Their poses are exact, their noise is real, but errors of the sensor common to both halves cancel.
+    """
+    clouds = []
+    for name in ("kitchen", "teaser", "frames", "clouds", "streets"):
+        try:
+            clouds += list(getattr(belief_scenes, name)())
+        except DataMissingError as error:
+            print(f"left out {name}: {error}", file=sys.stderr)
+    for seed in seeds if clouds else ():
+        scan, rng = clouds[seed % len(clouds)], np.random.default_rng([seed, 80])
+        direction = rng.normal(size=3)
+        along = (scan.points - scan.points.mean(axis=0)) @ direction
+        low, high = np.quantile(along, [0.25, 0.75])
+        half = rng.random(len(scan.points)) < 0.5
+        T = np.eye(4)
+        T[:3, :3], T[:3, 3] = Rotation.from_rotvec(rng.normal(0, 0.3, 3)).as_matrix(), rng.normal(0, 0.3, 3)
+        source, target = scan.points[half & (along < high)], scan.points[~half & (along > low)]
+        voxel = 0.05 if scan.kind == "room" else 0.5
+        yield Pair("halves of real scans", source, target @ T[:3, :3].T + T[:3, 3], T, voxel)
+
+
+KINDS: dict[str, Callable[[range], Iterator[Pair]]] = {
+    "rooms": rooms,
+    "sites": sites,
+    "streets": streets,
+    "halves of real scans": parts_of_real,
+}
+
+
+def _measured(rays: Array, distances: Array, noise: float, farthest: float, rng: np.random.Generator) -> Array:
+    is_hit = np.isfinite(distances) & (distances > 0.3) & (distances < farthest)
+    return rays[is_hit] * (distances[is_hit] + rng.normal(0, noise, is_hit.sum()))[:, None]
+
+
+def components(pair: Pair, operation: str) -> Array:
+    """The error of a registration along the eigenvectors of its covariance, in standard deviations [6]."""
+    import pointloom as loom
+
+    reg = loom.registration
+    rng = np.random.default_rng(zlib.crc32(pair.source[:8].tobytes()))
+    middle, off = pair.T[:3, :3] @ pair.source.mean(axis=0) + pair.T[:3, 3], np.eye(4)
+    off[:3, :3] = Rotation.from_rotvec(np.radians(rng.normal(0, TURN, 3))).as_matrix()
+    off[:3, 3] = middle - off[:3, :3] @ middle + rng.normal(0, SHIFT * pair.voxel, 3)
+    clouds = [
+        loom.PointCloud(points).voxel_down_sample(pair.voxel).estimate_normals(max_nn=20)
+        for points in (pair.source, pair.target)
+    ]
+    estimation = (
+        reg.TransformationEstimationPointToPlane()
+        if operation == "point-to-plane"
+        else reg.TransformationEstimationForGeneralizedICP()
+    )
+    result = reg.registration_icp(*clouds, 1.5 * pair.voxel, off @ pair.T, estimation)
+    return whitened(pair.T @ np.linalg.inv(result.transformation), result.covariance)
+
+
+def whitened(error: Array, covariance) -> Array:
+    """Components of an error, a 4x4 motion of the target's world, in standard deviations."""
+    rotation, center = Rotation.from_matrix(error[:3, :3]).as_rotvec(), covariance.center
+    motion = np.concatenate([rotation, error[:3, :3] @ center + error[:3, 3] - center])
+    scale = np.sqrt(np.diag(covariance.matrix))  # radians and meters become comparable
+    values, vectors = np.linalg.eigh(covariance.matrix / np.outer(scale, scale))
+    return (vectors.T @ (motion / scale)) / np.sqrt(values)
+
+
+def table(first: int, count: int) -> str:
+    """Coverage by kind of scene and operation."""
+    lines = ["| scenes | method | pairs | within 1 sigma | within 2 sigma |", "|---|---|---|---|---|"]
+    for kind, make in KINDS.items():
+        rows: dict[str, list[Array]] = {operation: [] for operation in OPERATIONS}
+        for number, pair in enumerate(make(range(first, first + count)), 1):
+            print(f"{kind} {number}", file=sys.stderr, flush=True)
+            for operation in OPERATIONS:
+                rows[operation].append(components(pair, operation))
+        lines += [_line(kind, operation, found) for operation, found in rows.items() if found]
+        print("\n".join(lines[-2:]), file=sys.stderr, flush=True)
+    return "\n".join(lines)
+
+
+def _line(kind: str, operation: str, found: Sequence[Array]) -> str:
+    sizes = np.abs(np.concatenate(found))
+    within = [share_in_words(int((sizes < limit).sum()), len(sizes)) for limit in (1, 2)]
+    return f"| {kind} | {operation} | {len(found)} | {' | '.join(within)} |"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--fitted", action="store_true", help="the scenes on which constants were chosen")
+    parser.add_argument("--pairs", type=int, default=PAIRS, help="of each kind")
+    parser.add_argument("--write", action="store_true", help="write the table into docs/trust.md")
+    arguments = parser.parse_args()
+    text = table(FITTED if arguments.fitted else HELD_OUT, arguments.pairs)
+    print(text)
+    if arguments.write:
+        write_between(PAGE, "calibration", text)
+
+
+if __name__ == "__main__":
+    main()
