@@ -31,8 +31,8 @@ RIDGE = 1e-6  # relative to the normal matrix of a row: undetermined motions
 # Error of the surfaces that more points do not reduce, relative to the residuals. The second part grows with the
 # residuals in voxels, since these bias the normals. Chosen on the fitted scenes of benchmarks/trust/calibration.py.
 MODEL_ERROR, NORMAL_ERROR = 0.005, 0.35
-# Factor of the mean squared distance from the step. If the error is this distance in a random one of six directions, 65 %
-# and 98 % of its components are within one and two standard deviations, with a factor of one 63 % and 97 %.
+# Factor of the mean squared distance from the step. If the error is this distance in a random one of six directions,
+# 66 % and 99 % of its components are within one and two standard deviations, with a factor of one 64 % and 97 %.
 STEP_FACTOR = 1.1
 
 
@@ -114,7 +114,7 @@ def pose_covariance(
     apart = float(matmul(step.motion, solve(step.unit, step.motion))) / 6
     model = step.noise * (MODEL_ERROR + NORMAL_ERROR * step.noise * VOXELS / distance)
     matrix = step.scatter + (model**2 + STEP_FACTOR * apart) * step.unit
-    matrix = matrix + _open_motions(source, target, T, distance, step)
+    matrix = matrix + _open_motions(source, target, distance, step)
     to_radians = np.repeat([1 / step.rows.lever, 1.0], 3)
     matrix = matrix * np.outer(to_radians, to_radians)
     return PoseCovariance((matrix + matrix.T) / 2, step.rows.middle + target.origin)
@@ -183,7 +183,7 @@ def _normal_equations(
     return weight, matrix + RIDGE * weight * np.eye(6), right, width
 
 
-def _open_motions(source: PointCloud, target: PointCloud, T: Matrix, distance: float, step: Step) -> Matrix:
+def _open_motions(source: PointCloud, target: PointCloud, distance: float, step: Step) -> Matrix:
     """Covariance of the undetermined motions: as large as the overlap, where the surfaces still match."""
     total = np.zeros((6, 6))
     if step.shares[0] >= SUSPECT_SHARE:

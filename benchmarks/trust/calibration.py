@@ -24,6 +24,7 @@ sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 
 import belief_scenes  # noqa: E402
 import box_rooms  # noqa: E402
+import made_rooms  # noqa: E402
 import places  # noqa: E402
 import street  # noqa: E402
 from judged import share_in_words  # noqa: E402
@@ -37,6 +38,7 @@ FITTED, HELD_OUT = 0, 2000  # first seeds
 PAIRS = 60  # of each kind: 360 components
 SITES = ("hall", "forest", "outdoors", "tunnel")
 OPERATIONS = ("point-to-plane", "generalized")
+MIN_FITNESS = 0.1  # pairs below hardly overlap and are left out
 TURN, SHIFT = 0.2, 0.2  # standard deviations of the initial error [degrees], [voxels]
 
 
@@ -130,8 +132,10 @@ def _measured(rays: Array, distances: Array, noise: float, farthest: float, rng:
     return rays[is_hit] * (distances[is_hit] + rng.normal(0, noise, is_hit.sum()))[:, None]
 
 
-def components(pair: Pair, operation: str) -> Array:
-    """The error of a registration along the eigenvectors of its covariance, in standard deviations [6]."""
+def components(pair: Pair, operation: str) -> Array | None:
+    """The error of a registration along the eigenvectors of its covariance, in standard deviations [6]. None for a pair
+    that hardly overlaps.
+    """
     import pointloom as loom
 
     reg = loom.registration
@@ -149,15 +153,53 @@ def components(pair: Pair, operation: str) -> Array:
         else reg.TransformationEstimationForGeneralizedICP()
     )
     result = reg.registration_icp(*clouds, 1.5 * pair.voxel, off @ pair.T, estimation)
-    return whitened(pair.T @ np.linalg.inv(result.transformation), result.covariance)
+    if result.fitness < MIN_FITNESS:
+        return None
+    return whitened(pair.T @ np.linalg.inv(result.transformation), result.covariance.matrix, result.covariance.center)
 
 
-def whitened(error: Array, covariance) -> Array:
-    """Components of an error, a 4x4 motion of the target's world, in standard deviations."""
-    rotation, center = Rotation.from_matrix(error[:3, :3]).as_rotvec(), covariance.center
+def frame_components(seed: int) -> dict[str, Array]:
+    """As `components`, of two frames of a depth camera in a furnished room, for each method with surfaces."""
+    import pointloom as loom
+    from pointloom.datasets.scenes.room import look_along
+    from pointloom.kernels.memory import download
+    from pointloom.kernels.scenes.depth_noise import measure_depth
+    from pointloom.kernels.scenes.room import Room
+
+    parts, size = made_rooms.furnish(seed)
+    rng, (x, y, z) = np.random.default_rng([seed, 81]), size.tolist()
+    w, h, f = made_rooms.WIDTH, made_rooms.HEIGHT, made_rooms.FOCAL
+    camera = loom.PinholeCameraIntrinsic(w, h, f, f, (w - 1) / 2, (h - 1) / 2)
+    looks = np.array(parts.paints), np.array(parts.patterns)
+    solids, lamp = parts.solids("cpu"), (x / 2, y / 2, z - 0.3)
+    room = Room(solids, *looks, lamp=lamp, low=(-0.3,) * 3, high=(x + 0.3, y + 0.3, z + 0.3))
+    eye = np.array([x * rng.uniform(0.35, 0.65), y * rng.uniform(0.35, 0.65), rng.uniform(1.2, 1.7)])
+    yaw, pitch, frames, poses = rng.uniform(0, 2 * np.pi), np.radians(rng.uniform(-35, -8)), [], []
+    for k in range(2):
+        a, b = yaw + k * np.radians(rng.uniform(-4, 4)), pitch + k * np.radians(rng.uniform(-3, 3))
+        T = look_along(eye + k * rng.normal(0, 0.03, 3), (np.cos(a) * np.cos(b), np.sin(a) * np.cos(b), np.sin(b)))
+        depth, incidence, colors = room.render(camera, T)
+        measured = download(measure_depth(depth, incidence, w, h, seed=seed, frame=k)).reshape(h, w)
+        color = download(colors).reshape(h, w, 3)
+        frames.append(loom.odometry.OdometryFrame(measured, camera, color, depth_scale=1.0, depth_max=6.0))
+        poses.append(T)
+    found = {}
+    for method in (loom.odometry.Method.PointToPlane, loom.odometry.Method.Hybrid):
+        result = loom.odometry.align_frames(*frames, method=method)
+        if result.reliable:
+            error = np.linalg.inv(poses[1]) @ poses[0] @ np.linalg.inv(result.transformation)
+            found[method.name] = whitened(error, result.covariance, np.zeros(3))
+    return found
+
+
+def whitened(error: Array, matrix: Array, center: Array) -> Array:
+    """Components of an error, a 4x4 motion of the target's world, in standard deviations. `matrix`: covariance of
+    rotation and translation of `center`.
+    """
+    rotation = Rotation.from_matrix(error[:3, :3]).as_rotvec()
     motion = np.concatenate([rotation, error[:3, :3] @ center + error[:3, 3] - center])
-    scale = np.sqrt(np.diag(covariance.matrix))  # radians and meters become comparable
-    values, vectors = np.linalg.eigh(covariance.matrix / np.outer(scale, scale))
+    scale = np.sqrt(np.diag(matrix))  # radians and meters become comparable
+    values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
     return (vectors.T @ (motion / scale)) / np.sqrt(values)
 
 
@@ -169,9 +211,15 @@ def table(first: int, count: int) -> str:
         for number, pair in enumerate(make(range(first, first + count)), 1):
             print(f"{kind} {number}", file=sys.stderr, flush=True)
             for operation in OPERATIONS:
-                rows[operation].append(components(pair, operation))
-        lines += [_line(kind, operation, found) for operation, found in rows.items() if found]
+                if (found := components(pair, operation)) is not None:
+                    rows[operation].append(found)
+        lines += [_line(kind, operation, some) for operation, some in rows.items() if some]
         print("\n".join(lines[-2:]), file=sys.stderr, flush=True)
+    by_method: dict[str, list[Array]] = {}
+    for seed in range(first, first + count):
+        for method, found in frame_components(seed).items():
+            by_method.setdefault(method, []).append(found)
+    lines += [_line("rooms, RGB-D frames", method, some) for method, some in by_method.items()]
     return "\n".join(lines)
 
 
