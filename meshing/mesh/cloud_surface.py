@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_name, check_positive, check_progress, check_share
 from ...core.progress import ReportProgress
 from ...core.units import without_warnings
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download
 from ...kernels.rays.surface_hausdorff import distances_to
 from ...kernels.rays.triangle_tree import TriangleTree
@@ -23,7 +25,7 @@ from .mesh import TriangleMesh
 from .mesh_metrics import points_about
 from .mesh_reconstruction import MIN_DEPTH, NormalsWarning, why_flat
 from .mesh_summary import describe_surface
-from .surface_result import MADE_UP, MadeUp, NormalsUsed, PointsOff, SurfaceResult
+from .surface_result import MADE_UP, NEAR, SPARSE, MadeUp, NormalsUsed, PointsOff, Support, SurfaceResult
 
 Cut = Callable[[float], TriangleMesh]
 
@@ -37,7 +39,10 @@ SPACING_NEIGHBORS = 10
 # Times the median distance of a point to its 10th neighbor. Poisson closes smaller gaps well. An alpha shape hides a
 # hollow behind one.
 FAR = {"poisson": 3.0, "alpha": 1.0}
-SURFACE_SAMPLES, POINT_SAMPLES = 10_000, 2_000
+SURFACE_SAMPLES, POINT_SAMPLES, SUPPORT_SAMPLES = 10_000, 2_000, 2_000
+MAX_GAP = 0.6  # times the distance of a point to its 10th neighbor
+SQUARINGS = 6  # of an adjugate: the 64th power
+MIN_COSINE = 0.6  # of the angle between the surface and a tangent plane
 QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # the first that removes the extrapolated surface is proposed
 
 _OWNERS = {"depth": "poisson", "density_quantile": "poisson", "radii": "ball", "alpha": "alpha"}
@@ -110,6 +115,9 @@ def create_surface(
     made.mesh.unit = cloud.unit
     report("check", 0, 0)
     mesh, made_up = _without_made_up(points, made, method, settings)
+    off, support = _find_fit(points, mesh)
+    if made.cut is not None:
+        made_up = _with_remedy(points, made.cut, made_up, support, settings["density_quantile"])
     return SurfaceResult(
         mesh=mesh.to(mesh.device, arrays=cloud.array_library),
         method=method,
@@ -120,7 +128,8 @@ def create_surface(
         not_carried=(*cloud.attributes,),
         summary=describe_surface(mesh),
         made_up=made_up,
-        off=_find_off(points, mesh),
+        off=off,
+        support=support,
         flat=flat,
     )
 
@@ -188,28 +197,73 @@ def _without_made_up(
     farthest = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(points))).sqdists[:, -1]
     far = FAR[method] * float(np.sqrt(np.median(farthest)))
 
-    def share_of(surface: TriangleMesh) -> float:
-        samples = surface.sample_points_uniformly(SURFACE_SAMPLES).points
-        return float(np.mean(search.knn_search(samples, 1).sqdists[:, 0] > far * far))
-
-    share = share_of(mesh)
-    if made.cut is None:
-        return mesh, MadeUp(share, far)
-    if quantile is None:
+    share = _made_up_share(search, mesh, far)
+    if made.cut is not None and quantile is None:
         quantile = settings["density_quantile"] = DENSITY_QUANTILE if share > MADE_UP_AT_ALL else 0.0
         if quantile:
             mesh = made.cut(quantile)
-            share = share_of(mesh)
-    larger = [tried for tried in QUANTILES if tried > quantile and share > MADE_UP]
-    better = next((tried for tried in larger if share_of(made.cut(tried)) <= MADE_UP), None)
-    return mesh, MadeUp(share, far, better)
+            share = _made_up_share(search, mesh, far)
+    return mesh, MadeUp(share, far)
 
 
-def _find_off(points: PointCloud, mesh: TriangleMesh) -> PointsOff:
+def _made_up_share(search: NearestNeighborSearch, mesh: TriangleMesh, far: float) -> float:
+    samples = mesh.sample_points_uniformly(SURFACE_SAMPLES).points
+    return float(np.mean(search.knn_search(samples, 1).sqdists[:, 0] > far * far))
+
+
+def _with_remedy(points: PointCloud, cut: Cut, made_up: MadeUp, support: Support, quantile: float) -> MadeUp:
+    """`made_up` with the smallest larger quantile that makes the surface agree with its points, if any."""
+    if made_up.share is None or made_up.far is None or (made_up.share <= MADE_UP and support.sparse <= SPARSE):
+        return made_up
+    search = NearestNeighborSearch(points)
+    for larger in (tried for tried in QUANTILES if tried > quantile):
+        mesh = cut(larger)
+        share, (_, support) = _made_up_share(search, mesh, made_up.far), _find_fit(points, mesh)
+        if share <= MADE_UP and support.problem("poisson", None, None) is None:
+            return replace(made_up, better_quantile=larger)
+    return made_up
+
+
+def _find_fit(points: PointCloud, mesh: TriangleMesh) -> tuple[PointsOff, Support]:
+    """Distances of the points from the surface, and its agreement with the points near it."""
     if not mesh.get_surface_area() > 0:
-        return PointsOff()
-    probes = PointCloud(points.points[:: max(1, len(points) // POINT_SAMPLES)], device=points.device)
+        return PointsOff(), Support()
+    host, search = points.points, NearestNeighborSearch(points)
+    probes = PointCloud(host[:: max(1, len(host) // POINT_SAMPLES)], device=points.device)
     tree = TriangleTree(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"])
-    distances = distances_to(points_about(probes._device_arrays["points"], probes.origin, mesh.origin), tree)
+    distances = download(distances_to(points_about(probes._device_arrays["points"], probes.origin, mesh.origin), tree))
     size = math.dist(points.get_min_bound(), points.get_max_bound())
-    return PointsOff(float(np.median(download(distances))), size, points.unit)
+    near = NEAR * size
+    samples = mesh.sample_points_uniformly(SUPPORT_SAMPLES, use_triangle_normal=True)
+    indices, sqdists, _ = search.knn_search(samples, 1)
+    rows, owners = np.unique(indices[:, 0], return_inverse=True)
+    neighbors = search.knn_search(host[rows], min(SPACING_NEIGHBORS + 1, len(host)))
+    spacing = np.sqrt(neighbors.sqdists[:, -1])[owners]
+    tangents = _normals_of(host[neighbors.indices])[owners]
+    heights = np.abs(np.sum((samples.points - host[rows][owners]) * tangents, axis=1))
+    cosines = np.abs(np.sum(samples.normals * tangents, axis=1))
+    support = Support(
+        near=near,
+        sparse=float(np.mean(np.sqrt(sqdists[:, 0]) > np.maximum(near, MAX_GAP * spacing))),
+        bent=float(np.mean(heights > near)),
+        turned=float(np.mean(cosines < MIN_COSINE)),
+        missed=float(np.mean(distances > near)),
+    )
+    return PointsOff(float(np.median(distances)), size, points.unit), support
+
+
+def _normals_of(groups: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Normals of the planes through groups of points, shape (n, k, 3). NaN for points on one line.
+
+    A power of the adjugate of the covariance tends to the product of the smallest axis with itself.
+    """
+    spread = groups - groups.mean(axis=1, keepdims=True)
+    a, b, c = np.moveaxis(np.sum(spread[:, :, :, None] * spread[:, :, None, :], axis=1), 1, 0)
+    powers = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        for _ in range(SQUARINGS):
+            powers /= np.abs(powers).max(axis=(1, 2), keepdims=True)
+            powers = matmul(powers, powers)
+        longest = np.argmax(np.sum(powers * powers, axis=2), axis=1)
+        rows = powers[np.arange(len(powers)), longest]
+        return rows / np.sqrt(np.sum(rows * rows, axis=1, keepdims=True))

@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from .mesh import TriangleMesh
 from .mesh_repair import count_edges
 
+ISLAND = 0.01  # of the area: a part below it is an island, a larger one may be an object
 Corner = tuple[float, float, float]
 
 
@@ -30,7 +33,9 @@ class SurfaceSummary:
     Attributes:
         vertices, triangles, parts: Counts. Parts are connected by edges.
         area, largest_share: [m^2], and fraction of the largest part.
+        islands_share: Fraction of the area in parts of less than 1% of it.
         edges, boundary_edges, crowded_edges: All edges, those of one triangle, those of three or more.
+        boundary_length: Total length of the boundary edges [m].
         watertight: True if closed.
         bounds: Lowest and highest corner of the finite vertices [m]. None without vertices.
     """
@@ -40,9 +45,11 @@ class SurfaceSummary:
     area: float
     parts: int
     largest_share: float
+    islands_share: float
     edges: int
     boundary_edges: int
     crowded_edges: int
+    boundary_length: float
     watertight: bool
     bounds: tuple[Corner, Corner] | None
 
@@ -63,12 +70,20 @@ def describe_surface(mesh: TriangleMesh) -> SurfaceSummary:
         area=area,
         parts=len(areas),
         largest_share=float(areas.max() / area) if area else 0.0,
+        islands_share=float(areas[areas < ISLAND * area].sum() / area) if area else 0.0,
         edges=edges.all,
         boundary_edges=edges.boundary,
         crowded_edges=edges.crowded,
+        boundary_length=_boundary_length(mesh) if edges.boundary else 0.0,
         watertight=mesh.is_watertight(),
         bounds=_bounds_of(mesh),
     )
+
+
+def _boundary_length(mesh: TriangleMesh) -> float:
+    host = mesh.to(mesh.device, arrays="numpy")
+    ends = host.vertices[host.get_boundary_edges()]
+    return float(np.sqrt(np.sum((ends[:, 1] - ends[:, 0]) ** 2, axis=1)).sum())
 
 
 def _vertex_count(mesh: TriangleMesh) -> int:

@@ -14,10 +14,16 @@ from .mesh_summary import SurfaceSummary
 
 # Thresholds of the quality checks.
 TORN = 0.1  # fraction of boundary edges: 4% for 30 x 30 squares, 30% if the ball falls through gaps
-CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # fraction of non-manifold edges. Alpha shapes have some
-ISLANDS = 0.1  # fraction of the area outside the largest part
+CROWDED = 0.01  # fraction of non-manifold edges, except of alpha shapes, which are often two-sided
+ISLANDS = {"poisson": 0.1, "ball": 0.1, "alpha": 0.9}  # fraction of the area in small parts. Alpha shapes have cavities
 MADE_UP = 0.05  # fraction of the surface far from all points
 OFF = 0.006  # of the points' extent: limit of their median distance from the surface
+# Chosen on benchmarks/trust/surface_shapes.py, `CHOOSING`, for surfaces within 2% of the points' extent.
+NEAR = 0.02  # of the points' extent
+LONG = 8.0  # times the points' extent: limit of the boundary length
+SPARSE, BENT = 0.05, 0.05  # fractions of the area of Poisson surfaces and alpha shapes
+MISSED = {"poisson": 0.1, "ball": 0.07, "alpha": 0.05}  # fraction of the points that are not near the surface
+TURNED = 0.05  # fraction of the area of ball pivoting
 
 _LARGER = {"poisson": "a smaller density_quantile or depth", "ball": "larger radii", "alpha": "a larger alpha"}
 
@@ -77,6 +83,45 @@ class PointsOff:
         )
 
 
+@dataclass(frozen=True)
+class Support:
+    """Agreement of a surface with the points near it. "Near" is a distance of 2% of the points' extent.
+
+    Attributes:
+        near: This distance [m].
+        sparse: Fraction of the area that is neither near a point nor within 0.6 of the local point spacing.
+        bent: Fraction of the area that is not near the tangent plane of the nearest point.
+        turned: Fraction of the area that is inclined by more than 53 degrees to this plane.
+        missed: Fraction of the points that are not near the surface.
+    """
+
+    near: float = 0.0
+    sparse: float = 0.0
+    bent: float = 0.0
+    turned: float = 0.0
+    missed: float = 0.0
+
+    def problem(self, method: str, unit: LengthUnit | None, better_quantile: float | None) -> str | None:
+        """Warning if the points are too sparse for their shape, or None."""
+        near = f"{self.near:.3g} {symbol_of(unit)}"
+        remedy = "the points are too sparse or too noisy for the shape; use more points, or smooth them first"
+        if method == "ball" and self.turned > TURNED:
+            share = format_share(self.turned)
+            return f"{share} of the area is inclined by more than 53 degrees to the points near it: {remedy}"
+        if method != "ball" and self.sparse > SPARSE:
+            remedy = f"use density_quantile {better_quantile:g}" if better_quantile else remedy
+            return f"{format_share(self.sparse)} of the area has no point within {near}: {remedy}"
+        if method != "ball" and self.bent > BENT:
+            share = format_share(self.bent)
+            return f"{share} of the area is farther than {near} from the planes of the points near it: {remedy}"
+        if self.missed > MISSED[method]:
+            share = format_share(self.missed)
+            return (
+                f"{share} of the points are farther than {near} from the surface; use {_LARGER[method]}, or more points"
+            )
+        return None
+
+
 @dataclass(frozen=True, eq=False)
 class SurfaceResult(Report, Assessed):
     """A reconstructed surface with statistics.
@@ -90,6 +135,7 @@ class SurfaceResult(Report, Assessed):
         summary: Statistics of the surface.
         made_up: Fraction of the surface far from all points. Of Poisson and alpha shapes.
         off: Distance of the points from the surface.
+        support: Agreement of the surface with the points near it.
         flat: Reason why no alpha shape exists. None if one does.
         reliable, warnings: True if all quality checks passed, and those that failed.
     """
@@ -104,6 +150,7 @@ class SurfaceResult(Report, Assessed):
     summary: SurfaceSummary
     made_up: MadeUp
     off: PointsOff = PointsOff()
+    support: Support = Support()
     flat: str | None = None
 
     def __str__(self) -> str:
@@ -113,13 +160,15 @@ class SurfaceResult(Report, Assessed):
     def warnings(self) -> tuple[str, ...]:
         empty = self._why_empty()
         surface = [empty] if empty else self._surface_problems()
-        return failed(self.normals.problem, *surface, self.off.problem)
+        support = self.support.problem(self.method, self.mesh.unit, self.made_up.better_quantile)
+        return failed(self.normals.problem, *surface, self.off.problem, support)
 
     def to_dict(self) -> dict[str, Any]:
         normals = {"normals": self.normals.origin, "disagreement": self.normals.disagreement}
         counts = {"points_in": self.points_in, "points": self.points, "not_carried": [*self.not_carried]}
         head = {"device": str(self.mesh.device), "method": self.method, **self.settings}
         figures = self.summary.to_dict() | self.made_up.to_dict() | {"points_off": self.off.median}
+        figures |= vars(self.support)
         return plain(head | normals | counts | figures | quality(self))
 
     def fields(self) -> Fields:
@@ -164,7 +213,12 @@ class SurfaceResult(Report, Assessed):
         if summary.boundary_edges > TORN * summary.edges:
             share = format_share(summary.boundary_edges / summary.edges)
             reasons.append(f"the mesh has many holes: {share} of its edges are boundary edges; use {larger}")
-        if summary.crowded_edges > CROWDED[self.method] * summary.edges:
+        elif summary.boundary_length > LONG * self.off.size > 0:
+            times = summary.boundary_length / self.off.size
+            reasons.append(
+                f"the mesh has many holes: its boundary is {times:.1f} times as long as its size; use {larger}"
+            )
+        if self.method != "alpha" and summary.crowded_edges > CROWDED * summary.edges:
             share = format_share(summary.crowded_edges / summary.edges)
             reasons.append(f"{share} of its edges have three or more triangles, so it is not a single surface")
         made_up, far, better = self.made_up.share, self.made_up.far, self.made_up.better_quantile
@@ -177,12 +231,9 @@ class SurfaceResult(Report, Assessed):
                 f"{format_share(made_up)} of the area is farther than {away} from all points "
                 f"and was extrapolated to close the surface; use {remedy}"
             )
-        if 1 - summary.largest_share > ISLANDS:
-            share = format_share(1 - summary.largest_share)
-            what = "islands or cavity walls" if self.method == "alpha" else "islands"
-            reasons.append(
-                f"{share} of the area is in {summary.parts - 1:,} {what}: clean the cloud first, or use {larger}"
-            )
+        if summary.islands_share > ISLANDS[self.method]:
+            share = format_share(summary.islands_share)
+            reasons.append(f"{share} of the area is in small islands: clean the cloud first, or use {larger}")
         return reasons
 
 

@@ -9,7 +9,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.meshing.mesh.cloud_surface import _find_off
+from pointloom.meshing.mesh.cloud_surface import _find_fit
 from pointloom.meshing.mesh.mesh_summary import describe_surface
 from pointloom.meshing.mesh.surface_result import MadeUp, NormalsUsed, PointsOff, SurfaceResult
 from pointloom.visualization.render.surface_picture import looks_inwards
@@ -180,7 +180,7 @@ def test_surface_statistics_describe_edges_and_parts():
     assert (nothing.triangles, nothing.largest_share, nothing.bounds) == (0, 0.0, None)
 
 
-LIMITS = {"triangles": 900, "edges": 1000, "boundary_edges": 100, "crowded_edges": 10, "largest_share": 0.9, "parts": 3}
+LIMITS = {"triangles": 900, "edges": 1000, "boundary_edges": 100, "crowded_edges": 10, "islands_share": 0.1, "parts": 3}
 NEEDLESS = NormalsUsed("not needed", given=False, disagreement=None)
 
 
@@ -196,7 +196,7 @@ def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it():
     for figures, word in (
         ({"boundary_edges": 101}, "10.1% of its edges are boundary edges"),
         ({"crowded_edges": 11}, "1.1% of its edges have three or more triangles"),
-        ({"largest_share": 0.89}, "11.0% of the area is in 2 islands"),
+        ({"islands_share": 0.11}, "11.0% of the area is in small islands"),
         ({"made_up": 0.051}, "5.1% of the area is farther than 0.2 m from all points"),
     ):
         for method, remedy in (("poisson", "density_quantile"), ("ball", "radii")):
@@ -206,11 +206,10 @@ def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it():
             assert word in warnings and any(words in warnings for words in remedies)
 
 
-def test_an_alpha_shape_may_have_ten_percent_non_manifold_edges_and_reports_cavities():
-    assert not warnings_of("alpha", crowded_edges=100)
-    assert "10.1% of its edges have three or more triangles" in str(warnings_of("alpha", crowded_edges=101))
-    warnings = str(warnings_of("alpha", largest_share=0.5))
-    assert "50.0% of the area is in 2 islands or cavity walls" in warnings and "a larger alpha" in warnings
+def test_an_alpha_shape_may_have_non_manifold_edges_and_walls_between_its_two_sides():
+    assert not warnings_of("alpha", crowded_edges=900, islands_share=0.9)
+    warnings = str(warnings_of("alpha", islands_share=0.91))
+    assert "91.0% of the area is in small islands" in warnings and "a larger alpha" in warnings
 
 
 def test_a_surface_far_from_half_of_its_points_is_unreliable():
@@ -219,7 +218,7 @@ def test_a_surface_far_from_half_of_its_points_is_unreliable():
     sheet = TriangleMesh([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], [[0, 1, 2], [0, 2, 3]])
     for far, is_unreliable in ((300, False), (900, True)):
         points = np.vstack([near, rng.uniform(-1, 1, (far, 3)) * [1, 1, 0.1] + [0, 0, 0.5]])
-        off = _find_off(loom.PointCloud(points), sheet)
+        off, _ = _find_fit(loom.PointCloud(points), sheet)
         assert off.median is not None and (off.problem is not None) == is_unreliable
     assert off.median == pytest.approx(0.4, abs=0.1) and "half of the points are farther than 0.4" in str(off.problem)
     assert PointsOff().problem is None  # a missing surface is reported elsewhere

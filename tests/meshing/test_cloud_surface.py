@@ -9,6 +9,7 @@ import warp as wp
 import pointloom as loom
 from pointloom.cli.jobs.mesh import mesh_file
 from pointloom.core.wording import json_text
+from pointloom.meshing.mesh.cloud_surface import _normals_of
 
 
 def ball(count: int = 1500, **attributes) -> loom.PointCloud:
@@ -75,3 +76,61 @@ def test_the_mesh_has_the_arrays_of_the_cloud():
     plain = loom.create_surface(cloud.to("cpu", arrays="numpy"), depth=4)
     np.testing.assert_array_equal(result.mesh.vertices, plain.mesh.vertices)
     assert result.to_dict() == plain.to_dict()
+
+
+def torus(count: int, noise: float = 0.0) -> loom.PointCloud:
+    cloud = loom.TriangleMesh.create_torus(0.4, 0.1, 60, 30).sample_points_poisson_disk(count, seed=1)
+    return loom.PointCloud(cloud.points + np.random.default_rng(0).normal(0, noise, (count, 3)))
+
+
+@pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
+def test_points_too_sparse_for_their_shape_are_reported(method, device):
+    """A tenth of the points does not show the hole of the torus or the thickness of its tube."""
+    enough, few = (loom.create_surface(torus(count).to(device), method) for count in (3000, 60))
+    assert enough.reliable, enough.warnings
+    assert not few.reliable and "more points" in str(few.warnings) and "nan" not in str(few.warnings)
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1e4])
+def test_the_checks_depend_neither_on_the_unit_nor_on_the_position(scale):
+    def figures(points, size):
+        support = loom.create_surface(loom.PointCloud(points), "ball").support
+        return np.array([support.near / size, support.sparse, support.bent, support.turned, support.missed])
+
+    points = torus(300, 0.02).points
+    expected = figures(points, 1.0)
+    np.testing.assert_allclose(figures(points * scale, scale), expected, atol=0.01)
+    np.testing.assert_allclose(figures(points + np.array([691_000.25, 5_335_000.5, 519.75]), 1.0), expected, atol=0.01)
+
+
+def test_two_objects_are_reliable_and_many_small_pieces_are_not():
+    objects = [torus(1500).points + np.array([3.0 * k, 0, 0]) for k in range(2)]
+    assert loom.create_surface(loom.PointCloud(np.vstack(objects)), "ball").reliable
+    specks = [objects[0][:300] * 0.01 + [0.2 * k, 3, 0] for k in range(40)]
+    result = loom.create_surface(
+        loom.PointCloud(np.vstack([objects[0], *specks])), "ball", radii=[0.0005, 0.001, 0.002]
+    )
+    assert "islands" in str(result.warnings) or "holes" in str(result.warnings)
+
+
+def test_long_borders_of_ball_pivoting_are_reported():
+    """Random points leave many small holes, of which the edges are few."""
+    cloud = loom.TriangleMesh.create_sphere(1.0, 60).sample_points_uniformly(6000, seed=2)
+    result = loom.create_surface(loom.PointCloud(cloud.points), "ball")
+    assert result.summary.boundary_length > 8 * result.off.size and "its boundary is" in str(result.warnings)
+
+
+def test_an_alpha_shape_of_two_sides_is_reliable():
+    """Edges of three triangles occur where the inner and the outer side touch."""
+    cloud = loom.TriangleMesh.create_torus(0.4, 0.12).sample_points_uniformly(4000, seed=3)
+    result = loom.create_surface(loom.PointCloud(cloud.points), "alpha")
+    assert result.summary.crowded_edges > 0.01 * result.summary.edges and result.reliable, result.warnings
+
+
+def test_normals_of_planes_equal_eigenvectors_and_are_missing_on_a_line():
+    rng = np.random.default_rng(3)
+    groups = rng.normal(size=(200, 11, 3)) * [1, 0.7, 0.3] @ np.linalg.qr(rng.normal(size=(200, 3, 3)))[0]
+    spread = groups - groups.mean(axis=1, keepdims=True)
+    expected = np.linalg.eigh(np.swapaxes(spread, 1, 2) @ spread)[1][:, :, 0]
+    np.testing.assert_allclose(np.abs(np.sum(_normals_of(groups + 1e6) * expected, axis=1)), 1, atol=1e-3)
+    assert np.isnan(_normals_of(np.arange(15.0).reshape(1, 5, 3))).all()
