@@ -115,8 +115,8 @@ def test_two_objects_are_reliable_and_many_small_pieces_are_not():
 
 def test_long_borders_of_ball_pivoting_are_reported():
     """Random points leave many small holes, of which the edges are few."""
-    cloud = loom.TriangleMesh.create_sphere(1.0, 60).sample_points_uniformly(6000, seed=2)
-    result = loom.create_surface(loom.PointCloud(cloud.points), "ball")
+    cloud = loom.TriangleMesh.create_sphere(1.0, 60).sample_points_uniformly(4000, seed=2)
+    result = loom.create_surface(loom.PointCloud(cloud.points), "ball", radii=[0.066])
     assert result.summary.boundary_length > 8 * result.off.size and "its boundary is" in str(result.warnings)
 
 

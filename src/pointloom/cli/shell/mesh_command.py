@@ -80,7 +80,7 @@ def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: 
     alpha    alpha shape with one radius. Requires no normals
 
     Missing normals are estimated and oriented, and the summary reports it. The exit code is 3 if the surface is empty,
-    torn or fragmented, if a large part of it is far from all points, or if neighboring normals are oriented
+    torn or fragmented, if a large part of it disagrees with the points, or if neighboring normals are oriented
     inconsistently.
 
     \b
