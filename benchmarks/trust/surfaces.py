@@ -20,6 +20,7 @@ NEAR, MIN_SHARE = 0.02, 0.95  # fraction of the diagonal; fraction of the surfac
 SHAPES = ("nefertiti", "cheburashka", "fandisk", "stanford-bunny")  # .obj files of the real data
 SAMPLES = 3000  # on each surface
 CASES, SEED = 1000, 53
+SMOOTH, ALPHA_CASES = ("star", "hills", "rounded"), 600  # further clouds for alpha shapes, which are rarely correct
 LONGEST = 8.0  # maximum border length, in diagonals
 
 
@@ -79,16 +80,19 @@ def _border_of(mesh: Any) -> float:
 def judge() -> Iterator[Judged]:
     for points in sampled(HELD_OUT, range(CASES), SEED):
         yield from _through_points(points)
+    smooth = {name: HELD_OUT[name] for name in SMOOTH}
+    for points in sampled(smooth, range(CASES, CASES + ALPHA_CASES), SEED):
+        yield from _through_points(points, ("alpha",))
     for name, truth in shapes():
         yield from _changed(name, truth)
 
 
-def _through_points(sample: Sampled) -> Iterator[Judged]:
-    """Surfaces of all methods through points of a shape. Every second alpha is not the default."""
+def _through_points(sample: Sampled, methods: tuple[str, ...] = ("poisson", "ball", "alpha")) -> Iterator[Judged]:
+    """Surfaces through points of a shape. Every second alpha is not the default."""
     import pointloom as loom
 
     cloud, truth = loom.PointCloud(sample.points, normals=sample.normals), Truth(sample.truth)
-    for method in ("poisson", "ball", "alpha"):
+    for method in methods:
         alpha = sample.alpha if method == "alpha" else None
         result = loom.create_surface(cloud, method, alpha=alpha)
         case = sample.case + ("" if alpha is None else f", alpha {alpha:.3g}")
