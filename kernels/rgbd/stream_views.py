@@ -1,5 +1,5 @@
-"""Small views (about 80 x 60 cells) of color and depth, and their global shifts between frames by least squares (Lucas
-and Kanade 1981). A cell has mean brightness and mean inverse depth. Near depth can be hidden to separate layers.
+"""Small views (about 80 x 60 cells) of color and depth, and the global shift of color between frames by least squares
+(Lucas and Kanade 1981). A cell has mean brightness and mean inverse depth. Near depth can be hidden to separate layers.
 """
 
 from typing import Any
@@ -29,9 +29,9 @@ def hide_near(depth: Scalars, limit: float) -> Scalars:
 
 CELLS = 80  # per view width: a cell of VGA is 8 x 8 pixels, so fast rotations move by few cells
 FULL = 0.75  # minimum fraction of a cell's pixels with depth
-stream_sums = vector(13, float64)
-BRIGHT, NEAR = 0, 5  # offsets of each image's sums: squared gradients u u, u v, v v, then u d, v d
-OTHER, MEASURED, SHADES = (10, 11, 12)  # cells whose nearness changed. Cells with nearness. Squared differences
+stream_sums = vector(8, float64)
+BRIGHT = 0  # offset of the sums of brightness: squared gradients u u, u v, v v, then u d, v d
+OTHER, MEASURED, SHADES = (5, 6, 7)  # cells whose nearness changed. Cells with nearness. Squared differences
 
 
 @struct
@@ -82,7 +82,7 @@ def view_stream_kernel(
 
 @reduction
 def sum_motion(now: StreamView, before: StreamView, columns: int, rows: int) -> stream_sums:
-    """A cell's part of the normal equations of both shifts, and of the differences."""
+    """A cell's part of the normal equations of the colors' shift, and of the differences."""
     i = tid()
     u = i % columns
     v = i // columns
@@ -107,24 +107,6 @@ def sum_motion(now: StreamView, before: StreamView, columns: int, rows: int) -> 
             out[BRIGHT + 2] = float64(y * y)
             out[BRIGHT + 3] = float64(x * d)
             out[BRIGHT + 4] = float64(y * d)
-    if u > 0 and v > 0 and u < columns - 1 and v < rows - 1 and a > 0.0 and b > 0.0:
-        minimum = min(
-            min(now.nearness[i + 1], now.nearness[i - 1]), min(before.nearness[i + 1], before.nearness[i - 1])
-        )
-        minimum = min(minimum, min(now.nearness[i + columns], now.nearness[i - columns]))
-        minimum = min(minimum, min(before.nearness[i + columns], before.nearness[i - columns]))
-        if minimum > 0.0:
-            x = now.nearness[i + 1] - now.nearness[i - 1] + before.nearness[i + 1] - before.nearness[i - 1]
-            y = now.nearness[i + columns] - now.nearness[i - columns]
-            y += before.nearness[i + columns] - before.nearness[i - columns]
-            x = 0.25 * x
-            y = 0.25 * y
-            d = a - b
-            out[NEAR] = float64(x * x)
-            out[NEAR + 1] = float64(x * y)
-            out[NEAR + 2] = float64(y * y)
-            out[NEAR + 3] = float64(x * d)
-            out[NEAR + 4] = float64(y * d)
     return out
 
 
@@ -139,5 +121,5 @@ def view_stream(depth: Scalars, pixels: Array2[uint8] | None, width: int, height
 
 
 def compare_views(now: StreamView, before: StreamView) -> Array1[Any]:
-    """Sums of `sum_motion` over two views of one size, float64 (1, 13) on the device."""
+    """Sums of `sum_motion` over two views of one size, float64 (1, 8) on the device."""
     return reduce(sum_motion, now.columns * now.rows, [now, before, now.columns, now.rows])

@@ -9,8 +9,8 @@ from pointloom.cameras.trajectory import read_trajectory
 from pointloom.cli.jobs.track import track_folder
 from pointloom.io.pictures.image_files import read_depth, write_png
 from pointloom.rgbd.slam import tracking
-from pointloom.rgbd.slam.dense_slam import StreamCheck
 from pointloom.rgbd.slam.results import TrackingResult
+from pointloom.rgbd.slam.stream_check import StreamCheck
 
 from .commands import answer, names_in, refusal, run, unreliable
 

@@ -1,13 +1,12 @@
 """Synchronization of color and depth: repeated and delayed images are reported, correct ones are not."""
 
 import dataclasses
-import math
 
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.rgbd.slam.dense_slam import STALE, StreamLag
+from pointloom.rgbd.slam.stream_check import STALE, Apart, Rotations, StreamLag
 
 from .slam_walks import begun, blank, changed, fit, frames, sequence, statuses
 
@@ -59,61 +58,110 @@ def test_a_covered_lens_is_blank_and_no_stalled_stream(device):
     assert [r.warnings for r in slam.run(moving)[1:]] == [("the image is blank",)] * 5
 
 
-def trembling(count: int, late: int, seed: int = 0, period: float | None = None) -> StreamLag:
-    """A StreamLag of a hand-held camera whose colors are delayed by this many frames; half of each shift is noise."""
+def rotations(color, depth):
+    """Rotations [rad] with an accuracy of 0.06 degrees by depth; the third direction is undetermined."""
+    return Rotations(color, depth, np.eye(3), np.array([1e-6, 1e-6, 1.0]))
+
+
+def shaking(count, late, seed=0, period=1 / 30, stretch=None):
+    """A StreamLag of a hand-held camera whose depth is late by this many frames, perhaps only in a stretch of them."""
     rng, lag = np.random.default_rng(seed), StreamLag()
-    shake = rng.normal(size=(count + 200, 2)) + 3 * np.sin(np.arange(count + 200) / 40)[:, None]
-    noise = 0.5 * rng.normal(size=(2, count, 2))
+    t = np.arange(-100, count + 100)[:, None]
+    rates, phases = rng.uniform(0.1, 0.6, (4, 3)), rng.uniform(0, 6.28, (4, 3))
+    shake = 0.004 * sum(np.sin(rate * t + phase) for rate, phase in zip(rates, phases, strict=True))
+    noise = 0.0003 * rng.normal(size=(2, count, 3))
     for k in range(count):
-        time = None if period is None else period * k
-        lag.add(shake[100 + k - late] + noise[0, k], 0.3 * (shake[100 + k] + noise[1, k]), time)
+        is_late = stretch is None or k in stretch
+        position = 100 + k - (late if is_late else 0)
+        below, part = int(np.floor(position)), position - np.floor(position)
+        depth = (1 - part) * shake[below] + part * shake[below + 1]
+        lag.add_rotations(rotations(shake[100 + k] + noise[0, k], depth + noise[1, k]), period and period * k)
     return lag
 
 
-@pytest.mark.parametrize("late", [5, 15, 30, -5, -30])
-def test_delayed_or_early_colors_are_reported_with_the_delay(late):
-    lag = trembling(90, late, period=1 / 30)
-    assert lag.frames == late and math.isclose(lag.seconds, abs(late) / 30)
-    assert trembling(90, late).frames == late
+@pytest.mark.parametrize("late", [1.5, 2, 5, 15, 30, -2, -30])
+def test_late_or_early_depth_is_reported_with_its_delay(late):
+    lag = shaking(90, late)
+    assert abs(lag.current.frames - late) < 0.2 and abs(lag.current.seconds - late / 30) < 0.007
+    assert lag.current.first == 0 and lag.current.last == 89
+    assert abs(shaking(90, late, period=None).current.frames - late) < 0.2
 
 
-@pytest.mark.parametrize("late", [0, 1, 3, -3])
-def test_a_tenth_of_a_second_is_accepted(late):
+@pytest.mark.parametrize("late", [0, 1, -1, 0.5])
+def test_a_frame_at_30_hz_is_accepted(late):
     for seed in range(5):
-        assert trembling(200, late, seed).frames is None
-        assert trembling(200, late, seed, period=1 / 30).frames is None
+        assert not shaking(120, late, seed).apart and not shaking(120, late, seed, period=None).apart
 
 
-def test_few_slow_frames_apart_are_detected_by_their_times():
-    assert trembling(90, 3, period=1 / 6).frames == 3, "half a second"
-    assert trembling(90, 2, period=1 / 30).frames is None
+def test_late_depth_in_a_stretch_of_two_seconds_is_reported_for_that_stretch():
+    lag = shaking(200, 30, stretch=range(80, 140))
+    assert lag.current is None and len(lag.apart) == 1
+    assert 70 <= lag.apart[0].first <= 80 and 135 <= lag.apart[0].last <= 150
+    assert abs(lag.apart[0].seconds - 1.0) < 0.02 and str(lag.apart[0]).startswith("depth is 1.00 s late")
 
 
-def test_unrelated_images_give_no_delay():
-    for seed in range(20):
-        rng, lag = np.random.default_rng(seed), StreamLag()
+def test_unrelated_images_and_a_steady_rotation_give_no_delay():
+    for seed in range(10):
+        rng, lag, steady = np.random.default_rng(seed), StreamLag(), StreamLag()
         for _ in range(150):
-            lag.add(rng.normal(size=2), rng.normal(size=2), None)
-        assert lag.frames is None
+            lag.add_rotations(rotations(*(0.01 * rng.normal(size=(2, 3)))), None)
+            steady.add_rotations(rotations(*(0.01 + 0.0003 * rng.normal(size=(2, 3)))), None)
+        assert not lag.apart and not steady.apart
 
 
-def test_frames_without_a_shift_are_left_out():
-    rng, lag = np.random.default_rng(3), StreamLag()
-    shake = rng.normal(size=(150, 2))
-    for k in range(20, 140):
-        lag.add(shake[k - 20], np.full(2, np.nan) if k % 3 == 0 else shake[k], None)
-    assert lag.frames == 20
+def test_a_stationary_camera_gives_no_delay():
+    rng, lag = np.random.default_rng(0), StreamLag()
+    for _ in range(60):
+        lag.add_rotations(rotations(*(1e-5 * rng.normal(size=(2, 3)))), None)
+    assert not lag.apart
+
+
+def test_frames_without_rotations_are_left_out():
+    lag = StreamLag()
+    for k in range(90):
+        shake = [0.005 * np.sin(0.3 * np.arange(3) + 0.4 * (k - late)) for late in (0, 6)]
+        lag.add_rotations(None if k % 3 == 0 else rotations(*shake), None)
+    assert abs(abs(lag.current.frames) - 6) < 0.2
+
+
+def noisy(f, original, seed):
+    """The frame with the depth of another one, and one millimeter of noise."""
+    rng, z = np.random.default_rng(seed), original.depth.astype(float)
+    return changed(f, depth=np.where(z > 0, np.rint(z + rng.normal(0, 1, z.shape)), 0).astype(np.uint16))
+
+
+def test_repeated_depth_with_sensor_noise_is_rejected(device):
+    source, slam = frames(*range(18)), begun(device)
+    results = slam.run([noisy(f, source[min(k, 3)], k) for k, f in enumerate(source)])
+    assert statuses(results)[:4] == ["tracked"] * 4
+    assert {r.warnings for r in results[9:]} == {(STALE,)}
+    assert slam.stream.problems is None
+
+
+def test_repeated_depth_with_noise_of_a_stationary_camera_is_tracked():
+    slam, first = begun("cpu"), changed(frames(0)[0], timestamp=None)
+    assert statuses(slam.run([noisy(first, first, k) for k in range(12)])) == ["tracked"] * 12
+
+
+def test_depth_two_frames_late_is_uncertain_from_the_first_frame():
+    source = frames(*np.rint(6 + 6 * np.sin(0.4 * np.arange(34) + np.sin(0.9 * np.arange(34)))).astype(int).tolist())
+    late = [changed(f, depth=source[k].depth, timestamp=k / 30) for k, f in enumerate(source[2:])]
+    slam = begun("cpu")
+    assert "tracked" not in statuses(slam.run(late)) and "depth is 0.07 s late" in slam.stream.problem
 
 
 def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
     source, slam = frames(*range(4)), begun(device)
     slam.run(source[:3])
-    slam.stream.lag.frames, slam.stream.lag.seconds = 30, 1.0
+    slam.stream.lag.current = Apart(1, 3, 30.0, 1.0)
     result = slam.step(source[3])
-    message = "color and depth appear to be 1.0 s apart in time"
+    message = (
+        "depth is 1.00 s late compared with color in frame 1-3; pair each color image with the depth image that is "
+        "1.00 s later"
+    )
     assert (result.status, result.warnings, result.fused) == ("uncertain", (message,), False)
-    slam.stream.lag.seconds = math.nan
-    assert slam.stream.problem == "color and depth appear to be 30 frames apart in time"
+    assert statuses(slam.results) == ["tracked", "uncertain", "uncertain", "uncertain"]
+    assert str(Apart(1, 3, -30.0, np.nan)).startswith("depth is 30.0 frames early")
 
 
 def test_a_path_with_unsynchronized_streams_is_unreliable():

@@ -1,13 +1,8 @@
-"""Dense RGB-D SLAM without given poses: camera trajectory and surface, with a check of the two streams.
-
-The stream check correlates the image shifts of color and depth after removal of a running mean. A peak at another lag
-is a time offset. A repeated depth image beside changing colors is a stalled stream, since sensor noise never repeats.
-"""
+"""Dense RGB-D SLAM without given poses: camera trajectory and surface."""
 
 from __future__ import annotations
 
 import dataclasses
-import math
 import operator
 from collections.abc import Iterable
 from typing import Any
@@ -21,10 +16,8 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
 from ...core.observers import report, unwatched
 from ...core.progress import ReportProgress
-from ...kernels.linear_algebra import matmul, norm
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download
-from ...kernels.rgbd import stream_views as at
-from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
@@ -40,6 +33,7 @@ from .maps import Maps, SlamMap, map_sizes
 from .model import Model
 from .moving_objects import Movers
 from .results import TrackingResult
+from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
 from .tracker import Tracker, clean_pose
 
@@ -343,10 +337,17 @@ class DenseSLAM:
         if maps.is_failing() or (maps.is_on_trial and not self.model.frame_count):
             maps.give_up(self.results)
         if warning == STALE and self.model.frame_count:
+            self.stream.lag.add(None, frame.timestamp)
             self._tracker.motion.missed += 1
             return TrackingResult(None, "lost", (warning,), map=maps.here.number, **known)
-        if self._restarts(frame) or not self.model.frame_count:
+        is_new = self._restarts(frame) or not self.model.frame_count
+        warning = self.stream.compare(frame)
+        self._note_offset()
+        if is_new:
             return self._begin(frame, known)
+        if warning == STALE:
+            self._tracker.motion.missed += 1
+            return TrackingResult(None, "lost", (warning,), map=maps.here.number, **known)
         attempt, is_anew = self._tracker.locate(frame)
         attempt = attempt.with_warning(warning)
         if attempt.status == "lost":
@@ -369,6 +370,15 @@ class DenseSLAM:
         fields = {**attempt.measures, **known, "relocalized": is_anew, "covariance": attempt.covariance}
         result = TrackingResult(attempt.pose, attempt.status, attempt.warnings, map=maps.here.number, **fields)
         return judge_drift(result, self.model.volume.truncation)
+
+    def _note_offset(self) -> None:
+        """Mark earlier frames whose color and depth turn out to be apart in time as uncertain."""
+        apart = self.stream.lag.current
+        if apart is None:
+            return
+        for i in range(apart.first, len(self.results)):
+            if self.results[i].is_tracked:
+                self.results[i] = dataclasses.replace(self.results[i], status="uncertain", warnings=(str(apart),))
 
     def _restarts(self, frame: SensorFrame) -> bool:
         """True if near pixels move independently while a young model contains them, which must then restart."""
@@ -436,168 +446,3 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
     model.volume, model.movers = fuse_submaps(recorder.submaps), Movers()
     model.current_frame_pose = corrected(model.current_frame_pose, len(results))
     return closure
-
-
-STALE = "its depth image repeats the previous one"
-STALLED = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
-STALLED_SECONDS = 0.12  # likewise with timestamps
-MIN_CELLS = 0.02  # minimum fraction of measured cells
-MOVED = 0.1  # [cells] color motion since the depth image: a tenth of a degree; noise 0.01
-CHANGED = 0.03  # or root mean square brightness change of a cell. Camera noise 0.01
-
-
-class StreamCheck:
-    """Consistency of the color and depth streams so far.
-
-    Attributes:
-        stalled: Number of last consecutive frames whose depth repeats an older image although the colors changed.
-        lag: The StreamLag.
-        view: The StreamView of the last frame. None before the first.
-    """
-
-    def __init__(self) -> None:
-        self.stalled, self.lag = 0, StreamLag()
-        self.view: StreamView | None = None
-        self._fresh: tuple[StreamView | None, float | None] = None, None
-
-    def look(self, frame: SensorFrame) -> str:
-        """Check the next frame: the problem, or an empty string. One host synchronization, two if depth is repeated."""
-        view = view_stream(frame.depth, frame.pixels, frame.intrinsic.width, frame.intrinsic.height)
-        last, self.view = self.view, view
-        if last is None or frame.pixels is None:
-            self._fresh, self.stalled = (view, frame.timestamp), 0
-            return ""
-        sums = motion_between(view, last)
-        is_repeated = sums[at.OTHER] == 0 and sums[at.MEASURED] > MIN_CELLS * view.columns * view.rows
-        if not is_repeated:
-            self._fresh, self.stalled = (view, frame.timestamp), 0
-            self.lag.add(shift_of(sums, at.BRIGHT), shift_of(sums, at.NEAR), frame.timestamp)
-            return self.problem or ""
-        self.lag.add(shift_of(sums, at.BRIGHT), np.full(2, math.nan), frame.timestamp)
-        fresh, since = self._fresh
-        assert fresh is not None
-        if has_moved(motion_between(view, fresh), view):
-            self.stalled += 1
-        age = frame.seconds_since(since)
-        is_old = self.stalled > STALLED if math.isnan(age) else age > STALLED_SECONDS
-        return STALE if self.stalled and is_old else self.problem or ""
-
-    @property
-    def problem(self) -> str | None:
-        """Why color and depth do not belong together. None if they do."""
-        if self.lag.frames is None:
-            return None
-        apart = f"{self.lag.seconds:.1f} s" if not math.isnan(self.lag.seconds) else f"{abs(self.lag.frames)} frames"
-        return f"color and depth appear to be {apart} apart in time"
-
-
-def motion_between(now: StreamView, before: StreamView) -> NDArray[np.float64]:
-    """The motion sums of two views, float64 [13]."""
-    sums: Any = download(compare_views(now, before))  # sync
-    return np.asarray(sums, np.float64).reshape(-1)
-
-
-def shift_of(sums: NDArray[np.float64], first: int) -> NDArray[np.float64]:
-    """The shift of an image [cells], float64 [2]. NaN if its gradients do not determine it."""
-    a, b, c, d, e = sums[first : first + 5]
-    determinant = a * c - b * b
-    if determinant <= 1e-6 * (a + c) ** 2 or a + c <= 0.0:
-        return np.full(2, math.nan)
-    return np.array([b * e - c * d, b * d - a * e]) / determinant
-
-
-def has_moved(sums: NDArray[np.float64], view: StreamView) -> bool:
-    shift = shift_of(sums, at.BRIGHT)
-    changed = math.sqrt(sums[at.SHADES] / (view.columns * view.rows))
-    return bool(norm(shift) > MOVED) or changed > CHANGED
-
-
-Shifts = NDArray[np.float64]
-
-WINDOW = 120  # correlated frames: four seconds at 30 Hz
-FARTHEST = 45  # maximum lag in frames
-MIN_PAIRS = 25  # for a lag
-EVERY = 5  # frames between checks
-SWEEP = 4  # frames on either side for the running mean
-CLIPPED = 3.0  # clipping in deviations, against single jerks
-TOGETHER = 0.6  # correlation: correct lags of hand-held cameras 0.75 to 0.95 | the best of 90 wrong ones 0.4
-BESIDE = 0.3  # minimum difference to zero lag: correct streams 0 | a second apart 0.55 and more
-NO_LAG = 3  # frames: a tenth of a second costs millimeters
-SHORT = 0.15  # [s] as NO_LAG, with timestamps
-AGREED = 2  # consecutive checks with the same lag
-
-
-class StreamLag:
-    """Time offset by correlation of color and depth motion: `frames` or `seconds` that color is later."""
-
-    def __init__(self) -> None:
-        self.frames: int | None = None
-        self.seconds, self.correlation = math.nan, 0.0
-        self._bright: list[Shifts] = []
-        self._near: list[Shifts] = []
-        self._times: list[float | None] = []
-        self._lags: list[int] = []
-        self._count = 0
-
-    def add(self, bright: Shifts, near: Shifts, time: float | None) -> None:
-        """Add a frame's color and depth shifts [cells] from the previous frame. NaN where undetermined."""
-        self._bright, self._near = [*self._bright[1 - WINDOW :], bright], [*self._near[1 - WINDOW :], near]
-        self._times = [*self._times[1 - WINDOW :], time]
-        self._count += 1
-        if self._count % EVERY == 0 and len(self._bright) > MIN_PAIRS:
-            self._look()
-
-    def _look(self) -> None:
-        bright, near = tremble(np.array(self._bright)), tremble(np.array(self._near))
-        farthest = min(FARTHEST, len(bright) - MIN_PAIRS)
-        lags = np.arange(-farthest, farthest + 1)
-        together = correlations(bright, near)[lags + len(bright) - 1]
-        step = self._step()
-        is_short = abs(lags) <= NO_LAG if math.isnan(step) else (abs(lags) < 2) | (abs(lags) * step < SHORT)
-        best, beside = int(np.argmax(together)), float(together[is_short].max())
-        lag = int(lags[best])
-        if not is_short[best] and together[best] > max(TOGETHER, beside + BESIDE):
-            self._lags = [*self._lags[1 - AGREED :], lag]
-            if len(self._lags) == AGREED and np.ptp(self._lags) <= 1:
-                self.frames, self.seconds, self.correlation = lag, abs(lag) * step, float(together[best])
-        elif together[best] > TOGETHER:  # no lag. Too little motion is no evidence
-            self._lags, self.frames = [], None
-
-    def _step(self) -> float:
-        times = [time for time in self._times if time is not None]
-        return float(np.median(np.diff(times))) if len(times) == len(self._times) > 1 else math.nan
-
-
-def tremble(shifts: Shifts) -> Shifts:
-    """Shifts [n, 2] minus their running mean, in standard deviations. NaN is preserved."""
-    known = np.isfinite(shifts)
-    sums = np.cumsum(np.vstack([np.zeros((1, 2)), np.where(known, shifts, 0.0)]), axis=0)
-    counts = np.cumsum(np.vstack([np.zeros((1, 2)), known]), axis=0)
-    at = np.arange(len(shifts))
-    low, high = np.maximum(at - SWEEP, 0), np.minimum(at + SWEEP + 1, len(shifts))
-    rest = shifts - (sums[high] - sums[low]) / np.maximum(counts[high] - counts[low], 1)
-    squares = np.where(known, rest, 0.0) ** 2
-    spread = np.sqrt(squares.sum(axis=0) / np.maximum(known.sum(axis=0), 1))
-    return np.clip(rest / np.maximum(spread, 1e-9), -CLIPPED, CLIPPED)
-
-
-def correlations(bright: Shifts, near: Shifts) -> Shifts:
-    """Correlations of two signals [n, 2] at color lags 1 - n to n - 1. 0 if too few frames have both."""
-    is_bright_known: Any = np.isfinite(bright).all(axis=1)
-    is_near_known: Any = np.isfinite(near).all(axis=1)
-    first_known, second_known = is_bright_known.astype(np.float64), is_near_known.astype(np.float64)
-    a, b = np.where(is_bright_known[:, None], bright, 0.0), np.where(is_near_known[:, None], near, 0.0)
-
-    def at_lags(x: Any, y: Any) -> Shifts:
-        return np.correlate(x, y, "full")
-
-    count = at_lags(first_known, second_known)
-    shared, first, second = (np.zeros(2 * len(a) - 1) for _ in range(3))
-    for axis in (0, 1):
-        x, y = a[:, axis], b[:, axis]
-        sums = at_lags(x, second_known), at_lags(first_known, y)
-        shared += at_lags(x, y) - sums[0] * sums[1] / np.maximum(count, 1)
-        first += at_lags(x * x, second_known) - sums[0] ** 2 / np.maximum(count, 1)
-        second += at_lags(first_known, y * y) - sums[1] ** 2 / np.maximum(count, 1)
-    scale = np.sqrt(np.maximum(first, 0.0) * np.maximum(second, 0.0))
-    return np.where((count > MIN_PAIRS - 0.5) & (scale > 1e-9), shared / np.maximum(scale, 1e-9), 0.0)

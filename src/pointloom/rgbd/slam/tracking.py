@@ -170,7 +170,7 @@ class _Tally:
             ),
             joins=tuple(self.slam.joins),
             uncertain_warning=next(("; ".join(r.warnings) for r in located.values() if not r.is_tracked), ""),
-            stream=self.slam.stream.problem, deviations=tuple(results[n].position_deviation for n in main),
+            stream=self.slam.stream.problems, deviations=tuple(results[n].position_deviation for n in main),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
             depth_share=depth_share, used_share=used_share, **sizes,
         )  # fmt: skip

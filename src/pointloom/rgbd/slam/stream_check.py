@@ -1,0 +1,342 @@
+"""Consistency of the color and depth streams of a camera: frozen depth and time offsets.
+
+Each frame is aligned with the previous one twice, by brightness and by surface. Both rotations are those of the camera
+if the images were taken at the same time. A repeated depth image beside changing colors is frozen. So is depth without
+rotation while the colors rotate. A time offset is the delay at which both rotations agree.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.linear_algebra import eigh, norm
+from ...kernels.memory import download
+from ...kernels.rgbd import stream_views as at
+from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
+from ...registration.rigid import rotation_vector
+from ..odometry.alignment import Method, descend
+from ..odometry.frames import OdometryFrame
+from ..odometry.motion_checks import covariance_of
+from .frames import SensorFrame
+
+Floats = NDArray[np.float64]
+
+STALE = "its depth image repeats the previous one"
+STALLED = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
+STALLED_SECONDS = 0.12  # likewise with timestamps
+MIN_CELLS = 0.02  # minimum fraction of measured cells
+MOVED = 0.1  # [cells] color motion since the depth image: a tenth of a degree; noise 0.01
+CHANGED = 0.03  # or root mean square brightness change of a cell. Camera noise 0.01
+
+STEPS, STEPS_SMALL = (10, 8, 0), (10, 8)  # per level, the finest last: 320 x 240 pixels are halved twice
+COLOR_NOISE = math.radians(0.05)  # of a rotation by brightness: 0.02 with correct depth, 0.06 with depth 0.7 s late
+MAX_NOISE = math.radians(0.25)  # of a rotation by surface; directions with more are undetermined
+CAPPED = 9.0  # squared difference in variances, against single errors
+FARTHEST = 45  # maximum delay in frames
+WINDOW, MIN_WINDOW = 25, 20  # compared frames
+MIN_COUNT, MIN_SHARE = 20, 0.6  # minimum number of compared directions, also as a fraction of those without a delay
+MIN_MOTION = 0.3  # minimum mean square rotation in variances: below it nothing can be compared
+TOGETHER = 0.35  # of the median residual over all delays: correct delays 0.02 to 0.31
+BESIDE = 2.5  # minimum ratio of the residual without a delay: synchronized 1.0 to 1.3, 2 frames apart 9 and more
+MIN_RESIDUAL = 0.12  # minimum of it in variances: synchronized up to 0.04 | 2 frames apart 0.44 and more
+SHORT = 0.04  # [s] accepted offset: a frame of a slow camera, which costs millimeters
+SHORT_FRAMES = 1.2  # likewise without timestamps
+RECENT = 8  # frames at the end of a synchronized window that may be apart already, and that end an offset
+
+FROZEN = 20.0  # minimum squared rotation by colors in variances
+STILL = 0.1  # maximum ratio of the rotation by surface
+MAX_FROZEN_WINDOW = 15  # frames with the rotation
+SPREAD, UNCHANGED = 90.0, 1.3  # percentile of the changes of cells, and its maximum growth over the window
+
+
+@dataclasses.dataclass(frozen=True)
+class Apart:
+    """Frames whose color and depth are apart in time.
+
+    Attributes:
+        first, last: The first and last frame.
+        frames: Number of frames by which depth is late. Negative if it is early.
+        seconds: Likewise [s]. NaN without timestamps.
+    """
+
+    first: int
+    last: int
+    frames: float
+    seconds: float
+
+    def __str__(self) -> str:
+        early = "late" if self.frames > 0 else "early"
+        by = f"{abs(self.frames):.1f} frames" if math.isnan(self.seconds) else f"{abs(self.seconds):.2f} s"
+        order = "later" if self.frames > 0 else "earlier"
+        return (
+            f"depth is {by} {early} compared with color in frame {self.first}-{self.last}; pair each color image with "
+            f"the depth image that is {by} {order}"
+        )
+
+
+class StreamCheck:
+    """Consistency of the color and depth streams so far.
+
+    Attributes:
+        stalled: Number of last consecutive frames whose depth repeats an older image although the colors changed.
+        lag: The StreamLag.
+        view: The StreamView of the last frame. None before the first.
+    """
+
+    def __init__(self) -> None:
+        self.stalled, self.lag = 0, StreamLag()
+        self.view: StreamView | None = None
+        self._fresh: tuple[StreamView | None, float | None] = None, None
+        self._frozen = FrozenDepth()
+
+    def look(self, frame: SensorFrame) -> str:
+        """Compare the images of the next frame with earlier ones. Returns the problem, or an empty string."""
+        view = view_stream(frame.depth, frame.pixels, frame.intrinsic.width, frame.intrinsic.height)
+        last, self.view = self.view, view
+        if last is None or frame.pixels is None:
+            self._fresh, self.stalled = (view, frame.timestamp), 0
+            return ""
+        sums = motion_between(view, last)
+        is_repeated = sums[at.OTHER] == 0 and sums[at.MEASURED] > MIN_CELLS * view.columns * view.rows
+        if not is_repeated:
+            self._fresh, self.stalled = (view, frame.timestamp), 0
+            return ""
+        fresh, since = self._fresh
+        assert fresh is not None
+        if has_moved(motion_between(view, fresh), view):
+            self.stalled += 1
+        age = frame.seconds_since(since)
+        is_old = self.stalled > STALLED if math.isnan(age) else age > STALLED_SECONDS
+        return STALE if self.stalled and is_old else ""
+
+    def compare(self, frame: SensorFrame) -> str:
+        """Compare the rotations of color and depth since the previous frame, without pixels that move with the camera.
+
+        Returns the problem, or an empty string.
+        """
+        assert self.view is not None
+        motion = self.lag.add(frame.pyramid if frame.pixels is not None else None, frame.timestamp)
+        count = self._frozen.add(motion, self.view)
+        self.lag.leave_out(count)
+        return STALE if count else self.problem or ""
+
+    @property
+    def problem(self) -> str | None:
+        """Why color and depth of the last frame do not belong together. None if they do."""
+        return None if self.lag.current is None else str(self.lag.current)
+
+    @property
+    def problems(self) -> str | None:
+        """The time offsets of all frames. None if there are none."""
+        return "; ".join(map(str, self.lag.apart)) or None
+
+
+def motion_between(now: StreamView, before: StreamView) -> Floats:
+    """The motion sums of two views, float64 [8]."""
+    sums = download(compare_views(now, before))  # sync
+    return np.asarray(sums, np.float64).reshape(-1)
+
+
+def shift_of(sums: Floats) -> Floats:
+    """The shift of the colors [cells], float64 [2]. NaN if their gradients do not determine it."""
+    a, b, c, d, e = sums[at.BRIGHT : at.BRIGHT + 5]
+    determinant = a * c - b * b
+    if determinant <= 1e-6 * (a + c) ** 2 or a + c <= 0.0:
+        return np.full(2, math.nan)
+    return np.array([b * e - c * d, b * d - a * e]) / determinant
+
+
+def has_moved(sums: Floats, view: StreamView) -> bool:
+    changed = math.sqrt(sums[at.SHADES] / (view.columns * view.rows))
+    return bool(norm(shift_of(sums)) > MOVED) or changed > CHANGED
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Rotations:
+    """Rotations of a frame from the previous one [rad] by color and by depth, float64 [3].
+
+    `axes`, float64 [3, 3], are the principal directions of the depth's covariance as columns, `variances` [3] those of
+    the difference of both rotations. Arrays of several frames have a leading dimension.
+    """
+
+    color: Floats
+    depth: Floats
+    axes: Floats
+    variances: Floats
+
+    @property
+    def determined(self) -> NDArray[np.bool_]:
+        return self.variances < MAX_NOISE**2
+
+    def along(self, rotation: Floats) -> Floats:
+        """Squared components of rotations (..., 3) along the axes, in variances; 0 if undetermined."""
+        parts = sum(rotation[..., i, None] * self.axes[..., i, :] for i in range(3))
+        return np.where(self.determined, parts * parts / self.variances, 0.0)
+
+
+def rotations_between(now: OdometryFrame, before: OdometryFrame) -> Rotations | None:
+    """The Rotations of two frames. None if an alignment failed."""
+    steps = STEPS if now.levels.count > 2 else STEPS_SMALL
+    by_color, _ = descend(now, before, np.eye(4), Method.Intensity, steps)
+    by_depth, _ = descend(now, before, np.eye(4), Method.PointToPlane, steps)
+    covariance = covariance_of(by_depth.firm, by_depth.consistency)[:3, :3]
+    poses = by_color.pose, by_depth.pose
+    if not all(np.isfinite(matrix).all() for matrix in (*poses, covariance)):
+        return None
+    variances, axes = eigh(covariance)
+    color, depth = (rotation_vector(pose[:3, :3]) for pose in poses)
+    return Rotations(color, depth, axes, np.maximum(variances, 0.0) + COLOR_NOISE**2)
+
+
+class StreamLag:
+    """Time offset of depth and color by comparison of their rotations.
+
+    Attributes:
+        apart: The stretches of frames that are apart in time.
+        current: The one of the last frame. None if it is synchronized, or if that is unknown.
+    """
+
+    def __init__(self) -> None:
+        self.apart: list[Apart] = []
+        self.current: Apart | None = None
+        self._before: OdometryFrame | None = None
+        self._rotations: list[Rotations | None] = []
+        self._times: list[float | None] = []
+        self._costs: list[Floats] = []
+        self._count = self._synchronized = 0
+
+    def add(self, pyramid: OdometryFrame | None, time: float | None) -> Rotations | None:
+        """Add the next frame, None without color. Returns its rotations from the previous frame."""
+        before, self._before = self._before, pyramid
+        known = before is not None and pyramid is not None and before.has_color
+        self.add_rotations(rotations_between(pyramid, before) if known else None, time)  # type: ignore[arg-type]
+        return self._rotations[-1]
+
+    def add_rotations(self, rotations: Rotations | None, time: float | None) -> None:
+        """Add the rotations of the next frame, and compare the last frames at each delay."""
+        self._rotations = [*self._rotations[-FARTHEST:], rotations]
+        self._times = [*self._times[1 - WINDOW :], time]
+        self._costs = [*self._costs[1 - WINDOW :], costs_at_delays(self._rotations)]
+        self._count += 1
+        self._judge()
+
+    def leave_out(self, count: int) -> None:
+        """Exclude the last frames, whose depth is frozen, from later comparisons."""
+        if count:
+            self._rotations[-count:] = [None] * min(count, len(self._rotations))
+            for costs in self._costs[-count:]:
+                costs[:] = 0.0
+
+    def _judge(self) -> None:
+        residual, count, motion = np.sum(self._costs, axis=0)
+        is_known = count >= max(MIN_COUNT, MIN_SHARE * count[FARTHEST])
+        has_moved = motion[FARTHEST] > MIN_MOTION * count[FARTHEST]
+        if len(self._costs) < MIN_WINDOW or not is_known[FARTHEST] or not has_moved:
+            return
+        mean = np.where(is_known, residual / np.maximum(count, 1.0), math.inf)
+        best = int(np.argmin(mean))
+        usual = float(np.median(mean[is_known]))
+        if mean[best] > TOGETHER * usual:
+            return
+        delay = best - FARTHEST + between(mean, best)
+        step = self._step()
+        is_short = abs(delay) < SHORT_FRAMES if math.isnan(step) else abs(delay) * step < SHORT or abs(delay) < 0.5
+        if is_short:
+            self._synchronized, self.current = max(self._count - RECENT, 0), None
+        elif mean[FARTHEST] > max(BESIDE * mean[best], MIN_RESIDUAL) and not self._has_ended(best):
+            self._note(delay, delay * step)
+
+    def _has_ended(self, best: int) -> bool:
+        """True if the last frames are synchronized again."""
+        residual, count, _ = np.sum(self._costs[-RECENT:], axis=0)
+        is_together = count[FARTHEST] >= RECENT and BESIDE * residual[FARTHEST] < residual[best]
+        if self.current is not None and is_together:
+            self._synchronized, self.current = max(self._count - RECENT, 0), None
+        return is_together
+
+    def _note(self, delay: float, seconds: float) -> None:
+        last = self._count - 1
+        if self.current is None:
+            self.current = Apart(self._synchronized, last, delay, seconds)
+            self.apart.append(self.current)
+        else:
+            first = self.current.first
+            self.current = self.apart[-1] = Apart(first, last, delay, seconds)
+
+    def _step(self) -> float:
+        times = [time for time in self._times if time is not None]
+        return float(np.median(np.diff(times))) if len(times) == len(self._times) > 1 else math.nan
+
+
+def between(values: Floats, best: int) -> float:
+    """Position of the minimum of a parabola through the minimum and its neighbors."""
+    if not 0 < best < len(values) - 1:
+        return 0.0
+    left, middle, right = values[best - 1 : best + 2]
+    bend = left - 2.0 * middle + right
+    return float(0.5 * (left - right) / bend) if math.isfinite(bend) and bend > 0.0 else 0.0
+
+
+def costs_at_delays(rotations: Sequence[Rotations | None]) -> Floats:
+    """Compare the last color with earlier depth and the last depth with earlier colors.
+
+    Returns float64 [3, 2 * FARTHEST + 1] over the delays of depth: capped squared differences, the number of compared
+    directions, and squared rotations. 0 where unknown.
+    """
+    out = np.zeros((3, 2 * FARTHEST + 1))
+    last, others = rotations[-1], [(back, other) for back, other in enumerate(reversed(rotations)) if other is not None]
+    if last is None:
+        return out
+    back = np.array([back for back, _ in others])
+    colors, depths, axes, variances = (
+        np.array([getattr(other, name) for _, other in others]) for name in ("color", "depth", "axes", "variances")
+    )
+    earlier = Rotations(last.color, depths, axes, variances)
+    for delays, color, pair in ((FARTHEST + back, colors, last), (FARTHEST - back, last.color, earlier)):
+        out[0, delays] = np.minimum(pair.along(color - pair.depth), CAPPED).sum(axis=-1)
+        out[1, delays] = pair.determined.sum(axis=-1)
+        out[2, delays] = pair.along(color).sum(axis=-1)
+    return out
+
+
+class FrozenDepth:
+    """Depth that does not move while the colors do, as of a stalled stream with noise."""
+
+    def __init__(self) -> None:
+        self._squares: list[tuple[float, float]] = []
+        self._views: list[NDArray[np.float32]] = []
+        self._is_frozen = False
+
+    def add(self, rotations: Rotations | None, view: StreamView) -> int:
+        """Add the next frame. Returns the number of last frames whose depth is frozen."""
+        if rotations is None:
+            self._squares, self._views, self._is_frozen = [], [download(view.nearness)], False
+            return 0
+        squares = float(rotations.along(rotations.color).sum()), float(rotations.along(rotations.depth).sum())
+        self._squares = [*self._squares[1 - MAX_FROZEN_WINDOW :], squares]
+        self._views = [*self._views[-MAX_FROZEN_WINDOW:], download(view.nearness)]  # sync
+        color = depth = 0.0
+        count = 0
+        for color_square, depth_square in reversed(self._squares):
+            color, depth, count = color + color_square, depth + depth_square, count + 1
+            if color > FROZEN and count > STALLED:
+                break
+        if color > FROZEN:
+            self._is_frozen = depth < STILL * color and self._is_unchanged(count)
+        return count if self._is_frozen else 0
+
+    def _is_unchanged(self, count: int) -> bool:
+        """True if cells changed no more over the last frames than from one frame to the next, by noise."""
+        now, before, first = self._views[-1], self._views[-2], self._views[-1 - count]
+        changes = []
+        for other in (before, first):
+            both = (now > 0.0) & (other > 0.0)
+            if not both.any():
+                return False
+            changes.append(float(np.percentile(np.abs(now - other)[both], SPREAD)))
+        return changes[1] <= UNCHANGED * changes[0] + 1e-6
