@@ -27,6 +27,21 @@ def hide_near(depth: Scalars, limit: float) -> Scalars:
     return far
 
 
+@kernel
+def hide_cells_kernel(
+    depth: array(dtype=float32), hidden: array(dtype=uint8), width: int, side: int, columns: int, rows: int,
+    shown: array(dtype=float32),
+):  # fmt: skip
+    i = tid()
+    u = i % width // side
+    v = i // width // side
+    value = depth[i]
+    if u < columns and v < rows:
+        if hidden[v * columns + u] != uint8(0):
+            value = 0.0
+    shown[i] = value
+
+
 CELLS = 80  # per view width: a cell of VGA is 8 x 8 pixels, so fast rotations move by few cells
 FULL = 0.75  # minimum fraction of a cell's pixels with depth
 stream_sums = vector(8, float64)
@@ -123,3 +138,11 @@ def view_stream(depth: Scalars, pixels: Array2[uint8] | None, width: int, height
 def compare_views(now: StreamView, before: StreamView) -> Array1[Any]:
     """Sums of `sum_motion` over two views of one size, float64 (1, 8) on the device."""
     return reduce(sum_motion, now.columns * now.rows, [now, before, now.columns, now.rows])
+
+
+def hide_cells(depth: Scalars, hidden: Scalars, view: StreamView, width: int) -> Scalars:
+    """Depth [m], float32 (pixels), without the cells of a view where `hidden`, uint8 (cells), is not 0."""
+    shown = empty(depth.size, float32, depth.device)
+    side = max(1, width // CELLS)
+    launch(hide_cells_kernel, depth.size, [depth, hidden, width, side, view.columns, view.rows, shown])
+    return shown

@@ -9,6 +9,7 @@ from pointloom.cameras.trajectory import read_trajectory
 from pointloom.cli.jobs.track import track_folder
 from pointloom.io.pictures.image_files import read_depth, write_png
 from pointloom.rgbd.slam import tracking
+from pointloom.rgbd.slam.fixed_parts import FixedParts
 from pointloom.rgbd.slam.results import TrackingResult
 from pointloom.rgbd.slam.stream_check import StreamCheck
 
@@ -20,7 +21,7 @@ class Guided:
 
     def __init__(self, fates: dict[int, str] | None = None):
         self.fates, self.seen, self.folded = fates or {}, 0, []
-        self.results, self.joins, self.stream = [], [], StreamCheck()
+        self.results, self.joins, self.stream, self.fixed_parts = [], [], StreamCheck(), FixedParts()
 
     def join_maps(self):
         return []

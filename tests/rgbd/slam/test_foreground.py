@@ -31,7 +31,9 @@ def test_foreground_fixed_to_the_camera_is_excluded(device):
     source, slam = frames(*range(14)), begun(device)
     results = slam.run([with_object(f, 54, 26) for f in source])
     assert all(fit(results)) and len(results) == 14
-    assert off(results, source) < VOXEL and slam.foreground.is_apart
+    assert off(results, source) < VOXEL and slam.fixed_parts.hidden[:, 56:].all()
+    assert not slam.fixed_parts.hidden[:, :50].any()
+    assert slam.fixed_parts.note.startswith("an object that moves with the camera, 0.6")
     assert np.asarray(slam.render(results[-1].pose).depth)[:, 54:].max() > 1.0, "behind it the room is seen"
 
 
@@ -52,19 +54,19 @@ def test_foreground_moving_before_the_camera_is_excluded(device):
 def test_nothing_is_excluded_in_a_static_scene(device):
     source, slam = frames(*range(14)), begun(device)
     slam.run(source)
-    assert slam.foreground.frames == 0 and slam.status_counts["tracked"] == 14
+    assert slam.foreground.frames == 0 and slam.status_counts["tracked"] == 14 and not slam.fixed_parts.note
 
 
 def test_a_stationary_camera_excludes_nothing():
     slam = begun("cpu")
     slam.run([with_object(changed(frame(0), timestamp=k / 30), 54, 26) for k in range(10)])
-    assert slam.foreground.frames == 0
+    assert slam.foreground.frames == 0 and not slam.fixed_parts.note
 
 
 def test_exclusion_ends_after_the_foreground_disappears():
     source, slam = frames(*range(36)), begun("cpu")
     slam.run([with_object(f, 54, 26) if k < 4 else f for k, f in enumerate(source)])
-    assert 0 < slam.foreground.frames < 32 and not slam.foreground.is_apart
+    assert slam.fixed_parts.note and slam.fixed_parts.hidden is None and not slam.foreground.is_apart
 
 
 def test_a_model_of_few_frames_finds_no_camera_that_was_lost_for_long():

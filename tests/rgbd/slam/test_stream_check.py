@@ -175,3 +175,19 @@ def test_a_path_with_unsynchronized_streams_is_unreliable():
     assert apart.to_dict()["stream"] == message
     slides = dataclasses.replace(path, uncertain=(0, 1), uncertain_warning="it may slide")
     assert "(frame 0-1): it may slide" in slides.warnings[0]
+
+
+def test_a_short_gap_of_blank_frames_is_a_note():
+    source = [blank(f) if 4 <= k < 8 else f for k, f in enumerate(frames(*range(12)))]
+
+    def tracked(source):
+        given = loom.frames_from([(f.color, f.depth, f.timestamp) for f in source], sequence().intrinsic)
+        return loom.track(given, voxel_size=0.04)
+
+    path = tracked(source)
+    assert path.covered == (4, 5, 6, 7) and tuple(path.lost) == path.covered
+    assert path.reliable and path.notes == ("4 frames are blank and were left out (frame 4-7)",)
+    ending = tracked(source[:6])
+    assert ending.covered == () and not ending.reliable, "tracking did not resume"
+    late = tracked([changed(f, timestamp=f.timestamp + (1.0 if k >= 6 else 0.0)) for k, f in enumerate(source)])
+    assert late.covered == () and not late.reliable, "a second passed"

@@ -22,6 +22,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.rigid import invert_pose
+from .fixed_parts import FixedParts
 from .foreground import Foreground
 from .frame_checks import MIN_DEPTH, depth_share, is_determined, judge_drift
 from .frames import SensorFrame
@@ -64,6 +65,7 @@ class DenseSLAM:
         results: A TrackingResult for each frame, in order. Its `map` is the number of the map that the pose refers to.
         stream: The StreamCheck of color against depth; `stream.problem` is the reason if they do not match.
         foreground: The Foreground: detection of near objects that move independently and are excluded.
+        fixed_parts: The FixedParts: detection of objects fixed to the camera, which are excluded.
 
     Raises:
         ValueError: A size is not positive, or a pose is not rigid.
@@ -111,7 +113,7 @@ class DenseSLAM:
         if submap_frames is not None:
             check_count("submap_frames", submap_frames, minimum=2)
         self.results: list[TrackingResult] = []
-        self.stream, self.foreground = StreamCheck(), Foreground()
+        self.stream, self.foreground, self.fixed_parts = StreamCheck(), Foreground(), FixedParts()
         self._latest: tuple[Any, SensorFrame] | None = None
         self._maps = Maps(self._new_map)
         self._joining = Joining(self._maps, self.results, self._seed)
@@ -356,13 +358,13 @@ class DenseSLAM:
                 maps.give_up(self.results)
             elsewhere = maps.find_elsewhere(frame)
             if elsewhere is None:
-                self.foreground.set_pose(None)
+                self._set_pose(None)
                 lost = TrackingResult(None, "lost", attempt.warnings, map=maps.here.number, **attempt.measures, **known)
                 return self._begin_anew(frame, known, lost)
             attempt, is_anew = elsewhere, True
         maps.note_tracked()
         motion, is_tracked = maps.here.tracker.motion, attempt.status == "tracked"
-        self.foreground.set_pose(attempt.pose if is_tracked else None)
+        self._set_pose(attempt.pose if is_tracked else None)
         has_velocity = not is_anew and is_determined(attempt.result)
         if is_tracked:
             motion.learn(attempt.result)
@@ -370,6 +372,10 @@ class DenseSLAM:
         fields = {**attempt.measures, **known, "relocalized": is_anew, "covariance": attempt.covariance}
         result = TrackingResult(attempt.pose, attempt.status, attempt.warnings, map=maps.here.number, **fields)
         return judge_drift(result, self.model.volume.truncation)
+
+    def _set_pose(self, pose: Pose | None) -> None:
+        self.foreground.set_pose(pose)
+        self.fixed_parts.set_pose(pose)
 
     def _note_offset(self) -> None:
         """Mark earlier frames whose color and depth turn out to be apart in time as uncertain."""
@@ -386,10 +392,13 @@ class DenseSLAM:
         if not self.model.leave_out_moving or self.stream.view is None:
             return False
         expected = None if motion.pose is None or motion.missed else motion.expected(frame)
+        pose = self.fixed_parts.remove(frame, self.stream.view, expected)
         layers = self.foreground.part(frame, self.stream.view, expected)
-        if layers is None or layers.pose is None or self.model.frame_count > YOUNG:
+        if layers is not None and pose is None:
+            pose = layers.pose
+        if pose is None or self.model.frame_count > YOUNG:
             return False
-        self._maps.here.begin_again(clean_pose(layers.pose), self._new_recorder(self.model))
+        self._maps.here.begin_again(clean_pose(pose), self._new_recorder(self.model))
         return True
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
@@ -399,7 +408,7 @@ class DenseSLAM:
             return TrackingResult(None, "lost", ("the image is blank, and there is no model yet",), **known)
         pose = here.model.current_frame_pose
         here.tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
-        self.foreground.set_pose(pose)
+        self._set_pose(pose)
         return TrackingResult(pose, "tracked", fitness=1.0, overlap=1.0, map=here.number, **known)
 
     def _begin_anew(self, frame: SensorFrame, known: dict[str, Any], lost: TrackingResult) -> TrackingResult:

@@ -21,6 +21,7 @@ from ..odometry.results import OdometryResult
 from .results import Status, TrackingResult
 
 MIN_DEPTH = 0.02  # minimum depth fraction of a frame
+BLANK = "the image is blank"  # with less
 MIN_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # fraction of the frame's depth where the model has depth
 MIN_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # fraction of that on its surface
 MIN_EIGENVALUE = 0.005  # as of OdometryResult: small images of rooms 0.007 and more | flat walls up to 0.004

@@ -42,6 +42,9 @@ class TrackedPath(Assessed):
         device: Compute device.
         uncertain_warning: Warning of the first uncertain frame, or empty.
         stream: Inconsistency of the color and depth streams, or None.
+        covered: Lost frames that are blank for at most half a second, and after which tracking resumed. They do not make
+            the path unreliable.
+        notes: Remarks that do not concern reliability: covered frames, and objects fixed to the camera.
         deviations: Accumulated standard deviation [m] of each position along its least determined direction.
         drifted: Uncertain frames whose accumulated deviation is too large.
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
@@ -68,6 +71,8 @@ class TrackedPath(Assessed):
     drifted: tuple[int, ...] = ()
     other_maps: tuple[Trajectory, ...] = ()
     joins: tuple[MapJoin, ...] = ()
+    covered: tuple[int, ...] = ()
+    notes: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         return in_columns([*self.fields(), ("model", f"voxels of {self.voxel_size * 1000:g} mm")])
@@ -80,7 +85,7 @@ class TrackedPath(Assessed):
     def warnings(self) -> tuple[str, ...]:
         count, range_warning = self.frame_count, why_out_of_range(self.depth_share, self.used_share, self.depth_max)
         reasons = [reason for reason in (range_warning, self.stream) if reason is not None]
-        if lost := self.lost:
+        if lost := {number: reason for number, reason in self.lost.items() if number not in self.covered}:
             first = next(iter(lost.values()))
             reasons.append(
                 f"{len(lost)} of {count} frames were lost ({some_frames(list(lost))}) and are left out: {first}"
@@ -140,6 +145,7 @@ class TrackedPath(Assessed):
             ],
             "joined_maps": sum(not join.refused for join in self.joins),
             "path_length_m": path_length(self.trajectory.poses),
+            "notes": list(self.notes),
             **quality(self),
         }
 

@@ -35,6 +35,7 @@ from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .frame_checks import (
+    BLANK,
     MAX_SHIFT,
     MIN_DEPTH,
     RIM_OVERLAP,
@@ -165,7 +166,7 @@ class Tracker:
             self._tries = 0
             return still, False
         if depth_share(frame.pyramid) < MIN_DEPTH:
-            return Attempt(np.eye(4), NOTHING, "lost", ("the image is blank",)), False
+            return Attempt(np.eye(4), NOTHING, "lost", (BLANK,)), False
         if not self.motion.missed:
             followed = self._follow(frame, frame.pyramid)
             if followed.status != "lost":

@@ -14,6 +14,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError
+from ...core.number_ranges import some_frames
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
 from ...io.frames.frames import (
@@ -27,12 +28,14 @@ from ...io.frames.frames import (
 )
 from ...io.frames.rgbd_sources import RGBDSource
 from .dense_slam import DenseSLAM
+from .frame_checks import BLANK
 from .maps import map_sizes
 from .results import TrackingResult
 from .tracked_path import TrackedPath
 from .volume_sizes import check_sizes
 
 VOXEL_SIZE = 0.02  # [m] of the model
+MAX_GAP, MAX_GAP_SECONDS = 15, 0.5  # frames, and [s] if there are timestamps, without an image
 
 
 def track(
@@ -157,6 +160,8 @@ class _Tally:
         largest, *others = map_sizes(list(located.values())) or [0]
         main = [number for number, result in located.items() if result.map == largest]
         aligned = [result for result in located.values() if result.iterations]  # not the first frames of maps
+        covered, fixed = covered_frames(results, largest), self.slam.fixed_parts.note
+        notes = [f"{len(covered)} frames are blank and were left out ({some_frames(covered)})"] if covered else []
         depth_share, used_share = np.mean(self.shares, axis=0).tolist() if self.shares else (0.0, 0.0)
         return TrackedPath(
             trajectory=self._trajectory(main, results), true_poses=tuple(self.true_poses[n] for n in main),
@@ -172,9 +177,27 @@ class _Tally:
             uncertain_warning=next(("; ".join(r.warnings) for r in located.values() if not r.is_tracked), ""),
             stream=self.slam.stream.problems, deviations=tuple(results[n].position_deviation for n in main),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
-            depth_share=depth_share, used_share=used_share, **sizes,
+            covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())), depth_share=depth_share, used_share=used_share, **sizes,
         )  # fmt: skip
 
     def _trajectory(self, numbers: list[int], results: dict[int, TrackingResult]) -> Trajectory:
         poses = [pose for n in numbers if (pose := results[n].pose) is not None]
         return trajectory_of(poses, numbers, [self.timestamps[n] for n in numbers])
+
+
+def covered_frames(results: dict[int, TrackingResult], main: int) -> list[int]:
+    """Blank frames of short gaps, after which the next frame was tracked in the main map without ambiguity."""
+    covered: list[int] = []
+    gap: list[int] = []
+    before: TrackingResult | None = None
+    for number, result in results.items():
+        if result.warnings == (BLANK,):
+            gap.append(number)
+            continue
+        is_short = len(gap) <= MAX_GAP
+        if before is not None and gap and before.timestamp is not None and result.timestamp is not None:
+            is_short = result.timestamp - before.timestamp <= MAX_GAP_SECONDS
+        if gap and before is not None and is_short and result.is_tracked and before.map == result.map == main:
+            covered += gap
+        gap, before = [], result
+    return covered
