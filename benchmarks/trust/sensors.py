@@ -37,13 +37,13 @@ class CameraFrame:
 class DepthCamera:
     """Renders a site; images have `scale` times WIDTH x HEIGHT, and the focal length is multiplied by `zoom`."""
 
-    def __init__(self, site: Site, seed: int = 0, *, scale: int = 1, zoom: float = 1.0):
+    def __init__(self, site: Site, seed: int = 0, *, scale: float = 1, zoom: float = 1.0):
         import pointloom as loom
 
         self.site, self.seed = site, seed
         self.scene = loom.RaycastingScene()
         self.scene.add_triangles(site.vertices.astype(np.float32), site.triangles.astype(np.uint32))
-        width, height, self.focal = scale * WIDTH, scale * HEIGHT, scale * zoom * FOCAL
+        width, height, self.focal = round(scale * WIDTH), round(scale * HEIGHT), scale * zoom * FOCAL
         cx, cy = (width - 1) / 2, (height - 1) / 2
         self.intrinsic = loom.PinholeCameraIntrinsic(width, height, self.focal, self.focal, cx, cy)
         v, u = np.mgrid[:height, :width]
@@ -136,29 +136,46 @@ def climb(count: int, seed: int, *, speed: float = 0.35) -> list[Array]:
     return in_hand(poses, seed)
 
 
-def frozen(frames: Sequence[CameraFrame], start: int) -> list[CameraFrame]:
-    """Frames whose depth is frozen from a frame on while their color continues."""
-    return [dataclasses.replace(f, depth=frames[min(k, start)].depth) for k, f in enumerate(frames)]
+def frozen(
+    frames: Sequence[CameraFrame], start: int, end: int | None = None, *, noise: float = 0.0
+) -> list[CameraFrame]:
+    """Frames whose depth is that of one frame up to noise [m], while their color continues."""
+    last, still = len(frames) if end is None else end, frames[start].depth
+    changed = []
+    for k, f in enumerate(frames):
+        if start < k < last:
+            rng = np.random.default_rng([k, 9])
+            z = np.where(still > 0, np.round(still + rng.normal(0, noise, still.shape), 3), 0) if noise else still
+            f = dataclasses.replace(f, depth=z.astype(np.float32))
+        changed.append(f)
+    return changed
 
 
-def delayed(frames: Sequence[CameraFrame], count: int) -> list[CameraFrame]:
-    """Frames with depth delayed by `count` frames."""
-    return [dataclasses.replace(f, depth=frames[max(k - count, 0)].depth) for k, f in enumerate(frames)][count:]
+def delayed(frames: Sequence[CameraFrame], count: int, start: int = 0, end: int | None = None) -> list[CameraFrame]:
+    """Frames with depth delayed by `count` frames, from the first possible one, or between two frames only."""
+    last = len(frames) if end is None else end
+    late = [
+        dataclasses.replace(f, depth=frames[max(k - count, 0)].depth) if start <= k < last else f
+        for k, f in enumerate(frames)
+    ]
+    return late if start else late[count:]
 
 
-def with_gripper(frames: Sequence[CameraFrame], share: float, seed: int) -> list[CameraFrame]:
-    """Frames with an object fixed to the camera in the lower part of the image, 0.5 m away."""
+def with_gripper(frames: Sequence[CameraFrame], share: float, seed: int, *, side: str = "low") -> list[CameraFrame]:
+    """Frames with an object fixed to the camera in the lower or left part of the image, 0.5 m away."""
     rng = np.random.default_rng([seed, 11])
-    rows = round(HEIGHT * (1 - share))
-    v, u = np.mgrid[:HEIGHT, :WIDTH]
-    shape = 0.5 + 0.08 * np.sin(u / 31) * np.cos(v / 17)
-    paint = (120 + 60 * np.sin(u / 9) * np.sin(v / 13))[..., None] * np.array([1.0, 0.8, 0.6])
+    height, width = frames[0].depth.shape
+    v, u = np.mgrid[:height, :width]
+    mask = v >= round(height * (1 - share)) if side == "low" else u < round(width * share)
+    x, y = u * (WIDTH / width), v * (HEIGHT / height)
+    shape = 0.5 + 0.08 * np.sin(x / 31) * np.cos(y / 17)
+    paint = (120 + 60 * np.sin(x / 9) * np.sin(y / 13))[..., None] * np.array([1.0, 0.8, 0.6])
     changed = []
     for f in frames:
         depth, color = f.depth.copy(), f.color.copy()
         noise = rng.normal(0, 0.0013, depth.shape)
-        depth[rows:] = (shape + noise)[rows:].astype(np.float32)
-        color[rows:] = np.clip(paint + rng.normal(0, 2, paint.shape), 0, 255).astype(np.uint8)[rows:]
+        depth[mask] = (shape + noise)[mask].astype(np.float32)
+        color[mask] = np.clip(paint + rng.normal(0, 2, paint.shape), 0, 255).astype(np.uint8)[mask]
         changed.append(dataclasses.replace(f, depth=depth, color=color))
     return changed
 

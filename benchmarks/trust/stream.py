@@ -77,10 +77,14 @@ def late(frames: Sequence[Any], count: int) -> list[Any]:
     return [of(g.depth, f.color, f.T_world_camera, f.timestamp) for f, g in zip(frames, frames[count:], strict=False)]
 
 
-def frozen(frames: Sequence[Any], first: int) -> list[Any]:
-    """Frames whose depth is frozen from one on."""
-    still = frames[first].depth
-    return [f if k < first else of(still, f.color, f.T_world_camera, f.timestamp) for k, f in enumerate(frames)]
+def frozen(frames: Sequence[Any], first: int, noise: float = 0.0) -> list[Any]:
+    """Frames whose depth is frozen from one on, up to noise [mm]."""
+    rng, still = np.random.default_rng(first), frames[first].depth
+    out = list(frames[:first])
+    for f in frames[first:]:
+        depth = np.where(still > 0, np.rint(still + rng.normal(0, noise, still.shape)), 0) if noise else still
+        out.append(of(depth.astype(still.dtype), f.color, f.T_world_camera, f.timestamp))
+    return out
 
 
 def run(case: str, frames: Sequence[Any], camera: Any, *, is_sound: bool = True, held_out: bool = True) -> Judged:
@@ -93,7 +97,7 @@ def run(case: str, frames: Sequence[Any], camera: Any, *, is_sound: bool = True,
     tracked = np.array([result.is_tracked for result in results])
     counts = slam.status_counts
     message = f"{counts['tracked']} tracked, {counts['uncertain']} uncertain, {counts['lost']} lost"
-    problem = slam.stream.problem or ""
+    problem = slam.stream.problems or ""
     error = f"at most {100 * np.nanmax(np.where(tracked, errors, np.nan)):.0f} cm where tracked"
     if not is_sound:
         accepted = int(not problem)
@@ -111,12 +115,14 @@ def _off(result: Any, frame: Any) -> float:
     return 0.0 if result.pose is None else float(np.linalg.norm(result.pose[:3, 3] - frame.T_world_camera[:3, 3]))
 
 
-def judge_stall(case: str, frames: Sequence[Any], camera: Any, first: int, *, held_out: bool) -> Judged:
+def judge_stall(
+    case: str, frames: Sequence[Any], camera: Any, first: int, *, held_out: bool, noise: float = 0.0
+) -> Judged:
     """A run whose depth is frozen from a frame on: all frames from the fourth after it are wrong."""
     import pointloom as loom
 
     slam = loom.slam.DenseSLAM(camera, voxel_size=VOXEL, T_init=frames[0].T_world_camera)
-    results = slam.run(frozen(frames, first))
+    results = slam.run(frozen(frames, first, noise))
     tracked = np.array([result.is_tracked for result in results])
     wrong = np.arange(len(results)) > first + 3
     message = next(("; ".join(result.warnings) for result in results if not result.is_tracked), "")
@@ -153,8 +159,10 @@ def judge_kitchen(frames: list[Any], camera: Any) -> Iterator[Judged]:
     for case, make in sound:
         yield run(f"kitchen, {case}", make(), camera, held_out=False)
     yield judge_stall("kitchen, depth frozen from frame 60", frames[:80], camera, 60, held_out=False)
-    for count in (LATE // 2, LATE):
-        name = f"kitchen, depth {count / LATE:g} s later"
+    noisy = "kitchen, depth frozen from frame 60, with 1 mm of noise"
+    yield judge_stall(noisy, frames[:80], camera, 60, held_out=False, noise=1.0)
+    for count in (2, LATE // 2, LATE):
+        name = f"kitchen, depth {count / LATE:.2g} s later"
         yield run(name, late(frames[: 90 + count], count), camera, is_sound=False, held_out=False)
 
 

@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.rgbd.slam.frame_checks import BLANK
+from pointloom.rgbd.slam.results import TrackingResult
 from pointloom.rgbd.slam.stream_check import STALE, Apart, Rotations, StreamLag
+from pointloom.rgbd.slam.tracking import covered_frames
 
 from .slam_walks import begun, blank, changed, fit, frames, sequence, statuses
 
@@ -177,17 +180,24 @@ def test_a_path_with_unsynchronized_streams_is_unreliable():
     assert "(frame 0-1): it may slide" in slides.warnings[0]
 
 
-def test_a_short_gap_of_blank_frames_is_a_note():
-    source = [blank(f) if 4 <= k < 8 else f for k, f in enumerate(frames(*range(12)))]
+def test_a_short_gap_of_blank_frames_is_no_failure_if_tracking_resumes():
+    def covered(gap, after, step=1 / 30):
+        seen = TrackingResult(np.eye(4), "tracked")
+        results = [seen] * 3 + [TrackingResult(None, "lost", (BLANK,))] * gap + after
+        timed = [dataclasses.replace(result, timestamp=step * k) for k, result in enumerate(results)]
+        return covered_frames(dict(enumerate(timed)), 0)
 
-    def tracked(source):
-        given = loom.frames_from([(f.color, f.depth, f.timestamp) for f in source], sequence().intrinsic)
-        return loom.track(given, voxel_size=0.04)
+    tracked, doubted = TrackingResult(np.eye(4), "tracked"), TrackingResult(np.eye(4), "uncertain", ("far",))
+    assert covered(10, [tracked]) == list(range(3, 13))
+    assert covered(10, []) == covered(10, [doubted, tracked]) == []
+    assert covered(20, [tracked]) == covered(10, [tracked], step=0.1) == [], "longer than half a second"
+    assert covered(10, [dataclasses.replace(tracked, map=1)]) == []
 
-    path = tracked(source)
-    assert path.covered == (4, 5, 6, 7) and tuple(path.lost) == path.covered
-    assert path.reliable and path.notes == ("4 frames are blank and were left out (frame 4-7)",)
-    ending = tracked(source[:6])
-    assert ending.covered == () and not ending.reliable, "tracking did not resume"
-    late = tracked([changed(f, timestamp=f.timestamp + (1.0 if k >= 6 else 0.0)) for k, f in enumerate(source)])
-    assert late.covered == () and not late.reliable, "a second passed"
+
+def test_covered_frames_and_fixed_objects_are_notes():
+    path = loom.track(
+        loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], sequence().intrinsic), voxel_size=0.04
+    )
+    noted = dataclasses.replace(path, lost={1: BLANK}, covered=(1,), notes=("1 frames are blank",))
+    assert noted.reliable and noted.to_dict()["notes"] == ["1 frames are blank"]
+    assert not dataclasses.replace(path, lost={1: BLANK}).reliable

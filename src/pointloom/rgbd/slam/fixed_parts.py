@@ -63,7 +63,9 @@ class FixedParts:
         self.hidden: Mask | None = None
         self.note = ""
         self._looks: list[Look] = []
+        self._core: Mask | None = None
         self._shape: NDArray[np.float32] | None = None
+        self._shade: NDArray[np.float32] | None = None
         self._count = -1
 
     def remove(self, frame: SensorFrame, view: StreamView, expected: Floats | None) -> Floats | None:
@@ -77,7 +79,8 @@ class FixedParts:
         if self._looks and (self._count <= FROM_FIRST or self._count % EVERY == 0):
             pose = self._search(look, view, expected)
         self._looks = [*self._looks[:1], *self._looks[1:][-BACK:], look]
-        self._drop_changed(look)
+        if pose is None:
+            self._drop_changed(look)
         if self.hidden is not None:
             frame.leave_only(self._without(frame, view, self.hidden))
         return pose
@@ -103,9 +106,10 @@ class FixedParts:
         if is_fixed.sum() < MIN_CELLS * measured or is_fixed.sum() < min_share * is_still.sum():
             return None
         is_new = self.hidden is None
-        found = widened(closed(is_fixed) & is_still, 1)
-        self.hidden = found if self.hidden is None else self.hidden | found
-        self._shape = np.where(self.hidden, look.nearness, 0.0)
+        found = opened(closed(is_fixed) & is_still)
+        self._core = found if self._core is None else self._core | found
+        self.hidden = widened(self._core, 1)
+        self._shape, self._shade = look.nearness, look.shade
         distance = 1.0 / float(np.median(look.nearness[is_fixed]))
         part = f"{distance:.2f} m away in {self.hidden.mean():.0%} of the image"
         self.note = f"an object that moves with the camera, {part}, is left out"
@@ -132,13 +136,15 @@ class FixedParts:
         return hide_cells(frame.depth, flags, view, frame.intrinsic.width)
 
     def _drop_changed(self, look: Look) -> None:
-        """Stop hiding cells if most of the object's cells have another depth."""
-        if self.hidden is None or self._shape is None:
+        """Show cells again that changed. If most of them did, the object has gone."""
+        if self._core is None or self._shape is None or self._shade is None:
             return
-        measured = (self._shape > 0.0) & (look.nearness > 0.0)
-        unchanged = same_nearness(look.nearness, self._shape, 2.0)
-        if unchanged.sum() < (1.0 - MAX_CHANGED) * max(int(measured.sum()), 1):
-            self.hidden, self._shape, self._looks = None, None, [look]
+        is_unchanged = (look.nearness == 0.0) | same_nearness(look.nearness, self._shape, CONTRADICTED)
+        kept = self._core & is_unchanged & same_shade(look.shade, self._shade, CONTRADICTED)
+        if kept.sum() < (1.0 - MAX_CHANGED) * self._core.sum():
+            self._core, self.hidden, self._looks = None, None, [look]
+        else:
+            self._core, self.hidden = kept, widened(kept, 1)
 
 
 def same_nearness(now: NDArray[np.float32], before: NDArray[np.float32], factor: float) -> Mask:
@@ -180,6 +186,11 @@ def widened(mask: Mask, cells: int) -> Mask:
         padded = np.pad(out, 1)
         out = np.logical_or.reduce([padded[r : r + len(out), c : c + out.shape[1]] for r in range(3) for c in range(3)])
     return out
+
+
+def opened(mask: Mask) -> Mask:
+    """Remove parts of less than three cells in width."""
+    return mask & widened(~widened(~mask, 1), 1)
 
 
 def closed(mask: Mask) -> Mask:

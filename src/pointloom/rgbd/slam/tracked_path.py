@@ -42,8 +42,8 @@ class TrackedPath(Assessed):
         device: Compute device.
         uncertain_warning: Warning of the first uncertain frame, or empty.
         stream: Inconsistency of the color and depth streams, or None.
-        covered: Lost frames that are blank for at most half a second, and after which tracking resumed. They do not make
-            the path unreliable.
+        covered: Lost frames of blank gaps up to half a second, after which tracking resumed. They do not make the path
+            unreliable.
         notes: Remarks that do not concern reliability: covered frames, and objects fixed to the camera.
         deviations: Accumulated standard deviation [m] of each position along its least determined direction.
         drifted: Uncertain frames whose accumulated deviation is too large.

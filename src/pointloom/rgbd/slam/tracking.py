@@ -177,7 +177,8 @@ class _Tally:
             uncertain_warning=next(("; ".join(r.warnings) for r in located.values() if not r.is_tracked), ""),
             stream=self.slam.stream.problems, deviations=tuple(results[n].position_deviation for n in main),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
-            covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())), depth_share=depth_share, used_share=used_share, **sizes,
+            covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())),
+            depth_share=depth_share, used_share=used_share, **sizes,
         )  # fmt: skip
 
     def _trajectory(self, numbers: list[int], results: dict[int, TrackingResult]) -> Trajectory:
