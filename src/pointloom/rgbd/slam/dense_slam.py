@@ -63,7 +63,8 @@ class DenseSLAM:
 
     Attributes:
         results: A TrackingResult for each frame, in order. Its `map` is the number of the map that the pose refers to.
-        stream: The StreamCheck of color against depth; `stream.problem` is the reason if they do not match.
+        stream: The StreamCheck of color against depth; `stream.problem` is the reason if the last
+            frame's do not match, `stream.problems` those of all frames.
         foreground: The Foreground: detection of near objects that move independently and are excluded.
         fixed_parts: The FixedParts: detection of objects fixed to the camera, which are excluded.
 
