@@ -6,7 +6,7 @@ import pytest
 from pointloom.kernels.lang import float32, uint8
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd import stream_views as at
-from pointloom.kernels.rgbd.stream_views import compare_views, hide_near, view_stream
+from pointloom.kernels.rgbd.stream_views import compare_views, hide_cells, hide_near, view_stream
 from pointloom.rgbd.slam.stream_check import shift_of
 
 WIDTH, HEIGHT = 330, 250  # 82 x 62 cells of 4 x 4, and a border outside all cells
@@ -78,3 +78,15 @@ def test_what_is_near_is_hidden(device):
     depth = np.array([0.0, 0.5, 1.0, 1.0001, 3.0], np.float32)
     far = download(hide_near(upload(depth, float32, device), 1.0))
     assert far.tolist() == [0.0, 0.0, 0.0, depth[3], 3.0]
+
+
+def test_cells_are_hidden(device):
+    depth, _ = pictures()
+    stream_view = view(device, depth)
+    hidden = np.zeros((stream_view.rows, stream_view.columns), np.uint8)
+    hidden[3, 5] = 1
+    given = upload(depth.reshape(-1), float32, device)
+    shown = hide_cells(given, upload(hidden.reshape(-1), uint8, device), stream_view, WIDTH)
+    expected = depth.copy()
+    expected[12:16, 20:24] = 0.0
+    assert np.array_equal(download(shown).reshape(HEIGHT, WIDTH), expected)

@@ -326,7 +326,7 @@ class FrozenDepth:
             color, depth, count = color + color_square, depth + depth_square, count + 1
             if color > FROZEN and count > STALLED:
                 break
-        if color > FROZEN:
+        if color > FROZEN and count > STALLED:
             self._is_frozen = depth < STILL * color and self._is_unchanged(count)
         return count if self._is_frozen else 0
 
