@@ -98,7 +98,15 @@ def kitchen() -> Iterator[Scan]:
         points = volume.extract_point_cloud(weight_threshold=1.0).points
         T = poses[0]
         yield Scan(f"kitchen {start}-{start + FRAMES - 1}", "kitchen", "room", (points - T[:3, 3]) @ T[:3, :3], T)
-    for k in range(0, 300, 60):
+    yield from kitchen_images(range(0, 300, 60))
+
+
+def kitchen_images(numbers: range) -> Iterator[Scan]:
+    """Single depth images of the kitchen."""
+    import pointloom as loom
+
+    at = real_data("rgbd-7scenes-redkitchen")
+    for k in numbers:
         depth = np.asarray(loom.read_depth(at / f"frame-{k:06d}.depth.png"), float)
         depth[depth == 65535] = 0
         T = _rigid(np.loadtxt(at / f"frame-{k:06d}.pose.txt"))

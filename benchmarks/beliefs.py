@@ -87,7 +87,9 @@ def different(scans: Sequence[Scan], max_pairs: int) -> Iterator[tuple[Scan, Sca
             yield pairs[k]
 
 
-def overlapping(scans: Sequence[Scan], voxel_size: float) -> Iterator[tuple[Scan, Scan, Array, float]]:
+def overlapping(
+    scans: Sequence[Scan], voxel_size: float, min_overlap: float = OVERLAP
+) -> Iterator[tuple[Scan, Scan, Array, float]]:
     """Overlapping pairs of clouds of one scene, with T_target_source and the overlap."""
     from scipy.spatial import cKDTree
 
@@ -106,7 +108,7 @@ def overlapping(scans: Sequence[Scan], voxel_size: float) -> Iterator[tuple[Scan
             for one, other in ((thin[b.name], moved_source), (moved_source, thin[b.name]))
         ]
         share = max(float(np.isfinite(distances).mean()) for distances in near)
-        if share >= OVERLAP:
+        if share >= min_overlap:
             yield a, b, T, share
 
 

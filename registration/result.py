@@ -36,6 +36,9 @@ class RegistrationResult(Assessed):
         degenerate_directions: float64 [k, 6]: unit motions that the clouds do not determine and that were left out:
             rotation about x, y, z through the center of the correspondences (times the source's spread), then
             translation. Empty if all six are determined.
+        alternatives: Other poses T_target_source, float64 [4, 4] each, under which a global registration found that the
+            clouds match as well. Empty if there are none, or if the clouds do not match. A result with alternatives is
+            not reliable.
     """
 
     def __init__(
@@ -53,12 +56,14 @@ class RegistrationResult(Assessed):
         free: tuple[str, ...] | None = None,
         prior_count: int = 0,
         motion: NDArray[np.float64] | None = None,
+        alternatives: tuple[NDArray[np.float64], ...] = (),
         clouds: tuple[PointCloud, PointCloud, float] | None = None,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
         self.iterations, self.converged, self._warnings, self._score = iterations, converged, warnings, score
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
         self.free, self.prior_directions = free, self.degenerate_directions[:prior_count]
+        self.alternatives = alternatives
         self._motion = motion  # parameters since the initial pose, to continue from here
         self._correspondences = correspondences
         self._clouds = clouds  # source, target and match distance [m], for the covariance
@@ -117,7 +122,7 @@ class RegistrationResult(Assessed):
     def to_dict(self) -> dict[str, Any]:
         """All but the correspondences and the covariance in JSON types, with `reliable` and `warnings`."""
         names = ("transformation", "fitness", "inlier_rmse", "iterations", "converged", "score")
-        names += ("degenerate_directions", "prior_directions", "free")
+        names += ("degenerate_directions", "prior_directions", "free", "alternatives")
         return {name: plain(getattr(self, name)) for name in names} | quality(self)
 
     def check_scale(self) -> None:

@@ -13,9 +13,11 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import beliefs
 import numpy as np
 import places
 import sensors
+from belief_scenes import Scan
 from judged import Judged
 from places import Site
 from sensors import CameraFrame, DepthCamera, Scanner
@@ -30,6 +32,9 @@ ASTRAY, STRAY_SHARE = 0.5, 0.02  # [m] and fraction of the distance: maximum fin
 NEAR_DEGREES, NEAR_VOXELS = 5.0, 3.0  # [degrees, voxels] maximum errors of a correct registration
 VOXEL = 0.05  # [m] for registration
 SEED = 40  # of the first site
+IMAGE_SEEDS = range(44, 49)  # of the sites seen in single depth images
+UNRELATED = 640  # pairs of single depth images of two sites, half of them of one kind
+OVERLAPS = (0.1, 0.2, 0.5, 1.01)  # ends of the classes of overlap
 
 
 def track_frames(frames: Sequence[CameraFrame], intrinsic: Any) -> tuple[Any, Array, Array]:
@@ -287,6 +292,54 @@ def registering() -> Iterator[Judged]:
             int(right and not accepted),
             "; ".join(result.warnings),
         )
+    images = [image for seed in IMAGE_SEEDS for image in single_images(seed)]
+    judge = beliefs.Judge(VOXEL)
+    yield from judge_overlapping(judge, images, "single images")
+    for source, target in apart(images, UNRELATED):
+        belief = judge.judge(source, target, None, 0.0)
+        yield judged(belief, "registration, clouds that share nothing, held out")
+
+
+def single_images(seed: int) -> Iterator[Scan]:
+    """Six depth images of each kind of site."""
+    for kind, make in places.KINDS.items():
+        camera = DepthCamera(make(seed), seed)
+        for start, k in itertools.product((0, 8), (0, 2, 5)):
+            pose = _sweep(kind, seed, start)[k]
+            points = sensors.cloud_of([camera.take(pose, 10 * start + k)], camera.intrinsic)
+            yield Scan(f"{kind} {seed} image {start + k}/{start}", f"{kind} {seed}", "room", points, pose)
+
+
+def judge_overlapping(judge: beliefs.Judge, images: Sequence[Scan], name: str) -> Iterator[Judged]:
+    """Pairs of images of one scene, as rows by their overlap."""
+    for source, target, T, share in beliefs.overlapping(images, VOXEL, OVERLAPS[0]):
+        k = int(np.searchsorted(OVERLAPS, share, side="right"))
+        low, high = (round(100 * limit) for limit in OVERLAPS[k - 1 : k + 1])
+        between = f"above {low} %" if high > 100 else f"{low} to {high} %"
+        yield judged(judge.judge(source, target, T, share), f"registration, {name} that overlap by {between}, held out")
+
+
+def judged(belief: beliefs.Belief, area: str) -> Judged:
+    refused = belief.right and not belief.believed
+    return Judged(
+        area,
+        f"{belief.source} on {belief.target}",
+        1,
+        int(not belief.right),
+        int(belief.believed and not belief.right),
+        int(refused),
+        "; ".join(belief.warnings),
+    )
+
+
+def apart(images: Sequence[Scan], count: int) -> list[tuple[Scan, Scan]]:
+    """Random pairs of images of two scenes, half of them of one kind of scene."""
+    rng = np.random.default_rng(SEED)
+    pairs = [(a, b) for a, b in itertools.combinations(images, 2) if a.scene != b.scene]
+    alike = [(a, b) for a, b in pairs if a.scene.split()[0] == b.scene.split()[0]]
+    others = [(a, b) for a, b in pairs if a.scene.split()[0] != b.scene.split()[0]]
+    chosen = [(group, k) for group in (alike, others) for k in rng.permutation(len(group))[: count // 2].tolist()]
+    return [group[k] for group, k in chosen]
 
 
 def _sweep(kind: str, seed: int, start: int) -> list[Array]:

@@ -42,6 +42,7 @@ from ..surface.hollow_side import Surface
 from .main_planes import MainPlanes, find_main_planes, leave_out_planes
 
 middle_sums = vector(5, float64)  # count, x, y, z, squares
+relief_sums = vector(4, float64)  # count, covariance, variances
 evidence_sums = vector(46, float64)  # normal matrices of near points and matches, then four counts
 motions = vector(6, float64)
 NEAR_AT, AGREEING_AT, MATCHED_AT, ALIGNED_AT = 42, 43, 44, 45
@@ -118,23 +119,48 @@ class Overlap:
         self.nearest = find_nearest(target.tree, self.moved, radius=near)
         self.find_middle()
 
+    def leave_out_border(self) -> None:
+        """Remove the points beyond the border of the other surface, where it has no measurement."""
+        launch(leave_out_border_kernel, self.moved.size, [self, self.nearest])
+        self.find_middle()
+
     def find_middle(self) -> None:
         total = reduce(sum_near, self.moved.size, [self.moved, self.nearest])
         launch(find_middle_kernel, 1, [total, self])
 
-    def leave_out_planes(self) -> None:
-        """Remove the points on the dominant planes of the matches."""
+    def find_planes(self) -> MainPlanes:
+        """The dominant planes of the matches."""
         count = self.moved.size
         mask = empty(count, uint8, self.moved.device)
         launch(mask_matched_kernel, count, [self, mask])
-        fitted, slab, edge = (share * self.distance for share in (FITTED, ON_PLANE, BENT))
-        planes = find_main_planes(self.moved, self.moved_normals, mask, PLANES, fitted, slab, self.cosine)
+        fitted, slab = FITTED * self.distance, ON_PLANE * self.distance
+        return find_main_planes(self.moved, self.moved_normals, mask, PLANES, fitted, slab, self.cosine)
+
+    def leave_out_planes(self, planes: MainPlanes) -> None:
+        """Remove the points on planes."""
+        slab, edge = ON_PLANE * self.distance, BENT * self.distance
         leave_out_planes(self.moved, self.moved_normals, planes, slab, self.cosine, edge, self.nearest)
         self.find_middle()
         find_directions(planes, self.frame, self.frame_size)
 
     def weigh(self) -> Array1[Any]:
         return reduce(sum_evidence, self.moved.size, [self])
+
+    def weigh_relief(self, planes: MainPlanes) -> Array1[Any]:
+        slab, edge = ON_PLANE * self.distance, BENT * self.distance
+        return reduce(sum_relief, self.moved.size, [self, planes, slab, edge])
+
+
+@kernel
+def leave_out_border_kernel(overlap: Overlap, nearest: array(dtype=int64)):
+    """Clear the nearest point of points that are farther away along its surface than matches are."""
+    i = tid()
+    if nearest[i] != int64(NO_POINT):
+        row = key_index(nearest[i])
+        offset = overlap.moved[i] - overlap.points[row]
+        height = dot(offset, overlap.normals[row])
+        if dot(offset, offset) - height * height > overlap.distance * overlap.distance:
+            nearest[i] = int64(NO_POINT)
 
 
 @kernel
@@ -239,6 +265,58 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
     return out
 
 
+@func
+def plane_of(overlap: Overlap, planes: MainPlanes, slab: float, edge: float, i: int) -> int:
+    """The nearest plane of a point, or -1 if it is off all planes or at the edge of two."""
+    p = overlap.moved[i]
+    plane = int(-1)
+    lowest = float(slab)
+    at_edge = int(0)
+    for k in range(planes.count[0]):
+        n = planes.directions[k]
+        height = abs(dot(n, p - planes.middles[k]))
+        if height < lowest and abs(dot(n, overlap.moved_normals[i])) > overlap.cosine:
+            plane = k
+            lowest = height
+        if height < edge:
+            for j in range(k):
+                m = planes.directions[j]
+                if abs(dot(n, m)) < overlap.cosine and abs(dot(m, p - planes.middles[j])) < edge:
+                    at_edge = 1
+    if at_edge == 1:
+        plane = -1
+    return plane
+
+
+@func
+def slope_of(n: vec3, axis: vec3) -> vec3:
+    """The tangential part of a normal on a plane, independent of the normal's sign."""
+    along = dot(n, axis)
+    slope = n - along * axis
+    if along < 0.0:
+        slope = -slope
+    return slope
+
+
+@reduction
+def sum_relief(overlap: Overlap, planes: MainPlanes, slab: float, edge: float) -> relief_sums:
+    """Count, covariance and variances of the slopes of matches on planes."""
+    i = tid()
+    out = relief_sums(0.0)
+    if overlap.nearest[i] != int64(NO_POINT):
+        if agrees(overlap, i) == 1:
+            plane = plane_of(overlap, planes, slab, edge, i)
+            weight = match_weight(overlap, i)
+            if plane >= 0 and weight > 0.0:
+                axis = planes.directions[plane]
+                other = overlap.normals[key_index(overlap.nearest[i])]
+                if abs(dot(other, axis)) > overlap.cosine:
+                    a = widen(slope_of(overlap.moved_normals[i], axis))
+                    b = widen(slope_of(other, axis))
+                    out = relief_sums(1.0, dot(a, b), dot(a, a), dot(b, b))
+    return out
+
+
 def weigh_overlaps(
     pairs: Sequence[tuple[Surface, Surface, np.ndarray]],
     distance: float,
@@ -247,17 +325,36 @@ def weigh_overlaps(
     tight: float,
     *,
     beside_planes: bool = False,
+    within_borders: bool = False,
 ) -> np.ndarray:
     """Evidence for (source, target, pose) triples about the clouds' origins; float64 (pairs, 46), one sync. `distance`
     [m] and `cosine` limit matches, `near` [m] the overlap. Columns: upper triangles of two normal matrices, then counts
-    at NEAR_AT, AGREEING_AT, MATCHED_AT and ALIGNED_AT (matches in the directions of removed planes).
+    at NEAR_AT, AGREEING_AT, MATCHED_AT and ALIGNED_AT (matches in the directions of removed planes). `within_borders`:
+    the overlap ends at the border of the other surface.
     """
     if not pairs:
         return np.empty((0, len(evidence_sums(0.0))))
     gathered = empty(len(pairs), evidence_sums, pairs[0][0].device)
     for k, (source, target, pose) in enumerate(pairs):
         overlap = Overlap(source, target, pose, distance, near, cosine, tight)
+        if within_borders:
+            overlap.leave_out_border()
         if beside_planes:
-            overlap.leave_out_planes()
+            overlap.leave_out_planes(overlap.find_planes())
         copy(gathered, overlap.weigh(), count=1, offset=k)
+    return download(gathered).copy()  # sync
+
+
+def weigh_reliefs(
+    pairs: Sequence[tuple[Surface, Surface, np.ndarray]], distance: float, near: float, cosine: float, tight: float
+) -> np.ndarray:
+    """Slopes of matches relative to the dominant planes that they are on, with arguments as of `weigh_overlaps`.
+
+    float64 (pairs, 4): the count of matches, the covariance of the slopes of both surfaces, and their variances, as
+    sums. Slopes of the same uneven ground are correlated, those of two flat walls are noise. One sync.
+    """
+    gathered = empty(len(pairs), relief_sums, pairs[0][0].device)
+    for k, (source, target, pose) in enumerate(pairs):
+        overlap = Overlap(source, target, pose, distance, near, cosine, tight)
+        copy(gathered, overlap.weigh_relief(overlap.find_planes()), count=1, offset=k)
     return download(gathered).copy()  # sync

@@ -4,7 +4,7 @@
 
 from typing import Any
 
-from ..array_types import Array1, Array2, Device, Scalars
+from ..array_types import Array1, Array2, Device, Mask, Scalars
 from ..lang import array, float32, float64, kernel, launch, reduce, reduction, struct, tid, uint8, vector
 from ..memory import empty, zeros
 from .pyramid import NO_COLOR, luma
@@ -140,7 +140,7 @@ def compare_views(now: StreamView, before: StreamView) -> Array1[Any]:
     return reduce(sum_motion, now.columns * now.rows, [now, before, now.columns, now.rows])
 
 
-def hide_cells(depth: Scalars, hidden: Scalars, view: StreamView, width: int) -> Scalars:
+def hide_cells(depth: Scalars, hidden: Mask, view: StreamView, width: int) -> Scalars:
     """Depth [m], float32 (pixels), without the cells of a view where `hidden`, uint8 (cells), is not 0."""
     shown = empty(depth.size, float32, depth.device)
     side = max(1, width // CELLS)

@@ -47,7 +47,9 @@ NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
 MIN_POINTS = 10  # minimum surface points
 MAX_CANDIDATES = 8  # maximum number of refined poses
 RIVAL = 0.3  # minimum relative support of a rival
-ALIKE = 0.85  # relative share above which evidence is equal
+# Relative share above which evidence is equal. Among right poses of single images that chose the constants of rating.py,
+# second poses have up to 0.33 beside the planes. A staircase moved by one step has 0.74.
+ALIKE = 0.7
 APART = 2.0  # match distances between distinct poses
 FIRST_STEPS, STEPS = 8, 30  # ICP iterations: before the comparison, and for the best pose
 
@@ -99,7 +101,7 @@ def register_globally(
         The best pose, or the identity if there is none. `score` is above 0.5 and `converged` is True if the clouds
         agree. Otherwise `warnings` names the failure: too little surface, no consistent correspondences, a rejected
         best pose, an undetermined motion (sphere, tube), evidence from planes only, a conflict with free space, or
-        several equally good poses (symmetric scene).
+        several equally good poses (repetitive or symmetric scene). These are `alternatives`.
         Fitness and error are those of the downsampled clouds within 1.5 voxels. `correspondence_set` are indices into
         the given clouds and is computed on first access.
 
@@ -161,8 +163,8 @@ def register_described(
             tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
     rivals = poses[support >= RIVAL * support[0]][:MAX_CANDIDATES]
-    result, evidence, equals = _choose(left.witness, right.witness, rivals, NOISE * size, refine, free)
-    score = evidence.score
+    result, evidence, others = _choose(left.witness, right.witness, rivals, NOISE * size, refine, free)
+    score, equals = evidence.score, 1 + len(others)
     T = to_world(result.transformation, source.origin, target.origin)
     pair = source.copy(), target.copy()  # as they are now
     chosen = RegistrationResult(
@@ -180,7 +182,10 @@ def register_described(
     if score <= 0.5:
         chosen.warnings = (evidence.problem,)
     elif equals > 1:
-        chosen.warnings = (f"{equals} poses fit equally well",)
+        chosen.alternatives = tuple(to_world(pose, source.origin, target.origin) for pose in others)
+        moved = moved_samples(left.surface, np.stack([result.transformation, *others]))
+        shifts = np.sqrt(((moved[1:] - moved[0]) ** 2).sum(axis=2).mean(axis=1))
+        chosen.warnings = (_ambiguity(shifts),)
     report("registration", source=source, target=target, result=chosen)
     return chosen
 
@@ -192,8 +197,8 @@ def _choose(
     distance: float,
     refine: bool,
     free: Sequence[str] | None,
-) -> tuple[RegistrationResult, Evidence, int]:
-    """The refined pose with most evidence, its evidence, and the number of equally good poses."""
+) -> tuple[RegistrationResult, Evidence, list[NDArray[np.float64]]]:
+    """The refined pose with most evidence, its evidence, and the equally good poses."""
     first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0, free)
     poses = np.array([result.transformation for result in first])
     evidences = compare_under(source.surface, target.surface, poses, distance)
@@ -210,8 +215,10 @@ def _choose(
         result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS, free)[0]
         result.iterations += first[best].iterations
     evidence = rate_surfaces(source, target, result.transformation, distance)
-    equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
-    return result, evidence, 1 + len(equals)
+    winner, others = rated[best], [k for k in order if k != best and rated[k].share >= ALIKE * rated[best].share]
+    if evidence.score > 0.5:
+        winner, rated = evidence, {k: rate_surfaces(source, target, poses[k], distance) for k in others}
+    return result, evidence, [poses[k] for k in others if _is_equal(rated[k], winner)]
 
 
 def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
@@ -228,6 +235,16 @@ def _is_equal(evidence: Evidence, best: Evidence) -> bool:
     if best.score <= 0.5:
         return 0 < ALIKE * best.share <= evidence.share
     return evidence.score > 0.5 and ALIKE * best.share <= evidence.share and ALIKE * best.rest <= evidence.rest
+
+
+def _ambiguity(shifts: NDArray[np.float64]) -> str:
+    """The warning about other poses, by their RMS displacements [m] of the source."""
+    count, ends = len(shifts), " to ".join(dict.fromkeys(f"{d:.2g}" for d in (shifts.min(), shifts.max())))
+    poses = "another pose fits" if count == 1 else f"{count} other poses fit"
+    return (
+        f"{poses} equally well, {ends} m away (result.alternatives): choose one, pass init to register_pair, or use "
+        "clouds that show more of the place"
+    )
 
 
 def _unknown(warning: str, source: PointCloud) -> RegistrationResult:

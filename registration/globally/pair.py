@@ -83,6 +83,7 @@ class PairRegistration(Report, Assessed):
         rotation_deg: Rotation angle [degrees].
         shift_m: Displacement of the source's center [m].
         search_problem: Why the global initial pose is uncertain; "" if it is not.
+        alternatives: Other poses T_target_source that match as well, of `register_globally`, not refined by `method`.
         unit: Unit of all lengths. None if unknown.
     """
 
@@ -101,6 +102,7 @@ class PairRegistration(Report, Assessed):
     shift_m: float
     search_problem: str = ""
     unit: LengthUnit | None = None
+    alternatives: tuple[Matrix, ...] = ()
 
     @property
     def transformation(self) -> Matrix:
@@ -144,6 +146,7 @@ class PairRegistration(Report, Assessed):
                 "degenerate_directions": result.degenerate_directions,
                 "prior_directions": result.prior_directions,
                 "free": result.free,
+                "alternatives": self.alternatives,
                 **quality(self),
             }
         )
@@ -228,6 +231,7 @@ def register_pair(
     size = choose_for(clouds) if given is None else given
     thinned = _count_voxels(clouds, size)
     search_score, problem, scales = 1.0, "", COARSE_TO_FINE if max_distance is None else AT_ONCE
+    alternatives: tuple[Matrix, ...] = ()
     if start is None:
         report_progress("search", 0, 0)
         initial = register_globally(source, target, voxel_size=size, free=level)
@@ -237,6 +241,7 @@ def register_pair(
             "; ".join(initial.warnings),
             AT_ONCE,
         )
+        alternatives = initial.alternatives
     report_progress("refine", 0, 0)
     limits = [max_distance or DISTANCE * scale * size for scale in scales]
     coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
@@ -260,6 +265,7 @@ def register_pair(
         *_motion(source, result.transformation),
         problem,
         source.unit or target.unit,
+        alternatives,
     )
 
 

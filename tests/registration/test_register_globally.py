@@ -163,3 +163,6 @@ def test_a_box_has_more_than_one_pose(device, rng):
 
     result = reg.register_globally(box(), box(), voxel_size=0.1)
     assert result.score <= 0.5 and "poses fit equally well" in result.warnings[0]
+    assert 1 <= len(result.alternatives) == len(result.to_dict()["alternatives"])
+    for pose in result.alternatives:  # rotations of the box, which differ from the result
+        assert np.abs(pose[:3, 3]).max() < 0.1 and np.abs(pose - result.transformation).max() > 0.9
