@@ -292,12 +292,15 @@ def registering() -> Iterator[Judged]:
             int(right and not accepted),
             "; ".join(result.warnings),
         )
+
+
+def registering_images() -> Iterator[Judged]:
+    """Registration of single depth images: pairs of one site by their overlap, and of two sites."""
     images = [image for seed in IMAGE_SEEDS for image in single_images(seed)]
     judge = beliefs.Judge(VOXEL)
     yield from judge_overlapping(judge, images, "single images")
     for source, target in apart(images, UNRELATED):
-        belief = judge.judge(source, target, None, 0.0)
-        yield judged(belief, "registration, clouds that share nothing, held out")
+        yield judged(judge.judge(source, target, None, 0.0), "registration, single images of two sites, held out")
 
 
 def single_images(seed: int) -> Iterator[Scan]:
@@ -448,5 +451,6 @@ AREAS: dict[str, Callable[[], Iterator[Judged]]] = {
     "tracking": tracking,
     "scanning": scanning,
     "registering": registering,
+    "images": registering_images,
     "picturing": picturing,
 }

@@ -47,8 +47,8 @@ NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
 MIN_POINTS = 10  # minimum surface points
 MAX_CANDIDATES = 8  # maximum number of refined poses
 RIVAL = 0.3  # minimum relative support of a rival
-# Relative share above which evidence is equal. Among right poses of single images that chose the constants of rating.py,
-# second poses have up to 0.33 beside the planes. A staircase moved by one step has 0.74.
+# Relative share above which evidence is equal, chosen with those of rating.py. Second poses of right results have up to
+# 0.33 beside the planes. A staircase moved by one step has 0.74.
 ALIKE = 0.7
 APART = 2.0  # match distances between distinct poses
 FIRST_STEPS, STEPS = 8, 30  # ICP iterations: before the comparison, and for the best pose

@@ -55,9 +55,9 @@ SAMPLES = 64  # sample points for pose comparison
 ENOUGH_BESIDE, PART_BESIDE = 100, 0.05
 FEW_ALIGNED, MANY_ALIGNED = 0.37, 0.47  # range of `aligned` in which this check sets in
 
-# Evidence of details, chosen on single depth images: a kitchen, and places of benchmarks/trust with seeds 60 to 62. Beside the planes within the borders of the surfaces, wrong poses have shares up to 0.18, and shares times the
-# root of the matches up to 1.3. Slopes on planes have correlations up to 0.7 for wrong poses, and from 0.82 for right
-# ones on uneven ground.
+# Evidence of details, chosen on single depth images of a kitchen and of benchmarks/trust/places.py, seeds 60 to 62.
+# Beside the planes and within the borders, wrong poses have shares up to 0.18, and shares times the root of the matches
+# up to 1.3. Slopes on planes have correlations up to 0.7 for wrong poses, and from 0.82 for right ones on uneven ground.
 MIN_DETAIL, DETAIL_CHANCE = 0.19, 1.35
 MIN_RELIEF, RELIEF_MATCHES = 0.75, 400
 MIN_VISIBLE, MIN_VISIBLE_WITH_RELIEF, VISIBLE_CHANCE = 0.3, 0.45, 6.0  # of all matches, likewise
@@ -66,8 +66,8 @@ MIN_VISIBLE, MIN_VISIBLE_WITH_RELIEF, VISIBLE_CHANCE = 0.3, 0.45, 6.0  # of all 
 class Details(NamedTuple):
     """Evidence for a pose beside the dominant planes, and on them.
 
-    `visible`, `rest`: shares of all matches and of those beside three planes, without points beyond the border of the
-    other surface; `matches`: weighted count beside the planes; `relief`: correlation of the slopes of both surfaces on
+    `visible`, `rest`: as `share` and `rest` of Evidence, without points beyond the border of the other surface;
+    `matches`: weighted count beside the planes; `relief`: correlation of the slopes of both surfaces on
     the planes; `relief_matches`: number of these slopes.
     """
 
