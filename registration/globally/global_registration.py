@@ -162,8 +162,9 @@ def register_described(
         if not len(poses):
             tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
-    rivals = poses[support >= RIVAL * support[0]][:MAX_CANDIDATES]
-    result, evidence, others = _choose(left.witness, right.witness, rivals, NOISE * size, refine, free)
+    rivals = int((support >= RIVAL * support[0]).sum())
+    witnesses = left.witness, right.witness
+    result, evidence, others = _choose(*witnesses, poses[:MAX_CANDIDATES], rivals, NOISE * size, refine, free)
     score, equals = evidence.score, 1 + len(others)
     T = to_world(result.transformation, source.origin, target.origin)
     pair = source.copy(), target.copy()  # as they are now
@@ -193,13 +194,15 @@ def register_described(
 def _choose(
     source: Witness,
     target: Witness,
-    poses: NDArray[np.float64],
+    candidates: NDArray[np.float64],
+    rivals: int,
     distance: float,
     refine: bool,
     free: Sequence[str] | None,
 ) -> tuple[RegistrationResult, Evidence, list[NDArray[np.float64]]]:
-    """The refined pose with most evidence, its evidence, and the equally good poses."""
-    first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0, free)
+    """The refined pose with most evidence of the first candidates, its evidence, and equally good poses of all."""
+    steps = FIRST_STEPS if refine else 0
+    first = refine_poses(source.surface, target.surface, candidates[:rivals], distance, steps, free)
     poses = np.array([result.transformation for result in first])
     evidences = compare_under(source.surface, target.surface, poses, distance)
     order = _distinct_poses(
@@ -215,10 +218,16 @@ def _choose(
         result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS, free)[0]
         result.iterations += first[best].iterations
     evidence = rate_surfaces(source, target, result.transformation, distance)
-    winner, others = rated[best], [k for k in order if k != best and rated[k].share >= ALIKE * rated[best].share]
-    if evidence.score > 0.5:
-        winner, rated = evidence, {k: rate_surfaces(source, target, poses[k], distance) for k in others}
-    return result, evidence, [poses[k] for k in others if _is_equal(rated[k], winner)]
+    if evidence.score <= 0.5:
+        equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
+        return result, evidence, [poses[k] for k in equals]
+    more = refine_poses(source.surface, target.surface, candidates[rivals:], distance, steps, free)
+    poses = np.array([result.transformation, *poses, *(one.transformation for one in more)])
+    order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
+    totals = compare_under(source.surface, target.surface, poses[order], distance)
+    alike = [k for k, total in zip(order, totals, strict=True) if total.share >= ALIKE * evidence.share]
+    others = [k for k in alike if _is_equal(rate_surfaces(source, target, poses[k], distance), evidence)]
+    return result, evidence, [poses[k] for k in others]
 
 
 def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:

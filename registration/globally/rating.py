@@ -57,7 +57,7 @@ FEW_ALIGNED, MANY_ALIGNED = 0.37, 0.47  # range of `aligned` in which this check
 
 # Evidence of details, chosen on single depth images of a kitchen and of benchmarks/trust/places.py, seeds 60 to 62.
 # Beside the planes and within the borders, wrong poses have shares up to 0.18, and shares times the root of the matches
-# up to 1.3. Slopes on planes have correlations up to 0.7 for wrong poses, and from 0.82 for right ones on uneven ground.
+# up to 1.3. Slopes on planes have correlations up to 0.7 for wrong poses, and from 0.82 for right ones on rough ground.
 MIN_DETAIL, DETAIL_CHANCE = 0.19, 1.35
 MIN_RELIEF, RELIEF_MATCHES = 0.75, 400
 MIN_VISIBLE, MIN_VISIBLE_WITH_RELIEF, VISIBLE_CHANCE = 0.3, 0.45, 6.0  # of all matches, likewise
@@ -386,6 +386,8 @@ def refine_pairs(
     free: Sequence[str] | None = None,
 ) -> list[RegistrationResult]:
     """As `refine_poses`, of one pair or of one per pose."""
+    if not len(poses):
+        return []
     clouds: dict[int, PointCloud] = {}
     for surface in (*sources, *targets):
         if id(surface) not in clouds:

@@ -252,6 +252,48 @@ def test_a_few_matches_beside_the_planes_can_be_chance(monkeypatch):
     assert few.rest == pytest.approx(0.2)
 
 
+def uneven_ground(rng, heights_of, low, high, count=30000):
+    """Ground with slopes of a few degrees, within 5 cm of a plane, between two x; 3 mm noise."""
+    generator = np.random.default_rng(heights_of)
+    x, y, z = rng.uniform(low, high, count), rng.uniform(-2, 2, count), np.zeros(count)
+    for length in np.geomspace(0.8, 3, 8):
+        heading, phase = generator.uniform(0, 2 * np.pi, 2)
+        along = x * np.cos(heading) + y * np.sin(heading)
+        z += 0.016 * length**0.7 * np.sin(2 * np.pi * along / length + phase)
+    return np.column_stack([x, y, z]) + rng.normal(0, 0.003, (count, 3))
+
+
+def test_relief_on_planes_is_evidence(device, rng):
+    source = loom.PointCloud(uneven_ground(rng, 1, -2, 1), device=device)
+    same, other = (loom.PointCloud(uneven_ground(rng, k, -1, 2), device=device) for k in (1, 2))
+    assert rate(source, same, np.eye(4), 0.075) > 0.7 and rate(source, other, np.eye(4), 0.075) < 0.1
+    surfaces = [surface_of(cloud, 0.05) for cloud in (source, same)]
+    details = rating.compare_details(*surfaces, np.eye(4), 0.075)
+    assert details.rest < 0.01 and details.relief > 0.95  # the planes explain the matches, but not the slopes
+    flat = [loom.PointCloud(rng.uniform(-2, 2, (30000, 3)) * [1, 1, 0.001], device=device) for _ in range(2)]
+    assert abs(rating.compare_details(*(surface_of(cloud, 0.05) for cloud in flat), np.eye(4), 0.075).relief) < 0.2
+
+
+def test_points_beyond_the_border_of_the_other_surface_are_no_overlap(device, rng):
+    a, b = (hills(rng, 30000) for _ in range(2))
+    source, target = (
+        surface_of(loom.PointCloud(points, device=device), 0.05) for points in (a[a[:, 0] < 0.5], b[b[:, 0] > -0.5])
+    )
+    share = rating.compare_surfaces(source, target, np.eye(4), 0.075).share
+    assert rating.compare_details(source, target, np.eye(4), 0.075).visible > share + 0.1
+
+
+def test_details_decide_where_the_usual_evidence_does_not():
+    weak = Evidence(0.3, 0.03, 700, rest=0.1, aligned=0.9)
+    details = rating.Details(visible=0.45, rest=0.22, matches=80, relief=0.3, relief_matches=500)
+    assert weak.score < 0.5 < weak._replace(details=details).score
+    by_chance = Evidence(0.3, 0.01, 700, rest=0.2)
+    few = details._replace(rest=0.19, matches=40)
+    assert by_chance.score > 0.5 > by_chance._replace(details=few).score
+    assert "beside three planes" in by_chance._replace(details=few).problem
+    assert weak._replace(details=few._replace(visible=0.5, relief=0.9)).score > 0.5
+
+
 def directions_of(normals, where):
     """The directions of planes with these normals."""
     planes = MainPlanes.of(np.zeros((len(normals), 3)), normals, where)

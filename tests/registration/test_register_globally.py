@@ -155,6 +155,31 @@ def test_a_rejected_pose_causes_no_ambiguity():
     assert _is_equal(corner_alone, corner_alone) and not _is_equal(Evidence(0.4, 0.03, 1000), corner_alone)
 
 
+STEP = np.array([0.3, 0, 0.18])  # [m]
+
+
+def staircase(rng, first, count):
+    """Points of some equal steps beside a wall, 3 mm noise."""
+    faces = [((0, 0, -0.18), STEP * count, (0, 0, 1.2))]
+    for k in range(count):
+        faces += [(STEP * k, (0.3, 0, 0), (0, 1.2, 0)), (STEP * k - [0, 0, 0.18], (0, 1.2, 0), (0, 0, 0.18))]
+    start, a, b = np.array([[*map(np.asarray, face)] for face in faces], float).swapaxes(0, 1)
+    areas = np.linalg.norm(np.cross(a, b), axis=1)
+    face = rng.choice(len(areas), 30000, p=areas / areas.sum())
+    u, v = rng.random((2, 30000, 1))
+    return start[face] + u * a[face] + v * b[face] + STEP * first + rng.normal(0, 0.003, (30000, 3))
+
+
+def test_a_staircase_moved_by_a_step_is_an_alternative(device, rng):
+    clouds = [loom.PointCloud(staircase(rng, *steps), device=device) for steps in ((0, 4), (-1, 6))]
+    result = reg.register_globally(*clouds, voxel_size=0.05)
+    shifts = np.array([pose[:3, 3] for pose in (result.transformation, *result.alternatives)])
+    assert len(shifts) > 1 and np.abs(shifts - np.round(shifts @ STEP / (STEP @ STEP))[:, None] * STEP).max() < 0.03
+    assert not result.reliable and f"{len(shifts) - 1} other pose" in result.warnings[0].replace("another", "1 other")
+    pair = reg.register_pair(*clouds, voxel_size=0.05)
+    assert not pair.reliable and len(pair.to_dict()["alternatives"]) == len(shifts) - 1
+
+
 def test_a_box_has_more_than_one_pose(device, rng):
     def box():
         p = rng.uniform(-1, 1, (12000, 3))
