@@ -318,7 +318,7 @@ def judge_overlapping(judge: beliefs.Judge, images: Sequence[Scan], name: str) -
     for source, target, T, share in beliefs.overlapping(images, VOXEL, OVERLAPS[0]):
         k = int(np.searchsorted(OVERLAPS, share, side="right"))
         low, high = (round(100 * limit) for limit in OVERLAPS[k - 1 : k + 1])
-        between = f"above {low} %" if high > 100 else f"{low} to {high} %"
+        between = f"more than {low} %" if high > 100 else f"{low} to {high} %"
         yield judged(judge.judge(source, target, T, share), f"registration, {name} that overlap by {between}, held out")
 
 
