@@ -39,6 +39,7 @@ OWN = (
     "registration",
     "alignment",
     "surfaces",
+    "meshes",
     "fusing",
 )  # files with `judge`
 

@@ -83,8 +83,6 @@ def judge() -> Iterator[Judged]:
     smooth = {name: HELD_OUT[name] for name in SMOOTH}
     for points in sampled(smooth, range(CASES, CASES + ALPHA_CASES), SEED):
         yield from _through_points(points, ("alpha",))
-    for name, truth in shapes():
-        yield from _changed(name, truth)
 
 
 def _through_points(sample: Sampled, methods: tuple[str, ...] = ("poisson", "ball", "alpha")) -> Iterator[Judged]:
@@ -96,38 +94,10 @@ def _through_points(sample: Sampled, methods: tuple[str, ...] = ("poisson", "bal
         alpha = sample.alpha if method == "alpha" else None
         result = loom.create_surface(cloud, method, alpha=alpha)
         case = sample.case + ("" if alpha is None else f", alpha {alpha:.3g}")
-        yield _judged(f"surface, {method}", case, result.mesh, truth, result.warnings, sample.is_complete)
+        yield judged(f"surface, {method}", case, result.mesh, truth, result.warnings, sample.is_complete)
 
 
-def _changed(name: str, mesh: Any) -> Iterator[Judged]:
-    import pointloom as loom
-
-    full, truth = loom.clean_mesh(mesh).mesh, Truth(mesh)
-    count = len(full)
-    for share in (0.5, 0.1, 0.004):
-        few = max(int(share * count), 4)
-        simple = loom.simplify_mesh(full, triangles=few)
-        yield _judged("simplified mesh", f"{name}, {few:,} of {count:,} triangles", simple.mesh, truth, simple.warnings)
-    for method, iterations in (("taubin", 10), ("simple", 3), ("simple", 300), ("laplacian", 300)):
-        smooth = loom.smooth_mesh(full, method, iterations)
-        yield _judged("smoothed mesh", f"{name}, {method} {iterations} times", smooth.mesh, truth, smooth.warnings)
-    for merge in (1e-6, 0.3):
-        clean = loom.clean_mesh(full, merge_distance=merge)
-        yield _judged("cleaned mesh", f"{name}, vertices merged within {merge:g}", clean.mesh, truth, clean.warnings)
-    for case, other, alike in (
-        ("itself", full, True),
-        ("itself in other units", full.scale(1000, (0, 0, 0)), False),
-        ("itself elsewhere", full.translate((0.5, 0, 0)), False),
-        ("a sphere", loom.TriangleMesh.create_sphere(0.5), False),
-    ):
-        warnings = "; ".join(loom.compare_meshes(full, other, samples=5000).warnings)
-        wrong, passed = not alike, not warnings
-        yield Judged(
-            "compared meshes", f"{name} and {case}", 1, wrong, wrong and passed, alike and not passed, warnings
-        )
-
-
-def _judged(
+def judged(
     area: str, case: str, mesh: Any, truth: Truth, warnings: tuple[str, ...], is_complete: bool = True
 ) -> Judged:
     right, figure = truth.is_right(mesh, is_complete)
