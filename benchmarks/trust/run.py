@@ -31,6 +31,7 @@ QUICK_SECONDS = 300.0  # of all areas with --quick
 MOST_CASES = 12  # of a kind of result in the table of failure cases
 OWN = (
     "pictures",
+    "facades",
     "depth",
     "lidar",
     "stream",

@@ -53,8 +53,8 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
     return FeatureRays(firsts, np.concatenate(at), joined, np.concatenate(kinds))
 
 
-def table_of(connection, name: str, number: int, kind: type, database: Path) -> NDArray:
-    row = connection.execute(f"SELECT rows, cols, data FROM {name} WHERE image_id = ?", (number,)).fetchone()
+def table_of(connection, name: str, number: int, kind: type, database: Path, *, column: str = "image_id") -> NDArray:
+    row = connection.execute(f"SELECT rows, cols, data FROM {name} WHERE {column} = ?", (number,)).fetchone()
     rows, columns, data = row if row is not None else (0, 2, b"")
     if not rows:
         return np.zeros((0, 2), kind)

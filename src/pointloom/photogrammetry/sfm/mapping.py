@@ -22,6 +22,7 @@ from .limited_process import check_limits
 from .model_quality import ModelQuality, assess_model
 from .picture_folder import check_path
 from .picture_writing import new_folder
+from .repetition_check import check_repetition
 
 MAPPERS = ("auto", "incremental", "global")
 MANY_PICTURES = 150  # up to here incremental mapping costs about as much as global mapping
@@ -118,7 +119,8 @@ def map_pictures(
     with new_folder(target):
         done, peak = _map(job, database, target, names, report, limits)
     model = read_colmap_model(target) if done["sizes"] else None
-    checks = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
+    checks: dict[str, Any] = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
+    checks["repetition"] = None if model is None else check_repetition(model, database)
     assessed = assess_model(model, len(names), fix_intrinsic=fix_intrinsic, **checks)
     missing = tuple(sorted(set(names) - set(model.names if model else ())))
     clock.stop("model")

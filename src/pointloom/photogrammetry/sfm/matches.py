@@ -123,7 +123,7 @@ MIXED = "sequential and retrieval"
 OVERLAP = 10
 FEW_PICTURES = 40  # maximum for exhaustive matching (780 pairs): less work than 150 sequential images
 
-_PAIR = 2147483647  # COLMAP's id of the pair (a, b) is _PAIR a + b
+PAIR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR a + b
 _SIFT = 0  # COLMAP's id of the feature type
 _MAX_NEIGHBORS = 10_000
 _MAX_OVERLAP = 30  # powers of two
@@ -292,6 +292,6 @@ def _verified_pairs(database: Path) -> tuple[int, int, tuple[str, ...]]:
     with open_database(database) as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries WHERE rows > 0").fetchall()
         names = dict(connection.execute("SELECT image_id, name FROM images ORDER BY image_id").fetchall())
-    paired = {number for pair, _ in rows for number in divmod(pair, _PAIR)}
+    paired = {number for pair, _ in rows for number in divmod(pair, PAIR)}
     isolated = tuple(name for number, name in names.items() if number not in paired)
     return len(rows), sum(count for _, count in rows), isolated

@@ -19,6 +19,7 @@ from ...core.reports import Assessed, quality
 from ...io.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
 from .pose_check import PoseCheck
+from .repetition_check import RepetitionCheck
 
 Array = NDArray[np.float64]
 
@@ -157,6 +158,7 @@ class ModelQuality(Assessed):
         warnings: Failed quality checks, each with its remedy. Empty if the model is reliable.
         focal: Check of the focal length. None if not done.
         poses: Check of given poses. None if they were estimated.
+        repetition: Check for repeating structure, such as windows. None if not done.
     """
 
     picture_count: int
@@ -170,6 +172,7 @@ class ModelQuality(Assessed):
     warnings: tuple[str, ...]
     focal: CameraCheck | None = None
     poses: PoseCheck | None = None
+    repetition: RepetitionCheck | None = None
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -178,7 +181,7 @@ class ModelQuality(Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), **quality(self)}
-        checks = {"focal": self.focal, "poses": self.poses}
+        checks = {"focal": self.focal, "poses": self.poses, "repetition": self.repetition}
         fields |= {name: None if check is None else check.to_dict() for name, check in checks.items()}
         fields |= {"notes": list(self.notes)}
         numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
@@ -186,13 +189,15 @@ class ModelQuality(Assessed):
 
     @classmethod
     def from_json(cls, record: Mapping[str, Any]) -> ModelQuality:
-        names = [field.name for field in dataclasses.fields(cls) if field.name not in ("focal", "poses")]
+        checks: dict[str, Any] = {"focal": CameraCheck, "poses": PoseCheck, "repetition": RepetitionCheck}
+        names = [field.name for field in dataclasses.fields(cls) if field.name not in checks]
         fields: dict[str, Any] = {name: record[name] for name in names}
         fields |= {name: math.nan if fields[name] is None else fields[name] for name in ("angle", "parallax", "error")}
         fields |= {name: tuple(fields[name]) for name in ("model_sizes", "warnings")}
-        focal, poses = record.get("focal"), record.get("poses")  # missing in older records
-        fields["focal"] = None if focal is None else CameraCheck.from_json(focal)
-        return cls(**fields, poses=None if poses is None else PoseCheck.from_json(poses))
+        for name, check in checks.items():
+            found = record.get(name)  # missing in older records
+            fields[name] = None if found is None else check.from_json(found)
+        return cls(**fields)
 
 
 def assess_model(
@@ -203,6 +208,7 @@ def assess_model(
     fix_intrinsic: bool = False,
     focal: CameraCheck | None = None,
     poses: PoseCheck | None = None,
+    repetition: RepetitionCheck | None = None,
 ) -> ModelQuality:
     """Assess a model: how many images have a pose, and how well they determine the depth of its points.
 
@@ -213,11 +219,13 @@ def assess_model(
         fix_intrinsic: The cameras were known. Otherwise pure rotation is tested with free intrinsics.
         focal: Focal length check of `map_pictures`. None if not done.
         poses: Pose check of `triangulate`.
+        repetition: Check for repeating structure of `map_pictures`.
 
     Returns:
         The measures, and a warning for each failed check: fewer than 60% of the images have a pose; less than 95% with
         other models present; angles below 2 degrees, or pure rotation. A median error above one pixel (of larger
-        images, one at 1600 px). A contradicted or undetermined focal length; too few points.
+        images, one at 1600 px). A contradicted or undetermined focal length; poses that repeating structure leaves
+        undetermined; too few points.
 
     Raises:
         TypeError, ValueError: Not a model, or counts that do not fit it.
@@ -235,6 +243,8 @@ def assess_model(
         raise TypeError(f"focal: expected a ModelQuality's `focal` or None, got {type(focal).__name__}")
     if poses is not None and not isinstance(poses, PoseCheck):
         raise TypeError(f"poses: expected a ModelQuality's `poses` or None, got {type(poses).__name__}")
+    if repetition is not None and not isinstance(repetition, RepetitionCheck):
+        raise TypeError(f"repetition: expected a ModelQuality's `repetition` or None, got {type(repetition).__name__}")
     registered = 0 if model is None else len(model)
     check_count("picture_count", picture_count, minimum=registered)
     given = [registered] if model_sizes is None else check_list("model_sizes", model_sizes, "counts")
@@ -260,6 +270,7 @@ def assess_model(
         (),
         focal,
         poses,
+        repetition,
     )
     longer = max((max(camera.width, camera.height) for camera in model.cameras), default=1)
     return dataclasses.replace(quality, warnings=tuple(_warnings(quality, longer)))
@@ -286,6 +297,7 @@ def _warnings(quality: ModelQuality, longer_side: int) -> list[str]:
         reasons.append(
             f"the triangulation angle is only {quality.angle:.2g} degrees (median), so depth is uncertain: {_MOVE}"
         )
+    reasons += [] if quality.repetition is None else quality.repetition.reasons()
     reasons += (focal_reasons := [] if quality.focal is None else quality.focal.reasons())
     if not focal_reasons and quality.error > (max_error := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
         off = f"the reprojection error is {quality.error:.2g} px (median), more than {max_error:.2g} px"
