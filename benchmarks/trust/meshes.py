@@ -1,19 +1,62 @@
 """Reliability of meshes that were simplified, smoothed, cleaned or compared, with the mesh before as the truth.
 
-A mesh is correct by the rule of surfaces.py.
+A mesh is correct by the rule of surfaces.py. Shapes are those of that file, on which constants were chosen, and shapes
+by seed, on which none was.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import dataclasses
+from collections.abc import Iterable, Iterator
 from typing import Any
 
+import numpy as np
 from judged import Judged
 from surfaces import judged, shapes
+
+CHOOSING, HELD_OUT = range(100, 112), range(24)  # seeds of shapes; constants were chosen on the first
+KINDS = ("torus", "box", "sphere", "cylinder", "cone", "bumps")
+SMOOTHED = (
+    ("taubin", 10),
+    ("taubin", 50),
+    ("simple", 1),
+    ("simple", 3),
+    ("simple", 300),
+    ("laplacian", 30),
+    ("laplacian", 300),
+)
+
+
+def made_shapes(seeds: Iterable[int]) -> Iterator[tuple[str, Any]]:
+    """Meshes of random proportions and densities, by seed."""
+    import pointloom as loom
+
+    for seed in seeds:
+        rng, kind = np.random.default_rng(seed), KINDS[seed % len(KINDS)]
+        a, b = rng.uniform(0.15, 0.5, 2)
+        fine = int(rng.integers(16, 40))
+        if kind == "torus":
+            mesh = loom.TriangleMesh.create_torus(0.5, 0.5 * b, 2 * fine, fine)
+        elif kind == "box":
+            mesh = loom.TriangleMesh.create_box(1.0, 2 * a, 2 * b).subdivide_midpoint(3)
+        elif kind == "cylinder":
+            mesh = loom.TriangleMesh.create_cylinder(a, 1.0, fine, fine // 2)
+        elif kind == "cone":
+            mesh = loom.TriangleMesh.create_cone(a, 1.0, fine, fine // 2)
+        else:
+            mesh = loom.TriangleMesh.create_sphere(0.5, fine)
+        if kind == "bumps":
+            vertices, waves = np.asarray(mesh.vertices), rng.normal(0, 6, (4, 3))
+            height = 1 + 0.05 * np.sin(vertices @ waves.T + rng.uniform(0, 6, 4)).sum(axis=1)
+            mesh = loom.TriangleMesh(vertices * height[:, None], mesh.triangles)
+        yield f"{kind} {seed}", mesh
 
 
 def judge() -> Iterator[Judged]:
     for name, truth in shapes():
+        for each in _changed(name, truth):
+            yield dataclasses.replace(each, held_out=False)
+    for name, truth in made_shapes(HELD_OUT):
         yield from _changed(name, truth)
 
 
@@ -22,21 +65,23 @@ def _changed(name: str, truth: Any) -> Iterator[Judged]:
 
     full = loom.clean_mesh(truth).mesh
     count = len(full)
-    for share in (0.5, 0.1, 0.004):
+    for share in (0.7, 0.5, 0.3, 0.1, 0.03, 0.01, 0.004):
         few = max(int(share * count), 4)
         simple = loom.simplify_mesh(full, triangles=few)
         yield judged("simplified mesh", f"{name}, {few:,} of {count:,} triangles", simple.mesh, truth, simple.warnings)
-    for method, iterations in (("taubin", 10), ("simple", 3), ("simple", 300), ("laplacian", 300)):
+    for method, iterations in SMOOTHED:
         smooth = loom.smooth_mesh(full, method, iterations)
         yield judged("smoothed mesh", f"{name}, {method} {iterations} times", smooth.mesh, truth, smooth.warnings)
-    for merge in (1e-6, 0.3):
+    for merge in (1e-6, 1e-4, 0.01, 0.1, 0.3, 0.5):
         clean = loom.clean_mesh(full, merge_distance=merge)
         yield judged("cleaned mesh", f"{name}, vertices merged within {merge:g}", clean.mesh, truth, clean.warnings)
     for case, other, alike in (
         ("itself", full, True),
+        ("itself with half the triangles", loom.simplify_mesh(full, triangles=max(count // 2, 4)).mesh, True),
+        ("itself smoothed", loom.smooth_mesh(full, "taubin", 2).mesh, True),
         ("itself in other units", full.scale(1000, (0, 0, 0)), False),
         ("itself elsewhere", full.translate((0.5, 0, 0)), False),
-        ("a sphere", loom.TriangleMesh.create_sphere(0.5), False),
+        ("a sphere", loom.TriangleMesh.create_sphere(0.5), name.startswith("sphere")),
     ):
         warnings = "; ".join(loom.compare_meshes(full, other, samples=5000).warnings)
         wrong, passed = not alike, not warnings

@@ -17,7 +17,7 @@ from .mesh_arrays import check_mesh
 from .mesh_metrics import SurfaceMetrics
 
 THRESHOLD = 0.01  # of the second mesh's diagonal: default distance of the F-score
-APART = 0.1  # of the diagonal: a larger mean distance suggests another unit or frame
+APART = 0.05  # of the diagonal: a larger mean distance suggests another unit or frame
 
 
 @dataclass(frozen=True, eq=False)
