@@ -20,6 +20,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
+from ...core.errors import FileError
 from ...io.models.sfm_model import SfmModel
 from .colmap_jobs import open_database
 from .feature_rays import DESCRIPTOR, focal_of, table_of
@@ -112,8 +113,11 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
         pictures = []
         for k, name in enumerate(model.names):
             keypoints = table_of(connection, "keypoints", numbers[name], np.float32, database)
-            descriptors = table_of(connection, "descriptors", numbers[name], np.uint8, database)
-            if len(keypoints) and descriptors.shape[1] != DESCRIPTOR:
+            try:
+                descriptors = table_of(connection, "descriptors", numbers[name], np.uint8, database)
+            except FileError:  # imported descriptors of another type
+                return None
+            if len(keypoints) != len(descriptors) or (len(keypoints) and descriptors.shape[1] != DESCRIPTOR):
                 return None
             pictures.append(_picture(model, k, keypoints, descriptors))
         repeating = [k for k, each in enumerate(pictures) if not math.isnan(each.shift)]
@@ -209,7 +213,10 @@ def _track_errors(model: SfmModel, images: NDArray, labels: NDArray, pixels: Arr
 def _copies_in(keypoints: Array, descriptors: NDArray[np.uint8], longer_side: int) -> tuple[Array, float]:
     """Distances of the most similar copy of each feature at the common shifts, and the most common shift [px]."""
     distances = np.full(len(keypoints), np.nan)
-    scales = np.abs(np.linalg.det(keypoints[:, 2:6].reshape(-1, 2, 2))) if len(keypoints) else np.zeros(0)
+    shapes = keypoints[:, 2:].astype(np.float64)  # an affine shape, a scale and an orientation, or nothing
+    scales = shapes[:, :1].sum(axis=1)
+    if shapes.shape[1] == 4:
+        scales = np.abs(shapes[:, 0] * shapes[:, 3] - shapes[:, 1] * shapes[:, 2])
     chosen = np.sort(np.argsort(-scales, kind="stable")[:MAX_FEATURES])
     at, seen = keypoints[chosen, :2].astype(np.float64), descriptors[chosen].astype(np.float32)
     shifts = _common_shifts(_votes(at, seen, MIN_SHIFT * longer_side))
