@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 from judged import Judged
-from surfaces import is_right, judged, shapes
+from surfaces import Truth, judged, shapes
 
 CHOOSING, HELD_OUT = range(100, 112), range(13)  # seeds of shapes; constants were chosen on the first
 KINDS = ("torus", "box", "sphere", "cylinder", "cone", "bumps")
@@ -60,10 +60,10 @@ def judge() -> Iterator[Judged]:
         yield from _changed(name, truth)
 
 
-def _changed(name: str, truth: Any) -> Iterator[Judged]:
+def _changed(name: str, mesh: Any) -> Iterator[Judged]:
     import pointloom as loom
 
-    full = loom.clean_mesh(truth).mesh
+    full, truth = loom.clean_mesh(mesh).mesh, Truth(mesh)
     count = len(full)
     for share in (0.7, 0.5, 0.3, 0.1, 0.03, 0.01, 0.004):
         few = max(int(share * count), 4)
@@ -78,7 +78,7 @@ def _changed(name: str, truth: Any) -> Iterator[Judged]:
     half = loom.simplify_mesh(full, triangles=max(count // 2, 4)).mesh
     for case, other, alike in (
         ("itself", full, True),
-        ("itself with half the triangles", half, is_right(half, truth)[0]),
+        ("itself with half the triangles", half, truth.is_right(half)[0]),
         ("itself in other units", full.scale(1000, (0, 0, 0)), False),
         ("itself elsewhere", full.translate((0.5, 0, 0)), False),
         ("a sphere", loom.TriangleMesh.create_sphere(0.5), name.startswith("sphere")),

@@ -18,8 +18,7 @@ from .mesh_arrays import check_mesh
 from .mesh_remeshing import MAX_PASSES
 
 METHODS = ("taubin", "laplacian", "simple", "sharpen")
-SHRUNK = 0.08  # of the area: a larger loss is reported
-MOVED = 0.025  # of the size: if a vertex moved farther. Small details lose area with less movement
+SHRUNK = 0.1  # of the area: a larger loss is reported
 
 _DEFAULTS = {"lambda_filter": 0.5, "mu": -0.53, "strength": 1.0}
 _OWNERS = {"lambda_filter": ("taubin", "laplacian"), "mu": ("taubin",), "strength": ("sharpen",)}
@@ -59,15 +58,10 @@ class SmoothedMesh(ChangedMesh):
         change = self.area / self.area_in - 1 if self.area_in > 0 else 0.0
         if not math.isfinite(change) or (self.method == "sharpen" and change > 1):
             return (f"the area grew {self.area / self.area_in:.3g} times: use fewer iterations or a smaller strength",)
-        if self.method != "sharpen" and change < -SHRUNK and self._has_moved:
+        if self.method != "sharpen" and change < -SHRUNK:
             other = "" if self.method == "taubin" else ", or method='taubin', which shrinks less"
             return (f"{format_share(-change)} of the area was lost: use fewer iterations{other}",)
         return ()
-
-    @property
-    def _has_moved(self) -> bool:
-        size = math.dist(*self.mesh.get_axis_aligned_bounding_box())
-        return self.moved is None or not self.moved.max <= MOVED * size
 
     def to_dict(self) -> dict[str, Any]:
         moved = None if self.moved is None else {"mean": self.moved.mean, "max": self.moved.max}

@@ -118,7 +118,7 @@ def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answ
     simple     mean of each vertex and its neighbors
     sharpen    away from the mean of the neighbors
 
-    The exit code is 3 if smoothing removed over 8% of the area and moved a vertex by over 2.5% of the size.
+    The exit code is 3 if smoothing removed more than a tenth of the area.
 
     \b
     pointloom smooth-mesh scan.ply out.ply
