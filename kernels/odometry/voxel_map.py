@@ -117,6 +117,7 @@ def store_voxels_kernel(keys: array(dtype=int64), after: int, totals: array(dtyp
 
 # voxels from the start along each axis: keys have 21 bits per axis, and searches go one further
 CELL_LIMIT = 2**20 - 2
+COARSE_CELLS = 1 << 14  # more than the voxels of a map in any direction
 SPARE_CELLS = 2  # voxels that a scan may exceed its range by: rounding, and the sensor's position in its voxel
 
 
@@ -268,6 +269,14 @@ class VoxelMap:
         nearby.table = list_keys(nearby.keys, rows.size)
         nearby._begin(rows.size)
         return nearby
+
+    def coarser(self, factor: float, near: np.ndarray) -> "VoxelMap":
+        """Map of the same points in voxels larger by a factor, for a sensor near a position."""
+        points, origin = self.points(near)  # sync
+        coarse, pose = VoxelMap(factor * self.voxel_size, self.room, self.device), np.eye(4)
+        pose[:3, 3] = origin
+        coarse.add(points, pose, COARSE_CELLS * coarse.voxel_size)
+        return coarse
 
     def points(self, near: np.ndarray) -> tuple[Points, list[float]]:
         """Points by voxel in insertion order about the returned origin (3): the corner of `near`'s voxel."""

@@ -197,7 +197,7 @@ class OdometrySummary(Report, Assessed):
         if self.is_undetermined:
             reasons.append(
                 f"{len(self.undetermined)} of {count} scans do not determine the motion {self.open_motions} "
-                f"({_scans(self.undetermined)}), where constant velocity was assumed"
+                f"({_scans(self.undetermined)}), which is that of constant velocity, or none. Pass priors"
             )
         if not strayed and len(self.unsettled) > MAX_UNSETTLED * (count - 1):
             reasons.append(

@@ -8,7 +8,7 @@ directions are verified by matching the scan at shifted poses.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,6 +20,7 @@ from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmu
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
 from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
+from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 from ..unobservable_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
@@ -74,13 +75,15 @@ def match_scan(
     few: wp.array | None = None,
     dense: wp.array | None = None,
     search_range: float = 0.0,
+    keeps_motion: bool = False,
 ) -> ScanMatch:
     """Align a scan with the map.
 
     Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
     sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses. The least cost wins.
     `sigma` [m] is the standard deviation of the guess, `few` and `dense` are sparser and denser points of the scan, and
-    `search_range` [m] limits the search along poorly determined directions.
+    `search_range` [m] limits the search along poorly determined directions. If `keeps_motion`, motions that no surface
+    determines are those of the guess.
     """
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
@@ -104,6 +107,10 @@ def match_scan(
         last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, search_range)
         iterations, rivals = iterations + last.iterations, rivals + others
     free = open_directions(dense, voxel_map, last.pose, last.information, count)
+    if free is None:
+        free = directions_without_surfaces(dense, voxel_map, last.pose)
+        if free is not None and not (keeps_motion and not free.is_blind):
+            return replace(last, iterations=iterations, open=free, rivals=rivals)
     if free is None or free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
@@ -241,6 +248,8 @@ class AdaptiveThreshold:
 
 SEARCHED_SHARE = 0.1  # below which rivals are searched after the start, where planes are rough
 MIN_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
+COARSE_FACTOR = 3.0  # of the voxel edge
+MIN_PATCHES = 6.0  # fewer surface patches determine no motion
 MAX_SAMPLES = 64  # along a line
 MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
@@ -286,20 +295,64 @@ def open_directions(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix, count: int
 ) -> OpenDirections | None:
     """The motions that `count` points with `information` of planes [6, 6] do not determine, or None."""
-    planes, size = float(np.trace(information[3:, 3:])), voxel_map.voxel_size
-    if planes < MIN_PLANES * count:
+    if np.trace(information[3:, 3:]) < MIN_PLANES * count:
         return OpenDirections(1.0, np.eye(6), is_blind=True)
-    lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size)
+
+    def rises_at(poses: Matrix) -> Matrix:
+        return compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)
+
+    return _undetermined(voxel_map.voxel_size, pose, information, rises_at)
+
+
+def directions_without_surfaces(points: wp.array, voxel_map: VoxelMap, pose: Matrix) -> OpenDirections | None:
+    """The motions that the surfaces of the map do not determine, even if the pattern of the scan does, or None.
+
+    Surfaces between distant rings are found in a coarser map only.
+    """
+    free = None
+    for factor in (1.0, COARSE_FACTOR):
+        like = voxel_map if factor == 1.0 else voxel_map.coarser(factor, pose[:3, 3])
+
+        def rises_at(poses: Matrix, like: VoxelMap = like) -> Matrix:
+            return compare_surfaces(points, JUDGING_POINTS, like, poses, like.voxel_size)[0]
+
+        _, information = compare_surfaces(points, JUDGING_POINTS, like, pose[None], like.voxel_size)
+        if np.trace(information[3:, 3:]) >= MIN_PATCHES:
+            free = _undetermined(like.voxel_size, pose, information, rises_at, free)
+        elif free is None:
+            return OpenDirections(1.0, np.eye(6), is_blind=True)
+        if free is None:
+            return None
+    return free
+
+
+def _undetermined(
+    size: float,
+    pose: Matrix,
+    information: Matrix,
+    rises_at: Callable[[Matrix], Matrix],
+    among: OpenDirections | None = None,
+) -> OpenDirections | None:
+    """Motions with little `information` along which the cost does not rise (`rises_at`: as of `compare_poses`).
+
+    They are among given ones, if any. `size` [m] is the voxel edge.
+    """
+    planes = float(np.trace(information[3:, 3:]))
+    lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size) if among is None else among.lever
     scale = np.array([lever] * 3 + [1.0] * 3)
     normal_matrix = information / np.outer(scale, scale) / planes
     if _exceeds(normal_matrix, SUSPECT_SHARE):
         return None
-    values, vectors = eigh(normal_matrix)
+    if among is None:
+        values, vectors = eigh(normal_matrix)
+    else:
+        values, vectors = eigh(matmul(among.basis.T, matmul(normal_matrix, among.basis)))
+        vectors = matmul(among.basis, vectors)
     suspects = vectors[:, values < SUSPECT_SHARE]
     if not suspects.shape[1]:
         return None
     steps = [sign * STEP_VOXELS * size * v / scale for v in suspects.T for sign in (-1, 1)]
-    rises = compare_poses(points, JUDGING_POINTS, voxel_map, np.array([pose, *(moved(pose, s) for s in steps)]), size)
+    rises = rises_at(np.array([pose, *(moved(pose, s) for s in steps)]))
     is_open = ~rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
 

@@ -1,0 +1,164 @@
+"""Surface patches of a map: planes of sufficient accuracy that do not contain their viewing ray.
+
+Points of a ring or a column of a scan fit a plane even if they belong to several surfaces: the tangent plane of the
+ring's cone, or the half-plane of the column. Both contain the ray. They move along with the sensor, and fix the pose of
+a scan even if the surfaces do not determine its motion.
+"""
+
+import numpy as np
+
+from ..algebra.eigen import eigenvalues, orthogonal_direction, smallest_eigenvector
+from ..algebra.rigid_solve import rotate
+from ..algebra.transform import widen
+from ..array_types import Points
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float32,
+    float64,
+    func,
+    kernel,
+    launch,
+    mat33d,
+    mat44d,
+    outer,
+    tid,
+    vec3,
+    vec3d,
+    vec3i,
+    vector,
+)
+from ..linear_algebra import matmul
+from ..memory import download, empty, upload
+from ..poses.cost_differences import compare_costs, run_length
+from .local_cells import cell_holding, offset_in_cell
+from .map_icp import FLAT
+from .voxel_map import VoxelMap
+from .voxel_map_search import find_nearest_in_map, moments_in_map, side_in_order, voxels_around
+
+MIN_POINTS = 6.0  # of a patch
+GRAZING = 0.01  # squared sine of the angle between a patch and its ray
+MIN_SECTORS = 5  # of 8 around a patch's middle: a bent line has 4 at most
+INNER = 0.0625  # of the squared radius: nearer points have no clear direction
+SURE = 0.005  # squared error [rad^2] of a patch's normal
+patch = vector(8, float64)  # normal, middle relative to the nearest point, points, middle eigenvalue [m^2]
+
+
+@func
+def sectors_in_map(center: vec3d, radius: float, u: vec3d, v: vec3d, voxel_map: VoxelMap) -> int:
+    """Number of octants about a point, in the plane of two unit vectors, with map points."""
+    cell = cell_holding(center, voxel_map.voxel_size)
+    position = offset_in_cell(center, cell, voxel_map.voxel_size)
+    near = vec3i(1, 1, 1)
+    sqradius = radius * radius
+    octants = int(0)
+    for voxel, shift in voxels_around(cell, position, sqradius, side_in_order, near, voxel_map):
+        first = voxel * voxel_map.room
+        for slot in range(first, first + voxel_map.counts[voxel]):
+            d = widen(voxel_map.offsets[slot] + shift - position)
+            sqdist = float(dot(d, d))
+            if sqdist < sqradius and sqdist > INNER * sqradius:
+                a = dot(d, u)
+                b = dot(d, v)
+                octant = int(0)
+                if a > 0.0:
+                    octant += 1
+                if b > 0.0:
+                    octant += 2
+                if abs(a) > abs(b):
+                    octant += 4
+                octants = octants | (1 << octant)
+    count = int(0)
+    for k in range(8):
+        count += (octants >> k) & 1
+    return count
+
+
+@func
+def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> patch:
+    """The surface patch around a map point, seen along a ray; 0 points if there is none."""
+    result = patch(0.0)
+    m = moments_in_map(center, radius, voxel_map)
+    if m[0] >= MIN_POINTS:
+        n = float64(m[0])
+        mean = vec3d(float64(m[1]) / n, float64(m[2]) / n, float64(m[3]) / n)
+        xx = float64(m[4]) / n
+        xy = float64(m[5]) / n
+        xz = float64(m[6]) / n
+        yy = float64(m[7]) / n
+        yz = float64(m[8]) / n
+        zz = float64(m[9]) / n
+        C = mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) - outer(mean, mean)
+        spread = eigenvalues(C)
+        is_flat = spread[1] > float64(FLAT) * spread[2] and spread[0] < float64(FLAT) * spread[1]
+        if is_flat and spread[0] < float64(SURE) * n * spread[1]:
+            normal = smallest_eigenvector(C)
+            incidence = dot(normal, ray)
+            if incidence * incidence > float64(GRAZING) * dot(ray, ray):
+                u = orthogonal_direction(normal)
+                if sectors_in_map(center, radius, u, cross(normal, u), voxel_map) >= MIN_SECTORS:
+                    result = patch(normal[0], normal[1], normal[2], mean[0], mean[1], mean[2], n, spread[1])
+    return result
+
+
+@kernel
+def find_patches_kernel(
+    points: array(dtype=vec3),
+    step: int,
+    poses: array(dtype=mat44d),
+    run: int,
+    limit: float,
+    radius: float,
+    voxel_map: VoxelMap,
+    squares: array(dtype=float32, ndim=2),
+    rows: array(dtype=float64, ndim=2),
+):
+    """Standardized squared distances of one run of points from the patches at one pose; the first pose's Jacobian."""
+    i = tid()
+    count = squares.shape[1]
+    runs = (count + run - 1) // run
+    k = i // runs
+    first = (i % runs) * run
+    pose = poses[k]
+    t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
+    for j in range(first, first + min(run, count - first)):
+        y = rotate(pose, widen(points[j * step]))
+        x = y + t
+        nearest_point = find_nearest_in_map(x, limit, voxel_map)
+        square = -1.0
+        normal = vec3d(0.0, 0.0, 0.0)
+        if nearest_point[4] >= 0.0:
+            r = vec3d(nearest_point[0], nearest_point[1], nearest_point[2])
+            at = patch_at(x - r, y, radius, voxel_map)
+            if at[6] > 0.0:
+                normal = vec3d(at[0], at[1], at[2])
+                d = r - vec3d(at[3], at[4], at[5])
+                along = dot(d, normal)
+                beside = dot(d, d) - along * along
+                square = float(along * along / (1.0 + (1.0 + beside / at[7]) / at[6]))
+        squares[k, j] = square
+        if k == 0:
+            turning = cross(y, normal)
+            for axis in range(3):
+                rows[j, axis] = turning[axis]
+                rows[j, 3 + axis] = normal[axis]
+
+
+def compare_surfaces(
+    points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """As `compare_poses`, with distances from patches in units of their error. Also the information of the patches at
+    the first pose, (6, 6) over rotation [rad] about the sensor and translation [m].
+    """
+    device = points.device
+    step = max(1, points.size // max(max_points, 1))
+    count = -(-points.size // step)
+    squares, rows = empty((len(poses), count), float32, device), empty((count, 6), float64, device)
+    run = run_length(squares)
+    device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
+    limit = np.float32(2 * radius) ** 2
+    threads = len(poses) * -(-count // run)
+    launch(find_patches_kernel, threads, [points, step, device_poses, run, limit, radius, voxel_map, squares, rows])
+    jacobian = download(rows)
+    return compare_costs(squares, voxel_map.voxel_size), matmul(jacobian.T, jacobian)  # sync
