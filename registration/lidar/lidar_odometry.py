@@ -36,6 +36,7 @@ from .scan_matching import (
     START_RINGS,
     AdaptiveThreshold,
     ScanMatch,
+    headings,
     match_scan,
     rotated_guesses,
     start_guesses,
@@ -50,6 +51,7 @@ START_VOXELS = 3.0  # for the second scan, to select among many starts
 MIN_POINTS = 32  # minimum to estimate the fraction of the interval
 START_ITERATIONS = 2  # repeated registrations of the second scan, each with a better deskewing motion
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
+MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
 PRUNE_SHARE = 0.1  # of max_range: travel between two prunings of the map
 
 
@@ -88,7 +90,7 @@ class LidarOdometry:
           estimated motion.
         - The second scan is tried from 25 positions within 1.5 initial thresholds. Its motion also deskews the first.
         - Map points keep a minimum spacing.
-        - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees. If not found, it
+        - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees, then at all headings. If not found, it
           is reported and keeps the predicted pose. It is added only if the next scan fits it and not the map.
         - Undetermined motion, such as along a bare corridor, keeps constant velocity and is reported.
         - While the motion is unknown, an equally good pose along poorly determined directions is reported too.
@@ -290,8 +292,19 @@ class LidarOdometry:
             again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few(), scan.dense)
             rotated = self._step_of(again, predicted, sigma, has_prior)
             if rotated.is_sound and (rotated.disagreement < step.disagreement or not step.is_sound):
-                return rotated
+                step, match = rotated, again
+        if not step.is_sound or self._loses_overlap(step):
+            guesses = headings(predicted)
+            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few(), scan.dense)
+            turned = self._step_of(again, predicted, sigma, has_prior)
+            if turned.is_sound and (again.cost < match.cost or not step.is_sound):
+                return turned
         return step
+
+    def _loses_overlap(self, step: OdometryStep) -> bool:
+        """True if the overlap with the map is much less than before, as after a fast rotation."""
+        last = self._steps[-1]
+        return last.is_sound and step.fitness < MIN_OVERLAP * last.fitness
 
     def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
         status = ("converged" if match.converged else "max_iteration") if match.is_matched else "no overlap"

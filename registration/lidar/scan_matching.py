@@ -42,6 +42,8 @@ RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
 WIDE_ANGLES = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
 
+HEADING_STEP = 8.0  # [deg] between the headings of a scan that fits nowhere near
+
 
 @dataclass(frozen=True, eq=False)
 class ScanMatch:
@@ -215,6 +217,12 @@ def rotated_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
                     twist[axis] = sign * math.radians(angle)
                     guesses.append(matmul(pose, pose_of(twist)))
     return guesses
+
+
+def headings(pose: Matrix) -> list[Matrix]:
+    """A pose rotated about the sensor's z axis by all multiples of `HEADING_STEP`."""
+    angles = np.arange(0.0, 360.0, HEADING_STEP)
+    return [matmul(pose, pose_of(np.array([0, 0, math.radians(angle), 0, 0, 0]))) for angle in angles]
 
 
 @dataclass(frozen=True)
