@@ -9,8 +9,8 @@ import numpy as np
 from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
-from ..lang import array, float32, float64, func, kernel, launch, mat44d, tid, vec3, vec3d
-from ..memory import empty, upload
+from ..lang import array, float32, float64, func, kernel, launch, mat44d, tid, uint8, vec3, vec3d
+from ..memory import download, empty, upload
 from ..poses.cost_differences import compare_costs, run_length
 from .map_icp import plane_of
 from .voxel_map import VoxelMap
@@ -67,3 +67,26 @@ def compare_poses(points: Points, max_points: int, voxel_map: VoxelMap, poses: n
     runs = -(-squares.shape[1] // run)
     launch(find_squares_kernel, len(poses) * runs, [points, step, device_poses, run, limit, radius, voxel_map, squares])
     return compare_costs(squares, voxel_map.voxel_size)
+
+
+@kernel
+def mark_unmatched_kernel(
+    points: array(dtype=vec3), pose: mat44d, limit: float, voxel_map: VoxelMap, marks: array(dtype=uint8)
+):
+    i = tid()
+    x = rotate(pose, widen(points[i])) + vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
+    nearest_point = find_nearest_in_map(x, limit, voxel_map)
+    marks[i] = uint8(1)
+    if nearest_point[4] >= 0.0:
+        marks[i] = uint8(0)
+
+
+def unmatched_by_range(points: Points, voxel_map: VoxelMap, pose: np.ndarray, distance: float) -> tuple[float, float]:
+    """Fractions of the nearer and of the farther half of a scan without a map point within `distance` [m]. One sync."""
+    marks = empty(points.size, uint8, points.device)
+    limit = np.float32(distance) ** 2
+    launch(mark_unmatched_kernel, points.size, [points, mat44d(*pose.ravel().tolist()), limit, voxel_map, marks])
+    is_unmatched, positions = download(marks).astype(bool), download(points).astype(np.float64)
+    order = np.argsort((positions * positions).sum(axis=1), kind="stable")
+    near, far = np.array_split(is_unmatched[order], 2)
+    return float(near.mean()) if near.size else 0.0, float(far.mean()) if far.size else 0.0

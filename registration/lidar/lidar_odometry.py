@@ -25,12 +25,13 @@ from ...kernels.memory import clone, contiguous, download
 from ...kernels.odometry.deskewing import bound_times, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
 from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points, thin_successively
+from ...kernels.odometry.pose_probes import unmatched_by_range
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..rigid import invert_pose, pose_of
 from .deskewing import MIN_TIMES, point_times, twist_of, warn_of_coarse_times
-from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
+from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, appears_stationary, summarize_steps
 from .scan_matching import (
     PLANE_VOXELS,
     START_RINGS,
@@ -52,6 +53,7 @@ MIN_POINTS = 32  # minimum to estimate the fraction of the interval
 START_ITERATIONS = 2  # repeated registrations of the second scan, each with a better deskewing motion
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
 MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
+UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
 PRUNE_SHARE = 0.1  # of max_range: travel between two prunings of the map
 
 
@@ -90,8 +92,9 @@ class LidarOdometry:
           estimated motion.
         - The second scan is tried from 25 positions within 1.5 initial thresholds. Its motion also deskews the first.
         - Map points keep a minimum spacing.
-        - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees, then at all headings. If not found, it
-          is reported and keeps the predicted pose. It is added only if the next scan fits it and not the map.
+        - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees, then at all
+          headings, also if its overlap drops. If not found, it is reported and keeps the predicted pose. It is added
+          only if the next scan fits it and not the map.
         - Undetermined motion, such as along a bare corridor, keeps constant velocity and is reported.
         - While the motion is unknown, an equally good pose along poorly determined directions is reported too.
 
@@ -220,6 +223,10 @@ class LidarOdometry:
                 step, downsampled, voxel_map = self._deskew_start(state.first, raw, step, voxel_map)
             elif state.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > state.threshold.min_motion:
                 step, downsampled = self._deskew_again(raw, step, voxel_map)
+        if len(self._steps) >= 3 and appears_stationary(self._steps[-3], step):
+            distance = UNMATCHED_VOXELS * self.voxel_size
+            near, beyond = unmatched_by_range(downsampled.dense, voxel_map, step.pose, distance)
+            step = replace(step, far_change=beyond - near)
         self._next = self._next_state(step, downsampled, voxel_map, predicted, raw)
         self._next.join(self.max_range)
         self._adopt(self._next)
