@@ -31,7 +31,7 @@ from ..lang import (
 )
 from ..linear_algebra import matmul
 from ..memory import download, empty, upload
-from ..poses.cost_differences import compare_costs, run_length
+from ..poses.cost_differences import COLUMNS, compare_costs, run_length
 from .local_cells import cell_holding, offset_in_cell
 from .map_icp import FLAT
 from .voxel_map import VoxelMap
@@ -160,5 +160,6 @@ def compare_surfaces(
     limit = np.float32(2 * radius) ** 2
     threads = len(poses) * -(-count // run)
     launch(find_patches_kernel, threads, [points, step, device_poses, run, limit, radius, voxel_map, squares, rows])
-    jacobian = download(rows)
-    return compare_costs(squares, voxel_map.voxel_size), matmul(jacobian.T, jacobian)  # sync
+    jacobian = download(rows)  # sync
+    rises = compare_costs(squares, voxel_map.voxel_size) if len(poses) > 1 else np.zeros((1, COLUMNS))
+    return rises, matmul(jacobian.T, jacobian)

@@ -42,7 +42,7 @@ RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
 WIDE_ANGLES = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
 
-HEADING_STEP = 8.0  # [deg] between the headings of a scan that fits nowhere near
+HEADING_STEP = 8.0  # [deg] between headings
 
 
 @dataclass(frozen=True, eq=False)

@@ -45,6 +45,32 @@ def test_a_bare_corridor_does_not_constrain_motion_along_it(device, rng):
     assert dict(summary.fields())["undetermined"] == "4: along x, scan 1-4"
 
 
+def beam_scan(rng, width, beams, *, ends=()):
+    """A scan of a spinning sensor in an endless corridor along x, or one between ends at these x."""
+    angles, rise = np.radians(np.arange(0, 360, 0.7)), np.radians(np.linspace(-22, 14, beams))
+    a, e = (grid.ravel() for grid in np.meshgrid(angles, rise))
+    rays = np.column_stack([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    planes = [(1, -width / 2), (1, width / 2), (2, -1.6), (2, 1.0), *((0, x) for x in ends)]
+    with np.errstate(divide="ignore"):
+        ranges = np.array([at / rays[:, axis] for axis, at in planes])
+    t = np.where(ranges > 0, ranges, np.inf).min(axis=0)
+    near = t < 40
+    return rays[near] * (t[near] + rng.normal(0, 0.01, near.sum()))[:, None]
+
+
+@pytest.mark.parametrize(("width", "beams", "min_range"), [(2.0, 32, 5.0), (2.4, 16, 0.5), (4.0, 64, 0.5)])
+def test_the_pattern_of_the_beams_does_not_constrain_motion_along_a_corridor(device, rng, width, beams, min_range):
+    scans = [beam_scan(rng, width, beams) for _ in range(6)]
+    summary = run(scans, device, max_range=40.0, min_range=min_range).summary
+    assert len(summary.undetermined) >= 3 and not summary.reliable
+
+
+def test_the_ends_of_a_corridor_constrain_the_motion(device, rng):
+    odometry = run([beam_scan(rng, 4.0, 32, ends=(-5.0 - 0.3 * k, 8.0 - 0.3 * k)) for k in range(5)], device)
+    assert odometry.summary.reliable
+    assert odometry.poses[-1, 0, 3] == pytest.approx(1.2, abs=0.05)
+
+
 def test_a_prior_is_used_along_free_directions_without_a_warning(device, rng):
     odometry, prior = LidarOdometry(max_range=30.0, min_range=0.3), np.eye(4)
     prior[:2, 3] = 0.4, 0.05  # 5 cm of it are wrong, across
@@ -94,6 +120,35 @@ def test_a_quickly_rotated_scanner_is_relocalized(device, fast_drive):
     T = odometry.register(loom.PointCloud(fast_drive.scans[3]).transform(rotation))
     assert odometry.summary.strayed == ()
     np.testing.assert_allclose(T, predicted @ np.linalg.inv(rotation), atol=0.05)
+
+
+def test_a_rotation_by_90_degrees_between_two_scans_is_found(device, fast_drive):
+    rotation = np.eye(4)
+    rotation[:2, :2] = [[0, -1], [1, 0]]
+    odometry = LidarOdometry()
+    for points in fast_drive.scans[:3]:
+        odometry.register(loom.PointCloud(points, device=device))
+    predicted = odometry.poses[-1] @ np.linalg.inv(odometry.poses[-2]) @ odometry.poses[-1]
+    T = odometry.register(loom.PointCloud(fast_drive.scans[3], device=device).transform(rotation))
+    np.testing.assert_allclose(T, predicted @ np.linalg.inv(rotation), atol=0.05)
+
+
+def test_new_points_far_away_contradict_a_stationary_scanner(device, rng):
+    """Walls at 2 m move along; poles at 10 m do not."""
+
+    def scan(k):
+        angles = rng.uniform(0, 2 * np.pi, 4000)
+        wall = np.column_stack([2 * np.cos(angles), 2 * np.sin(angles), rng.uniform(-1, 1, 4000)])
+        wall = np.clip(wall, -1.5, 1.5)
+        at = np.arange(-12, 12, 4.0) - 0.8 * k
+        poles = np.column_stack([rng.choice(at, 400), rng.choice([-10.0, 10.0], 400), rng.uniform(-2, 2, 400)])
+        return np.concatenate([wall, poles]) + rng.normal(0, 0.005, (4400, 3))
+
+    odometry = run([scan(k) for k in range(10)], device)
+    assert np.abs(odometry.poses[:, :3, 3]).max() < 0.05
+    assert odometry.summary.is_contradicted and "appears stationary" in str(odometry.summary.warnings)
+    still = run([scan(0) for _ in range(10)], device)
+    assert not still.summary.is_contradicted
 
 
 def test_a_stationary_scanner_among_moving_objects_is_reported():
