@@ -281,18 +281,8 @@ class LidarOdometry:
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
         search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
         few = scan.few() if further else None
-        keeps_motion = has_prior or self._known.has_way
         match = match_scan(
-            self._aligner,
-            scan.sparse,
-            voxel_map,
-            predicted,
-            sigma,
-            further,
-            few,
-            scan.dense,
-            search_range,
-            keeps_motion,
+            self._aligner, scan.sparse, voxel_map, predicted, sigma, further, few, scan.dense, search_range
         )
         step = self._step_of(match, predicted, sigma, has_prior)
         if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:

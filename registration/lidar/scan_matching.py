@@ -77,15 +77,14 @@ def match_scan(
     few: wp.array | None = None,
     dense: wp.array | None = None,
     search_range: float = 0.0,
-    keeps_motion: bool = False,
 ) -> ScanMatch:
     """Align a scan with the map.
 
     Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
     sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses. The least cost wins.
     `sigma` [m] is the standard deviation of the guess, `few` and `dense` are sparser and denser points of the scan, and
-    `search_range` [m] limits the search along poorly determined directions. If `keeps_motion`, motions that no surface
-    determines are those of the guess.
+    `search_range` [m] limits the search along poorly determined directions. Motions that only the pattern of the scan
+    determines are reported as open, and keep their estimate.
     """
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
@@ -111,9 +110,8 @@ def match_scan(
     free = open_directions(dense, voxel_map, last.pose, last.information, count)
     if free is None:
         free = directions_without_surfaces(dense, voxel_map, last.pose)
-        if free is not None and not (keeps_motion and not free.is_blind):
-            return replace(last, iterations=iterations, open=free, rivals=rivals)
-    if free is None or free.is_blind:
+        return replace(last, iterations=iterations, open=free, rivals=rivals)
+    if free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
     constrained = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_regularized=True), count, free.weight())
