@@ -256,6 +256,8 @@ SEARCHED_SHARE = 0.1  # below which rivals are searched after the start, where p
 MIN_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
 COARSE_FACTOR = 3.0  # of the voxel edge
 MIN_PATCHES = 6.0  # fewer surface patches determine no motion
+# Points of a quick check of the surfaces, and the information at which it suffices: errors of so few are up to 20%.
+FEW_POINTS, SURE_SHARE = 256, 1.2 * SUSPECT_SHARE
 MAX_SAMPLES = 64  # along a line
 MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
@@ -315,7 +317,10 @@ def directions_without_surfaces(points: wp.array, voxel_map: VoxelMap, pose: Mat
 
     Surfaces between distant rings are found in a coarser map only.
     """
-    free = None
+    size, free = voxel_map.voxel_size, None
+    _, information = compare_surfaces(points, FEW_POINTS, voxel_map, pose[None], size)
+    if np.trace(information[3:, 3:]) >= MIN_PATCHES and _exceeds(_scaled(information, size)[0], SURE_SHARE):
+        return None
     for factor in (1.0, COARSE_FACTOR):
         like = voxel_map if factor == 1.0 else voxel_map.coarser(factor, pose[:3, 3])
 
@@ -343,10 +348,7 @@ def _undetermined(
 
     They are among given ones, if any. `size` [m] is the voxel edge.
     """
-    planes = float(np.trace(information[3:, 3:]))
-    lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size) if among is None else among.lever
-    scale = np.array([lever] * 3 + [1.0] * 3)
-    normal_matrix = information / np.outer(scale, scale) / planes
+    normal_matrix, lever, scale = _scaled(information, size, None if among is None else among.lever)
     if _exceeds(normal_matrix, SUSPECT_SHARE):
         return None
     if among is None:
@@ -361,6 +363,14 @@ def _undetermined(
     rises = rises_at(np.array([pose, *(moved(pose, s) for s in steps)]))
     is_open = ~rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
+
+
+def _scaled(information: Matrix, size: float, lever: float | None = None) -> tuple[Matrix, float, Matrix]:
+    """Information of one plane with rotations times the lever, the lever [m], and the scale of each motion."""
+    planes = float(np.trace(information[3:, 3:]))
+    lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size) if lever is None else lever
+    scale = np.array([lever] * 3 + [1.0] * 3)
+    return information / np.outer(scale, scale) / planes, lever, scale
 
 
 def _exceeds(A: Matrix, limit: float) -> bool:
