@@ -217,7 +217,7 @@ def _choose(
     if refine:
         result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS, free)[0]
         result.iterations += first[best].iterations
-    evidence = rate_surfaces(source, target, result.transformation, distance)
+    evidence = rate_surfaces(source, target, result.transformation, distance, details=True)
     if evidence.score <= 0.5:
         equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
         return result, evidence, [poses[k] for k in equals]
@@ -226,7 +226,7 @@ def _choose(
     order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     totals = compare_under(source.surface, target.surface, poses[order], distance)
     alike = [k for k, total in zip(order, totals, strict=True) if total.share >= ALIKE * evidence.share]
-    others = [k for k in alike if _is_equal(rate_surfaces(source, target, poses[k], distance), evidence)]
+    others = [k for k in alike if _is_equal(rate_surfaces(source, target, poses[k], distance, details=True), evidence)]
     return result, evidence, [poses[k] for k in others]
 
 

@@ -220,7 +220,7 @@ def rate_registration(
         source, T = source.transform(T), np.eye(4)
     source_witness, target_witness = witness_of(source, distance), witness_of(target, distance)
     pose = to_local(T, source.origin, target.origin)
-    return rate_poses([source_witness], [target_witness], pose[None], distance)[0]
+    return rate_poses([source_witness], [target_witness], pose[None], distance, details=True)[0]
 
 
 class Witness:
@@ -245,7 +245,12 @@ def witness_of(cloud: PointCloud, distance: float) -> Witness:
 
 
 def rate_poses(
-    sources: Sequence[Witness], targets: Sequence[Witness], poses: NDArray[np.float64], distance: float
+    sources: Sequence[Witness],
+    targets: Sequence[Witness],
+    poses: NDArray[np.float64],
+    distance: float,
+    *,
+    details: bool = False,
 ) -> list[float]:
     """As `rate_registration`, of poses about the clouds' origins. All are refined in the same launches."""
     scores, rated = [0.0] * len(poses), [k for k, pair in enumerate(zip(sources, targets, strict=True)) if all(pair)]
@@ -259,15 +264,20 @@ def rate_poses(
         drift = np.diff(moved_samples(sources[k].surface, np.stack([pose, refined])), axis=0)
         if np.sqrt((drift**2).sum(axis=2).mean()) > distance:
             refined = pose
-        scores[k] = rate_surfaces(sources[k], targets[k], refined, distance).score
+        scores[k] = rate_surfaces(sources[k], targets[k], refined, distance, details=details).score
     return scores
 
 
-def rate_surfaces(source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> Evidence:
-    """All evidence for a pose; expensive parts only while the evidence supports it."""
+def rate_surfaces(
+    source: Witness, target: Witness, pose: NDArray[np.float64], distance: float, *, details: bool = False
+) -> Evidence:
+    """The evidence for a pose; expensive parts only while the evidence supports it.
+
+    `details` accepts more poses. They are left out where no search has excluded similar places.
+    """
     evidence = compare_surfaces(source.surface, target.surface, pose, distance)
     evidence = complete(evidence, source, target, pose, distance)
-    if evidence.score_with_planes <= 0.5:
+    if not details or evidence.score_with_planes <= 0.5:
         return evidence
     was_rejected = evidence.score <= 0.5
     evidence = evidence._replace(details=compare_details(source.surface, target.surface, pose, distance))

@@ -72,7 +72,8 @@ class RepetitionCheck:
 
     @classmethod
     def from_json(cls, record: Mapping[str, Any]) -> RepetitionCheck:
-        return cls(**{key: math.nan if value is None else value for key, value in record.items()})
+        known: dict[str, Any] = {key: math.nan if value is None else value for key, value in record.items()}
+        return cls(**known)
 
     def to_dict(self) -> dict[str, Any]:
         return {key: None if value != value else value for key, value in dataclasses.asdict(self).items()}
