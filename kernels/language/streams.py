@@ -56,7 +56,7 @@ def note_use(device: Any) -> None:
 def _blocks(stream: Any) -> bool:
     """True if a stream synchronizes with the legacy stream. A recorded one of unknown kind counts as one that does
     not: a query would break the recording."""
-    if stream._is_blocking is None and _is_recorded(stream.cuda_stream, stream.device):
+    if getattr(stream, "_is_blocking", True) is None and _is_recorded(stream.cuda_stream, stream.device):
         return False
     return stream.is_blocking
 
