@@ -73,22 +73,22 @@ def facade(seed: int) -> Facade:
     return Facade(kind, period, float(wide), float(step), count, stain, signs, seed)
 
 
-def film(house: Facade) -> Shots:
+def render(facade: Facade) -> Shots:
     """Images by a camera that moves along the facade with unequal steps and slightly different directions."""
-    rng, (p, _) = np.random.default_rng(house.seed + 10_000), house.period
-    away = house.wide * p * FOCAL / SIZE[0]
-    steps = np.cumsum(house.step * p * rng.uniform(0.75, 1.25, house.count))
-    camera, textures, poses = pinhole(FOCAL, SIZE), _textures(house), []
+    rng, (p, _) = np.random.default_rng(facade.seed + 10_000), facade.period
+    distance = facade.wide * p * FOCAL / SIZE[0]
+    steps = np.cumsum(facade.step * p * rng.uniform(0.75, 1.25, facade.count))
+    camera, textures, poses = pinhole(FOCAL, SIZE), _textures(facade), []
     for x in steps:
-        eye = np.array([x, -away * rng.uniform(0.9, 1.1), 1.7 + rng.normal(0, 0.1)])
+        eye = np.array([x, -distance * rng.uniform(0.9, 1.1), 1.7 + rng.normal(0, 0.1)])
         yaw, pitch = math.radians(rng.normal(0, 5)), math.radians(4 + rng.normal(0, 3))
         poses.append(look_along(eye, (math.sin(yaw), math.cos(yaw), math.sin(pitch))))
-    pictures = [_view(house, pose, camera, textures, rng) for pose in poses]
+    pictures = [_view(facade, pose, camera, textures, rng) for pose in poses]
     return Shots(np.array(poses), [camera] * len(poses), pictures)
 
 
-def _textures(house: Facade) -> dict[str, np.ndarray]:
-    rng = np.random.default_rng(house.seed + 20_000)
+def _textures(facade: Facade) -> dict[str, np.ndarray]:
+    rng = np.random.default_rng(facade.seed + 20_000)
     tiles = {name: _noise(rng, (TILE, TILE), (0.8, 2.0, 6.0)) for name in ("wall", "pane", "sill")}
     return tiles | {"unique": _noise(rng, UNIQUE, (0.8, 2.0, 6.0))}
 
@@ -107,12 +107,12 @@ def _repeated(texture: np.ndarray, x: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 
 def _view(
-    house: Facade, pose: np.ndarray, camera: object, textures: dict[str, np.ndarray], rng: np.random.Generator
+    facade: Facade, pose: np.ndarray, camera: object, textures: dict[str, np.ndarray], rng: np.random.Generator
 ) -> np.ndarray:
     v, u = np.mgrid[: SIZE[1], : SIZE[0]]
     rays = np.stack([(u - SIZE[0] / 2) / FOCAL, (v - SIZE[1] / 2) / FOCAL, np.ones(u.shape)], axis=-1) @ pose[:3, :3].T
-    eye, (p, q) = pose[:3, 3], house.period
-    alone = {"none repeats": ("wall", "pane", "sill"), "curtains": ("pane",)}.get(house.kind, ())
+    eye, (p, q) = pose[:3, 3], facade.period
+    alone = {"none repeats": ("wall", "pane", "sill"), "curtains": ("pane",)}.get(facade.kind, ())
 
     def on_plane(y: float) -> tuple[np.ndarray, np.ndarray]:
         along = (y - eye[1]) / np.maximum(rays[..., 1], 1e-3)
@@ -125,13 +125,13 @@ def _view(
         return unique(x, z) if name in alone else _repeated(textures[name], x / p, z / q)
 
     x, z = on_plane(0.0)
-    light = 135 + 22 * painted("wall", x, z) + (house.stain * unique(x, z) if house.stain else 0.0)
+    light = 135 + 22 * painted("wall", x, z) + (facade.stain * unique(x, z) if facade.stain else 0.0)
     inside = (np.abs(x / p % 1 - 0.5) < 0.22) & (np.abs(z / q % 1 - 0.55) < 0.27)
     xs, zs = on_plane(0.3)
     light = np.where(inside, 75 + 25 * painted("pane", xs, zs), light)
     frame = inside & ((np.abs(xs / p % 1 - 0.5) < 0.012) | (np.abs(zs / q % 1 - 0.6) < 0.012))
     light = np.where(frame, 210, light)
-    for cx, cz, width, height in house.signs:
+    for cx, cz, width, height in facade.signs:
         on = (np.abs(x - cx) < width / 2) & (np.abs(z - cz) < height / 2)
         light = np.where(on, 140 + 45 * unique(x, z), light)
     xs, zs = on_plane(-0.2)
@@ -140,6 +140,6 @@ def _view(
     down = rays[..., 2] < -1e-3
     along = np.where(down, -eye[2] / np.where(down, rays[..., 2], -1.0), 0.0)
     x, y = eye[0] + along * rays[..., 0], eye[1] + along * rays[..., 1]
-    ground = unique(x, y) if house.kind == "street" else 0.0
+    ground = unique(x, y) if facade.kind == "street" else 0.0
     gray = np.where(down & (y < -0.2), 90 + 30 * ground, light) + rng.normal(0, 2.0, light.shape)
     return np.repeat(np.clip(np.rint(gray), 0, 255).astype(np.uint8)[..., None], 3, axis=2)

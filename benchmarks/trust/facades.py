@@ -28,31 +28,31 @@ FEATURES = 500
 
 def judge_seed(seed: int) -> Judged:
     """Create the images of a facade, reconstruct them, and compare with the ground truth."""
-    house = scenes.facade(seed)
+    facade = scenes.facade(seed)
     camera = loom.PinholeCameraIntrinsic(
         *scenes.SIZE, scenes.FOCAL, scenes.FOCAL, scenes.SIZE[0] / 2, scenes.SIZE[1] / 2
     )
     with tempfile.TemporaryDirectory() as name:
         pictures = Path(name) / "pictures"
-        truth = {each: pose for each, (pose, _) in scenes.film(house).write(pictures).items()}
+        truth = {each: pose for each, (pose, _) in scenes.render(facade).write(pictures).items()}
         result = loom.sfm.reconstruct(pictures, Path(name) / "work", intrinsic=camera, max_features=FEATURES)
-    return judged(house, result.model, truth, result.warnings, held_out=seed in HELD_OUT)
+    return judged(facade, result.model, truth, result.warnings, held_out=seed in HELD_OUT)
 
 
 def judged(
-    house: scenes.Facade, model: loom.SfmModel | None, truth: dict, warnings: tuple, *, held_out: bool
+    facade: scenes.Facade, model: loom.SfmModel | None, truth: dict, warnings: tuple, *, held_out: bool
 ) -> Judged:
     """Compare a model with the ground truth."""
     wrong, error = True, f"{0 if model is None else len(model)} of {len(truth)} placed"
     if model is not None and len(model) >= MIN_REGISTERED * len(truth):
         errors = camera_errors(model, {name: truth[name] for name in model.names})
-        periods, degrees = errors["worst"] / house.period[0], errors["mean_degrees"]
+        periods, degrees = errors["worst"] / facade.period[0], errors["mean_degrees"]
         wrong = periods > WRONG_PERIODS or degrees > WRONG_DEGREES
         error = f"{periods:.2f} periods, {degrees:.1f} degrees"
     accepted = not warnings
     return Judged(
         AREA,
-        house.name,
+        facade.name,
         1,
         wrong,
         wrong and accepted,
