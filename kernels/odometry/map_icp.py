@@ -10,7 +10,7 @@ from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.matrices import multiply33
 from ..algebra.rigid_solve import TRIANGLE, triangle_index
 from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vector
-from .voxel_map_search import map_moments
+from .voxel_map_search import covariance_of, map_moments, mean_of
 
 SUMS = 31  # upper triangle, right side, then squared distance, pairs, cost, informative pairs
 sums = vector(31, float64)
@@ -30,15 +30,7 @@ def plane_of(m: map_moments) -> plane:
     """Plane from the moments of the points around the nearest one."""
     result = plane(0.0, 0.0, 0.0, 0.0, WEAK_WEIGHT)
     if m[0] >= FEW:
-        n = float64(m[0])
-        mean = vec3d(float64(m[1]) / n, float64(m[2]) / n, float64(m[3]) / n)
-        xx = float64(m[4]) / n
-        xy = float64(m[5]) / n
-        xz = float64(m[6]) / n
-        yy = float64(m[7]) / n
-        yz = float64(m[8]) / n
-        zz = float64(m[9]) / n
-        C = mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) - outer(mean, mean)
+        C = covariance_of(m, mean_of(m))
         spread = eigenvalues(C)
         if spread[1] > float64(FLAT) * spread[2]:
             if spread[0] < float64(FLAT) * spread[1]:

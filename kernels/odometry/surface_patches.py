@@ -11,31 +11,14 @@ from ..algebra.eigen import eigenvalues, orthogonal_direction, smallest_eigenvec
 from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
-from ..lang import (
-    array,
-    cross,
-    dot,
-    float32,
-    float64,
-    func,
-    kernel,
-    launch,
-    mat33d,
-    mat44d,
-    outer,
-    tid,
-    vec3,
-    vec3d,
-    vec3i,
-    vector,
-)
+from ..lang import array, cross, dot, float32, float64, func, kernel, launch, mat44d, tid, vec3, vec3d, vec3i, vector
 from ..linear_algebra import matmul
 from ..memory import download, empty, upload
 from ..poses.cost_differences import COLUMNS, compare_costs, run_length
 from .local_cells import cell_holding, offset_in_cell
 from .map_icp import FLAT
 from .voxel_map import VoxelMap
-from .voxel_map_search import find_nearest_in_map, moments_in_map, side_in_order, voxels_around
+from .voxel_map_search import covariance_of, find_nearest_in_map, mean_of, moments_in_map, side_in_order, voxels_around
 
 MIN_POINTS = 6.0  # of a patch
 GRAZING = 0.01  # squared sine of the angle between a patch and its ray
@@ -82,14 +65,8 @@ def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> p
     m = moments_in_map(center, radius, voxel_map)
     if m[0] >= MIN_POINTS:
         n = float64(m[0])
-        mean = vec3d(float64(m[1]) / n, float64(m[2]) / n, float64(m[3]) / n)
-        xx = float64(m[4]) / n
-        xy = float64(m[5]) / n
-        xz = float64(m[6]) / n
-        yy = float64(m[7]) / n
-        yz = float64(m[8]) / n
-        zz = float64(m[9]) / n
-        C = mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) - outer(mean, mean)
+        mean = mean_of(m)
+        C = covariance_of(m, mean)
         spread = eigenvalues(C)
         is_flat = spread[1] > float64(FLAT) * spread[2] and spread[0] < float64(FLAT) * spread[1]
         if is_flat and spread[0] < float64(SURE) * n * spread[1]:

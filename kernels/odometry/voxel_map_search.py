@@ -4,7 +4,7 @@ exact at any distance. The query's voxel comes first, then the others that may b
 
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
-from ..lang import callback, float32, float64, func, loop, vec3, vec3d, vec3i, vector
+from ..lang import callback, float32, float64, func, loop, mat33d, outer, vec3, vec3d, vec3i, vector
 from .local_cells import cell_holding, offset_in_cell
 from .voxel_map import VoxelMap
 
@@ -112,3 +112,23 @@ def moments_in_map(center: vec3d, radius: float, voxel_map: VoxelMap) -> map_mom
             if x * x + y * y + z * z < sqradius:
                 total += map_moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
     return total
+
+
+@func
+def mean_of(m: map_moments) -> vec3d:
+    """Mean of the differences of at least one point."""
+    n = float64(m[0])
+    return vec3d(float64(m[1]) / n, float64(m[2]) / n, float64(m[3]) / n)
+
+
+@func
+def covariance_of(m: map_moments, mean: vec3d) -> mat33d:
+    """Covariance of the differences about their mean."""
+    n = float64(m[0])
+    xx = float64(m[4]) / n
+    xy = float64(m[5]) / n
+    xz = float64(m[6]) / n
+    yy = float64(m[7]) / n
+    yz = float64(m[8]) / n
+    zz = float64(m[9]) / n
+    return mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) - outer(mean, mean)

@@ -2,11 +2,15 @@
 (Lucas and Kanade 1981). A cell has mean brightness and mean inverse depth. Near depth can be hidden to separate layers.
 """
 
+from functools import cached_property
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..array_types import Array1, Array2, Device, Mask, Scalars
 from ..lang import array, float32, float64, kernel, launch, reduce, reduction, struct, tid, uint8, vector
-from ..memory import empty, zeros
+from ..memory import download, empty, zeros
 from .pyramid import NO_COLOR, luma
 
 
@@ -59,6 +63,11 @@ class StreamView:
     def __init__(self, columns: int, rows: int, device: Device) -> None:
         self.columns, self.rows = columns, rows
         self.brightness, self.nearness = (empty(columns * rows, float32, device) for _ in range(2))
+
+    @cached_property
+    def host_nearness(self) -> NDArray[np.float32]:
+        """`nearness` on the host; one sync for all readers of a frame."""
+        return download(self.nearness)
 
 
 @kernel

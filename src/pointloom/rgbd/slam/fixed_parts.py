@@ -74,7 +74,7 @@ class FixedParts:
         if frame.pixels is None:
             return None
         size = view.rows, view.columns
-        look = Look(frame, download(view.nearness).reshape(size), download(view.brightness).reshape(size))  # sync
+        look = Look(frame, view.host_nearness.reshape(size), download(view.brightness).reshape(size))  # sync
         pose = None
         if self._looks and (self._count <= FROM_FIRST or self._count % EVERY == 0):
             pose = self._search(look, view, expected)

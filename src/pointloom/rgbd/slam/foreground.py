@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul, norm
-from ...kernels.memory import download
 from ...kernels.rgbd import check_rows as at
 from ...kernels.rgbd.stream_views import StreamView, hide_near
 from ...registration.rigid import invert_pose, rotation_vector
@@ -112,7 +111,7 @@ class Foreground:
         if self._count > AT_ONCE and self._count % EVERY and not was_apart:
             return None
         if self._count <= AT_ONCE or self._count % EVERY == 0:
-            nearness = download(view.nearness)  # sync
+            nearness = view.host_nearness  # sync
             if self._earlier and (limit := depth_between(nearness)) > 0.0:
                 self._judge(*self._look(frame, limit, nearness, expected))
                 layers = self._layers

@@ -315,11 +315,11 @@ class FrozenDepth:
     def add(self, rotations: Rotations | None, view: StreamView) -> int:
         """Add the next frame. Returns the number of last frames whose depth is frozen."""
         if rotations is None:
-            self._squares, self._views, self._is_frozen = [], [download(view.nearness)], False
+            self._squares, self._views, self._is_frozen = [], [view.host_nearness], False
             return 0
         squares = float(rotations.along(rotations.color).sum()), float(rotations.along(rotations.depth).sum())
         self._squares = [*self._squares[1 - MAX_FROZEN_WINDOW :], squares]
-        self._views = [*self._views[-MAX_FROZEN_WINDOW:], download(view.nearness)]  # sync
+        self._views = [*self._views[-MAX_FROZEN_WINDOW:], view.host_nearness]  # sync
         color = depth = 0.0
         count = 0
         for color_square, depth_square in reversed(self._squares):
