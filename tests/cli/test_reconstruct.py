@@ -1,6 +1,7 @@
 """reconstruct: a mesh of frames without poses by both methods, and reports of omitted frames."""
 
 import json
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -24,7 +25,7 @@ COARSE = ["--voxel", 0.05]
 
 
 def cover(folder: Path, *numbers: int) -> None:
-    """Set the depth of frames to zero, as with a covered lens."""
+    """Set the depth of frames to zero, as if the lens was covered."""
     for number in numbers:
         path = folder / f"frame-{number:06d}.depth.png"
         write_png(path, np.zeros_like(read_depth(path)))
@@ -50,13 +51,20 @@ def test_reconstruct_prints_a_summary(sequence_folder, tmp_path):
     assert result.stderr == ""
 
 
-@pytest.mark.slow
 def test_lost_frames_give_an_unreliable_result_with_a_mesh(sequence_folder, tmp_path):
-    cover(sequence_folder, 5, 6)
+    cover(sequence_folder, 6, 7)
     report = unreliable("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE)
-    assert [entry["frame"] for entry in report["lost"]] == [5, 6]
-    assert "2 of 8 frames were lost (frame 5-6) and are left out: " in str(report["warnings"])
+    assert [entry["frame"] for entry in report["lost"]] == [6, 7]
+    assert "2 of 8 frames were lost (frame 6-7) and are left out: " in str(report["warnings"])
     assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
+
+
+def test_a_short_blank_gap_is_a_note(sequence_folder, tmp_path):
+    cover(sequence_folder, 5, 6)
+    result = run("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE)
+    assert result.exit_code == 0, result.stderr
+    assert re.search(r"lost +2: frame 5-6", result.stdout)
+    assert re.search(r"note +2 frames are blank and were left out \(frame 5-6\)", result.stdout)
 
 
 class Closure:

@@ -148,8 +148,8 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
                files are kept, and --resume continues after an interruption. Options: --work, --config, --slac
 
     The exit code is 3 if frames were lost or fragments could not be joined. The summary lists them, and the mesh is
-    still written. True poses in the folder are not used. The errors against them are printed (ATE, RPE). The layouts
-    are those of pointloom track.
+    still written. A blank gap of up to half a second after which tracking resumes is only a note. True poses in the
+    folder are not used. The errors against them are printed (ATE, RPE). The layouts are those of pointloom track.
 
     \b
     pointloom reconstruct frames -o mesh.ply --picture mesh.png

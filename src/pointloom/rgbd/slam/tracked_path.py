@@ -169,7 +169,7 @@ class TrackedPath(Assessed):
             residual, fitness = float(np.median(self.residuals)), float(np.median(self.fitness))
             fit = f"{residual * 1000:.1f} mm off the model, {format_share(fitness)} of the depth on it"
             fields.append(("fit", f"{fit} (medians)"))
-        return fields
+        return [*fields, *(("note", note) for note in self.notes)]
 
 
 def _numbers(path: Trajectory) -> list[int]:
