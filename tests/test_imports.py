@@ -56,7 +56,7 @@ SUBPACKAGES = {
     "datasets": ["scenes", "made", "public"],
     "tiling": ["steps", "jobs"],
     "cli": ["jobs", "shell"],
-    "open3d": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
+    "open3d": ["core", "utility", "camera", "geometry", "pipelines", "io", "visualization", "t"],
 }
 
 # Top-level modules that may import from subpackages. lang.py and memory.py re-export the lowest subpackages,

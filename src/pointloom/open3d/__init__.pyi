@@ -1,9 +1,11 @@
 """Modules of `pointloom.open3d`, for type checkers and for `public_names`."""
 
 from . import camera as camera
+from . import core as core
 from . import geometry as geometry
 from . import io as io
 from . import pipelines as pipelines
+from . import t as t
 from . import utility as utility
 from . import visualization as visualization
 

@@ -1,0 +1,5 @@
+"""The names of `open3d.t`."""
+
+from . import geometry as geometry
+from . import io as io
+from . import pipelines as pipelines

@@ -1,0 +1,1 @@
+"""The names of `open3d.t.io`."""
