@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 PACKAGE = Path(__file__).parents[1] / "src" / "pointloom"
-PACKAGES = ("cameras", "core", "kernels", "meshing", "pcd", "registration", "rgbd", "tiling")
+PACKAGES = ("cameras", "core", "datasets", "kernels", "meshing", "pcd", "registration", "rgbd", "tiling")
 DEVICE_CODE = {"func", "kernel", "reduction", "segment_reduction", "loop", "cuda_func", "cuda_loop", "on_cuda"}
 LINALG = {"cholesky", "cond", "det", "eig", "eigh", "eigvals", "eigvalsh", "inv", "lstsq", "matrix_rank", "pinv", "qr"}
 LINALG |= {"slogdet", "solve", "svd"}

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_seed
 from ...kernels.lang import float32, uint8
+from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download, upload
 from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.value_noise import grain_pixels
@@ -26,7 +27,7 @@ HEIGHTS = (math.radians(22), math.radians(34))  # elevations of the camera, alte
 CLOTH, CLOTH_STEP, CHECK = 0.8, 0.01, 0.06  # [m] side of the cloth, of its cells, of its pattern's squares
 GRAIN_SCALE = 10.0  # the room texture of 12 cm to 15 mm becomes 12 to 1.5 mm
 COLOR_NOISE = 1.0  # [of 255] standard deviation, as of a photograph in good light
-LIGHT = np.array([0.45, -0.55, 0.7]) / np.linalg.norm([0.45, -0.55, 0.7])
+LIGHT = np.array([0.45, -0.55, 0.7]) / norm([0.45, -0.55, 0.7])
 AMBIENT = 0.55
 ABOVE = 0.0008  # [m] offset of shadow rays from the surface
 
@@ -92,7 +93,7 @@ def _picture(
     off = view.points + ABOVE * view.normals
     rays = np.concatenate([off, np.broadcast_to(LIGHT, off.shape)], axis=-1)
     lit = ~scene.test_occlusions(rays)
-    light = AMBIENT + (1 - AMBIENT) * np.clip(view.normals @ LIGHT, 0, 1) * lit
+    light = AMBIENT + (1 - AMBIENT) * np.clip(matmul(view.normals, LIGHT), 0, 1) * lit
     colors = np.where(view.depth[..., None] > 0, view.colors * light[..., None], (0.80, 0.82, 0.85))
     flat = upload(np.rint(255 * np.clip(colors, 0, 1)).astype(np.uint8).reshape(-1), uint8, "cpu")
     depth = upload((GRAIN_SCALE * view.depth).astype(np.float32).reshape(-1), float32, "cpu")

@@ -13,6 +13,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage
 from ...core.checks import check_count, check_positive, check_seed
 from ...kernels.lang import vec3d
+from ...kernels.linear_algebra import inv
 from ...kernels.memory import download, upload
 from ...kernels.scenes.primitives import distance_to_solids
 from ...meshing.mesh.mesh import TriangleMesh
@@ -143,7 +144,7 @@ def room_mesh() -> TriangleMesh:
     def make() -> Arrays:
         volume = TSDFVolume(voxel_size=MESH_VOXEL, truncation=3 * MESH_VOXEL)
         for frame in _views():
-            T = np.linalg.inv(frame.T_world_camera)
+            T = inv(frame.T_world_camera)
             volume.integrate(frame.depth, frame.intrinsic, T, frame.color, depth_scale=1.0, depth_max=FARTHEST)
         mesh = volume.extract_triangle_mesh(weight_threshold=0.0)
         mesh = mesh.simplify_quadric_decimation(MESH_TRIANGLES).compute_vertex_normals()
@@ -190,7 +191,7 @@ def _seen_points(frame: RoomFrame) -> PointCloud:
     """The points of an exact frame in room coordinates."""
     assert frame.color is not None
     image = RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=FARTHEST)
-    return PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+    return PointCloud.create_from_rgbd_image(image, frame.intrinsic, inv(frame.T_world_camera))
 
 
 def _true_normals(points: NDArray[np.float64]) -> NDArray[np.float32]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...kernels.linear_algebra import matmul
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.scene.raycasting_scene import RaycastingScene
 from ..scenes.room import look_along
@@ -54,7 +55,7 @@ def view_mesh(
 ) -> MeshView:
     fx, fy, cx, cy = camera.fx, camera.fy, camera.cx, camera.cy
     v, u = np.mgrid[: camera.height, : camera.width]
-    directions = np.stack([(u - cx) / fx, (v - cy) / fy, np.ones(u.shape)], axis=-1) @ T_world_camera[:3, :3].T
+    directions = matmul(np.stack([(u - cx) / fx, (v - cy) / fy, np.ones(u.shape)], axis=-1), T_world_camera[:3, :3].T)
     rays = np.concatenate([np.broadcast_to(T_world_camera[:3, 3], directions.shape), directions], axis=-1)
     hits = scene.cast_rays(rays)
     seen = np.isfinite(hits["t_hit"])

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import elementwise
 from .painted import Color, PaintedParts
 
 EXTENT = 200.0  # [m] side of the square
@@ -30,7 +32,7 @@ class Country:
 
 def ground_height(x: NDArray[Any], y: NDArray[Any]) -> NDArray[Any]:
     hills = 7 * np.sin(x / 47 + 0.6) * np.cos(y / 61) + 4 * np.sin(y / 37 - x / 90) + 0.035 * x
-    ditch = -1.6 * np.exp(-(((y - 12 * np.sin(x / 35) + 55) / 5) ** 2))
+    ditch = -1.6 * elementwise(math.exp, -(((y - 12 * np.sin(x / 35) + 55) / 5) ** 2))
     rough = 0.06 * np.sin(1.3 * x + 0.4 * y) * np.sin(1.1 * y) + 0.25 * np.sin(x / 6.3) * np.sin(y / 7.7)
     return hills + ditch + rough
 
@@ -79,7 +81,7 @@ def _houses(parts: PaintedParts, rng: np.random.Generator) -> NDArray[np.float64
         side = 1 if k % 2 else -1
         x, y = along, float(lane(along)) + side * rng.uniform(11, 17)
         length, width, high = rng.uniform(9, 14), rng.uniform(7, 10), rng.uniform(3.0, 6.5)
-        angle = np.arctan(18 / 42 * np.cos(along / 42)) + rng.uniform(-0.15, 0.15)
+        angle = math.atan(18 / 42 * math.cos(along / 42)) + rng.uniform(-0.15, 0.15)
         floor = float(ground_height(np.array(x), np.array(y)))
         roof = _ROOFS[rng.integers(len(_ROOFS))]
         parts.set_frame(x, y, floor, angle=angle)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ...kernels.linear_algebra import elementwise
 
 SCAN_PERIOD = 0.1  # [s] duration of a scan
 SENSOR_HEIGHT = 1.8  # [m]
@@ -21,7 +24,7 @@ def pose_at(s: NDArray[np.float64], sway: float) -> tuple[NDArray[np.float64], N
     positions = np.stack([s, 12 * np.sin(s / 60), np.full_like(s, SENSOR_HEIGHT)], axis=-1)
     growing = np.clip(s / SWAY_LENGTH, 0, 1)
     yaw = sway * growing * np.sin(s * (2 * np.pi / SWAY_LENGTH))
-    return positions, np.arctan2(12 / 60 * np.cos(s / 60), 1) + yaw
+    return positions, elementwise(math.atan, 12 / 60 * np.cos(s / 60)) + yaw
 
 
 def sensor_pose(s: float, sway: float = 0.0) -> NDArray[np.float64]:

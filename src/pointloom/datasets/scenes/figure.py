@@ -6,11 +6,13 @@ Quadratic smooth minimum of Quilez ("Smooth minimum", iquilezles.org/articles/sm
 from __future__ import annotations
 
 import functools
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...kernels.linear_algebra import elementwise
 from ...meshing.mesh.isosurface import marching_cubes
 from ...meshing.mesh.mesh import TriangleMesh
 
@@ -26,10 +28,18 @@ _GOLD, _BLACK, _ORANGE = (0.98, 0.74, 0.16), (0.06, 0.05, 0.05), (0.93, 0.52, 0.
 _BARK, _WOOD, _RING = (0.38, 0.28, 0.19), (0.80, 0.62, 0.40), (0.58, 0.40, 0.23)
 
 
+def _sin(values: Field) -> Field:
+    return elementwise(math.sin, values).astype(np.float32)
+
+
+def _arctan2(y: Field, x: Field) -> Field:
+    return elementwise(math.atan2, y, x).astype(np.float32)
+
+
 def _ellipsoid(p: Field, center: ArrayLike, radii: ArrayLike, *, lean: float = 0.0) -> Field:
     """Approximate distance (a bound) from an ellipsoid tilted about x by `lean` [rad]."""
     q = p - np.asarray(center, np.float32)
-    c, s = np.float32(np.cos(lean)), np.float32(np.sin(lean))
+    c, s = np.float32(math.cos(lean)), np.float32(math.sin(lean))
     x, y, z = q[..., 0], c * q[..., 1] + s * q[..., 2], c * q[..., 2] - s * q[..., 1]
     r = np.asarray(radii, np.float32)
     near = np.sqrt((x / r[0]) ** 2 + (y / r[1]) ** 2 + (z / r[2]) ** 2)
@@ -40,8 +50,9 @@ def _ellipsoid(p: Field, center: ArrayLike, radii: ArrayLike, *, lean: float = 0
 def _cone(p: Field, foot: ArrayLike, tip: ArrayLike, radius: float, end: float) -> Field:
     """Approximate distance from a capsule whose radius shrinks from foot to tip."""
     a, b = np.asarray(foot, np.float32), np.asarray(tip, np.float32)
-    along = np.clip(((p - a) @ (b - a)) / ((b - a) @ (b - a)), 0, 1)
-    return np.linalg.norm(p - a - along[..., None] * (b - a), axis=-1) - (radius + (end - radius) * along)
+    axis = b - a
+    along = np.clip(((p - a) * axis).sum(axis=-1) / (axis * axis).sum(), 0, 1)
+    return np.linalg.norm(p - a - along[..., None] * axis, axis=-1) - (radius + (end - radius) * along)
 
 
 def _join(a: Field, b: Field, width: float) -> Field:
@@ -52,7 +63,7 @@ def _join(a: Field, b: Field, width: float) -> Field:
 
 def _feathers(p: Field, size: float) -> Field:
     """Rows of scales around the axis, 0 between them to 1 on them."""
-    angle = np.arctan2(p[..., 1], p[..., 0]) * (0.075 / size)
+    angle = _arctan2(p[..., 1], p[..., 0]) * (0.075 / size)
     row = p[..., 2] / size
     odd = np.mod(np.floor(row), 2)
     u, v = np.mod(angle + 0.5 * odd, 1) - 0.5, np.mod(row, 1)
@@ -63,8 +74,8 @@ def _parts(p: Field) -> dict[str, Field]:
     """Distance from each part; `p` (..., 3) is mirrored in x where the figure is symmetric."""
     m = p.copy()
     m[..., 0] = np.abs(p[..., 0])
-    angle, radius = np.arctan2(p[..., 1], p[..., 0]), np.hypot(p[..., 0], p[..., 1])
-    bark = 0.003 * np.sin(17 * angle + 30 * p[..., 2]) + 0.0018 * np.sin(41 * angle - 55 * p[..., 2])
+    angle, radius = _arctan2(p[..., 1], p[..., 0]), np.hypot(p[..., 0], p[..., 1])
+    bark = 0.003 * _sin(17 * angle + 30 * p[..., 2]) + 0.0018 * _sin(41 * angle - 55 * p[..., 2])
     flare = 0.012 * np.clip((-0.10 - p[..., 2]) / 0.05, 0, 1) ** 2
     stump = np.maximum(radius - (0.078 + flare + bark), np.abs(p[..., 2] + 0.1225) - 0.0275)
     body = _ellipsoid(p, (0, 0, -0.025), (0.068, 0.062, 0.085)) - 0.0032 * _feathers(p, 0.017)
@@ -100,21 +111,21 @@ def _colors(p: Field, parts: dict[str, Field]) -> NDArray[np.float32]:
     x, y, z = p.T
     scales, fine = _feathers(p, 0.017), _feathers(p, 0.012)
     radius = np.hypot(x, y)
-    rings = 0.5 + 0.5 * np.sin(650 * radius + 2.2 * np.sin(3 * np.arctan2(y, x)))
+    rings = 0.5 + 0.5 * _sin(650 * radius + 2.2 * _sin(3 * _arctan2(y, x)))
     top = (z > -0.0965) & (radius < 0.077)
     front = np.clip(1.5 - np.abs(x) / 0.034, 0, 1) * (y < 0.0)
     plume = _mix(_DARK, _BROWN, scales)
     table = {
         "stump": np.where(top[:, None], _mix(_WOOD, _RING, rings**2), _mix(_BARK, _DARK, rings * 0.5)),
         "body": _mix(plume, _mix(_ORANGE, _CREAM, np.clip(1.5 * scales, 0, 1)), front),
-        "head": _mix(_BROWN, _DARK, 0.5 + 0.5 * np.sin(260 * z) * np.sin(220 * x)),
+        "head": _mix(_BROWN, _DARK, 0.5 + 0.5 * _sin(260 * z) * _sin(220 * x)),
         "wing": _mix(_DARK, _TAN, fine),
-        "tail": _mix(_DARK, _BROWN, 0.5 + 0.5 * np.sin(400 * z)),
-        "disc": _mix(_CREAM, _BROWN, 0.35 + 0.35 * np.sin(34 * np.arctan2(z - 0.080, np.abs(x) - 0.026))),
+        "tail": _mix(_DARK, _BROWN, 0.5 + 0.5 * _sin(400 * z)),
+        "disc": _mix(_CREAM, _BROWN, 0.35 + 0.35 * _sin(34 * _arctan2(z - 0.080, np.abs(x) - 0.026))),
         "eye": _mix(_GOLD, _GOLD, z),
         "pupil": _mix(_BLACK, _BLACK, z),
         "beak": _mix(_ORANGE, _DARK, np.clip((0.056 - z) / 0.03, 0, 1)),
-        "foot": _mix(_ORANGE, _GOLD, 0.5 + 0.5 * np.sin(900 * y)),
+        "foot": _mix(_ORANGE, _GOLD, 0.5 + 0.5 * _sin(900 * y)),
     }
     nearest = np.argmin(np.stack([parts[name] for name in table]), axis=0)
     return np.stack(list(table.values()))[nearest, np.arange(len(p))].astype(np.float32)

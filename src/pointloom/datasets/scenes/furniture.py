@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.linear_algebra import matmul
 from ...kernels.scenes.primitives import BOX, CYLINDER, Solids
 from ...kernels.scenes.room import CHECKER, GLOW, PLAIN, PLANKS, STRIPES, Room
 
@@ -380,8 +381,8 @@ class SolidBuilder:
         tilt: tuple[int, float],
     ) -> None:
         self.kinds.append(kind)
-        self.centers.append(self.offset + self.frame @ center)
-        self.rotations.append((self.frame @ _rotation_about(*tilt)).T)
+        self.centers.append(self.offset + matmul(self.frame, center))
+        self.rotations.append(matmul(self.frame, _rotation_about(*tilt)).T)
         self.extents.append(extent)
         self.paints.append((color, second or color))
         self.patterns.append(pattern)

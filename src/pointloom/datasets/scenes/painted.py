@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...kernels.linear_algebra import matmul
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.scene.raycasting_scene import RaycastingScene
 
@@ -34,7 +35,7 @@ class PaintedParts:
 
     def add(self, vertices: ArrayLike, triangles: ArrayLike, color: ArrayLike) -> None:
         faces = np.asarray(triangles, np.int64)
-        self._vertices.append(np.asarray(vertices, np.float64) @ self._R.T + self._t)
+        self._vertices.append(matmul(np.asarray(vertices, np.float64), self._R.T) + self._t)
         self._triangles.append(faces + self._count)
         self._colors.append(np.broadcast_to(np.asarray(color, np.float64), (len(faces), 3)))
         self._labels.append(np.full(len(faces), self.label, np.uint8))

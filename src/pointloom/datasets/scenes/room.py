@@ -25,6 +25,7 @@ from ...core.errors import FileError
 from ...io.frames.datasets import Frame
 from ...io.pictures.image_files import write_png
 from ...kernels.lang import current_cpu_compiler, uint8, vec3d
+from ...kernels.linear_algebra import norm
 from ...kernels.memory import download, upload
 from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.depth_noise import measure_depth
@@ -53,9 +54,9 @@ def look_along(
 ) -> NDArray[np.float64]:
     """Camera to world for a camera at `eye` [m] that looks along a direction, with an upright image."""
     forward = np.asarray(direction, np.float64)
-    forward = forward / np.linalg.norm(forward)
+    forward = forward / norm(forward)
     right = np.cross(forward, up)
-    right /= np.linalg.norm(right)
+    right /= norm(right)
     T = np.eye(4)
     T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = right, np.cross(forward, right), forward, eye
     return T
