@@ -1,148 +1,152 @@
-"""Text of docs/open3d-names.md: each name of the installed Open3D, its equivalent in pointloom, and in the bridge.
+"""Text of docs/open3d-names.md: each name of the installed Open3D in `pointloom.open3d`, and its equivalent in pointloom.
 
-`scripts/write_open3d_names.py` writes the page. A test compares the stored page with this text.
+`scripts/write_open3d_names.py` writes the page. A test compares the stored page with this text. Differences in behavior are
+the rows of scripts/open3d_differences.toml.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import importlib
 import inspect
-from collections.abc import Iterator
+import tomllib
+from fnmatch import fnmatchcase
+from pathlib import Path
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any
 
-import pointloom as loom
-from pointloom.core.open3d_names import SHAPES, row_of
-from pointloom.registration.result import RegistrationResult
+from pointloom.core.open3d_names import SHAPES, row_of, sections
 
-HOMES = {  # module of Open3D -> preferred module of pointloom
-    "geometry": loom, "geometry.keypoint": loom, "io": loom, "io.rpc": loom, "camera": loom, "utility": loom,
-    "utility.random": loom, "visualization": loom, "visualization.app": loom, "visualization.gui": loom,
-    "visualization.rendering": loom, "visualization.webrtc_server": loom,
-    "pipelines.registration": loom.registration, "pipelines.odometry": loom.odometry, "pipelines.integration": loom,
-    "pipelines.color_map": loom.color_map, "t.geometry": loom, "t.io": loom,
-    "t.pipelines.registration": loom.registration, "t.pipelines.registration.robust_kernel": loom.registration,
-    "t.pipelines.odometry": loom.odometry, "t.pipelines.slac": loom.reconstruction, "t.pipelines.slam": loom.slam,
-}  # fmt: skip
-CLASSES = {  # class of Open3D -> class of pointloom, or None if only the rows of the table describe its members
-    "geometry.PointCloud": loom.PointCloud, "geometry.TriangleMesh": loom.TriangleMesh,
-    "geometry.LineSet": loom.LineSet, "geometry.AxisAlignedBoundingBox": loom.AxisAlignedBoundingBox,
-    "geometry.OrientedBoundingBox": loom.OrientedBoundingBox, "geometry.Image": None,
-    "geometry.RGBDImage": loom.RGBDImage, "geometry.VoxelGrid": loom.VoxelGrid,
-    "geometry.KDTreeFlann": loom.NearestNeighborSearch, "camera.PinholeCameraIntrinsic": loom.PinholeCameraIntrinsic,
-    "camera.PinholeCameraTrajectory": loom.Trajectory,
-    "pipelines.registration.RegistrationResult": RegistrationResult,
-    "pipelines.registration.FastGlobalRegistrationOption": loom.registration.FastGlobalRegistrationOption,
-    "pipelines.registration.PoseGraph": loom.registration.PoseGraph,
-    "pipelines.registration.PoseGraphEdge": loom.registration.PoseGraphEdge,
-    "pipelines.registration.GlobalOptimizationOption": loom.registration.GlobalOptimizationOption,
-    "pipelines.registration.GlobalOptimizationConvergenceCriteria":
-        loom.registration.GlobalOptimizationConvergenceCriteria,
-    "pipelines.odometry.OdometryOption": loom.odometry.OdometryOption,
-    "pipelines.integration.ScalableTSDFVolume": loom.TSDFVolume,
-    "pipelines.integration.UniformTSDFVolume": loom.TSDFVolume,
-    "visualization.Visualizer": loom.Viewer, "visualization.VisualizerWithKeyCallback": loom.Viewer,
-    "visualization.RenderOption": None, "visualization.ViewControl": None,
-    "visualization.SelectionPolygonVolume": loom.SelectionPolygonVolume,
-    "t.geometry.PointCloud": loom.PointCloud, "t.geometry.TriangleMesh": loom.TriangleMesh,
-    "t.geometry.LineSet": loom.LineSet, "t.geometry.AxisAlignedBoundingBox": loom.AxisAlignedBoundingBox,
-    "t.geometry.OrientedBoundingBox": loom.OrientedBoundingBox, "t.geometry.RGBDImage": loom.RGBDImage,
-    "t.geometry.RaycastingScene": loom.RaycastingScene, "t.geometry.VoxelBlockGrid": loom.TSDFVolume,
-    "t.pipelines.slam.Model": loom.slam.Model,
-}  # fmt: skip
-KINDS = {"Visualizer": ("Visualizer",), "VisualizerWithKeyCallback": ("Visualizer",)}  # classes whose rows also apply
-NO_NAMES = {"m", "n", "capsule", "open3d", "name", "value"}  # artifacts of its bindings
-GUI = ("visualization.gui", "visualization.rendering", "visualization.app", "visualization.webrtc_server", "io.rpc")
-IN_T = "; one class, on any device"
+MODULES = (
+    "camera", "core", "core.cuda", "core.nns", "data", "geometry", "geometry.keypoint", "io",
+    "pipelines.color_map", "pipelines.integration", "pipelines.odometry", "pipelines.registration",
+    "t.geometry", "t.io", "t.pipelines.odometry", "t.pipelines.registration",
+    "t.pipelines.registration.robust_kernel", "t.pipelines.slac", "t.pipelines.slam",
+    "utility", "utility.random", "visualization",
+)  # fmt: skip
+WITHOUT = {  # modules of Open3D that pointloom.open3d does not have, and the reason
+    "ml": "Open3D-ML needs Open3D's own library. pointloom gives arrays to torch without a copy",
+    "visualization.gui": "windows with widgets. `o3d.visualization.draw` and `loom.Viewer` open a page in the browser",
+    "visualization.rendering": "a rendering engine. `loom.render` draws images without a window",
+    "visualization.app": "a program. `pointloom view FILE` opens a page in the browser",
+    "visualization.webrtc_server": "every window is a page of the browser already",
+    "io.rpc": "connections to Open3D's viewer. `loom.Viewer` takes updates from any thread",
+}
+ARTIFACTS = {"m", "n", "capsule", "open3d", "name", "value", "o3d", "annotations"}  # of Open3D's bindings
 HEAD = """# Every name of Open3D
 
-Generated from Open3D {version} by `.venv/bin/python scripts/write_open3d_names.py`. Differences between functions of
-the same name are listed in [open3d.md](open3d.md).
+`.venv/bin/python scripts/write_open3d_names.py` writes this page from Open3D {version} and pointloom.
 
-- *pointloom* is the name with `import pointloom as loom`: "same", another name, or "not here" with a reason or an
-  alternative.
-- *bridge*: "yes" if `import pointloom.open3d as o3d` has the name as in Open3D, so that a script only needs another
-  import.
-- Open3D has two versions of each geometry, the second one as `t.geometry` on a chosen device. pointloom has one
-  `PointCloud` and one `TriangleMesh` for all devices. The bridge has no `t`.
+## In `pointloom.open3d`
+
+A name is *same* if a script uses it as in Open3D, *differs* if a result or an accepted argument is different, and
+*missing* if it raises an error with the alternative. Differences that concern all functions are listed in
+[open3d.md](open3d.md).
 
 {counts}
+
+Not here as a whole:
+
+{without}
+"""
+EQUIVALENTS = """## In `pointloom`
+
+Names that are the same in the same module are not listed. Accessing another name raises an error with its row of this
+table, for example `loom.KDTreeFlann`.
+
+| Open3D | pointloom |
+|---|---|
 """
 
 
-class Entry(NamedTuple):
-    """The equivalent of a name of Open3D."""
+@dataclasses.dataclass
+class Table:
+    """The names of a module or a class of Open3D in pointloom.open3d."""
 
-    name: str
-    here: str
-    in_bridge: bool
+    path: str
+    same: list[str] = dataclasses.field(default_factory=list)
+    differs: dict[str, str] = dataclasses.field(default_factory=dict)
+    missing: dict[str, str] = dataclasses.field(default_factory=dict)
 
-    @property
-    def kind(self) -> str:
-        """One of "same", "other", "not here"."""
-        if self.here.startswith("same"):
-            return "same"
-        return "not here" if self.here.startswith("not here") else "other"
+    def counts(self) -> list[int]:
+        return [len(self.same), len(self.differs), len(self.missing)]
+
+    def text(self, title: str) -> str:
+        parts = [f"{title} {self.path}\n"]
+        if self.same:
+            parts.append(f"Same: {', '.join(f'`{name}`' for name in self.same)}.\n")
+        rows = [f"| `{name}` | differs: {how} |" for name, how in self.differs.items()]
+        rows += [f"| `{name}` | missing: {why} |" for name, why in self.missing.items()]
+        if rows:
+            parts.append("\n".join(["| name | |", "|---|---|", *map(escaped, rows)]) + "\n")
+        return "\n".join(parts)
+
+
+def differences() -> dict[str, str]:
+    """Dotted names or patterns -> how pointloom.open3d differs."""
+    return tomllib.loads(Path(__file__).with_name("open3d_differences.toml").read_text("utf-8"))
 
 
 def public(owner: Any) -> list[str]:
-    """The public names of a module or class of Open3D, without submodules."""
-    names = [name for name in dir(owner) if not name.startswith("_") and name not in NO_NAMES]
+    """The public names of a module or class, without submodules."""
+    names = [name for name in dir(owner) if not name.startswith("_") and name not in ARTIFACTS]
     return [name for name in names if not isinstance(getattr(owner, name), ModuleType)]
 
 
 def of_path(root: Any, path: str) -> Any:
     """The attribute at a dotted path, or None if it does not exist."""
     for part in path.split("."):
-        root = getattr(root, part, None)
+        try:
+            root = getattr(root, part)
+        except (AttributeError, ImportError):
+            return None
     return root
 
 
-def members(kind: type | None) -> set[str]:
-    """The members of a class of pointloom, including attributes of its instances."""
-    if kind is None:
-        return set()
-    annotated = {name for base in kind.__mro__ for name in getattr(base, "__annotations__", {})}
-    return {*dir(kind), *annotated, *inspect.signature(kind).parameters, *_documented(kind)}
+def members(kind: Any) -> set[str]:
+    """The members of a class of pointloom.open3d, including fields and parameters of its constructor."""
+    if not isinstance(kind, type):
+        return set(dir(kind))
+    fields = {name for base in kind.__mro__ for name in getattr(base, "__annotations__", {})}
+    return {*dir(kind), *fields, *inspect.signature(kind).parameters}
 
 
-def _documented(kind: type) -> Iterator[str]:
-    """The names under "Attributes:" in the docstring of a class."""
-    _, _, rest = (inspect.getdoc(kind) or "").partition("Attributes:\n")
-    for line in rest.splitlines():
-        if not line.startswith("    "):
-            return
-        if not line.startswith("     ") and ":" in line:
-            yield from line.strip().partition(":")[0].split(", ")
-
-
-def names_of(open3d: Any, path: str) -> list[Entry]:
-    """The equivalent of each name of a module of Open3D."""
-    bridge, entries = _bridge(), []
-    for name in public(of_path(open3d, path)):
-        module = next((owner for owner in (HOMES[path], loom) if hasattr(owner, name)), None)
-        row = row_of(name)
-        if path in GUI:
-            here = row or "not here"
-        elif module is not None:
-            here = "same" if module is HOMES[path] else f"same, in `{_called(module)}`"
-            here += IN_T if path == "t.geometry" else ""
+def table_of(open3d: Any, ours: Any, path: str, known: dict[str, str]) -> Table:
+    """Compare the names at a path. Members of a class that is missing as a whole are not listed."""
+    table, theirs, mine = Table(path), of_path(open3d, path), of_path(ours, path)
+    available = members(mine) if isinstance(theirs, type) else set()
+    for name in public(theirs):
+        dotted = f"{path}.{name}"
+        if name not in available and of_path(ours, dotted) is None:
+            table.missing[name] = reason(theirs, path, name)
+        elif how := next((how for pattern, how in known.items() if fnmatchcase(dotted, pattern)), None):
+            table.differs[name] = how
         else:
-            here = row or ""
-        entries.append(Entry(name, here, hasattr(of_path(bridge, path), name)))
-    return entries
+            table.same.append(name)
+    return table
 
 
-def members_of(open3d: Any, path: str) -> list[Entry]:
-    """The equivalent of each member of a class of Open3D."""
-    kind, name = CLASSES[path], path.rpartition(".")[2]
-    known, bridge = members(kind), of_path(_bridge(), path)
-    sections = [*KINDS.get(name, ()), *(base.__name__ for base in (kind.__mro__ if kind else ())), name, SHAPES]
-    entries = []
-    for member in public(of_path(open3d, path)):
-        here = "same" if member in known else row_of(member, sections) or ""
-        entries.append(Entry(member, here, bridge is not None and member in members(bridge)))
-    return entries
+def reason(owner: Any, path: str, name: str) -> str:
+    """The alternative to a missing name."""
+    if isinstance(owner, type):
+        bases = [base.__name__ for base in owner.__mro__]
+        row = row_of(name, [*bases, SHAPES])
+    else:
+        row = row_of(name)
+    if row is None:
+        raise LookupError(f"open3d.{path}.{name}: expected a row in src/pointloom/core/open3d_names.toml, found none")
+    return row.removeprefix("not here").lstrip(":; ") or "no counterpart"
+
+
+def tables(open3d: Any, ours: Any) -> dict[str, list[Table]]:
+    """For each module its own table and those of its classes."""
+    known, made = differences(), {}
+    for module in MODULES:
+        table = table_of(open3d, ours, module, known)
+        kinds = [name for name in [*table.same, *table.differs] if isinstance(of_path(open3d, f"{module}.{name}"), type)]
+        inner = [table_of(open3d, ours, f"{module}.{name}", known) for name in kinds]
+        made[module] = [table, *(one for one in inner if sum(one.counts()))]
+    return made
 
 
 def page() -> str:
@@ -150,57 +154,29 @@ def page() -> str:
 
     Raises:
         ModuleNotFoundError: Open3D is not installed.
+        LookupError: A missing name has no alternative in the table of names.
     """
-    open3d = importlib.import_module("open3d")
-    modules = {path: names_of(open3d, path) for path in HOMES}
-    classes = {path: members_of(open3d, path) for path in CLASSES}
-    parts = [HEAD.format(version=open3d.__version__, counts=_counts(modules, classes))]
-    for title, tables in (("Modules", modules), ("Members of the main classes", classes)):
-        parts.append(f"## {title}\n")
-        for path, entries in tables.items():
-            parts.append(f"### open3d.{path}\n\n{_where(path)}\n")
-            rows = [f"| `{one.name}` | {_cell(one.here)} | {'yes' if one.in_bridge else ''} |" for one in entries]
-            parts.append("\n".join(["| Open3D | pointloom | bridge |", "|---|---|---|", *rows]) + "\n")
-    return "\n".join(parts)
+    open3d, ours = importlib.import_module("open3d"), importlib.import_module("pointloom.open3d")
+    made = tables(open3d, ours)
+    rows = ["| module | names and members | same | differs | missing |", "|---|---|---|---|---|"]
+    totals = {module: [sum(column) for column in zip(*(one.counts() for one in found), strict=True)]
+              for module, found in made.items()}  # fmt: skip
+    totals["all"] = [sum(column) for column in zip(*totals.values(), strict=True)]
+    rows += [f"| {module} | {sum(counts)} | {' | '.join(map(str, counts))} |" for module, counts in totals.items()]
+    without = "\n".join(f"- `{module}`: {why}." for module, why in WITHOUT.items())
+    parts = [HEAD.format(version=open3d.__version__, counts="\n".join(rows), without=without)]
+    for module, found in made.items():
+        parts += [one.text("####" if one.path != module else "###") for one in found]
+    return "\n".join(parts) + "\n" + equivalents()
 
 
-def _where(path: str) -> str:
-    if path in GUI:
-        return "Windows and connections of Open3D. Use `loom.draw` and `loom.Viewer`, or `loom.render` for images."
-    if path in CLASSES:
-        kind, row = CLASSES[path], row_of(path.rpartition(".")[2])
-        return f"In pointloom: `{_called(kind)}`." if kind and _home(kind) else f"In pointloom: {row}."
-    return f"In pointloom: `{_called(HOMES[path])}`."
+def equivalents() -> str:
+    rows = []
+    for section, names in sections().items():
+        rows += [f"| **{section}** | |", *(f"| `{name}` | {row} |" for name, row in names.items())]
+    return EQUIVALENTS + "\n".join(map(escaped, rows)) + "\n"
 
 
-def _counts(*tables: dict[str, list[Entry]]) -> str:
-    rows = ["| | names | same | other name or module | not here | in the bridge |", "|---|---|---|---|---|---|"]
-    for title, table in zip(("modules", "members"), tables, strict=True):
-        all_entries = [one for entries in table.values() for one in entries]
-        kinds = [sum(one.kind == kind for one in all_entries) for kind in ("same", "other", "not here")]
-        bridged = sum(one.in_bridge for one in all_entries)
-        rows.append(f"| {title} | {len(all_entries)} | {' | '.join(map(str, kinds))} | {bridged} |")
-    return "\n".join(rows)
-
-
-def _cell(text: str) -> str:
-    return text.replace("|", "\\|").replace("*", "\\*")
-
-
-def _called(owner: Any) -> str:
-    """The name of a module or class of pointloom in code."""
-    if owner is loom:
-        return "loom"
-    if isinstance(owner, ModuleType):
-        return f"loom.{owner.__name__.rpartition('.')[2]}"
-    return f"{_called(_home(owner))}.{owner.__name__}"
-
-
-def _home(kind: type) -> Any:
-    """The public module of a class of pointloom, or None for a private class."""
-    modules = (loom, loom.registration, loom.odometry, loom.slam)
-    return next((module for module in modules if hasattr(module, kind.__name__)), None)
-
-
-def _bridge() -> Any:
-    return importlib.import_module("pointloom.open3d")
+def escaped(row: str) -> str:
+    """A row of a table; asterisks outside code would be read as emphasis."""
+    return row if row.startswith("| **") else row.replace("*", "\\*")

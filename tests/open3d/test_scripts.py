@@ -1,0 +1,36 @@
+"""benchmarks/open3d_scripts.py: the Open3D names of a script, and the comparison of two runs."""
+
+import numpy as np
+
+import pointloom.open3d
+from benchmarks.open3d_scripts import compare, names_of
+
+SCRIPT = """
+import open3d as o3d
+import open3d.core as o3c
+from open3d.utility import Vector3dVector as V
+
+cloud = o3d.io.read_point_cloud("a.ply")
+cloud.points = V([[0, 0, 0]])
+cloud.points.foo()
+cloud.invented()
+old = o3d.registration.registration_icp(cloud, cloud, 1)
+cloud = other.cloud()
+cloud.unrelated()
+o3c.Tensor([1]).numpy()
+"""
+
+
+def test_the_names_of_a_script():
+    names = names_of(SCRIPT, pointloom.open3d)
+    assert {"io.read_point_cloud", "utility.Vector3dVector", "core", "core.Tensor"} <= names.known
+    assert {"geometry", "geometry.PointCloud", "geometry.PointCloud.points"} <= names.known
+    assert names.unknown == {"registration", "geometry.PointCloud.invented"}
+
+
+def test_results_are_compared_by_value():
+    a = {"x": np.array([1.0, np.nan]), "n": np.array(3)}
+    assert compare(a, a) == "equal"
+    assert compare(a | {"x": np.array([1.0001, np.nan])}, a) == compare({"n": a["n"]}, a) == "different: x"
+    assert compare("TypeError: b", a) == "raises here"
+    assert (compare(a, "TypeError"), compare("TypeError", "TypeError")) == ("raises there", "raises in both")
