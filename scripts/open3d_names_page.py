@@ -1,7 +1,7 @@
-"""Text of docs/open3d-names.md: each name of the installed Open3D in `pointloom.open3d`, and its equivalent in pointloom.
+"""Text of docs/open3d-names.md: each name of the installed Open3D in `pointloom.open3d`, and its equivalent in `loom`.
 
-`scripts/write_open3d_names.py` writes the page. A test compares the stored page with this text. Differences in behavior are
-the rows of scripts/open3d_differences.toml.
+`scripts/write_open3d_names.py` writes the page. A test compares the stored page with this text. Differences in behavior
+are the rows of scripts/open3d_differences.toml.
 """
 
 from __future__ import annotations
@@ -143,8 +143,8 @@ def tables(open3d: Any, ours: Any) -> dict[str, list[Table]]:
     known, made = differences(), {}
     for module in MODULES:
         table = table_of(open3d, ours, module, known)
-        kinds = [name for name in [*table.same, *table.differs] if isinstance(of_path(open3d, f"{module}.{name}"), type)]
-        inner = [table_of(open3d, ours, f"{module}.{name}", known) for name in kinds]
+        paths = [f"{module}.{name}" for name in (*table.same, *table.differs)]
+        inner = [table_of(open3d, ours, path, known) for path in paths if isinstance(of_path(open3d, path), type)]
         made[module] = [table, *(one for one in inner if sum(one.counts()))]
     return made
 

@@ -33,7 +33,7 @@ OPTION = "--oracle"
 MODES = ("stored", "live", "write")
 FOLDER = Path(__file__).parent / "oracle_answers"
 MAX_BYTES = 100_000  # of one answer's file: larger ones belong to tests that take `o3d`
-RTOL = 1e-6  # relative to the largest value: Open3D adds in the order of its threads
+RTOL = 1e-5  # relative to the largest value: Open3D adds in the order of its threads, and its LAPACK by the processor
 HAS_OPEN3D = importlib.util.find_spec("open3d") is not None
 
 

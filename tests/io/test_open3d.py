@@ -19,6 +19,7 @@ from pointloom.io.points.pcd import read_pcd, write_pcd
 from pointloom.io.points.ply import read_ply, read_ply_mesh
 from pointloom.io.points.text import read_text
 from pointloom.io.table import MeshTable, PointTable
+from pointloom.kernels.linear_algebra import inv
 
 from ..pcd.test_splats import made
 from ..scan_cases import on_sets
@@ -248,7 +249,7 @@ def trajectory():
 
 def write_open3d_path(o3d, path, poses):
     cameras = []
-    for T_camera_world in np.linalg.inv(poses):
+    for T_camera_world in inv(poses):  # of NumPy, it depends on the processor
         camera = o3d.camera.PinholeCameraParameters()
         camera.intrinsic = o3d.camera.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
         camera.extrinsic = T_camera_world
