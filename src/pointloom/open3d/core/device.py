@@ -2,38 +2,54 @@
 
 from __future__ import annotations
 
-from typing import Any
+import enum
+from typing import Any, ClassVar
+
+from .errors import TensorError
+
+
+class DeviceType(enum.Enum):
+    CPU = 0
+    CUDA = 1
+    SYCL = 2  # for comparisons: no device has this type
 
 
 class Device:
     """A device by Open3D's name, such as "CPU:0" or "CUDA:1". `name` is the name in pointloom, "cpu" or "cuda:1"."""
 
+    DeviceType: ClassVar[type[DeviceType]] = DeviceType
+    CPU, CUDA, SYCL = DeviceType.CPU, DeviceType.CUDA, DeviceType.SYCL
+
     def __init__(self, device_type: Any = "CPU:0", device_id: int | None = None):
-        if isinstance(device_type, Device):
-            device_type = str(device_type)
-        kind, _, number = str(device_type).partition(":")
-        if device_id is not None:
-            number = str(device_id)
-        kind, number = kind.upper(), number or "0"
+        given = getattr(device_type, "name", device_type)  # a Device or a DeviceType
+        kind, _, number = str(given).upper().partition(":")
+        number = str(device_id) if device_id is not None else number or "0"
         if kind not in ("CPU", "CUDA") or not number.isdigit() or (kind == "CPU" and int(number)):
-            raise ValueError(f"device: expected CPU:0 or CUDA:n, got {device_type!s}")
-        self._kind, self._number = kind, int(number)
+            raise TensorError(
+                f"device: expected CPU:0 or CUDA:n, got {given if device_id is None else (given, device_id)}"
+            )
+        self._type, self._number = DeviceType[kind], int(number)
 
     @property
     def name(self) -> str:
-        return "cpu" if self._kind == "CPU" else f"cuda:{self._number}"
+        return "cpu" if self._type is DeviceType.CPU else f"cuda:{self._number}"
 
-    def get_type(self) -> str:
-        return self._kind
+    def get_type(self) -> DeviceType:
+        return self._type
 
     def get_id(self) -> int:
         return self._number
 
     def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):
+            other = Device(other)
         return isinstance(other, Device) and self.name == other.name
 
     def __hash__(self) -> int:
         return hash(self.name)
 
+    def __str__(self) -> str:
+        return f"{self._type.name}:{self._number}"
+
     def __repr__(self) -> str:
-        return f"{self._kind}:{self._number}"
+        return f'Device("{self._type.name}", {self._number})'

@@ -2,15 +2,31 @@
 
 from __future__ import annotations
 
+import enum
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import DTypeLike
 
+from .errors import TensorError
+
+
+class DtypeCode(enum.Enum):
+    Undefined = 0
+    Bool = 1
+    Int = 2
+    UInt = 3
+    Float = 4
+    Object = 5
+
+
+_CODES = {"b": DtypeCode.Bool, "i": DtypeCode.Int, "u": DtypeCode.UInt, "f": DtypeCode.Float}
+
 
 class Dtype:
     """A data type. Compares equal by name; `Dtype.from_numpy` and `numpy` convert."""
 
+    DtypeCode: ClassVar[type[DtypeCode]] = DtypeCode
     Float32: ClassVar[Dtype]
     Float64: ClassVar[Dtype]
     Int8: ClassVar[Dtype]
@@ -32,18 +48,20 @@ class Dtype:
         """The `Dtype` of a NumPy type."""
         name = np.dtype(dtype).name
         if name not in _BY_NAME:
-            raise TypeError(f"dtype: expected one of {', '.join(_BY_NAME)}, got {name}")
+            raise TensorError(f"dtype: expected one of {', '.join(_BY_NAME)}, got {name}")
         return _BY_NAME[name]
 
     @property
     def numpy(self) -> np.dtype[Any]:
+        if self._name == "undefined":
+            raise TensorError("dtype: expected a type of numbers, got Undefined")
         return np.dtype(self._name)
 
     def byte_size(self) -> int:
-        return self.numpy.itemsize
+        return 0 if self._name == "undefined" else self.numpy.itemsize
 
-    def byte_code(self) -> int:
-        raise NotImplementedError
+    def byte_code(self) -> DtypeCode:
+        return DtypeCode.Undefined if self._name == "undefined" else _CODES[self.numpy.kind]
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Dtype) and self._name == other._name
@@ -55,12 +73,12 @@ class Dtype:
         return self._name.capitalize().replace("Uint", "UInt")
 
 
-bool8, float32, float64, int8, int16, int32, int64, uint8, uint16, uint32, uint64, undefined = (
-    Dtype(name)
-    for name in ("bool", "float32", "float64", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64",
-                 "undefined")
-)  # fmt: skip
-_BY_NAME = {dtype._name: dtype for dtype in (bool8, float32, float64, int8, int16, int32, int64, uint8, uint16, uint32,
-                                             uint64)}  # fmt: skip
+_BY_NAME = {
+    name: Dtype(name)
+    for name in ("float32", "float64", *(f"{kind}{bits}" for kind in ("int", "uint") for bits in (8, 16, 32, 64)))
+} | {"bool": Dtype("bool")}
+float32, float64, int8, int16, int32, int64, uint8, uint16, uint32, uint64, bool8 = _BY_NAME.values()
+undefined = Dtype("undefined")
+bool = bool8
 for _dtype in (*_BY_NAME.values(), undefined):
     setattr(Dtype, repr(_dtype), _dtype)

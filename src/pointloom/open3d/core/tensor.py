@@ -2,65 +2,495 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.devices import resolve_device
+from ...core.attribute_hints import HintedNames
+from . import elementwise, linalg
 from .device import Device
-from .dtype import Dtype
+from .dtype import Dtype, float32
+from .errors import TensorError, as_tensor_error
+from .indexing import as_numpy_key
+from .printing import values_text
+from .size_vector import SizeVector
+
+Scalar = bool | int | float | np.generic
 
 
-class Tensor:
+def _binary(name: str, *, reflected: bool = False, in_place: bool = False, as_operator: bool = False) -> Any:
+    """A method over `elementwise.BINARY[name]`."""
+
+    @as_tensor_error
+    def method(self: Tensor, other: Any) -> Any:
+        operand = self._operand(name, other)
+        if operand is NotImplemented:
+            if as_operator:
+                return operand
+            raise TensorError(f"other: expected a tensor, a number or an array, got {type(other).__name__}")
+        elementwise.check_kind(name, elementwise.BINARY[name][1], self._numpy_dtype.kind, self.dtype)
+        result = self._combined(name, *((operand, self) if reflected else (self, operand)))
+        return self._written(result) if in_place else result
+
+    return method
+
+
+def _unary(name: str, *, in_place: bool = False) -> Any:
+    """A method over `elementwise.UNARY[name]`."""
+
+    def method(self: Tensor) -> Tensor:
+        elementwise.check_kind(name, elementwise.UNARY[name][1], self._numpy_dtype.kind, self.dtype)
+        result = self._like(elementwise.unary(name, self._values))
+        return self._written(result) if in_place else result
+
+    return method
+
+
+def _reduction(name: str) -> Any:
+    """A method over `elementwise.REDUCTIONS[name]`."""
+
+    @as_tensor_error
+    def method(self: Tensor, dim: Any = None, keepdim: bool = False) -> Tensor:
+        elementwise.check_kind(name, elementwise.REDUCTIONS[name][1], self._numpy_dtype.kind, self.dtype)
+        axes = range(self.ndim) if dim is None else SizeVector(dim)
+        return self._like(elementwise.reduced(name, self._values, axes, keepdim))
+
+    return method
+
+
+def _on_host(function: Any) -> Any:
+    """A method over a function of NumPy arrays. On a GPU it copies to the host and back."""
+
+    @as_tensor_error
+    def method(self: Tensor, *args: Any, **keywords: Any) -> Any:
+        def values(part: Any) -> Any:
+            return self._checked(part)._values if isinstance(part, Tensor) else part
+
+        result = function(self._values, *map(values, args), **{name: values(part) for name, part in keywords.items()})
+        if isinstance(result, tuple):
+            return tuple(map(self._like, result))
+        return self._like(result) if isinstance(result, np.ndarray | np.generic) else result
+
+    method.__doc__ = function.__doc__
+    return method
+
+
+class Tensor(HintedNames):
     """An array on a device.
+
+    Operands have one dtype and one device; a number takes the dtype of the tensor, also a fraction that of integers.
+    Slices are views, indices and masks give copies.
 
     `_array` is a NumPy array on the CPU and a Warp array on a GPU: pointloom's functions take it as it is, and return
     results as arrays of the same library on the same device.
     """
 
-    _array: Any
+    __array_priority__ = 1000  # `array + tensor` is a tensor
+    __hash__ = None  # type: ignore[assignment]  # compares elementwise
 
+    _array: Any
+    _is_number: bool  # a tensor without axes on a GPU, where `_array` has one element
+
+    @as_tensor_error
     def __init__(self, np_array: Any, dtype: Dtype | None = None, device: Device | str | None = None):
-        if isinstance(np_array, Tensor):
-            np_array = np_array._array if device is None else np_array.numpy()
-        values = np.array(np_array, None if dtype is None else dtype.numpy)
-        self._array = _on(values, Device() if device is None else Device(device))
+        if np_array is None:
+            raise TensorError("np_array: expected numbers, got None")
+        if device is None and isinstance(np_array, Tensor):
+            device = np_array.device
+        values = np.array(np_array, order="C")
+        if values.dtype.kind not in "biuf":
+            raise TensorError(f"np_array: expected numbers, got {values.dtype}")
+        self._set(values.astype((Dtype.from_numpy(values.dtype) if dtype is None else dtype).numpy, copy=False), device)
+
+    def _set(self, values: NDArray[Any], device: Device | str | None) -> Self:
+        """Take host values without a copy, or copy them to a GPU."""
+        name = "cpu" if device is None else Device(device).name
+        self._array, self._is_number = values, False
+        if name != "cpu":
+            from .device_memory import to_device
+
+            self._array, self._is_number = to_device(values, name), values.ndim == 0
+        return self
 
     @classmethod
-    def _around(cls, array: Any) -> Self:
-        """Wrap a NumPy array or a Warp array on a GPU without a copy. Warp arrays on the CPU become NumPy arrays."""
+    def _around(cls, array: Any, *, is_number: bool = False) -> Self:
+        """Wrap a NumPy array or a Warp array without a copy. Warp arrays on the CPU become NumPy arrays."""
         made = cls.__new__(cls)
-        on_host = not isinstance(array, np.ndarray) and hasattr(array, "numpy") and array.device.is_cpu
-        made._array = array.numpy() if on_host else array
+        if isinstance(array, Tensor):
+            array, is_number = array._array, array._is_number
+        if not isinstance(array, np.ndarray | np.generic) and hasattr(array, "numpy"):
+            from .device_memory import as_scalars
+
+            array = array.numpy() if array.device.is_cpu else as_scalars(array)
+        made._array = np.asarray(array) if isinstance(array, np.generic) else array
+        made._is_number = is_number and not isinstance(made._array, np.ndarray)
         return made
+
+    def _like(self, values: NDArray[Any] | np.generic) -> Tensor:
+        """A tensor of host values on this tensor's device."""
+        return Tensor.__new__(Tensor)._set(np.asarray(values, order="C"), None if self.is_cpu else self.device)
+
+    # Constructors
 
     @staticmethod
     def from_numpy(array: NDArray[Any]) -> Tensor:
         """A tensor that shares the memory of a NumPy array."""
+        Dtype.from_numpy(array.dtype)
         return Tensor._around(array)
+
+    @staticmethod
+    def from_dlpack(source: Any) -> Tensor:
+        """A tensor that shares the memory of an array of another library, or of a capsule of it."""
+        if hasattr(source, "__dlpack_device__") and int(source.__dlpack_device__()[0]) == 1:
+            return Tensor._around(np.from_dlpack(source))
+        import warp as wp
+
+        return Tensor._around(wp.from_dlpack(source))
+
+    @staticmethod
+    @as_tensor_error
+    def full(shape: Any, fill_value: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+        values = np.empty(SizeVector(shape), (dtype or float32).numpy)
+        values[...] = np.asarray(fill_value).astype(values.dtype)
+        return Tensor.__new__(Tensor)._set(values, device)
+
+    @staticmethod
+    def empty(shape: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+        """A tensor of zeros."""
+        return Tensor.full(shape, 0, dtype, device)
+
+    zeros = empty
+
+    @staticmethod
+    def ones(shape: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+        return Tensor.full(shape, 1, dtype, device)
+
+    @staticmethod
+    def eye(n: int, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+        return Tensor(np.eye(n), dtype or float32, device)
+
+    @staticmethod
+    def arange(
+        start: float,
+        stop: float | None = None,
+        step: float | None = None,
+        dtype: Dtype | None = None,
+        device: Any = None,
+    ) -> Tensor:
+        """Numbers from `start` (0 if it is the only one) to below `stop`: Int64, or Float64 if one is a float."""
+        first, end, step = (0, start, 1) if stop is None else (start, stop, 1 if step is None else step)
+        if step == 0:
+            raise TensorError("step: expected a number other than 0, got 0")
+        return Tensor(np.arange(first, end, step), dtype, device)
+
+    @staticmethod
+    def diag(values: Tensor) -> Tensor:
+        """A square matrix with the values of a vector on its diagonal."""
+        if values.ndim != 1:
+            raise TensorError(f"input: expected a vector (n,), got shape {list(values.shape)}")
+        return values._like(np.diag(values._values))
+
+    @staticmethod
+    def load(file_name: str) -> Tensor:
+        """Read a .npy file."""
+        return Tensor(np.load(file_name, allow_pickle=False))
+
+    def save(self, file_name: str) -> None:
+        """Write a .npy file."""
+        with open(file_name, "wb") as file:
+            np.save(file, np.ascontiguousarray(self._values).reshape(self._shape))
+
+    # Properties
+
+    @property
+    def is_cpu(self) -> bool:
+        return isinstance(self._array, np.ndarray)
+
+    @property
+    def is_cuda(self) -> bool:
+        return not self.is_cpu
 
     @property
     def device(self) -> Device:
-        return Device() if isinstance(self._array, np.ndarray) else Device(str(self._array.device))
+        return Device() if self.is_cpu else Device(str(self._array.device))
+
+    @property
+    def _numpy_dtype(self) -> np.dtype[Any]:
+        if self.is_cpu:
+            return self._array.dtype
+        from .device_memory import numpy_dtype
+
+        return numpy_dtype(self._array)
 
     @property
     def dtype(self) -> Dtype:
-        return Dtype.from_numpy(self.numpy().dtype)
+        return Dtype.from_numpy(self._numpy_dtype)
 
     @property
-    def shape(self) -> tuple[int, ...]:
-        return tuple(self._array.shape)
+    def _shape(self) -> tuple[int, ...]:
+        return () if self._is_number else tuple(self._array.shape)
+
+    @property
+    def shape(self) -> SizeVector:
+        return SizeVector(self._shape)
+
+    @property
+    def ndim(self) -> int:
+        return len(self._shape)
+
+    @property
+    def strides(self) -> SizeVector:
+        """Distances of neighbors along each axis, in elements."""
+        return SizeVector([n // self._numpy_dtype.itemsize for n in self._array.strides[: self.ndim]])
+
+    def num_elements(self) -> int:
+        return int(self._array.size)
+
+    def __len__(self) -> int:
+        if not self._shape:
+            raise TensorError("a tensor without axes has no length; item() is its number")
+        return self._shape[0]
+
+    def is_contiguous(self) -> bool:
+        return self._array.flags.c_contiguous if self.is_cpu else self._array.is_contiguous
+
+    # Conversions
+
+    @property
+    def _values(self) -> NDArray[Any]:
+        """The values on the host: the memory itself on the CPU, a copy from a GPU."""
+        if self.is_cpu:
+            return self._array
+        from .device_memory import to_host
+
+        return to_host(self._array, self._shape)
 
     def numpy(self) -> NDArray[Any]:
         """The values as a NumPy array, which shares the memory of a tensor on the CPU."""
-        return self._array if isinstance(self._array, np.ndarray) else self._array.numpy()
+        return self._values.view()
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        return np.array(self._values, dtype) if copy else np.asarray(self._values, dtype)
+
+    def to(self, *targets: Any, copy: bool = False, dtype: Any = None, device: Any = None) -> Tensor:
+        """This tensor with another dtype, on another device, or both. The tensor itself if nothing changes."""
+        for target in targets:
+            if isinstance(target, bool):
+                copy = target
+            elif isinstance(target, Dtype):
+                dtype = target
+            else:
+                device = target
+        type_changes = dtype is not None and dtype != self.dtype
+        target_device = self.device if device is None else Device(device)
+        if not copy and not type_changes and target_device == self.device:
+            return self
+        values = self._values.astype(dtype.numpy if type_changes else self._numpy_dtype, "C")
+        return Tensor.__new__(Tensor)._set(values, target_device)
+
+    def cpu(self) -> Tensor:
+        return self.to(Device())
+
+    def cuda(self, device_id: int = 0) -> Tensor:
+        return self.to(Device("CUDA", device_id))
+
+    def clone(self) -> Tensor:
+        return self.to(copy=True)
+
+    def contiguous(self) -> Tensor:
+        return self if self.is_contiguous() else self.clone()
+
+    def item(self) -> Any:
+        """The number of a tensor with one element."""
+        if self.num_elements() != 1:
+            raise TensorError(f"item: expected a tensor with one element, got shape {list(self._shape)}")
+        return self._values.item()
+
+    def __bool__(self) -> bool:
+        return bool(self.item())
+
+    def __dlpack__(self, stream: Any = None, **options: Any) -> Any:
+        return self._array.__dlpack__() if self.is_cpu else self._array.__dlpack__(stream)
+
+    def __dlpack_device__(self) -> tuple[int, int]:
+        return (1, 0) if self.is_cpu else (2, self.device.get_id())
+
+    def to_dlpack(self) -> Any:
+        return self.__dlpack__()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Tensor, (self._values, None, str(self.device))
+
+    def __repr__(self) -> str:
+        sizes, strides = ("{" + ", ".join(map(str, part)) + "}" for part in (self.shape, self.strides))
+        address = self._array.ctypes.data if self.is_cpu else self._array.ptr or 0
+        end = f"Tensor[shape={sizes}, stride={strides}, {self.dtype}, {self.device}, {address:#x}]"
+        return f"{values_text(self._values)}\n{end}"
+
+    # Views
+
+    def _view(self, change: Any) -> Tensor:
+        """A view, by a function that computes it for a NumPy array."""
+        if self.is_cpu:
+            return Tensor._around(np.asarray(change(self._array)))
+        from .device_memory import view
+
+        array, shape = view(self._array, self._shape, change)
+        return Tensor._around(array, is_number=not shape)
+
+    @as_tensor_error
+    def __getitem__(self, key: Any) -> Tensor:
+        parts, is_copy = as_numpy_key(key)
+        if is_copy:
+            return self._like(np.ascontiguousarray(self._values[parts]))
+        return self._view(lambda values: values[(*parts, ...)])
+
+    @as_tensor_error
+    def __setitem__(self, key: Any, value: Any) -> None:
+        parts, is_copy = as_numpy_key(key)
+        values = value._values if isinstance(value, Tensor) else np.asarray(value)
+        if values.dtype.kind not in "biuf":
+            raise TensorError(f"value: expected numbers, got {values.dtype}")
+        values = values.astype(self._numpy_dtype, copy=False)
+        if self.is_cpu:
+            self._array[parts] = values
+        elif not is_copy:
+            self[key]._write(values)
+        else:
+            changed = self._values
+            changed[parts] = values
+            self._write(changed)
+
+    def _write(self, values: NDArray[Any]) -> None:
+        """Write host values that broadcast to the shape."""
+        if self.is_cpu:
+            self._array[...] = values
+        else:
+            from .device_memory import write
+
+            write(self._array, self._shape, values)
+
+    def _written(self, result: Tensor) -> Self:
+        """Replace the values by a result of this shape."""
+        self._write(result._values.astype(self._numpy_dtype, copy=False))
+        return self
+
+    def __iter__(self) -> Iterator[Tensor]:
+        return (self[i] for i in range(len(self)))
+
+    def T(self) -> Tensor:
+        """The transposed matrix, as a view."""
+        if self.ndim > 2:
+            raise TensorError(f"T: expected at most two axes, got {self.ndim}")
+        return self._view(lambda values: values.T)
+
+    @as_tensor_error
+    def reshape(self, dst_shape: Any) -> Tensor:
+        """The same elements in another shape, of which one size may be -1. A view of contiguous tensors."""
+        shape = SizeVector(dst_shape)
+        return self.contiguous()._view(lambda values: values.reshape(shape))
+
+    def flatten(self, start_dim: int = 0, end_dim: int = -1) -> Tensor:
+        """This tensor with the axes from `start_dim` to `end_dim` joined."""
+        axes = max(1, self.ndim)
+        for name, dim in (("start_dim", start_dim), ("end_dim", end_dim)):
+            if not -axes <= dim < axes:
+                raise TensorError(f"{name}: expected {-axes} to {axes - 1}, got {dim}")
+        first, last = start_dim % axes, end_dim % axes
+        if first > last:
+            raise TensorError(f"end_dim: expected an axis from {first} on, got {last}")
+        return self.reshape([*self._shape[:first], -1 if self.num_elements() else 0, *self._shape[last + 1 :]])
+
+    # Arithmetic
+
+    def _checked(self, other: Tensor) -> Tensor:
+        if other.device != self.device:
+            raise TensorError(f"other: expected a tensor on {self.device}, got {other.device}; .to(device) copies it")
+        return other
+
+    def _operand(self, name: str, other: Any) -> Any:
+        """The other operand as a tensor of the same dtype and device. NotImplemented for other objects."""
+        if isinstance(other, Scalar):
+            return self._like(np.asarray(other).astype(self._numpy_dtype))
+        if isinstance(other, list | tuple | np.ndarray):
+            other = Tensor(other, device=self.device)
+        if not isinstance(other, Tensor):
+            return NotImplemented
+        if other.dtype != self.dtype:
+            raise TensorError(
+                f"{name}: expected a tensor of {self.dtype}, got {other.dtype}; .to(dtype) converts one of them"
+            )
+        return self._checked(other)
+
+    def _combined(self, name: str, left: Tensor, right: Tensor) -> Tensor:
+        return self._like(elementwise.binary(name, left._values, right._values))
+
+    @as_tensor_error
+    def clip(self, min: Any, max: Any) -> Tensor:
+        low, high = (np.asarray(end).astype(self._numpy_dtype) for end in (min, max))
+        return self._like(np.clip(self._values, low, high))
+
+    def clip_(self, min: Any, max: Any) -> Tensor:
+        return self._written(self.clip(min, max))
+
+    def isclose(self, other: Tensor, rtol: float = 1e-5, atol: float = 1e-8) -> Tensor:
+        """True where the values differ by at most atol + rtol * abs(other)."""
+        if self._operand("isclose", other)._shape != self._shape:
+            raise TensorError(f"other: expected shape {list(self._shape)}, got {list(other._shape)}")
+        return self._like(np.isclose(self._values, other._values, rtol, atol))
+
+    def allclose(self, other: Tensor, rtol: float = 1e-5, atol: float = 1e-8) -> bool:
+        return bool(self.isclose(other, rtol, atol)._values.all())
+
+    def issame(self, other: Tensor) -> bool:
+        """True if both are the same memory with the same shape, strides and dtype."""
+
+        def identity(part: Tensor) -> tuple[Any, ...]:
+            address = part._array.ctypes.data if part.is_cpu else part._array.ptr
+            return address, part.device, part.dtype, part._shape, tuple(part.strides)
+
+        return identity(self) == identity(other)
+
+    def nonzero(self, as_tuple: bool = False) -> Any:
+        """Indices of nonzero elements: a list of one tensor per axis, or with `as_tuple` a tensor (axes, n)."""
+        found = np.nonzero(self._values)
+        return self._like(np.stack(found)) if as_tuple else [self._like(part) for part in found]
+
+    def append(self, values: Tensor, axis: int | None = None) -> Tensor:
+        """This tensor and another along an axis. Axis None joins flat tensors."""
+        return concatenate((self, values), axis)
 
 
-def _on(values: NDArray[Any], device: Device) -> Any:
-    """The array on a device."""
-    if device.name == "cpu":
-        return values
-    import warp as wp
+def _add_methods() -> None:
+    """Set the methods of the tables, their in-place forms and the operators."""
+    for name in (*elementwise.BINARY, *elementwise.UNARY):
+        make = _binary if name in elementwise.BINARY else _unary
+        setattr(Tensor, name, make(name))
+        setattr(Tensor, f"{name}_", make(name, in_place=True))
+    for name in elementwise.REDUCTIONS:
+        setattr(Tensor, name, _reduction(name))
+    operators = {name: f"__{name}__" for name in ("add", "sub", "mul", *elementwise.COMPARISONS)}
+    spelled = {"truediv": "div", "floordiv": "div", "and": "logical_and", "or": "logical_or", "xor": "logical_xor"}
+    for operator, name in ({n: n for n in operators} | spelled).items():
+        setattr(Tensor, f"__{operator}__", _binary(name, as_operator=True))
+        if name not in elementwise.COMPARISONS:
+            setattr(Tensor, f"__r{operator}__", _binary(name, reflected=True, as_operator=True))
+            setattr(Tensor, f"__i{operator}__", _binary(name, in_place=True, as_operator=True))
+    for name in ("matmul", "det", "inv", "solve", "lstsq", "svd", "lu", "lu_ipiv", "triu", "tril", "triul", "cross"):
+        setattr(Tensor, name, _on_host(getattr(linalg, name)))
+    Tensor.__matmul__ = Tensor.matmul
+    Tensor.__neg__ = Tensor.neg
 
-    return wp.array(values, device=resolve_device(device.name))
+
+def concatenate(tensors: Any, axis: int | None = 0) -> Tensor:
+    """Tensors one after another along an axis. A single tensor is split along its first axis. None joins flat ones."""
+    parts = [tensors] if isinstance(tensors, Tensor) else list(tensors)
+    if not parts:
+        raise TensorError("tensors: expected one or more tensors, got none")
+    return _concatenated(*parts, axis=axis)
+
+
+_concatenated = _on_host(lambda *arrays, axis: linalg.concatenate(arrays, axis))
+_add_methods()

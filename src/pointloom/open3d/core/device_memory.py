@@ -1,0 +1,83 @@
+"""Warp arrays under tensors on a GPU: copies to and from the host, and views by NumPy's rules for keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import NDArray
+
+from ...core.array_libraries import view_as
+from ...core.devices import resolve_device
+from ...kernels.language.device_lock import lock_for
+from ...kernels.memory import contiguous, download, upload
+from .errors import TensorError
+
+MAX_AXES = 4  # of a Warp array
+
+
+class _Address:
+    """An array interface of device memory. NumPy computes views of it and must not read it."""
+
+    def __init__(self, array: Any, shape: tuple[int, ...]):
+        strides = array.strides if shape else ()
+        typestr = wp.dtype_to_numpy(array.dtype)
+        self.__array_interface__ = {
+            "data": (array.ptr or 1, False),
+            "shape": shape,
+            "strides": tuple(strides),
+            "typestr": np.dtype(typestr).str,
+            "version": 3,
+        }
+
+
+def numpy_dtype(array: Any) -> np.dtype[Any]:
+    return np.dtype(wp.dtype_to_numpy(array.dtype))
+
+
+def as_scalars(array: Any) -> Any:
+    """The array with scalars as elements: vectors become a last axis."""
+    scalar = getattr(array.dtype, "_wp_scalar_type_", array.dtype)
+    if scalar is array.dtype:
+        return array
+    return view_as(contiguous(array), scalar, (*array.shape, *array.dtype._shape_))
+
+
+def to_device(values: NDArray[Any], device: str) -> Any:
+    """A copy on a device. A number becomes an array of one element."""
+    if values.ndim > MAX_AXES:
+        raise TensorError(f"device: expected at most {MAX_AXES} axes on a GPU, got {values.ndim}")
+    return upload(np.atleast_1d(values), wp.dtype_from_numpy(values.dtype), resolve_device(device))
+
+
+def to_host(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """A writable copy."""
+    return np.array(download(contiguous(array))).reshape(shape)
+
+
+def view(array: Any, shape: tuple[int, ...], change: Callable[[NDArray[Any]], Any]) -> tuple[Any, tuple[int, ...]]:
+    """A view of a device array and its shape. `change` computes a view of a NumPy array and reads no element."""
+    seen = change(np.asarray(_Address(array, shape)))
+    if seen.size == 0:
+        return wp.empty(seen.shape, dtype=array.dtype, device=array.device), seen.shape
+    address = seen.__array_interface__["data"][0]
+    made: Any = wp.array(
+        ptr=address,
+        dtype=array.dtype,
+        shape=seen.shape or (1,),
+        strides=seen.strides or (seen.itemsize,),
+        device=array.device,
+        copy=False,
+    )
+    made._ref = array
+    return made, seen.shape
+
+
+def write(target: Any, shape: tuple[int, ...], values: NDArray[Any]) -> None:
+    """Write values that broadcast to the shape of an array or a view of it."""
+    source = to_device(np.broadcast_to(values, shape).astype(numpy_dtype(target)), str(target.device))
+    if source.size:
+        with lock_for(target.device):
+            wp.copy(target, source)
