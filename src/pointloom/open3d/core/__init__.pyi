@@ -1,6 +1,7 @@
 """The names of `open3d.core`."""
 
 from . import cuda as cuda
+from . import nns as nns
 from .device import Device as Device
 from .dtype import Dtype as Dtype
 from .dtype import bool as bool
@@ -32,6 +33,8 @@ from .functions import svd as svd
 from .functions import tril as tril
 from .functions import triu as triu
 from .functions import triul as triul
+from .hash_map import HashMap as HashMap
+from .hash_map import HashSet as HashSet
 from .size_vector import DynamicSizeVector as DynamicSizeVector
 from .size_vector import SizeVector as SizeVector
 from .tensor import Tensor as Tensor

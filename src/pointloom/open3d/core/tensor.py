@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
@@ -199,8 +200,8 @@ class Tensor(HintedNames):
 
     def save(self, file_name: str) -> None:
         """Write a .npy file."""
-        with open(file_name, "wb") as file:
-            np.save(file, np.ascontiguousarray(self._values).reshape(self._shape))
+        with Path(file_name).open("wb") as file:
+            np.save(file, np.asarray(self._values, order="C"))
 
     # Properties
 
@@ -243,6 +244,8 @@ class Tensor(HintedNames):
     @property
     def strides(self) -> SizeVector:
         """Distances of neighbors along each axis, in elements."""
+        if not self.num_elements():  # NumPy's are zero
+            return SizeVector([int(np.prod(np.maximum(self._shape[i + 1 :], 1))) for i in range(self.ndim)])
         return SizeVector([n // self._numpy_dtype.itemsize for n in self._array.strides[: self.ndim]])
 
     def num_elements(self) -> int:
@@ -390,6 +393,8 @@ class Tensor(HintedNames):
     def reshape(self, dst_shape: Any) -> Tensor:
         """The same elements in another shape, of which one size may be -1. A view of contiguous tensors."""
         shape = SizeVector(dst_shape)
+        if any(size < -1 for size in shape):
+            raise TensorError(f"dst_shape: expected sizes from 0 on, and at most one -1, got {shape}")
         return self.contiguous()._view(lambda values: values.reshape(shape))
 
     def flatten(self, start_dim: int = 0, end_dim: int = -1) -> Tensor:
