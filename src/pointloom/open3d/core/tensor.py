@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,67 +15,11 @@ from .device import Device
 from .dtype import Dtype, float32
 from .errors import TensorError, as_tensor_error
 from .indexing import as_numpy_key
+from .methods import add_methods, on_host
 from .printing import values_text
 from .size_vector import SizeVector
 
 Scalar = bool | int | float | np.generic
-
-
-def _binary(name: str, *, reflected: bool = False, in_place: bool = False, as_operator: bool = False) -> Any:
-    """A method over `elementwise.BINARY[name]`."""
-
-    @as_tensor_error
-    def method(self: Tensor, other: Any) -> Any:
-        operand = self._operand(name, other)
-        if operand is NotImplemented:
-            if as_operator:
-                return operand
-            raise TensorError(f"other: expected a tensor, a number or an array, got {type(other).__name__}")
-        elementwise.check_kind(name, elementwise.BINARY[name][1], self._numpy_dtype.kind, self.dtype)
-        result = self._combined(name, *((operand, self) if reflected else (self, operand)))
-        return self._written(result) if in_place else result
-
-    return method
-
-
-def _unary(name: str, *, in_place: bool = False) -> Any:
-    """A method over `elementwise.UNARY[name]`."""
-
-    def method(self: Tensor) -> Tensor:
-        elementwise.check_kind(name, elementwise.UNARY[name][1], self._numpy_dtype.kind, self.dtype)
-        result = self._like(elementwise.unary(name, self._values))
-        return self._written(result) if in_place else result
-
-    return method
-
-
-def _reduction(name: str) -> Any:
-    """A method over `elementwise.REDUCTIONS[name]`."""
-
-    @as_tensor_error
-    def method(self: Tensor, dim: Any = None, keepdim: bool = False) -> Tensor:
-        elementwise.check_kind(name, elementwise.REDUCTIONS[name][1], self._numpy_dtype.kind, self.dtype)
-        axes = range(self.ndim) if dim is None else SizeVector(dim)
-        return self._like(elementwise.reduced(name, self._values, axes, keepdim))
-
-    return method
-
-
-def _on_host(function: Any) -> Any:
-    """A method over a function of NumPy arrays. On a GPU it copies to the host and back."""
-
-    @as_tensor_error
-    def method(self: Tensor, *args: Any, **keywords: Any) -> Any:
-        def values(part: Any) -> Any:
-            return self._checked(part)._values if isinstance(part, Tensor) else part
-
-        result = function(self._values, *map(values, args), **{name: values(part) for name, part in keywords.items()})
-        if isinstance(result, tuple):
-            return tuple(map(self._like, result))
-        return self._like(result) if isinstance(result, np.ndarray | np.generic) else result
-
-    method.__doc__ = function.__doc__
-    return method
 
 
 class Tensor(HintedNames):
@@ -93,6 +37,18 @@ class Tensor(HintedNames):
 
     _array: Any
     _is_number: bool  # a tensor without axes on a GPU, where `_array` has one element
+
+    if TYPE_CHECKING:  # `add_methods` sets these
+
+        def __getattr__(self, name: str) -> Any: ...
+        def __add__(self, other: Any) -> Tensor: ...
+
+        __radd__ = __iadd__ = __sub__ = __rsub__ = __isub__ = __mul__ = __rmul__ = __imul__ = __add__
+        __truediv__ = __rtruediv__ = __itruediv__ = __floordiv__ = __rfloordiv__ = __ifloordiv__ = __add__
+        __gt__ = __lt__ = __ge__ = __le__ = __matmul__ = __and__ = __or__ = __xor__ = __add__
+        __eq__ = __ne__ = __add__  # type: ignore[assignment]
+
+        def __neg__(self) -> Tensor: ...
 
     @as_tensor_error
     def __init__(self, np_array: Any, dtype: Dtype | None = None, device: Device | str | None = None):
@@ -290,7 +246,12 @@ class Tensor(HintedNames):
         target_device = self.device if device is None else Device(device)
         if not copy and not type_changes and target_device == self.device:
             return self
-        values = self._values.astype(dtype.numpy if type_changes else self._numpy_dtype, "C")
+        wanted = dtype.numpy if type_changes else self._numpy_dtype
+        if self.is_cuda and target_device == self.device:
+            from .device_functions import converted
+
+            return Tensor._around(converted(self._array, wanted), is_number=self._is_number)
+        values = self._values.astype(wanted, "C")
         return Tensor.__new__(Tensor)._set(values, target_device)
 
     def cpu(self) -> Tensor:
@@ -345,6 +306,10 @@ class Tensor(HintedNames):
 
     @as_tensor_error
     def __getitem__(self, key: Any) -> Tensor:
+        if isinstance(key, Tensor) and self.ndim and key.device == self.device:
+            result = self._on_device("gathered", self._array, self._shape, key._array, key._shape)
+            if result is not None:
+                return result
         parts, is_copy = as_numpy_key(key)
         if is_copy:
             return self._like(np.ascontiguousarray(self._values[parts]))
@@ -353,6 +318,9 @@ class Tensor(HintedNames):
     @as_tensor_error
     def __setitem__(self, key: Any, value: Any) -> None:
         parts, is_copy = as_numpy_key(key)
+        if isinstance(value, Tensor) and not is_copy and self.is_cuda:
+            self[key]._written(value)
+            return
         values = value._values if isinstance(value, Tensor) else np.asarray(value)
         if values.dtype.kind not in "biuf":
             raise TensorError(f"value: expected numbers, got {values.dtype}")
@@ -376,8 +344,13 @@ class Tensor(HintedNames):
             write(self._array, self._shape, values)
 
     def _written(self, result: Tensor) -> Self:
-        """Replace the values by a result of this shape."""
-        self._write(result._values.astype(self._numpy_dtype, copy=False))
+        """Replace the values by those of a tensor that broadcasts to this shape."""
+        if self.is_cuda and result.device == self.device and result._shape == self._shape:
+            from .device_functions import converted, overwrite
+
+            overwrite(self._array, converted(result._array, self._numpy_dtype))
+        else:
+            self._write(result._values.astype(self._numpy_dtype, copy=False))
         return self
 
     def __iter__(self) -> Iterator[Tensor]:
@@ -430,7 +403,17 @@ class Tensor(HintedNames):
         return self._checked(other)
 
     def _combined(self, name: str, left: Tensor, right: Tensor) -> Tensor:
-        return self._like(elementwise.binary(name, left._values, right._values))
+        result = self._on_device("binary", name, left._array, left._shape, right._array, right._shape)
+        return self._like(elementwise.binary(name, left._values, right._values)) if result is None else result
+
+    def _on_device(self, function: str, *arguments: Any) -> Tensor | None:
+        """The result of a function of `device_functions`. None on the CPU, and for what is left to the host."""
+        if self.is_cpu:
+            return None
+        from . import device_functions
+
+        result = getattr(device_functions, function)(*arguments)
+        return None if result is None else Tensor._around(result[0], is_number=not result[1])
 
     @as_tensor_error
     def clip(self, min: Any, max: Any) -> Tensor:
@@ -468,27 +451,6 @@ class Tensor(HintedNames):
         return concatenate((self, values), axis)
 
 
-def _add_methods() -> None:
-    """Set the methods of the tables, their in-place forms and the operators."""
-    for name in (*elementwise.BINARY, *elementwise.UNARY):
-        make = _binary if name in elementwise.BINARY else _unary
-        setattr(Tensor, name, make(name))
-        setattr(Tensor, f"{name}_", make(name, in_place=True))
-    for name in elementwise.REDUCTIONS:
-        setattr(Tensor, name, _reduction(name))
-    operators = {name: f"__{name}__" for name in ("add", "sub", "mul", *elementwise.COMPARISONS)}
-    spelled = {"truediv": "div", "floordiv": "div", "and": "logical_and", "or": "logical_or", "xor": "logical_xor"}
-    for operator, name in ({n: n for n in operators} | spelled).items():
-        setattr(Tensor, f"__{operator}__", _binary(name, as_operator=True))
-        if name not in elementwise.COMPARISONS:
-            setattr(Tensor, f"__r{operator}__", _binary(name, reflected=True, as_operator=True))
-            setattr(Tensor, f"__i{operator}__", _binary(name, in_place=True, as_operator=True))
-    for name in ("matmul", "det", "inv", "solve", "lstsq", "svd", "lu", "lu_ipiv", "triu", "tril", "triul", "cross"):
-        setattr(Tensor, name, _on_host(getattr(linalg, name)))
-    Tensor.__matmul__ = Tensor.matmul
-    Tensor.__neg__ = Tensor.neg
-
-
 def concatenate(tensors: Any, axis: int | None = 0) -> Tensor:
     """Tensors one after another along an axis. A single tensor is split along its first axis. None joins flat ones."""
     parts = [tensors] if isinstance(tensors, Tensor) else list(tensors)
@@ -497,5 +459,5 @@ def concatenate(tensors: Any, axis: int | None = 0) -> Tensor:
     return _concatenated(*parts, axis=axis)
 
 
-_concatenated = _on_host(lambda *arrays, axis: linalg.concatenate(arrays, axis))
-_add_methods()
+_concatenated = on_host(lambda *arrays, axis: linalg.concatenate(arrays, axis))
+add_methods(Tensor)
