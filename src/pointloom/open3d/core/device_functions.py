@@ -15,7 +15,7 @@ from ...core.array_libraries import view_as
 from ...kernels.arrays.row_numbers import limits_of, resolve_rows
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.language.device_lock import lock_for
-from ...kernels.memory import cast, clone, contiguous, copy, upload
+from ...kernels.memory import cast, clone, contiguous, copy, empty, upload
 from ...kernels.tensors import elementwise
 from .device_memory import view
 from .errors import TensorError
@@ -128,7 +128,7 @@ def converted(array: Any, dtype: np.dtype[Any]) -> Any:
     """A contiguous copy as another type."""
     wanted = wp.dtype_from_numpy(dtype)
     if array.dtype == wanted or not array.size:
-        return clone(array) if array.dtype == wanted else wp.empty(array.shape, dtype=wanted, device=array.device)
+        return clone(array) if array.dtype == wanted else empty(array.shape, wanted, array.device)
     if wanted == wp.bool:
         widened = array if array.dtype in TYPES else cast(contiguous(array), wp.float64)
         return _narrow(_nonzero(_wide(widened)), wp.bool, tuple(array.shape))

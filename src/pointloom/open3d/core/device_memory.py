@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ...core.array_libraries import view_as
 from ...core.devices import resolve_device
-from ...kernels.language.device_lock import lock_for
-from ...kernels.memory import contiguous, download, upload
+from ...kernels.language.device_lock import lock, lock_for
+from ...kernels.memory import contiguous, download, empty, host_view, upload
 from .errors import TensorError
 
 MAX_AXES = 4  # of a Warp array
@@ -31,6 +31,17 @@ class _Address:
             "typestr": np.dtype(typestr).str,
             "version": 3,
         }
+
+
+def wrapped(array: Any) -> Any:
+    """A Warp array on the CPU as NumPy, one on a GPU with scalars as elements. Both share the memory."""
+    return host_view(array) if array.device.is_cpu else as_scalars(array)
+
+
+def shared(source: Any) -> Any:
+    """The memory of a DLPack capsule, or of an array of another library."""
+    with lock:
+        return wp.from_dlpack(source)
 
 
 def numpy_dtype(array: Any) -> np.dtype[Any]:
@@ -61,7 +72,7 @@ def view(array: Any, shape: tuple[int, ...], change: Callable[[NDArray[Any]], An
     """A view of a device array and its shape. `change` computes a view of a NumPy array and reads no element."""
     seen = change(np.asarray(_Address(array, shape)))
     if seen.size == 0:
-        return wp.empty(seen.shape, dtype=array.dtype, device=array.device), seen.shape
+        return empty(seen.shape or (0,), array.dtype, array.device), seen.shape
     address = seen.__array_interface__["data"][0]
     made: Any = wp.array(
         ptr=address,

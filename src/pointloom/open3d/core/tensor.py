@@ -78,9 +78,9 @@ class Tensor(HintedNames):
         if isinstance(array, Tensor):
             array, is_number = array._array, array._is_number
         if not isinstance(array, np.ndarray | np.generic) and hasattr(array, "numpy"):
-            from .device_memory import as_scalars
+            from .device_memory import wrapped
 
-            array = array.numpy() if array.device.is_cpu else as_scalars(array)
+            array = wrapped(array)
         made._array = np.asarray(array) if isinstance(array, np.generic) else array
         made._is_number = is_number and not isinstance(made._array, np.ndarray)
         return made
@@ -102,9 +102,9 @@ class Tensor(HintedNames):
         """A tensor that shares the memory of an array of another library, or of a capsule of it."""
         if hasattr(source, "__dlpack_device__") and int(source.__dlpack_device__()[0]) == 1:
             return Tensor._around(np.from_dlpack(source))
-        import warp as wp
+        from .device_memory import shared
 
-        return Tensor._around(wp.from_dlpack(source))
+        return Tensor._around(shared(source))
 
     @staticmethod
     @as_tensor_error

@@ -6,6 +6,7 @@ from typing import Any
 
 from ....core.device_memory import free_memory
 from ....core.devices import resolve_device
+from ....kernels.language.device_lock import lock_for
 from ..device import Device
 
 
@@ -28,7 +29,8 @@ def synchronize(device: Device | Any = None) -> None:
     if not is_available():
         return
     for each in wp.get_cuda_devices() if device is None else [resolve_device(Device(device).name)]:
-        wp.synchronize_device(each)
+        with lock_for(each):
+            wp.synchronize_device(each)
 
 
 def release_cache() -> None:
