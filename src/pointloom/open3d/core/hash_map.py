@@ -43,6 +43,8 @@ class _Table(HintedNames):
             wanted = f"one shape for each of {len(value_dtypes)} types"
             raise TensorError(f"value_element_shapes: expected {wanted}, got {len(value_element_shapes)}")
         shapes = [SizeVector(shape) for shape in (key_element_shape, *value_element_shapes)]
+        if 0 in shapes[0]:
+            raise TensorError(f"key_element_shape: expected sizes from 1 on, got {shapes[0]}")
         self._buffers = [
             Tensor.zeros([capacity, *shape], dtype, device)
             for dtype, shape in zip((key_dtype, *value_dtypes), shapes, strict=True)
@@ -244,5 +246,6 @@ class HashSet(_Table):
 
 def _as_items(keys: Rows) -> Rows:
     """Each row as one element that can be sorted: a number, or its bytes."""
-    flat = np.ascontiguousarray(keys.reshape(len(keys), -1) if keys.size else np.zeros((len(keys), 1), keys.dtype))
-    return flat[:, 0] if flat.shape[1] == 1 else flat.view(np.dtype((np.void, flat.itemsize * flat.shape[1])))[:, 0]
+    width = int(np.prod(keys.shape[1:]))
+    flat = np.ascontiguousarray(keys.reshape(len(keys), width))
+    return flat[:, 0] if width == 1 else flat.view(np.dtype((np.void, flat.itemsize * width)))[:, 0]

@@ -384,7 +384,7 @@ class Tensor(HintedNames):
     # Arithmetic
 
     def _checked(self, other: Tensor) -> Tensor:
-        if other.device != self.device:
+        if not (self.is_cpu and other.is_cpu) and other.device != self.device:
             raise TensorError(f"other: expected a tensor on {self.device}, got {other.device}; .to(device) copies it")
         return other
 
@@ -396,7 +396,7 @@ class Tensor(HintedNames):
             other = Tensor(other, device=self.device)
         if not isinstance(other, Tensor):
             return NotImplemented
-        if other.dtype != self.dtype:
+        if other._numpy_dtype != self._numpy_dtype:
             raise TensorError(
                 f"{name}: expected a tensor of {self.dtype}, got {other.dtype}; .to(dtype) converts one of them"
             )
