@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.array_libraries import view_as
 from ...core.devices import resolve_device
+from ...core.exchange import share
 from ...kernels.language.device_lock import lock, lock_for
 from ...kernels.memory import contiguous, download, empty, host_view, upload
 from .errors import TensorError
@@ -39,9 +40,14 @@ def wrapped(array: Any) -> Any:
 
 
 def shared(source: Any) -> Any:
-    """The memory of a DLPack capsule, or of an array of another library."""
-    with lock:
-        return wp.from_dlpack(source)
+    """The memory of a DLPack capsule, or of an array of another library, as a Warp array or NumPy's."""
+    if not hasattr(source, "__dlpack__"):
+        with lock:
+            return wp.from_dlpack(source)
+    shape = tuple(getattr(source, "shape", (1,)))
+    if 0 < len(shape) <= MAX_AXES and 0 not in shape:
+        return share("source", source)
+    return np.from_dlpack(source)  # a shape that Warp does not have
 
 
 def numpy_dtype(array: Any) -> np.dtype[Any]:

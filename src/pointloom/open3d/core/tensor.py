@@ -100,8 +100,6 @@ class Tensor(HintedNames):
     @staticmethod
     def from_dlpack(source: Any) -> Tensor:
         """A tensor that shares the memory of an array of another library, or of a capsule of it."""
-        if hasattr(source, "__dlpack_device__") and int(source.__dlpack_device__()[0]) == 1:
-            return Tensor._around(np.from_dlpack(source))
         from .device_memory import shared
 
         return Tensor._around(shared(source))
@@ -276,7 +274,7 @@ class Tensor(HintedNames):
         return bool(self.item())
 
     def __dlpack__(self, stream: Any = None, **options: Any) -> Any:
-        return self._array.__dlpack__() if self.is_cpu else self._array.__dlpack__(stream)
+        return self._array.__dlpack__(**options) if self.is_cpu else self._array.__dlpack__(stream)
 
     def __dlpack_device__(self) -> tuple[int, int]:
         return (1, 0) if self.is_cpu else (2, self.device.get_id())
