@@ -5,6 +5,8 @@ quotient and square root (Figueroa, "When is double rounding innocuous?", SIGNUM
 of a function, 8 B per element of a reduction.
 """
 
+from typing import Any, TypeVar
+
 import numpy as np
 
 from ..array_types import Doubles, LongIntegers
@@ -191,7 +193,7 @@ def fold_integers_kernel(values: array(dtype=int64), count: int, parts: int, ope
     out[i] = result
 
 
-Numbers = Doubles | LongIntegers
+Numbers = TypeVar("Numbers", Doubles, LongIntegers)
 
 
 def combine(
@@ -202,7 +204,7 @@ def combine(
     Raises ValueError if the shapes cannot be broadcast.
     """
     shape = np.broadcast_shapes(a_shape, b_shape)
-    out = empty(int(np.prod(shape)), a.dtype, a.device)
+    out: Any = empty(int(np.prod(shape)), a.dtype, a.device)
     chosen = combine_floats_kernel if a.dtype == float64 else combine_integers_kernel
     sizes = vec4i(*(1,) * (MAX_AXES - len(shape)), *shape)
     launch(chosen, out.size, [a, b, sizes, _steps(a_shape), _steps(b_shape), operation, out])
@@ -228,7 +230,7 @@ def fold_rows(values: Numbers, count: int, operation: int) -> Numbers:
     chosen = fold_floats_kernel if values.dtype == float64 else fold_integers_kernel
     while count > 1:
         parts = (count + RUN - 1) // RUN
-        out = empty(rows * parts, values.dtype, values.device)
+        out: Any = empty(rows * parts, values.dtype, values.device)
         launch(chosen, out.size, [values, count, parts, operation, out])
         values, count = out, parts
     return values

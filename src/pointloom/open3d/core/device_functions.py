@@ -118,7 +118,7 @@ def reduced(name: str, array: Any, shape: Shape, axes: Any, keepdim: bool) -> Re
     values, count = _wide(moved), int(np.prod([shape[axis] for axis in chosen]))
     out = elementwise.fold_rows(values, count, _FOLDS[name])
     if name == "mean":
-        counts = upload(np.array([count]), out.dtype, out.device)
+        counts: Any = upload(np.array([count]), out.dtype, out.device)
         out, _ = elementwise.combine(out, (out.size,), counts, (1,), elementwise.DIV)
     result_shape = tuple(1 if axis in chosen else n for axis, n in enumerate(shape) if keepdim or axis not in chosen)
     return _narrow(out, array.dtype, result_shape), result_shape

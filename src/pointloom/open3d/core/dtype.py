@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import enum
 from typing import Any, ClassVar
 
@@ -63,7 +64,7 @@ class Dtype:
     def byte_code(self) -> DtypeCode:
         return DtypeCode.Undefined if self._name == "undefined" else _CODES[self.numpy.kind]
 
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: object) -> builtins.bool:
         return isinstance(other, Dtype) and self._name == other._name
 
     def __hash__(self) -> int:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from .tensor import Tensor, concatenate  # noqa: F401  handed on
 
 
@@ -11,6 +13,14 @@ def addmm(input: Tensor, A: Tensor, B: Tensor, alpha: float, beta: float) -> Ten
     return product + beta * input
 
 
-append, det, inv, lstsq, lu, lu_ipiv = Tensor.append, Tensor.det, Tensor.inv, Tensor.lstsq, Tensor.lu, Tensor.lu_ipiv
-matmul, maximum, minimum, solve, svd = Tensor.matmul, Tensor.maximum, Tensor.minimum, Tensor.solve, Tensor.svd
-tril, triu, triul = Tensor.tril, Tensor.triu, Tensor.triul
+_methods: Any = Tensor
+append, det, inv, lstsq, lu, lu_ipiv = (
+    _methods.append,
+    _methods.det,
+    _methods.inv,
+    _methods.lstsq,
+    _methods.lu,
+    _methods.lu_ipiv,
+)
+matmul, maximum, minimum, solve, svd = _methods.matmul, _methods.maximum, _methods.minimum, _methods.solve, _methods.svd
+tril, triu, triul = _methods.tril, _methods.triu, _methods.triul

@@ -69,7 +69,8 @@ class _Table(HintedNames):
 
     def _checked(self, name: str, values: Tensor, buffer: Tensor, count: int | None = None) -> Rows:
         """The rows of an argument for a buffer, on the host."""
-        shape = (len(values) if count is None and values.ndim else count, *buffer.shape[1:])
+        rows = (len(values) if values.ndim else 1) if count is None else count
+        shape = (rows, *buffer.shape[1:])
         if values.dtype != buffer.dtype or values.num_elements() != np.prod(shape):
             wanted = f"{buffer.dtype} of shape ({'n' if count is None else count}, {str(list(shape[1:]))[1:-1]})"
             raise TensorError(f"{name}: expected {wanted}, got {values.dtype} of shape {list(values.shape)}")

@@ -71,7 +71,8 @@ def svd(a: Matrix) -> tuple[Matrix, ...]:
 
 def lu(a: Matrix, permute_l: bool = False) -> tuple[Matrix, ...]:
     """P, L and U with a = P L U. With `permute_l` the second matrix is P L."""
-    p, lower, upper = scipy.linalg.lu(_matrix("self", a))
+    parts: Any = scipy.linalg.lu(_matrix("self", a))
+    p, lower, upper = parts
     return p, p @ lower if permute_l else lower, upper
 
 

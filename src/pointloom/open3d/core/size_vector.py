@@ -16,7 +16,7 @@ class SizeVector(list[int]):
 
     def __init__(self, values: int | Iterable[int] = ()):
         try:
-            flat = values if isinstance(values, Iterable) else [values]
+            flat: Any = values if isinstance(values, Iterable) else [values]
             super().__init__(map(operator.index, flat if np.size(flat) else ()))
         except TypeError as error:
             raise TensorError(f"shape: expected an integer or a list of integers, got {values!r}") from error

@@ -25,8 +25,12 @@ Scalar = bool | int | float | np.generic
 class Tensor(HintedNames):
     """An array on a device.
 
-    Operands have one dtype and one device; a number takes the dtype of the tensor, also a fraction that of integers.
-    Slices are views, indices and masks give copies.
+    Operands have one dtype and one device. A number takes the dtype of the tensor, so a fraction loses its decimals
+    beside integers. Slices are views, indices and masks give copies.
+
+    On a GPU elementwise functions, comparisons, reductions, casts, and rows by an index or a mask are computed there
+    for Float32, Float64, Int32, Int64 and Bool. Slices are views there, too. Other types, other indices, assignments to
+    indices, division of integers, `argmin`, `argmax`, concatenation and linear algebra go through the host.
 
     `_array` is a NumPy array on the CPU and a Warp array on a GPU: pointloom's functions take it as it is, and return
     results as arrays of the same library on the same device.
@@ -244,7 +248,7 @@ class Tensor(HintedNames):
         target_device = self.device if device is None else Device(device)
         if not copy and not type_changes and target_device == self.device:
             return self
-        wanted = dtype.numpy if type_changes else self._numpy_dtype
+        wanted = self._numpy_dtype if dtype is None else dtype.numpy
         if self.is_cuda and target_device == self.device:
             from .device_functions import converted
 
