@@ -1,0 +1,92 @@
+"""Base class of the geometries of tensors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar, Self
+
+from ....core.attribute_hints import KnownNames
+from ...core.device import Device
+from ...core.tensor import Tensor
+from .tensor_map import TensorMap
+
+
+class Geometry(KnownNames):
+    """A geometry of tensors on one device.
+
+    To write a class: list the attributes that hold a Tensor, a TensorMap or another Geometry in `_parts`. The first one
+    determines the device. Set `_home` in the constructor: the device while there is no tensor. List read-only
+    attributes in `_fixed`.
+    """
+
+    _parts: ClassVar[tuple[str, ...]] = ()
+    _home: Device
+
+    @property
+    def device(self) -> Device:
+        part = getattr(self, self._parts[0])
+        if isinstance(part, TensorMap):
+            part = part[part.primary_key] if part.primary_key in part else None
+        return self._home if part is None else part.device
+
+    @property
+    def is_cpu(self) -> bool:
+        return self.device.get_type() == "CPU"
+
+    @property
+    def is_cuda(self) -> bool:
+        return self.device.get_type() == "CUDA"
+
+    def to(self, device: Device, copy: bool = False) -> Self:
+        """The geometry on a device: itself if it is there already, unless `copy`."""
+        device = device_of(device)
+        if device == self.device and not copy:
+            return self
+        made = self._each(lambda tensor: tensor.to(device, copy))
+        made._home = device
+        return made
+
+    def cpu(self) -> Self:
+        return self.to(Device("CPU:0"))
+
+    def cuda(self, device_id: int = 0) -> Self:
+        return self.to(Device("CUDA", device_id))
+
+    def clone(self) -> Self:
+        """Copy with tensors of its own."""
+        return self._each(lambda tensor: tensor.clone())
+
+    def __copy__(self) -> Self:
+        return self._each(lambda tensor: tensor)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self.clone()
+
+    def _each(self, function: Callable[[Tensor], Tensor]) -> Self:
+        """A geometry whose tensors are the results of a function."""
+        made = type(self).__new__(type(self))
+        vars(made).update(vars(self))
+        for name in self._parts:
+            part = getattr(self, name)
+            vars(made)[name] = (
+                part._mapped(function) if isinstance(part, TensorMap)
+                else part._each(function) if isinstance(part, Geometry)
+                else function(part)
+            )  # fmt: skip
+        return made
+
+    def is_empty(self) -> bool:
+        return getattr(self, self._parts[0])._count() == 0
+
+    def clear(self) -> Self:
+        """Remove all values, in place."""
+        device = self.device
+        for name in self._parts:
+            vars(self)[name] = TensorMap(getattr(self, name).primary_key)
+        self._home = device
+        return self
+
+
+def device_of(value: Any) -> Device:
+    """The `Device` of an argument: a Device or its name."""
+    return value if isinstance(value, Device) else Device(value)

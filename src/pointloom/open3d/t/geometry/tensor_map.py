@@ -1,0 +1,140 @@
+"""Tensors by name, one of which is primary: the attributes of points, lines, vertices or triangles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from ...core.tensor import Tensor
+
+RESERVED = {
+    *("clear", "copy", "fromkeys", "get", "items", "keys", "pop", "popitem", "setdefault", "update", "values"),
+    *("primary_key", "is_size_synchronized", "assert_size_synchronized", "erase"),
+}
+
+
+class MissingKeyError(KeyError, AttributeError):
+    """A name that a TensorMap does not contain, also when read as an attribute."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class TensorMap:
+    """A mapping of names to tensors with attribute access: `point["positions"]` is `point.positions`.
+
+    Args:
+        primary_key: Name of the tensor whose length is the number of elements.
+        map_keys_to_tensors: Initial tensors. They are shared, not copied.
+    """
+
+    primary_key: str
+    _values: dict[str, Tensor]
+
+    def __init__(self, primary_key: str, map_keys_to_tensors: Mapping[str, Tensor] | Iterable[tuple[str, Tensor]] = ()):
+        object.__setattr__(self, "primary_key", primary_key)
+        object.__setattr__(self, "_values", {})
+        values = dict(map_keys_to_tensors)
+        if values and primary_key not in values:
+            raise RuntimeError(f"map_keys_to_tensors: expected the primary key {primary_key!r}, got {[*values]}")
+        for name, tensor in values.items():
+            self[name] = tensor
+
+    def __getitem__(self, key: str) -> Tensor:
+        if key not in self._values:
+            raise MissingKeyError(f"{key}: expected one of {[*self._values]}")
+        return self._values[key]
+
+    def __setitem__(self, key: str, value: Tensor) -> None:
+        if key in RESERVED or key.startswith("__"):
+            raise KeyError(f"{key}: the name is reserved")
+        if not isinstance(value, Tensor):
+            raise TypeError(f"{key}: expected a Tensor, got {type(value).__name__}; o3d.core.Tensor(array) makes one")
+        self._values[key] = value
+
+    def __delitem__(self, key: str) -> None:
+        if key == self.primary_key:
+            raise RuntimeError(f"{key}: the primary key cannot be deleted")
+        del self._values[self._checked(key)]
+
+    def _checked(self, key: str) -> str:
+        """A key that exists."""
+        self[key]
+        return key
+
+    def erase(self, key: str) -> int:
+        """Delete a tensor. Returns 1, or 0 if there is none."""
+        if key not in self._values and key != self.primary_key:
+            return 0
+        del self[key]
+        return 1
+
+    def __getattr__(self, key: str) -> Tensor:
+        if key.startswith("_"):
+            raise AttributeError(f"TensorMap has no attribute {key!r}")
+        return self[key]
+
+    def __setattr__(self, key: str, value: Tensor) -> None:
+        self[key] = value
+
+    def __delattr__(self, key: str) -> None:
+        del self[key]
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._values
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def items(self) -> Iterator[tuple[str, Tensor]]:
+        return iter(self._values.items())
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._values]
+
+    def is_size_synchronized(self) -> bool:
+        """True if all tensors have the length of the primary one."""
+        return not self._odd()
+
+    def assert_size_synchronized(self) -> None:
+        """Raise RuntimeError if a tensor has another length than the primary one."""
+        if odd := self._odd():
+            raise RuntimeError(f"{', '.join(odd)}: expected {self._count()} rows as of {self.primary_key}, got {odd}")
+
+    def _count(self) -> int:
+        """Length of the primary tensor. 0 if there is none."""
+        return int(self[self.primary_key].shape[0]) if self.primary_key in self else 0
+
+    def _odd(self) -> dict[str, int]:
+        lengths = {name: int(tensor.shape[0]) for name, tensor in self.items()}
+        return {name: length for name, length in lengths.items() if length != self._count()}
+
+    def _mapped(self, function: Callable[[Tensor], Tensor]) -> TensorMap:
+        """A map of the results of a function, such as a selection of rows."""
+        return TensorMap(self.primary_key, {name: function(tensor) for name, tensor in self.items()})
+
+    def __repr__(self) -> str:
+        head = f'TensorMap(primary_key="{self.primary_key}") with'
+        if not self:
+            return f"{head} no attribute"
+        width = max(map(len, self))
+        rows = [
+            f"  - {name:<{width}}: shape={{{', '.join(map(str, tensor.shape))}}}, dtype={tensor.dtype}, "
+            f"device={tensor.device}{' (primary)' if name == self.primary_key else ''}"
+            for name, tensor in sorted(self.items())
+        ]
+        example = self.primary_key if self.primary_key in self else min(self)
+        count = f"{len(self)} attribute{'s' if len(self) > 1 else ''}:"
+        return "\n".join([f"{head} {count}", *rows, f"  (Use . to access attributes, e.g., tensor_map.{example})"])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return TensorMap, (self.primary_key, self._values)
+
+    def __copy__(self) -> TensorMap:
+        return TensorMap(self.primary_key, self._values)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> TensorMap:
+        return self._mapped(lambda tensor: tensor.clone())
