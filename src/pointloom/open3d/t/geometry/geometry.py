@@ -25,9 +25,9 @@ class Geometry(KnownNames):
     @property
     def device(self) -> Device:
         part = getattr(self, self._parts[0])
-        if isinstance(part, TensorMap):
-            part = part[part.primary_key] if part.primary_key in part else None
-        return self._home if part is None else part.device
+        if not isinstance(part, TensorMap):
+            return part.device
+        return part[part.primary_key].device if part.primary_key in part else self._home
 
     @property
     def is_cpu(self) -> bool:

@@ -5,12 +5,45 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from ....core.gpu_arrays import take_numbers
 from ...core.tensor import Tensor
 
 RESERVED = {
     *("clear", "copy", "fromkeys", "get", "items", "keys", "pop", "popitem", "setdefault", "update", "values"),
     *("primary_key", "is_size_synchronized", "assert_size_synchronized", "erase"),
 }
+
+
+def tensor_of(name: str, values: Any) -> Tensor:
+    """A tensor, or one of a list or of a NumPy array, whose memory it shares. Raises TypeError."""
+    if isinstance(values, Tensor):
+        return values
+    if isinstance(values, np.ndarray):
+        return Tensor.from_numpy(values)
+    if isinstance(values, list | tuple | int | float):
+        return Tensor(values)
+    raise TypeError(f"{name}: expected a Tensor, got {type(values).__name__}; o3d.core.Tensor(array) makes one")
+
+
+def array_of(name: str, values: Any) -> NDArray[Any]:
+    """The values of a tensor or of what `tensor_of` accepts, as a NumPy array."""
+    return tensor_of(name, values).numpy()
+
+
+def matrix_of(name: str, values: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """A small argument as a NumPy array of a shape."""
+    array = array_of(name, values)
+    if array.shape != shape:
+        raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
+    return array.astype(np.float64)
+
+
+def wrap(values: Any) -> Tensor:
+    """A tensor around a result of pointloom. Vectors of a Warp array become rows."""
+    return Tensor._around(values if isinstance(values, np.ndarray) else take_numbers("values", values))
 
 
 class MissingKeyError(KeyError, AttributeError):
@@ -43,41 +76,34 @@ class TensorMap:
     def __getitem__(self, key: str) -> Tensor:
         if key not in self._values:
             raise MissingKeyError(f"{key}: expected one of {[*self._values]}")
-        return self._values[key]
+        return Tensor._around(self._values[key]._array)  # another object, the same memory
 
-    def __setitem__(self, key: str, value: Tensor) -> None:
+    def __setitem__(self, key: str, value: Any) -> None:
         if key in RESERVED or key.startswith("__"):
             raise KeyError(f"{key}: the name is reserved")
-        if not isinstance(value, Tensor):
-            raise TypeError(f"{key}: expected a Tensor, got {type(value).__name__}; o3d.core.Tensor(array) makes one")
-        self._values[key] = value
+        self._values[key] = tensor_of(key, value)
 
     def __delitem__(self, key: str) -> None:
         if key == self.primary_key:
             raise RuntimeError(f"{key}: the primary key cannot be deleted")
-        del self._values[self._checked(key)]
-
-    def _checked(self, key: str) -> str:
-        """A key that exists."""
-        self[key]
-        return key
+        self._values.pop(key, None)
 
     def erase(self, key: str) -> int:
         """Delete a tensor. Returns 1, or 0 if there is none."""
-        if key not in self._values and key != self.primary_key:
-            return 0
+        count = int(key in self._values)
         del self[key]
-        return 1
+        return count
 
     def __getattr__(self, key: str) -> Tensor:
         if key.startswith("_"):
             raise AttributeError(f"TensorMap has no attribute {key!r}")
         return self[key]
 
-    def __setattr__(self, key: str, value: Tensor) -> None:
+    def __setattr__(self, key: str, value: Any) -> None:
         self[key] = value
 
     def __delattr__(self, key: str) -> None:
+        self[key]  # raises KeyError if there is none
         del self[key]
 
     def __contains__(self, key: str) -> bool:
@@ -87,7 +113,7 @@ class TensorMap:
         return iter(self._values)
 
     def items(self) -> Iterator[tuple[str, Tensor]]:
-        return iter(self._values.items())
+        return iter([(name, self[name]) for name in self._values])
 
     def __len__(self) -> int:
         return len(self._values)

@@ -1,0 +1,283 @@
+"""AxisAlignedBoundingBox and OrientedBoundingBox of tensors, over those of pointloom."""
+
+from __future__ import annotations
+
+import enum
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....pcd import boxes, cloud
+from ... import geometry as legacy
+from ...core.device import Device
+from ...core.dtype import Dtype, float32, float64
+from ...core.tensor import Tensor
+from ...wrapper import unwrap
+from .geometry import Geometry, device_of
+from .tensor_map import matrix_of, tensor_of, wrap
+
+CPU = Device("CPU:0")
+
+
+class MethodOBBCreate(enum.Enum):
+    """How an oriented box is fitted. Both minimal methods give the smallest box."""
+
+    PCA = 0
+    MINIMAL_APPROX = 1
+    MINIMAL_JYLANKI = 2
+
+
+class BoundingBox(Geometry):
+    """A box of float64 numbers, read as tensors of one type on one device. Setters and motions change it in place."""
+
+    _kind: ClassVar[Any]  # the pointloom class
+    _native: Any
+    _rgb: NDArray[np.float64]
+    _dtype: Dtype
+
+    def _start(self, first: Any, fields: dict[str, Any]) -> None:
+        """Set the box from the arguments of a constructor: a device, a box, or a tensor for each field."""
+        if isinstance(first, type(self)):
+            vars(self).update(vars(first))
+            return
+        self._rgb = np.ones(3)
+        if isinstance(first, Device | str):
+            self._native, self._dtype, self._home = self._zero(), float32, device_of(first)
+            return
+        tensors = [tensor_of(name, values) for name, values in fields.items()]
+        types = {tensor.dtype for tensor in tensors}
+        if len(types) > 1 or not types <= {float32, float64}:
+            raise TypeError(
+                f"{', '.join(fields)}: expected float32 or float64, all the same, got {sorted(map(str, types))}"
+            )
+        self._dtype, self._home = tensors[0].dtype, tensors[0].device
+        self._native = self._made(*(tensor.numpy().astype(np.float64) for tensor in tensors))
+
+    def _made(self, *values: NDArray[np.float64]) -> Any:
+        return self._kind(*values)
+
+    @classmethod
+    def _zero(cls) -> Any:
+        return cls._kind()
+
+    @classmethod
+    def _of(cls, native: Any, dtype: Dtype, device: Any, color: Any = (1, 1, 1)) -> Self:
+        """Wrap a pointloom box."""
+        box = cls(device_of(device))
+        box._native, box._dtype, box._rgb = native, dtype, np.array(color, np.float64)
+        return box
+
+    def _tensor(self, values: Any) -> Tensor:
+        return Tensor(values, self._dtype, self._home)
+
+    def _become(self, native: Any) -> Self:
+        self._native = native
+        return self
+
+    @property
+    def device(self) -> Device:
+        return self._home
+
+    @property
+    def dtype(self) -> Dtype:
+        return self._dtype
+
+    @property
+    def color(self) -> Tensor:
+        return self._tensor(self._rgb)
+
+    def set_color(self, color: Any) -> None:
+        rgb = matrix_of("color", color, (3,))
+        if not ((rgb >= 0) & (rgb <= 1)).all():
+            raise ValueError(f"color: expected three numbers in 0..1, got {rgb.tolist()}")
+        self._rgb = rgb
+
+    def is_empty(self) -> bool:
+        """True if the volume is zero."""
+        return self.volume() == 0
+
+    def clear(self) -> Self:
+        """Reset to an empty box at zero."""
+        return self._become(self._zero())
+
+    def get_box_points(self) -> Tensor:
+        """Corners (8, 3)."""
+        return self._tensor(self._native.get_box_points())
+
+    def get_min_bound(self) -> Tensor:
+        return self._tensor(self._native.get_min_bound())
+
+    def get_max_bound(self) -> Tensor:
+        return self._tensor(self._native.get_max_bound())
+
+    def volume(self) -> float:
+        return float(self._native.volume())
+
+    def get_point_indices_within_bounding_box(self, points: Any) -> Tensor:
+        """Ascending indices of the points inside, faces included, int64."""
+        return wrap(self._native.get_point_indices_within_bounding_box(tensor_of("points", points)._array))
+
+    def translate(self, translation: Any, relative: bool = True) -> Self:
+        """Translate by a vector. With `relative=False`, move the center there."""
+        return self._become(self._native.translate(matrix_of("translation", translation, (3,)), relative))
+
+    def scale(self, scale: float, center: Any = None) -> Self:
+        """Scale about a point, by default the center."""
+        return self._become(self._native.scale(scale, None if center is None else matrix_of("center", center, (3,))))
+
+    def to_legacy(self) -> Any:
+        kind = getattr(legacy, type(self).__name__)
+        box = kind._of(self._native)
+        box.color = self._rgb
+        return box
+
+    @classmethod
+    def from_legacy(cls, box: Any, dtype: Dtype = float32, device: Any = CPU) -> Self:
+        native = unwrap(box, getattr(legacy, cls.__name__), "box")
+        return cls._of(native, dtype, device, native.color)
+
+
+class AxisAlignedBoundingBox(BoundingBox):
+    """An axis-aligned box. The constructor sorts the corners.
+
+    Args:
+        min_bound, max_bound: Corners (3,). Or a device of an empty box, or a box to copy.
+    """
+
+    _kind = boxes.AxisAlignedBoundingBox
+
+    def __init__(self, min_bound: Any = CPU, max_bound: Any = None, *, device: Any = None):
+        self._start(min_bound if device is None else device, {"min_bound": min_bound, "max_bound": max_bound})
+
+    def _made(self, *values: NDArray[np.float64]) -> Any:
+        return self._kind(*np.sort(values, axis=0))
+
+    @property
+    def min_bound(self) -> Tensor:
+        return self.get_min_bound()
+
+    @property
+    def max_bound(self) -> Tensor:
+        return self.get_max_bound()
+
+    def set_min_bound(self, min_bound: Any) -> None:
+        self._become(self._kind(matrix_of("min_bound", min_bound, (3,)), self._native.max_bound))
+
+    def set_max_bound(self, max_bound: Any) -> None:
+        self._become(self._kind(self._native.min_bound, matrix_of("max_bound", max_bound, (3,))))
+
+    @staticmethod
+    def create_from_points(points: Any) -> AxisAlignedBoundingBox:
+        """Box of points (n, 3), in their type. Zero without points."""
+        tensor = tensor_of("points", points)
+        if not tensor.shape[0]:
+            return AxisAlignedBoundingBox(tensor.device)
+        return AxisAlignedBoundingBox(tensor.min((0,)), tensor.max((0,)))
+
+    def get_center(self) -> Tensor:
+        return self._tensor(self._native.get_center())
+
+    def get_extent(self) -> Tensor:
+        return self._tensor(self._native.get_extent())
+
+    def get_half_extent(self) -> Tensor:
+        return self._tensor(self._native.get_half_extent())
+
+    def get_max_extent(self) -> float:
+        return float(self._native.get_max_extent())
+
+    def get_oriented_bounding_box(self) -> OrientedBoundingBox:
+        return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self)
+
+    def __iadd__(self, other: Any) -> Self:
+        if not isinstance(other, AxisAlignedBoundingBox):
+            raise TypeError(f"other: expected an AxisAlignedBoundingBox, got {type(other).__name__}")
+        return self._become(self._native + other._native)
+
+    def __add__(self, other: Any) -> AxisAlignedBoundingBox:
+        """The box of both boxes."""
+        made = self.clone()
+        made += other
+        return made
+
+    def __repr__(self) -> str:
+        low, high = (" ".join(f"{v:.8g}" for v in row) for row in (self._native.min_bound, self._native.max_bound))
+        return f"AxisAlignedBoundingBox[[{low}] - [{high}], {self.dtype}, {self.device}]"
+
+
+class OrientedBoundingBox(BoundingBox):
+    """A rotated box.
+
+    Args:
+        center: Center (3,). Or a device of an empty box, or a box to copy.
+        rotation: Axes as columns (3, 3).
+        extent: Edge lengths (3,).
+    """
+
+    _kind = boxes.OrientedBoundingBox
+
+    @classmethod
+    def _zero(cls) -> Any:
+        return cls._kind(np.zeros(3), np.eye(3), np.zeros(3))
+
+    def __init__(self, center: Any = CPU, rotation: Any = None, extent: Any = None, *, device: Any = None):
+        fields = {"center": center, "rotation": rotation, "extent": extent}
+        self._start(center if device is None else device, fields)
+
+    @property
+    def center(self) -> Tensor:
+        return self._tensor(self._native.center)
+
+    @property
+    def rotation(self) -> Tensor:
+        return self._tensor(self._native.R)
+
+    @property
+    def extent(self) -> Tensor:
+        return self._tensor(self._native.extent)
+
+    def set_center(self, center: Any) -> None:
+        self._become(self._kind(matrix_of("center", center, (3,)), self._native.R, self._native.extent))
+
+    def set_rotation(self, rotation: Any) -> None:
+        self._become(self._kind(self._native.center, matrix_of("rotation", rotation, (3, 3)), self._native.extent))
+
+    def set_extent(self, extent: Any) -> None:
+        self._become(self._kind(self._native.center, self._native.R, matrix_of("extent", extent, (3,))))
+
+    def rotate(self, rotation: Any, center: Any = None) -> Self:
+        """Rotate about a point, by default the center."""
+        about = None if center is None else matrix_of("center", center, (3,))
+        return self._become(self._native.rotate(matrix_of("rotation", rotation, (3, 3)), about))
+
+    def transform(self, transformation: Any) -> Self:
+        """Apply a rigid 4x4 matrix."""
+        T = matrix_of("transformation", transformation, (4, 4))
+        return self._become(self._native.rotate(T[:3, :3], np.zeros(3)).translate(T[:3, 3]))
+
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        return AxisAlignedBoundingBox._of(
+            self._native.get_axis_aligned_bounding_box(), self._dtype, self._home, self._rgb
+        )
+
+    @staticmethod
+    def create_from_axis_aligned_bounding_box(aabb: AxisAlignedBoundingBox) -> OrientedBoundingBox:
+        return OrientedBoundingBox._of(aabb._native.get_oriented_bounding_box(), aabb._dtype, aabb._home, aabb._rgb)
+
+    @staticmethod
+    def create_from_points(
+        points: Any, robust: bool = False, method: MethodOBBCreate = MethodOBBCreate.MINIMAL_APPROX
+    ) -> OrientedBoundingBox:
+        """The smallest box of points (n, 3), or that along their principal axes, in their type."""
+        tensor = tensor_of("points", points)
+        native = cloud.PointCloud(tensor._array)
+        fit = (
+            native.get_oriented_bounding_box
+            if method is MethodOBBCreate.PCA
+            else native.get_minimal_oriented_bounding_box
+        )
+        return OrientedBoundingBox._of(fit(robust), tensor.dtype, tensor.device)
+
+    def __repr__(self) -> str:
+        return f"OrientedBoundingBox[{self.dtype}, {self.device}]"

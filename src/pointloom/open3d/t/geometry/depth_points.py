@@ -1,0 +1,95 @@
+"""Points of depth images, and depth images of points."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....cameras.camera import PinholeCameraIntrinsic
+from ....cameras.depth_filters import filter_depth_bilateral, pyrdown_depth
+from ....pcd.cloud import PointCloud
+from ...core.dtype import float32
+from ...core.tensor import Tensor
+from ...geometry.image import below
+from .image import Image
+from .native import attribute, positions_of, rows_kept
+from .rgbd_image import RGBDImage
+from .tensor_map import matrix_of, wrap
+
+SIGMA = 10.0  # [m] and [px] of Open3D's filter before normals
+
+
+def points_of_images(
+    depth: Image,
+    color: Image | None,
+    intrinsics: Any,
+    extrinsics: Any,
+    depth_scale: float,
+    depth_max: float,
+    stride: int,
+    with_normals: bool,
+) -> dict[str, Tensor]:
+    """Positions, and normals and colors if wanted, of the pixels with depth, float32."""
+    K = matrix_of("intrinsics", intrinsics, (3, 3))
+    if color is not None and color._data.shape[:2] != depth._data.shape[:2]:
+        raise ValueError(f"rgbd_image: expected one size, got {color!r} and {depth!r}")
+    colors = None if color is None else color.to(float32)
+    if with_normals:
+        metric, colors = _smoothed(depth.clip_transform(depth_scale, 0.01, depth_max), colors, stride)
+        K, depth, depth_scale, stride = np.vstack([K[:2] / stride, K[2:]]), metric, 1.0, 1
+    native = PointCloud.create_from_depth_image(
+        depth._data.reshape((depth.rows, depth.columns))._array,
+        PinholeCameraIntrinsic(depth.columns, depth.rows, K),
+        matrix_of("extrinsics", extrinsics, (4, 4)),
+        depth_scale,
+        below(depth_max),
+        stride,
+        False,
+        with_normals=with_normals,
+    )
+    tensors = {"positions": positions_of(native, float32)}
+    if with_normals:
+        tensors["normals"] = attribute(native, "normals")
+    rows = rows_kept([*tensors.values()][-1], "remove_non_finite_points")
+    if colors is not None:
+        tensors["colors"] = colors._data[::stride, ::stride].reshape((len(native), colors.channels))
+    return {name: tensor[rows] for name, tensor in tensors.items()}
+
+
+def _smoothed(depth: Image, color: Image | None, stride: int) -> tuple[Image, Image | None]:
+    """Depth [m] without noise, and colors, both at every `stride`-th pixel, as Open3D prepares them for normals."""
+    if stride < 1 or stride & (stride - 1):
+        raise ValueError(f"stride: expected a power of 2 with normals, got {stride}")
+    metric = depth._data.reshape((depth.rows, depth.columns))._array
+    if stride == 1:
+        return Image(wrap(filter_depth_bilateral(metric, 5, SIGMA, SIGMA))), color
+    for _ in range(stride.bit_length() - 1):
+        metric, color = pyrdown_depth(metric), None if color is None else color.pyrdown()
+    return Image(wrap(metric)), color
+
+
+def project_depth(
+    cloud: PointCloud, width: int, height: int, intrinsics: Any, extrinsics: Any, depth_scale: float, depth_max: float
+) -> Image:
+    """Depth of the nearest point in each pixel times `depth_scale`, float32."""
+    camera, T = _camera(width, height, intrinsics, extrinsics)
+    return Image(wrap(cloud.project_to_depth_image(width, height, camera, T, depth_scale, below(depth_max))))
+
+
+def project_rgbd(
+    cloud: PointCloud, width: int, height: int, intrinsics: Any, extrinsics: Any, depth_scale: float, depth_max: float
+) -> RGBDImage:
+    """Color, 0..1 in steps of 1/255, and depth of the nearest point in each pixel, float32."""
+    camera, T = _camera(width, height, intrinsics, extrinsics)
+    image = cloud.project_to_rgbd_image(width, height, camera, T, depth_max=below(depth_max))
+    color = wrap(image.color_array).to(float32).reshape((height, width, 3)) / 255.0
+    return RGBDImage(color, wrap(image.depth_array).reshape((height, width)) * depth_scale)
+
+
+def _camera(
+    width: int, height: int, intrinsics: Any, extrinsics: Any
+) -> tuple[PinholeCameraIntrinsic, NDArray[np.float64]]:
+    camera = PinholeCameraIntrinsic(width, height, matrix_of("intrinsics", intrinsics, (3, 3)))
+    return camera, matrix_of("extrinsics", extrinsics, (4, 4))

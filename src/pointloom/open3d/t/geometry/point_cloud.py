@@ -1,0 +1,375 @@
+"""PointCloud of tensors: each method is that of `loom.PointCloud`, on the device of the tensors."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+
+from ....kernels.icp.color_gradients import estimate_color_gradients
+from ....pcd import cloud
+from ....pcd.metrics import compute_metrics
+from ... import geometry as legacy
+from ...core.device import Device
+from ...core.dtype import Dtype, float32, float64, int32, int64
+from ...core.tensor import Tensor
+from ...seeds import next_seed
+from ...wrapper import unwrap
+from .. import geometry
+from . import depth_points
+from .boundary import boundary_rows
+from .geometry import device_of
+from .image import Image
+from .line_set import LineSet, listed
+from .moved import MovedGeometry
+from .native import attribute, mask_of, native_of, positions_of, rows_kept
+from .rgbd_image import RGBDImage
+from .sweeps import sweep_along, sweep_around
+from .tensor_map import TensorMap, matrix_of, tensor_of, wrap
+
+CPU = Device("CPU:0")
+EYE = np.eye(4)
+UP, ZERO = (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
+LONG = 1e18  # [m] a radius without effect
+
+
+class PointCloud(MovedGeometry):
+    """Points with any attributes as tensors: `cloud.point.positions` (n, 3), `cloud.point["intensity"]`.
+
+    Selections keep all attributes. Motions and methods of normals and colors change the cloud, others return a new one.
+
+    Args:
+        device: Device of an empty cloud. Or positions (n, 3), tensors by name, or a cloud, which are shared.
+        positions, map_keys_to_tensors: The same by keyword.
+    """
+
+    _parts, _fixed = ("point",), ("point",)
+
+    point: TensorMap
+
+    def __init__(self, device: Any = CPU, *, positions: Any = None, map_keys_to_tensors: Any = None):
+        given = next((v for v in (positions, map_keys_to_tensors) if v is not None), device)
+        if isinstance(given, PointCloud):
+            vars(self).update(vars(given.__copy__()))
+            return
+        self.point = TensorMap("positions")
+        if isinstance(given, Device | str):
+            self._home = device_of(given)
+            return
+        tensors = given if isinstance(given, dict | TensorMap) else {"positions": given}
+        if "positions" not in tensors:
+            raise ValueError(f"map_keys_to_tensors: expected positions, got {[*tensors]}")
+        for name, values in tensors.items():
+            self.point[name] = values
+        self._home = self.point.positions.device
+        if self.point.positions.shape[1:] != (3,):
+            raise ValueError(f"positions: expected shape [n, 3], got {list(self.point.positions.shape)}")
+
+    @staticmethod
+    def from_legacy(pcd_legacy: Any, dtype: Dtype = float32, device: Any = CPU) -> PointCloud:
+        """Positions, normals and colors of a `geometry.PointCloud`."""
+        unwrap(pcd_legacy, legacy.PointCloud, "pcd_legacy")
+        made, where = PointCloud(device_of(device)), device_of(device)
+        for name, known in (("positions", "points"), ("colors", "colors"), ("normals", "normals")):
+            values = np.asarray(getattr(pcd_legacy, known))
+            if len(values):
+                made.point[name] = Tensor(values, dtype, where)
+        return made
+
+    def to_legacy(self) -> Any:
+        """A `geometry.PointCloud` with positions, normals and colors. Integer colors are scaled to 0..1."""
+        made = legacy.PointCloud()
+        if "positions" in self.point:
+            made.points = self.point.positions.numpy().astype(np.float64)
+        if "normals" in self.point:
+            made.normals = self.point.normals.numpy().astype(np.float64)
+        if "colors" in self.point:
+            colors = self.point.colors.numpy()
+            made.colors = colors / np.float64(np.iinfo(colors.dtype).max if colors.dtype.kind == "u" else 1)
+        return made
+
+    def append(self, other: Any) -> PointCloud:
+        """A cloud of both. The other one must have all attributes of this one."""
+        missing = [name for name in self.point if name not in other.point]
+        if missing:
+            raise RuntimeError(
+                f"other: expected the attributes {[*self.point]}, without {missing} got {[*other.point]}"
+            )
+        parts = {name: (tensor, other.point[name]) for name, tensor in self.point.items()}
+        for name, (first, second) in parts.items():
+            if first.dtype != second.dtype or first.shape[1:] != second.shape[1:]:
+                raise RuntimeError(
+                    f"{name}: expected {first.dtype} (n, {first.shape[1:]}), got {second.dtype} {second.shape}"
+                )
+        return PointCloud({name: first.append(second, 0) for name, (first, second) in parts.items()})
+
+    def __add__(self, other: Any) -> PointCloud:
+        return self.append(other)
+
+    def _at(self, rows: Any) -> PointCloud:
+        """The points at some rows, a slice or a mask, with all attributes."""
+        made = PointCloud(self.device)
+        vars(made)["point"] = self.point._mapped(lambda tensor: tensor[rows])
+        return made
+
+    def _kept(self, rows: Tensor) -> tuple[PointCloud, Tensor]:
+        """The points at some rows, and a mask of them."""
+        return self._at(rows), mask_of(rows, self.point._count())
+
+    def select_by_mask(self, boolean_mask: Any, invert: bool = False) -> PointCloud:
+        mask = tensor_of("boolean_mask", boolean_mask)
+        if mask.shape != (self.point._count(),):
+            raise ValueError(f"boolean_mask: expected shape [{self.point._count()}], got {list(mask.shape)}")
+        return self._at(mask.logical_not() if invert else mask)
+
+    def select_by_index(self, indices: Any, invert: bool = False, remove_duplicates: bool = False) -> PointCloud:
+        """The points at indices in their order with repeats. Inverted or without repeats: in the order of the cloud."""
+        rows = tensor_of("indices", indices)
+        if not invert and not remove_duplicates:
+            return self._at(rows)
+        return self.select_by_mask(mask_of(rows, self.point._count()), invert)
+
+    def crop(self, aabb: Any, invert: bool = False) -> PointCloud:
+        """The points inside a box, faces included, or the others."""
+        rows = aabb.get_point_indices_within_bounding_box(self.point.positions)
+        return self.select_by_index(rows, invert)
+
+    def voxel_down_sample(self, voxel_size: float, reduction: str = "mean") -> PointCloud:
+        """Mean of the points and attributes in each voxel of a grid through zero."""
+        if reduction != "mean":
+            raise ValueError(f"reduction: expected 'mean', got {reduction!r}")
+        columns = {name: tensor.reshape((tensor.shape[0], -1)) for name, tensor in self.point.items()}
+        floats = {f"_{name}": column.to(float64)._array for name, column in columns.items()}
+        native = native_of(self.point, **floats).voxel_down_sample_and_trace(voxel_size, ZERO).cloud
+        made = PointCloud(self.device)
+        for name, tensor in self.point.items():
+            mean = attribute(native, f"_{name}").to(tensor.dtype)
+            made.point[name] = mean.reshape((len(native), *tensor.shape[1:]))
+        return made
+
+    def uniform_down_sample(self, every_k_points: int) -> PointCloud:
+        return self._at(rows_kept(self.point.positions, "uniform_down_sample", every_k_points))
+
+    def random_down_sample(self, sampling_ratio: float) -> PointCloud:
+        """Random fraction of the points, seeded by `o3d.utility.random.seed`, in order."""
+        return self._at(rows_kept(self.point.positions, "random_down_sample", sampling_ratio, next_seed()))
+
+    def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> PointCloud:
+        return self._at(rows_kept(self.point.positions, "farthest_point_down_sample", num_samples, start_index))
+
+    def remove_radius_outliers(self, nb_points: int, search_radius: float) -> tuple[PointCloud, Tensor]:
+        """The points with at least `nb_points` within the radius, counting themselves, and a mask of them."""
+        if nb_points == 1:
+            return self.remove_non_finite_points()
+        rows = native_of(self.point).remove_radius_outlier(nb_points - 1, search_radius)[1]
+        return self._kept(wrap(rows).to(int64))
+
+    def remove_statistical_outliers(self, nb_neighbors: int, std_ratio: float) -> tuple[PointCloud, Tensor]:
+        """The inlier cloud, and a mask of them."""
+        rows = native_of(self.point).remove_statistical_outlier(nb_neighbors, std_ratio)[1]
+        return self._kept(wrap(rows).to(int64))
+
+    def remove_non_finite_points(
+        self, remove_nan: bool = True, remove_infinite: bool = True
+    ) -> tuple[PointCloud, Tensor]:
+        """The remaining cloud, and a mask of its points."""
+        return self._kept(rows_kept(self.point.positions, "remove_non_finite_points", remove_nan, remove_infinite))
+
+    def remove_duplicated_points(self) -> tuple[PointCloud, Tensor]:
+        """The first point at each float32 position, and a mask of them."""
+        return self._kept(rows_kept(self.point.positions, "remove_duplicated_points"))
+
+    def paint_uniform_color(self, color: Any) -> Self:
+        """Set one color for all points. Floats are limited to 0..1."""
+        rgb = tensor_of("color", color)
+        values = matrix_of("color", rgb, (3,))
+        if rgb.dtype in (float32, float64):
+            values = values.clip(0, 1)
+        self.point.colors = Tensor(np.tile(values, (self.point._count(), 1)), rgb.dtype, self.device)
+        return self
+
+    def _set_normals(self, native: cloud.PointCloud) -> Self:
+        self.point.normals = attribute(native, "normals").to(self.point.positions.dtype)
+        return self
+
+    def estimate_normals(self, max_nn: int | None = 30, radius: float | None = None) -> None:
+        """Estimate normals, on the side of existing ones."""
+        self._set_normals(native_of(self.point, "normals").estimate_normals(radius=radius, max_nn=max_nn))
+
+    def normalize_normals(self) -> Self:
+        return (
+            self._set_normals(native_of(self.point, "normals").normalize_normals()) if "normals" in self.point else self
+        )
+
+    def orient_normals_to_align_with_direction(self, orientation_reference: Any = UP) -> None:
+        direction = matrix_of("orientation_reference", orientation_reference, (3,))
+        self._set_normals(native_of(self.point, "normals").orient_normals_to_align_with_direction(direction))
+
+    def orient_normals_towards_camera_location(self, camera_location: Any = ZERO) -> None:
+        camera = matrix_of("camera_location", camera_location, (3,))
+        self._set_normals(native_of(self.point, "normals").orient_normals_towards_camera_location(camera))
+
+    def orient_normals_consistent_tangent_plane(
+        self, k: int, lambda_penalty: float = 0.0, cos_alpha_tol: float = 1.0
+    ) -> None:
+        native = native_of(self.point, "normals")
+        self._set_normals(native.orient_normals_consistent_tangent_plane(k, lambda_penalty, cos_alpha_tol))
+
+    def estimate_color_gradients(self, max_nn: int | None = 30, radius: float | None = None) -> None:
+        """Set `point.color_gradients`, the slope of the intensity in the tangent plane [1/m], unless it exists."""
+        if "color_gradients" in self.point:
+            return
+        native = native_of(self.point, "normals", "colors")
+        arrays = [native._required_array(name, f"assign point.{name}") for name in ("normals", "colors")]
+        count = len(native) if max_nn is None else max_nn
+        gradients = estimate_color_gradients(native.search_tree(), *arrays, LONG if radius is None else radius, count)[
+            1
+        ]
+        self.point["color_gradients"] = wrap(native._handed_out(gradients)).to(self.point.colors.dtype)
+
+    def _smoothed(self, native: cloud.PointCloud) -> PointCloud:
+        """A copy with the positions, and normals if there are, of a result."""
+        made = self.clone()
+        made.point.positions = positions_of(native, self.point.positions.dtype)
+        return made._set_normals(native) if "normals" in self.point else made
+
+    def smooth_mls(self, radius: float = 0.05, max_nn: int = 30) -> PointCloud:
+        return self._smoothed(native_of(self.point, "normals").smooth_mls(radius=radius, max_nn=max_nn))
+
+    def smooth_bilateral(
+        self, radius: float = 0.05, max_nn: int = 30, sigma_s: float = 0.05, sigma_r: float = 0.05
+    ) -> PointCloud:
+        native = native_of(self.point, "normals")
+        return self._smoothed(native.smooth_bilateral(radius=radius, max_nn=max_nn, sigma_s=sigma_s, sigma_r=sigma_r))
+
+    def smooth_laplacian(
+        self, iterations: int = 10, lambda_: float = 0.5, max_nn: int = 20, use_fixed_neighborhoods: bool = False
+    ) -> PointCloud:
+        native = native_of(self.point, "normals")
+        return self._smoothed(native.smooth_laplacian(iterations, lambda_, max_nn, use_fixed_neighborhoods))
+
+    def smooth_taubin(
+        self,
+        iterations: int = 10,
+        lambda_: float = 0.5,
+        mu: float = -0.53,
+        max_nn: int = 20,
+        use_fixed_neighborhoods: bool = False,
+    ) -> PointCloud:
+        native = native_of(self.point, "normals")
+        return self._smoothed(native.smooth_taubin(iterations, lambda_, mu, max_nn, use_fixed_neighborhoods))
+
+    @staticmethod
+    def create_from_depth_image(
+        depth: Image,
+        intrinsics: Any,
+        extrinsics: Any = EYE,
+        depth_scale: float = 1000.0,
+        depth_max: float = 3.0,
+        stride: int = 1,
+        with_normals: bool = False,
+    ) -> PointCloud:
+        """Points of a depth image divided by `depth_scale`, float32; `extrinsics` is world to camera."""
+        numbers = depth_scale, depth_max, stride, with_normals
+        return PointCloud(depth_points.points_of_images(depth, None, intrinsics, extrinsics, *numbers))
+
+    @staticmethod
+    def create_from_rgbd_image(
+        rgbd_image: RGBDImage,
+        intrinsics: Any,
+        extrinsics: Any = EYE,
+        depth_scale: float = 1000.0,
+        depth_max: float = 3.0,
+        stride: int = 1,
+        with_normals: bool = False,
+    ) -> PointCloud:
+        """Points with colors 0..1; arguments as of `create_from_depth_image`."""
+        images, numbers = (rgbd_image.depth, rgbd_image.color), (depth_scale, depth_max, stride, with_normals)
+        return PointCloud(depth_points.points_of_images(*images, intrinsics, extrinsics, *numbers))
+
+    def project_to_depth_image(
+        self,
+        width: int,
+        height: int,
+        intrinsics: Any,
+        extrinsics: Any = EYE,
+        depth_scale: float = 1000.0,
+        depth_max: float = 3.0,
+    ) -> Image:
+        """Depth of the nearest point in each pixel times `depth_scale`, float32."""
+        native = native_of(self.point)
+        return depth_points.project_depth(native, width, height, intrinsics, extrinsics, depth_scale, depth_max)
+
+    def project_to_rgbd_image(
+        self,
+        width: int,
+        height: int,
+        intrinsics: Any,
+        extrinsics: Any = EYE,
+        depth_scale: float = 1000.0,
+        depth_max: float = 3.0,
+    ) -> RGBDImage:
+        """Color 0..1, rounded to bytes, and depth as of `project_to_depth_image`."""
+        native = native_of(self.point, "colors")
+        return depth_points.project_rgbd(native, width, height, intrinsics, extrinsics, depth_scale, depth_max)
+
+    def hidden_point_removal(self, camera_location: Any, radius: float) -> tuple[Any, Tensor]:
+        """Mesh of the points visible from a camera, and their indices, int64."""
+        camera = matrix_of("camera_location", camera_location, (3,))
+        surface, rows = native_of(self.point).hidden_point_removal(camera, radius)
+        positions = Tensor(surface.vertices, self.point.positions.dtype, self.device)
+        mesh = geometry.TriangleMesh(positions, Tensor(surface.triangles, int64, self.device))
+        return mesh, wrap(rows).to(int64)
+
+    def compute_convex_hull(self, joggle_inputs: bool = False) -> Any:
+        """Mesh of the hull in float64, with `vertex["point_indices"]`."""
+        hull, rows = native_of(self.point).compute_convex_hull(joggle_inputs)
+        mesh = geometry.TriangleMesh(
+            Tensor(hull.vertices, device=self.device), Tensor(hull.triangles, int32, self.device)
+        )
+        mesh.vertex["point_indices"] = wrap(rows).to(int32)
+        return mesh
+
+    def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> Tensor:
+        """A label per point, -1 for noise, int32."""
+        return wrap(native_of(self.point).cluster_dbscan(eps, min_points, print_progress))
+
+    def segment_plane(
+        self, distance_threshold: float = 0.01, ransac_n: int = 3, num_iterations: int = 100, probability: float = 0.999
+    ) -> tuple[Tensor, Tensor]:
+        """The plane (a, b, c, d) with most inliers, float64, and their indices, int64."""
+        numbers = distance_threshold, ransac_n, num_iterations, probability
+        plane, rows = native_of(self.point).segment_plane(*numbers, seed=next_seed())
+        return Tensor(np.asarray(plane), float64, self.device), wrap(rows).to(int64)
+
+    def compute_boundary_points(
+        self, radius: float, max_nn: int = 30, angle_threshold: float = 90.0
+    ) -> tuple[PointCloud, Tensor]:
+        """The points whose neighbors leave a gap of more than an angle in degrees around the normal, and a mask."""
+        rows = boundary_rows(native_of(self.point, "normals"), radius, max_nn, angle_threshold)
+        return self._kept(Tensor(rows, int64, self.device))
+
+    def compute_metrics(self, pcd2: PointCloud, metrics: Any, params: Any) -> Tensor:
+        """The metrics in their order, float32, F-scores once per radius."""
+        found = compute_metrics(native_of(self.point), native_of(pcd2.point), [*params.fscore_radius])
+        values = {"ChamferDistance": found.chamfer, "HausdorffDistance": found.hausdorff, "FScore": found.fscore}
+        return Tensor(np.concatenate([np.atleast_1d(values[metric.name]) for metric in metrics]), float32)
+
+    def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> LineSet:
+        """A line per point along a vector. `capping` has no effect."""
+        return self._swept(*sweep_along(self.point.positions, vector, scale))
+
+    def extrude_rotation(
+        self, angle: float, axis: Any, resolution: int = 16, translation: float = 0.0, capping: bool = True
+    ) -> LineSet:
+        """A line per point and step around an axis through zero, by an angle in degrees, and along it."""
+        return self._swept(*sweep_around(self.point.positions, angle, axis, resolution, translation))
+
+    def _swept(self, positions: Tensor, steps: int) -> LineSet:
+        count = self.point._count()
+        start = (np.arange(count)[:, None] + count * np.arange(steps)).ravel()
+        return LineSet(positions, Tensor(np.column_stack([start, start + count]), int64, self.device))
+
+    def __repr__(self) -> str:
+        kind = f" ({self.point.positions.dtype})" if "positions" in self.point else ""
+        return f"PointCloud on {self.device} [{self.point._count()} points{kind}].\nAttributes:{listed(self.point)}"
