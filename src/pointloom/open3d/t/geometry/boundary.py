@@ -21,8 +21,8 @@ def boundary_rows(cloud: PointCloud, radius: float, max_nn: int, angle_threshold
     up = np.cross(normals, side)
     steps = points[found] - points[:, None]
     angles = np.arctan2(np.einsum("nki,ni->nk", steps, up), np.einsum("nki,ni->nk", steps, side))
-    angles = np.sort(np.where(found < 0, np.nan, angles), axis=1)  # NaN at the end
-    around = np.nanmin(angles, axis=1, keepdims=True, initial=np.inf) + 2 * np.pi
-    gaps = np.diff(np.where(np.isnan(angles), around, angles), axis=1, append=around)
     has_others = (found >= 0).any(axis=1)
-    return np.flatnonzero(has_others & (np.max(gaps, axis=1, initial=0) > np.radians(angle_threshold)))
+    angles = np.sort(np.where(found < 0, np.inf, angles)[has_others], axis=1)  # missing ones at the end
+    around = angles[:, :1] + 2 * np.pi
+    gaps = np.diff(np.minimum(angles, around), axis=1, append=around).max(axis=1, initial=0)
+    return np.flatnonzero(has_others)[gaps > np.radians(angle_threshold)]

@@ -173,7 +173,10 @@ class AxisAlignedBoundingBox(BoundingBox):
         tensor = tensor_of("points", points)
         if not tensor.shape[0]:
             return AxisAlignedBoundingBox(tensor.device)
-        return AxisAlignedBoundingBox(tensor.min((0,)), tensor.max((0,)))
+        if tensor.is_cpu:
+            return AxisAlignedBoundingBox(tensor.min((0,)), tensor.max((0,)))
+        native = cloud.PointCloud(tensor._array).get_axis_aligned_bounding_box()
+        return AxisAlignedBoundingBox._of(native, tensor.dtype, tensor.device)
 
     def get_center(self) -> Tensor:
         return self._tensor(self._native.get_center())

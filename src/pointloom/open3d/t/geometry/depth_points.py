@@ -14,10 +14,11 @@ from ...core.dtype import float32
 from ...core.tensor import Tensor
 from ...geometry.image import below
 from .image import Image
-from .native import attribute, positions_of, rows_kept
+from .native import attribute, converted, positions_of, select
 from .rgbd_image import RGBDImage
-from .tensor_map import matrix_of, wrap
+from .tensor_map import TensorMap, matrix_of, wrap
 
+FINITE = "remove_non_finite_points"
 SIGMA = 10.0  # [m] and [px] of Open3D's filter before normals
 
 
@@ -52,10 +53,11 @@ def points_of_images(
     tensors = {"positions": positions_of(native, float32)}
     if with_normals:
         tensors["normals"] = attribute(native, "normals")
-    rows = rows_kept([*tensors.values()][-1], "remove_non_finite_points")
     if colors is not None:
         tensors["colors"] = colors._data[::stride, ::stride].reshape((len(native), colors.channels))
-    return {name: tensor[rows] for name, tensor in tensors.items()}
+    holes = tensors.get("normals", tensors["positions"])  # not finite where there is no depth
+    kept = select(TensorMap("positions", {"positions": holes, **{f"_{n}": t for n, t in tensors.items()}}), FINITE)[0]
+    return {name: kept[f"_{name}"] for name in tensors}
 
 
 def _smoothed(depth: Image, color: Image | None, stride: int) -> tuple[Image, Image | None]:
@@ -84,7 +86,7 @@ def project_rgbd(
     """Color, 0..1 in steps of 1/255, and depth of the nearest point in each pixel, float32."""
     camera, T = _camera(width, height, intrinsics, extrinsics)
     image = cloud.project_to_rgbd_image(width, height, camera, T, depth_max=below(depth_max))
-    color = wrap(image.color_array).to(float32).reshape((height, width, 3)) / 255.0
+    color = converted(wrap(image.color_array), float32).reshape((height, width, 3)) / 255.0
     return RGBDImage(color, wrap(image.depth_array).reshape((height, width)) * depth_scale)
 
 

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 import numpy as np
 import PIL.Image
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 from scipy import ndimage
 
 from ....cameras.camera import PinholeCameraIntrinsic
@@ -80,6 +80,10 @@ class Image(Geometry):
     def as_tensor(self) -> Tensor:
         """The tensor itself, (rows, columns, channels)."""
         return self._data
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """The memory of an image on the CPU, or a copy."""
+        return self._data.__array__(dtype, copy)
 
     @property
     def rows(self) -> int:

@@ -7,12 +7,14 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from ....kernels.linear_algebra import matmul
 from ....pcd.cloud import PointCloud
 from ....pcd.motion import map_about
 from ...core.tensor import Tensor
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .geometry import Geometry
-from .tensor_map import TensorMap, matrix_of, wrap
+from .native import positions_of, write
+from .tensor_map import TensorMap, matrix_of
 
 
 class MovedGeometry(Geometry):
@@ -21,14 +23,21 @@ class MovedGeometry(Geometry):
     point: TensorMap
 
     def get_min_bound(self) -> Tensor:
-        return self.point.positions.min((0,))
+        return self._measured("min", "get_min_bound")
 
     def get_max_bound(self) -> Tensor:
-        return self.point.positions.max((0,))
+        return self._measured("max", "get_max_bound")
 
     def get_center(self) -> Tensor:
         """Mean of the positions."""
-        return self.point.positions.mean((0,))
+        return self._measured("mean", "get_center")
+
+    def _measured(self, reduction: str, method: str) -> Tensor:
+        """A reduction of the positions: in their type on the CPU, by a method of a cloud on a GPU."""
+        positions = self.point.positions
+        if self.is_cpu:
+            return getattr(positions, reduction)((0,))
+        return _like(positions, getattr(PointCloud(positions._array), method)())
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         return AxisAlignedBoundingBox.create_from_points(self.point.positions)
@@ -46,28 +55,25 @@ class MovedGeometry(Geometry):
 
     def translate(self, translation: Any, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
-        positions = self.point.positions
-        step = _like(positions, matrix_of("translation", translation, (3,)))
-        positions[:] = positions + (step if relative else step - self.get_center())
-        return self
+        step = matrix_of("translation", translation, (3,))
+        return self._map(map_about(np.eye(3), np.zeros(3), step if relative else step - self.get_center().numpy()))
 
     def scale(self, scale: float, center: Any) -> Self:
-        positions = self.point.positions
-        middle = _like(positions, matrix_of("center", center, (3,)))
-        positions[:] = (positions - middle) * scale + middle
-        return self
+        return self._map(map_about(scale * np.eye(3), matrix_of("center", center, (3,))))
 
     def _map(self, T: NDArray[np.float64]) -> Self:
-        """Apply a 4x4 matrix to positions and normals."""
+        """Apply a 4x4 matrix to positions and normals: in float64 and the type of the positions."""
         positions = self.point.positions
-        if "normals" in self.point:
-            normals = self.point.normals
-            turned = PointCloud(positions._array, normals=normals._array).transform(T)
-            normals[:] = wrap(turned._handed_out(turned._device_array("normals"))).to(normals.dtype)
-        moved = positions.matmul(_like(positions, T[:3, :3].T)) + _like(positions, T[:3, 3])
-        if not np.array_equal(T[3], (0, 0, 0, 1)):
-            moved = moved / (positions.matmul(_like(positions, T[3, :3, None])) + float(T[3, 3]))
-        positions[:] = moved
+        A, t = T[:3, :3], T[:3, 3]
+        if "normals" in self.point and not np.array_equal(A, np.eye(3)):
+            turned = PointCloud(positions._array, normals=self.point.normals._array).transform(T)
+            write(self.point.normals, turned._handed_out(turned._device_array("normals")))
+        if not self.is_cpu:
+            write(positions, positions_of(PointCloud(positions._array).transform(T), positions.dtype)._array)
+            return self
+        points = positions.numpy()
+        with np.errstate(divide="ignore", invalid="ignore"):
+            points[...] = (matmul(points, A.T) + t) / (matmul(points, T[3, :3]) + T[3, 3])[:, None]
         return self
 
 

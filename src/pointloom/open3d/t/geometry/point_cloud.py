@@ -14,15 +14,15 @@ from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64, int32, int64
 from ...core.tensor import Tensor
 from ...seeds import next_seed
-from ...wrapper import unwrap
 from .. import geometry
 from . import depth_points
 from .boundary import boundary_rows
 from .geometry import device_of
 from .image import Image
 from .line_set import LineSet, listed
+from .metrics import listed_metrics
 from .moved import MovedGeometry
-from .native import attribute, mask_of, native_of, positions_of, rows_kept
+from .native import attribute, columns_of, converted, mask_of, native_of, positions_of, rows_of, select
 from .rgbd_image import RGBDImage
 from .sweeps import sweep_along, sweep_around
 from .tensor_map import TensorMap, matrix_of, tensor_of, wrap
@@ -68,7 +68,8 @@ class PointCloud(MovedGeometry):
     @staticmethod
     def from_legacy(pcd_legacy: Any, dtype: Dtype = float32, device: Any = CPU) -> PointCloud:
         """Positions, normals and colors of a `geometry.PointCloud`."""
-        unwrap(pcd_legacy, legacy.PointCloud, "pcd_legacy")
+        if not isinstance(pcd_legacy, legacy.PointCloud):
+            raise TypeError(f"pcd_legacy: expected a geometry.PointCloud, got {type(pcd_legacy).__name__}")
         made, where = PointCloud(device_of(device)), device_of(device)
         for name, known in (("positions", "points"), ("colors", "colors"), ("normals", "normals")):
             values = np.asarray(getattr(pcd_legacy, known))
@@ -106,28 +107,21 @@ class PointCloud(MovedGeometry):
     def __add__(self, other: Any) -> PointCloud:
         return self.append(other)
 
-    def _at(self, rows: Any) -> PointCloud:
-        """The points at some rows, a slice or a mask, with all attributes."""
+    def _selected(self, method: str, *args: Any) -> tuple[PointCloud, Tensor]:
+        """The points that a method of a cloud keeps, with all attributes, and a mask of them."""
         made = PointCloud(self.device)
-        vars(made)["point"] = self.point._mapped(lambda tensor: tensor[rows])
-        return made
-
-    def _kept(self, rows: Tensor) -> tuple[PointCloud, Tensor]:
-        """The points at some rows, and a mask of them."""
-        return self._at(rows), mask_of(rows, self.point._count())
+        vars(made)["point"], rows = select(self.point, method, *args)
+        return made, mask_of(rows, self.point._count())
 
     def select_by_mask(self, boolean_mask: Any, invert: bool = False) -> PointCloud:
-        mask = tensor_of("boolean_mask", boolean_mask)
-        if mask.shape != (self.point._count(),):
-            raise ValueError(f"boolean_mask: expected shape [{self.point._count()}], got {list(mask.shape)}")
-        return self._at(mask.logical_not() if invert else mask)
+        return self._selected("select_by_mask", tensor_of("boolean_mask", boolean_mask)._array, invert)[0]
 
     def select_by_index(self, indices: Any, invert: bool = False, remove_duplicates: bool = False) -> PointCloud:
         """The points at indices in their order with repeats. Inverted or without repeats: in the order of the cloud."""
         rows = tensor_of("indices", indices)
-        if not invert and not remove_duplicates:
-            return self._at(rows)
-        return self.select_by_mask(mask_of(rows, self.point._count()), invert)
+        if remove_duplicates and not invert:
+            return self.select_by_mask(mask_of(rows, self.point._count()))
+        return self._selected("select_by_index", rows._array, invert)[0]
 
     def crop(self, aabb: Any, invert: bool = False) -> PointCloud:
         """The points inside a box, faces included, or the others."""
@@ -138,46 +132,41 @@ class PointCloud(MovedGeometry):
         """Mean of the points and attributes in each voxel of a grid through zero."""
         if reduction != "mean":
             raise ValueError(f"reduction: expected 'mean', got {reduction!r}")
-        columns = {name: tensor.reshape((tensor.shape[0], -1)) for name, tensor in self.point.items()}
-        floats = {f"_{name}": column.to(float64)._array for name, column in columns.items()}
-        native = native_of(self.point, **floats).voxel_down_sample_and_trace(voxel_size, ZERO).cloud
+        columns = {f"_{name}": columns_of(tensor, float64)._array for name, tensor in self.point.items()}
+        native = cloud.PointCloud(self.point.positions._array, **columns)
         made = PointCloud(self.device)
-        for name, tensor in self.point.items():
-            mean = attribute(native, f"_{name}").to(tensor.dtype)
-            made.point[name] = mean.reshape((len(native), *tensor.shape[1:]))
+        vars(made)["point"] = rows_of(native.voxel_down_sample_and_trace(voxel_size, ZERO).cloud, self.point)
         return made
 
     def uniform_down_sample(self, every_k_points: int) -> PointCloud:
-        return self._at(rows_kept(self.point.positions, "uniform_down_sample", every_k_points))
+        return self._selected("uniform_down_sample", every_k_points)[0]
 
     def random_down_sample(self, sampling_ratio: float) -> PointCloud:
         """Random fraction of the points, seeded by `o3d.utility.random.seed`, in order."""
-        return self._at(rows_kept(self.point.positions, "random_down_sample", sampling_ratio, next_seed()))
+        return self._selected("random_down_sample", sampling_ratio, next_seed())[0]
 
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> PointCloud:
-        return self._at(rows_kept(self.point.positions, "farthest_point_down_sample", num_samples, start_index))
+        return self._selected("farthest_point_down_sample", num_samples, start_index)[0]
 
     def remove_radius_outliers(self, nb_points: int, search_radius: float) -> tuple[PointCloud, Tensor]:
         """The points with at least `nb_points` within the radius, counting themselves, and a mask of them."""
         if nb_points == 1:
             return self.remove_non_finite_points()
-        rows = native_of(self.point).remove_radius_outlier(nb_points - 1, search_radius)[1]
-        return self._kept(wrap(rows).to(int64))
+        return self._selected("remove_radius_outlier", nb_points - 1, search_radius)
 
     def remove_statistical_outliers(self, nb_neighbors: int, std_ratio: float) -> tuple[PointCloud, Tensor]:
         """The inlier cloud, and a mask of them."""
-        rows = native_of(self.point).remove_statistical_outlier(nb_neighbors, std_ratio)[1]
-        return self._kept(wrap(rows).to(int64))
+        return self._selected("remove_statistical_outlier", nb_neighbors, std_ratio)
 
     def remove_non_finite_points(
         self, remove_nan: bool = True, remove_infinite: bool = True
     ) -> tuple[PointCloud, Tensor]:
         """The remaining cloud, and a mask of its points."""
-        return self._kept(rows_kept(self.point.positions, "remove_non_finite_points", remove_nan, remove_infinite))
+        return self._selected("remove_non_finite_points", remove_nan, remove_infinite)
 
     def remove_duplicated_points(self) -> tuple[PointCloud, Tensor]:
         """The first point at each float32 position, and a mask of them."""
-        return self._kept(rows_kept(self.point.positions, "remove_duplicated_points"))
+        return self._selected("remove_duplicated_points")
 
     def paint_uniform_color(self, color: Any) -> Self:
         """Set one color for all points. Floats are limited to 0..1."""
@@ -189,7 +178,7 @@ class PointCloud(MovedGeometry):
         return self
 
     def _set_normals(self, native: cloud.PointCloud) -> Self:
-        self.point.normals = attribute(native, "normals").to(self.point.positions.dtype)
+        self.point.normals = attribute(native, "normals", self.point.positions.dtype)
         return self
 
     def estimate_normals(self, max_nn: int | None = 30, radius: float | None = None) -> None:
@@ -225,7 +214,9 @@ class PointCloud(MovedGeometry):
         gradients = estimate_color_gradients(native.search_tree(), *arrays, LONG if radius is None else radius, count)[
             1
         ]
-        self.point["color_gradients"] = wrap(native._handed_out(gradients)).to(self.point.colors.dtype)
+        dtype = self.point.colors.dtype
+        made = converted(wrap(native._handed_out(gradients)), dtype if dtype in (float32, float64) else float32)
+        self.point["color_gradients"] = made
 
     def _smoothed(self, native: cloud.PointCloud) -> PointCloud:
         """A copy with the positions, and normals if there are, of a result."""
@@ -319,7 +310,7 @@ class PointCloud(MovedGeometry):
         surface, rows = native_of(self.point).hidden_point_removal(camera, radius)
         positions = Tensor(surface.vertices, self.point.positions.dtype, self.device)
         mesh = geometry.TriangleMesh(positions, Tensor(surface.triangles, int64, self.device))
-        return mesh, wrap(rows).to(int64)
+        return mesh, converted(wrap(rows), int64)
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> Any:
         """Mesh of the hull in float64, with `vertex["point_indices"]`."""
@@ -327,7 +318,7 @@ class PointCloud(MovedGeometry):
         mesh = geometry.TriangleMesh(
             Tensor(hull.vertices, device=self.device), Tensor(hull.triangles, int32, self.device)
         )
-        mesh.vertex["point_indices"] = wrap(rows).to(int32)
+        mesh.vertex["point_indices"] = converted(wrap(rows), int32)
         return mesh
 
     def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> Tensor:
@@ -340,20 +331,19 @@ class PointCloud(MovedGeometry):
         """The plane (a, b, c, d) with most inliers, float64, and their indices, int64."""
         numbers = distance_threshold, ransac_n, num_iterations, probability
         plane, rows = native_of(self.point).segment_plane(*numbers, seed=next_seed())
-        return Tensor(np.asarray(plane), float64, self.device), wrap(rows).to(int64)
+        return Tensor(np.asarray(plane), float64, self.device), converted(wrap(rows), int64)
 
     def compute_boundary_points(
         self, radius: float, max_nn: int = 30, angle_threshold: float = 90.0
     ) -> tuple[PointCloud, Tensor]:
         """The points whose neighbors leave a gap of more than an angle in degrees around the normal, and a mask."""
         rows = boundary_rows(native_of(self.point, "normals"), radius, max_nn, angle_threshold)
-        return self._kept(Tensor(rows, int64, self.device))
+        return self._selected("select_by_index", rows)
 
     def compute_metrics(self, pcd2: PointCloud, metrics: Any, params: Any) -> Tensor:
         """The metrics in their order, float32, F-scores once per radius."""
         found = compute_metrics(native_of(self.point), native_of(pcd2.point), [*params.fscore_radius])
-        values = {"ChamferDistance": found.chamfer, "HausdorffDistance": found.hausdorff, "FScore": found.fscore}
-        return Tensor(np.concatenate([np.atleast_1d(values[metric.name]) for metric in metrics]), float32)
+        return Tensor(listed_metrics(found, metrics))
 
     def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> LineSet:
         """A line per point along a vector. `capping` has no effect."""

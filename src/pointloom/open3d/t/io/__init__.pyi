@@ -1,1 +1,6 @@
 """The names of `open3d.t.io`."""
+
+from .clouds import read_point_cloud as read_point_cloud
+from .clouds import write_point_cloud as write_point_cloud
+from .images import read_image as read_image
+from .images import write_image as write_image
