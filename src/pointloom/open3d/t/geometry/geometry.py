@@ -31,11 +31,11 @@ class Geometry(KnownNames):
 
     @property
     def is_cpu(self) -> bool:
-        return self.device.get_type() == "CPU"
+        return self.device.name == "cpu"
 
     @property
     def is_cuda(self) -> bool:
-        return self.device.get_type() == "CUDA"
+        return not self.is_cpu
 
     def to(self, device: Device, copy: bool = False) -> Self:
         """The geometry on a device: itself if it is there already, unless `copy`."""

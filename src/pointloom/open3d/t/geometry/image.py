@@ -28,7 +28,7 @@ SMOOTHING = {3: [1, 2, 1], 5: [1, 4, 6, 4, 1]}  # columns and rows of Sobel's fi
 SLOPE = {3: [-1, 0, 1], 5: [-1, -2, 0, 2, 1]}
 
 
-class InterpType(enum.IntEnum):
+class InterpType(enum.Enum):
     """Interpolation of `Image.resize`."""
 
     Nearest = 0
@@ -173,7 +173,7 @@ class Image(Geometry):
         y = (np.arange(height) + 0.5) * (self.rows / max(height, 1)) - 0.5
         x = (np.arange(width) + 0.5) * (self.columns / max(width, 1)) - 0.5
         if interp_type == InterpType.Nearest:
-            return self._like(self._data.numpy()[np.ix_(np.floor(y + 0.5).astype(int), np.floor(x + 0.5).astype(int))])
+            return self._like(self._data.numpy()[np.ix_(np.ceil(y - 0.5).astype(int), np.ceil(x - 0.5).astype(int))])
         places = np.meshgrid(y, x, indexing="ij")
         return self._filtered(lambda v: ndimage.map_coordinates(v, places, order=1, mode="nearest"))
 
@@ -246,8 +246,8 @@ class Image(Geometry):
         points = self._data.numpy().astype(np.float64)
         is_hole = (points == invalid_fill).all(axis=2) | ~np.isfinite(points).all(axis=2)
         corner = points[:-1, :-1]
-        normals = np.cross(points[1:, :-1] - corner, points[:-1, 1:] - corner)
         with np.errstate(invalid="ignore", divide="ignore"):
+            normals = np.cross(points[1:, :-1] - corner, points[:-1, 1:] - corner)
             normals /= np.linalg.norm(normals, axis=2, keepdims=True)
         normals[is_hole[:-1, :-1] | is_hole[1:, :-1] | is_hole[:-1, 1:] | ~np.isfinite(normals).all(axis=2)] = (
             invalid_fill

@@ -13,7 +13,7 @@ from ....pcd.motion import map_about
 from ...core.tensor import Tensor
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .geometry import Geometry
-from .native import positions_of, write
+from .native import native_of, positions_of, write
 from .tensor_map import TensorMap, matrix_of
 
 
@@ -56,24 +56,31 @@ class MovedGeometry(Geometry):
     def translate(self, translation: Any, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
         step = matrix_of("translation", translation, (3,))
-        return self._map(map_about(np.eye(3), np.zeros(3), step if relative else step - self.get_center().numpy()))
+        return self._move(map_about(np.eye(3), np.zeros(3), step if relative else step - self.get_center().numpy()))
 
     def scale(self, scale: float, center: Any) -> Self:
-        return self._map(map_about(scale * np.eye(3), matrix_of("center", center, (3,))))
+        """Scale the positions about a point."""
+        return self._move(map_about(scale * np.eye(3), matrix_of("center", center, (3,))))
 
     def _map(self, T: NDArray[np.float64]) -> Self:
-        """Apply a 4x4 matrix to positions and normals: in float64 and the type of the positions."""
-        positions = self.point.positions
-        A, t = T[:3, :3], T[:3, 3]
-        if "normals" in self.point and not np.array_equal(A, np.eye(3)):
-            turned = PointCloud(positions._array, normals=self.point.normals._array).transform(T)
+        """Apply a 4x4 matrix to positions and normals."""
+        if "normals" in self.point:
+            turned = native_of(self.point, "normals").transform(T)
             write(self.point.normals, turned._handed_out(turned._device_array("normals")))
+        return self._move(T)
+
+    def _move(self, T: NDArray[np.float64]) -> Self:
+        """Apply a 4x4 matrix to positions, computed in float64."""
+        positions = self.point.positions
         if not self.is_cpu:
             write(positions, positions_of(PointCloud(positions._array).transform(T), positions.dtype)._array)
             return self
         points = positions.numpy()
         with np.errstate(divide="ignore", invalid="ignore"):
-            points[...] = (matmul(points, A.T) + t) / (matmul(points, T[3, :3]) + T[3, 3])[:, None]
+            moved = matmul(points, T[:3, :3].T) + T[:3, 3]
+            if not np.array_equal(T[3], (0, 0, 0, 1)):
+                moved /= matmul(points, T[3, :3, None]) + T[3, 3]
+            points[...] = moved
         return self
 
 
