@@ -123,9 +123,9 @@ class PointCloud(MovedGeometry):
             return self.select_by_mask(mask_of(rows, self.point._count()))
         return self._selected("select_by_index", rows._array, invert)[0]
 
-    def crop(self, aabb: Any, invert: bool = False) -> PointCloud:
+    def crop(self, aabb: Any = None, invert: bool = False, *, obb: Any = None) -> PointCloud:
         """The points inside a box, faces included, or the others."""
-        rows = aabb.get_point_indices_within_bounding_box(self.point.positions)
+        rows = (aabb if obb is None else obb).get_point_indices_within_bounding_box(self.point.positions)
         return self.select_by_index(rows, invert)
 
     def voxel_down_sample(self, voxel_size: float, reduction: str = "mean") -> PointCloud:

@@ -1,0 +1,188 @@
+"""Images of tensors: filters, conversions and maps of depth, against float64 arithmetic."""
+
+import numpy as np
+import pytest
+
+import pointloom.open3d as o3d
+
+g, core, Tensor = o3d.t.geometry, o3d.core, o3d.core.Tensor
+RNG = np.random.default_rng(0)
+BYTES = RNG.integers(0, 255, (6, 8, 3), np.uint8)
+GRAY = RNG.random((6, 8)).astype(np.float32)
+K = np.array([[20.0, 0, 4], [0, 25, 3], [0, 0, 1]])
+
+
+@pytest.fixture
+def where(device):
+    return core.Device(device.upper())
+
+
+def values_of(image):
+    return image.as_tensor().numpy()
+
+
+def padded(radius, values=GRAY):
+    return np.pad(values.astype(np.float64), radius, mode="edge")
+
+
+def correlated(kernel, values=GRAY):
+    """Weighted sums over windows, by definition."""
+    kernel = np.asarray(kernel, np.float64)
+    source = padded(len(kernel) // 2, values)
+    sums = np.zeros(values.shape)
+    for i, j in np.ndindex(kernel.shape):
+        sums += kernel[i, j] * source[i : i + values.shape[0], j : j + values.shape[1]]
+    return sums
+
+
+def test_an_image_is_a_tensor_of_rows_columns_and_channels(where):
+    tensor = Tensor(GRAY, device=where)
+    image = g.Image(tensor)
+    assert (image.rows, image.columns, image.channels, image.device) == (6, 8, 1, where)
+    assert repr(image) == f"Image[size={{6,8}}, channels=1, Float32, {where}]" and not image.is_empty()
+    image.as_tensor()[0, 0] = 7.0
+    assert tensor.numpy()[0, 0] == 7 and g.Image(image).as_tensor().numpy()[0, 0] == 7  # both share the memory
+    copied = image.clone()
+    copied.as_tensor()[0, 0] = 8.0
+    assert tensor.numpy()[0, 0] == 7
+    black = g.Image(2, 3, 3, core.uint8, where)
+    assert values_of(black).shape == (2, 3, 3) and not values_of(black).any() and black.dtype == core.uint8
+    assert image.get_min_bound().numpy().tolist() == [0, 0] and image.get_max_bound().numpy().tolist() == [6, 8]
+    assert image.clear().is_empty() and g.Image().is_empty()
+    legacy = g.Image(Tensor(BYTES, device=where)).to_legacy()
+    assert (np.asarray(legacy) == BYTES).all()
+    assert (values_of(g.Image.from_legacy(legacy, where)) == BYTES).all()
+    with pytest.raises(ValueError, match="tensor"):
+        g.Image(np.zeros(3))
+
+
+def test_conversions_scale_bytes_for_floats_and_round_to_integers():
+    row = g.Image(np.array([[0, 100, 255]], np.uint8))
+    assert np.abs(values_of(row.to(core.float32)).ravel() - np.array([0, 100, 255]) / 255).max() < 1e-7
+    assert values_of(row.to(core.uint16)).ravel().tolist() == [0, 100, 255]
+    assert values_of(row.to(core.float32, scale=2.0, offset=1.0)).ravel().tolist() == [1, 201, 511]
+    assert values_of(row.to(core.uint8, scale=2.0, offset=1.0)).ravel().tolist() == [1, 201, 255]
+    floats = g.Image(np.array([[0.4, 0.5, 1.5, 2.5, -1, 300]], np.float32))
+    assert values_of(floats.to(core.uint8)).ravel().tolist() == [0, 0, 2, 2, 0, 255]
+    assert row.to(core.uint8) is row and row.to(core.uint8, copy=True) is not row and row.to(core.Device()) is row
+    assert row.linear_transform(-0.5, 1.6) is row and values_of(row).ravel().tolist() == [2, 0, 0]
+
+
+def test_filters_of_a_window_are_sums_with_its_weights():
+    image = g.Image(GRAY)
+    weights = np.exp(-np.add.outer(np.arange(-2.0, 3) ** 2, np.arange(-2.0, 3) ** 2) / 2)
+    kernel = RNG.random((3, 3)).astype(np.float32)
+    five = np.outer([1, 4, 6, 4, 1], [-1, -2, 0, 2, 1])
+    for made, expected in (
+        (image.filter(kernel), correlated(kernel)),
+        (image.filter_gaussian(5, 1.0), correlated(weights / weights.sum())),
+        (image.pyrdown(), correlated(weights / weights.sum())[::2, ::2]),
+        (image.filter_sobel(3)[0], correlated(np.outer([1, 2, 1], [-1, 0, 1]))),
+        (image.filter_sobel(3)[1], correlated(np.outer([-1, 0, 1], [1, 2, 1]))),
+        (image.filter_sobel(5)[0], correlated(five)),
+        (image.dilate(3), np.max([padded(1)[i : i + 6, j : j + 8] for i in range(3) for j in range(3)], axis=0)),
+    ):
+        assert made.dtype == core.float32 and np.abs(values_of(made)[..., 0] - expected).max() < 1e-5
+    red = g.Image(BYTES[..., 0])
+    slope = red.filter_sobel(3)[0]
+    assert (
+        str(slope.dtype) == "Int16"
+        and (values_of(slope)[..., 0] == correlated(np.outer([1, 2, 1], [-1, 0, 1]), BYTES[..., 0])).all()
+    )
+    with pytest.raises(ValueError, match="kernel_size"):
+        image.filter_sobel(4)
+
+
+def bilateral(values, radius, value_sigma, dist_sigma):
+    """The filter by definition, over a disc."""
+    source, found = np.pad(values, ((radius,) * 2, (radius,) * 2, (0, 0)), mode="edge"), np.zeros(values.shape)
+    for y, x in np.ndindex(values.shape[:2]):
+        offsets = [
+            (i, j)
+            for i, j in np.ndindex(2 * radius + 1, 2 * radius + 1)
+            if (i - radius) ** 2 + (j - radius) ** 2 <= radius**2
+        ]
+        near = np.array([source[y + i, x + j] for i, j in offsets])
+        far = np.array([(i - radius) ** 2 + (j - radius) ** 2 for i, j in offsets])
+        change = np.abs(near - values[y, x]).sum(axis=1)
+        weights = np.exp(-far / (2 * dist_sigma**2) - change**2 / (2 * value_sigma**2))
+        found[y, x] = weights @ near / weights.sum()
+    return found
+
+
+def test_bilateral_filters_weigh_pixels_by_distance_and_difference(where):
+    color = values_of(g.Image(BYTES).filter_bilateral(5, 40.0, 2.0))
+    assert np.abs(color - bilateral(BYTES.astype(float), 2, 40.0, 2.0)).max() <= 0.5 + 1e-9
+    depth = g.Image(Tensor(GRAY + np.float32(1), device=where)).filter_bilateral(5, 0.3, 2.0)
+    inner = bilateral(GRAY[..., None] + 1.0, 2, 0.3, 2.0)[2:-2, 2:-2]
+    assert depth.device == where and np.abs(values_of(depth)[2:-2, 2:-2] - inner).max() < 1e-5
+    holes = np.float32([[1, np.nan, 1, 0, 1]])
+    assert np.array_equal(values_of(g.Image(holes).filter_bilateral(3))[..., 0], holes, equal_nan=True)
+
+
+def test_resized_images_take_the_pixels_at_their_places():
+    image = g.Image(GRAY)
+    assert (values_of(image.resize(0.5))[..., 0] == GRAY[::2, ::2]).all()
+    assert (values_of(image.resize(2.0))[..., 0] == GRAY.repeat(2, 0).repeat(2, 1)).all()
+    means = GRAY.reshape(3, 2, 4, 2).mean(axis=(1, 3))
+    for kind in (g.InterpType.Linear, g.InterpType.Super):
+        assert np.abs(values_of(image.resize(0.5, kind))[..., 0] - means).max() < 1e-6
+    for kind in (g.InterpType.Cubic, g.InterpType.Lanczos):
+        flat = g.Image(np.full((6, 8), 0.25, np.float32)).resize(1.5, kind)
+        assert flat.rows == 9 and np.abs(values_of(flat) - 0.25).max() < 1e-6
+
+
+def test_gray_is_the_weighted_sum_of_the_colors():
+    gray = g.Image(BYTES).rgb_to_gray()
+    assert (values_of(gray)[..., 0] == np.rint(BYTES @ [0.299, 0.587, 0.114])).all() and gray.dtype == core.uint8
+    with pytest.raises(ValueError, match="channels"):
+        gray.rgb_to_gray()
+
+
+def test_depth_becomes_points_and_normals(where):
+    raw = (1000 + 100 * np.arange(8)[None] + np.zeros((6, 1))).astype(np.uint16)
+    raw[1, 1], raw[4, 4] = 0, 9000
+    depth = g.Image(Tensor(raw, device=where)).clip_transform(1000.0, 0.1, 3.0)
+    z = np.where((raw > 100) & (raw < 3000), raw / 1000, 0)
+    assert depth.dtype == core.float32 and np.abs(values_of(depth)[..., 0] - z).max() < 1e-6
+    v, u = np.indices(z.shape)
+    expected = np.stack([(u - 4) / 20 * z, (v - 3) / 25 * z, z], axis=-1)
+    points = depth.create_vertex_map(K)
+    assert points.device == where and np.abs(values_of(points) - expected).max() < 1e-6
+    empty = depth.create_vertex_map(K, np.inf)
+    assert (np.isinf(values_of(empty)).all(axis=2) == (z == 0)).all()
+    normals = values_of(points.create_normal_map())
+    is_known = (z[:-1, :-1] > 0) & (z[1:, :-1] > 0) & (z[:-1, 1:] > 0)
+    assert not normals[-1].any() and not normals[:, -1].any() and not normals[:-1, :-1][~is_known].any()
+    across = np.cross(expected[1:, :-1] - expected[:-1, :-1], expected[:-1, 1:] - expected[:-1, :-1])
+    across /= np.linalg.norm(across, axis=2, keepdims=True)
+    assert np.abs(normals[:-1, :-1] - across)[is_known].max() < 1e-5 and normals[:-1, :-1][is_known][:, 2].max() < 0
+    for work in (
+        lambda: g.Image(BYTES).clip_transform(1, 0, 1),
+        lambda: g.Image(raw).create_vertex_map(K),
+        lambda: depth.create_normal_map(),
+        lambda: g.Image(BYTES).colorize_depth(1, 0, 1),
+    ):
+        with pytest.raises(ValueError, match="image"):
+            work()
+
+
+def test_depth_colors_run_from_blue_to_red():
+    colors = values_of(g.Image(np.array([[0, 500, 1500, 3000, 9000]], np.uint16)).colorize_depth(1000.0, 0.5, 3.0))[0]
+    assert colors.dtype == np.uint8 and (colors[0] == colors[1]).all() and (colors[3] == colors[4]).all()
+    assert colors[0].tolist() == [48, 18, 59] and colors[3].tolist() == [122, 4, 3]  # ends of turbo
+
+
+def test_a_pair_of_images_is_of_one_size_if_aligned(where):
+    pair = g.RGBDImage(g.Image(BYTES).to(where), g.Image(GRAY).to(where))
+    assert pair.are_aligned() and pair.aligned_ and pair.device == where and not pair.is_empty()
+    assert pair.get_max_bound().numpy().tolist() == [16, 6] and pair.get_min_bound().numpy().tolist() == [0, 0]
+    legacy = pair.to_legacy()
+    assert (np.asarray(legacy.color) == BYTES).all() and (np.asarray(legacy.depth) == GRAY).all()
+    other = pair.clone()
+    other.depth.as_tensor()[0, 0] = 9.0
+    assert values_of(pair.depth)[0, 0] == GRAY[0, 0] and pair.cpu().is_cpu
+    assert repr(pair).splitlines()[2] == f"Depth [size=(8,6), channels=1, format=Float32, device={where}]"
+    assert not g.RGBDImage(pair.color, g.Image(), aligned=False).are_aligned() and pair.clear().is_empty()
+    with pytest.raises(ValueError, match="depth"):
+        g.RGBDImage(g.Image(BYTES), g.Image())
