@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from ....core.errors import FileError
 from ....io.columns import warn_left_out
 from ....io.meshes.tables import write_cloud_table
-from ....io.points.formats import read_points
+from ....io.points.formats import READERS, WRITTEN, read_points
 from ....io.points.pcd import warn_of_viewpoint
 from ....io.points.ply_header import read_header
 from ....io.source import open_source
@@ -36,6 +37,10 @@ def read_point_cloud(
     suffix = Path(filename).suffix.lower().lstrip(".")
     if format not in ("auto", suffix, *COLUMNS):
         raise ValueError(f"format: expected a file that ends in .{format}, got {filename}; rename it")
+    if f".{suffix}" not in READERS:
+        raise FileError(
+            filename, f"unknown extension {f'.{suffix}'!r}", remedy=f"Clouds are read from {' '.join(READERS)}"
+        )
     table = read_points(filename, None if format in ("auto", suffix) else COLUMNS[format])
     warn_of_viewpoint(filename, table.viewpoint, stacklevel=3)
     cloud = PointCloud(Tensor(table.points))
@@ -63,6 +68,9 @@ def write_point_cloud(
     """
     if not isinstance(pointcloud, PointCloud):
         raise TypeError(f"pointcloud: expected a t.geometry.PointCloud, got {type(pointcloud).__name__}")
+    suffix = Path(filename).suffix.lower()
+    if suffix not in WRITTEN:
+        raise FileError(filename, f"unknown extension {suffix!r}", remedy=f"Clouds are written as {' '.join(WRITTEN)}")
     arrays = {name: tensor.numpy() for name, tensor in pointcloud.point.items()}
     points = arrays.pop("positions", np.zeros((0, 3), np.float32))
     known = {name: arrays.pop(name, None) for name in ("normals", "colors")}
@@ -72,7 +80,6 @@ def write_point_cloud(
     flat = {name: values[:, 0] if values.shape[1:] == (1,) else values for name, values in others.items()}
     floats = points if points.dtype.kind == "f" else points.astype(np.float64)
     left_out = write_cloud_table(filename, PointTable(floats, **known, attributes=flat), as_text=write_ascii)
-    suffix = Path(filename).suffix.lower()
     if suffix not in TEXT_COLUMNS:
         warn_left_out(filename, suffix, left_out)
     return True
