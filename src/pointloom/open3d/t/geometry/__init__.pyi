@@ -10,3 +10,9 @@ from .line_set import LineSet as LineSet
 from .point_cloud import PointCloud as PointCloud
 from .rgbd_image import RGBDImage as RGBDImage
 from .tensor_map import TensorMap as TensorMap
+from .metrics import Metric as Metric
+from .metrics import MetricParameters as MetricParameters
+from .metrics import VectorMetric as VectorMetric
+from .raycasting import RaycastingScene as RaycastingScene
+from .triangle_mesh import TriangleMesh as TriangleMesh
+from .voxel_block_grid import VoxelBlockGrid as VoxelBlockGrid

@@ -1,0 +1,148 @@
+"""Meshes of tensors as pointloom's meshes and back."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from ....kernels.arrays.origins import add_origin
+from ....meshing.mesh import mesh
+from ...core.device import Device
+from ...core.dtype import Dtype
+from ...core.tensor import Tensor
+from .. import geometry
+from .geometry import Geometry, device_of
+from .tensor_map import TensorMap
+from .tensors import array_of, host_of, new_tensor
+
+NativeMesh = mesh.TriangleMesh
+CPU = "CPU:0"
+VERTEX = {"positions": "vertices", "normals": "vertex_normals", "colors": "vertex_colors"}
+TRIANGLE = {"indices": "triangles", "texture_uvs": "triangle_uvs"}
+
+
+class MeshTensors(Geometry):
+    """Vertices and triangles as maps of tensors; `vertex.positions` and `triangle.indices` are primary.
+
+    The names "normals" and "colors" of vertices and "texture_uvs" of triangles have a meaning. Others are attributes.
+    """
+
+    _parts: ClassVar = ("vertex", "triangle")
+    _fixed = ("vertex", "triangle")
+    vertex: TensorMap
+    triangle: TensorMap
+
+    def __init__(self, vertex_positions: Any = None, triangle_indices: Any = None, *, device: Any = CPU):
+        given = vertex_positions
+        if isinstance(given, MeshTensors):
+            vars(self).update(vars(given.__copy__()))
+            return
+        if isinstance(given, Device | str):
+            given, device = None, given
+        self._home = device_of(device)
+        self.vertex, self.triangle = TensorMap("positions"), TensorMap("indices")
+        for part, values in ((self.vertex, given), (self.triangle, triangle_indices)):
+            if values is not None:
+                tensor = values if isinstance(values, Tensor) else Tensor(values)
+                if len(tensor.shape) != 2 or tensor.shape[1] != 3:
+                    raise ValueError(f"{part.primary_key}: expected shape [n, 3], got {list(tensor.shape)}")
+                part[part.primary_key] = tensor
+
+    @property
+    def _surface(self) -> Any:
+        """The mesh without attributes."""
+        vertices, triangles = (
+            array_of(part[part.primary_key]) if part.primary_key in part else np.zeros((0, 3), np.int32)
+            for part in (self.vertex, self.triangle)
+        )
+        return NativeMesh(vertices, triangles, device=self.device.name)
+
+    @property
+    def _native(self) -> Any:
+        """The mesh with all attributes."""
+        made = self._surface
+        for name, tensor in self.vertex.items():
+            if name == "normals" or (name == "colors" and tensor.dtype.numpy.kind == "f"):
+                setattr(made, VERTEX[name], array_of(tensor))
+            elif name != "positions":
+                made.vertex_attributes[name] = _columns(tensor)
+        for name, tensor in self.triangle.items():
+            if name == "texture_uvs":
+                made.triangle_uvs = host_of(tensor).reshape(-1, 2)
+            elif name != "indices":
+                made.triangle_attributes[name] = _columns(tensor)
+        return made
+
+    @classmethod
+    def _of(cls, native: Any, float_dtype: Dtype, int_dtype: Dtype) -> Self:
+        """Copy a mesh of pointloom."""
+        device, nothing = Device(str(native.device)), np.zeros((0, 3))
+        return cls(Tensor(nothing, float_dtype, device), Tensor(nothing, int_dtype, device))._become(native)
+
+    def _new(self, native: Any) -> Self:
+        """The result of an operation on this mesh, with its data types."""
+        return self.__copy__()._become(native)
+
+    def _become(self, native: Any) -> Self:
+        """Replace all tensors by copies of a result's arrays. Names that exist keep their data types."""
+        positions = self.vertex["positions"].dtype.numpy if "positions" in self.vertex else np.dtype(np.float32)
+        floats = positions if positions.kind == "f" else np.dtype(np.float32)
+        vars(self)["vertex"] = self._replaced(self.vertex, VERTEX, native, native.vertex_attributes.arrays, floats)
+        vars(self)["triangle"] = self._replaced(
+            self.triangle, TRIANGLE, native, native.triangle_attributes.arrays, floats
+        )
+        return self
+
+    def _replaced(
+        self, old: TensorMap, names: dict[str, str], native: Any, attributes: dict[str, Any], floats: Any
+    ) -> TensorMap:
+        types = {name: tensor.dtype.numpy for name, tensor in old.items()}
+        types["positions"], types["indices"] = floats, types.get("indices", np.dtype(np.int64))
+        made = TensorMap(old.primary_key)
+        for name, own in names.items():
+            if own in native._device_arrays:
+                array = positions_of(native) if name == "positions" else native.array(own)
+                shape = (len(native), 3, 2) if name == "texture_uvs" else (array.shape[0], 3)
+                made[name] = new_tensor(array, types.get(name, floats), shape)
+        for name, array in attributes.items():
+            tail = tuple(old[name].shape[1:]) if name in old else tuple(array.shape[1:])
+            made[name] = new_tensor(array, None, (array.shape[0], *tail))
+        return made
+
+    def __repr__(self) -> str:
+        counts = [
+            f"{part._count()} {of}{f' ({part[part.primary_key].dtype})' if part._count() else ''}"
+            for part, of in ((self.vertex, "vertices"), (self.triangle, "triangles"))
+        ]
+        lines = [f"TriangleMesh on {self.device} [{' and '.join(counts)}]."]
+        for part, of in ((self.vertex, "Vertex"), (self.triangle, "Triangle")):
+            others = [
+                f"{name} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
+                for name, tensor in sorted(part.items())
+                if name != part.primary_key
+            ]
+            lines.append(f"{of} Attributes: {', '.join(others) or 'None'}.")
+        return "\n".join(lines)
+
+
+def positions_of(native: Any, name: str = "vertices") -> Any:
+    """Vertices or points as a device array with the origin added."""
+    array = native.array(name)
+    return add_origin(array, native.origin) if native.origin.any() else array
+
+
+def _columns(tensor: Tensor) -> Any:
+    """An attribute as at most two axes."""
+    shape = tuple(tensor.shape)
+    return array_of(tensor) if len(shape) < 3 else array_of(tensor).reshape((shape[0], int(np.prod(shape[1:]))))
+
+
+def cloud_of(native: Any, dtype: Dtype) -> Any:
+    """Copy a cloud of pointloom into a PointCloud of tensors."""
+    shape = (len(native), 3)
+    cloud = geometry.PointCloud(new_tensor(positions_of(native, "points"), dtype.numpy, shape))
+    for name in ("normals", "colors"):
+        if name in native._device_arrays:
+            cloud.point[name] = new_tensor(native.array(name), dtype.numpy, shape)
+    return cloud

@@ -1,0 +1,71 @@
+"""RaycastingScene with tensors."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ....meshing.scene import raycasting_scene
+from ...core import Device, Tensor
+from ...wrapper import Wrapper
+from .tensors import array_of, as_tensor, host_of
+from .triangle_mesh import TriangleMesh
+
+CPU = "CPU:0"
+
+
+class RaycastingScene(Wrapper):
+    """Triangles for ray casting and distances, also on a GPU. Arguments can be NumPy arrays, on any leading shape.
+
+    `nthreads` and `nsamples` have no effect.
+    """
+
+    _kind = raycasting_scene.RaycastingScene
+
+    INVALID_ID = raycasting_scene.RaycastingScene.INVALID_ID
+
+    def __init__(self, nthreads: int = 0, device: Any = CPU):
+        self._wrapped, self._shared = self._kind(Device(device).name), {}
+
+    def add_triangles(self, vertex_positions: Any = None, triangle_indices: Any = None, *, mesh: Any = None) -> int:
+        """Add a TriangleMesh, or vertices (n, 3) and triangles (m, 3). Returns the geometry id."""
+        first = vertex_positions if mesh is None else mesh
+        if isinstance(first, TriangleMesh):
+            first = first._surface
+        return self._wrapped.add_triangles(array_of(first), array_of(triangle_indices))
+
+    def cast_rays(self, rays: Any, nthreads: int = 0) -> dict[str, Tensor]:
+        return _tensors(self._wrapped.cast_rays(array_of(rays)))
+
+    def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf, nthreads: int = 0) -> Tensor:
+        return as_tensor(self._wrapped.test_occlusions(array_of(rays), tnear, tfar))
+
+    def count_intersections(self, rays: Any, nthreads: int = 0) -> Tensor:
+        return as_tensor(self._wrapped.count_intersections(array_of(rays)))
+
+    def list_intersections(self, rays: Any, nthreads: int = 0) -> dict[str, Tensor]:
+        return _tensors(self._wrapped.list_intersections(array_of(rays)))
+
+    def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> dict[str, Tensor]:
+        return _tensors(self._wrapped.compute_closest_points(array_of(query_points)))
+
+    def compute_distance(self, query_points: Any, nthreads: int = 0) -> Tensor:
+        return as_tensor(self._wrapped.compute_distance(array_of(query_points)))
+
+    def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Tensor:
+        """Distances, negative inside."""
+        return as_tensor(self._wrapped.compute_signed_distance(array_of(query_points), nsamples=nsamples))
+
+    def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Tensor:
+        """1 inside, 0 outside."""
+        return as_tensor(self._wrapped.compute_occupancy(array_of(query_points), nsamples=nsamples))
+
+    @staticmethod
+    def create_rays_pinhole(*args: Any, **kwargs: Any) -> Tensor:
+        """Rays of a camera given by two matrices, or by fov_deg, center, eye and up; on the CPU."""
+        named = {name: host_of(value) for name, value in kwargs.items()}
+        return as_tensor(raycasting_scene.RaycastingScene.create_rays_pinhole(*map(host_of, args), **named))
+
+
+def _tensors(arrays: dict[str, Any]) -> dict[str, Tensor]:
+    return {name: as_tensor(array) for name, array in arrays.items()}

@@ -1,0 +1,40 @@
+"""Tensors as arguments and results of pointloom's functions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import DTypeLike
+
+from ....core.checks import is_on_gpu
+from ....core.gpu_arrays import take_numbers
+from ....kernels.memory import cast, clone, download
+from ...core.tensor import Tensor
+
+
+def array_of(value: Any) -> Any:
+    """The array of a tensor. Other values are returned unchanged."""
+    return value._array if isinstance(value, Tensor) else value
+
+
+def host_of(value: Any) -> Any:
+    """The NumPy array of a tensor, for small arguments such as matrices. Other values are returned unchanged."""
+    return value.numpy() if isinstance(value, Tensor) else value
+
+
+def as_tensor(array: Any) -> Tensor:
+    """Wrap a result. Vectors of a Warp array become the last axis."""
+    return Tensor._around(take_numbers("array", array) if is_on_gpu(array) else np.asarray(array))
+
+
+def new_tensor(array: Any, dtype: DTypeLike | None = None, shape: tuple[int, ...] | None = None) -> Tensor:
+    """Copy an array of NumPy or Warp into a tensor, with another type or shape if given."""
+    if is_on_gpu(array):
+        numbers = take_numbers("array", array)
+        kind = numbers.dtype if dtype is None else wp.dtype_from_numpy(np.dtype(dtype))
+        made: Any = clone(numbers) if numbers.dtype == kind else cast(numbers, kind)
+    else:
+        made = np.array(array if isinstance(array, np.ndarray) else download(array), dtype)
+    return Tensor._around(made if shape is None else made.reshape(shape))

@@ -1,0 +1,296 @@
+"""TriangleMesh of tensors: each method is that of `loom.TriangleMesh` with the same name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ....core.checks import check_number
+from ....kernels.meshes import mesh_measures
+from ....pcd.motion import map_about
+from ... import geometry as legacy
+from ...core.dtype import Dtype, float32, int64
+from ...core.tensor import Tensor
+from ...seeds import next_seed
+from ...vectors import Vector2dVector, Vector3dVector, Vector3iVector
+from .. import geometry
+from .geometry import device_of
+from .mesh_factories import MeshFactories
+from .mesh_tensors import CPU, NativeMesh, cloud_of
+from .metrics import Metric, MetricParameters, listed_metrics
+from .tensors import array_of, host_of, new_tensor
+
+
+class TriangleMesh(MeshFactories):
+    """A mesh of tensors on one device. Some methods change the mesh, others return a new one, as in Open3D."""
+
+    @classmethod
+    def from_legacy(
+        cls, mesh_legacy: Any, vertex_dtype: Dtype = float32, triangle_dtype: Dtype = int64, device: Any = CPU
+    ) -> Self:
+        """Copy a mesh of `o3d.geometry`. Textures are not copied."""
+        if not isinstance(mesh_legacy, legacy.TriangleMesh):
+            raise TypeError(f"mesh_legacy: expected an o3d.geometry.TriangleMesh, got {type(mesh_legacy).__name__}")
+        made, where = cls(device=device), device_of(device)
+
+        def put(part: Any, name: str, vector: Any, dtype: Dtype, shape: tuple[int, ...] = (-1, 3)) -> None:
+            if len(vector):
+                part[name] = Tensor(np.asarray(vector).reshape(shape), dtype, where)
+
+        put(made.vertex, "positions", mesh_legacy.vertices, vertex_dtype)
+        put(made.vertex, "normals", mesh_legacy.vertex_normals, vertex_dtype)
+        put(made.vertex, "colors", mesh_legacy.vertex_colors, vertex_dtype)
+        put(made.triangle, "indices", mesh_legacy.triangles, triangle_dtype)
+        put(made.triangle, "normals", mesh_legacy.triangle_normals, vertex_dtype)
+        put(made.triangle, "texture_uvs", mesh_legacy.triangle_uvs, vertex_dtype, (-1, 3, 2))
+        return made
+
+    def to_legacy(self) -> Any:
+        """Copy as a mesh of `o3d.geometry`. Its colors are in 0..1. Other attributes are dropped."""
+        made = legacy.TriangleMesh()
+        for part, name, target, kind in (
+            (self.vertex, "positions", "vertices", Vector3dVector),
+            (self.triangle, "indices", "triangles", Vector3iVector),
+            (self.vertex, "normals", "vertex_normals", Vector3dVector),
+            (self.vertex, "colors", "vertex_colors", Vector3dVector),
+            (self.triangle, "normals", "triangle_normals", Vector3dVector),
+            (self.triangle, "texture_uvs", "triangle_uvs", Vector2dVector),
+        ):
+            if name in part:
+                values = part[name].numpy().reshape(-1, kind._row[0])
+                setattr(made, target, kind(values / 255 if values.dtype == np.uint8 else values))
+        return made
+
+    def transform(self, transformation: Any) -> Self:
+        """Apply an affine 4x4 matrix. A mirror image has the opposite order of triangle corners."""
+        T = np.asarray(host_of(transformation), np.float64)
+        faces = self.triangle["normals"] if "normals" in self.triangle else None
+        self._become(self._native.transform(T))
+        if faces is not None:
+            A = np.eye(4)
+            A[:3, :3] = T[:3, :3]
+            self._set_faces(_as_normals(faces).transform(A), faces)
+        return self
+
+    def translate(self, translation: Any, relative: bool = True) -> Self:
+        """Translate by a vector. With `relative=False`, move the center there."""
+        return self._become(self._native.translate(host_of(translation), relative))
+
+    def scale(self, scale: float, center: Any) -> Self:
+        """Scale about a point."""
+        return self.transform(map_about(check_number("scale", scale) * np.eye(3), _corner(center)))
+
+    def rotate(self, R: Any, center: Any) -> Self:
+        """Apply a 3x3 matrix about a point."""
+        return self.transform(map_about(np.asarray(host_of(R), np.float64), _corner(center)))
+
+    def get_min_bound(self) -> Tensor:
+        return self._point(self._surface.get_min_bound())
+
+    def get_max_bound(self) -> Tensor:
+        return self._point(self._surface.get_max_bound())
+
+    def get_center(self) -> Tensor:
+        return self._point(self._surface.get_center())
+
+    def get_axis_aligned_bounding_box(self) -> Any:
+        return geometry.AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
+
+    def get_oriented_bounding_box(self) -> Any:
+        box = self._surface.get_oriented_bounding_box()
+        return geometry.OrientedBoundingBox(*map(self._point, (box.center, box.R, box.extent)))
+
+    def get_surface_area(self) -> float:
+        return self._surface.get_surface_area()
+
+    def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> Tensor:
+        edges = self._surface.get_non_manifold_edges(allow_boundary_edges)
+        return new_tensor(edges, self.triangle["indices"].dtype.numpy)
+
+    def compute_vertex_normals(self, normalized: bool = True) -> Self:
+        """Set vertex normals (sums of area vectors) and triangle normals. Unit length unless `normalized=False`."""
+        if self.is_empty():
+            return self
+        native = self._surface
+        if not normalized:
+            made = legacy.TriangleMesh._of(native).compute_vertex_normals(False)
+            self.vertex["normals"] = self._floats(made.vertex_normals)
+            self.triangle["normals"] = self._floats(made.triangle_normals)
+            return self
+        self.vertex["normals"] = new_tensor(
+            native.compute_vertex_normals().array("vertex_normals"), self._float_dtype.numpy
+        )
+        return self.compute_triangle_normals()
+
+    def compute_triangle_normals(self, normalized: bool = True) -> Self:
+        """Set triangle normals of length 1, or of twice the area."""
+        if self.is_empty():
+            return self
+        native = self._surface
+        if normalized:
+            normals = mesh_measures.triangle_normals(native.array("vertices"), native.array("triangles"))
+            self.triangle["normals"] = new_tensor(normals, self._float_dtype.numpy, (len(native), 3))
+        else:
+            made = legacy.TriangleMesh._of(native).compute_triangle_normals(False)
+            self.triangle["normals"] = self._floats(made.triangle_normals)
+        return self
+
+    def compute_triangle_areas(self) -> Self:
+        """Set the triangle attribute `areas`."""
+        if not self.is_empty():
+            self.triangle["areas"] = new_tensor(self._surface.compute_triangle_areas(), self._float_dtype.numpy)
+        return self
+
+    def normalize_normals(self) -> Self:
+        for part in (self.vertex, self.triangle):
+            if "normals" in part:
+                normals = part["normals"]
+                made = _as_normals(normals).normalize_normals().array("vertex_normals")
+                part["normals"] = new_tensor(made, normals.dtype.numpy, tuple(normals.shape))
+        return self
+
+    def remove_unreferenced_vertices(self) -> Self:
+        return self._become(self._native.remove_unreferenced_vertices())
+
+    def remove_non_manifold_edges(self) -> Self:
+        """Remove the smallest triangles at edges with more than two."""
+        return self._become(self._native.remove_non_manifold_edges())
+
+    def compute_uvatlas(
+        self,
+        size: int = 512,
+        gutter: float = 1.0,
+        max_stretch: float = 1 / 6,
+        parallel_partitions: int = 1,
+        nthreads: int = 0,
+    ) -> None:
+        """Set texture coordinates by xatlas. `max_stretch` and the counts have no effect. Returns nothing."""
+        self._become(self._native.compute_uvatlas(size, gutter))
+
+    def project_images_to_albedo(
+        self,
+        images: Iterable[Any],
+        intrinsic_matrices: Iterable[Any],
+        extrinsic_matrices: Iterable[Any],
+        tex_size: int = 1024,
+        update_material: bool = False,
+    ) -> Any:
+        """Image of the texture from posed images, uint8 (tex_size, tex_size, 3). The mesh has no material to update."""
+        made = self._native.project_images_to_albedo(
+            [host_of(image.as_tensor()) for image in images],
+            [host_of(matrix) for matrix in intrinsic_matrices],
+            [host_of(matrix) for matrix in extrinsic_matrices],
+            tex_size,
+        )
+        return geometry.Image(Tensor(made.textures[0]))
+
+    def boolean_union(self, mesh: Any, tolerance: float = 1e-6) -> Self:
+        """Union of two closed meshes. `tolerance` has no effect."""
+        return self._new(self._native.boolean_union(_mesh("mesh", mesh)))
+
+    def boolean_intersection(self, mesh: Any, tolerance: float = 1e-6) -> Self:
+        return self._new(self._native.boolean_intersection(_mesh("mesh", mesh)))
+
+    def boolean_difference(self, mesh: Any, tolerance: float = 1e-6) -> Self:
+        return self._new(self._native.boolean_difference(_mesh("mesh", mesh)))
+
+    def clip_plane(self, point: Any, normal: Any) -> Self:
+        """Part on the side of the normal."""
+        return self._new(self._native.clip_plane(host_of(point), host_of(normal)))
+
+    def slice_plane(self, point: Any, normal: Any, contour_values: ArrayLike = (0.0,)) -> Any:
+        """Sections with parallel planes as a LineSet."""
+        lines = self._surface.slice_plane(host_of(point), host_of(normal), contour_values)
+        ends = Tensor(lines.lines, int64, self.device)
+        return geometry.LineSet(Tensor(lines.points, self._float_dtype, self.device), ends)
+
+    def fill_holes(self, hole_size: float = 1e6) -> Self:
+        return self._new(self._native.fill_holes(hole_size))
+
+    def simplify_quadric_decimation(self, target_reduction: float, preserve_volume: bool = True) -> Self:
+        """Remove a fraction of the triangles. `preserve_volume` has no effect."""
+        reduction = check_number("target_reduction", target_reduction)
+        if not 0 <= reduction < 1:
+            raise ValueError(f"target_reduction: expected a fraction from 0 to less than 1, got {reduction}")
+        native = self._native
+        return self._new(native.simplify_quadric_decimation(max(1, round((1 - reduction) * len(native)))))
+
+    def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> Self:
+        return self._new(self._native.extrude_linear(host_of(vector), scale, capping))
+
+    def extrude_rotation(
+        self, angle: float, axis: Any, resolution: int = 16, translation: float = 0.0, capping: bool = True
+    ) -> Self:
+        """Sweep by a rotation [degrees] about an axis through the origin."""
+        return self._new(self._native.extrude_rotation(angle, host_of(axis), resolution, translation, capping))
+
+    def select_by_index(self, indices: Any, copy_attributes: bool = True) -> Self:
+        """Vertices by index, in the order of the mesh, and the triangles between them.
+
+        Indices out of range are ignored, as in Open3D.
+        """
+        rows = np.asarray(host_of(indices))
+        if rows.ndim != 1 or (rows.size and rows.dtype.kind not in "iu"):
+            raise TypeError(f"indices: expected integers of shape [k], got {rows.dtype} of {list(rows.shape)}")
+        native = self._native if copy_attributes else self._surface
+        rows = np.unique(rows.astype(np.int64))
+        return self._new(native.select_by_index(rows[(rows >= 0) & (rows < self.vertex._count())], cleanup=False))
+
+    def select_faces_by_mask(self, mask: Any) -> Self:
+        """Triangles by a boolean mask, with their vertices."""
+        return self._new(self._native.select_faces_by_mask(array_of(mask)))
+
+    def compute_convex_hull(self, joggle_inputs: bool = False) -> Self:
+        """Hull of the vertices. Its vertex attribute `point_indices` has their indices in this mesh."""
+        hull, rows = self._surface.compute_convex_hull(joggle_inputs)
+        made = self._new(hull)
+        made.vertex["point_indices"] = Tensor(rows.astype(np.int32), device=self.device)
+        return made
+
+    def sample_points_uniformly(self, number_of_points: int, use_triangle_normal: bool = False) -> Any:
+        """Random points on the surface, seeded by `o3d.utility.random.seed`."""
+        native = self._native
+        if "colors" in self.vertex and "vertex_colors" not in native._device_arrays:
+            native.vertex_colors = array_of(self.vertex["colors"])  # 8 bits
+        made = native.sample_points_uniformly(number_of_points, use_triangle_normal, next_seed())
+        return cloud_of(made, self._float_dtype)
+
+    def compute_metrics(self, mesh2: Any, metrics: Iterable[Metric], params: MetricParameters) -> Tensor:
+        """Compare two surfaces. The Hausdorff distance is that of the surfaces, not of samples."""
+        options = params.fscore_radius, params.n_sampled_points
+        measured = self._surface.compute_metrics(_mesh("mesh2", mesh2), *options, seed=next_seed())
+        return Tensor(listed_metrics(measured, metrics), device=self.device)
+
+    @property
+    def _float_dtype(self) -> Dtype:
+        """Type of positions, if floating."""
+        dtype = self.vertex["positions"].dtype if "positions" in self.vertex else float32
+        return dtype if dtype.numpy.kind == "f" else float32
+
+    def _floats(self, values: Any) -> Tensor:
+        return Tensor(np.asarray(values), self._float_dtype, self.device)
+
+    def _point(self, values: NDArray[np.float64]) -> Tensor:
+        return Tensor(values, self._float_dtype, self.device)
+
+    def _set_faces(self, made: Any, like: Tensor) -> None:
+        self.triangle["normals"] = new_tensor(made.array("vertex_normals"), like.dtype.numpy, tuple(like.shape))
+
+
+def _as_normals(normals: Tensor) -> Any:
+    """A mesh with these vectors as normals, for operations on normals."""
+    return NativeMesh(array_of(normals), vertex_normals=array_of(normals))
+
+
+def _corner(center: Any) -> NDArray[np.float64]:
+    return np.asarray(host_of(center), np.float64).reshape(-1)
+
+
+def _mesh(name: str, value: Any) -> Any:
+    if not isinstance(value, TriangleMesh):
+        given = type(value).__name__
+        raise TypeError(f"{name}: expected an o3d.t.geometry.TriangleMesh, got {given}; from_legacy converts one")
+    return value._native
