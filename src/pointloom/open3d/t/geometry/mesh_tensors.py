@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, ClassVar, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ....kernels.arrays.origins import add_origin
 from ....meshing.mesh import mesh
@@ -13,6 +15,7 @@ from ...core.dtype import Dtype
 from ...core.tensor import Tensor
 from .. import geometry
 from .geometry import Geometry, device_of
+from .material import Material
 from .tensor_map import TensorMap
 from .tensors import array_of, host_of, new_tensor
 
@@ -32,6 +35,7 @@ class MeshTensors(Geometry):
     _fixed = ("vertex", "triangle")
     vertex: TensorMap
     triangle: TensorMap
+    material: Material
 
     def __init__(self, vertex_positions: Any = None, triangle_indices: Any = None, *, device: Any = CPU):
         given = vertex_positions
@@ -41,6 +45,7 @@ class MeshTensors(Geometry):
         if isinstance(given, Device | str):
             given, device = None, given
         self._home = device_of(device)
+        self.material = Material()
         self.vertex, self.triangle = TensorMap("positions"), TensorMap("indices")
         for part, values in ((self.vertex, given), (self.triangle, triangle_indices)):
             if values is not None:
@@ -72,6 +77,32 @@ class MeshTensors(Geometry):
                 made.triangle_uvs = host_of(tensor).reshape(-1, 2)
             elif name != "indices":
                 made.triangle_attributes[name] = _columns(tensor)
+        return made
+
+    def has_valid_material(self) -> bool:
+        return self.material.is_valid()
+
+    @property
+    def _texture(self) -> NDArray[Any] | None:
+        """Pixels of the material's texture map "albedo", (h, w, c)."""
+        image = self.material.texture_maps.get("albedo")
+        return None if image is None else host_of(image.as_tensor())
+
+    def _set_texture(self, pixels: NDArray[Any] | None) -> None:
+        if pixels is not None:
+            self.material.set_default_properties()
+            self.material.texture_maps["albedo"] = geometry.Image(Tensor(pixels))
+
+    def _textured(self) -> Any:
+        """The mesh with all attributes and its texture, if there are texture coordinates."""
+        made, texture = self._native, self._texture
+        if texture is not None and "texture_uvs" in self.triangle:
+            made.textures = [texture]
+        return made
+
+    def _each(self, function: Callable[[Tensor], Tensor]) -> Self:
+        made = super()._each(function)
+        made.material = Material(self.material)
         return made
 
     @classmethod

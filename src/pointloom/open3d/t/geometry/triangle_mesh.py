@@ -31,7 +31,7 @@ class TriangleMesh(MeshFactories):
     def from_legacy(
         cls, mesh_legacy: Any, vertex_dtype: Dtype = float32, triangle_dtype: Dtype = int64, device: Any = CPU
     ) -> Self:
-        """Copy a mesh of `o3d.geometry`. Textures are not copied."""
+        """Copy a mesh of `o3d.geometry`. Its first texture becomes the texture map "albedo" of the material."""
         if not isinstance(mesh_legacy, legacy.TriangleMesh):
             raise TypeError(f"mesh_legacy: expected an o3d.geometry.TriangleMesh, got {type(mesh_legacy).__name__}")
         made, where = cls(device=device), device_of(device)
@@ -46,10 +46,12 @@ class TriangleMesh(MeshFactories):
         put(made.triangle, "indices", mesh_legacy.triangles, triangle_dtype)
         put(made.triangle, "normals", mesh_legacy.triangle_normals, vertex_dtype)
         put(made.triangle, "texture_uvs", mesh_legacy.triangle_uvs, vertex_dtype, (-1, 3, 2))
+        textures = mesh_legacy._native.textures
+        made._set_texture(textures[0] if textures else None)
         return made
 
     def to_legacy(self) -> Any:
-        """Copy as a mesh of `o3d.geometry`. Its colors are in 0..1. Other attributes are dropped."""
+        """Copy as a mesh of `o3d.geometry`. Its colors are in 0..1. Attributes without equivalent are dropped."""
         made = legacy.TriangleMesh()
         for part, name, target, kind in (
             (self.vertex, "positions", "vertices", Vector3dVector),
@@ -62,6 +64,8 @@ class TriangleMesh(MeshFactories):
             if name in part:
                 values = part[name].numpy().reshape(-1, kind._row[0])
                 setattr(made, target, kind(values / 255 if values.dtype == np.uint8 else values))
+        if self._texture is not None:
+            made.textures = [legacy.Image(np.flipud(self._texture))]
         return made
 
     def transform(self, transformation: Any) -> Self:
@@ -176,15 +180,17 @@ class TriangleMesh(MeshFactories):
         intrinsic_matrices: Iterable[Any],
         extrinsic_matrices: Iterable[Any],
         tex_size: int = 1024,
-        update_material: bool = False,
+        update_material: bool = True,
     ) -> Any:
-        """Image of the texture from posed images, uint8 (tex_size, tex_size, 3). The mesh has no material to update."""
+        """Image of the texture from posed images, uint8 (tex_size, tex_size, 3), also set in the material."""
         made = self._native.project_images_to_albedo(
             [host_of(image.as_tensor()) for image in images],
-            [host_of(matrix) for matrix in intrinsic_matrices],
-            [host_of(matrix) for matrix in extrinsic_matrices],
+            [*map(host_of, intrinsic_matrices)],
+            [*map(host_of, extrinsic_matrices)],
             tex_size,
         )
+        if update_material:
+            self._set_texture(made.textures[0])
         return geometry.Image(Tensor(made.textures[0]))
 
     def boolean_union(self, mesh: Any, tolerance: float = 1e-6) -> Self:

@@ -1,0 +1,59 @@
+"""Material of a mesh of tensors."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ....core.attribute_hints import KnownNames
+
+SCALARS = {
+    "line_width": 1.0,
+    "point_size": 3.0,
+    "metallic": 0.0,
+    "roughness": 1.0,
+    "reflectance": 0.5,
+    "clear_coat": 0.0,
+    "clear_coat_roughness": 0.0,
+    "anisotropy": 0.0,
+    "thickness": 1.0,
+    "transmission": 1.0,
+    "absorption_distance": 1.0,
+}
+VECTORS = {
+    "base_color": (1.0, 1.0, 1.0, 1.0),
+    "emissive_color": (0.0, 0.0, 0.0, 1.0),
+    "absorption_color": (1.0, 1.0, 1.0, 1.0),
+}
+
+
+class Material(KnownNames):
+    """Name, properties and texture maps of a surface. Pointloom uses the texture map "albedo", an Image."""
+
+    material_name: str
+    scalar_properties: dict[str, float]
+    vector_properties: dict[str, Any]
+    texture_maps: dict[str, Any]
+
+    def __init__(self, material_name: Any = ""):
+        given = material_name if isinstance(material_name, Material) else None
+        self.material_name = given.material_name if given else material_name
+        self.scalar_properties = dict(given.scalar_properties) if given else {}
+        self.vector_properties = dict(given.vector_properties) if given else {}
+        self.texture_maps = dict(given.texture_maps) if given else {}
+
+    def is_valid(self) -> bool:
+        """True if the material has a name."""
+        return bool(self.material_name)
+
+    def set_default_properties(self) -> None:
+        self.material_name = "defaultUnlit"
+        self.scalar_properties, self.vector_properties, self.texture_maps = dict(SCALARS), dict(VECTORS), {}
+
+    def __copy__(self) -> Material:
+        return Material(self)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Material:
+        return Material(self)
+
+    def __repr__(self) -> str:
+        return f"Material {self.material_name}" if self.is_valid() else "Invalid Material"
