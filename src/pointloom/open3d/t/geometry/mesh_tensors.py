@@ -17,7 +17,7 @@ from .. import geometry
 from .geometry import Geometry, device_of
 from .material import Material
 from .tensor_map import TensorMap
-from .tensors import array_of, host_of, new_tensor
+from .tensors import host_of, new_tensor, values_of
 
 NativeMesh = mesh.TriangleMesh
 CPU = "CPU:0"
@@ -58,7 +58,7 @@ class MeshTensors(Geometry):
     def _surface(self) -> Any:
         """The mesh without attributes."""
         vertices, triangles = (
-            array_of(part[part.primary_key]) if part.primary_key in part else np.zeros((0, 3), np.int32)
+            values_of(part[part.primary_key]) if part.primary_key in part else np.zeros((0, 3), np.int32)
             for part in (self.vertex, self.triangle)
         )
         return NativeMesh(vertices, triangles, device=self.device.name)
@@ -69,7 +69,7 @@ class MeshTensors(Geometry):
         made = self._surface
         for name, tensor in self.vertex.items():
             if name == "normals" or (name == "colors" and tensor.dtype.numpy.kind == "f"):
-                setattr(made, VERTEX[name], array_of(tensor))
+                setattr(made, VERTEX[name], values_of(tensor))
             elif name != "positions":
                 made.vertex_attributes[name] = _columns(tensor)
         for name, tensor in self.triangle.items():
@@ -166,7 +166,7 @@ def positions_of(native: Any, name: str = "vertices") -> Any:
 def _columns(tensor: Tensor) -> Any:
     """An attribute as at most two axes."""
     shape = tuple(tensor.shape)
-    return array_of(tensor) if len(shape) < 3 else array_of(tensor).reshape((shape[0], int(np.prod(shape[1:]))))
+    return values_of(tensor) if len(shape) < 3 else values_of(tensor).reshape((shape[0], int(np.prod(shape[1:]))))
 
 
 def cloud_of(native: Any, dtype: Dtype) -> Any:

@@ -8,7 +8,8 @@ from typing import Any
 from ....meshing.scene import raycasting_scene
 from ...core import Device, Tensor
 from ...wrapper import Wrapper
-from .tensors import array_of, as_tensor, host_of
+from .tensor_map import wrap
+from .tensors import host_of, values_of
 from .triangle_mesh import TriangleMesh
 
 CPU = "CPU:0"
@@ -32,40 +33,40 @@ class RaycastingScene(Wrapper):
         first = vertex_positions if mesh is None else mesh
         if isinstance(first, TriangleMesh):
             first = first._surface
-        return self._wrapped.add_triangles(array_of(first), array_of(triangle_indices))
+        return self._wrapped.add_triangles(values_of(first), values_of(triangle_indices))
 
     def cast_rays(self, rays: Any, nthreads: int = 0) -> dict[str, Tensor]:
-        return _tensors(self._wrapped.cast_rays(array_of(rays)))
+        return _tensors(self._wrapped.cast_rays(values_of(rays)))
 
     def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf, nthreads: int = 0) -> Tensor:
-        return as_tensor(self._wrapped.test_occlusions(array_of(rays), tnear, tfar))
+        return wrap(self._wrapped.test_occlusions(values_of(rays), tnear, tfar))
 
     def count_intersections(self, rays: Any, nthreads: int = 0) -> Tensor:
-        return as_tensor(self._wrapped.count_intersections(array_of(rays)))
+        return wrap(self._wrapped.count_intersections(values_of(rays)))
 
     def list_intersections(self, rays: Any, nthreads: int = 0) -> dict[str, Tensor]:
-        return _tensors(self._wrapped.list_intersections(array_of(rays)))
+        return _tensors(self._wrapped.list_intersections(values_of(rays)))
 
     def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> dict[str, Tensor]:
-        return _tensors(self._wrapped.compute_closest_points(array_of(query_points)))
+        return _tensors(self._wrapped.compute_closest_points(values_of(query_points)))
 
     def compute_distance(self, query_points: Any, nthreads: int = 0) -> Tensor:
-        return as_tensor(self._wrapped.compute_distance(array_of(query_points)))
+        return wrap(self._wrapped.compute_distance(values_of(query_points)))
 
     def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Tensor:
         """Distances, negative inside."""
-        return as_tensor(self._wrapped.compute_signed_distance(array_of(query_points), nsamples=nsamples))
+        return wrap(self._wrapped.compute_signed_distance(values_of(query_points), nsamples=nsamples))
 
     def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Tensor:
         """1 inside, 0 outside."""
-        return as_tensor(self._wrapped.compute_occupancy(array_of(query_points), nsamples=nsamples))
+        return wrap(self._wrapped.compute_occupancy(values_of(query_points), nsamples=nsamples))
 
     @staticmethod
     def create_rays_pinhole(*args: Any, **kwargs: Any) -> Tensor:
         """Rays of a camera given by two matrices, or by fov_deg, center, eye and up; on the CPU."""
         named = {name: host_of(value) for name, value in kwargs.items()}
-        return as_tensor(raycasting_scene.RaycastingScene.create_rays_pinhole(*map(host_of, args), **named))
+        return wrap(raycasting_scene.RaycastingScene.create_rays_pinhole(*map(host_of, args), **named))
 
 
 def _tensors(arrays: dict[str, Any]) -> dict[str, Tensor]:
-    return {name: as_tensor(array) for name, array in arrays.items()}
+    return {name: wrap(array) for name, array in arrays.items()}

@@ -14,19 +14,14 @@ from ....kernels.memory import cast, clone, download
 from ...core.tensor import Tensor
 
 
-def array_of(value: Any) -> Any:
-    """The array of a tensor. Other values are returned unchanged."""
+def values_of(value: Any) -> Any:
+    """The array of a tensor on its device. Other values are returned unchanged."""
     return value._array if isinstance(value, Tensor) else value
 
 
 def host_of(value: Any) -> Any:
     """The NumPy array of a tensor, for small arguments such as matrices. Other values are returned unchanged."""
     return value.numpy() if isinstance(value, Tensor) else value
-
-
-def as_tensor(array: Any) -> Tensor:
-    """Wrap a result. Vectors of a Warp array become the last axis."""
-    return Tensor._around(take_numbers("array", array) if is_on_gpu(array) else np.asarray(array))
 
 
 def new_tensor(array: Any, dtype: DTypeLike | None = None, shape: tuple[int, ...] | None = None) -> Tensor:

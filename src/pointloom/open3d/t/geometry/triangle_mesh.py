@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ....core.checks import check_number
 from ....kernels.meshes import mesh_measures
 from ....pcd.motion import map_about
 from ... import geometry as legacy
-from ...core.dtype import Dtype, float32, int64
+from ...core.dtype import Dtype, bool8, float32, int64
 from ...core.tensor import Tensor
 from ...seeds import next_seed
 from ...vectors import Vector2dVector, Vector3dVector, Vector3iVector
@@ -21,7 +21,7 @@ from .geometry import device_of
 from .mesh_factories import MeshFactories
 from .mesh_tensors import CPU, NativeMesh, cloud_of
 from .metrics import Metric, MetricParameters, listed_metrics
-from .tensors import array_of, host_of, new_tensor
+from .tensors import host_of, new_tensor, values_of
 
 
 class TriangleMesh(MeshFactories):
@@ -69,43 +69,48 @@ class TriangleMesh(MeshFactories):
         return made
 
     def transform(self, transformation: Any) -> Self:
-        """Apply an affine 4x4 matrix. A mirror image has the opposite order of triangle corners."""
-        T = np.asarray(host_of(transformation), np.float64)
-        faces = self.triangle["normals"] if "normals" in self.triangle else None
-        self._become(self._native.transform(T))
-        if faces is not None:
-            A = np.eye(4)
-            A[:3, :3] = T[:3, :3]
-            self._set_faces(_as_normals(faces).transform(A), faces)
+        """Apply a 4x4 matrix. Normals stay perpendicular to the surface and keep their lengths."""
+        T = np.array(host_of(transformation), np.float64)
+        self._cloud().transform(T)
+        if "normals" in self.triangle:
+            T[:3, 3], T[3] = 0, (0, 0, 0, 1)
+            normals = self.triangle["normals"]
+            geometry.PointCloud({"positions": normals.clone(), "normals": normals}).transform(T)
         return self
 
     def translate(self, translation: Any, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
-        return self._become(self._native.translate(host_of(translation), relative))
+        self._cloud().translate(translation, relative)
+        return self
 
     def scale(self, scale: float, center: Any) -> Self:
-        """Scale about a point."""
-        return self.transform(map_about(check_number("scale", scale) * np.eye(3), _corner(center)))
+        self._cloud().scale(scale, center)
+        return self
 
     def rotate(self, R: Any, center: Any) -> Self:
-        """Apply a 3x3 matrix about a point."""
-        return self.transform(map_about(np.asarray(host_of(R), np.float64), _corner(center)))
+        return self.transform(map_about(*(np.asarray(host_of(value), np.float64) for value in (R, center))))
 
     def get_min_bound(self) -> Tensor:
-        return self._point(self._surface.get_min_bound())
+        return self._cloud().get_min_bound()
 
     def get_max_bound(self) -> Tensor:
-        return self._point(self._surface.get_max_bound())
+        return self._cloud().get_max_bound()
 
     def get_center(self) -> Tensor:
-        return self._point(self._surface.get_center())
+        """Mean of the vertices."""
+        return self._cloud().get_center()
 
     def get_axis_aligned_bounding_box(self) -> Any:
-        return geometry.AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
+        return self._cloud().get_axis_aligned_bounding_box()
 
     def get_oriented_bounding_box(self) -> Any:
-        box = self._surface.get_oriented_bounding_box()
-        return geometry.OrientedBoundingBox(*map(self._point, (box.center, box.R, box.extent)))
+        """The smallest box."""
+        return self._cloud().get_oriented_bounding_box()
+
+    def _cloud(self) -> Any:
+        """A cloud that shares the positions and normals of the vertices."""
+        shared = {name: tensor for name, tensor in self.vertex.items() if name in ("positions", "normals")}
+        return geometry.PointCloud(shared)
 
     def get_surface_area(self) -> float:
         return self._surface.get_surface_area()
@@ -240,14 +245,17 @@ class TriangleMesh(MeshFactories):
         """
         rows = np.asarray(host_of(indices))
         if rows.ndim != 1 or (rows.size and rows.dtype.kind not in "iu"):
-            raise TypeError(f"indices: expected integers of shape [k], got {rows.dtype} of {list(rows.shape)}")
+            raise RuntimeError(f"indices: expected integers of shape [k], got {rows.dtype} of {list(rows.shape)}")
         native = self._native if copy_attributes else self._surface
         rows = np.unique(rows.astype(np.int64))
         return self._new(native.select_by_index(rows[(rows >= 0) & (rows < self.vertex._count())], cleanup=False))
 
     def select_faces_by_mask(self, mask: Any) -> Self:
-        """Triangles by a boolean mask, with their vertices."""
-        return self._new(self._native.select_faces_by_mask(array_of(mask)))
+        """Triangles by a boolean mask (t,), with their vertices."""
+        given, count = mask if isinstance(mask, Tensor) else Tensor(mask), self.triangle._count()
+        if given.dtype != bool8 or tuple(given.shape) != (count,):
+            raise RuntimeError(f"mask: expected booleans of shape [{count}], got {given.dtype} of {list(given.shape)}")
+        return self._new(self._native.select_faces_by_mask(values_of(given)))
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> Self:
         """Hull of the vertices. Its vertex attribute `point_indices` has their indices in this mesh."""
@@ -260,7 +268,7 @@ class TriangleMesh(MeshFactories):
         """Random points on the surface, seeded by `o3d.utility.random.seed`."""
         native = self._native
         if "colors" in self.vertex and "vertex_colors" not in native._device_arrays:
-            native.vertex_colors = array_of(self.vertex["colors"])  # 8 bits
+            native.vertex_colors = values_of(self.vertex["colors"])  # 8 bits
         made = native.sample_points_uniformly(number_of_points, use_triangle_normal, next_seed())
         return cloud_of(made, self._float_dtype)
 
@@ -279,20 +287,10 @@ class TriangleMesh(MeshFactories):
     def _floats(self, values: Any) -> Tensor:
         return Tensor(np.asarray(values), self._float_dtype, self.device)
 
-    def _point(self, values: NDArray[np.float64]) -> Tensor:
-        return Tensor(values, self._float_dtype, self.device)
-
-    def _set_faces(self, made: Any, like: Tensor) -> None:
-        self.triangle["normals"] = new_tensor(made.array("vertex_normals"), like.dtype.numpy, tuple(like.shape))
-
 
 def _as_normals(normals: Tensor) -> Any:
     """A mesh with these vectors as normals, for operations on normals."""
-    return NativeMesh(array_of(normals), vertex_normals=array_of(normals))
-
-
-def _corner(center: Any) -> NDArray[np.float64]:
-    return np.asarray(host_of(center), np.float64).reshape(-1)
+    return NativeMesh(values_of(normals), vertex_normals=values_of(normals))
 
 
 def _mesh(name: str, value: Any) -> Any:

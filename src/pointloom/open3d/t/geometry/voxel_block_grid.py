@@ -28,8 +28,8 @@ from ...core.tensor import Tensor
 from ...indices import indices_of
 from .geometry import device_of
 from .mesh_tensors import CPU, cloud_of
-from .tensor_map import TensorMap
-from .tensors import array_of, as_tensor, host_of
+from .tensor_map import TensorMap, wrap
+from .tensors import host_of, values_of
 from .triangle_mesh import TriangleMesh
 
 CHANNELS = {"tsdf": 1, "weight": 1, "color": 3}
@@ -156,15 +156,15 @@ class VoxelBlockGrid(KnownNames):
         limits = {"depth_min": depth_min, "depth_max": depth_max}
         threshold = max(math.ceil(weight_threshold) - 1, 0)  # pointloom's is exclusive
         cast = volume.ray_cast(_camera(intrinsic, width, height), T, **limits, weight_threshold=threshold)
-        depth = host_of(as_tensor(cast.depth))
+        depth = host_of(wrap(cast.depth))
         seen = (depth > 0)[..., None]
 
         def image(name: str) -> NDArray[np.float64]:
             if name == "depth":
                 return (depth * depth_scale)[..., None]
             if name == "color":
-                return np.zeros((height, width, 3)) if cast.colors is None else host_of(as_tensor(cast.colors))
-            vectors = host_of(as_tensor(cast.points if name == "vertex" else cast.normals))
+                return np.zeros((height, width, 3)) if cast.colors is None else host_of(wrap(cast.colors))
+            vectors = host_of(wrap(cast.points if name == "vertex" else cast.normals))
             return matmul(vectors, T[:3, :3].T) + T[:3, 3] if name == "vertex" else -matmul(vectors, T[:3, :3].T)
 
         made = {name: np.nan_to_num(np.where(seen, image(name), 0.0)) for name in render_attributes}
@@ -285,7 +285,7 @@ def _frame(args: tuple[Any, ...], kwargs: dict[str, Any]) -> dict[str, Any]:
 
 def _pixels(image: Any) -> Any:
     """The array of an image, (h, w) or (h, w, c)."""
-    array = array_of(image.as_tensor() if hasattr(image, "as_tensor") else image)
+    array = values_of(image.as_tensor() if hasattr(image, "as_tensor") else image)
     array = array if is_on_gpu(array) else np.asarray(array)
     return array.reshape(array.shape[:2]) if array.ndim == 3 and array.shape[2] == 1 else array
 
