@@ -12,19 +12,23 @@ from ....core.checks import check_number
 from ....kernels.meshes import mesh_measures
 from ....pcd.motion import map_about
 from ... import geometry as legacy
-from ...core.dtype import Dtype, bool8, float32, int64
+from ...core.dtype import Dtype, bool8, float32, int32, int64
 from ...core.tensor import Tensor
 from ...seeds import next_seed
 from ...vectors import Vector2dVector, Vector3dVector, Vector3iVector
 from .. import geometry
 from .geometry import device_of
+from .mesh_baking import BakedTextures
 from .mesh_factories import MeshFactories
 from .mesh_tensors import CPU, NativeMesh, cloud_of
 from .metrics import Metric, MetricParameters, listed_metrics
+from .tensor_map import wrap
 from .tensors import host_of, new_tensor, values_of
 
+OF_FACES = ("normals", "areas")  # computed triangle attributes
 
-class TriangleMesh(MeshFactories):
+
+class TriangleMesh(MeshFactories, BakedTextures):
     """A mesh of tensors on one device. Some methods change the mesh, others return a new one, as in Open3D."""
 
     @classmethod
@@ -64,7 +68,7 @@ class TriangleMesh(MeshFactories):
             if name in part:
                 values = part[name].numpy().reshape(-1, kind._row[0])
                 setattr(made, target, kind(values / 255 if values.dtype == np.uint8 else values))
-        if self._texture is not None:
+        if self._texture is not None and "texture_uvs" in self.triangle:
             made.textures = [legacy.Image(np.flipud(self._texture))]
         return made
 
@@ -210,7 +214,7 @@ class TriangleMesh(MeshFactories):
 
     def clip_plane(self, point: Any, normal: Any) -> Self:
         """Part on the side of the normal."""
-        return self._new(self._native.clip_plane(host_of(point), host_of(normal)))
+        return self._new(self._without("areas").clip_plane(host_of(point), host_of(normal)))
 
     def slice_plane(self, point: Any, normal: Any, contour_values: ArrayLike = (0.0,)) -> Any:
         """Sections with parallel planes as a LineSet."""
@@ -219,24 +223,26 @@ class TriangleMesh(MeshFactories):
         return geometry.LineSet(Tensor(lines.points, self._float_dtype, self.device), ends)
 
     def fill_holes(self, hole_size: float = 1e6) -> Self:
-        return self._new(self._native.fill_holes(hole_size))
+        return self._new(self._without(*OF_FACES).fill_holes(hole_size))
 
     def simplify_quadric_decimation(self, target_reduction: float, preserve_volume: bool = True) -> Self:
         """Remove a fraction of the triangles. `preserve_volume` has no effect."""
         reduction = check_number("target_reduction", target_reduction)
         if not 0 <= reduction < 1:
             raise ValueError(f"target_reduction: expected a fraction from 0 to less than 1, got {reduction}")
-        native = self._native
+        native = self._without(*OF_FACES)
         return self._new(native.simplify_quadric_decimation(max(1, round((1 - reduction) * len(native)))))
 
     def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> Self:
-        return self._new(self._native.extrude_linear(host_of(vector), scale, capping))
+        return self._new(self._without(*OF_FACES).extrude_linear(host_of(vector), scale, capping))
 
     def extrude_rotation(
         self, angle: float, axis: Any, resolution: int = 16, translation: float = 0.0, capping: bool = True
     ) -> Self:
         """Sweep by a rotation [degrees] about an axis through the origin."""
-        return self._new(self._native.extrude_rotation(angle, host_of(axis), resolution, translation, capping))
+        return self._new(
+            self._without(*OF_FACES).extrude_rotation(angle, host_of(axis), resolution, translation, capping)
+        )
 
     def select_by_index(self, indices: Any, copy_attributes: bool = True) -> Self:
         """Vertices by index, in the order of the mesh, and the triangles between them.
@@ -261,7 +267,7 @@ class TriangleMesh(MeshFactories):
         """Hull of the vertices. Its vertex attribute `point_indices` has their indices in this mesh."""
         hull, rows = self._surface.compute_convex_hull(joggle_inputs)
         made = self._new(hull)
-        made.vertex["point_indices"] = Tensor(rows.astype(np.int32), device=self.device)
+        made.vertex["point_indices"] = Tensor(host_of(wrap(rows)), int32, self.device)
         return made
 
     def sample_points_uniformly(self, number_of_points: int, use_triangle_normal: bool = False) -> Any:
@@ -277,6 +283,13 @@ class TriangleMesh(MeshFactories):
         options = params.fscore_radius, params.n_sampled_points
         measured = self._surface.compute_metrics(_mesh("mesh2", mesh2), *options, seed=next_seed())
         return Tensor(listed_metrics(measured, metrics), device=self.device)
+
+    def _without(self, *names: str) -> Any:
+        """The mesh without triangle attributes that an operation makes invalid."""
+        native = self._native
+        for name in names:
+            native.triangle_attributes.pop(name, None)
+        return native
 
     @property
     def _float_dtype(self) -> Dtype:
