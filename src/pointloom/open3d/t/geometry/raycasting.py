@@ -8,11 +8,10 @@ from typing import Any
 from ....meshing.scene import raycasting_scene
 from ...core import Device, Tensor
 from ...wrapper import Wrapper
+from .mesh_tensors import CPU, NativeMesh
 from .tensor_map import wrap
 from .tensors import host_of, values_of
 from .triangle_mesh import TriangleMesh
-
-CPU = "CPU:0"
 
 
 class RaycastingScene(Wrapper):
@@ -30,10 +29,12 @@ class RaycastingScene(Wrapper):
 
     def add_triangles(self, vertex_positions: Any = None, triangle_indices: Any = None, *, mesh: Any = None) -> int:
         """Add a TriangleMesh, or vertices (n, 3) and triangles (m, 3). Returns the geometry id."""
-        first = vertex_positions if mesh is None else mesh
-        if isinstance(first, TriangleMesh):
-            first = first._surface
-        return self._wrapped.add_triangles(values_of(first), values_of(triangle_indices))
+        added = values_of(vertex_positions if mesh is None else mesh)
+        if isinstance(added, TriangleMesh):
+            added = added._surface
+        elif triangle_indices is not None:
+            added = NativeMesh(added, values_of(triangle_indices), device=self._wrapped.device)
+        return self._wrapped.add_triangles(added)
 
     def cast_rays(self, rays: Any, nthreads: int = 0) -> dict[str, Tensor]:
         return _tensors(self._wrapped.cast_rays(values_of(rays)))
