@@ -41,8 +41,8 @@ CORNERS = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).
 class VoxelBlockGrid(KnownNames):
     """Truncated signed distances, weights and colors of voxels in hashed blocks, integrated from depth images.
 
-    Blocks have 8^3 voxels for any `block_resolution`, and their number grows as needed. The truncation is that of the
-    first call. Extrinsics are world to camera.
+    Blocks have 8^3 voxels for any `block_resolution`, and their number grows as needed. All integrations have one
+    truncation. Extrinsics are world to camera.
     """
 
     _volume: TSDFVolume | None
@@ -71,7 +71,7 @@ class VoxelBlockGrid(KnownNames):
         self._volume = None
 
     def _with_truncation(self, multiplier: float) -> TSDFVolume:
-        """The volume, created at the first call. ValueError if it has another truncation."""
+        """The volume, created by the first integration. ValueError if it has another truncation."""
         truncation = check_positive("trunc_voxel_multiplier", multiplier) * self._voxel_size
         if self._volume is None:
             colored = "color" in self._dtypes
@@ -79,7 +79,9 @@ class VoxelBlockGrid(KnownNames):
             self._volume = TSDFVolume(**sizes, color=colored, device=self._device.name)
         if not math.isclose(self._volume.truncation, truncation, rel_tol=1e-6):
             first = self._volume.truncation / self._voxel_size
-            raise ValueError(f"trunc_voxel_multiplier: expected {first:g} as in the first call, got {multiplier}")
+            raise ValueError(
+                f"trunc_voxel_multiplier: expected {first:g} as in the first integration, got {multiplier}"
+            )
         return self._volume
 
     @property
@@ -96,15 +98,16 @@ class VoxelBlockGrid(KnownNames):
         trunc_voxel_multiplier: float = MULTIPLIER,
     ) -> Tensor:
         """Blocks within the truncation of a depth image, int32 (n, 3), in units of 8 voxels about the grid's origin."""
-        volume, pixels = self._with_truncation(trunc_voxel_multiplier), _pixels(depth)
-        raw, scale, farthest, height, width = upload_raw_depth(pixels, depth_scale, depth_max, volume.device)
+        truncation = check_positive("trunc_voxel_multiplier", trunc_voxel_multiplier) * self._voxel_size
+        device, volume, T = resolve_device(self._device.name), self._volume, inv(_pose(extrinsic))
+        raw, scale, farthest, height, width = upload_raw_depth(_pixels(depth), depth_scale, depth_max, device)
         metric, largest = metric_depth(raw, scale, farthest)
-        limit, T = largest_depth(largest), inv(_pose(extrinsic))
+        limit = largest_depth(largest)
         if not limit > 0:
             return self._tensor(np.zeros((0, 3), np.int32))
-        T[:3, 3] -= volume.origin if volume.frame_count else origin_of_sensor(T[:3, 3])
-        sizes = volume.truncation, volume.voxel_size
-        keys = touched_blocks(metric, limit, _camera(intrinsic, width, height), T, *sizes)
+        T[:3, 3] -= volume.origin if volume is not None and volume.frame_count else origin_of_sensor(T[:3, 3])
+        camera = _camera(intrinsic, width, height)
+        keys = touched_blocks(metric, limit, camera, T, truncation, self._voxel_size)
         return self._tensor(block_box(download(keys)).astype(np.int32))
 
     def integrate(self, block_coords: Any, depth: Any, *args: Any, **kwargs: Any) -> None:
@@ -144,7 +147,7 @@ class VoxelBlockGrid(KnownNames):
         """Render depth (h, w, 1) in units of 1 / depth_scale, and vertices, normals and colors (h, w, 3).
 
         Vertices and normals are in the camera frame, normals away from the camera. Pixels without surface are 0.
-        Voxels of at least `weight_threshold` frames count. `block_coords` and `range_map_down_factor` have no effect.
+        Voxels of at least `weight_threshold` frames count. `block_coords` and the last two arguments have no effect.
         """
         missing = [name for name in render_attributes if name not in RENDERED]
         if missing:
@@ -152,7 +155,7 @@ class VoxelBlockGrid(KnownNames):
                 f"render_attributes: expected some of {', '.join(RENDERED)}, got {missing}; "
                 "'color' has the interpolated colors, extract_triangle_mesh() the surface"
             )
-        volume, T = self._with_truncation(trunc_voxel_multiplier), _pose(extrinsic)
+        volume, T = self._any, _pose(extrinsic)
         limits = {"depth_min": depth_min, "depth_max": depth_max}
         threshold = max(math.ceil(weight_threshold) - 1, 0)  # pointloom's is exclusive
         cast = volume.ray_cast(_camera(intrinsic, width, height), T, **limits, weight_threshold=threshold)
@@ -187,7 +190,7 @@ class VoxelBlockGrid(KnownNames):
         """
         if attribute_name not in self._dtypes:
             raise ValueError(f"attribute_name: expected one of {', '.join(self._dtypes)}, got {attribute_name!r}")
-        if self._device.get_type() != "CPU":
+        if self._device.name != "cpu":
             raise ValueError(f"attribute: expected a grid on the CPU, got {self._device}; call grid.cpu().attribute")
         arrays, channels = self._any._downloaded(), CHANNELS[attribute_name]
         values = arrays.get({"tsdf": "distances", "weight": "weights", "color": "colors"}[attribute_name])
