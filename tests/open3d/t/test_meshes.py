@@ -175,7 +175,7 @@ def test_samples_and_metrics_of_parallel_triangles(device):
     ]
     np.testing.assert_allclose(values(cloud.point.colors), 0.2, atol=1e-6)
     kinds, options = o3d.t.geometry.Metric, o3d.t.geometry.MetricParameters([1, 3], 500)
-    found = floor.compute_metrics(floor.clone().translate([0, 0, 2]), (kinds.FScore, *kinds), options)
+    found = floor.compute_metrics(floor.clone().translate([0, 0, 2]), (o3d.t.geometry.FScore, *kinds), options)
     np.testing.assert_allclose(values(found), [0, 100, 4, 2, 0, 100], atol=1e-6)
     with pytest.raises(TypeError, match="mesh2"):
         floor.compute_metrics(o3d.geometry.TriangleMesh(), (), options)

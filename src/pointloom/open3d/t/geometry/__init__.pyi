@@ -10,6 +10,9 @@ from .line_set import LineSet as LineSet
 from .point_cloud import PointCloud as PointCloud
 from .rgbd_image import RGBDImage as RGBDImage
 from .tensor_map import TensorMap as TensorMap
+from .metrics import ChamferDistance as ChamferDistance
+from .metrics import FScore as FScore
+from .metrics import HausdorffDistance as HausdorffDistance
 from .metrics import Metric as Metric
 from .metrics import MetricParameters as MetricParameters
 from .metrics import VectorMetric as VectorMetric

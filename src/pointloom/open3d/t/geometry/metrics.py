@@ -18,6 +18,9 @@ class Metric(enum.Enum):
     FScore = 2
 
 
+ChamferDistance, HausdorffDistance, FScore = Metric
+
+
 class VectorMetric(list[Metric]):
     """A list of metrics."""
 
