@@ -220,6 +220,13 @@ def test_files_keep_meshes_and_textures(tmp_path):
         assert "number" not in mesh.vertex or values(back.vertex.number).tolist() == [*range(8)]
         mesh.vertex.number = Tensor(np.arange(8, dtype=np.int32))
     assert o3d.t.io.read_triangle_mesh(tmp_path / "m.npz").vertex.positions.dtype == float64
+    mesh.vertex.colors = Tensor(np.full((8, 3), 51, np.uint8))
+    mesh.compute_vertex_normals().translate([5e5, 5e6, 0])
+    o3d.t.io.write_triangle_mesh(tmp_path / "far.ply", mesh)
+    far = o3d.t.io.read_triangle_mesh(tmp_path / "far.ply")
+    np.testing.assert_allclose(values(far.vertex.positions), values(mesh.vertex.positions), rtol=0, atol=1e-6)
+    np.testing.assert_allclose(values(far.vertex.colors), 0.2, atol=1e-7)
+    assert far.vertex.positions.dtype == float64 and "normals" in far.vertex and "normals" not in far.triangle
     np.savez(tmp_path / "other.npz", a=np.zeros(3))
     with pytest.raises(loom.FileError, match="vertices"):
         o3d.t.io.read_triangle_mesh(tmp_path / "other.npz")

@@ -94,8 +94,10 @@ class MeshTensors(Geometry):
             self.material.texture_maps["albedo"] = geometry.Image(Tensor(pixels))
 
     def _textured(self) -> Any:
-        """The mesh with all attributes and its texture, if there are texture coordinates."""
+        """The mesh with all attributes, colors in 0..1, and its texture if there are texture coordinates."""
         made, texture = self._native, self._texture
+        if made.vertex_attributes.pop("colors", None) is not None:  # 8 bits
+            made.vertex_colors = values_of(self.vertex["colors"])
         if texture is not None and "texture_uvs" in self.triangle:
             made.textures = [texture]
         return made

@@ -272,10 +272,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
 
     def sample_points_uniformly(self, number_of_points: int, use_triangle_normal: bool = False) -> Any:
         """Random points on the surface, seeded by `o3d.utility.random.seed`."""
-        native = self._native
-        if "colors" in self.vertex and "vertex_colors" not in native._device_arrays:
-            native.vertex_colors = values_of(self.vertex["colors"])  # 8 bits
-        made = native.sample_points_uniformly(number_of_points, use_triangle_normal, next_seed())
+        made = self._textured().sample_points_uniformly(number_of_points, use_triangle_normal, next_seed())
         return cloud_of(made, self._float_dtype)
 
     def compute_metrics(self, mesh2: Any, metrics: Iterable[Metric], params: MetricParameters) -> Tensor:

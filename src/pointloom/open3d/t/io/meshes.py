@@ -11,7 +11,7 @@ import numpy as np
 from ....core.atomic import atomic_write
 from ....core.errors import FileError, FilePath
 from ....meshing.mesh import mesh_files
-from ...core.dtype import float32, int64
+from ...core.dtype import float32, float64, int64
 from ...core.tensor import Tensor
 from ..geometry.triangle_mesh import TriangleMesh
 
@@ -23,7 +23,7 @@ PRIMARY = {"vertex_positions": "vertices", "triangle_indices": "triangles"}  # n
 def read_triangle_mesh(
     filename: FilePath, enable_post_processing: bool = False, print_progress: bool = False
 ) -> TriangleMesh:
-    """Read a mesh. Its first texture becomes the texture map "albedo" of the material.
+    """Read a mesh with float32 positions, float64 far from zero. Its first texture is the texture map "albedo".
 
     Raises FileError if the file is missing or damaged.
     """
@@ -32,7 +32,7 @@ def read_triangle_mesh(
     native = mesh_files.read_triangle_mesh(filename)
     if len(native.textures) > 1:
         warnings.warn(f"{filename}: {len(native.textures)} textures, of which the first is kept", stacklevel=2)
-    mesh = TriangleMesh._of(native, float32, int64)
+    mesh = TriangleMesh._of(native, float64 if native.origin.any() else float32, int64)
     mesh._set_texture(native.textures[0] if native.textures else None)
     return mesh
 
@@ -47,15 +47,17 @@ def write_triangle_mesh(
     write_triangle_uvs: bool = True,
     print_progress: bool = False,
 ) -> bool:
-    """Write a mesh with the texture map "albedo" of its material. The suffix defines the format."""
+    """Write a mesh with the texture map "albedo" of its material. Only .npz files keep triangle normals."""
     if not isinstance(mesh, TriangleMesh):
         raise TypeError(f"mesh: expected an o3d.t.geometry.TriangleMesh, got {type(mesh).__name__}")
     if Path(filename).suffix.lower() == NPZ:
         _write_npz(filename, mesh)
         return True
+    native = mesh._textured()
+    native.triangle_attributes.pop("normals", None)  # computed
     mesh_files.write_triangle_mesh(
         filename,
-        mesh._textured(),
+        native,
         ascii=write_ascii,
         write_vertex_normals=write_vertex_normals,
         write_vertex_colors=write_vertex_colors,
