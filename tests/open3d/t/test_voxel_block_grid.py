@@ -76,6 +76,14 @@ def test_views_show_the_plane_from_the_camera(grid, device):
     np.testing.assert_allclose(vertex[inside], rays[inside], atol=1e-5)
     np.testing.assert_allclose(normal[inside], np.broadcast_to([0, 0, 1], rays.shape)[inside], atol=1e-5)
     np.testing.assert_allclose(color[inside], np.broadcast_to(COLOR, rays.shape)[inside] / 255, atol=1e-4)
+    names += ["index", "mask", "interp_ratio"]
+    around = grid.ray_cast(None, K, T, 64, 48, names, 1000.0, weight_threshold=FRAMES)
+    index, mask, ratio = (around[name].numpy()[inside] for name in names[4:])
+    assert index.dtype == np.int64 and mask.dtype == bool and mask.all()
+    np.testing.assert_allclose(ratio.sum(-1), 1, atol=1e-6)
+    positions = grid.voxel_coordinates_and_flattened_indices()[0].numpy()  # rows are those of attributes
+    world = (vertex[inside] - T[:3, 3]) @ T[:3, :3]
+    np.testing.assert_allclose((positions[index] * ratio[..., None]).sum(-2), world, atol=1e-5)
     behind = grid.ray_cast(None, K, np.diag([1, 1, -1, 1]) @ np.diag([1, -1, 1, 1]) @ T, 64, 48, names, 1000.0)
     assert not any(behind[name].numpy().any() for name in names)
     late = grid.ray_cast(None, K, T, 64, 48, weight_threshold=FRAMES + 1, trunc_voxel_multiplier=4.0)
@@ -121,7 +129,7 @@ def test_all_forms_of_integrate_and_files_give_the_same_grid(grid, device, tmp_p
         (lambda g, d, c: g.integrate(None, d, c, K, 2 * K, T), ValueError, "color_intrinsic"),
         (lambda g, d, c: g.integrate(None, d, c, K), TypeError, "extrinsic"),
         (lambda g, d, c: g.integrate(None, d, c, K, T, depth_scal=1), TypeError, "depth_scal"),
-        (lambda g, d, c: g.ray_cast(None, K, T, 4, 4, ["index"]), ValueError, "render_attributes"),
+        (lambda g, d, c: g.ray_cast(None, K, T, 4, 4, ["range"]), ValueError, "render_attributes"),
         (lambda g, d, c: g.attribute("label"), ValueError, "attribute_name"),
         (lambda g, d, c: g.voxel_indices([5]), IndexError, "buf_indices"),
         (lambda g, d, c: g.hashmap(), AttributeError, "voxel_coordinates_and_flattened_indices"),

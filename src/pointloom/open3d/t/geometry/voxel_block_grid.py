@@ -31,10 +31,12 @@ from .mesh_tensors import CPU, cloud_of
 from .tensor_map import TensorMap, wrap
 from .tensors import host_of, values_of
 from .triangle_mesh import TriangleMesh
+from .voxel_corners import voxels_around
 
 CHANNELS = {"tsdf": 1, "weight": 1, "color": 3}
 MULTIPLIER = 8.0  # of the voxel size: default truncation
-RENDERED = ("depth", "vertex", "normal", "color")
+AROUND = {"index": np.int64, "mask": np.bool_, "interp_ratio": np.float32}
+RENDERED = ("depth", "vertex", "normal", "color", *AROUND)
 CORNERS = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)[:, ::-1]  # x fastest
 
 
@@ -146,6 +148,7 @@ class VoxelBlockGrid(KnownNames):
     ) -> TensorMap:
         """Render depth (h, w, 1) in units of 1 / depth_scale, and vertices, normals and colors (h, w, 3).
 
+        Also the eight voxels around each surface point, (h, w, 8): `index` in attributes, `mask` and `interp_ratio`.
         Vertices and normals are in the camera frame, normals away from the camera. Pixels without surface are 0.
         Voxels of at least `weight_threshold` frames count. `block_coords` and the last two arguments have no effect.
         """
@@ -153,7 +156,7 @@ class VoxelBlockGrid(KnownNames):
         if missing:
             raise ValueError(
                 f"render_attributes: expected some of {', '.join(RENDERED)}, got {missing}; "
-                "'color' has the interpolated colors, extract_triangle_mesh() the surface"
+                "'normal' has the direction of the gradient"
             )
         volume, T = self._any, _pose(extrinsic)
         limits = {"depth_min": depth_min, "depth_max": depth_max}
@@ -170,9 +173,15 @@ class VoxelBlockGrid(KnownNames):
             vectors = host_of(wrap(cast.points if name == "vertex" else cast.normals))
             return matmul(vectors, T[:3, :3].T) + T[:3, 3] if name == "vertex" else -matmul(vectors, T[:3, :3].T)
 
-        made = {name: np.nan_to_num(np.where(seen, image(name), 0.0)) for name in render_attributes}
-        first = render_attributes[0] if render_attributes else "depth"
-        return TensorMap(first, {name: self._tensor(values.astype(np.float32)) for name, values in made.items()})
+        around = voxels_around(volume, host_of(wrap(cast.points)), seen) if AROUND.keys() & render_attributes else {}
+        made = {
+            name: around[name] if name in AROUND else np.nan_to_num(np.where(seen, image(name), 0.0))
+            for name in render_attributes
+        }
+        return TensorMap(
+            render_attributes[0] if made else "depth",
+            {name: self._tensor(values.astype(AROUND.get(name, np.float32))) for name, values in made.items()},
+        )
 
     def extract_point_cloud(self, weight_threshold: float = 3.0, estimated_point_number: int = -1) -> Any:
         """Surface points with normals and colors. An edge needs more frames than the threshold at both voxels."""
