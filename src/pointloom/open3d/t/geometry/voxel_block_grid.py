@@ -146,7 +146,7 @@ class VoxelBlockGrid(KnownNames):
         trunc_voxel_multiplier: float = MULTIPLIER,
         range_map_down_factor: int = 8,
     ) -> TensorMap:
-        """Render depth (h, w, 1) in units of 1 / depth_scale, and vertices, normals and colors (h, w, 3).
+        """Render depth (h, w, 1) in units of 1 / depth_scale, vertices, normals, and colors of the nearest voxels.
 
         Also the eight voxels around each surface point, (h, w, 8): `index` in attributes, `mask` and `interp_ratio`.
         Vertices and normals are in the camera frame, normals away from the camera. Pixels without surface are 0.
@@ -284,7 +284,9 @@ def _frame(args: tuple[Any, ...], kwargs: dict[str, Any]) -> dict[str, Any]:
     if unknown := named.keys() - {*numbers, *intrinsics, "color", "extrinsic"}:
         raise TypeError(f"integrate: unexpected arguments {', '.join(sorted(unknown))}")
     for value in args:
-        shape = np.shape(host_of(value)) if not hasattr(value, "as_tensor") else ()
+        shape = (
+            () if hasattr(value, "as_tensor") else tuple(value.shape) if isinstance(value, Tensor) else np.shape(value)
+        )
         if isinstance(value, int | float):
             given[numbers.pop(0)] = value
         else:
