@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, ClassVar, Self
 
 import numpy as np
@@ -50,6 +50,8 @@ class Vector(HintedNames):
 
     def _rows(self, values: Any) -> NDArray[Any]:
         kind = type(self).__name__
+        if isinstance(values, Iterable) and not isinstance(values, str | Sequence) and not hasattr(values, "__array__"):
+            values = list(values)  # a set, a generator
         rows = np.asarray(unmasked(kind, values))
         if self._row and rows.shape[1:] == (*self._row, 1):  # columns
             rows = rows[..., 0]
@@ -121,7 +123,7 @@ class Vector(HintedNames):
         self._tail.append(self._rows([x])[0])
 
     def extend(self, L: Iterable[Any]) -> None:
-        self._tail.extend(self._rows(L if hasattr(L, "__array__") else list(L)))
+        self._tail.extend(self._rows(L))
 
     def insert(self, i: int, x: Any) -> None:
         self._array = np.insert(self._values, i, self._rows([x])[0], axis=0)

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from ...core.escaped_text import escaped
+from ...core.paths import path_of
 from ...io.points import point_cloud
+from ...io.points.ply_faces import STRIPS
+from ...io.points.ply_header import read_header
+from ...io.source import open_source
 from ...meshing.mesh import mesh_files
+from ...meshing.mesh.mesh import TriangleMesh as NativeMesh
 from ..geometry.point_cloud import PointCloud
 from ..geometry.triangle_mesh import TriangleMesh
 from ..wrapper import unwrap
@@ -19,6 +28,11 @@ COLUMNS = {"xyz": ("x", "y", "z"), "xyzn": ("x", "y", "z", "nx", "ny", "nz"), "x
 
 # Columns of Open3D's text formats besides the points. Other data of a cloud is not written.
 TEXT_COLUMNS = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
+
+# Formats in which empty clouds and meshes are not written, as in Open3D.
+OF_POINTS, OF_VERTICES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts"), (".ply", ".stl", ".off")
+
+NORMAL_STEPS = 1000  # normals in an .stl are the same if they are equal after rounding to 1 / 1000
 
 
 def read_point_cloud(
@@ -49,10 +63,15 @@ def write_point_cloud(
     compressed: bool = False,
     print_progress: bool = False,
 ) -> bool:
-    """Like `loom.write_point_cloud`. The suffix defines the format, and text formats write the columns they have."""
+    """Like `loom.write_point_cloud`. The suffix defines the format, and text formats write the columns they have.
+
+    Returns False, with a warning, for an empty cloud in a format of Open3D, and writes no file.
+    """
     _check_format(filename, format)
-    cloud = unwrap(pointcloud, PointCloud, "pointcloud")
-    columns = TEXT_COLUMNS.get(Path(filename).suffix.lower())
+    cloud, suffix = unwrap(pointcloud, PointCloud, "pointcloud"), Path(filename).suffix.lower()
+    if not len(cloud) and suffix in OF_POINTS:
+        return _not_written(filename, "the cloud is empty")
+    columns = TEXT_COLUMNS.get(suffix)
     left_out = [] if columns is None else [name for name in cloud._device_arrays if name not in ("points", *columns)]
     point_cloud.write_point_cloud(filename, cloud.without(*left_out), ascii=write_ascii)
     return True
@@ -61,7 +80,17 @@ def write_point_cloud(
 def read_triangle_mesh(
     filename: FilePath, enable_post_processing: bool = False, print_progress: bool = False
 ) -> TriangleMesh:
-    return TriangleMesh._of(mesh_files.read_triangle_mesh(filename))
+    """Like `loom.read_triangle_mesh`, with Open3D's vertices of an .stl and of a .ply without faces.
+
+    Coincident corners of an .stl are one vertex only if their triangles have the same normal, which becomes the vertex
+    normal. A .ply without faces gives its vertices, with a warning.
+    """
+    suffix = path_of(filename).suffix.lower()
+    if suffix == ".ply" and not _has_faces(filename):
+        warnings.warn(escaped(f"{filename}: contains no faces; the mesh has vertices only"), UserWarning, stacklevel=2)
+        return TriangleMesh._of(_vertices_of(point_cloud.read_point_cloud(filename)))
+    mesh = mesh_files.read_triangle_mesh(filename)
+    return TriangleMesh._of(_split_at_edges(mesh) if suffix == ".stl" else mesh)
 
 
 def write_triangle_mesh(
@@ -74,9 +103,16 @@ def write_triangle_mesh(
     write_triangle_uvs: bool = True,
     print_progress: bool = False,
 ) -> bool:
+    """Like `loom.write_triangle_mesh`. An .stl needs no normals.
+
+    Returns False, with a warning, for a mesh without vertices as .ply, .stl or .off, and writes no file.
+    """
+    native = unwrap(mesh, TriangleMesh, "mesh")
+    if not len(native.vertices) and path_of(filename).suffix.lower() in OF_VERTICES:
+        return _not_written(filename, "the mesh has no vertices")
     mesh_files.write_triangle_mesh(
         filename,
-        unwrap(mesh, TriangleMesh, "mesh"),
+        native,
         ascii=write_ascii,
         write_vertex_normals=write_vertex_normals,
         write_vertex_colors=write_vertex_colors,
@@ -88,3 +124,42 @@ def write_triangle_mesh(
 def _check_format(filename: FilePath, format: str) -> None:
     if format != "auto" and Path(filename).suffix.lower() != f".{format}":
         raise ValueError(f"format: expected a name that ends in .{format}, got {filename}")
+
+
+def _not_written(filename: FilePath, reason: str) -> bool:
+    warnings.warn(escaped(f"{filename}: not written, {reason}"), UserWarning, stacklevel=3)
+    return False
+
+
+def _has_faces(filename: FilePath) -> bool:
+    """True if a .ply has triangles."""
+    header = read_header(filename, open_source(filename))
+    return any(element.count and element.name in ("face", STRIPS) for element in header.elements)
+
+
+def _vertices_of(cloud: Any) -> NativeMesh:
+    """A mesh of the points of a cloud, without triangles."""
+    parts = {f"vertex_{name}": getattr(cloud, name) for name in ("normals", "colors") if name in cloud}
+    return NativeMesh(cloud.points, vertex_attributes=cloud.attributes, device=cloud.device, **parts)
+
+
+def _split_at_edges(mesh: NativeMesh) -> NativeMesh:
+    """A mesh with a vertex for each normal of the triangles around a vertex, in the order of the triangles."""
+    normals, corners = mesh.triangle_normals, mesh.triangles.reshape(-1).astype(np.int64)
+    steps = np.rint(normals * NORMAL_STEPS).astype(np.int64) + NORMAL_STEPS  # 11 bits each
+    keys = corners << 33 | np.repeat(steps @ [1 << 22, 1 << 11, 1], 3)
+    _, first, group = np.unique(keys, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
+    first = first[order]
+    made = NativeMesh(
+        mesh.vertices[corners[first]],
+        rank[group].reshape(-1, 3),
+        vertex_normals=normals[first // 3],
+        triangle_attributes=mesh.triangle_attributes,
+        device=mesh.device,
+        origin=mesh.origin,
+    )
+    made.unit = mesh.unit
+    return made
