@@ -7,11 +7,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_shape
+from ...core.checks import check_number, check_shape
+from ...kernels.linear_algebra import matmul
 from ...pcd import boxes
 from ..vectors import Vector3dVector
 from ..wrapper import as_array, column, unwrap
-from .geometry import Geometry3D
+from .geometry import Geometry3D, is_rotation
 
 Row = NDArray[np.float64]
 
@@ -31,6 +32,13 @@ class Value:
     def __set__(self, box: BoundingBox, values: ArrayLike) -> None:
         part = column(self.name, values) if self.shape == (3,) else check_shape(self.name, values, self.shape)
         box._edited = {**box._parts(), self.name: part.astype(np.float64)}
+
+
+class Lengths(Value):
+    """Assignable lengths. Signs are dropped."""
+
+    def __set__(self, box: BoundingBox, values: ArrayLike) -> None:
+        super().__set__(box, np.abs(column(self.name, values)))
 
 
 class BoundingBox(Geometry3D):
@@ -62,6 +70,12 @@ class BoundingBox(Geometry3D):
             "box.translate(t) move an "
             "OrientedBoundingBox"
         )
+
+    def scale(self, scale: float, center: ArrayLike) -> Self:
+        """Scale about a point. A negative factor reflects the box through it."""
+        middle = column("center", center)
+        super().scale(abs(check_number("scale", scale)), middle)
+        return self if scale > 0 else self.translate(2 * (middle - self.get_center()))
 
     def get_box_points(self) -> Vector3dVector:
         return Vector3dVector(self._native.get_box_points())
@@ -136,14 +150,24 @@ class OrientedBoundingBox(BoundingBox):
 
     center = Value(3)
     R = Value(3, 3)
-    extent = Value(3)
+    extent = Lengths(3)
 
     def __init__(self, center: Any = (0, 0, 0), R: Any = None, extent: ArrayLike = (0, 0, 0)):
         given = unwrap(center)
         if not isinstance(given, self._kind):
             axes = np.eye(3) if R is None else R
-            given = self._kind(column("center", given), axes, column("extent", extent))
+            given = self._kind(column("center", given), axes, np.abs(column("extent", extent)))
         self._wrapped, self._shared = given, {}
+
+    def rotate(self, R: ArrayLike, center: Any = None) -> Self:
+        """Rotate about a point, by default the center. R may include a reflection and a uniform scale."""
+        A = np.asarray(R)
+        if A.shape != (3, 3) or is_rotation(A):
+            return super().rotate(R, center)
+        factor = np.cbrt(np.linalg.det(A))
+        axes = matmul(A, self.R) / (factor or 1.0)
+        middle = self.center if center is None else column("center", center)
+        return self._become(self._kind(middle + matmul(A, self.center - middle), axes, abs(factor) * self.extent))
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, aabox: Any) -> Self:

@@ -42,6 +42,10 @@ class Geometry(Wrapper):
         return GeometryType.__members__.get(type(self).__name__, GeometryType.Unspecified)
 
 
+for kind in GeometryType:
+    setattr(Geometry, kind.name, kind)  # Geometry.PointCloud is a type, too
+
+
 class Geometry2D(Geometry):
     _dimension = 2
 

@@ -116,11 +116,19 @@ class LineSet(BoundedByBoxes):
         made = OurCloud(self._native.points).get_minimal_oriented_bounding_box(robust)
         return OrientedBoundingBox._of(made)
 
+    def _joined(self, other: Any) -> Any:
+        """Both sets as one. Colors are kept if all lines have them."""
+        parts = [self._native, unwrap(other, LineSet, "other")]
+        made, colors = parts[0] + parts[1], [part.colors for part in parts if len(part.lines)]
+        if made.colors is None and colors and all(rows is not None for rows in colors):
+            return self._kind(made.points, made.lines, np.concatenate(colors))
+        return made
+
     def __add__(self, other: Any) -> LineSet:
-        return LineSet._of(self._native + unwrap(other, LineSet, "other"))
+        return LineSet._of(self._joined(other))
 
     def __iadd__(self, other: Any) -> Self:
-        return self._become(self._native + unwrap(other, LineSet, "other"))
+        return self._become(self._joined(other))
 
     def __repr__(self) -> str:
         return f"LineSet with {self._count('lines')} lines."

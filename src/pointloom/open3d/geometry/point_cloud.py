@@ -208,8 +208,10 @@ class PointCloud(BoundedByBoxes):
     def smooth_bilateral(
         self, search_param: KDTreeSearchParam = NEAR, sigma_s: float = 0.05, sigma_r: float = 0.05
     ) -> PointCloud:
-        search = keywords_of(search_param)
-        return PointCloud._of(self._native.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
+        """Smooth along normals, which are estimated from 30 neighbors if missing."""
+        search, cloud = keywords_of(search_param), self._native
+        cloud = cloud if self.has_normals() else cloud.estimate_normals(radius=None, max_nn=30)
+        return PointCloud._of(cloud.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
 
     def smooth_laplacian(
         self, iterations: int = 10, lambda_: float = 0.5, knn: int = 20, use_fixed_neighborhoods: bool = False

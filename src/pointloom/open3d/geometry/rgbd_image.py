@@ -38,7 +38,7 @@ class RGBDImage(Geometry2D):
         pixels = (
             upload(color.flatten(), float32, cpu)
             if is_gray
-            else upload(color.reshape(depth.size, -1).copy(), uint8, cpu)
+            else upload(np.broadcast_to(color.reshape(depth.size, -1), (depth.size, 3)).copy(), uint8, cpu)
         )
         return images.RGBDImage._from_device_arrays(pixels, upload(depth.flatten(), float32, cpu), *depth.shape)
 
@@ -53,7 +53,7 @@ class RGBDImage(Geometry2D):
     ) -> Self:
         """Make an image. Depth is divided by `depth_scale`, and 0 from `depth_trunc` on."""
         pixels, numbers = pixels_of(color, "color"), depth_of(depth, bytes_too=True)
-        is_gray = pixels.dtype == np.float32 and convert_rgb_to_intensity  # gray already, or converted
+        is_gray = pixels.dtype == np.float32 and (pixels.ndim == 2 or convert_rgb_to_intensity)
         taken = np.zeros(numbers.shape, np.uint8) if is_gray else pixels
         made = images.RGBDImage.create_from_color_and_depth(
             taken, numbers, depth_scale, below(depth_trunc), convert_rgb_to_intensity
@@ -61,6 +61,8 @@ class RGBDImage(Geometry2D):
         image = cls._of(made)
         if is_gray:
             image.color = Image(Image(pixels)._floats())
+        elif pixels.ndim == 2 and not convert_rgb_to_intensity:
+            image.color = Image(pixels)
         return image
 
     @classmethod

@@ -31,7 +31,7 @@ class KDTreeSearchParam(HintedNames):
         raise NotImplementedError
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name):g}' for name in self._fields)})"
+        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in self._fields)})"
 
 
 class KDTreeSearchParamKNN(KDTreeSearchParam):

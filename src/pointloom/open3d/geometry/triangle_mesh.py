@@ -136,8 +136,8 @@ class MeshFactories(MeshBase):
 
     @classmethod
     def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
-        """Arrows along x (red), y (green) and z (blue)."""
-        return cls._of(NativeMesh.create_coordinate_frame(size, column("origin", origin)))
+        """Arrows along x (red), y (green) and z (blue), with triangle normals."""
+        return cls._of(NativeMesh.create_coordinate_frame(size, column("origin", origin))).compute_triangle_normals()
 
     @classmethod
     def create_mobius(
@@ -328,15 +328,22 @@ class TriangleNormals(MeshFactories):
         return self._become(made)._set_faces(faces)
 
     def compute_triangle_normals(self, normalized: bool = True) -> Self:
-        """Compute triangle normals of length 1, or of twice the area."""
-        current = self._native
-        return self._set_faces(current if normalized else _area_vectors(current))
+        """Compute triangle normals of length 1, or of twice the area.
+
+        Vertex normals are scaled to unit length too if `normalized`, as in Open3D.
+        """
+        if not normalized:
+            return self._set_faces(_area_vectors(self._native))
+        if self.has_vertex_normals():
+            self._become(self._native.normalize_normals())
+        return self._set_faces(self._native)
 
     def compute_vertex_normals(self, normalized: bool = True) -> Self:
         """Compute vertex normals (sums of area vectors) and triangle normals. Unit length unless `normalized=False`."""
         current = self._native
         if normalized:
-            return self._become(current.compute_vertex_normals()).compute_triangle_normals()
+            self._become(current.compute_vertex_normals())
+            return self._set_faces(self._native)
         areas = _area_vectors(current)
         sums = np.zeros((len(current.vertices), 3))
         np.add.at(sums, current.triangles.reshape(-1), np.repeat(areas, 3, axis=0))
@@ -526,10 +533,10 @@ class TriangleMesh(TriangleNormals):
         self._keep(lambda mesh: mesh.remove_vertices_by_mask(np.asarray(vertex_mask, bool)))
 
     def orient_triangles(self) -> bool:
-        """Orient triangles consistently. True if possible."""
+        """Orient triangles consistently. Returns `is_orientable()`."""
         oriented, is_orientable = self._native.orient_triangles()
         self._become(oriented)
-        return is_orientable
+        return is_orientable and self.is_edge_manifold()
 
     def select_by_index(self, indices: Any, cleanup: bool = True) -> TriangleMesh:
         rows = self._rows("vertices", "indices", indices)
@@ -642,11 +649,12 @@ class TriangleMesh(TriangleNormals):
         return self._native.is_vertex_manifold()
 
     def is_orientable(self) -> bool:
-        return self._native.is_orientable()
+        """True if triangles that share an edge can all be oriented alike. False if an edge has more than two."""
+        return self.is_edge_manifold() and self._native.is_orientable()
 
     def is_watertight(self) -> bool:
-        """True if each edge has two triangles."""
-        return self._native.is_watertight()
+        """True if edges have two triangles, those of a vertex form one fan, and none intersect. True if empty."""
+        return self.is_edge_manifold(False) and self.is_vertex_manifold() and not self.is_self_intersecting()
 
     def is_self_intersecting(self) -> bool:
         return self._native.is_self_intersecting()
