@@ -10,16 +10,6 @@ GRID = np.stack(np.meshgrid(*[np.arange(4.0)] * 3, indexing="ij"), -1).reshape(-
 ROTATION = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
 EDITS = ("select_by_index", "remove_triangles_by_index", "remove_vertices_by_index")
 FANS = [(np.eye(5, 3), np.array(rows, np.int32)) for rows in ([[0, 1, 2], [0, 2, 3]], [[0, 1, 1]], [[0, 1, 2]] * 2, [])]
-SHAPES = {"DoubleVector": (4,), "IntVector": (4,), "Vector2dVector": (4, 2), "Vector3dVector": (4, 3)}
-SHAPES |= {"Vector2iVector": (4, 2), "Vector3iVector": (4, 3), "Vector4iVector": (4, 4)}
-SHAPES |= {"Matrix3dVector": (4, 3, 3), "Matrix4dVector": (4, 4, 4)}
-NUMPY = """v - a; a - v; v * np.float64(2); np.float64(2) / v; v < a.mean(); a[v > a.mean()]; v == a; a == v; v != a
-np.max(v, axis=0); np.min(v); np.sum(v); np.abs(v); np.sqrt(v); np.isnan(v); np.any(v); np.all(v); np.add(v, 1)
-np.power(v, 2); np.multiply(v, v); np.maximum.reduce(v); np.add.accumulate(v); np.cumsum(v); np.clip(v, 1, 2)
-np.linalg.norm(v - a.mean(axis=0), axis=-1); np.quantile(v, 0.5); np.round(v, 1); np.where(v > np.mean(v), v, 0)
-np.asarray(v, np.int64); np.array_equal(v, a); np.concatenate([v, v]); np.argsort(v, axis=0)"""
-NUMPY = [call.strip() for call in NUMPY.replace("\n", ";").split(";")]
-REFUSED = ["v - v", "v + 1", "-v", "v < v", "np.add(v, 1, out=v)"]
 COLUMN = np.array([[1.0], [2], [3]])
 SHEAR = np.array([[2.0, 0, 0, 1], [0, 1, 0.5, 0], [0, 0, 3, 0], [0, 0, 0.1, 2]])
 
@@ -67,25 +57,6 @@ def neighbor_count(o3d, search, *values):
 def fpfh(o3d, rows):
     near = o3d.geometry.KDTreeSearchParamHybrid(2.0, 30)
     return np.array(o3d.pipelines.registration.compute_fpfh_feature(cloud(o3d, 30), near, rows).data).shape
-
-
-def in_numpy(o3d, kind):
-    """True for each call that accepts a vector as its array, and for each that is rejected."""
-    array = np.arange(1, 1 + np.prod(SHAPES[kind])).reshape(SHAPES[kind]) % 7 + 1
-    array = array.astype(np.int32) if "iVector" in kind or kind == "IntVector" else array / 4
-    vector = getattr(o3d.utility, kind)(array)
-    values = np.asarray(vector)
-    calls = {call: [eval(call, {"np": np, "v": v, "a": values}) for v in (vector, values)] for call in NUMPY}
-    same = [np.array_equal(*pair) and type(pair[0]) is type(pair[1]) for pair in calls.values()]
-    return np.array(same + [is_refused(call, {"np": np, "v": vector, "a": values}) for call in REFUSED])
-
-
-def is_refused(call, names):
-    try:
-        eval(call, names)
-    except TypeError:
-        return True
-    return False
 
 
 def textured(o3d):
@@ -211,7 +182,6 @@ CLAIMS = {
     "a camera at a column": lambda o3d: sorted(cloud(o3d, 30).hidden_point_removal(9 * COLUMN, 100.0)[1]),
     "box of columns": lambda o3d: corners(o3d.geometry.AxisAlignedBoundingBox(-COLUMN, COLUMN)),
     "box of swapped corners": lambda o3d: corners(o3d.geometry.AxisAlignedBoundingBox([1, 2, 3], [0, 3, 0])),
-    **{f"{kind} in NumPy": lambda o3d, kind=kind: in_numpy(o3d, kind) for kind in SHAPES},
     # The second number was a count before Open3D 0.12.
     "confidence": lambda o3d: [criteria(o3d, value).confidence for value in (500, 1.5, 0.9, -1)],
     "registration with a count": lambda o3d: registered(o3d, criteria(o3d, 500)),
