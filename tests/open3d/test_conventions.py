@@ -11,6 +11,7 @@ ROTATION = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
 EDITS = ("select_by_index", "remove_triangles_by_index", "remove_vertices_by_index")
 FANS = [(np.eye(5, 3), np.array(rows, np.int32)) for rows in ([[0, 1, 2], [0, 2, 3]], [[0, 1, 1]], [[0, 1, 2]] * 2, [])]
 COLUMN = np.array([[1.0], [2], [3]])
+CROSS = np.eye(8, 3), np.array([[0, 1, 2], [1, 0, 3], [0, 1, 4], [1, 0, 5], [0, 2, 4], [3, 0, 5]], np.int32)
 SHEAR = np.array([[2.0, 0, 0, 1], [0, 1, 0.5, 0], [0, 0, 3, 0], [0, 0, 0.1, 2]])
 
 
@@ -186,9 +187,23 @@ CLAIMS = {
     "confidence": lambda o3d: [criteria(o3d, value).confidence for value in (500, 1.5, 0.9, -1)],
     "registration with a count": lambda o3d: registered(o3d, criteria(o3d, 500)),
     "registration with an assigned count": lambda o3d: registered(o3d, assigned(criteria(o3d, 0.9), "confidence", 500)),
+    "boxes scaled": lambda o3d: [turned_box(o3d).scale(f, center=COLUMN).get_center() for f in (2, -1)],
+    "rotated box mirrored": lambda o3d: box_points(turned_box(o3d).rotate(np.diag([1, 1, -1.0]), center=(0, 0, 1))),
+    "rotated box enlarged": lambda o3d: box_points(turned_box(o3d).rotate(-2 * ROTATION, center=(0, 0, 1))),
+    "negative extent": lambda o3d: box_points(o3d.geometry.OrientedBoundingBox([0, 0, 0], ROTATION, [1, -2, 3])),
+    "lines and no lines": lambda o3d: np.vstack([shape.colors for shape in added_lines(o3d)]),
+    "normals of a frame": lambda o3d: len(o3d.geometry.TriangleMesh.create_coordinate_frame().triangle_normals),
+    "unit normals at both": lambda o3d: arrays(scaled_normals(o3d).compute_triangle_normals()),
+    "intensities as colors": lambda o3d: [rgbd(o3d, dtype) for dtype in (np.uint8, np.float32)],
+    "a surface of a width": lambda o3d: poisson_height(o3d, depth=0, width=0.3),
+    "types": lambda o3d: cloud(o3d).get_geometry_type() == o3d.geometry.Geometry.PointCloud,
+    # A closed mesh neither touches nor intersects itself.
+    "watertight": lambda o3d: [pair(o3d, t).is_watertight() for t in ([3, 0, 0], [0.5, 0.5, 0.5], [1, 1, 1])],
+    "watertight without triangles": lambda o3d: o3d.geometry.TriangleMesh().is_watertight(),
     # Vertices without triangles count.
     "Euler characteristic": lambda o3d: [mesh_of(o3d, *shape).euler_poincare_characteristic() for shape in FANS],
-    "orientable": lambda o3d: [mesh_of(o3d, *shape).is_orientable() for shape in FANS[:1]],
+    "orientable": lambda o3d: [mesh_of(o3d, *shape).is_orientable() for shape in (FANS[0], FANS[3], CROSS)],
+    "oriented": lambda o3d: [mesh_of(o3d, *shape).orient_triangles() for shape in (FANS[0], CROSS)],
     "version": lambda o3d: [int(part) for part in o3d.__version__.split(".")],
     "oriented box of columns": lambda o3d: corners(o3d.geometry.OrientedBoundingBox(-COLUMN, ROTATION, COLUMN)),
 }
@@ -207,6 +222,48 @@ def joined(o3d, pairs):
 
 def corners(box):
     return np.array(box.get_box_points())
+
+
+def turned_box(o3d):
+    return o3d.geometry.OrientedBoundingBox([0, 0, 1], ROTATION, [1, 2, 3])
+
+
+def box_points(box):
+    """Corners in a defined order."""
+    points = np.round(np.array(box.get_box_points()), 6) + 0.0
+    return points[np.lexsort(points.T)]
+
+
+def added_lines(o3d):
+    colored, empty = joined(o3d, [(0, 1), (2, 3)]).paint_uniform_color([0, 0, 1]), o3d.geometry.LineSet()
+    return colored + empty, empty + colored, colored + joined(o3d, [(0, 1)])
+
+
+def scaled_normals(o3d):
+    made = mesh(o3d)
+    made.vertex_normals = o3d.utility.Vector3dVector(3 * np.asarray(made.vertex_normals))
+    return made
+
+
+def pair(o3d, translation):
+    """Two cubes as one mesh; they share the vertices at which they touch."""
+    box = o3d.geometry.TriangleMesh.create_box()
+    return (box + o3d.geometry.TriangleMesh.create_box().translate(translation)).remove_duplicated_vertices()
+
+
+def rgbd(o3d, dtype):
+    """The color of an RGBDImage of a gray image that is not converted."""
+    color, depth = np.arange(12).reshape(3, 4).astype(dtype), np.full((3, 4), 1000, np.uint16)
+    images = o3d.geometry.Image(color), o3d.geometry.Image(depth)
+    return np.array(o3d.geometry.RGBDImage.create_from_color_and_depth(*images, convert_rgb_to_intensity=False).color)
+
+
+def poisson_height(o3d, **options):
+    ball = o3d.geometry.TriangleMesh.create_sphere(1.0, 12).compute_vertex_normals()
+    points = o3d.geometry.PointCloud(ball.vertices)
+    points.normals = ball.vertex_normals
+    surface, _ = o3d.geometry.TriangleMesh.create_from_point_cloud_poisson(points, **options)
+    return np.round(surface.get_max_bound(), 1)
 
 
 def answers(o3d):
@@ -229,19 +286,40 @@ def test_conventions_agree_with_open3d(name, expected):
 
 
 def files(o3d, folder):
-    """Return values of writers for incomplete shapes, and the number of vertices of a box as .stl."""
+    """What writers return for incomplete shapes, and the vertices and normals of meshes that are read."""
     box, empty = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.PointCloud()
-    returned = [o3d.io.write_point_cloud(str(folder / f"a.{kind}"), empty) for kind in ("ply", "pcd")]
-    returned += [o3d.io.write_triangle_mesh(str(folder / "a.stl"), box)]
-    o3d.io.write_triangle_mesh(str(folder / "b.stl"), box.compute_vertex_normals())
-    return [*returned, len(o3d.io.read_triangle_mesh(str(folder / "b.stl")).vertices)]
+    returned = [o3d.io.write_point_cloud(str(folder / f"a.{kind}"), empty) for kind in ("ply", "pcd", "xyzrgb")]
+    returned += [
+        o3d.io.write_triangle_mesh(str(folder / f"a.{k}"), o3d.geometry.TriangleMesh()) for k in ("ply", "off")
+    ]
+    shapes = [box.compute_vertex_normals(), o3d.geometry.TriangleMesh.create_sphere(1, 4).compute_vertex_normals()]
+    paths = [str(folder / name) for name in ("b.stl", "c.stl", "d.ply")]
+    for path, shape in zip(paths[:2], shapes, strict=True):
+        o3d.io.write_triangle_mesh(path, shape)
+    o3d.io.write_point_cloud(paths[2], cloud(o3d))
+    return returned, [arrays(o3d.io.read_triangle_mesh(path)) for path in paths]
 
 
-def test_files_differ_from_those_of_open3d_as_documented(oracle, tmp_path):
-    assert oracle("open3d/files", files, tmp_path) == [False, False, False, 24]
-    assert files(bridge, tmp_path) == [True, True, True, 8]
-    assert bridge.io.read_point_cloud(tmp_path / "a.ply").is_empty()
-    assert len(bridge.io.read_triangle_mesh(tmp_path / "a.stl").triangles) == 12
+@pytest.mark.filterwarnings("ignore:.*(not written|contains no faces)")
+def test_files_agree_with_those_of_open3d(oracle, tmp_path):
+    (stored, expected), (returned, actual) = oracle("open3d/files", files, tmp_path), files(bridge, tmp_path)
+    assert returned == stored == [False] * 5
+    assert [len(shape["vertices"]) for shape in actual] == [24, 112, 5]
+    for shape, theirs in zip(actual, expected, strict=True):
+        for name, values in theirs.items():
+            np.testing.assert_allclose(shape[name], values, atol=2e-6, err_msg=name)
+
+
+def test_incomplete_shapes_lose_no_data(tmp_path):
+    with pytest.warns(UserWarning, match="not written"):
+        assert not bridge.io.write_point_cloud(tmp_path / "a.ply", bridge.geometry.PointCloud())
+    assert not (tmp_path / "a.ply").exists()
+    assert bridge.io.write_triangle_mesh(tmp_path / "a.stl", bridge.geometry.TriangleMesh.create_box())
+    assert len(bridge.io.read_triangle_mesh(tmp_path / "a.stl").triangles) == 12  # Open3D writes nothing
+    bridge.io.write_point_cloud(tmp_path / "b.ply", cloud(bridge))
+    with pytest.warns(UserWarning, match="contains no faces"):
+        read = bridge.io.read_triangle_mesh(tmp_path / "b.ply")
+    assert read.has_vertex_normals() and read.has_vertex_colors() and not read.has_triangles()
 
 
 @pytest.mark.parametrize(
