@@ -191,6 +191,21 @@ def calls() -> Iterator[tuple[str, Any, dict[str, int]]]:
                 yield method, lambda o3d, kind=kind: getattr(o3d.geometry, kind)(), first
 
 
+def creations() -> Iterator[tuple[str, Any, dict[str, Any]]]:
+    """As `calls`, for the meshes with plain arguments: their defaults, and one other value at a time."""
+    for method in sorted(name for name in dir(bridge.geometry.TriangleMesh) if name.startswith("create_")):
+        parameters = inspect.signature(getattr(bridge.geometry.TriangleMesh, method)).parameters.values()
+        if all(isinstance(p.default, bool | int | float) for p in parameters):
+            yield method, empty_mesh, {}
+            for p in parameters:
+                other = not p.default if isinstance(p.default, bool) else p.default + 2
+                yield method, empty_mesh, {p.name: other}
+
+
+def empty_mesh(o3d):
+    return o3d.geometry.TriangleMesh()
+
+
 def numbers(value: Any, left_out: tuple[str, ...], weighted: bool) -> list[float]:
     """Shapes, sums and weighted sums of the arrays of a result."""
     if hasattr(value, "get_box_points"):
@@ -208,10 +223,11 @@ def numbers(value: Any, left_out: tuple[str, ...], weighted: bool) -> list[float
 def results(o3d) -> list[list[Any]]:
     """The numbers of each result and of the shape after the call, "error" for errors, "text" for text."""
     found = []
-    for method, make, chosen in calls():
+    for method, make, chosen in [*calls(), *creations()]:
         shape, rules = make(o3d), (LEFT_OUT.get(method, ()), method not in UNORDERED)
-        values = {name: ARGUMENTS[name](o3d) if callable(ARGUMENTS[name]) else ARGUMENTS[name] for name in chosen}
-        given = {name: values[name][i] for name, i in chosen.items()}
+        listed = {name: ARGUMENTS.get(name) for name in chosen}
+        values = {name: options(o3d) if callable(options) else options for name, options in listed.items()}
+        given = {name: values[name][i] for name, i in chosen.items()} if make is not empty_mesh else chosen
         positional = [given.pop(name) for name in ("arg0", "color") if name in given]
         try:
             result = getattr(shape, method)(*positional, **given)
@@ -233,8 +249,10 @@ def compact(found: list[list[Any]]) -> dict[str, Any]:
 def test_results_agree_with_open3d(oracle):
     stored, actual = oracle("open3d/results", lambda o3d: compact(results(o3d))), results(bridge)
     begin = 0
-    assert len(actual) == len(stored["texts"]) > 400
-    for (method, make, chosen), numbers_of_call, text in zip(calls(), actual, stored["texts"], strict=True):
+    assert len(actual) == len(stored["texts"]) > 450
+    for (method, make, chosen), numbers_of_call, text in zip(
+        [*calls(), *creations()], actual, stored["texts"], strict=True
+    ):
         expected = stored["values"][begin : begin + text.count(" ") + 1]
         begin += len(expected)
         case = f"{method} of {make.__name__} with {chosen}"
