@@ -746,13 +746,15 @@ def list_crowd_kernel(indices: array(dtype=int32), ranks: array(dtype=int32), cr
         crowd[ranks[i]] = indices[i]
 
 
-def list_faces(points: BallPoints, indices: Integers) -> tuple[Triangles, Scalars]:
+def list_faces(points: BallPoints, indices: Integers, expected: int = 0) -> tuple[Triangles, Scalars, int]:
     """Triangles with a first corner in `indices`: (corners vec3i [t], counter-clockwise seen from the ball; widths
-    float32 [t]). One sync per batch, and one more if points need more room."""
-    device, batches = indices.device, []
+    float32 [t]; the largest number of neighbors). One sync per batch, and one more if points need more room.
+    `expected` neighbors have room from the start on the CPU, so that few points are searched twice."""
+    device, batches, largest = indices.device, [], 0
+    cpu_room = max(CPU_ROOM, min(expected, SCRATCH // CPU_THREADS))
     for begin in range(0, indices.size, PART):
         left, slots = indices[begin : min(begin + PART, indices.size)], FIRST_SLOTS
-        room = FIRST_ROOM if device.is_cuda else CPU_ROOM
+        room = FIRST_ROOM if device.is_cuda else cpu_room
         while left.size:
             faces = BallFaces(left, slots)
             scratch = BallScratch(left.size, room, device)
@@ -771,7 +773,7 @@ def list_faces(points: BallPoints, indices: Integers) -> tuple[Triangles, Scalar
             left = crowd
             # most of these need less than the maximum
             room = min(4 * room, neighbor_count) if neighbor_count > room else room
-            slots = max(slots, count)
+            slots, largest = max(slots, count), max(largest, neighbor_count)
     none = [(empty(0, vec3i, device), empty(0, float32, device))]
     corners, widths = zip(*(batches or none), strict=True)
-    return concatenate_rows(corners), concatenate_rows(widths)
+    return concatenate_rows(corners), concatenate_rows(widths), largest

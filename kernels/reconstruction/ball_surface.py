@@ -355,12 +355,14 @@ class RollingBall:
         device, count = self.tree.device, self.tree.count
         searched, covered = full(count, 1, uint8, device), zeros(count, uint8, device)
         open, parts = empty(0, vec3i, device), []
-        indices = positions(count, device)
+        indices, largest, previous = positions(count, device), 0, 0.0
         for radius in radii:
             if not indices.size:
                 break
             check(self.tree, radius, indices)
-            faces, widths = list_faces(BallPoints(self.tree, self.normals, searched, radius), indices)
+            expected = int(min(count, largest * (radius / previous) ** 2)) if largest else 0  # as on a plane
+            ball, previous = BallPoints(self.tree, self.normals, searched, radius), radius
+            faces, widths, largest = list_faces(ball, indices, expected)
             mesh = BallMesh(open, faces, widths, covered, self.rows)
             resolve_conflicts(mesh, open.size)
             open, closed, indices = close_radius(mesh, searched)  # sync

@@ -21,7 +21,7 @@ def faces_of(points, normals, radius, device):
     tree = cloud.search_tree()
     mask = full(tree.count, 1, uint8, tree.device)
     ball = BallPoints(tree, gather_rows(cloud.array("normals"), tree.order), mask, radius)
-    corners, widths = list_faces(ball, positions(tree.count, tree.device))
+    corners, widths, _ = list_faces(ball, positions(tree.count, tree.device))
     rows = download(tree.order)[download(corners).reshape(-1, 3)]
     first = rows.argmin(axis=1)
     rolled = np.stack([rows[np.arange(len(rows)), (first + k) % 3] for k in range(3)], axis=1)
