@@ -32,6 +32,7 @@ class GeometryType(enum.IntEnum):
 
 class Geometry(Wrapper):
     Type = GeometryType
+    Unspecified, PointCloud, VoxelGrid, LineSet, TriangleMesh, HalfEdgeTriangleMesh, Image, RGBDImage, TetraMesh = Type
     _dimension: ClassVar[int] = 3
 
     def dimension(self) -> int:

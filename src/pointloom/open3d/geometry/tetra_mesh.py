@@ -1,39 +1,175 @@
-"""TetraMesh: Delaunay tetrahedra of a cloud, as needed for alpha shapes."""
+"""TetraMesh, changed in place as in Open3D, with SciPy's Delaunay tetrahedra."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar, Self
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import Delaunay, QhullError
 
-from ...core.attribute_hints import KnownNames
-from ...meshing.mesh.mesh import TriangleMesh
+from ...core.checks import check_number, check_shape
+from ...meshing.mesh import mesh
 from ..vectors import Vector3dVector, Vector4iVector
-from ..wrapper import unwrap
+from ..wrapper import Rows, unwrap
 from .point_cloud import PointCloud
+from .triangle_mesh import MeshBase, TriangleMesh
+
+PARTS = ("vertex_normals", "vertex_colors")
+CORNERS = 4
+# Corners of triangles as edges (inside, outside) of a tetrahedron with its inside corners first, by their number
+CROSSED = (
+    (1, [(0, 1), (0, 2), (0, 3)]),
+    (2, [(0, 2), (0, 3), (1, 3)]),
+    (2, [(0, 2), (1, 3), (1, 2)]),
+    (3, [(0, 3), (1, 3), (2, 3)]),
+)
 
 
-class TetraMesh(KnownNames):
-    """Vertices and tetrahedra; `TriangleMesh.create_from_point_cloud_alpha_shape` accepts one but computes its own."""
+class TetraMesh(MeshBase):
+    """Vertices and tetrahedra. A `loom.TriangleMesh` without triangles contains the vertices."""
+
+    _kind = mesh.TriangleMesh
+    _arrays: ClassVar = {"vertices": "points", "vertex_normals": "normals"}
 
     def __init__(self, vertices: Any = (), tetras: Any = ()):
-        self.vertices, self.tetras = Vector3dVector(vertices), Vector4iVector(tetras)
+        self._wrapped, self._shared, self._tetras = mesh.TriangleMesh(), {}, Vector4iVector(tetras)
+        if isinstance(vertices, TetraMesh):
+            vars(self).update(vars(vertices.__copy__()))
+        else:
+            self.vertices = Vector3dVector(vertices)
 
-    vertices: Vector3dVector
-    tetras: Vector4iVector
+    def _read(self, name: str) -> NDArray[Any]:
+        values = getattr(self._wrapped, name)
+        return np.zeros((0, 3)) if values is None else values
+
+    def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
+        arrays = native._device_arrays
+        return (arrays[name], native.origin.tobytes() if name == "vertices" else b"") if name in arrays else None
+
+    def _made(self, changed: list[str]) -> Any:
+        count = self._count("vertices")
+        parts = {name: np.array(getattr(self, name)) for name in PARTS if 0 < count == self._count(name)}
+        return mesh.TriangleMesh(np.array(self.vertices), np.zeros((0, 3), np.int32), **parts)
+
+    @property
+    def tetras(self) -> Vector4iVector:
+        """Vertex indices of tetrahedra, int32 (n, 4)."""
+        return self._tetras
+
+    @tetras.setter
+    def tetras(self, value: Any) -> None:
+        self._tetras._fill(Vector4iVector(value)._values)
 
     @classmethod
-    def create_from_point_cloud(cls, point_cloud: Any) -> tuple[TetraMesh, list[int]]:
-        """Delaunay tetrahedra of a cloud, and the point index of each vertex."""
-        cloud = unwrap(point_cloud, PointCloud, "point_cloud")
-        _, tetrahedra, _ = TriangleMesh.create_from_point_cloud_alpha_shape(cloud, np.inf, return_tetrahedra=True)
-        return cls(cloud.points, tetrahedra), list(range(len(cloud)))
+    def create_from_point_cloud(cls, point_cloud: Any) -> tuple[Self, list[int]]:
+        """Delaunay tetrahedra of a cloud, and the point index of each vertex.
 
-    def has_vertices(self) -> bool:
-        return len(self.vertices) > 0
+        Duplicate and non-finite points have no vertex. Raises ValueError if all points are on a plane.
+        """
+        cloud = unwrap(point_cloud, PointCloud, "point_cloud")
+        points = np.array(point_cloud.points if isinstance(point_cloud, PointCloud) else cloud.points)
+        finite = np.flatnonzero(np.isfinite(points).all(axis=1))
+        if len(finite) < CORNERS:
+            raise ValueError(f"point_cloud: expected at least {CORNERS} finite points, got {len(finite)}")
+        try:
+            corners = Delaunay(points[finite] - points[finite[0]]).simplices
+        except QhullError as error:
+            raise ValueError("point_cloud: expected points that are not on one plane") from error
+        used, tetras = np.unique(corners, return_inverse=True)
+        rows = finite[used]
+        return cls(points[rows], tetras.reshape(-1, CORNERS)), rows.tolist()
+
+    def extract_triangle_mesh(self, values: ArrayLike, level: float) -> TriangleMesh:
+        """The surface where values of the vertices, linear in each tetrahedron, equal `level`.
+
+        Triangles face higher values.
+        """
+        level = check_number("level", level)
+        field = check_shape("values", np.asarray(values), (len(self.vertices),)).astype(np.float64)
+        points, inside = np.array(self.vertices), field < level
+        tetras = np.array(self.tetras)
+        count = inside[tetras].sum(axis=1)
+        ordered = np.take_along_axis(tetras, np.argsort(~inside[tetras], axis=1, kind="stable"), axis=1)
+        crossed = [ordered[count == number][:, np.array(pairs)] for number, pairs in CROSSED]
+        ends = np.concatenate(crossed)  # (triangles, 3 corners, inside and outside vertex)
+        edges, triangles = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
+        a, b = edges.T
+        share = (level - field[a]) / (field[b] - field[a])
+        vertices = points[a] + share[:, None] * (points[b] - points[a])
+        triangles = triangles.reshape(-1, 3)
+        p, q, r = (vertices[triangles[:, k]] for k in range(3))
+        upward = (points[ends[..., 1]] - points[ends[..., 0]]).sum(axis=1)
+        flipped = (np.cross(q - p, r - p) * upward).sum(axis=1) < 0
+        triangles[flipped] = triangles[flipped][:, ::-1]
+        return TriangleMesh(Vector3dVector(vertices), triangles)
+
+    def remove_duplicated_vertices(self) -> Self:
+        """Merge vertices with equal coordinates."""
+        _, first, places = np.unique(np.array(self.vertices), axis=0, return_index=True, return_inverse=True)
+        return self._keep(np.sort(first), np.argsort(np.argsort(first))[places.reshape(-1)])
+
+    def remove_unreferenced_vertices(self) -> Self:
+        """Remove vertices that no tetrahedron uses."""
+        used = np.zeros(len(self.vertices), bool)
+        used[np.array(self.tetras)] = True
+        return self._keep(np.flatnonzero(used), np.cumsum(used) - 1)
+
+    def _keep(self, rows: NDArray[np.intp], renamed: NDArray[np.intp]) -> Self:
+        """Keep the vertices `rows`, and replace the vertex indices of tetrahedra."""
+        tetras = renamed[np.array(self.tetras)]
+        for name in [name for name in PARTS if self._count(name) == self._count("vertices") > 0]:
+            setattr(self, name, Vector3dVector(np.array(getattr(self, name))[rows]))
+        self.vertices, self.tetras = Vector3dVector(np.array(self.vertices)[rows]), tetras
+        return self
+
+    def remove_duplicated_tetras(self) -> Self:
+        """Keep the first of tetrahedra with the same vertices in any order."""
+        _, first = np.unique(np.sort(np.array(self.tetras), axis=1), axis=0, return_index=True)
+        self.tetras = np.array(self.tetras)[np.sort(first)]
+        return self
+
+    def remove_degenerate_tetras(self) -> Self:
+        """Remove tetrahedra that use a vertex twice."""
+        corners = np.sort(np.array(self.tetras), axis=1)
+        self.tetras = np.array(self.tetras)[(np.diff(corners, axis=1) > 0).all(axis=1)]
+        return self
+
+    def clear(self) -> Self:
+        self.tetras = ()
+        return super().clear()
 
     def has_tetras(self) -> bool:
         return self.has_vertices() and len(self.tetras) > 0
 
+    def __iadd__(self, other: Any) -> Self:
+        if not isinstance(other, TetraMesh):
+            raise TypeError(f"other: expected a TetraMesh, got {type(other).__name__}")
+        count, empty = len(self.vertices), self.is_empty()
+        flags = [mesh.has_vertex_normals() for mesh in (self, other)], [m.has_vertex_colors() for m in (self, other)]
+        for name, (mine, theirs) in zip(PARTS, flags, strict=True):
+            rows = [getattr(self, name), getattr(other, name)] if (mine or empty) and theirs else []
+            setattr(self, name, Vector3dVector(np.concatenate(rows) if rows else ()))
+        self.vertices = Vector3dVector(np.concatenate([self.vertices, other.vertices]))
+        self.tetras = np.concatenate([self.tetras, np.array(other.tetras) + count])
+        return self
+
+    def __add__(self, other: Any) -> TetraMesh:
+        made = self.__copy__()
+        made += other
+        return made
+
+    def __copy__(self) -> Self:
+        made = super().__copy__()
+        made._tetras = Vector4iVector(self._tetras)
+        return made
+
+    def __getstate__(self) -> dict[str, Any]:
+        return super().__getstate__() | {"tetras": self._tetras}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        super().__setstate__(state)
+        self._tetras = state["tetras"]
+
     def __repr__(self) -> str:
-        return f"TetraMesh with {len(self.vertices)} points and {len(self.tetras)} tetrahedra."
+        return f"TetraMesh with {self._count('vertices')} points and {len(self.tetras)} tetrahedra."

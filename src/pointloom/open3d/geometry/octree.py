@@ -1,0 +1,285 @@
+"""Octree, a structure of Python nodes as in Open3D."""
+
+from __future__ import annotations
+
+import contextlib
+import copy
+import gc
+from collections.abc import Callable, Iterator
+from typing import Any, NoReturn, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_count, check_number, check_positive
+from ..wrapper import column, unwrap
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .geometry import Geometry3D
+from .octree_nodes import (
+    CHILDREN,
+    OctreeColorLeafNode,
+    OctreeInternalNode,
+    OctreeInternalPointNode,
+    OctreeLeafNode,
+    OctreeNodeInfo,
+    OctreePointColorLeafNode,
+    made,
+)
+from .point_cloud import PointCloud
+from .voxel_grid import VoxelGrid
+
+Rows = NDArray[np.intp]
+
+
+class Octree(Geometry3D):
+    """A cube `size` wide from `origin`, halved `max_depth` times. It contains points with origin <= p < origin + size.
+
+    `root_node` is None before the first point.
+    """
+
+    max_depth: int
+    size: float
+    root_node: Any
+
+    def __init__(self, max_depth: Any = 0, origin: ArrayLike = (0.0, 0.0, 0.0), size: float = 0.0):
+        self._shared = {}
+        if isinstance(max_depth, Octree):
+            vars(self).update(vars(max_depth.__copy__()))
+            return
+        self.max_depth = check_count("max_depth", max_depth, minimum=0)
+        self.origin, self.size = column("origin", origin), check_positive("size", size, allow_zero=True)
+        self.root_node = None
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        return self._origin
+
+    @origin.setter
+    def origin(self, value: ArrayLike) -> None:
+        self._origin = column("origin", value).astype(np.float64)
+
+    @property
+    def _native(self) -> Any:
+        """The leaves as a `loom.VoxelGrid`, for drawing."""
+        return self.to_voxel_grid()._native
+
+    def convert_from_point_cloud(self, point_cloud: Any, size_expand: float = 0.01) -> None:
+        """Replace the nodes by those of a cloud. The cube around it is enlarged by the fraction `size_expand` (0..1).
+
+        A leaf has the color of its last point.
+        """
+        expand = check_number("size_expand", size_expand)
+        if not 0 <= expand <= 1:
+            raise ValueError(f"size_expand: expected a number in 0..1, got {expand:g}")
+        ours = unwrap(point_cloud, PointCloud, "point_cloud")
+        points = np.array(point_cloud.points if isinstance(point_cloud, PointCloud) else ours.points)
+        self.clear()
+        if not len(points):
+            return
+        low, high = points.min(axis=0), points.max(axis=0)
+        half = ((low + high) / 2 - low).max()
+        self.origin = np.minimum(low, (low + high) / 2 - half)
+        self.size = float(half * 2 * (1 + expand)) if half > 0 else expand
+        colors = ours.colors.astype(np.float64) if ours.has_colors else np.zeros((len(points), 3))
+
+        def leaf_of(rows: Rows) -> Any:
+            return made(OctreePointColorLeafNode, _color=colors[rows[-1]], indices=rows.tolist())
+
+        def internal_of(rows: Rows) -> Any:
+            return made(OctreeInternalPointNode, children=[None] * CHILDREN, indices=sorted(rows.tolist()))
+
+        self._fill(points, leaf_of, internal_of)
+
+    def _fill(
+        self, points: NDArray[np.float64], leaf_of: Callable[[Rows], Any], internal_of: Callable[[Rows], Any]
+    ) -> None:
+        """Replace the nodes by those of points. Both functions make a node of the points `rows`."""
+        rows = np.flatnonzero(((self.origin <= points) & (points < self.origin + self.size)).all(axis=1))
+        children = self._children_of(points[rows])
+        order = np.lexsort(children.T[::-1]) if self.max_depth else np.arange(len(rows))
+        with _no_collection():
+            self.root_node = _grow(rows[order], children[order], 0, leaf_of, internal_of) if len(rows) else None
+
+    def _children_of(self, points: NDArray[np.float64]) -> NDArray[np.int8]:
+        """Index of the child that contains a point at each depth, shape (n, max_depth)."""
+        corners, half = np.tile(self.origin, (len(points), 1)), self.size / 2
+        children = np.empty((len(points), self.max_depth), np.int8)
+        for depth in range(self.max_depth):
+            upper = points >= corners + half
+            corners += upper * half
+            children[:, depth] = upper @ np.array([1, 2, 4])
+            half /= 2
+        return children
+
+    def insert_point(
+        self,
+        point: ArrayLike,
+        f_init: Callable[[], Any],
+        f_update: Callable[[Any], None],
+        fi_init: Callable[[], Any] | None = None,
+        fi_update: Callable[[Any], None] | None = None,
+    ) -> None:
+        """Insert a point: `f_init` makes its leaf, `f_update` changes it; `fi_init` and `fi_update` internal nodes.
+
+        Points outside the cube are ignored.
+        """
+        place = column("point", point)
+        make, update = fi_init or OctreeInternalNode, fi_update or (lambda node: None)
+        if not self.is_point_in_bound(place, self.origin, self.size):
+            return
+        if self.root_node is None:
+            self.root_node = make() if self.max_depth else f_init()
+        node = self.root_node
+        for depth, (index, _, _) in zip(range(self.max_depth), self._path(place), strict=False):
+            if not isinstance(node, OctreeInternalNode):
+                raise TypeError(f"fi_init: expected a function that makes an OctreeInternalNode, got {node}")
+            update(node)
+            if node.children[index] is None:
+                node.children[index] = make() if depth + 1 < self.max_depth else f_init()
+            node = node.children[index]
+        if not isinstance(node, OctreeLeafNode):
+            raise TypeError(f"f_init: expected a function that makes an OctreeLeafNode, got {node}")
+        f_update(node)
+
+    def _path(self, point: NDArray[np.float64]) -> Iterator[tuple[int, list[float], float]]:
+        """Index, corner and size of the children that contain a point, without end."""
+        values, corner, size = point.tolist(), self.origin.tolist(), self.size
+        while True:
+            index, size = 0, size / 2
+            for axis in range(3):
+                if values[axis] >= corner[axis] + size:
+                    corner[axis] += size
+                    index += 1 << axis
+            yield index, corner, size
+
+    def traverse(self, f: Callable[[Any, OctreeNodeInfo], Any]) -> None:
+        """Call `f(node, node_info)` from the root on, depth first. If it returns True, children are skipped."""
+        pending = [(self.root_node, OctreeNodeInfo(self.origin, self.size, 0, 0))] if self.root_node is not None else []
+        while pending:
+            node, info = pending.pop()
+            if not f(node, info) and isinstance(node, OctreeInternalNode):
+                pairs = zip(node.children, info.children(), strict=True)
+                pending += [pair for pair in pairs if pair[0] is not None][::-1]
+
+    def locate_leaf_node(self, point: ArrayLike) -> tuple[Any, OctreeNodeInfo | None]:
+        """Leaf that contains a point, and its position. (None, None) without one."""
+        place, node = column("point", point), self.root_node
+        if node is None or not self.is_point_in_bound(place, self.origin, self.size):
+            return None, None
+        info = OctreeNodeInfo(self.origin, self.size, 0, 0)
+        for index, corner, size in self._path(place):
+            if not isinstance(node, OctreeInternalNode):
+                break
+            node, info = node.children[index], OctreeNodeInfo(corner, size, info.depth + 1, index)
+        return (None, None) if node is None else (node, info)
+
+    @staticmethod
+    def is_point_in_bound(point: ArrayLike, origin: ArrayLike, size: float) -> bool:
+        p, low = column("point", point), column("origin", origin)
+        return bool((low <= p).all() and (p < low + size).all())
+
+    def to_voxel_grid(self) -> VoxelGrid:
+        """The leaves as voxels."""
+        leaves: list[tuple[Any, OctreeNodeInfo]] = []
+        self.traverse(lambda node, info: leaves.append((node, info)) if isinstance(node, OctreeLeafNode) else None)
+        if not leaves:
+            return VoxelGrid()
+        size = min(info.size for _, info in leaves)
+        centers = np.array([info.origin for _, info in leaves]) + [[info.size / 2] for _, info in leaves]
+        cells = np.floor((centers - self.origin) / size).astype(np.int32)
+        order = np.lexsort(cells.T[::-1])
+        colors = np.array([getattr(node, "color", np.zeros(3)) for node, _ in leaves], np.float64)
+        return VoxelGrid._around(self.origin, size, cells[order], colors[order])
+
+    def create_from_voxel_grid(self, voxel_grid: Any) -> None:
+        """Insert the voxels of a grid as colored leaves, in a cube from the origin of the grid."""
+        if not isinstance(voxel_grid, VoxelGrid):
+            raise TypeError(f"voxel_grid: expected a VoxelGrid, got {type(voxel_grid).__name__}")
+        self.origin = voxel_grid.origin
+        self.size = float((voxel_grid.get_max_bound() - voxel_grid.origin).max())
+        cells, colors = voxel_grid._voxels()
+        centers = voxel_grid.origin + (cells + 0.5) * voxel_grid.voxel_size
+        self._fill(
+            centers,
+            lambda rows: made(OctreeColorLeafNode, _color=colors[rows[-1]]),
+            lambda rows: made(OctreeInternalNode, children=[None] * CHILDREN),
+        )
+
+    def clear(self) -> Self:
+        """Remove all nodes and set `origin` and `size` to zero."""
+        self.root_node, self.origin, self.size = None, (0, 0, 0), 0.0
+        return self
+
+    def is_empty(self) -> bool:
+        return self.root_node is None
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        return np.zeros(3) if self.is_empty() else self.origin.copy()
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        return np.zeros(3) if self.is_empty() else self.origin + self.size
+
+    def get_center(self) -> NDArray[np.float64]:
+        return self.origin + self.size / 2
+
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        return AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
+
+    def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self.get_axis_aligned_bounding_box())
+
+    get_minimal_oriented_bounding_box = get_oriented_bounding_box
+
+    def _reject_motion(self, *args: Any, **kwargs: Any) -> NoReturn:
+        """Always raises RuntimeError, as in Open3D."""
+        raise RuntimeError("Octree: cannot be moved; move the cloud, then call octree.convert_from_point_cloud(cloud)")
+
+    transform = translate = scale = rotate = _reject_motion
+
+    def __copy__(self) -> Self:
+        other = type(self)(self.max_depth, self.origin, self.size)
+        other.root_node = copy.deepcopy(self.root_node)
+        return other
+
+    def __getstate__(self) -> dict[str, Any]:
+        return dict(vars(self))
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+
+    def __repr__(self) -> str:
+        corner = ", ".join(f"{value:g}" for value in self.origin)
+        return f"Octree with origin: [{corner}], size: {self.size:g}, max_depth: {self.max_depth}"
+
+
+@contextlib.contextmanager
+def _no_collection() -> Iterator[None]:
+    """Stop the garbage collector, which takes two thirds of the time while a large tree grows."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
+
+
+def _grow(
+    rows: Rows,
+    children: NDArray[np.int8],
+    depth: int,
+    leaf_of: Callable[[Rows], Any],
+    internal_of: Callable[[Rows], Any],
+) -> Any:
+    """Node of the points `rows`, sorted by their child indices at all depths, then by row."""
+    if depth == children.shape[1]:
+        return leaf_of(rows)
+    node = internal_of(rows)
+    if len(rows) == 1:
+        node.children[children[0, depth]] = _grow(rows, children, depth + 1, leaf_of, internal_of)
+        return node
+    ends = np.searchsorted(children[:, depth], np.arange(CHILDREN + 1)).tolist()
+    for index, (begin, end) in enumerate(zip(ends[:-1], ends[1:], strict=True)):
+        if end > begin:
+            node.children[index] = _grow(rows[begin:end], children[begin:end], depth + 1, leaf_of, internal_of)
+    return node

@@ -1,0 +1,221 @@
+"""Nodes of an `Octree` as plain Python objects."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.attribute_hints import KnownNames
+from ..wrapper import column
+
+CHILDREN = 8
+STEPS = np.array([[index & 1, index >> 1 & 1, index >> 2] for index in range(CHILDREN)])  # in halves of an edge
+NEAR = 1e-12  # relative difference of colors that are equal, as in Open3D
+
+
+def made(kind: type[Any], **fields: Any) -> Any:
+    """An object with the given fields. Faster than its constructor."""
+    node = kind.__new__(kind)
+    vars(node).update(fields)
+    return node
+
+
+class OctreeNodeInfo(KnownNames):
+    """Corner `origin`, edge length `size`, `depth` and `child_index` of a node, computed during a traversal."""
+
+    origin: NDArray[np.float64]
+    size: float
+    depth: int
+    child_index: int
+
+    def __init__(self, origin: ArrayLike, size: float, depth: int, child_index: int):
+        self.origin, self.size, self.depth, self.child_index = column("origin", origin), size, depth, child_index
+
+    def children(self) -> list[OctreeNodeInfo]:
+        """Positions of the 8 children."""
+        half, depth = self.size / 2, self.depth + 1
+        corners = self.origin + STEPS * half
+        return [
+            made(OctreeNodeInfo, origin=corners[index], size=half, depth=depth, child_index=index)
+            for index in range(CHILDREN)
+        ]
+
+    def __repr__(self) -> str:
+        corner = ", ".join(f"{value:g}" for value in self.origin)
+        return (
+            f"OctreeNodeInfo with origin [{corner}], size {self.size:g}, depth {self.depth}, "
+            f"child_index {self.child_index}"
+        )
+
+
+class OctreeNode(KnownNames):
+    """Base class of nodes."""
+
+    def __init__(self, other: Self | None = None):
+        self._clear()
+        if other is not None:
+            vars(self).update(vars(copy.deepcopy(other)))
+
+    def _clear(self) -> None:
+        """Set the fields of an empty node."""
+
+    @classmethod
+    def get_init_function(cls) -> Callable[[], Self]:
+        """A function that makes an empty node."""
+        return cls
+
+    def _to_json(self) -> dict[str, Any]:
+        return {"class_name": type(self).__name__}
+
+
+class OctreeInternalNode(OctreeNode):
+    """A node with 8 `children`, of which some are None."""
+
+    children: list[Any]
+
+    def _clear(self) -> None:
+        self.children = [None] * CHILDREN
+
+    @classmethod
+    def get_update_function(cls, *args: Any) -> Callable[[Any], None]:
+        """A function that does nothing to a node."""
+        return lambda node: None
+
+    def _to_json(self) -> dict[str, Any]:
+        return super()._to_json() | {"children": [{} if one is None else one._to_json() for one in self.children]}
+
+    def __repr__(self) -> str:
+        return f"OctreeInternalNode with {_count(self)} non-empty child nodes"
+
+
+class OctreeInternalPointNode(OctreeInternalNode):
+    """An internal node with the `indices` of the points below it."""
+
+    indices: list[int]
+
+    def _clear(self) -> None:
+        super()._clear()
+        self.indices = []
+
+    @classmethod
+    def get_update_function(cls, idx: int) -> Callable[[Any], None]:
+        """A function that adds a point index to a node."""
+        return lambda node: node.indices.append(idx)
+
+    def _to_json(self) -> dict[str, Any]:
+        return super()._to_json() | {"indices": self.indices}
+
+    def __repr__(self) -> str:
+        return f"OctreeInternalPointNode with {_count(self)} non-empty child nodes and {len(self.indices)} points"
+
+
+class OctreeLeafNode(OctreeNode):
+    """Base class of leaves."""
+
+    def clone(self) -> Self:
+        return copy.deepcopy(self)
+
+    def __repr__(self) -> str:
+        return "OctreeLeafNode base class"
+
+
+class OctreeColorLeafNode(OctreeLeafNode):
+    """A leaf with a `color`."""
+
+    def _clear(self) -> None:
+        self._color = np.zeros(3)
+
+    @property
+    def color(self) -> NDArray[np.float64]:
+        return self._color
+
+    @color.setter
+    def color(self, value: ArrayLike) -> None:
+        self._color = column("color", value).astype(np.float64)
+
+    @classmethod
+    def get_update_function(cls, color: ArrayLike) -> Callable[[Any], None]:
+        """A function that sets the color of a leaf."""
+        given = column("color", color)
+        return lambda node: setattr(node, "color", given)
+
+    def _to_json(self) -> dict[str, Any]:
+        return super()._to_json() | {"color": self._color.tolist()}
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and np.allclose(self._color, other._color, rtol=NEAR, atol=NEAR)
+
+    __hash__ = OctreeLeafNode.__hash__
+
+    def __repr__(self) -> str:
+        return f"OctreeColorLeafNode with color [{', '.join(f'{value:g}' for value in self._color)}]"
+
+
+class OctreePointColorLeafNode(OctreeLeafNode):
+    """A leaf with a `color` and the `indices` of its points."""
+
+    indices: list[int]
+
+    def _clear(self) -> None:
+        self._color, self.indices = np.zeros(3), []
+
+    color = OctreeColorLeafNode.color
+
+    @classmethod
+    def get_update_function(cls, idx: int, color: ArrayLike) -> Callable[[Any], None]:
+        """A function that adds a point index to a leaf and sets its color."""
+        given = column("color", color)
+
+        def update(node: OctreePointColorLeafNode) -> None:
+            node.color = given
+            node.indices.append(idx)
+
+        return update
+
+    def _to_json(self) -> dict[str, Any]:
+        return super()._to_json() | {"color": self._color.tolist(), "indices": self.indices}
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self) or self.indices != other.indices:
+            return False
+        return np.allclose(self._color, other._color, rtol=NEAR, atol=NEAR)
+
+    __hash__ = OctreeLeafNode.__hash__
+
+    def __repr__(self) -> str:
+        color = ", ".join(f"{value:g}" for value in self._color)
+        return f"OctreePointColorLeafNode with color [{color}] containing {len(self.indices)} points."
+
+
+NODES = {
+    kind.__name__: kind
+    for kind in (OctreeInternalNode, OctreeInternalPointNode, OctreeColorLeafNode, OctreePointColorLeafNode)
+}
+
+
+def node_from_json(value: Any) -> Any:
+    """A node and those below it from JSON, None from an empty object. Raises ValueError."""
+    if value in (None, {}):
+        return None
+    name = value.get("class_name") if isinstance(value, dict) else value
+    if name not in NODES:
+        raise ValueError(f"class_name: expected one of {', '.join(NODES)}, got {name}")
+    node = NODES[name]()
+    if isinstance(node, OctreeInternalNode):
+        children = value.get("children")
+        if not isinstance(children, list) or len(children) != CHILDREN:
+            raise ValueError(f"children: expected a list of {CHILDREN} nodes, got {children}")
+        node.children = [node_from_json(child) for child in children]
+    else:
+        node.color = column("color", value.get("color"))
+    if hasattr(node, "indices"):
+        node.indices = np.asarray(value.get("indices", []), np.int64).tolist()
+    return node
+
+
+def _count(node: OctreeInternalNode) -> int:
+    return sum(child is not None for child in node.children)

@@ -1,0 +1,74 @@
+"""PLY files of elements with scalar properties."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...core.paths import path_of
+from ...io.ascii_rows import write_rows
+from ...io.points.ply_header import TYPE_NAMES, read_header
+from ...io.points.ply_rows import read_rows
+from ...io.source import open_source
+
+FilePath = str | os.PathLike[str]
+Elements = dict[str, dict[str, Any]]
+CHANNELS = ("red", "green", "blue")
+
+
+def check_ply(filename: FilePath, format: str = "auto") -> Path:
+    path = path_of(filename, "filename")
+    if path.suffix.lower() != ".ply" or format not in ("auto", "ply"):
+        raise ValueError(f"filename: expected a name that ends in .ply, got {path.name}")
+    return path
+
+
+def read_elements(path: Path, *required: str) -> Elements:
+    """Columns of each element, without lists. Raises FileError if a required element is missing."""
+    source = open_source(path)
+    header = read_header(path, source)
+    for name in required:
+        header.element(path, name)
+    return read_rows(path, source, header, lambda element, prop: prop.count_type is None)
+
+
+def columns_of(path: Path, elements: Elements, element: str, *names: str) -> NDArray[Any]:
+    """Columns of an element side by side. Raises FileError if one is missing."""
+    missing = [name for name in names if name not in elements[element]]
+    if missing:
+        raise FileError(path, f"the element {element!r} has no property {missing[0]!r}")
+    return np.column_stack([elements[element][name] for name in names])
+
+
+def colors_of(path: Path, elements: Elements, element: str) -> NDArray[np.float64] | None:
+    """8-bit colors of an element as numbers in 0..1. None without colors."""
+    return columns_of(path, elements, element, *CHANNELS) / 255 if "red" in elements[element] else None
+
+
+def color_columns(colors: NDArray[Any]) -> dict[str, NDArray[Any]]:
+    return dict(zip(CHANNELS, np.rint(np.clip(colors, 0, 1) * 255).astype(np.uint8).T, strict=True))
+
+
+def write_elements(path: Path, elements: Elements, *, ascii: bool) -> None:
+    lines = ["ply", f"format {'ascii' if ascii else 'binary_little_endian'} 1.0"]
+    for name, columns in elements.items():
+        lines.append(f"element {name} {len(next(iter(columns.values())))}")
+        lines += [f"property {TYPE_NAMES[column.dtype.str[1:]]} {key}" for key, column in columns.items()]
+    with atomic_write(path) as file:
+        file.write("\n".join([*lines, "end_header", ""]).encode("ascii"))
+        for columns in elements.values():
+            _write(file, list(columns.values()), ascii=ascii)
+
+
+def _write(file: IO[bytes], columns: list[NDArray[Any]], *, ascii: bool) -> None:
+    if ascii:
+        write_rows(file, columns)
+    else:
+        rows = np.rec.fromarrays(columns, dtype=[(f"f{k}", f"<{c.dtype.str[1:]}") for k, c in enumerate(columns)])
+        file.write(rows.tobytes())
