@@ -117,9 +117,22 @@ def test_options_are_checked_on_use():
     method = reg.TransformationEstimationForColoredICP(kernel)
     kernel.k = 0.3
     assert (method.kernel.k, method.lambda_geometric) == (0.3, 0.968)
-    with pytest.raises(ValueError, match="color_type:"):
-        kinds = bridge.pipelines.integration
-        kinds.ScalableTSDFVolume(0.1, 0.4, kinds.TSDFVolumeColorType.Gray32)
+
+
+def test_gray_volumes_store_the_intensity_of_each_pixel():
+    kinds, geometry = bridge.pipelines.integration, bridge.geometry
+    ramp = np.tile(np.linspace(0, 255, 40).astype(np.uint8)[None, :, None], (30, 1, 3))
+    depth = geometry.Image(np.full((30, 40), 1000, np.uint16))
+    camera = bridge.camera.PinholeCameraIntrinsic(40, 30, 35.0, 35.0, 19.5, 14.5)
+    frames = [geometry.RGBDImage.create_from_color_and_depth(geometry.Image(ramp), depth, 1000, 3, g) for g in (1, 0)]
+    volume = kinds.ScalableTSDFVolume(0.04, 0.16, kinds.TSDFVolumeColorType.Gray32)
+    volume.integrate(frames[0], camera, np.eye(4))
+    cloud = volume.extract_point_cloud()
+    points, colors = np.asarray(cloud.points), np.asarray(cloud.colors)
+    np.testing.assert_array_equal(colors, np.repeat(colors[:, :1], 3, axis=1))
+    np.testing.assert_allclose(colors[:, 0], (35 * points[:, 0] + 19.5) / 39, atol=0.03)  # a column, and rounding
+    with pytest.raises(TypeError, match="image:"):
+        volume.integrate(frames[1], camera, np.eye(4))
 
 
 def poses_of_pairs(package, points, target):

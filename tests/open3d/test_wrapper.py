@@ -160,9 +160,8 @@ def test_vectors_grow_like_lists():
     [
         (lambda: o3d.ml, AttributeError, "torch"),
         (lambda: o3d.data, AttributeError, "data"),
-        (lambda: o3d.geometry.Octree, AttributeError, "loom.NearestNeighborSearch"),
+        (lambda: o3d.geometry.OrientedBoundingEllipsoid, AttributeError, "loom.OrientedBoundingBox"),
         (lambda: o3d.geometry.PointCloud().vertices, AttributeError, "cloud.points"),
-        (lambda: o3d.geometry.VoxelGrid().carve_depth_map, AttributeError, "TSDFVolume"),
         (lambda: o3d.geometry.TriangleMesh.create_nothing, AttributeError, "create_nothing"),
         (lambda: setattr(o3d.geometry.PointCloud(), "color", 1), AttributeError, "color"),
         (lambda: setattr(o3d.geometry.PointCloud(), "points", [[0, 0, 0]]), TypeError, "Vector3dVector"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import copy
 import gc
+import itertools
 from collections.abc import Callable, Iterator
 from typing import Any, NoReturn, Self
 
@@ -279,7 +280,7 @@ def _grow(
         node.children[children[0, depth]] = _grow(rows, children, depth + 1, leaf_of, internal_of)
         return node
     ends = np.searchsorted(children[:, depth], np.arange(CHILDREN + 1)).tolist()
-    for index, (begin, end) in enumerate(zip(ends[:-1], ends[1:], strict=True)):
+    for index, (begin, end) in enumerate(itertools.pairwise(ends)):
         if end > begin:
             node.children[index] = _grow(rows[begin:end], children[begin:end], depth + 1, leaf_of, internal_of)
     return node

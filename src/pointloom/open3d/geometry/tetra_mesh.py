@@ -11,7 +11,7 @@ from scipy.spatial import Delaunay, QhullError
 from ...core.checks import check_number, check_shape
 from ...meshing.mesh import mesh
 from ..vectors import Vector3dVector, Vector4iVector
-from ..wrapper import Rows, unwrap
+from ..wrapper import unwrap
 from .point_cloud import PointCloud
 from .triangle_mesh import MeshBase, TriangleMesh
 

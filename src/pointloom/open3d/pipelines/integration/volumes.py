@@ -7,7 +7,7 @@ import enum
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.checks import check_count, check_positive
 from ....meshing.volume import tsdf
@@ -33,8 +33,6 @@ class TSDFVolume(Wrapper):
     def __init__(self, voxel_length: float, sdf_trunc: float, color_type: TSDFVolumeColorType):
         if not isinstance(color_type, TSDFVolumeColorType):
             raise TypeError(f"color_type: expected a TSDFVolumeColorType, got {type(color_type).__name__}")
-        if color_type is TSDFVolumeColorType.Gray32:
-            raise ValueError("color_type: expected TSDFVolumeColorType.RGB8 or NoColor, got Gray32")
         self._color_type, self._sdf_trunc = color_type, check_positive("sdf_trunc", sdf_trunc)
         self._voxel_length = check_positive("voxel_length", voxel_length)
         self._shared = {}
@@ -45,13 +43,14 @@ class TSDFVolume(Wrapper):
     voxel_length = property(lambda self: self._voxel_length, doc="Edge length of a voxel [m].")
 
     def reset(self) -> None:
-        colored = self._color_type is TSDFVolumeColorType.RGB8
+        colored = self._color_type is not TSDFVolumeColorType.NoColor
         self._wrapped = tsdf.TSDFVolume(voxel_size=self._voxel_length, truncation=self._sdf_trunc, color=colored)
 
     def integrate(self, image: Any, intrinsic: Any, extrinsic: ArrayLike) -> None:
-        """Integrate an RGBDImage; `extrinsic` is world to camera."""
-        frame = unwrap(image, RGBDImage, "image"), unwrap(intrinsic, PinholeCameraIntrinsic, "intrinsic")
-        self._wrapped.integrate(*frame, extrinsic)
+        """Integrate an RGBDImage; `extrinsic` is world to camera. Gray32 volumes store intensities in 8 bits."""
+        frame, camera = unwrap(image, RGBDImage, "image"), unwrap(intrinsic, PinholeCameraIntrinsic, "intrinsic")
+        color = _gray(frame.color) if self._color_type is TSDFVolumeColorType.Gray32 else None
+        self._wrapped.integrate(frame, camera, extrinsic, color)
 
     def extract_triangle_mesh(self) -> TriangleMesh:
         return TriangleMesh._of(self._wrapped.extract_triangle_mesh(SEEN))
@@ -76,6 +75,16 @@ class TSDFVolume(Wrapper):
         return (
             f"{type(self).__name__} {'without' if self._color_type is TSDFVolumeColorType.NoColor else 'with'} color."
         )
+
+
+def _gray(intensity: NDArray[Any]) -> NDArray[np.uint8]:
+    """Intensities 0..1 as gray colors, shape (h, w, 3)."""
+    if intensity.dtype != np.float32 or intensity.ndim != 2:
+        raise TypeError(
+            f"image: expected intensities for a Gray32 volume, got {intensity.dtype} of {list(intensity.shape)}. "
+            "Create the RGBDImage with convert_rgb_to_intensity=True"
+        )
+    return np.repeat(np.rint(np.clip(intensity, 0, 1) * 255).astype(np.uint8)[..., None], 3, axis=2)
 
 
 class ScalableTSDFVolume(TSDFVolume):
