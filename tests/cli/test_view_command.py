@@ -111,14 +111,14 @@ def test_a_cloud_is_read_from_a_pipe(cloud, tmp_path):
     assert "error: standard input" in result.stderr and "truncated" in result.stderr
 
 
-def test_without_the_extra_the_install_command_is_printed_before_files_are_read(tmp_path, monkeypatch):
+def test_without_websockets_the_install_command_is_printed_before_files_are_read(tmp_path, monkeypatch):
     loaded = ("websockets", "pointloom.visualization.viewer.link")
     for name in [name for name in sys.modules if name.startswith(loaded)]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "websockets", None)
     (tmp_path / "broken.ply").write_text("ply\n")
-    advice = 'pip install "pointloom[viewer]"'
-    assert refusal("view", tmp_path / "broken.ply") == f"error: the viewer needs the package websockets: {advice}\n"
+    refused = refusal("view", tmp_path / "broken.ply")
+    assert refused.startswith("error: the viewer needs the package websockets") and "pip install websockets" in refused
 
 
 def test_volumes_and_polygons_are_displayed(tmp_path, mesh):

@@ -12,8 +12,8 @@ given: most mistakes show here, before anything is computed.
 # ----------
 # The package makes its own data, so that you need no download: a furnished room of 5 x 4.2 x 2.6 m, as a scanner sees
 # it. We write it to a file and read it again, as you would read your own. Other suffixes work the same way: ``.pcd``,
-# ``.las``, ``.laz``, ``.e57``, ``.xyz``, ``.csv``, ``.npz`` and more. Three of them, and the window of the last step
-# but one, want packages that are not there by default: ``pip install "pointloom[las,e57,viewer]"``.
+# ``.las``, ``.laz``, ``.e57``, ``.xyz``, ``.csv``, ``.npz`` and more. Three of them want packages that are not there by
+# default: ``pip install "pointloom[las,e57]"``.
 #
 # In Open3D this is ``o3d.io.read_point_cloud``; here it is ``loom.read_point_cloud``.
 

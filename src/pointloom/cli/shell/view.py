@@ -67,7 +67,7 @@ def view(
 
     One of FILES may be -, standard input, with --from.
 
-    --screenshot and --save-html need neither a browser nor the extra pointloom[viewer], and exit when done.
+    --screenshot and --save-html need no browser, and exit when done.
 
     \b
     pointloom view scan.las --color-by intensity

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import os
 import sys
 import tempfile
@@ -20,18 +21,21 @@ from numpy.typing import NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_positive
-from ...core.errors import PointloomError
+from ...core.errors import FileError, PointloomError
 from ...core.standard_streams import write_to_stderr
 from ..notebook_output import MAX_PAGE_BYTES as MAX_BYTES
 from ..notebook_output import MAX_WIDTH, in_notebook, ipython_shell, page_output, still_output
 from ..render.geometries import Named, named_geometries, parts_of
 from ..render.picture import Picture
+from ..render.picture_files import save_picture
 from ..render.scene import Scene
 from .client_presence import KEEP_ALIVE
 from .screenshots import as_entry, write_geometries
 from .server import ViewerError
 from .viewer import MAX_POINTS, Viewer
 
+DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER")  # variables, one of which is set where a browser can open
+LOOPBACK = "127.0.0.1"
 MAX_OPEN = 16  # viewers per kernel: fewer than the ports that are tried
 
 
@@ -50,7 +54,7 @@ def draw(
     field_of_view: float | None = None,
     *,
     port: int = 8080,
-    host: str = "127.0.0.1",
+    host: str = LOOPBACK,
     max_points: int = MAX_POINTS,
     block: bool | None = None,
     open_browser: bool = True,
@@ -63,8 +67,10 @@ def draw(
     `keep_alive` seconds after the last page was closed, or at Ctrl-C. In a notebook it returns at once and the cell
     shows the page: live if the browser can reach this machine, else as a self-contained page.
 
-    If the environment variable POINTLOOM_DRAW is "picture", nothing is opened, and a call that would wait returns the
-    initial image.
+    Without a display or browser, a call that would wait writes the initial image to pointloom-1.png (or the next free
+    number) in the working directory, prints the path on stderr, and returns the image. This does not apply over SSH,
+    or if `open_browser` is False or `host` is given: the page is then served. The environment variable POINTLOOM_DRAW
+    overrides this: "page" always serves the page, "picture" returns the image without a file.
 
     Args:
         geometries: One, a list, a mapping of names to geometries, or dictionaries as in Open3D's `draw`. All types that
@@ -85,12 +91,13 @@ def draw(
 
     Returns:
         The viewer, closed if `draw` waited. An `InlinePage` if inline or if no server can run in a notebook. An image
-        if POINTLOOM_DRAW is "picture".
+        without a display, or if POINTLOOM_DRAW is "picture".
 
     Raises:
         TypeError: Unsupported geometry.
         ValueError: A parameter is out of range.
-        PointloomError: The extra is not installed (not needed in a notebook and inline).
+        PointloomError: No port is free.
+        FileError: The image cannot be written.
 
     Example:
         >>> import pointloom as loom
@@ -106,8 +113,12 @@ def draw(
     reason = wants_inline(inline, notebook=notebook and not block)
     if reason is not None:
         return inline_page(named, view, size, max_points, reason)
-    if unattended() and (block or (block is None and not notebook)):
-        return _picture(named, view, size, point_show_normal, mesh_show_wireframe)
+    mode, waits = draw_mode(), block or (block is None and not notebook)
+    if waits and (mode == "picture" or (mode == "file" and open_browser and host == LOOPBACK)):
+        picture = _picture(named, view, size, point_show_normal, mesh_show_wireframe)
+        if mode == "file":
+            save_numbered(picture)
+        return picture
     options: dict[str, Any] = {"host": host, "max_points": max_points, "size": size}
     try:
         viewer = _open_in_cell(port, **options) if notebook and not block else Viewer(port=port, **options)
@@ -121,7 +132,7 @@ def draw(
         with viewer.lock:  # a page that loads meanwhile is updated once everything is added
             if not notebook or block:
                 announce(viewer)
-                if open_browser and not unattended():
+                if open_browser and mode == "page":
                     open_page(viewer)
             viewer.add_named(named)
             viewer.show_normals(point_show_normal)
@@ -139,12 +150,34 @@ def draw(
 draw_geometries = draw  # Open3D's name
 
 
-def unattended() -> bool:
-    """True if POINTLOOM_DRAW is "picture". Raises ValueError if it is neither that nor "page"."""
-    mode = os.environ.get("POINTLOOM_DRAW") or "page"
+def draw_mode() -> str:
+    """The value of POINTLOOM_DRAW, "page" or "picture". If unset: "page" if a browser can show it, else "file".
+
+    Raises ValueError for another value.
+    """
+    mode = os.environ.get("POINTLOOM_DRAW")
+    if not mode:
+        return "page" if "SSH_CONNECTION" in os.environ or _has_browser() else "file"
     if mode not in ("page", "picture"):
         raise ValueError(f"POINTLOOM_DRAW: expected 'page' or 'picture', got {mode!r}")
-    return mode == "picture"
+    return mode
+
+
+def save_numbered(picture: NDArray[np.uint8]) -> Path:
+    """Write an image to the first free pointloom-N.png of the working directory and print the path on stderr."""
+    for number in itertools.count(1):
+        path = Path.cwd() / f"pointloom-{number}.png"
+        if path.exists():
+            continue
+        try:
+            save_picture(path, picture, overwrite=False)
+        except FileError:
+            if path.exists():  # another process was faster
+                continue
+            raise
+        write_to_stderr(f"no display: image written to {path} (POINTLOOM_DRAW=page serves a page instead)")
+        return path
+    raise AssertionError("unreachable")
 
 
 def wait_for_pages(viewer: Viewer, keep_alive: float = KEEP_ALIVE) -> None:
@@ -172,13 +205,25 @@ def announce(viewer: Viewer) -> None:
 
 def open_page(viewer: Viewer) -> bool:
     """Open the page in a browser if there is a display. True if a browser was started."""
-    windows = sys.platform in ("darwin", "win32") or any(os.environ.get(k) for k in ("DISPLAY", "WAYLAND_DISPLAY"))
-    if not windows or "SSH_CONNECTION" in os.environ:
+    if "SSH_CONNECTION" in os.environ or not _has_browser():
         return False
     try:
         return webbrowser.open(viewer.url)
     except webbrowser.Error:
         return False
+
+
+def _has_browser() -> bool:
+    """True if there is a display, or a browser in BROWSER (as in remote editors). Never true in a CI job."""
+    if os.environ.get("CI"):
+        return False
+    if sys.platform not in ("darwin", "win32") and not any(os.environ.get(name) for name in DISPLAYS):
+        return False
+    try:
+        webbrowser.get()
+    except webbrowser.Error:
+        return False
+    return True
 
 
 def _open_in_cell(port: int, **options: Any) -> Viewer:

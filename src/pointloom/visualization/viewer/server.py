@@ -23,7 +23,7 @@ class ViewerError(PointloomError, RuntimeError):
 
 
 class ViewerExtraError(PointloomError, ImportError):
-    """Raised if the viewer's extra is not installed."""
+    """Raised if the package websockets is not installed."""
 
 
 class ViewerServer:
@@ -53,7 +53,7 @@ class ViewerServer:
             if (error.name or "").split(".")[0] == "pointloom":
                 raise
             raise ViewerExtraError(
-                'the viewer needs the package websockets: pip install "pointloom[viewer]"'
+                "the viewer needs the package websockets, which is not installed: pip install websockets"
             ) from error
         from .link import PageServer
 
