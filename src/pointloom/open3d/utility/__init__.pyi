@@ -16,3 +16,8 @@ from ..vectors import Vector4iVector as Vector4iVector
 from . import random as random
 from .threads import get_max_threads as get_max_threads
 from .threads import set_max_threads as set_max_threads
+from .verbosity import Debug as Debug
+from .verbosity import Error as Error
+from .verbosity import Info as Info
+from .verbosity import Warning as Warning
+from .verbosity import reset_print_function as reset_print_function

@@ -1,5 +1,10 @@
 """The names of `open3d.visualization`."""
 
+from . import rendering as rendering
+from . import webrtc_server as webrtc_server
+from .editing import PickedPoint as PickedPoint
+from .editing import VisualizerWithEditing as VisualizerWithEditing
+from .editing import VisualizerWithVertexSelection as VisualizerWithVertexSelection
 from .o3d_visualizer import O3DVisualizer as O3DVisualizer
 from .polygon import SelectionPolygonVolume as SelectionPolygonVolume
 from .polygon import read_selection_polygon_volume as read_selection_polygon_volume
@@ -13,4 +18,6 @@ from .visualizer import VisualizerWithKeyCallback as VisualizerWithKeyCallback
 from .windows import draw as draw
 from .windows import draw_geometries as draw_geometries
 from .windows import draw_geometries_with_animation_callback as draw_geometries_with_animation_callback
+from .windows import draw_geometries_with_editing as draw_geometries_with_editing
 from .windows import draw_geometries_with_key_callbacks as draw_geometries_with_key_callbacks
+from .windows import draw_geometries_with_vertex_selection as draw_geometries_with_vertex_selection

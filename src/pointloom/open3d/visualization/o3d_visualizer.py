@@ -13,6 +13,7 @@ import numpy as np
 from ...core.attribute_hints import KnownNames
 from ...core.checks import check_callback, check_name, check_number, check_positive
 from ...core.errors import PointloomError
+from .rendering.material import style_of
 from .shown import drawn
 from .visualizer import FilePath, Visualizer
 
@@ -69,23 +70,25 @@ class O3DVisualizer(KnownNames):
         time: float = 0.0,
         is_visible: bool = True,
     ) -> None:
-        """Show a geometry under a name, or a dictionary with "name", "geometry" and more. Materials are ignored.
+        """Show a geometry under a name, or a dictionary with "name", "geometry" and more.
 
-        Raises ValueError if the name is in use.
+        A `rendering.MaterialRecord` sets the size of points, the width of lines, and the color of geometries without
+        colors. Raises ValueError if the name is in use.
         """
         if isinstance(name, Mapping):
-            known = {"name", "geometry", "group", "time", "is_visible"}
+            known = {"name", "geometry", "material", "group", "time", "is_visible"}
             self.add_geometry(**{key: value for key, value in name.items() if key in known})
             return
         if check_name("name", name) in self._objects:
             raise ValueError(f"name: {name!r} is already displayed; remove_geometry({name!r}) removes it")
         one = DrawObject(name, geometry, check_name("group", group), check_number("time", time), bool(is_visible))
         shape, viewer = drawn(geometry), self._window._viewer
+        self._window._styles[name] = style_of(material, shape)
         self._objects[name] = one
         if one.is_visible:
             self._window._geometries[name] = geometry
         if viewer is not None:
-            viewer.add(name, shape, **self._window._style(shape))
+            viewer.add(name, shape, **self._window._style(shape, name))
             if not one.is_visible:
                 viewer.set_visible(name, False)
 
@@ -100,6 +103,7 @@ class O3DVisualizer(KnownNames):
     def remove_geometry(self, name: str) -> None:
         self.get_geometry(name)
         del self._objects[name]
+        self._window._styles.pop(name, None)
         self._window._geometries.pop(name, None)
         if self._window._viewer is not None:
             self._window._viewer.remove(name)

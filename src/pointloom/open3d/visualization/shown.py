@@ -14,13 +14,15 @@ Entry = dict[str, Any]
 
 
 def drawn(geometry: Any) -> Any:
-    """The pointloom geometry. Images become textured surfaces. Raises TypeError."""
+    """The pointloom geometry, of tensor geometries, too. Images become textured surfaces. Raises TypeError."""
+    if not isinstance(geometry, Wrapper) and type(geometry).__module__.startswith("open3d."):
+        raise TypeError(f"geometry: expected one of pointloom.open3d's, got Open3D's own {type(geometry).__name__}")
+    if hasattr(geometry, "to_legacy"):
+        geometry = geometry.to_legacy()
     if isinstance(geometry, RGBDImage):
         geometry = geometry.color
     if isinstance(geometry, Image):
         return _picture_on_a_surface(np.asarray(geometry))
-    if not isinstance(geometry, Wrapper) and type(geometry).__module__.startswith("open3d."):
-        raise TypeError(f"geometry: expected one of pointloom.open3d's, got Open3D's own {type(geometry).__name__}")
     return unwrap(geometry)
 
 

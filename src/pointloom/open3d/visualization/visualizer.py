@@ -23,7 +23,7 @@ from ...core.units import without_warnings
 from ...meshing.mesh.mesh import TriangleMesh
 from ...visualization.render.open3d_views import read_view, write_view
 from ...visualization.render.render import render
-from ...visualization.viewer.draw import announce, open_page, unattended
+from ...visualization.viewer.draw import announce, draw_mode, open_page, save_numbered
 from ...visualization.viewer.viewer import Viewer
 from ..geometry import Image, PointCloud
 from ..io import write_image, write_point_cloud
@@ -46,14 +46,16 @@ KEYS = {
 class Visualizer(KnownNames):
     """A window: `create_window`, `add_geometry`, then `run`, or `poll_events` and `update_renderer` in a loop.
 
-    It is a browser page (`loom.Viewer`) whose address is printed on stderr. With `visible=False`, or if the environment
-    variable POINTLOOM_DRAW is "picture", no page is opened: captures are rendered, and `run` and `poll_events` end
-    after 60 frames.
+    It is a browser page (`loom.Viewer`) whose address is printed on stderr. The key Q closes it. With `visible=False`,
+    without a display, or if the environment variable POINTLOOM_DRAW is "picture", no page is opened: captures are
+    rendered, and `run` and `poll_events` end after 60 frames. Without a display `run` writes an image, as `loom.draw`.
     """
 
     def __init__(self):
         self._name, self._frames, self._closed = "Open3D", 0, False
         self._geometries: dict[str, Any] = {}
+        self._styles: dict[str, dict[str, Any]] = {}  # of some geometries by name
+        self._writes_image = False
         self._option, self._control = RenderOption(), ViewControl()
         self._viewer: Viewer | None = None
         self._animation: Callback | None = None
@@ -74,19 +76,27 @@ class Visualizer(KnownNames):
         self.destroy_window()
         self._name, self._frames, self._closed = str(window_name), 0, False
         self._control._size = check_count("width", width), check_count("height", height)
-        if visible and not unattended():
+        mode = draw_mode() if visible else "picture"
+        self._writes_image = mode == "file"
+        if mode == "page":
             self._viewer = Viewer(title=self._name, size=self._control._size)
             self._control._seen = lambda: self._viewer.get_view() if self._viewer and self._viewer.sessions else None
+            self._viewer.on_key("Q", lambda client: self.close(), "Close the window")
             for key in self._callbacks:
                 self._listen(key)
             announce(self._viewer)
             open_page(self._viewer)
+        self._opened(self._viewer)
         return True
+
+    def _opened(self, viewer: Viewer | None) -> None:
+        """Called for each new window, with None without a page."""
 
     def destroy_window(self) -> None:
         """Close the window and remove its geometries."""
         self._closed = True
         self._geometries.clear()
+        self._styles.clear()
         if self._viewer is not None:
             self._viewer.close()
             self._viewer = None
@@ -115,7 +125,7 @@ class Visualizer(KnownNames):
         if reset_bounding_box:
             self.reset_view_point(True)
         if self._viewer is not None:
-            self._viewer.add(name, shape, **self._style(shape))
+            self._viewer.add(name, shape, **self._style(shape, name))
             self._show_options()
         return True
 
@@ -176,7 +186,10 @@ class Visualizer(KnownNames):
             view = read_view(Path(folder) / "view.json", width=width, height=height)
         self._control._look_from(view)
 
-    def _style(self, shape: Any) -> dict[str, Any]:
+    def _style(self, shape: Any, name: str) -> dict[str, Any]:
+        return self._common_style(shape) | self._styles.get(name, {})
+
+    def _common_style(self, shape: Any) -> dict[str, Any]:
         option, style = self._option, {"line_width": self._option.line_width}
         if isinstance(shape, TriangleMesh):
             return style | {"back_faces": option.mesh_show_back_face, "shaded": bool(option.light_on)}
@@ -192,7 +205,7 @@ class Visualizer(KnownNames):
         shapes = {name: drawn(geometry) for name, geometry in self._geometries.items()}
         if self._option.show_coordinate_frame:
             shapes[FRAME] = self._coordinate_frame()
-        return [{"geometry": shape, "name": name, **self._style(shape)} for name, shape in shapes.items()]
+        return [{"geometry": shape, "name": name, **self._style(shape, name)} for name, shape in shapes.items()]
 
     def _coordinate_frame(self) -> TriangleMesh:
         low, high = self._control._bounds
@@ -218,6 +231,11 @@ class Visualizer(KnownNames):
 
     def run(self) -> None:
         """Wait until the window is closed, running animation and key callbacks."""
+        self._wait()
+        if self._writes_image and self._geometries:
+            save_numbered(self._drawn())
+
+    def _wait(self) -> None:
         while not self._closed and (self._viewer is not None or self._animation is not None):
             if self._animation is not None and self._animation(self):
                 self.update_geometry()

@@ -1,4 +1,7 @@
-"""Functions that open a window and wait until it is closed. With POINTLOOM_DRAW=picture they do not wait."""
+"""Functions that open a window and wait until it is closed.
+
+Without a display they write an image and do not wait. With POINTLOOM_DRAW=picture they neither open nor write anything.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from numpy.typing import ArrayLike
 from ...core.errors import PointloomError
 from ...core.open3d_names import hint, row_of
 from ...visualization.viewer.draw import draw as draw_page
-from ..geometry import Geometry, Image
+from .editing import VisualizerWithEditing, VisualizerWithVertexSelection
 from .o3d_visualizer import O3DVisualizer
 from .shown import checked, drawn
 from .visualizer import Visualizer, VisualizerWithKeyCallback
@@ -76,6 +79,30 @@ def draw_geometries_with_key_callbacks(
     _show(window, geometry_list, window_name, width, height)
 
 
+def draw_geometries_with_editing(
+    geometry_list: Any,
+    window_name: str = "Open3D",
+    width: int = 1920,
+    height: int = 1080,
+    left: int = 50,
+    top: int = 50,
+) -> None:
+    """Pick points and crop in a window. `VisualizerWithEditing` returns the picked points."""
+    _show(VisualizerWithEditing(), geometry_list, window_name, width, height)
+
+
+def draw_geometries_with_vertex_selection(
+    geometry_list: Any,
+    window_name: str = "Open3D",
+    width: int = 1920,
+    height: int = 1080,
+    left: int = 50,
+    top: int = 50,
+) -> None:
+    """Select points in a window. `VisualizerWithVertexSelection` returns them."""
+    _show(VisualizerWithVertexSelection(), geometry_list, window_name, width, height)
+
+
 def draw(
     geometry: Any = None,
     title: str = "Open3D",
@@ -100,7 +127,7 @@ def draw(
     show_axes: bool | None = None,
     **others: Any,
 ) -> None:
-    """Show a geometry, a list of them, or of dictionaries with "geometry" and "name". Materials are ignored.
+    """Show a geometry, a list of them, or of dictionaries with "geometry", "name" and "material".
 
     Callbacks of `actions` and animations run in a thread of the page and may add and change geometries.
     """
@@ -134,8 +161,8 @@ def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:
     """Add buttons and geometries to a window."""
     for name, callback in actions:
         window.add_action(name, callback)
-    alone = isinstance(geometry, Geometry | Image | Mapping)
-    for number, entry in enumerate([geometry] if alone else list(geometry or []), 1):
+    several = list(geometry) if isinstance(geometry, list | tuple) else [] if geometry is None else [geometry]
+    for number, entry in enumerate(several, 1):
         name = f"Object {number}"
         window.add_geometry({"name": name, **entry} if isinstance(entry, Mapping) else name, entry)
     window.reset_camera_to_default()
