@@ -56,7 +56,7 @@ SUBPACKAGES = {
     "datasets": ["scenes", "made", "public"],
     "tiling": ["steps", "jobs"],
     "cli": ["jobs", "shell"],
-    "open3d": ["core", "utility", "camera", "geometry", "pipelines", "io", "visualization", "t"],
+    "open3d": ["core", "data", "utility", "camera", "geometry", "pipelines", "io", "visualization", "t"],
 }
 
 # Top-level modules that may import from subpackages. lang.py and memory.py re-export the lowest subpackages,

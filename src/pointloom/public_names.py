@@ -90,11 +90,13 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     if name.startswith("_"):
         return message
     from .core.attribute_hints import nearest_name
-    from .core.open3d_names import hint, row_of
+    from .core.open3d_names import BRIDGE, hint, row_of
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):
-        other, row = _in_open3d(name), hint(row_of(name))
-        return message + (f"; it is {other}" if other else row or _also(package, name) or nearest_name(name, known))
+        own = hint(row_of(name, (BRIDGE,)))
+        if not own and (other := _in_open3d(name)):
+            return f"{message}; it is {other}"
+        return message + (own or hint(row_of(name)) or _also(package, name) or nearest_name(name, known))
     return message + (_also(package, name) or hint(row_of(name)) or nearest_name(name, known))
 
 

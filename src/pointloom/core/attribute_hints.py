@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .open3d_names import SHAPES, hint, row_of
+from .open3d_names import BRIDGE, SHAPES, hint, row_of
 
 
 def nearest_name(name: str, known: Iterable[str]) -> str:
@@ -89,7 +89,9 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     message = f"{kind.__name__} has no attribute {name!r}"
     if name.startswith("_"):
         return message
-    row = hint(row_of(name, (*(base.__name__ for base in kind.__mro__), SHAPES)))
+    classes = [base.__name__ for base in kind.__mro__]
+    own = [f"{BRIDGE}.{each}" for each in classes] if ".open3d." in kind.__module__ else []
+    row = hint(row_of(name, (*own, *classes, SHAPES)))
     fields = [field for base in kind.__mro__ for field in _annotated(base)]  # names without default are not in dir()
     near = "" if row else nearest_name(name, sorted({*dir(kind), *fields}))
     if how_to_add:

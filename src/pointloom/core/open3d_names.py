@@ -13,6 +13,7 @@ MODULES = (  # sections of Open3D's modules. The others are of classes or argume
 )  # fmt: skip
 SHAPES = "Geometry"  # common to all shapes of Open3D
 ARGUMENTS = "arguments"
+BRIDGE = "o3d"  # names that `pointloom.open3d` lacks, with its own equivalents; "o3d.Name" are members of its classes
 
 
 @functools.cache

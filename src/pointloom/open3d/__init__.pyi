@@ -2,6 +2,7 @@
 
 from . import camera as camera
 from . import core as core
+from . import data as data
 from . import geometry as geometry
 from . import io as io
 from . import pipelines as pipelines

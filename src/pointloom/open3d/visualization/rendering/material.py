@@ -12,16 +12,12 @@ from ....core.checks import check_color, check_positive
 from ....pcd.cloud import PointCloud
 
 
-def _color() -> Any:
-    return field(default_factory=lambda: np.ones(4, np.float32))
-
-
 @dataclass(eq=False)
 class MaterialRecord(KnownNames):
     """Fields of a material. Pages use `base_color`, `point_size` and `line_width`; the others have no effect."""
 
     shader: str = "defaultUnlit"
-    base_color: Any = _color()
+    base_color: Any = field(default_factory=lambda: np.ones(4, np.float32))
     point_size: float = 3.0
     line_width: float = 1.0
     has_alpha: bool = False
