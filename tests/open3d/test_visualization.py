@@ -8,9 +8,11 @@ import pytest
 
 import pointloom.open3d as o3d
 from pointloom.core.errors import PointloomError
+from pointloom.visualization.viewer.draw import DISPLAYS
+from pointloom.visualization.viewer.tools.picking import project
 
 from ..visualization.viewer.events import announced_events, wait_until  # noqa: F401  a fixture
-from ..visualization.viewer.pages import HELLO, line_of, send
+from ..visualization.viewer.pages import HELLO, line_of, page_of, send
 from .runner import differences, draw_nothing, results_of
 
 FRAMES = 60  # lifetime of an unattended window
@@ -146,7 +148,7 @@ def test_pictures_and_clouds_are_drawn(rng):
 
 
 def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsys):
-    monkeypatch.delenv("POINTLOOM_DRAW")
+    monkeypatch.setenv("POINTLOOM_DRAW", "page")
     vis, pressed = o3d.visualization.VisualizerWithKeyCallback(), []
     vis.create_window("keys", 640, 480)
     assert "viewer: http://127.0.0.1:" in capsys.readouterr().err
@@ -184,7 +186,7 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
 @pytest.fixture
 def window(monkeypatch, capsys):
     """The window of `draw` as a page that has not been opened yet."""
-    monkeypatch.delenv("POINTLOOM_DRAW")
+    monkeypatch.setenv("POINTLOOM_DRAW", "page")
     window = o3d.visualization.O3DVisualizer("parts", 640, 480)
     yield window
     window._window.destroy_window()
@@ -275,3 +277,118 @@ def test_a_polygon_crops_clouds_and_meshes(tmp_path, rng):
     volume._native.to_json(tmp_path / "cropped.json")
     again = o3d.visualization.read_selection_polygon_volume(tmp_path / "cropped.json")
     assert len(again.crop_point_cloud(cloud).points) == inside.sum()
+
+
+@pytest.fixture
+def no_display(monkeypatch, tmp_path):
+    """No browser can be opened, and the working directory is empty."""
+    for name in ("POINTLOOM_DRAW", "SSH_CONNECTION", *DISPLAYS):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("pointloom.visualization.viewer.draw.sys", SimpleNamespace(platform="linux"))
+    monkeypatch.chdir(tmp_path)
+
+
+def test_windows_write_images_without_a_display(box, no_display, tmp_path, capsys):
+    o3d.visualization.draw_geometries([box], width=64, height=48)
+    o3d.visualization.draw_geometries_with_editing([box], width=64, height=48)
+    o3d.visualization.draw(box, width=64, height=48)
+    hidden = o3d.visualization.Visualizer()
+    hidden.create_window(visible=False)
+    hidden.add_geometry(box)
+    hidden.run()
+    names = [f"pointloom-{number}.png" for number in (1, 2, 3)]
+    assert sorted(path.name for path in tmp_path.iterdir()) == names
+    assert all(np.asarray(o3d.io.read_image(name))[24, 32, 0] > 100 for name in names)
+    assert all(name in capsys.readouterr().err for name in names[:1])
+
+
+@pytest.mark.parametrize("kind", ["VisualizerWithEditing", "VisualizerWithVertexSelection"])
+def test_nothing_is_picked_without_a_page(box, kind, capsys):
+    vis = getattr(o3d.visualization, kind)()
+    vis.create_window()
+    vis.add_geometry(box)
+    vis.run()
+    vis.destroy_window()
+    assert vis.get_picked_points() == [] and capsys.readouterr() == ("", "")
+
+
+def click(line, viewer, point):
+    """Click on a point of the scene in a page of 800 x 600 pixels."""
+    x, y, _ = project(viewer.get_view(), point)
+    send(line, {"say": "click", "x": (x + 0.5) / 800, "y": (y + 0.5) / 600})
+
+
+def marks(viewer):
+    """Number of the points that the page shows as picked."""
+    item = viewer.items.get("picked points")
+    return 0 if item is None else len(item.cloud)
+
+
+def test_clicks_pick_points_and_clicks_on_picked_points_remove_them(monkeypatch):
+    monkeypatch.setenv("POINTLOOM_DRAW", "page")
+    points = np.array([[0.0, 0, 0], [0.6, 0, 0], [0, 0.6, 0], [0.6, 0.6, 0]])
+    vis = o3d.visualization.VisualizerWithEditing()
+    vis.create_window()
+    vis.add_geometry(o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)))
+    viewer = vis._viewer
+    with page_of(viewer.server) as line:
+        wait_until(lambda: viewer.sessions)
+        for clicked, picked in ((2, [2]), (0, [2, 0]), (3, [2, 0, 3]), (0, [2, 3])):
+            click(line, viewer, points[clicked])
+            wait_until(lambda expected=picked: marks(viewer) == len(expected))
+            assert vis.get_picked_points() == picked
+    vis.destroy_window()
+    assert (
+        vis.get_picked_points() == [2, 3] and np.asarray(vis.get_cropped_geometry().points).tolist() == points.tolist()
+    )
+    vis.create_window()
+    assert vis.get_picked_points() == []
+    vis.destroy_window()
+
+
+def test_vertices_are_selected_by_clicks_and_by_the_program(box, monkeypatch):
+    monkeypatch.setenv("POINTLOOM_DRAW", "page")
+    box.scale(0.2, [0, 0, 0])
+    vis, calls = o3d.visualization.VisualizerWithVertexSelection(), []
+    vis.create_window()
+    vis.add_geometry(box)
+    vis.register_selection_changed_callback(lambda: calls.append(len(vis.get_picked_points())))
+    viewer, vertices = vis._viewer, np.asarray(box.vertices)
+    top = int(np.argmax(vertices.sum(axis=1)))
+    with page_of(viewer.server) as line:
+        wait_until(lambda: viewer.sessions)
+        click(line, viewer, vertices[top] - [0.02, 0.02, 0])  # on the upper face, nearest to a corner
+        wait_until(lambda: marks(viewer) == 1)
+        assert calls == [] and vis.poll_events() and calls == [1]  # in the program's own loop
+    vis.add_picked_points(o3d.utility.IntVector([top, (top + 1) % 8]))
+    picked = vis.get_picked_points()
+    assert [point.index for point in picked] == [top, (top + 1) % 8]
+    assert all(point.coord == pytest.approx(vertices[point.index]) for point in picked)
+    vis.remove_picked_points([top])
+    assert len(vis.get_picked_points()) == 1
+    with pytest.raises(IndexError, match="indices:"):
+        vis.add_picked_points([8])
+    vis.clear_picked_points()
+    assert vis.get_picked_points() == [] and "picked points" not in viewer.items
+    vis.destroy_window()
+
+
+def test_materials_set_the_color_of_geometries_without_colors(tmp_path):
+    material = o3d.visualization.rendering.MaterialRecord()
+    material.shader, material.base_color, material.point_size = "defaultLit", [0, 0, 1, 1], 9
+    plain = o3d.geometry.TriangleMesh.create_box(1, 1, 1)
+    red = o3d.geometry.TriangleMesh(plain).paint_uniform_color([1, 0, 0])
+    drawn = []
+
+    def look(vis):
+        vis.export_current_image(tmp_path / "a.png")
+        drawn.append(np.asarray(o3d.io.read_image(tmp_path / "a.png"))[24, 32])
+
+    for mesh in (plain, red):
+        entry = {"name": "box", "geometry": mesh, "material": material}
+        o3d.visualization.draw([entry], width=64, height=48, on_init=look)
+    assert drawn[0][2] > 100 > drawn[0][0] and drawn[1][0] > 100 > drawn[1][2]
+    with pytest.raises(AttributeError, match="base_colour"):
+        material.base_colour = [1, 0, 0, 1]
+    with pytest.raises(TypeError, match="material:"):
+        o3d.visualization.draw([{"name": "box", "geometry": plain, "material": "red"}])

@@ -33,8 +33,11 @@ def cloud(rng):
 
 
 @pytest.fixture(autouse=True)
-def no_ssh(monkeypatch):
-    monkeypatch.delenv("SSH_CONNECTION", raising=False)
+def bare(monkeypatch):
+    """No display, no SSH, no CI job, and a browser that starts where there is a display."""
+    for name in ("SSH_CONNECTION", "CI", "POINTLOOM_DRAW", *drawing.DISPLAYS):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(drawing.webbrowser, "get", lambda: None)
 
 
 def draw(*geometries, **options):
@@ -60,6 +63,46 @@ def test_unattended_draw_is_an_image_and_does_not_wait(cloud, capfd, monkeypatch
     monkeypatch.setenv("POINTLOOM_DRAW", "window")
     with pytest.raises(ValueError, match="POINTLOOM_DRAW:"):
         loom.draw(cloud)
+
+
+def test_without_a_display_a_numbered_image_is_written(cloud, capfd, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    Path("pointloom-1.png").write_text("of the user")
+    drawn = [loom.draw([cloud], 64, 48) for _ in range(2)]
+    assert [path.name for path in sorted(tmp_path.iterdir())] == [f"pointloom-{k}.png" for k in (1, 2, 3)]
+    assert Path("pointloom-1.png").read_text() == "of the user"
+    assert all(np.array_equal(loom.read_color(f"pointloom-{k + 2}.png"), drawn[k]) for k in range(2))
+    out, err = capfd.readouterr()
+    assert out == "" and [str(tmp_path / f"pointloom-{k}.png") in err for k in (1, 2, 3)] == [False, True, True]
+
+
+@pytest.mark.parametrize(
+    ("environment", "mode"),
+    [
+        ({}, "file"),
+        ({"DISPLAY": ":0"}, "page"),
+        ({"BROWSER": "open-there"}, "page"),
+        ({"SSH_CONNECTION": "1 2 3 4"}, "page"),
+        ({"DISPLAY": ":0", "CI": "true"}, "file"),
+        ({"POINTLOOM_DRAW": "page"}, "page"),
+        ({"DISPLAY": ":0", "POINTLOOM_DRAW": "picture"}, "picture"),
+    ],
+)
+def test_a_page_is_served_where_a_browser_can_show_it(monkeypatch, environment, mode):
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr(drawing, "sys", SimpleNamespace(platform="linux"))
+    assert drawing.draw_mode() == mode
+
+
+def test_a_display_without_a_browser_is_none(monkeypatch):
+    def refuse():
+        raise drawing.webbrowser.Error
+
+    monkeypatch.setenv("DISPLAY", ":0")
+    monkeypatch.setattr(drawing, "sys", SimpleNamespace(platform="linux"))
+    monkeypatch.setattr(drawing.webbrowser, "get", refuse)
+    assert drawing.draw_mode() == "file"
 
 
 def test_draw_explains_ssh_forwarding(cloud, capfd, monkeypatch):

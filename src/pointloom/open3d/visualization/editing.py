@@ -144,8 +144,8 @@ class VisualizerWithVertexSelection(PickingWindow):
         self._changed = check_callback("f", f)
 
     def _mark(self) -> None:
-        super()._mark()
         self._is_changed = True
+        super()._mark()
 
     def _call_keys(self) -> None:
         super()._call_keys()
