@@ -116,9 +116,7 @@ def draw(
     mode, waits = draw_mode(), block or (block is None and not notebook)
     if waits and (mode == "picture" or (mode == "file" and open_browser and host == LOOPBACK)):
         picture = _picture(named, view, size, point_show_normal, mesh_show_wireframe)
-        if mode == "file":
-            save_numbered(picture)
-        return picture
+        return save_numbered(picture) if mode == "file" else picture
     options: dict[str, Any] = {"host": host, "max_points": max_points, "size": size}
     try:
         viewer = _open_in_cell(port, **options) if notebook and not block else Viewer(port=port, **options)
@@ -163,7 +161,7 @@ def draw_mode() -> str:
     return mode
 
 
-def save_numbered(picture: NDArray[np.uint8]) -> Path:
+def save_numbered(picture: Picture) -> Picture:
     """Write an image to the first free pointloom-N.png of the working directory and print the path on stderr."""
     for number in itertools.count(1):
         path = Path.cwd() / f"pointloom-{number}.png"
@@ -176,8 +174,8 @@ def save_numbered(picture: NDArray[np.uint8]) -> Path:
                 continue
             raise
         write_to_stderr(f"no display: image written to {path} (POINTLOOM_DRAW=page serves a page instead)")
-        return path
-    raise AssertionError("unreachable")
+        break
+    return picture
 
 
 def wait_for_pages(viewer: Viewer, keep_alive: float = KEEP_ALIVE) -> None:
