@@ -264,6 +264,18 @@ def test_draw_accepts_the_same_arguments_without_a_page(box, tmp_path):
     assert pictures[0][24, 32, 0] > 100
 
 
+def test_geometries_with_a_legacy_form_are_drawn_as_it(box, tmp_path):
+    class Tensors:
+        def to_legacy(self):
+            return box
+
+    def look(vis):
+        vis.export_current_image(tmp_path / "a.png")
+
+    o3d.visualization.draw(Tensors(), width=64, height=48, on_init=look)
+    assert np.asarray(o3d.io.read_image(tmp_path / "a.png"))[24, 32, 0] > 100
+
+
 def test_a_polygon_crops_clouds_and_meshes(tmp_path, rng):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(rng.random((200, 3))))
     volume = o3d.visualization.SelectionPolygonVolume()

@@ -17,8 +17,9 @@ def drawn(geometry: Any) -> Any:
     """The pointloom geometry, of tensor geometries, too. Images become textured surfaces. Raises TypeError."""
     if not isinstance(geometry, Wrapper) and type(geometry).__module__.startswith("open3d."):
         raise TypeError(f"geometry: expected one of pointloom.open3d's, got Open3D's own {type(geometry).__name__}")
-    if hasattr(geometry, "to_legacy"):
-        geometry = geometry.to_legacy()
+    to_legacy = getattr(type(geometry), "to_legacy", None)
+    if to_legacy is not None:
+        geometry = to_legacy(geometry)
     if isinstance(geometry, RGBDImage):
         geometry = geometry.color
     if isinstance(geometry, Image):

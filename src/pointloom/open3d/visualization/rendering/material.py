@@ -83,6 +83,6 @@ def style_of(material: Any, shape: Any) -> dict[str, Any]:
 
 def _has_colors(shape: Any) -> bool:
     if isinstance(shape, PointCloud):
-        return shape.has_colors
+        return bool(shape.has_colors)
     colors = (getattr(shape, name, None) for name in ("colors", "vertex_colors", "textures"))
     return any(values is not None and len(values) for values in colors)
