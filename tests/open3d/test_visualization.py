@@ -304,11 +304,15 @@ def test_windows_write_images_without_a_display(box, no_display, tmp_path, capsy
     o3d.visualization.draw_geometries([box], width=64, height=48)
     o3d.visualization.draw_geometries_with_editing([box], width=64, height=48)
     o3d.visualization.draw(box, width=64, height=48)
-    hidden = o3d.visualization.Visualizer()
-    hidden.create_window(visible=False)
-    hidden.add_geometry(box)
-    hidden.run()
-    names = [f"pointloom-{number}.png" for number in (1, 2, 3)]
+    for visible, captures in ((True, False), (True, True), (False, False)):
+        vis = o3d.visualization.Visualizer()
+        vis.create_window(width=64, height=48, visible=visible)
+        vis.add_geometry(box)
+        vis.poll_events()
+        if captures:
+            vis.capture_screen_float_buffer()
+        vis.destroy_window()
+    names = [f"pointloom-{number}.png" for number in (1, 2, 3, 4)]
     assert sorted(path.name for path in tmp_path.iterdir()) == names
     assert all(np.asarray(o3d.io.read_image(name))[24, 32, 0] > 100 for name in names)
     assert all(name in capsys.readouterr().err for name in names[:1])

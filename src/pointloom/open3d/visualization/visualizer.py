@@ -48,14 +48,14 @@ class Visualizer(KnownNames):
 
     It is a browser page (`loom.Viewer`) whose address is printed on stderr. The key Q closes it. With `visible=False`,
     without a display, or if the environment variable POINTLOOM_DRAW is "picture", no page is opened: captures are
-    rendered, and `run` and `poll_events` end after 60 frames. Without a display `run` writes an image, as `loom.draw`.
+    rendered, and `run` and `poll_events` end after 60 frames. Without a display an image is written, as by `loom.draw`.
     """
 
     def __init__(self):
         self._name, self._frames, self._closed = "Open3D", 0, False
         self._geometries: dict[str, Any] = {}
         self._styles: dict[str, dict[str, Any]] = {}  # of some geometries by name
-        self._writes_image = False
+        self._writes_image = False  # a window without a display, of which no image was taken
         self._option, self._control = RenderOption(), ViewControl()
         self._viewer: Viewer | None = None
         self._animation: Callback | None = None
@@ -94,6 +94,8 @@ class Visualizer(KnownNames):
 
     def destroy_window(self) -> None:
         """Close the window and remove its geometries."""
+        if self._frames:
+            self._write_image()
         self._closed = True
         self._geometries.clear()
         self._styles.clear()
@@ -232,6 +234,10 @@ class Visualizer(KnownNames):
     def run(self) -> None:
         """Wait until the window is closed, running animation and key callbacks."""
         self._wait()
+        self._write_image()
+
+    def _write_image(self) -> None:
+        """Without a display, write an image of a window of which no image was taken."""
         if self._writes_image and self._geometries:
             save_numbered(self._drawn())
 
@@ -299,6 +305,7 @@ class Visualizer(KnownNames):
         write_point_cloud(filename, cloud)
 
     def _drawn(self, *, depth: bool = False) -> Any:
+        self._writes_image = False
         option = self._option
         smooth = "smooth" if option.mesh_shade_option is MeshShadeOption.Color else None
         with without_warnings(UserWarning):  # an empty window is no mistake
