@@ -8,11 +8,11 @@ from .editing import VisualizerWithVertexSelection as VisualizerWithVertexSelect
 from .o3d_visualizer import O3DVisualizer as O3DVisualizer
 from .polygon import SelectionPolygonVolume as SelectionPolygonVolume
 from .polygon import read_selection_polygon_volume as read_selection_polygon_volume
+from .render_option import MeshColorOption as MeshColorOption
+from .render_option import MeshShadeOption as MeshShadeOption
+from .render_option import PointColorOption as PointColorOption
+from .render_option import RenderOption as RenderOption
 from .view_control import ViewControl as ViewControl
-from .visualizer import MeshColorOption as MeshColorOption
-from .visualizer import MeshShadeOption as MeshShadeOption
-from .visualizer import PointColorOption as PointColorOption
-from .visualizer import RenderOption as RenderOption
 from .visualizer import Visualizer as Visualizer
 from .visualizer import VisualizerWithKeyCallback as VisualizerWithKeyCallback
 from .windows import draw as draw

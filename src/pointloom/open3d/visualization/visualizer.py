@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import enum
-import json
 import os
 import queue
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ...core.atomic import atomic_write
 from ...core.attribute_hints import KnownNames
-from ...core.checks import check_callback, check_color, check_count, check_positive
-from ...core.errors import FileError
-from ...core.json_files import read_json_object
+from ...core.checks import check_callback, check_count, check_positive
 from ...core.units import without_warnings
 from ...meshing.mesh.mesh import TriangleMesh
 from ...visualization.render.open3d_views import read_view, write_view
@@ -27,6 +21,7 @@ from ...visualization.viewer.draw import announce, draw_mode, open_page, save_nu
 from ...visualization.viewer.viewer import Viewer
 from ..geometry import Image, PointCloud
 from ..io import write_image, write_point_cloud
+from .render_option import COLOR_BY, MeshShadeOption, RenderOption
 from .shown import bounds_of, drawn
 from .view_control import NOWHERE, ViewControl
 
@@ -341,100 +336,3 @@ class VisualizerWithKeyCallback(Visualizer):
         """Like `register_key_callback`, called with (window, 1, 0): pages report key presses only."""
         check_callback("callback_func", callback_func)
         self.register_key_callback(key, lambda window: callback_func(window, 1, 0))
-
-
-class PointColorOption(enum.Enum):
-    Default = 0
-    Color = 1
-    XCoordinate = 2
-    YCoordinate = 3
-    ZCoordinate = 4
-    Normal = 9
-
-
-class MeshColorOption(enum.Enum):
-    """Coloring of meshes. Coordinates and normals are not supported and show the original colors."""
-
-    Default = 0
-    Color = 1
-    XCoordinate = 2
-    YCoordinate = 3
-    ZCoordinate = 4
-    Normal = 9
-
-
-class MeshShadeOption(enum.Enum):
-    """Face lighting (Default) or vertex lighting (Color)."""
-
-    Default = 0
-    Color = 1
-
-
-COLOR_BY = {  # corresponding values of `color_by`
-    PointColorOption.Color: "rgb",
-    PointColorOption.XCoordinate: "x",
-    PointColorOption.YCoordinate: "y",
-    PointColorOption.ZCoordinate: "height",
-    PointColorOption.Normal: "normal",
-}
-ENUMS = {
-    "point_color_option": PointColorOption,
-    "mesh_color_option": MeshColorOption,
-    "mesh_shade_option": MeshShadeOption,
-}
-POWERS = {"diffuse_power": 0.66, "specular_power": 0.2, "specular_shininess": 100.0}
-OTHERS = {  # other keys of Open3D with defaults: it reads a file up to the first missing key
-    **{f"light{i}_color": [1.0, 1.0, 1.0] for i in range(4)},
-    **{f"light{i}_position": [0.0, 0.0, 2.0 if i < 2 else -2.0] for i in range(4)},
-    **{f"light{i}_{name}": value for i in range(4) for name, value in POWERS.items()},
-    **{"light_ambient_color": [0.0, 0.0, 0.0], "default_mesh_color": [0.7, 0.7, 0.7]},
-    **{"image_max_depth": 3000, "image_stretch_option": 1, "interpolation_option": 0},
-}
-VERSION = {"class_name": "RenderOption", "version_major": 1, "version_minor": 0}
-
-
-@dataclass(eq=False, repr=False)
-class RenderOption(KnownNames):
-    background_color: Any = field(default_factory=lambda: np.ones(3))
-    point_size: float = 5.0
-    line_width: float = 1.0
-    light_on: bool = True
-    point_show_normal: bool = False
-    mesh_show_wireframe: bool = False
-    mesh_show_back_face: bool = False
-    show_coordinate_frame: bool = False
-    point_color_option: PointColorOption = PointColorOption.Default
-    mesh_color_option: MeshColorOption = MeshColorOption.Color
-    mesh_shade_option: MeshShadeOption = MeshShadeOption.Default
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name == "background_color":
-            value = check_color(name, value).copy()
-        elif name in ENUMS and not isinstance(value, ENUMS[name]):
-            raise TypeError(f"{name}: expected a {ENUMS[name].__name__}, got {type(value).__name__}")
-        super().__setattr__(name, value)
-
-    def load_from_json(self, filename: str | os.PathLike[str]) -> None:
-        """Read a file of `save_to_json` or Open3D. Lights are ignored. Raises FileError."""
-        content = read_json_object(filename)
-        if content.get("class_name") != VERSION["class_name"]:
-            raise FileError(filename, f"expected 'RenderOption', got {str(content.get('class_name'))[:40]!r}")
-        for name in (one.name for one in fields(self) if one.name in content):
-            try:
-                value = ENUMS[name](content[name]) if name in ENUMS else content[name]
-                setattr(self, name, value if isinstance(value, list) else type(getattr(self, name))(value))
-            except (TypeError, ValueError) as error:
-                raise FileError(filename, str(error), where=f"key {name}") from error
-
-    def save_to_json(self, filename: str | os.PathLike[str]) -> None:
-        content: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
-        content |= {name: content[name].value for name in ENUMS}
-        content |= {"background_color": content["background_color"].tolist(), **OTHERS, **VERSION}
-        with atomic_write(filename) as file:
-            file.write(json.dumps(content, indent="\t", sort_keys=True).encode() + b"\n")
-
-    def __repr__(self) -> str:
-        return "RenderOption"
-
-    def _state(self) -> tuple[Any, ...]:
-        return tuple(map(str, (getattr(self, one.name) for one in fields(self))))
