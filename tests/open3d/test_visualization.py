@@ -1,5 +1,6 @@
 """Windows under Open3D's names: browser pages, or images without a viewer, with Open3D's cameras."""
 
+import sys
 import threading
 from types import SimpleNamespace
 
@@ -262,6 +263,15 @@ def test_draw_accepts_the_same_arguments_without_a_page(box, tmp_path):
     )  # fmt: skip
     assert pictures[0].shape == (48, 64, 3) and pictures[0][0, 0].tolist() == [0, 0, 255]
     assert pictures[0][24, 32, 0] > 100
+
+
+def test_a_notebook_displays_the_page_of_draw_geometries(box, monkeypatch):
+    shell, displayed = type("ZMQInteractiveShell", (), {})(), []
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    monkeypatch.setitem(sys.modules, "IPython.display", SimpleNamespace(display=displayed.append))
+    monkeypatch.setenv("POINTLOOM_INLINE", "1")
+    o3d.visualization.draw_geometries([box], width=64, height=48)
+    assert "srcdoc=" in displayed[0]._repr_mimebundle_()["text/html"]
 
 
 def test_geometries_with_a_legacy_form_are_drawn_as_it(box, tmp_path):

@@ -5,6 +5,7 @@ Without a display they write an image and do not wait. With POINTLOOM_DRAW=pictu
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from ...core.errors import PointloomError
 from ...core.open3d_names import hint, row_of
+from ...visualization.notebook_output import in_notebook
 from ...visualization.viewer.draw import draw as draw_page
 from .editing import VisualizerWithEditing, VisualizerWithVertexSelection
 from .o3d_visualizer import O3DVisualizer
@@ -35,7 +37,7 @@ def draw_geometries(
     zoom: float | None = None,
 ) -> None:
     """Show geometries like `loom.draw`; `window_name`, `left` and `top` are ignored by the browser."""
-    draw_page(
+    page = draw_page(
         [drawn(geometry) for geometry in checked(geometry_list)],
         width,
         height,
@@ -47,6 +49,8 @@ def draw_geometries(
         front,
         zoom,
     )
+    if in_notebook():
+        importlib.import_module("IPython.display").display(page)
 
 
 def draw_geometries_with_animation_callback(
