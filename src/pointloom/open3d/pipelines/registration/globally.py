@@ -1,9 +1,9 @@
-"""Registration without an initial pose (RANSAC, fast global registration), local ICP, features, kernels and results."""
+"""Registration without an initial pose (RANSAC, fast global registration), local ICP, features and results."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ....core.attribute_hints import KnownNames
 from ....core.checks import check_count, check_number, check_numeric
 from ....pcd import features
-from ....registration import matching, result, rigid, robust_kernels
+from ....registration import matching, result
 from ....registration.globally import fast_global, ransac
-from ....registration.icp import estimation, evaluation, icp
+from ....registration.icp import evaluation, icp
 from ...geometry import PointCloud
 from ...geometry.search_param import keywords_of
 from ...indices import flagged
@@ -22,6 +22,13 @@ from ...seeds import next_seed
 from ...settings import Settings
 from ...vectors import Vector2iVector
 from ...wrapper import Wrapper, as_array, unwrap
+from .estimation import (
+    TransformationEstimation,
+    TransformationEstimationForColoredICP,
+    TransformationEstimationForGeneralizedICP,
+    TransformationEstimationPointToPoint,
+    TransformationEstimationSymmetric,
+)
 
 
 @dataclass(eq=False, repr=False)
@@ -324,134 +331,6 @@ def correspondences_from_features(
     return Vector2iVector(matching.correspondences_from_features(*sides, mutual_filter, mutual_consistency_ratio))
 
 
-class RobustKernel(Settings):
-    """Base class of robust kernels: weight as a function of the residual."""
-
-    _kind = robust_kernels.RobustKernel
-
-    def weight(self, residual: float) -> float:
-        return float(self._native.weight(residual))
-
-    def __repr__(self) -> str:
-        scale = "".join(f" with k={value:f}" for value in self._keywords().values())
-        return f"RobustKernel::{type(self).__name__}{scale}"
-
-
-@dataclass(eq=False, repr=False)
-class L2Loss(RobustKernel):
-    _kind = robust_kernels.L2Loss
-
-
-@dataclass(eq=False, repr=False)
-class L1Loss(RobustKernel):
-    _kind = robust_kernels.L1Loss
-
-
-@dataclass(eq=False, repr=False)
-class HuberLoss(RobustKernel):
-    _kind = robust_kernels.HuberLoss
-    k: float
-
-
-@dataclass(eq=False, repr=False)
-class CauchyLoss(RobustKernel):
-    """1 / (1 + (r / k)^2)."""
-
-    _kind = robust_kernels.CauchyLoss
-    k: float
-
-
-@dataclass(eq=False, repr=False)
-class GMLoss(RobustKernel):
-    """Geman-McClure; k is a squared residual."""
-
-    _kind = robust_kernels.GMLoss
-    k: float
-
-
-@dataclass(eq=False, repr=False)
-class TukeyLoss(RobustKernel):
-    """(1 - (r / k)^2)^2 up to k, zero beyond."""
-
-    _kind = robust_kernels.TukeyLoss
-    k: float
-
-
-class TransformationEstimation(Settings):
-    _kind = estimation.TransformationEstimation
-
-    def _take_kernel(self, default: float) -> None:
-        """Reassign a kernel that was given in place of the first number."""
-        first, kernel = next(iter(self._keywords())), getattr(self, next(iter(self._keywords())))
-        if isinstance(kernel, RobustKernel):
-            self.kernel = kernel
-            setattr(self, first, default)
-
-
-@dataclass(eq=False, repr=False)
-class TransformationEstimationPointToPoint(TransformationEstimation):
-    _kind = estimation.TransformationEstimationPointToPoint
-    with_scaling: bool = False
-
-    def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
-        """Least-squares transformation (4, 4) of pairs (source, target)."""
-        p, q = _pairs(source, target, corres)
-        return rigid.fit_pose(p, q, with_scaling=bool(self.with_scaling))
-
-    def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
-        p, q = _pairs(source, target, corres)
-        return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0
-
-    def __repr__(self) -> str:
-        return f"TransformationEstimationPointToPoint(with_scaling={bool(self.with_scaling)})"
-
-
-@dataclass(eq=False, repr=False)
-class TransformationEstimationPointToPlane(TransformationEstimation):
-    _kind = estimation.TransformationEstimationPointToPlane
-    kernel: RobustKernel = field(default_factory=L2Loss)
-
-
-@dataclass(eq=False, repr=False)
-class TransformationEstimationSymmetric(TransformationEstimation):
-    """Point to plane with the normals of both clouds."""
-
-    _kind = estimation.TransformationEstimationSymmetric
-    kernel: RobustKernel = field(default_factory=L2Loss)
-
-
-@dataclass(eq=False, repr=False)
-class TransformationEstimationForColoredICP(TransformationEstimation):
-    """Planes and colors; `(lambda_geometric)`, `(kernel)` or both."""
-
-    _kind = estimation.TransformationEstimationForColoredICP
-    lambda_geometric: Any = 0.968
-    kernel: RobustKernel = field(default_factory=L2Loss)
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        self._take_kernel(0.968)
-
-    def __repr__(self) -> str:
-        return f"TransformationEstimationForColoredICP(lambda_geometric={self.lambda_geometric:g})"
-
-
-@dataclass(eq=False, repr=False)
-class TransformationEstimationForGeneralizedICP(TransformationEstimation):
-    """Planes of both clouds as flat Gaussians; `(epsilon)`, `(kernel)` or both."""
-
-    _kind = estimation.TransformationEstimationForGeneralizedICP
-    epsilon: Any = 0.001
-    kernel: RobustKernel = field(default_factory=L2Loss)
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        self._take_kernel(0.001)
-
-    def __repr__(self) -> str:
-        return f"TransformationEstimationForGeneralizedICP(epsilon={self.epsilon:g})"
-
-
 class RegistrationResult(Wrapper):
     """Result of a registration. Fields are assignable, as in Open3D."""
 
@@ -514,9 +393,3 @@ class RegistrationResult(Wrapper):
             f"RegistrationResult with {numbers}, and correspondence_set size of {count}\n"
             "Access transformation to get result."
         )
-
-
-def _pairs(source: Any, target: Any, corres: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    pairs = as_array(Vector2iVector(corres))
-    clouds = unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
-    return clouds[0].points[pairs[:, 0]], clouds[1].points[pairs[:, 1]]
