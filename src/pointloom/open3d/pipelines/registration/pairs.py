@@ -68,7 +68,11 @@ def residual_rmse(source: PointCloud, target: PointCloud, corres: ArrayLike, met
 
 
 def _problem(
-    source: PointCloud, target: PointCloud, corres: ArrayLike, method: TransformationEstimation, pose: NDArray[np.float64]
+    source: PointCloud,
+    target: PointCloud,
+    corres: ArrayLike,
+    method: TransformationEstimation,
+    pose: NDArray[np.float64],
 ) -> tuple[IterativeRegistration, Pairs]:
     """An ICP job with the given pairs instead of nearest points, and the pairs."""
     check_clouds(source, target)

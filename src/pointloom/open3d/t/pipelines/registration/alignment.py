@@ -1,0 +1,177 @@
+"""ICP of clouds of tensors, from one scale or from coarse to fine, and the evaluation of a pose."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .....registration import result
+from .....registration.icp import evaluation, multi_scale
+from ....core.device import Device
+from ....core.dtype import float64, int64
+from ....core.tensor import Tensor
+from ....pipelines.registration import globally
+from ....settings import Settings
+from ....wrapper import unwrap
+from ..tensors import as_matrix, on_host, tensor_of
+from .clouds import clouds_of
+from .estimation import (
+    IDENTITY,
+    TransformationEstimation,
+    TransformationEstimationPointToPoint,
+    TransformationEstimationSymmetric,
+)
+
+Callback = Callable[[dict[str, Tensor]], Any]
+
+
+@dataclass(eq=False, repr=False)
+class ICPConvergenceCriteria(globally.ICPConvergenceCriteria):
+    """A scale ends if both absolute changes are below their limits, or after `max_iteration`."""
+
+    def __repr__(self) -> str:
+        limits = f"relative_fitness_={self.relative_fitness:e}, relative_rmse={self.relative_rmse:e}"
+        return f"ICPConvergenceCriteria[{limits}, max_iteration_={self.max_iteration}]."
+
+
+@dataclass(eq=False, repr=False)
+class RegistrationResult(Settings):
+    """T_target_source (4, 4), float64 on the CPU, and its quality.
+
+    `correspondence_set`: target index of each source point, or -1, int64 (n, 1).
+    """
+
+    transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY))
+    correspondence_set: Any = field(default_factory=lambda: tensor_of([], int64))
+    inlier_rmse: float = 0.0
+    fitness: float = 0.0
+    converged: bool = False
+    num_iterations: int = 0
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        super().__setattr__(name, Tensor(value) if isinstance(value, np.ndarray) else value)
+
+    def __repr__(self) -> str:
+        state = f"converged={str(self.converged).lower()}, num_iteration={self.num_iterations}"
+        numbers = f"fitness_={self.fitness:e}, inlier_rmse={self.inlier_rmse:e}"
+        count = self.correspondence_set.shape[0]
+        return f"RegistrationResult[{state}, {numbers}, correspondences={count}].\nAccess transformation to get result."
+
+
+def icp(
+    source: Any,
+    target: Any,
+    max_correspondence_distance: float,
+    init_source_to_target: Any = IDENTITY,
+    estimation_method: Any = None,
+    criteria: Any = None,
+    voxel_size: float = -1.0,
+    callback_after_iteration: Callback | None = None,
+) -> RegistrationResult:
+    """ICP of clouds downsampled by `voxel_size` [m], or of all points if it is not positive."""
+    rules = ICPConvergenceCriteria() if criteria is None else unwrapped_criteria("criteria", criteria)
+    start, distances = init_source_to_target, [max_correspondence_distance]
+    options = estimation_method, callback_after_iteration
+    return multi_scale_icp(source, target, [voxel_size], [rules], distances, start, *options)
+
+
+def multi_scale_icp(
+    source: Any,
+    target: Any,
+    voxel_sizes: Any,
+    criteria_list: Sequence[Any],
+    max_correspondence_distances: Any,
+    init_source_to_target: Any = IDENTITY,
+    estimation_method: Any = None,
+    callback_after_iteration: Callback | None = None,
+) -> RegistrationResult:
+    """ICP from coarse to fine. The last voxel size may be -1 for all points.
+
+    The callback gets tensors on the CPU by name: iteration_index, scale_index and scale_iteration_index from 0, and
+    transformation, fitness and inlier_rmse after that iteration.
+    """
+    method = TransformationEstimationPointToPoint() if estimation_method is None else estimation_method
+    clouds = clouds_of(source, target)
+    found = multi_scale.multi_scale_icp(
+        *clouds,
+        [float(size) for size in voxel_sizes],
+        [unwrapped_criteria("criteria_list", rules) for rules in criteria_list],
+        [float(distance) for distance in max_correspondence_distances],
+        on_host(init_source_to_target),
+        unwrap(method, TransformationEstimation, "estimation_method"),
+        overlap=1.0,  # all pairs, as Open3D
+        callback_after_iteration=None if callback_after_iteration is None else _watched(callback_after_iteration),
+    )
+    return _result_of(found, len(clouds[0]), source.device)
+
+
+def registration_symmetric_icp(
+    source: Any,
+    target: Any,
+    max_correspondence_distance: float,
+    init_source_to_target: Any = IDENTITY,
+    estimation_method: Any = None,
+    criteria: Any = None,
+) -> RegistrationResult:
+    """Symmetric point-to-plane ICP: both clouds need normals."""
+    method = TransformationEstimationSymmetric() if estimation_method is None else estimation_method
+    unwrap(method, TransformationEstimationSymmetric, "estimation_method")
+    return icp(source, target, max_correspondence_distance, init_source_to_target, method, criteria)
+
+
+def evaluate_registration(
+    source: Any, target: Any, max_correspondence_distance: float, transformation: Any = IDENTITY
+) -> RegistrationResult:
+    clouds = clouds_of(source, target)
+    found = evaluation.evaluate_registration(*clouds, max_correspondence_distance, on_host(transformation))
+    return _result_of(found, len(clouds[0]), source.device)
+
+
+def get_information_matrix(source: Any, target: Any, max_correspondence_distance: float, transformation: Any) -> Tensor:
+    """Information matrix of the correspondences, (6, 6), float64 on the CPU. Zero without any."""
+    pose = on_host(transformation)
+    return as_matrix(
+        evaluation.get_information_matrix_from_point_clouds(
+            *clouds_of(source, target), max_correspondence_distance, pose
+        )
+    )
+
+
+def unwrapped_criteria(name: str, criteria: Any) -> Any:
+    return unwrap(criteria, globally.ICPConvergenceCriteria, name)
+
+
+def _result_of(found: result.RegistrationResult, count: int, device: Device) -> RegistrationResult:
+    targets = np.full((count, 1), -1, np.int64)
+    pairs = on_host(found.correspondence_set)
+    if len(pairs) and pairs[:, 0].max() < count:
+        targets[pairs[:, 0], 0] = pairs[:, 1]
+    return RegistrationResult(
+        as_matrix(found.transformation),
+        tensor_of(targets, int64, device),
+        float(found.inlier_rmse),
+        float(found.fitness),
+        bool(found.converged),
+        int(found.iterations),
+    )
+
+
+def _watched(callback: Callback) -> Callable[[dict[str, Any]], None]:
+    """A callback of pointloom that calls one of Open3D."""
+    counts: list[int] = []  # iterations of each scale
+
+    def call(state: dict[str, Any]) -> None:
+        scale = state["scale_index"]
+        counts.extend([0] * (scale + 1 - len(counts)))
+        indices = {"iteration_index": sum(counts), "scale_index": scale, "scale_iteration_index": counts[scale]}
+        counts[scale] += 1
+        measured = {name: state[name] for name in ("transformation", "fitness", "inlier_rmse")}
+        callback(
+            {name: tensor_of(value, int64) for name, value in indices.items()}
+            | {name: tensor_of(value, float64) for name, value in measured.items()}
+        )
+
+    return call

@@ -1,0 +1,31 @@
+"""Tensors as arguments and results of the pipelines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....core.checks import is_on_gpu
+from ....core.gpu_arrays import take_numbers
+from ....kernels.memory import download
+from ...core.device import Device
+from ...core.dtype import Dtype, float64
+from ...core.tensor import Tensor
+
+
+def on_host(value: Any) -> NDArray[Any]:
+    """The values of a tensor or of an array on any device, as a NumPy array."""
+    array = value._array if isinstance(value, Tensor) else value
+    return download(take_numbers("values", array)) if is_on_gpu(array) else np.asarray(array)
+
+
+def tensor_of(values: Any, dtype: Dtype, device: Device | None = None) -> Tensor:
+    """A tensor of this type, on the CPU by default."""
+    return Tensor(on_host(values), dtype, device)
+
+
+def as_matrix(value: Any) -> Tensor:
+    """A float64 tensor on the CPU, as Open3D's results are, from a tensor or an array."""
+    return tensor_of(value, float64)
