@@ -23,6 +23,7 @@ from ....registration.rigid import invert_pose
 from ....registration.robust_kernels import L2Loss
 
 Pairs = NDArray[np.int32]
+Matrix = NDArray[np.float64]
 UNRESOLVED = 1e-10  # eigenvalue, relative to the largest, below which float32 does not determine a motion
 
 
@@ -33,7 +34,7 @@ def fit_step(
     method: TransformationEstimation,
     current: ArrayLike | None = None,
     iteration: int = 0,
-) -> NDArray[np.float64]:
+) -> Matrix:
     """The motion (4, 4) of one iteration. Only motions that float32 does not resolve are left out.
 
     Without pairs the identity. It rotates about the center of the pairs, so its linearization is more exact than about

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from .....pcd.cloud import PointCloud
 from .....registration import result
 from .....registration.icp import evaluation, multi_scale
+from .....registration.icp import icp as native_icp
 from ....core.device import Device
 from ....core.dtype import float64, int64
 from ....core.tensor import Tensor
@@ -41,7 +44,8 @@ class ICPConvergenceCriteria(globally.ICPConvergenceCriteria):
 class RegistrationResult(Settings):
     """T_target_source (4, 4), float64 on the CPU, and its quality.
 
-    `correspondence_set`: target index of each source point, or -1, int64 (n, 1).
+    `correspondence_set`: target index of each source point, or -1, int64 (n, 1). Both are those of the downsampled
+    clouds if the last voxel size is positive.
     """
 
     transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY))
@@ -72,7 +76,7 @@ def icp(
     callback_after_iteration: Callback | None = None,
 ) -> RegistrationResult:
     """ICP of clouds downsampled by `voxel_size` [m], or of all points if it is not positive."""
-    rules = ICPConvergenceCriteria() if criteria is None else unwrapped_criteria("criteria", criteria)
+    rules = ICPConvergenceCriteria() if criteria is None else criteria
     start, distances = init_source_to_target, [max_correspondence_distance]
     options = estimation_method, callback_after_iteration
     return multi_scale_icp(source, target, [voxel_size], [rules], distances, start, *options)
@@ -88,24 +92,26 @@ def multi_scale_icp(
     estimation_method: Any = None,
     callback_after_iteration: Callback | None = None,
 ) -> RegistrationResult:
-    """ICP from coarse to fine. The last voxel size may be -1 for all points.
+    """ICP from coarse to fine. The last voxel size may be -1 for all points. Grids go through zero.
 
     The callback gets tensors on the CPU by name: iteration_index, scale_index and scale_iteration_index from 0, and
     transformation, fitness and inlier_rmse after that iteration.
     """
     method = TransformationEstimationPointToPoint() if estimation_method is None else estimation_method
-    clouds = clouds_of(source, target)
-    found = multi_scale.multi_scale_icp(
-        *clouds,
-        [float(size) for size in voxel_sizes],
-        [unwrapped_criteria("criteria_list", rules) for rules in criteria_list],
-        [float(distance) for distance in max_correspondence_distances],
-        on_host(init_source_to_target),
-        unwrap(method, TransformationEstimation, "estimation_method"),
-        overlap=1.0,  # all pairs, as Open3D
-        callback_after_iteration=None if callback_after_iteration is None else _watched(callback_after_iteration),
-    )
-    return _result_of(found, len(clouds[0]), source.device)
+    native = unwrap(method, TransformationEstimation, "estimation_method")
+    rules = [_native_criteria("criteria_list", criteria) for criteria in criteria_list]
+    sizes, distances = multi_scale._check_scales([*voxel_sizes], [*max_correspondence_distances], rules)
+    levels = _pyramid(clouds_of(source, target), sizes)
+    pose, steps = on_host(init_source_to_target), 0
+    found: Any = None
+    for scale, (clouds, distance, limits) in enumerate(zip(levels, distances, rules, strict=True)):
+        watch = None if callback_after_iteration is None else partial(_call, callback_after_iteration, scale, steps)
+        found = native_icp.registration_icp(*clouds, distance, pose, native, limits, callback_after_iteration=watch)
+        pose, steps = found.transformation, steps + found.iterations
+        if not found.fitness:
+            break
+    found.iterations = steps
+    return _result_of(found, source.device)
 
 
 def registration_symmetric_icp(
@@ -127,7 +133,7 @@ def evaluate_registration(
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
     found = evaluation.evaluate_registration(*clouds, max_correspondence_distance, on_host(transformation))
-    return _result_of(found, len(clouds[0]), source.device)
+    return _result_of(found, source.device)
 
 
 def get_information_matrix(source: Any, target: Any, max_correspondence_distance: float, transformation: Any) -> Tensor:
@@ -140,15 +146,35 @@ def get_information_matrix(source: Any, target: Any, max_correspondence_distance
     )
 
 
-def unwrapped_criteria(name: str, criteria: Any) -> Any:
+def _native_criteria(name: str, criteria: Any) -> Any:
     return unwrap(criteria, globally.ICPConvergenceCriteria, name)
 
 
-def _result_of(found: result.RegistrationResult, count: int, device: Device) -> RegistrationResult:
-    targets = np.full((count, 1), -1, np.int64)
-    pairs = on_host(found.correspondence_set)
-    if len(pairs) and pairs[:, 0].max() < count:
-        targets[pairs[:, 0], 0] = pairs[:, 1]
+def _pyramid(clouds: tuple[PointCloud, PointCloud], sizes: list[float]) -> list[tuple[PointCloud, PointCloud]]:
+    """Both clouds at each scale, coarsest first, each downsampled from the next finer one."""
+    levels = []
+    for size in reversed(sizes):
+        if size:
+            clouds = tuple(cloud.voxel_down_sample_and_trace(size, np.zeros(3)).cloud for cloud in clouds)
+        levels.insert(0, clouds)
+    return levels
+
+
+def _call(callback: Callback, scale: int, steps: int, state: dict[str, Any]) -> None:
+    """Call a callback of Open3D with a state of pointloom. `steps`: iterations of the coarser scales."""
+    own = state["iteration_index"] - 1
+    indices = {"iteration_index": steps + own, "scale_index": scale, "scale_iteration_index": own}
+    measured = {name: state[name] for name in ("transformation", "fitness", "inlier_rmse")}
+    callback(
+        {name: tensor_of(value, int64) for name, value in indices.items()}
+        | {name: tensor_of(value, float64) for name, value in measured.items()}
+    )
+
+
+def _result_of(found: result.RegistrationResult, device: Device) -> RegistrationResult:
+    assert found._clouds is not None
+    pairs, targets = on_host(found.correspondence_set), np.full((len(found._clouds[0]), 1), -1, np.int64)
+    targets[pairs[:, 0], 0] = pairs[:, 1]
     return RegistrationResult(
         as_matrix(found.transformation),
         tensor_of(targets, int64, device),
@@ -157,21 +183,3 @@ def _result_of(found: result.RegistrationResult, count: int, device: Device) -> 
         bool(found.converged),
         int(found.iterations),
     )
-
-
-def _watched(callback: Callback) -> Callable[[dict[str, Any]], None]:
-    """A callback of pointloom that calls one of Open3D."""
-    counts: list[int] = []  # iterations of each scale
-
-    def call(state: dict[str, Any]) -> None:
-        scale = state["scale_index"]
-        counts.extend([0] * (scale + 1 - len(counts)))
-        indices = {"iteration_index": sum(counts), "scale_index": scale, "scale_iteration_index": counts[scale]}
-        counts[scale] += 1
-        measured = {name: state[name] for name in ("transformation", "fitness", "inlier_rmse")}
-        callback(
-            {name: tensor_of(value, int64) for name, value in indices.items()}
-            | {name: tensor_of(value, float64) for name, value in measured.items()}
-        )
-
-    return call

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .....pcd.cloud import PointCloud
+from ....core.tensor import Tensor
 from ..tensors import on_host
 
 USED = ("normals", "colors", "covariances", "dopplers", "directions")  # by the estimators, beside positions
@@ -15,15 +16,25 @@ USED = ("normals", "colors", "covariances", "dopplers", "directions")  # by the 
 
 def cloud_of(name: str, cloud: Any) -> PointCloud:
     """The pointloom cloud on the device of the tensors. Raises TypeError if it is no cloud of tensors."""
+    positions = _positions(name, cloud)._array
+    attributes = {key: cloud.point[key]._array for key in USED if key in cloud.point}
+    if "covariances" in attributes:
+        attributes["covariances"] = attributes["covariances"].reshape((-1, 9))
+    return PointCloud(positions, **attributes)
+
+
+def points_of(name: str, cloud: Any) -> NDArray[np.float64]:
+    """The positions (n, 3), float64."""
+    return on_host(_positions(name, cloud)).astype(np.float64)
+
+
+def _positions(name: str, cloud: Any) -> Tensor:
     if not hasattr(cloud, "point"):
         hint = "; t.geometry.PointCloud.from_legacy(cloud) converts one" if hasattr(cloud, "points") else ""
         raise TypeError(f"{name}: expected a t.geometry.PointCloud, got {type(cloud).__name__}{hint}")
     if "positions" not in cloud.point:
         raise ValueError(f"{name}: expected a cloud with positions; assign cloud.point.positions")
-    attributes = {key: cloud.point[key]._array for key in USED if key in cloud.point}
-    if "covariances" in attributes:
-        attributes["covariances"] = attributes["covariances"].reshape((-1, 9))
-    return PointCloud(cloud.point["positions"]._array, **attributes)
+    return cloud.point["positions"]
 
 
 def clouds_of(source: Any, target: Any) -> tuple[PointCloud, PointCloud]:

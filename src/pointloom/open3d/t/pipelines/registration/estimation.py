@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .....registration import rigid
 from .....registration.icp import estimation
@@ -13,10 +14,11 @@ from ....core.tensor import Tensor
 from ....pipelines.registration.pairs import fit_step, residual_rmse
 from ....settings import Settings
 from ..tensors import as_matrix, on_host
-from .clouds import clouds_of, pairs_of
+from .clouds import clouds_of, pairs_of, points_of
 from .robust_kernel import RobustKernel
 
 IDENTITY = np.eye(4)
+Points = NDArray[np.float64]
 
 
 class TransformationEstimation(Settings):
@@ -48,12 +50,12 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
         self, source: Any, target: Any, correspondences: Any, current_transform: Any = IDENTITY, iteration: int = 0
     ) -> Tensor:
         """Least-squares motion (4, 4) of the pairs, float64 on the CPU."""
-        clouds = clouds_of(source, target)
-        pairs = pairs_of(correspondences, len(clouds[0]))
-        p, q = (
-            on_host(c.point["positions"])[rows].astype(float) for c, rows in zip((source, target), pairs.T, strict=True)
-        )
+        p, q = _points_of(source, target, correspondences)
         return as_matrix(rigid.fit_pose(p, q) if len(p) else IDENTITY)
+
+    def compute_rmse(self, source: Any, target: Any, correspondences: Any) -> float:
+        p, q = _points_of(source, target, correspondences)
+        return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0
 
 
 @dataclass(eq=False, repr=False)
@@ -134,3 +136,10 @@ class TransformationEstimationForDopplerICP(_DopplerFields):
 
     def __repr__(self) -> str:
         return f"TransformationEstimationForDopplerICP with lambda_doppler: {self.lambda_doppler:f}"
+
+
+def _points_of(source: Any, target: Any, correspondences: Any) -> tuple[Points, Points]:
+    """Positions (k, 3) of the pairs, float64."""
+    p, q = points_of("source", source), points_of("target", target)
+    pairs = pairs_of(correspondences, len(p))
+    return p[pairs[:, 0]], q[pairs[:, 1]]
