@@ -1,0 +1,53 @@
+"""Images of tensors as those of pointloom."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .....cameras.images import RGBDImage, upload_depth
+from .....core.devices import resolve_device
+from .....kernels.lang import float32, vec3
+from .....kernels.memory import upload
+from ....core.tensor import Tensor
+from ....geometry.image import GRAY
+from ..tensors import on_host
+
+
+def rgbd_of(name: str, image: Any, depth_scale: float) -> RGBDImage:
+    """The pointloom image of a t.geometry.RGBDImage, on its device. Raises TypeError."""
+    parts = [getattr(image, part, None) for part in ("color", "depth")]
+    if not all(hasattr(part, "as_tensor") for part in parts):
+        hint = "; RGBDImage(color, depth) of t.io.read_image makes one"
+        raise TypeError(f"{name}: expected a t.geometry.RGBDImage, got {type(image).__name__}{hint}")
+    return frame_of(*(part.as_tensor() for part in parts), depth_scale)
+
+
+def frame_of(color: Tensor, depth: Tensor, depth_scale: float) -> RGBDImage:
+    """An image of a color tensor (h, w, 1 or 3), uint8 or floats 0..1, and a depth tensor (h, w, 1)."""
+    pixels = plane_of(depth)
+    if color.dtype.numpy == np.uint8:
+        gray = color.shape[-1] == 1 or len(color.shape) == 2
+        made = plane_of(color) if gray else color._array
+        return RGBDImage(made, pixels, depth_scale=depth_scale, depth_trunc=np.inf)
+    metric, _, height, width = upload_depth(pixels, depth_scale, np.inf, resolve_device(depth.device.name))
+    values = on_host(color).astype(np.float32)
+    values = values @ GRAY if values.shape[2:] == (3,) else values
+    shades = upload(values.reshape(-1), float32, metric.device)
+    return RGBDImage._from_device_arrays(shades, metric, height, width)
+
+
+def plane_of(image: Tensor) -> Any:
+    """The array (h, w) of a tensor of one channel."""
+    return image._array.reshape(tuple(image.shape[:2]))
+
+
+def flat(image: Tensor) -> Any:
+    """A map (h, w, 1) as a flat float32 device array."""
+    return upload(on_host(image).astype(np.float32).reshape(-1), float32, resolve_device(image.device.name))
+
+
+def flat_vectors(image: Tensor) -> Any:
+    """A map (h, w, 3) as a flat device array of vectors."""
+    return upload(on_host(image).astype(np.float32).reshape(-1, 3), vec3, resolve_device(image.device.name))
