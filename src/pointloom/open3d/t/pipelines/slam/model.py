@@ -31,6 +31,7 @@ class Model(KnownNames):
 
     voxel_grid: Any
     frame_id: int
+    _pose: Tensor
 
     def __init__(
         self,
@@ -49,11 +50,17 @@ class Model(KnownNames):
         )
         self.transformation_frame_to_world, self.frame_id = transformation, -1
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        super().__setattr__(name, as_matrix(value) if name == "transformation_frame_to_world" else value)
+    @property
+    def transformation_frame_to_world(self) -> Tensor:
+        """T_world_camera (4, 4), float64 on the CPU; assignable."""
+        return self._pose
+
+    @transformation_frame_to_world.setter
+    def transformation_frame_to_world(self, pose: Any) -> None:
+        self._pose = as_matrix(pose)
 
     def get_current_frame_pose(self) -> Tensor:
-        return self.transformation_frame_to_world
+        return self._pose
 
     def update_frame_pose(self, frame_id: int, T_frame_to_world: Any) -> None:
         self.frame_id, self.transformation_frame_to_world = int(frame_id), T_frame_to_world
@@ -124,4 +131,4 @@ class Model(KnownNames):
         return self.voxel_grid.hashmap()
 
     def _extrinsic(self) -> Tensor:
-        return as_matrix(invert_pose(on_host(self.transformation_frame_to_world)))
+        return as_matrix(invert_pose(on_host(self._pose)))
