@@ -5,6 +5,8 @@ import pickle
 
 import numpy as np
 import pytest
+from scipy.optimize import least_squares
+from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 import pointloom.open3d as bridge
@@ -148,6 +150,87 @@ def test_pairs_fix_a_pose_as_in_open3d(oracle, rng):
     expected = oracle("open3d/pairs", poses_of_pairs, points, target)
     for (T, rmse), (T_actual, rmse_actual) in zip(expected, poses_of_pairs(bridge, points, target), strict=True):
         assert np.allclose(T_actual, T, atol=1e-6) and rmse_actual == pytest.approx(rmse, abs=1e-6)
+
+
+def cloud_of(points, **vectors):
+    cloud = bridge.geometry.PointCloud(bridge.utility.Vector3dVector(points))
+    for name, rows in vectors.items():
+        setattr(cloud, name, bridge.utility.Vector3dVector(rows))
+    return cloud
+
+
+def unit(vectors):
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+
+
+def test_repeated_steps_of_given_pairs_reach_the_least_squares_pose(rng):
+    """A loop of ICP written by the user, with some pairs twice and a robust kernel or none."""
+    reg, pairs = bridge.pipelines.registration, np.column_stack([rng.integers(0, 40, 60)] * 2)
+    couples, normals = bridge.utility.Vector2iVector(pairs), unit(rng.normal(size=(40, 3)))
+    points = rng.random((40, 3))
+    target = Rotation.from_rotvec([0.05, -0.1, 0.08]).apply(points) + rng.normal(0, 0.01, (40, 3))
+
+    def gaps(x):
+        moved = Rotation.from_rotvec(x[:3]).apply(points) + x[3:]
+        return ((moved - target) * normals).sum(axis=1)[pairs[:, 1]]
+
+    for loss, kernel in (("linear", reg.L2Loss()), ("huber", reg.HuberLoss(0.01)), ("cauchy", reg.CauchyLoss(0.02))):
+        method = reg.TransformationEstimationPointToPlane(kernel)
+        source, fixed = cloud_of(points), cloud_of(target, normals=normals)
+        rmse = np.sqrt((gaps(np.zeros(6)) ** 2).mean())  # without the kernel
+        assert method.compute_rmse(source, fixed, couples) == pytest.approx(rmse, rel=1e-6)
+        for _ in range(40):
+            source.transform(method.compute_transformation(source, fixed, couples))
+        least = least_squares(gaps, np.zeros(6), loss=loss, f_scale=getattr(kernel, "k", 1.0), xtol=1e-12, ftol=1e-12)
+        reached = Rotation.from_rotvec(least.x[:3]).apply(points) + least.x[3:]
+        assert np.allclose(np.asarray(source.points), reached, atol=2e-5)
+    none = bridge.utility.Vector2iVector()
+    assert np.array_equal(method.compute_transformation(source, fixed, none), np.eye(4))
+    assert method.compute_rmse(source, fixed, none) == 0
+
+
+def test_residuals_of_given_pairs_are_those_of_each_estimator(rng):
+    reg, pairs = bridge.pipelines.registration, rng.integers(0, 40, (60, 2))
+    points, target, source_colors, colors = rng.random((4, 40, 3))
+    left, right = (unit(rng.normal(size=(40, 3))) for _ in range(2))
+    clouds = cloud_of(points, normals=left, colors=source_colors), cloud_of(target, normals=right, colors=colors)
+    gap, n, m = points[pairs[:, 0]] - target[pairs[:, 1]], right[pairs[:, 1]], left[pairs[:, 0]]
+    both = n + m * np.where((m * n).sum(axis=1, keepdims=True) < 0, -1, 1)
+    C = [np.eye(3) - (1 - 0.001) * v[:, :, None] * v[:, None, :] for v in (n, m)]  # flat along each normal
+    squares = {
+        reg.TransformationEstimationSymmetric(): (gap * both).sum(axis=1) ** 2,
+        reg.TransformationEstimationForGeneralizedICP(): np.einsum(
+            "ni,nij,nj->n", gap, np.linalg.inv(C[0] + C[1]), gap
+        ),
+        reg.TransformationEstimationForColoredICP(1.0): (gap * n).sum(axis=1) ** 2,
+    }
+    for method, square in squares.items():
+        couples = bridge.utility.Vector2iVector(pairs)
+        assert method.compute_rmse(*clouds, couples) == pytest.approx(np.sqrt(square.mean()), rel=1e-5)
+        moved = clouds[0].__copy__().transform(method.compute_transformation(*clouds, couples))
+        assert method.compute_rmse(moved, clouds[1], couples) < np.sqrt(square.mean())
+    # brightness rises along x: a shift along x and z is seen, one along y is not
+    plane = np.pad(rng.random((200, 2)), ((0, 0), (0, 1)))
+    gray = np.repeat(0.2 + 0.5 * plane[:, :1], 3, axis=1)
+    flat = cloud_of(plane, normals=np.tile([0, 0, 1.0], (200, 1)), colors=gray)
+    shifted = cloud_of(plane + np.array([0.02, 0.1, 0.01]), colors=gray)
+    method, same = (
+        reg.TransformationEstimationForColoredICP(0.6),
+        bridge.utility.Vector2iVector([[i, i] for i in range(200)]),
+    )
+    expected = np.sqrt(0.6 * 0.01**2 + 0.4 * (0.5 * 0.02) ** 2)
+    assert method.compute_rmse(shifted, flat, same) == pytest.approx(expected, rel=1e-4)
+    assert np.allclose(method.compute_transformation(shifted, flat, same)[:3, 3], (-0.02, 0, -0.01), atol=1e-4)
+
+
+def test_old_argument_orders_are_explained():
+    reg, cloud, feature = bridge.pipelines.registration, cloud_of(np.eye(3)), bridge.pipelines.registration.Feature()
+    assert reg.RANSACConvergenceCriteria(4000000, 500).confidence == 1  # a count before Open3D 0.12
+    with pytest.raises(TypeError, match="mutual_filter:"):
+        reg.registration_ransac_based_on_feature_matching(cloud, cloud, feature, feature, 0.05, None)
+    with pytest.raises(TypeError, match="checkers:"):
+        criteria = reg.RANSACConvergenceCriteria()
+        reg.registration_ransac_based_on_correspondence(cloud, cloud, [[0, 0]], 0.05, None, 3, criteria)
 
 
 def test_graphs_copy_their_nodes_and_edges():

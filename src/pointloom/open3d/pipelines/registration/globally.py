@@ -82,10 +82,8 @@ def registration_ransac_based_on_feature_matching(
     criteria: Any = None,
 ) -> RegistrationResult:
     if not isinstance(mutual_filter, bool | np.bool_ | int):
-        raise TypeError(
-            f"mutual_filter: expected True or False, got {mutual_filter!r}; before Open3D 0.12 the distance was here, "
-            "pass mutual_filter before max_correspondence_distance"
-        )
+        remedy = "the distance follows it since Open3D 0.12"
+        raise TypeError(f"mutual_filter: expected True or False, got {mutual_filter!r}; {remedy}")
     result = ransac.registration_ransac_based_on_feature_matching(
         *clouds_of(source, target),
         rows_of(source_feature, "source_feature"),
@@ -151,9 +149,8 @@ def _option(option: Any) -> Any:
 
 def _rules(method: Any, ransac_n: int, checkers: Sequence[Any], criteria: Any) -> tuple[Any, int, Any, Any]:
     if not isinstance(checkers, Sequence):
-        raise TypeError(
-            f"checkers: expected a list of CorrespondenceCheckers, got {type(checkers).__name__}; pass criteria after it"
-        )
+        given = type(checkers).__name__
+        raise TypeError(f"checkers: expected a list of CorrespondenceCheckers, got {given}; criteria follows it")
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = RANSACConvergenceCriteria() if criteria is None else criteria
     return unwrap(method), ransac_n, unwrap(list(checkers)), unwrap(criteria, RANSACConvergenceCriteria, "criteria")

@@ -110,7 +110,7 @@ def align(
     )
     if found.warnings:
         raise RuntimeError(f"source, target: {'; '.join(found.warnings)}")
-    return OdometryResult(as_matrix(found.transformation), found.inlier_rmse, found.fitness)
+    return OdometryResult(as_matrix(found.transformation), float(found.inlier_rmse), float(found.fitness))
 
 
 def compute_odometry_information_matrix(

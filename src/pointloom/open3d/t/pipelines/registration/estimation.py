@@ -42,9 +42,12 @@ class TransformationEstimation(Settings):
         return residual_rmse(*clouds, pairs_of(correspondences, len(clouds[0])), self._native)
 
 
-@dataclass(eq=False, repr=False)
+@dataclass(eq=False, repr=False, init=False)
 class TransformationEstimationPointToPoint(TransformationEstimation):
     _kind = estimation.TransformationEstimationPointToPoint
+
+    def __init__(self, other: Any = None):
+        """`other` is one to copy."""
 
     def compute_transformation(
         self, source: Any, target: Any, correspondences: Any, current_transform: Any = IDENTITY, iteration: int = 0
