@@ -142,6 +142,8 @@ def test_wrong_arguments_and_missing_methods_are_named(call, error, name):
 
 def test_another_truncation_is_rejected():
     grid, (depth, color) = colored("CPU:0"), images("CPU:0")
-    grid.integrate(None, depth, color, K, T)
+    grid.compute_unique_block_coordinates(depth, K, T, trunc_voxel_multiplier=2.0)
+    assert grid.extract_triangle_mesh().is_empty() and grid.voxel_indices().shape[1] == 0
+    grid.integrate(None, depth, color, K, T, trunc_voxel_multiplier=5.0)
     with pytest.raises(ValueError, match="trunc_voxel_multiplier"):
         grid.integrate(None, depth, color, K, T, trunc_voxel_multiplier=4.0)

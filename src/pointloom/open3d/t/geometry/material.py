@@ -35,11 +35,11 @@ class Material(KnownNames):
     texture_maps: dict[str, Any]
 
     def __init__(self, material_name: Any = ""):
-        given = material_name if isinstance(material_name, Material) else None
-        self.material_name = given.material_name if given else material_name
-        self.scalar_properties = dict(given.scalar_properties) if given else {}
-        self.vector_properties = dict(given.vector_properties) if given else {}
-        self.texture_maps = dict(given.texture_maps) if given else {}
+        other = material_name if isinstance(material_name, Material) else None
+        self.material_name = str(material_name) if other is None else other.material_name
+        self.scalar_properties = {} if other is None else dict(other.scalar_properties)
+        self.vector_properties = {} if other is None else dict(other.vector_properties)
+        self.texture_maps = {} if other is None else dict(other.texture_maps)
 
     def is_valid(self) -> bool:
         """True if the material has a name."""

@@ -75,16 +75,18 @@ class VoxelBlockGrid(KnownNames):
     def _with_truncation(self, multiplier: float) -> TSDFVolume:
         """The volume, created by the first integration. ValueError if it has another truncation."""
         truncation = check_positive("trunc_voxel_multiplier", multiplier) * self._voxel_size
-        if self._volume is None:
-            colored = "color" in self._dtypes
+        volume = self._volume
+        is_same = volume is not None and math.isclose(volume.truncation, truncation, rel_tol=1e-6)
+        if volume is None or (not is_same and not volume.frame_count):
             sizes = {"voxel_size": self._voxel_size, "truncation": truncation}
-            self._volume = TSDFVolume(**sizes, color=colored, device=self._device.name)
-        if not math.isclose(self._volume.truncation, truncation, rel_tol=1e-6):
-            first = self._volume.truncation / self._voxel_size
+            volume = TSDFVolume(**sizes, color="color" in self._dtypes, device=self._device.name)
+            self._volume = volume
+        elif not is_same:
+            first = volume.truncation / self._voxel_size
             raise ValueError(
                 f"trunc_voxel_multiplier: expected {first:g} as in the first integration, got {multiplier}"
             )
-        return self._volume
+        return volume
 
     @property
     def _any(self) -> TSDFVolume:
