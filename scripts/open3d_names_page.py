@@ -9,13 +9,15 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import inspect
+import itertools
 import tomllib
 from fnmatch import fnmatchcase
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from pointloom.core.open3d_names import SHAPES, row_of, sections
+from pointloom.core.open3d_names import BRIDGE, SHAPES, row_of, sections
+from pointloom.core.open3d_names import MODULES as MODULE_SECTIONS
 
 MODULES = (
     "camera", "core", "core.cuda", "core.nns", "data", "geometry", "geometry.keypoint", "io",
@@ -32,6 +34,7 @@ WITHOUT = {  # modules of Open3D that pointloom.open3d does not have, and the re
     "visualization.webrtc_server": "every window is a page of the browser already",
     "io.rpc": "connections to Open3D's viewer. `loom.Viewer` takes updates from any thread",
 }
+ABSTRACT = {"Geometry", "Geometry2D", "Geometry3D", "MeshBase", "KDTreeSearchParam"}  # scripts make no objects of them
 ARTIFACTS = {"m", "n", "capsule", "open3d", "name", "value", "o3d", "annotations"}  # of Open3D's bindings
 HEAD = """# Every name of Open3D
 
@@ -39,9 +42,9 @@ HEAD = """# Every name of Open3D
 
 ## In `pointloom.open3d`
 
-A name is *same* if a script uses it as in Open3D, *differs* if a result or an accepted argument is different, and
-*missing* if it raises an error with the alternative. Differences that concern all functions are listed in
-[open3d.md](open3d.md).
+A name is *same* if it is available and no difference is known, *differs* if a result or an accepted argument is
+different, and *missing* if it raises an error with the alternative. Differences that concern many functions are listed
+in [open3d.md](open3d.md).
 
 {counts}
 
@@ -89,7 +92,8 @@ def differences() -> dict[str, str]:
 
 def public(owner: Any) -> list[str]:
     """The public names of a module or class, without submodules."""
-    names = [name for name in dir(owner) if not name.startswith("_") and name not in ARTIFACTS]
+    inherited = dir(int) if isinstance(owner, type) and issubclass(owner, int) else ()
+    names = [name for name in dir(owner) if not name.startswith("_") and name not in {*ARTIFACTS, *inherited}]
     return [name for name in names if not isinstance(getattr(owner, name), ModuleType)]
 
 
@@ -130,9 +134,9 @@ def reason(owner: Any, path: str, name: str) -> str:
     """The alternative to a missing name."""
     if isinstance(owner, type):
         bases = [base.__name__ for base in owner.__mro__]
-        row = row_of(name, [*bases, SHAPES])
+        row = row_of(name, [*(f"{BRIDGE}.{base}" for base in bases), *bases, SHAPES])
     else:
-        row = row_of(name)
+        row = row_of(name, [BRIDGE, *MODULE_SECTIONS])
     if row is None:
         raise LookupError(f"open3d.{path}.{name}: expected a row in src/pointloom/core/open3d_names.toml, found none")
     return row.removeprefix("not here").lstrip(":; ") or "no counterpart"
@@ -143,7 +147,7 @@ def tables(open3d: Any, ours: Any) -> dict[str, list[Table]]:
     known, made = differences(), {}
     for module in MODULES:
         table = table_of(open3d, ours, module, known)
-        paths = [f"{module}.{name}" for name in (*table.same, *table.differs)]
+        paths = [f"{module}.{name}" for name in (*table.same, *table.differs) if name not in ABSTRACT]
         inner = [table_of(open3d, ours, path, known) for path in paths if isinstance(of_path(open3d, path), type)]
         made[module] = [table, *(one for one in inner if sum(one.counts()))]
     return made
@@ -173,10 +177,19 @@ def page() -> str:
 def equivalents() -> str:
     rows = []
     for section, names in sections().items():
+        if section.partition(".")[0] == BRIDGE:
+            continue
         rows += [f"| **{section}** | |", *(f"| `{name}` | {row} |" for name, row in names.items())]
     return EQUIVALENTS + "\n".join(map(escaped, rows)) + "\n"
 
 
 def escaped(row: str) -> str:
-    """A row of a table; asterisks outside code would be read as emphasis."""
-    return row if row.startswith("| **") else row.replace("*", "\\*")
+    """A row of a table, with its asterisks outside of code and bold titles escaped."""
+    return (
+        row
+        if row.startswith("| **")
+        else "`".join(
+            part if inside else part.replace("*", "\\*")
+            for inside, part in zip(itertools.cycle((False, True)), row.split("`"))
+        )
+    )

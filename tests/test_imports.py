@@ -42,8 +42,8 @@ MAY_IMPORT = {
 # modules of the package, which import from no subpackage.
 SUBPACKAGES = {
     "kernels": [
-        *("language", "algebra", "arrays", "tensors", "search", "extent", "surface", "features", "sampling", "segmentation"),
-        "terrain",
+        *("language", "algebra", "arrays", "tensors", "search", "extent", "surface", "features", "sampling"),
+        *("segmentation", "terrain"),
         *("poses", "icp", "volumes", "odometry", "meshes", "bending", "remeshing", "rays", "reconstruction", "images"),
         *("stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
     ],

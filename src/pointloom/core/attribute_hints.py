@@ -90,7 +90,7 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     if name.startswith("_"):
         return message
     classes = [base.__name__ for base in kind.__mro__]
-    own = [f"{BRIDGE}.{each}" for each in classes] if ".open3d." in kind.__module__ else []
+    own = [f"{BRIDGE}.{each}" for each in classes] if _in_bridge(kind) else []
     row = hint(row_of(name, (*own, *classes, SHAPES)))
     fields = [field for base in kind.__mro__ for field in _annotated(base)]  # names without default are not in dir()
     near = "" if row else nearest_name(name, sorted({*dir(kind), *fields}))
@@ -99,12 +99,18 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     return message + (row or near or _others(kind, name))
 
 
+def _in_bridge(kind: type) -> bool:
+    """True for the classes of `pointloom.open3d`."""
+    return ".open3d." in kind.__module__
+
+
 def _others(kind: type, name: str) -> str:
-    """`; TriangleMesh has it` if other loaded classes have the name."""
+    """`; TriangleMesh has it` if other loaded classes, of pointloom or of its Open3D names, have the name."""
     names, waiting = set(), [HintedNames]
     while waiting:
         base = waiting.pop()
         waiting += base.__subclasses__()
-        if not base.__subclasses__() and base is not kind and not base.__name__.startswith("_"):
+        is_other = base is not kind and not base.__name__.startswith("_") and _in_bridge(base) == _in_bridge(kind)
+        if is_other and not base.__subclasses__():
             names |= {base.__name__} if any(name in vars(parent) for parent in base.__mro__) else set()
     return f"; {' and '.join(sorted(names))} {'have' if len(names) > 1 else 'has'} it" if names else ""
