@@ -79,9 +79,11 @@ def unary(name: str, values: NDArray[Any]) -> NDArray[Any]:
 
 def reduced(name: str, values: NDArray[Any], axes: Any, keepdim: bool) -> NDArray[Any]:
     """A reduction over some axes. `argmin` and `argmax` take one axis or all."""
+    if any(not -values.ndim <= axis < values.ndim for axis in axes):
+        raise TensorError(f"dim: expected axes from {-values.ndim} to {values.ndim - 1}, got {list(axes)}")
     if name.startswith("arg"):
         axis = axes[0] if len(axes) == 1 else None
-        if axis is None and sorted(a % values.ndim for a in axes) != list(range(values.ndim)):
+        if axis is None and len({a % values.ndim for a in axes}) != values.ndim:
             raise TensorError(f"dim: expected one axis or all of them, got {list(axes)}")
         return np.asarray(REDUCTIONS[name][0](values, axis=axis), np.int64)
     options: dict[str, Any] = {"dtype": values.dtype} if name in ("sum", "prod") else {}
