@@ -11,7 +11,7 @@ import numpy as np
 
 from ..array_types import Doubles, LongIntegers
 from ..lang import array, cos, exp, float64, floor, func, int64, isfinite, kernel, launch, sin, sqrt, tid, vec4i
-from ..memory import empty
+from ..memory import clone, empty
 
 MAX_AXES = 4
 RUN = 64  # elements that one thread of a reduction combines
@@ -226,6 +226,8 @@ def map_floats(values: Doubles, function: int) -> Doubles:
 
 def fold_rows(values: Numbers, count: int, operation: int) -> Numbers:
     """ADD, MUL, MAXIMUM or MINIMUM over each row of `count` numbers, at least one, of a flat float64 or int64 array."""
+    if count == 1:
+        return clone(values)
     rows = values.size // count
     chosen = fold_floats_kernel if values.dtype == float64 else fold_integers_kernel
     while count > 1:

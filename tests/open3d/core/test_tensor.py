@@ -130,7 +130,7 @@ def test_reductions_are_numpys(device, name, rng):
                 expected = getattr(np, function)(a, axis=numpy_axes, keepdims=keep, **options)
                 assert result.shape == expected.shape
                 np.testing.assert_allclose(result.numpy(), expected, rtol=1e-5)
-                assert result.numpy().dtype == a.dtype
+                assert (result.numpy().dtype, result.issame(tensor)) == (a.dtype, False)
     for function in ("argmin", "argmax") if name != "bool" else ():
         np.testing.assert_array_equal(getattr(tensor, function)(1).numpy(), getattr(a, function)(1))
 
@@ -170,6 +170,20 @@ def test_memory_is_shared_as_documented(tmp_path):
         assert made.allclose(copied)
         assert not made.issame(copied)
     np.testing.assert_array_equal(np.ones(3) + copied, copied.numpy() + 1)
+
+
+def test_dlpack_shares_memory_in_both_directions(device):
+    tensor = o3c.Tensor(np.arange(6, dtype=np.float32).reshape(2, 3), device=device)
+    for shared in (o3c.Tensor.from_dlpack(tensor), o3c.Tensor.from_dlpack(tensor.to_dlpack())):
+        shared[1] += 1
+        assert (shared.issame(tensor), shared.device) == (True, tensor.device)
+    assert tensor.numpy().tolist() == [[0, 1, 2], [5, 6, 7]]
+    part = tensor[:, 1:]
+    part[:] = o3c.Tensor([[8.0, 9]], o3c.float32, device)
+    assert tensor.numpy().tolist() == [[0, 8, 9], [5, 8, 9]]
+    assert part.to(o3c.int64).flatten().numpy().tolist() == [8, 9, 8, 9]
+    assert (part.is_contiguous(), part.contiguous().is_contiguous(), tensor[0, 0].item()) == (False, True, 0)
+    assert pickle.loads(pickle.dumps(part)).allclose(part)
 
 
 def test_tensors_are_printed_as_by_open3d():
