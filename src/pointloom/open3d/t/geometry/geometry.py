@@ -14,7 +14,7 @@ from .tensor_map import TensorMap
 class Geometry(KnownNames):
     """A geometry of tensors on one device.
 
-    To write a class: list the attributes that hold a Tensor, a TensorMap or another Geometry in `_parts`. The first one
+    To write a class: list the attributes with a Tensor, a TensorMap or another Geometry in `_parts`. The first one
     determines the device. Set `_home` in the constructor: the device while there is no tensor. List read-only
     attributes in `_fixed`.
     """
