@@ -64,7 +64,8 @@ class BoundingBox(Geometry):
     @classmethod
     def _of(cls, native: Any, dtype: Dtype, device: Any, color: Any = (1, 1, 1)) -> Self:
         """Wrap a pointloom box."""
-        box = cls(device_of(device))
+        box = cls.__new__(cls)
+        box._home = device_of(device)
         box._native, box._dtype, box._rgb = native, dtype, np.array(color, np.float64)
         return box
 

@@ -209,11 +209,9 @@ class PointCloud(MovedGeometry):
         if "color_gradients" in self.point:
             return
         native = native_of(self.point, "normals", "colors")
-        arrays = [native._required_array(name, f"assign point.{name}") for name in ("normals", "colors")]
-        count = len(native) if max_nn is None else max_nn
-        gradients = estimate_color_gradients(native.search_tree(), *arrays, LONG if radius is None else radius, count)[
-            1
-        ]
+        normals, colors = (native._required_array(name, f"assign point.{name}") for name in ("normals", "colors"))
+        distance, count = LONG if radius is None else radius, len(native) if max_nn is None else max_nn
+        _, gradients = estimate_color_gradients(native.search_tree(), normals, colors, distance, count)
         dtype = self.point.colors.dtype
         made = converted(wrap(native._handed_out(gradients)), dtype if dtype in (float32, float64) else float32)
         self.point["color_gradients"] = made
@@ -342,7 +340,7 @@ class PointCloud(MovedGeometry):
 
     def compute_metrics(self, pcd2: PointCloud, metrics: Any, params: Any) -> Tensor:
         """The metrics in their order, float32, F-scores once per radius."""
-        found = compute_metrics(native_of(self.point), native_of(pcd2.point), [*params.fscore_radius])
+        found: Any = compute_metrics(native_of(self.point), native_of(pcd2.point), [*params.fscore_radius])
         return Tensor(listed_metrics(found, metrics))
 
     def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> LineSet:

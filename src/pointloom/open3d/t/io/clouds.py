@@ -73,13 +73,13 @@ def write_point_cloud(
         raise FileError(filename, f"unknown extension {suffix!r}", remedy=f"Clouds are written as {' '.join(WRITTEN)}")
     arrays = {name: tensor.numpy() for name, tensor in pointcloud.point.items()}
     points = arrays.pop("positions", np.zeros((0, 3), np.float32))
-    known = {name: arrays.pop(name, None) for name in ("normals", "colors")}
-    if known["colors"] is not None and known["colors"].dtype.kind == "u":
-        known["colors"] = known["colors"] / np.float32(np.iinfo(known["colors"].dtype).max)
+    normals, colors = arrays.pop("normals", None), arrays.pop("colors", None)
+    if colors is not None and colors.dtype.kind == "u":
+        colors = colors / np.float32(np.iinfo(colors.dtype).max)
     others = {name: values.reshape(len(values), -1) for name, values in arrays.items()}
     flat = {name: values[:, 0] if values.shape[1:] == (1,) else values for name, values in others.items()}
     floats = points if points.dtype.kind == "f" else points.astype(np.float64)
-    left_out = write_cloud_table(filename, PointTable(floats, **known, attributes=flat), as_text=write_ascii)
+    left_out = write_cloud_table(filename, PointTable(floats, normals, colors, flat), as_text=write_ascii)
     if suffix not in TEXT_COLUMNS:
         warn_left_out(filename, suffix, left_out)
     return True
