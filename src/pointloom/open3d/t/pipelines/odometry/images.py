@@ -17,11 +17,11 @@ from ..tensors import on_host
 
 def rgbd_of(name: str, image: Any, depth_scale: float) -> RGBDImage:
     """The pointloom image of a t.geometry.RGBDImage, on its device. Raises TypeError."""
-    parts = [getattr(image, part, None) for part in ("color", "depth")]
-    if not all(hasattr(part, "as_tensor") for part in parts):
+    color, depth = (getattr(image, part, None) for part in ("color", "depth"))
+    if color is None or depth is None:
         hint = "; RGBDImage(color, depth) of t.io.read_image makes one"
         raise TypeError(f"{name}: expected a t.geometry.RGBDImage, got {type(image).__name__}{hint}")
-    return frame_of(*(part.as_tensor() for part in parts), depth_scale)
+    return frame_of(color.as_tensor(), depth.as_tensor(), depth_scale)
 
 
 def frame_of(color: Tensor, depth: Tensor, depth_scale: float) -> RGBDImage:

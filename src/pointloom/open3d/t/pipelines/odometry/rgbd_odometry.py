@@ -123,7 +123,7 @@ def compute_odometry_information_matrix(
     depth_max: float = 3.0,
 ) -> Tensor:
     """Information matrix (6, 6) of pixel pairs within `dist_threshold` [m], float64 on the CPU."""
-    depths = [plane_of(image.as_tensor()) for image in (source_depth, target_depth)]
+    depths = plane_of(source_depth.as_tensor()), plane_of(target_depth.as_tensor())
     camera, pose = on_host(intrinsic), on_host(source_to_target)
     limits = dist_threshold, depth_scale, depth_max
     return as_matrix(rgbd_odometry.compute_odometry_information_matrix(*depths, camera, pose, *limits))

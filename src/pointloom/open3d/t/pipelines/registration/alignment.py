@@ -155,7 +155,8 @@ def _pyramid(clouds: tuple[PointCloud, PointCloud], sizes: list[float]) -> list[
     levels = []
     for size in reversed(sizes):
         if size:
-            clouds = tuple(cloud.voxel_down_sample_and_trace(size, np.zeros(3)).cloud for cloud in clouds)
+            source, target = (cloud.voxel_down_sample_and_trace(size, np.zeros(3)).cloud for cloud in clouds)
+            clouds = source, target
         levels.insert(0, clouds)
     return levels
 

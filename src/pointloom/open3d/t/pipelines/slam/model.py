@@ -113,13 +113,13 @@ class Model(KnownNames):
         criteria: Sequence[OdometryConvergenceCriteria] | None = None,
     ) -> OdometryResult:
         """The motion T_model_input of a frame relative to the rendered one. RuntimeError if it is not determined."""
-        frames = [
+        source, target = (
             frame_of(frame.get_data("color"), frame.get_data("depth"), depth_scale)
             for frame in (input_frame, model_frame)
-        ]
+        )
         levels = [OdometryConvergenceCriteria(steps) for steps in STEPS] if criteria is None else criteria
         limits = OdometryLossParams(depth_diff)
-        return align(*frames, model_frame._intrinsics, IDENTITY, depth_max, levels, method, limits)
+        return align(source, target, model_frame._intrinsics, IDENTITY, depth_max, levels, method, limits)
 
     def extract_pointcloud(self, weight_threshold: float = 3.0, estimated_number: int = -1) -> Any:
         return self.voxel_grid.extract_point_cloud(weight_threshold, estimated_number)
