@@ -137,7 +137,8 @@ class MeshFactories(MeshBase):
     @classmethod
     def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """Arrows along x (red), y (green) and z (blue), with triangle normals."""
-        return cls._of(NativeMesh.create_coordinate_frame(size, column("origin", origin))).compute_triangle_normals()
+        made: Any = cls._of(NativeMesh.create_coordinate_frame(size, column("origin", origin)))
+        return made.compute_triangle_normals()
 
     @classmethod
     def create_mobius(
