@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom.open3d as o3d
+from pointloom.open3d.visualization.shown import bounds_of
 
 V, Voxel, VoxelGrid = o3d.utility.Vector3dVector, o3d.geometry.Voxel, o3d.geometry.VoxelGrid
 Modes = VoxelGrid.VoxelPoolingMode
@@ -142,3 +143,11 @@ def test_a_grid_is_read_as_written(cloud, tmp_path, is_text):
     colors = voxels_of(again)
     assert (again.voxel_size, colors.keys()) == (SIZE, voxels_of(grid).keys())
     np.testing.assert_allclose(list(colors.values()), list(voxels_of(grid).values()), atol=0.5 / 255 + 1e-9)
+
+
+def test_a_window_shows_the_bounds_of_voxels_and_octrees(cloud):
+    grid, octree = VoxelGrid.create_from_point_cloud(cloud, SIZE), o3d.geometry.Octree(3)
+    octree.convert_from_point_cloud(cloud)
+    for geometry in (grid, octree):
+        low, high = bounds_of([geometry])
+        np.testing.assert_allclose([low, high], [geometry.get_min_bound(), geometry.get_max_bound()])

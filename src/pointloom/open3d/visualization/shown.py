@@ -45,7 +45,8 @@ def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
             continue
         if points is None and getattr(shape, "is_empty", lambda: False)():
             continue
-        corners += [shape.get_min_bound(), shape.get_max_bound()]
+        bounded = shape if hasattr(shape, "get_min_bound") else geometry  # a VoxelGrid, an Octree
+        corners += [bounded.get_min_bound(), bounded.get_max_bound()]
     return (np.min(corners, axis=0), np.max(corners, axis=0)) if corners else None
 
 
