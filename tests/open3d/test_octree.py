@@ -150,7 +150,8 @@ def test_bounds_are_those_of_the_cube_and_motions_raise(octree):
 
 def test_equal_points_have_a_leaf_in_a_cube_of_the_expansion():
     tree = G.Octree(3)
-    tree.convert_from_point_cloud(G.PointCloud(o3d.utility.Vector3dVector(np.ones((4, 3)))), 0.5)
+    points = np.r_[np.ones((4, 3)), np.full((1, 3), np.nan)]
+    tree.convert_from_point_cloud(G.PointCloud(o3d.utility.Vector3dVector(points)), 0.5)
     assert [leaf.indices for leaf, _ in leaves_of(tree)] == [[0, 1, 2, 3]] and tree.size == 0.5
     root = G.Octree(0, [0, 0, 0], 1)
     root.insert_point([0.5] * 3, G.OctreeColorLeafNode, G.OctreeColorLeafNode.get_update_function([1, 0, 0]))

@@ -105,7 +105,8 @@ def test_half_edges_follow_their_triangles_and_meet_their_twins(make):
     assert sorted(edge for fan in fans for edge in fan) == list(range(len(edges)))
     assert all(edges[edge].vertex_indices[0] == vertex for vertex, fan in enumerate(fans) for edge in fan)
     assert sum(map(len, mesh.get_boundaries())) == boundary
-    assert len(copy.deepcopy(mesh).half_edges) == len(edges)
+    for again in (copy.deepcopy(mesh), G.HalfEdgeTriangleMesh(mesh), pickle.loads(pickle.dumps(mesh))):
+        assert str(again) == str(mesh) and again.ordered_half_edge_from_vertex == fans
 
 
 def test_boundaries_are_loops_from_their_lowest_vertex():

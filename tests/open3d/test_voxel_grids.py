@@ -40,6 +40,13 @@ def test_a_voxel_has_the_pooled_color_of_its_points(cloud, mode, pool):
     assert all(other.check_if_included(V(points)))
 
 
+def test_points_that_are_not_finite_have_no_voxel(cloud):
+    count = len(VoxelGrid.create_from_point_cloud(cloud, SIZE).get_voxels())
+    cloud.points.append([np.nan, 0, 0])
+    cloud.colors.append([0, 0, 0])
+    assert len(VoxelGrid.create_from_point_cloud(cloud, SIZE).get_voxels()) == count
+
+
 def test_a_dense_grid_has_all_voxels_of_its_box():
     grid = VoxelGrid.create_dense([1, 2, 3], [0, 0.5, 1], 0.1, 0.3, 0.2, 0.4)
     assert voxels_of(grid).keys() == {(i, j, k) for i in range(3) for j in range(2) for k in range(4)}

@@ -42,7 +42,8 @@ class HalfEdgeTriangleMesh(TriangleMesh):
 
     def __init__(self, mesh: Any = (), triangles: Any = ()):
         super().__init__(mesh, triangles)
-        self.half_edges, self.ordered_half_edge_from_vertex = [], []
+        if not isinstance(mesh, HalfEdgeTriangleMesh):
+            self.half_edges, self.ordered_half_edge_from_vertex = [], []
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:
@@ -133,6 +134,14 @@ class HalfEdgeTriangleMesh(TriangleMesh):
         made.half_edges = list(self.half_edges)
         made.ordered_half_edge_from_vertex = [list(edges) for edges in self.ordered_half_edge_from_vertex]
         return made
+
+    def __getstate__(self) -> dict[str, Any]:
+        edges = {name: getattr(self, name) for name in ("half_edges", "ordered_half_edge_from_vertex")}
+        return super().__getstate__() | {"edges": edges}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        super().__setstate__(state)
+        vars(self).update(state["edges"])
 
     def __repr__(self) -> str:
         return f"HalfEdgeTriangleMesh with {len(self.vertices)} points and {len(self.half_edges)} half edges."

@@ -67,7 +67,7 @@ class Octree(Geometry3D):
     def convert_from_point_cloud(self, point_cloud: Any, size_expand: float = 0.01) -> None:
         """Replace the nodes by those of a cloud. The cube around it is enlarged by the fraction `size_expand` (0..1).
 
-        A leaf has the color of its last point.
+        A leaf has the color of its last point. Non-finite points are ignored.
         """
         expand = check_number("size_expand", size_expand)
         if not 0 <= expand <= 1:
@@ -75,9 +75,10 @@ class Octree(Geometry3D):
         ours = unwrap(point_cloud, PointCloud, "point_cloud")
         points = np.array(point_cloud.points if isinstance(point_cloud, PointCloud) else ours.points)
         self.clear()
-        if not len(points):
+        finite = points[np.isfinite(points).all(axis=1)]
+        if not len(finite):
             return
-        low, high = points.min(axis=0), points.max(axis=0)
+        low, high = finite.min(axis=0), finite.max(axis=0)
         half = ((low + high) / 2 - low).max()
         self.origin = np.minimum(low, (low + high) / 2 - half)
         self.size = float(half * 2 * (1 + expand)) if half > 0 else expand

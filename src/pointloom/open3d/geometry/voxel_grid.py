@@ -132,7 +132,11 @@ class VoxelGrid(Geometry3D):
         cls, input: Any, voxel_size: float, pooling_mode: VoxelPoolingMode = VoxelPoolingMode.AVG
     ) -> Self:
         """Voxels of a cloud, from half a voxel below its minimum."""
-        lowest = input.get_min_bound() if isinstance(input, PointCloud) else unwrap(input, PointCloud).get_min_bound()
+        lowest = (
+            input.get_min_bound()
+            if isinstance(input, PointCloud)
+            else unwrap(input, PointCloud, "input").get_min_bound()
+        )
         return cls._pooled(input, voxel_size, lowest - check_positive("voxel_size", voxel_size) / 2, pooling_mode)
 
     @classmethod
@@ -155,11 +159,13 @@ class VoxelGrid(Geometry3D):
         edge, low = check_positive("voxel_size", voxel_size), np.asarray(origin, np.float64)
         ours = unwrap(cloud, PointCloud, "input")
         assigned = cloud._shared.get("points") if isinstance(cloud, PointCloud) else None
-        indices = np.floor(((ours.points if assigned is None else assigned.vector._values) - low) / edge)
+        points = ours.points if assigned is None else assigned.vector._values
+        rows = np.flatnonzero(np.isfinite(points).all(axis=1))
+        indices = np.floor((points[rows] - low) / edge)
         if not (np.abs(indices) < LARGEST_INDEX).all():
             raise ValueError(f"voxel_size: expected fewer than 2**31 voxels along each axis, got voxels of {edge:g}")
         cells, order, starts = _sorted_cells(indices.astype(np.int32))
-        colors = _pool(ours.colors[order].astype(np.float64), starts, mode) if ours.has_colors else None
+        colors = _pool(ours.colors[rows[order]].astype(np.float64), starts, mode) if ours.has_colors else None
         return cls._around(low, edge, cells, colors)
 
     def create_from_octree(self, octree: Any) -> None:
