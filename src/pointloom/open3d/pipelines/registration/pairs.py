@@ -11,9 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from ....core.checks import check_rigid
 from ....kernels.icp.rows import COUNT_AT, RESIDUAL_AT
 from ....kernels.icp.step import StepRules
-from ....kernels.lang import int32
 from ....kernels.linear_algebra import matmul
-from ....kernels.memory import download, upload
+from ....kernels.memory import download, fill, write
 from ....pcd.cloud import PointCloud
 from ....registration.correspondence_input import check_clouds, check_pairs
 from ....registration.icp.estimation import TransformationEstimation, TransformationEstimationForGeneralizedICP
@@ -48,7 +47,7 @@ def fit_step(
     if not len(pairs):
         return np.eye(4)
     loop = problem.loop
-    loop.progress.iterations.fill_(iteration)
+    fill(loop.progress.iterations, iteration)
     method.prepare(loop)
     loop.sum_rows(method.rows, problem._arguments, problem._plain_arguments)
     loop.step(StepRules(method.method, method.scales, (iteration + 1, 0.0, 0.0, 0.0), UNRESOLVED))
@@ -91,5 +90,5 @@ def _problem(
     partners = np.full(problem.loop.matches.pairs.size, -1, np.int32)
     used = np.flatnonzero(order[: partners.size] >= 0)
     partners[used] = positions[pairs[order[used], 1]]
-    problem.loop.matches.pairs.assign(upload(partners, int32, source.device))
+    write(problem.loop.matches.pairs, partners)
     return problem, pairs
