@@ -182,16 +182,23 @@ class Octree(Geometry3D):
 
     def to_voxel_grid(self) -> VoxelGrid:
         """The leaves as voxels."""
-        leaves: list[tuple[Any, OctreeNodeInfo]] = []
-        self.traverse(lambda node, info: leaves.append((node, info)) if isinstance(node, OctreeLeafNode) else None)
+        leaves: list[tuple[Any, int, int, int, int]] = []  # node, cell and depth
+        pending = [(self.root_node, 0, 0, 0, 0)]
+        while pending:
+            node, x, y, z, depth = pending.pop()
+            if isinstance(node, OctreeInternalNode):
+                for k, child in enumerate(node.children):
+                    if child is not None:
+                        pending.append((child, 2 * x + (k & 1), 2 * y + (k >> 1 & 1), 2 * z + (k >> 2), depth + 1))
+            elif node is not None:
+                leaves.append((node, x, y, z, depth))
         if not leaves:
             return VoxelGrid()
-        size = min(info.size for _, info in leaves)
-        centers = np.array([info.origin for _, info in leaves]) + [[info.size / 2] for _, info in leaves]
-        cells = np.floor((centers - self.origin) / size).astype(np.int32)
+        deepest = max(leaf[4] for leaf in leaves)
+        cells = np.array([[(2 * i + 1 << deepest - leaf[4]) >> 1 for i in leaf[1:4]] for leaf in leaves], np.int32)
         order = np.lexsort(cells.T[::-1])
-        colors = np.array([getattr(node, "color", np.zeros(3)) for node, _ in leaves], np.float64)
-        return VoxelGrid._around(self.origin, size, cells[order], colors[order])
+        colors = np.array([getattr(leaf[0], "color", np.zeros(3)) for leaf in leaves], np.float64)
+        return VoxelGrid._around(self.origin, self.size / 2**deepest, cells[order], colors[order])
 
     def create_from_voxel_grid(self, voxel_grid: Any) -> None:
         """Insert the voxels of a grid as colored leaves, in a cube from the origin of the grid."""
