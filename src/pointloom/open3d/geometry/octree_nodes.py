@@ -19,7 +19,7 @@ NEAR = 1e-12  # relative difference of colors that are equal, as in Open3D
 
 def made(kind: type[Any], **fields: Any) -> Any:
     """An object with the given fields. Faster than its constructor."""
-    node = kind.__new__(kind)
+    node = object.__new__(kind)
     vars(node).update(fields)
     return node
 
@@ -81,7 +81,7 @@ class OctreeInternalNode(OctreeNode):
         self.children = [None] * CHILDREN
 
     @classmethod
-    def get_update_function(cls, *args: Any) -> Callable[[Any], None]:
+    def get_update_function(cls) -> Callable[[Any], None]:
         """A function that does nothing to a node."""
         return lambda node: None
 
@@ -102,7 +102,7 @@ class OctreeInternalPointNode(OctreeInternalNode):
         self.indices = []
 
     @classmethod
-    def get_update_function(cls, idx: int) -> Callable[[Any], None]:
+    def get_update_function(cls, idx: int) -> Callable[[Any], None]:  # pyright: ignore[reportIncompatibleMethodOverride]
         """A function that adds a point index to a node."""
         return lambda node: node.indices.append(idx)
 
@@ -204,7 +204,7 @@ def node_from_json(value: Any) -> Any:
     name = value.get("class_name") if isinstance(value, dict) else value
     if name not in NODES:
         raise ValueError(f"class_name: expected one of {', '.join(NODES)}, got {name}")
-    node = NODES[name]()
+    node: Any = NODES[name]()
     if isinstance(node, OctreeInternalNode):
         children = value.get("children")
         if not isinstance(children, list) or len(children) != CHILDREN:

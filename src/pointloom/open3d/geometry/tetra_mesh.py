@@ -49,7 +49,9 @@ class TetraMesh(MeshBase):
 
     def _made(self, changed: list[str]) -> Any:
         count = self._count("vertices")
-        parts = {name: np.array(getattr(self, name)) for name in PARTS if 0 < count == self._count(name)}
+        parts: dict[str, Any] = {
+            name: np.array(getattr(self, name)) for name in PARTS if 0 < count == self._count(name)
+        }
         return mesh.TriangleMesh(np.array(self.vertices), np.zeros((0, 3), np.int32), **parts)
 
     @property

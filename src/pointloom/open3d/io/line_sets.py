@@ -31,8 +31,8 @@ def write_line_set(
     """Write a .ply with 8-bit colors."""
     if not isinstance(line_set, LineSet):
         raise TypeError(f"line_set: expected a LineSet, got {type(line_set).__name__}")
-    points = dict(zip("xyz", np.array(line_set.points).T, strict=True))
-    edges = dict(zip(("vertex1", "vertex2"), np.array(line_set.lines).T, strict=True))
+    points: dict[str, Any] = dict(zip("xyz", np.array(line_set.points).T, strict=True))
+    edges: dict[str, Any] = dict(zip(("vertex1", "vertex2"), np.array(line_set.lines).T, strict=True))
     if line_set.has_colors():
         edges |= color_columns(np.array(line_set.colors))
     write_elements(check_ply(filename), {"vertex": points, "edge": edges}, ascii=write_ascii)
