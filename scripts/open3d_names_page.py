@@ -10,8 +10,8 @@ import dataclasses
 import importlib
 import inspect
 import itertools
+import re
 import tomllib
-from fnmatch import fnmatchcase
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -75,19 +75,20 @@ class Table:
         return [len(self.same), len(self.differs), len(self.missing)]
 
     def text(self, title: str) -> str:
-        parts = [f"{title} {self.path}\n"]
-        if self.same:
-            parts.append(f"Same: {', '.join(f'`{name}`' for name in self.same)}.\n")
-        rows = [f"| `{name}` | differs: {how} |" for name, how in self.differs.items()]
+        rows = [f"| {', '.join(f'`{name}`' for name in self.same)} | same |"] if self.same else []
+        rows += [f"| `{name}` | differs: {how} |" for name, how in self.differs.items()]
         rows += [f"| `{name}` | missing: {why} |" for name, why in self.missing.items()]
-        if rows:
-            parts.append("\n".join(["| name | |", "|---|---|", *map(escaped, rows)]) + "\n")
-        return "\n".join(parts)
+        return f"{title} {self.path}\n\n" + "\n".join(["| names | |", "|---|---|", *map(escaped, rows)]) + "\n"
 
 
 def differences() -> dict[str, str]:
     """Dotted names or patterns -> how pointloom.open3d differs."""
     return tomllib.loads(Path(__file__).with_name("open3d_differences.toml").read_text("utf-8"))
+
+
+def matches(name: str, pattern: str) -> bool:
+    """True if a dotted name has the pattern, where `*` is any text without dots."""
+    return re.fullmatch(re.escape(pattern).replace(r"\*", "[^.]*"), name) is not None
 
 
 def public(owner: Any) -> list[str]:
@@ -123,7 +124,7 @@ def table_of(open3d: Any, ours: Any, path: str, known: dict[str, str]) -> Table:
         dotted = f"{path}.{name}"
         if name not in available and of_path(ours, dotted) is None:
             table.missing[name] = reason(theirs, path, name)
-        elif how := next((how for pattern, how in known.items() if fnmatchcase(dotted, pattern)), None):
+        elif how := next((how for pattern, how in known.items() if matches(dotted, pattern)), None):
             table.differs[name] = how
         else:
             table.same.append(name)
