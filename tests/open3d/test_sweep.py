@@ -39,7 +39,9 @@ def signatures(o3d) -> dict[str, list[list[str]]]:
         plain = r"(?:: [\w.]+ = (-?[\d.]+(?:e-?\d+)?|True|False)(?=, |$))?"
         parts = [re.findall(rf"(?:^|, )(\w+)(?=: |, | = |$){plain}", line) for line in lines]
         texts = [[f"{name}={value}" if value else name for name, value in part if name != "self"] for part in parts]
-        if texts and callable(function) and "args" not in lines[0] and "arg0" not in lines[0]:
+        is_named = bool(lines) and "args" not in lines[0] and "arg0" not in lines[0]
+        is_read = all(part or re.fullmatch(r"(self: [\w.]+)?", line) for line, part in zip(lines, texts, strict=True))
+        if is_named and is_read and callable(function):
             found[path] = texts
     return found
 

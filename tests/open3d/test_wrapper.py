@@ -158,8 +158,6 @@ def test_vectors_grow_like_lists():
 @pytest.mark.parametrize(
     ("wrong", "kind", "message"),
     [
-        (lambda: o3d.ml, AttributeError, "torch"),
-        (lambda: o3d.data, AttributeError, "data"),
         (lambda: o3d.geometry.OrientedBoundingEllipsoid, AttributeError, "loom.OrientedBoundingBox"),
         (lambda: o3d.geometry.PointCloud().vertices, AttributeError, "cloud.points"),
         (lambda: o3d.geometry.TriangleMesh.create_nothing, AttributeError, "create_nothing"),
