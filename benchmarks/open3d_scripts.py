@@ -44,12 +44,17 @@ class Names(NamedTuple):
 
 
 def find(root: Any, path: str) -> Any:
-    """The attribute at a dotted path, or None."""
+    """The attribute at a dotted path, or None. Annotated attributes of instances are their annotations."""
     for part in path.split("."):
+        fields = {
+            k: v for base in getattr(root, "__mro__", ()) for k, v in getattr(base, "__annotations__", {}).items()
+        }
         try:
             root = getattr(root, part)
         except (AttributeError, ImportError):
-            return None
+            if part not in fields:
+                return None
+            root = fields[part]
     return root
 
 

@@ -5,6 +5,7 @@ The device's own tests are included too; test_orders.py compares every operation
 
 CHOSEN = {
     "tests/kernels/": "every subpackage of kernels against NumPy and SciPy, on small arrays",
+    "tests/open3d/core/": "tensors on the device, hash maps and searches of them",
     "tests/pcd/test_cloud.py": "uploads, downloads, moves between devices",
     "tests/pcd/test_interop.py": "arrays of other libraries, streams, pickles",
     "tests/registration/test_icp_input.py": "graphs over clouds that are empty, few, not finite or far apart",
