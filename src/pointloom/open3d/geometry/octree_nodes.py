@@ -212,7 +212,7 @@ def node_from_json(value: Any) -> Any:
         node.children = [node_from_json(child) for child in children]
     else:
         node.color = column("color", value.get("color"))
-    if hasattr(node, "indices"):
+    if isinstance(node, OctreeInternalPointNode | OctreePointColorLeafNode):
         node.indices = np.asarray(value.get("indices", []), np.int64).tolist()
     return node
 
