@@ -18,6 +18,7 @@ from ...cameras.camera_models import CameraModel
 from ...core.checks import check_rigid
 from ...core.errors import FileError
 from ...core.paths import path_of
+from ...kernels.linear_algebra import cube_root, det, matmul
 from ..source import open_source
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
@@ -137,13 +138,13 @@ def _pose(path: Path, label: str, T: NDArray[np.float64], transform: NDArray[np.
     """T_camera_world from a camera's pose in its chunk."""
     _check_rigid(path, T, f"the transform of camera {label!r}")
     if transform is not None:
-        scale = np.cbrt(np.linalg.det(transform[:3, :3]))
-        center = transform[:3, :3] @ T[:3, 3] + transform[:3, 3]
-        T[:3, :3] = transform[:3, :3] / scale @ T[:3, :3]
+        scale = cube_root(float(det(transform[:3, :3])))
+        center = matmul(transform[:3, :3], T[:3, 3]) + transform[:3, 3]
+        T[:3, :3] = matmul(transform[:3, :3] / scale, T[:3, :3])
         T[:3, 3] = center
     pose = np.eye(4)
     pose[:3, :3] = T[:3, :3].T
-    pose[:3, 3] = -T[:3, :3].T @ T[:3, 3]
+    pose[:3, 3] = -matmul(T[:3, :3].T, T[:3, 3])
     return pose
 
 

@@ -25,6 +25,7 @@ from ...core.checks import (
     shown,
 )
 from ...core.dropped_results import returns_new
+from ...kernels.linear_algebra import cube_root, det, matmul
 from ...pcd.cloud import PointCloud
 
 _NO_POINTS: NDArray[np.float64] = np.zeros((0, 3))
@@ -192,9 +193,9 @@ class SfmModel:
         """
         R, t, scale = _check_similarity(transformation)
         poses = self.T_camera_world.copy()
-        poses[:, :3, :3] = poses[:, :3, :3] @ R.T
-        poses[:, :3, 3] = -np.einsum("nij,nj->ni", poses[:, :3, :3], scale * self.centers @ R.T + t)
-        return dataclasses.replace(self, T_camera_world=poses, points=scale * self.points @ R.T + t)
+        poses[:, :3, :3] = matmul(poses[:, :3, :3], R.T)
+        poses[:, :3, 3] = -np.einsum("nij,nj->ni", poses[:, :3, :3], matmul(scale * self.centers, R.T) + t)
+        return dataclasses.replace(self, T_camera_world=poses, points=matmul(scale * self.points, R.T) + t)
 
     @returns_new
     def scaled(self, factor: float) -> SfmModel:
@@ -356,7 +357,7 @@ def _sorted(
 
 def _check_similarity(transformation: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     T = check_shape("transformation", transformation, (4, 4))
-    scale = float(np.cbrt(np.linalg.det(T[:3, :3]))) if np.isfinite(T).all() and np.abs(T).max() < 1e30 else np.nan
+    scale = cube_root(float(det(T[:3, :3]))) if np.isfinite(T).all() and np.abs(T).max() < 1e30 else np.nan
     if not scale > 1e-30:
         raise ValueError(
             f"transformation: expected a positive scale times a rotation, and a translation, got {shown(T.tolist())}"

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_number, check_shape
-from ...kernels.linear_algebra import matmul
+from ...kernels.linear_algebra import cube_root, det, matmul
 from ...pcd import boxes
 from ..vectors import Vector3dVector
 from ..wrapper import as_array, column, unwrap
@@ -164,7 +164,7 @@ class OrientedBoundingBox(BoundingBox):
         A = np.asarray(R)
         if A.shape != (3, 3) or is_rotation(A):
             return super().rotate(R, center)
-        factor = np.cbrt(np.linalg.det(A))
+        factor = cube_root(float(det(A)))
         axes = matmul(A, self.R) / (factor or 1.0)
         middle = self.center if center is None else column("center", center)
         return self._become(self._kind(middle + matmul(A, self.center - middle), axes, abs(factor) * self.extent))
