@@ -25,6 +25,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
+from scripts.open3d_names_page import members, of_path
+
 OURS, THEIRS = "pointloom.open3d", "open3d"
 READERS = {  # function -> class of its result, as far as scripts use its methods
     "io.read_point_cloud": "geometry.PointCloud", "io.read_triangle_mesh": "geometry.TriangleMesh",
@@ -43,19 +45,11 @@ class Names(NamedTuple):
     unknown: set[str]
 
 
-def find(root: Any, path: str) -> Any:
-    """The attribute at a dotted path, or None. Annotated attributes of instances are their annotations."""
-    for part in path.split("."):
-        fields = {
-            k: v for base in getattr(root, "__mro__", ()) for k, v in getattr(base, "__annotations__", {}).items()
-        }
-        try:
-            root = getattr(root, part)
-        except (AttributeError, ImportError):
-            if part not in fields:
-                return None
-            root = fields[part]
-    return root
+def has(root: Any, path: str) -> bool:
+    """True if a dotted path exists, also as a field of a class."""
+    owner, _, name = path.rpartition(".")
+    kind = of_path(root, owner) if owner else None
+    return of_path(root, path) is not None or (isinstance(kind, type) and name in members(kind))
 
 
 class _Reader(ast.NodeVisitor):
@@ -120,7 +114,7 @@ def names_of(text: str, open3d: ModuleType) -> Names:
     for path in reader.paths:
         parts = path.split(".")
         for length in range(1, len(parts) + 1):
-            owner = find(open3d, ".".join(parts[:length]))
+            owner = of_path(open3d, ".".join(parts[:length]))
             if owner is None:
                 unknown.add(".".join(parts[:length]))
                 break
@@ -141,7 +135,7 @@ def count_names(folder: Path) -> None:
             continue
         if not names.known and not names.unknown:
             continue
-        lacking = {name for name in names.known if find(ours, name) is None}
+        lacking = {name for name in names.known if not has(ours, name)}
         lacking = {name for name in lacking if name.rpartition(".")[0] not in lacking}
         scripts, old = scripts + 1, old + bool(names.unknown)
         complete += not lacking
@@ -154,7 +148,7 @@ def count_names(folder: Path) -> None:
 
 
 def variables_of(path: Path, package: str) -> dict[str, Any]:
-    """Run a script in a temporary copy of its folder with a package. Return its variables as arrays."""
+    """Run a script in the working directory with a package. Return its variables as arrays."""
     import numpy as np
 
     text = re.sub(r"^(\s*)import open3d as", rf"\1import {package} as", path.read_text(), flags=re.M)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_count
 from .device import Device
@@ -173,7 +173,7 @@ class _Table(HintedNames):
         """Write the keys and values in use to a .npz file."""
         key, *values = (buffer._values[self._is_active] for buffer in self._buffers)
         arrays = {f"value_{i:03d}": value for i, value in enumerate(values)}
-        with Path(file_name).open("wb") as file:
+        with atomic_write(file_name) as file:
             np.savez(file, allow_pickle=False, key=key, n_values=np.array([len(values)]), **arrays)
 
     @classmethod

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
 from . import elementwise, linalg
 from .device import Device
@@ -158,7 +158,7 @@ class Tensor(HintedNames):
 
     def save(self, file_name: str) -> None:
         """Write a .npy file."""
-        with Path(file_name).open("wb") as file:
+        with atomic_write(file_name) as file:
             np.save(file, np.asarray(self._values, order="C"))
 
     # Properties
