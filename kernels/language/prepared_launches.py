@@ -55,7 +55,7 @@ class WarpLaunch:
         command: Any = wp.launch(kernel, 1, values, device="cpu", record_cmd=True)
         self._kernel = lambda: kernel
         plan = "".join("a" if p.is_array else "v" if p.is_vector else "s" for p in parameters)
-        self._begin(plan, command.hooks.forward, command)
+        self._begin(plan, command.hooks.forward, command.module_exec)  # without the arrays of this launch
         self._layout, expected = _read_layout(parameters, command.params[1:])
         if self._layout is not None and self._packed(values) != expected:
             self._layout = None

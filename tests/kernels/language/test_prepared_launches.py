@@ -219,3 +219,12 @@ def test_prepared_launches_store_no_array(kernels, compiler):
     del out
     gc.collect(1)  # what was made since the test began
     assert gone() is None
+
+
+def test_the_first_launch_of_a_kernel_stores_no_array(kernels):
+    a, out = host_arrays()
+    made, gone = WarpLaunch(kernels.scale_kernel.on_host, [a, 2.0, out]), weakref.ref(out)
+    made.bound([a, 2.0, out], 8)()
+    del out
+    gc.collect(1)
+    assert gone() is None
