@@ -30,6 +30,11 @@ def set_target(level: str) -> None:
     FLAGS = FLAGS.replace(NATIVE, f"-target-cpu {level}")
 
 
+def is_for_this_processor() -> bool:
+    """False after `set_target`: the machine code may contain instructions that this processor lacks."""
+    return NATIVE in FLAGS
+
+
 def packed(plan: str, layout: struct.Struct, values: Sequence[Any]) -> bytes:
     """Arguments of machine code: a letter of the plan per value (a: array, v: vector or matrix, s: scalar)."""
     flat: list[Any] = []

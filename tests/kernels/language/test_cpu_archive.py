@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointloom.kernels.language import cpu_archive
+from pointloom.kernels.language import cpu_archive, cpu_code
+from pointloom.kernels.language.pool_code import PoolCode
 
 MODULES = ["pointloom.kernels.language.pool_code", "pointloom.kernels.arrays.bounds"]
 SCRIPT = """
@@ -95,3 +96,19 @@ def test_the_level_follows_the_features_of_the_processor(system, machine, featur
     monkeypatch.setattr(cpu_archive.platform, "machine", lambda: machine)
     monkeypatch.setattr(cpu_archive, "_features", lambda: features)
     assert cpu_archive.level_of_processor() == level
+
+
+@pytest.mark.parametrize("is_other", [False, True])
+def test_code_for_another_processor_is_not_run(monkeypatch, is_other):
+    """It may contain instructions that this processor lacks, such as those of AVX-512."""
+    runs: list[int] = []
+    monkeypatch.setattr(cpu_code, "FLAGS", cpu_code.FLAGS)
+    monkeypatch.setattr(PoolCode, "_load", lambda *_: None)
+    monkeypatch.setattr(PoolCode, "_compile", lambda code, *_: setattr(code, "_trial", lambda *_: runs.append(1)))
+    if is_other:
+        cpu_code.set_target("x86-64-v4")
+        PoolCode()
+    else:
+        with pytest.raises(RuntimeError, match="part of a launch"):  # the code that ran has no effect
+            PoolCode()
+    assert len(runs) == (0 if is_other else 1)
