@@ -1,6 +1,6 @@
 """Coverage of `pose_covariance`: errors of registered pairs beside their standard deviations.
 
-    POINTLOOM_DATA=... python benchmarks/trust/calibration.py [--fitted] [--pairs 60] [--write]
+    POINTLOOM_DATA=... python benchmarks/trust/calibration.py [--fitted] [--pairs 60] [--only drives] [--write]
 
 ICP starts near the true pose. The error is divided by the standard deviations along the six eigenvectors of the
 covariance. Of a calibrated covariance 68 % of these components are within 1, and 95 % within 2. The scenes of
@@ -24,13 +24,15 @@ sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 
 import belief_scenes  # noqa: E402
 import box_rooms  # noqa: E402
+import drives  # noqa: E402
 import made_rooms  # noqa: E402
 import places  # noqa: E402
 import street  # noqa: E402
 from judged import share_in_words  # noqa: E402
-from pages import write_between  # noqa: E402
+from pages import text_between, write_between  # noqa: E402
 from real_data import DataMissingError  # noqa: E402
 from real_scans import Rotation  # noqa: E402
+from run import merged  # noqa: E402
 
 Array = NDArray[np.float64]
 PAGE = FOLDER.parent.parent / "docs" / "trust.md"
@@ -205,9 +207,22 @@ def whitened(error: Array, matrix: Array, center: Array) -> Array:
     return (vectors.T @ (motion / scale)) / np.sqrt(values)
 
 
+HEADING = ["| scenes | method | pairs | within 1 sigma | within 2 sigma |", "|---|---|---|---|---|"]
+
+
+def table_of_drives(first: int, count: int) -> str:
+    """Coverage of LiDAR odometry by kind of scene; each pose counts as a pair with the first scan."""
+    lines = []
+    for kind, found in drives.components(first, count, whitened):
+        if found:
+            lines.append(_line(kind, "odometry", found))
+            print(lines[-1], file=sys.stderr, flush=True)
+    return "\n".join([*HEADING, *lines])
+
+
 def table(first: int, count: int) -> str:
     """Coverage by kind of scene and operation."""
-    lines = ["| scenes | method | pairs | within 1 sigma | within 2 sigma |", "|---|---|---|---|---|"]
+    lines = list(HEADING)
     for kind, make in KINDS.items():
         rows: dict[str, list[Array]] = {operation: [] for operation in OPERATIONS}
         for number, pair in enumerate(make(range(first, first + count)), 1):
@@ -235,12 +250,21 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fitted", action="store_true", help="the scenes on which constants were chosen")
     parser.add_argument("--pairs", type=int, default=PAIRS, help="of each kind")
+    parser.add_argument("--only", choices=["pairs", "drives"], help="only these rows; the others remain as they are")
     parser.add_argument("--write", action="store_true", help="write the table into docs/trust.md")
     arguments = parser.parse_args()
-    text = table(FITTED if arguments.fitted else HELD_OUT, arguments.pairs)
-    print(text)
+    first, lines = FITTED if arguments.fitted else HELD_OUT, list(HEADING)
+    if arguments.only != "drives":
+        lines += table(first, arguments.pairs).splitlines()[2:]
+    if arguments.only != "pairs":
+        first = drives.FITTED if arguments.fitted else drives.HELD_OUT
+        lines += table_of_drives(first, min(arguments.pairs, drives.COUNT)).splitlines()[2:]
+    print("\n".join(lines))
     if arguments.write:
-        write_between(PAGE, "calibration", text)
+        kinds = list(dict.fromkeys(line.split(" | ")[0].removeprefix("| ") for line in lines[2:]))
+        write_between(
+            PAGE, "calibration", "\n".join(merged(text_between(PAGE, "calibration").splitlines(), lines, kinds))
+        )
 
 
 if __name__ == "__main__":

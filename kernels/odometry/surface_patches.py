@@ -12,7 +12,6 @@ from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
 from ..lang import array, cross, dot, float32, float64, func, kernel, launch, mat44d, tid, vec3, vec3d, vec3i, vector
-from ..linear_algebra import matmul
 from ..memory import download, empty, upload
 from ..poses.cost_differences import COLUMNS, compare_costs, run_length
 from .local_cells import cell_holding, offset_in_cell
@@ -24,6 +23,7 @@ MIN_POINTS = 6.0  # of a patch
 GRAZING = 0.01  # squared sine of the angle between a patch and its ray
 MIN_SECTORS = 5  # of 8 around a patch's middle: a bent line has 4 at most
 INNER = 0.0625  # of the squared radius: nearer points have no clear direction
+ROW = 7  # of a point: derivatives by rotation and translation, and the distance
 SURE = 0.005  # squared error [rad^2] of a patch's normal
 patch = vector(8, float64)  # normal, middle relative to the nearest point, points, middle eigenvalue [m^2]
 
@@ -91,7 +91,9 @@ def find_patches_kernel(
     squares: array(dtype=float32, ndim=2),
     rows: array(dtype=float64, ndim=2),
 ):
-    """Standardized squared distances of one run of points from the patches at one pose; the first pose's Jacobian."""
+    """Standardized squared distances of one run of points from the patches at one pose. Rows of the first pose: the
+    Jacobian, and the distance along the normal.
+    """
     i = tid()
     count = squares.shape[1]
     runs = (count + run - 1) // run
@@ -104,6 +106,7 @@ def find_patches_kernel(
         x = y + t
         nearest_point = find_nearest_in_map(x, limit, voxel_map)
         square = -1.0
+        residual = float64(0.0)
         normal = vec3d(0.0, 0.0, 0.0)
         if nearest_point[4] >= 0.0:
             r = vec3d(nearest_point[0], nearest_point[1], nearest_point[2])
@@ -114,29 +117,32 @@ def find_patches_kernel(
                 along = dot(d, normal)
                 beside = dot(d, d) - along * along
                 square = float(along * along / (1.0 + (1.0 + beside / at[7]) / at[6]))
+                residual = along
         squares[k, j] = square
         if k == 0:
             turning = cross(y, normal)
             for axis in range(3):
                 rows[j, axis] = turning[axis]
                 rows[j, 3 + axis] = normal[axis]
+            rows[j, ROW - 1] = residual
 
 
 def compare_surfaces(
     points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """As `compare_poses`, with distances from patches in units of their error. Also the information of the patches at
-    the first pose, (6, 6) over rotation [rad] about the sensor and translation [m].
+    """As `compare_poses`, with distances from patches in units of their error. Also rows (n, 7) of the points
+    on patches at the first pose: derivatives of the distance [m] by the rotation [rad] about the sensor and by the
+    translation, and the distance.
     """
     device = points.device
     step = max(1, points.size // max(max_points, 1))
     count = -(-points.size // step)
-    squares, rows = empty((len(poses), count), float32, device), empty((count, 6), float64, device)
+    squares, rows = empty((len(poses), count), float32, device), empty((count, ROW), float64, device)
     run = run_length(squares)
     device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
     limit = np.float32(2 * radius) ** 2
     threads = len(poses) * -(-count // run)
     launch(find_patches_kernel, threads, [points, step, device_poses, run, limit, radius, voxel_map, squares, rows])
-    jacobian = download(rows)  # sync
+    at_first = download(rows)  # sync
     rises = compare_costs(squares, voxel_map.voxel_size) if len(poses) > 1 else np.zeros((1, COLUMNS))
-    return rises, matmul(jacobian.T, jacobian)
+    return rises, at_first[at_first[:, 3:6].any(axis=1)]

@@ -29,9 +29,11 @@ from ...kernels.odometry.pose_probes import unmatched_by_range
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose, pose_of
 from .deskewing import MIN_TIMES, point_times, twist_of, warn_of_coarse_times
 from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, appears_stationary, summarize_steps
+from .path_errors import MapError, MatchError, prediction_error
 from .scan_matching import (
     PLANE_VOXELS,
     START_RINGS,
@@ -167,6 +169,14 @@ class LidarOdometry:
     def poses(self) -> Matrix:
         """T_world_sensor of each scan, float64 [n, 4, 4]."""
         return np.array([step.pose for step in self.steps]).reshape(-1, 4, 4)
+
+    @property
+    def covariances(self) -> Matrix:
+        """Covariance of the error of each pose relative to the first scan, float64 [n, 6, 6].
+
+        Rotation vector [rad], then displacement of the sensor [m], along the axes of the world.
+        """
+        return np.array([step.covariance.matrix for step in self.steps]).reshape(-1, 6, 6)
 
     @property
     def map(self) -> PointCloud:
@@ -313,6 +323,8 @@ class LidarOdometry:
             () if match.open is None else match.open.translations(),
             () if match.open is None else match.open.rotations(),
             match.ways_to_rivals(), has_prior,
+            match_error=match.error(self.voxel_size, self._known.threshold.initial, self.max_range)
+            if match.is_matched else MatchError(),
         )  # fmt: skip
 
     def _next_state(
@@ -325,6 +337,8 @@ class LidarOdometry:
         if step.iterations and not step.is_sound:
             beside = None if state.pending is None else self._match_pending(state.pending, voxel_map, scan, predicted)
             if beside is not None and state.pending is not None:
+                unknown = prediction_error(state.threshold.initial, self.max_range)
+                beside = replace(beside, match_error=beside.match_error.plus_lasting(unknown))
                 step, parts = beside, ((state.pending.points, state.pending.pose), (dense, beside.pose))
             else:
                 step, parts, pending = replace(step, pose=predicted), (), PendingScan(dense, predicted)
@@ -333,10 +347,27 @@ class LidarOdometry:
         threshold, first = state.threshold, state.first
         if step.iterations and step.is_sound:
             threshold = threshold.updated(matmul(invert_pose(predicted), step.pose))
+        voxels, position = voxel_map.count, step.pose[:3, 3]
+        if step.is_sound:
+            covariance = state.map_error.of_pose(voxels, position, step.match_error)
+        else:
+            covariance = self._predicted_covariance(position)
+            step = replace(step, match_error=MatchError())
+        step = replace(step, covariance=covariance)
+        map_error = state.map_error.after(voxels, scan.sparse.size, position, step.match_error)
         if step.status != NO_POINTS:  # without points so far, the next scan is the first
             first = raw.copy() if step.status == FIRST_SCAN else None
         after = replace(state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first)
+        after = replace(after, map_error=map_error)
         return MapUpdate(step, after, voxel_map.additions, parts)
+
+    def _predicted_covariance(self, position: NDArray[np.float64]) -> PoseCovariance:
+        """Covariance of a pose that is only predicted."""
+        if not self._steps:  # nothing was observed: the pose defines the world
+            return PoseCovariance(np.zeros((6, 6)), position.copy())
+        known = self._steps[-1].covariance.about(position)
+        unknown = prediction_error(self._known.threshold.initial, self.max_range)
+        return PoseCovariance(known.matrix + unknown, known.center)
 
     def _match_pending(
         self, pending: PendingScan, like: VoxelMap, scan: DownsampledScan, predicted: Matrix
@@ -374,8 +405,10 @@ class LidarOdometry:
         """Remove points out of range, not after every scan: no scan reaches them."""
         state, position = self._known, self._last_pose()[:3, 3]
         if state.map is not None and norm(position - state.pruned_at) > PRUNE_SHARE * self.max_range:
+            count = state.map.count
             near = state.map.without_far(position, self.max_range + 2 * self.voxel_size)
-            self._known = replace(state, map=near, pruned_at=position.copy())
+            map_error = state.map_error.without_voxels(count - near.count)
+            self._known = replace(state, map=near, pruned_at=position.copy(), map_error=map_error)
 
 
 START_SCANS = 3  # scans after the first: later, wrongly matched scans match the map
@@ -408,6 +441,7 @@ class OdometryState:
     began: int = 0
     sound: tuple[int, Matrix] | None = None
     pending: PendingScan | None = None
+    map_error: MapError = field(default_factory=MapError)
 
     def after(self, step: OdometryStep, last_pose: Matrix, pending: PendingScan | None) -> OdometryState:
         if not step.is_sound:

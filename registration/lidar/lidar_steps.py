@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,8 @@ from ...core.number_ranges import some_runs
 from ...core.reports import Assessed, AssessedRecord, Fields, Report, failed, quality
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import eigh, matmul, norm
+from ..pose_errors import PoseCovariance
+from .path_errors import MatchError
 
 Matrix = NDArray[np.float64]
 Direction = tuple[float, float, float]
@@ -66,6 +68,9 @@ class OdometryStep(AssessedRecord):
         has_joined: True if the scan fits the previous one, which did not fit the map, and both were added.
         far_change: Fraction of unmatched points of the scan's farther half, minus that of its nearer half. Computed
             while the scanner appears stationary.
+        covariance: Covariance of the error of the pose relative to the first scan, accumulated along the path: a
+            rotation vector [rad] and the displacement of the sensor [m], along the axes of the world.
+        match_error: Covariance of the error of the pose in the map.
     """
 
     index: int
@@ -86,6 +91,8 @@ class OdometryStep(AssessedRecord):
     has_prior: bool = False
     has_joined: bool = False
     far_change: float = 0.0
+    covariance: PoseCovariance = field(default_factory=lambda: PoseCovariance(np.zeros((6, 6)), np.zeros(3)))
+    match_error: MatchError = field(default_factory=MatchError)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -137,6 +144,8 @@ class OdometrySummary(Report, Assessed):
         rival: Translation [m] from the first of them to the nearest such pose. Empty if none.
         contradicted: Scans that appear stationary with much new content: moving objects may be taken for static.
         resting: Number of scans that appear stationary.
+        sigmas: Standard deviations of the last pose relative to the first scan: rotation [rad] about x, y, z and
+            position [m]. Empty without scans.
     """
 
     scan_count: int
@@ -154,6 +163,7 @@ class OdometrySummary(Report, Assessed):
     rival: Direction | tuple[()] = ()
     contradicted: tuple[int, ...] = ()
     resting: int = 0
+    sigmas: tuple[float, ...] = ()
 
     @property
     def is_contradicted(self) -> bool:
@@ -228,6 +238,8 @@ class OdometrySummary(Report, Assessed):
                 "ambiguous": self.ambiguous,
                 "rival_m": self.rival or None,
                 "contradicted": self.contradicted,
+                "last_rotation_sigma_deg": [math.degrees(sigma) for sigma in self.sigmas[:3]],
+                "last_position_sigma_m": list(self.sigmas[3:]),
                 **quality(self),
             }
         )
@@ -285,6 +297,7 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         min(split[0].rivals, key=lambda way: math.hypot(*way)) if split else (),
         tuple(step.index for step in resting if step.fitness < STATIONARY_FITNESS or step.far_change > MAX_FAR_CHANGE),
         len(resting),
+        tuple(steps[-1].covariance.sigmas.tolist()) if steps else (),
     )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 from ..unobservable_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
+from .path_errors import MatchError, match_error, prediction_error
 
 Matrix = NDArray[np.float64]
 
@@ -38,6 +39,7 @@ PLANE_VOXELS = 1.0  # voxels: radius of plane neighborhoods
 COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared voxels: Geman-McClure scale of plane distances
 START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: radii of the guesses while no motion is known
 START_DIRECTIONS = 8
+MAX_DISAGREEMENT = 0.99  # for a finite residual
 RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
 WIDE_ANGLES = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
@@ -47,7 +49,9 @@ HEADING_STEP = 8.0  # [deg] between headings
 
 @dataclass(frozen=True, eq=False)
 class ScanMatch:
-    """Pose of a scan in a map (`information`: of the planes, [6, 6]; `open`: undetermined motions, or None)."""
+    """Pose of a scan in a map (`information`: of the planes, [6, 6]; `open`: undetermined motions, or None; `rows`: of
+    points on surface patches, [n, 7]).
+    """
 
     pose: Matrix
     is_matched: bool
@@ -61,10 +65,23 @@ class ScanMatch:
     information: Matrix
     open: OpenDirections | None = None
     rivals: tuple[Matrix, ...] = ()
+    rows: Matrix = field(default_factory=lambda: np.empty((0, 7)))
 
     def ways_to_rivals(self) -> tuple[tuple[float, float, float], ...]:
         ways = [rival[:3, 3] - self.pose[:3, 3] for rival in self.rivals]
         return tuple((float(x), float(y), float(z)) for x, y, z in ways)
+
+    def error(self, size: float, deviation: float, max_range: float) -> MatchError:
+        """Error of the pose in a map of voxels with this edge [m]. `deviation` [m] is that of a prediction."""
+        worst = min(self.disagreement, MAX_DISAGREEMENT)
+        residual = size * math.sqrt(FINE_KERNEL * worst / (1 - worst))
+        error = match_error(self.information, self.rows, residual, size)
+        if self.open is None:
+            return error
+        if self.open.is_blind:
+            return error.plus_lasting(prediction_error(deviation, max_range))
+        rays = self.open.basis / self.open.scale[:, None]
+        return error.plus_lasting(deviation**2 * matmul(rays, rays.T))
 
 
 def match_scan(
@@ -109,8 +126,8 @@ def match_scan(
         iterations, rivals = iterations + last.iterations, rivals + others
     free = open_directions(dense, voxel_map, last.pose, last.information, count)
     if free is None:
-        free = directions_without_surfaces(dense, voxel_map, last.pose)
-        return replace(last, iterations=iterations, open=free, rivals=rivals)
+        free, rows = directions_without_surfaces(dense, voxel_map, last.pose)
+        return replace(last, iterations=iterations, open=free, rivals=rivals, rows=rows)
     if free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
@@ -312,13 +329,22 @@ def open_directions(
     return _undetermined(voxel_map.voxel_size, pose, information, rises_at)
 
 
-def directions_without_surfaces(points: wp.array, voxel_map: VoxelMap, pose: Matrix) -> OpenDirections | None:
+def directions_without_surfaces(
+    points: wp.array, voxel_map: VoxelMap, pose: Matrix
+) -> tuple[OpenDirections | None, Matrix]:
     """The motions that the surfaces of the map do not determine, even if the pattern of the scan does, or None.
 
-    Surfaces between distant rings are found in a coarser map only.
+    Also the rows [n, 7] of a few points on surfaces, as of `compare_surfaces`. Surfaces between distant rings are found
+    in a coarser map only.
     """
+    _, rows = compare_surfaces(points, FEW_POINTS, voxel_map, pose[None], voxel_map.voxel_size)
+    return _open_to_surfaces(points, voxel_map, pose, matmul(rows[:, :6].T, rows[:, :6])), rows
+
+
+def _open_to_surfaces(
+    points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix
+) -> OpenDirections | None:
     size, free = voxel_map.voxel_size, None
-    _, information = compare_surfaces(points, FEW_POINTS, voxel_map, pose[None], size)
     if np.trace(information[3:, 3:]) >= MIN_PATCHES and _exceeds(_scaled(information, size)[0], SURE_SHARE):
         return None
     for factor in (1.0, COARSE_FACTOR):
@@ -327,7 +353,8 @@ def directions_without_surfaces(points: wp.array, voxel_map: VoxelMap, pose: Mat
         def rises_at(poses: Matrix, like: VoxelMap = like) -> Matrix:
             return compare_surfaces(points, JUDGING_POINTS, like, poses, like.voxel_size)[0]
 
-        _, information = compare_surfaces(points, JUDGING_POINTS, like, pose[None], like.voxel_size)
+        _, rows = compare_surfaces(points, JUDGING_POINTS, like, pose[None], like.voxel_size)
+        information = matmul(rows[:, :6].T, rows[:, :6])
         if np.trace(information[3:, 3:]) >= MIN_PATCHES:
             free = _undetermined(like.voxel_size, pose, information, rises_at, free)
         elif free is None:
