@@ -32,7 +32,15 @@ from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose, pose_of
 from .deskewing import MIN_TIMES, point_times, twist_of, warn_of_coarse_times
-from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, appears_stationary, summarize_steps
+from .lidar_steps import (
+    FIRST_SCAN,
+    MAX_REST,
+    NO_POINTS,
+    OdometryStep,
+    OdometrySummary,
+    appears_stationary,
+    summarize_steps,
+)
 from .path_errors import MapError, MatchError, prediction_error
 from .scan_matching import (
     PLANE_VOXELS,
@@ -238,6 +246,10 @@ class LidarOdometry:
             distance = UNMATCHED_VOXELS * self.voxel_size
             near, beyond = unmatched_by_range(downsampled.dense, voxel_map, step.pose, distance)
             step = replace(step, far_change=beyond - near)
+            if state.rest is not None and state.rest.lasts_to(step):
+                alone = state.rest.scan.map_like(voxel_map, self.max_range)
+                near, beyond = unmatched_by_range(downsampled.dense, alone, step.pose, distance)
+                step = replace(step, rest_change=beyond - near)
         self._next = self._next_state(step, downsampled, voxel_map, predicted, raw)
         self._next.join(self.max_range)
         self._adopt(self._next)
@@ -358,7 +370,10 @@ class LidarOdometry:
         if step.status != NO_POINTS:  # without points so far, the next scan is the first
             first = raw.copy() if step.status == FIRST_SCAN else None
         after = replace(state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first)
-        after = replace(after, map_error=map_error)
+        rest = state.rest
+        if step.is_sound and (rest is None or not rest.lasts_to(step)):
+            rest = Rest(PendingScan(dense, step.pose), step)
+        after = replace(after, map_error=map_error, rest=rest)
         return MapUpdate(step, after, voxel_map.additions, parts)
 
     def _predicted_covariance(self, position: NDArray[np.float64]) -> PoseCovariance:
@@ -428,6 +443,17 @@ class PendingScan:
 
 
 @dataclass(frozen=True, eq=False)
+class Rest:
+    """The scan and its step since which the scanner appears stationary."""
+
+    scan: PendingScan
+    step: OdometryStep
+
+    def lasts_to(self, step: OdometryStep) -> bool:
+        return step.index - self.step.index <= MAX_REST and appears_stationary(self.step, step)
+
+
+@dataclass(frozen=True, eq=False)
 class OdometryState:
     """State between scans; `sound` is the number and pose of the last scan that fits the map."""
 
@@ -442,6 +468,7 @@ class OdometryState:
     sound: tuple[int, Matrix] | None = None
     pending: PendingScan | None = None
     map_error: MapError = field(default_factory=MapError)
+    rest: Rest | None = None
 
     def after(self, step: OdometryStep, last_pose: Matrix, pending: PendingScan | None) -> OdometryState:
         if not step.is_sound:

@@ -41,6 +41,10 @@ STATIONARY, STATIONARY_FITNESS, MAX_CONTRADICTED, MIN_STATIONARY = (0.1, 0.02), 
 # to 0.001, at 2 cm a scan in a wood 0.009, negative among trucks that pass by; 0.027 to 0.27 among trucks that drive
 # along at 0.4 to 1 m a scan.
 MAX_FAR_CHANGE = 0.015
+# The same relative to the scan since which the scanner appears stationary, at most MAX_REST scans ago, for changes too
+# slow for single scans: up to 0.09 in a street at rest, 0.13 with passing trucks, 0.16 in a corridor (median 0.03);
+# 0.1 to 0.4 and growing among trucks that drive along at 0.1 to 0.2 m a scan.
+MAX_REST_CHANGE, MAX_REST = 0.15, 30
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
@@ -68,6 +72,7 @@ class OdometryStep(AssessedRecord):
         has_joined: True if the scan fits the previous one, which did not fit the map, and both were added.
         far_change: Fraction of unmatched points of the scan's farther half, minus that of its nearer half. Computed
             while the scanner appears stationary.
+        rest_change: The same relative to the scan since which the scanner appears stationary.
         covariance: Covariance of the error of the pose relative to the first scan, accumulated along the path: a
             rotation vector [rad] and the displacement of the sensor [m], along the axes of the world.
         match_error: Covariance of the error of the pose in the map.
@@ -91,6 +96,7 @@ class OdometryStep(AssessedRecord):
     has_prior: bool = False
     has_joined: bool = False
     far_change: float = 0.0
+    rest_change: float = 0.0
     covariance: PoseCovariance = field(default_factory=lambda: PoseCovariance(np.zeros((6, 6)), np.zeros(3)))
     match_error: MatchError = field(default_factory=MatchError)
 
@@ -295,10 +301,15 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         float(sum(lengths[i] for i, step in enumerate(steps) if step.is_undetermined and not step.has_prior)),
         tuple(step.index for step in split),
         min(split[0].rivals, key=lambda way: math.hypot(*way)) if split else (),
-        tuple(step.index for step in resting if step.fitness < STATIONARY_FITNESS or step.far_change > MAX_FAR_CHANGE),
+        tuple(step.index for step in resting if _is_contradicted(step)),
         len(resting),
         tuple(steps[-1].covariance.sigmas.tolist()) if steps else (),
     )
+
+
+def _is_contradicted(step: OdometryStep) -> bool:
+    is_new = step.far_change > MAX_FAR_CHANGE or step.rest_change > MAX_REST_CHANGE
+    return is_new or step.fitness < STATIONARY_FITNESS
 
 
 def _stationary(steps: Sequence[OdometryStep]) -> list[OdometryStep]:

@@ -190,3 +190,34 @@ def test_wide_guesses_rotate_about_the_sensor_position():
     guesses = np.array(rotated_guesses(pose, np.eye(4)))
     assert len(guesses) == 2 * 19
     np.testing.assert_allclose(guesses[:19, :3, 3], np.tile([1, 2, 3], (19, 1)))
+
+
+def slow_scan(rng, shift):
+    """A scan among walls at 1.5 m that move along, with poles at 6 and 10 m at the given shift along x."""
+    wall = np.column_stack([rng.uniform(-1.5, 1.5, 1600), rng.choice([-1.5, 1.5], 1600), rng.uniform(-1, 1, 1600)])
+    wall[::2, :2] = wall[::2, 1::-1]
+    x = rng.choice(np.arange(-12, 12, 2.5), 1000) - shift
+    poles = np.column_stack([x, rng.choice([-10.0, -6.0, 6.0, 10.0], 1000), rng.uniform(-2, 2, 1000)])
+    return np.concatenate([wall, poles]) + rng.normal(0, 0.005, (2600, 3))
+
+
+def test_surroundings_that_move_slowly_with_the_scanner_are_detected_by_the_scan_at_the_start_of_the_rest(device, rng):
+    moving = run([slow_scan(rng, 0.1 * k) for k in range(12)], device)
+    assert np.abs(moving.poses[:, :3, 3]).max() < 0.05
+    assert np.median([step.rest_change for step in moving.steps[6:]]) > 0.2
+    assert moving.summary.is_contradicted and "appears stationary" in str(moving.summary.warnings)
+    still = run([slow_scan(rng, 0.0) for _ in range(12)], device)
+    assert max(step.rest_change for step in still.steps) < 0.1 and not still.summary.is_contradicted
+
+
+def test_a_rest_ends_with_a_motion_and_after_thirty_scans():
+    from pointloom.registration.lidar.lidar_odometry import Rest
+    from pointloom.registration.lidar.lidar_steps import OdometryStep
+
+    def step(index, x):
+        pose = np.eye(4)
+        pose[0, 3] = x
+        return OdometryStep(index, pose, 1.0, 9, 1.0, 0.1, 3, True, False, "converged")
+
+    rest = Rest(None, step(4, 1.0))
+    assert rest.lasts_to(step(34, 1.05)) and not rest.lasts_to(step(35, 1.05)) and not rest.lasts_to(step(6, 1.2))
