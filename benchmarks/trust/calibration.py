@@ -25,6 +25,7 @@ sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 import belief_scenes  # noqa: E402
 import box_rooms  # noqa: E402
 import drives  # noqa: E402
+import frame_errors  # noqa: E402
 import made_rooms  # noqa: E402
 import places  # noqa: E402
 import street  # noqa: E402
@@ -38,6 +39,7 @@ Array = NDArray[np.float64]
 PAGE = FOLDER.parent.parent / "docs" / "trust.md"
 FITTED, HELD_OUT = 0, 2000  # first seeds
 PAIRS = 56  # of each kind: 336 components
+PAIRS_OF_WALK = 28  # pairs for which one walk through each kind of site is tracked
 SITES = ("hall", "forest", "outdoors", "tunnel")
 OPERATIONS = ("point-to-plane", "generalized")
 MIN_FITNESS = 0.1  # pairs below hardly overlap and are left out
@@ -210,19 +212,16 @@ def whitened(error: Array, matrix: Array, center: Array) -> Array:
 HEADING = ["| scenes | method | pairs | within 1 sigma | within 2 sigma |", "|---|---|---|---|---|"]
 
 
-def table_of_drives(first: int, count: int) -> str:
+def drive_lines(is_fitted: bool, count: int) -> list[str]:
     """Coverage of LiDAR odometry by kind of scene; each pose counts as a pair with the first scan."""
-    lines = []
-    for kind, found in drives.components(first, count, whitened):
-        if found:
-            lines.append(_line(kind, "odometry", found))
-            print(lines[-1], file=sys.stderr, flush=True)
-    return "\n".join([*HEADING, *lines])
+    first = drives.FITTED if is_fitted else drives.HELD_OUT
+    found = drives.components(first, min(count, drives.COUNT), whitened)
+    return [_line(kind, "odometry", some) for kind, some in found if some]
 
 
-def table(first: int, count: int) -> str:
-    """Coverage by kind of scene and operation."""
-    lines = list(HEADING)
+def pair_lines(is_fitted: bool, count: int) -> list[str]:
+    """Coverage of registered pairs by kind of scene and operation."""
+    first, lines = _first_seed(is_fitted), []
     for kind, make in KINDS.items():
         rows: dict[str, list[Array]] = {operation: [] for operation in OPERATIONS}
         for number, pair in enumerate(make(range(first, first + count)), 1):
@@ -231,34 +230,48 @@ def table(first: int, count: int) -> str:
                 if (found := components(pair, operation)) is not None:
                     rows[operation].append(found)
         lines += [_line(kind, operation, some) for operation, some in rows.items() if some]
-        print("\n".join(lines[-2:]), file=sys.stderr, flush=True)
-    by_method: dict[str, list[Array]] = {}
+    return lines
+
+
+def frame_lines(is_fitted: bool, count: int) -> list[str]:
+    """Coverage of pairs of RGB-D frames, synthetic ones and halves of real ones, and of tracked paths."""
+    first = _first_seed(is_fitted)
+    found: dict[tuple[str, str], list[Array]] = {}
     for seed in range(first, first + count):
-        for method, found in frame_components(seed).items():
-            by_method.setdefault(method, []).append(found)
-    lines += [_line("rooms, RGB-D frames", method, some) for method, some in by_method.items()]
-    return "\n".join(lines)
+        for method, one in frame_components(seed).items():
+            found.setdefault(("rooms, RGB-D frames", method), []).append(one)
+    paths = frame_errors.path_errors(range(first + 1, first + 1 + max(count // PAIRS_OF_WALK, 1)))
+    for error in (*frame_errors.half_errors(count, not is_fitted), *paths):
+        row = found.setdefault((error.scenes, error.method), [])
+        row.append(whitened(error.error, error.matrix, error.center))
+    return [_line(*names, some) for names, some in found.items()]
+
+
+def _first_seed(is_fitted: bool) -> int:
+    return FITTED if is_fitted else HELD_OUT
 
 
 def _line(kind: str, operation: str, found: Sequence[Array]) -> str:
     sizes = np.abs(np.concatenate(found))
     within = [share_in_words(int((sizes < limit).sum()), len(sizes)) for limit in (1, 2)]
-    return f"| {kind} | {operation} | {len(found)} | {' | '.join(within)} |"
+    line = f"| {kind} | {operation} | {len(found)} | {' | '.join(within)} |"
+    print(line, file=sys.stderr, flush=True)
+    return line
+
+
+AREAS = {"pairs": pair_lines, "frames": frame_lines, "drives": drive_lines}
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fitted", action="store_true", help="the scenes on which constants were chosen")
     parser.add_argument("--pairs", type=int, default=PAIRS, help="of each kind")
-    parser.add_argument("--only", choices=["pairs", "drives"], help="only these rows; the others remain as they are")
+    parser.add_argument("--only", nargs="+", choices=AREAS, default=list(AREAS), help="these rows; others are kept")
     parser.add_argument("--write", action="store_true", help="write the table into docs/trust.md")
     arguments = parser.parse_args()
-    first, lines = FITTED if arguments.fitted else HELD_OUT, list(HEADING)
-    if arguments.only != "drives":
-        lines += table(first, arguments.pairs).splitlines()[2:]
-    if arguments.only != "pairs":
-        first = drives.FITTED if arguments.fitted else drives.HELD_OUT
-        lines += table_of_drives(first, min(arguments.pairs, drives.COUNT)).splitlines()[2:]
+    lines = list(HEADING)
+    for area in arguments.only:
+        lines += AREAS[area](arguments.fitted, arguments.pairs)
     print("\n".join(lines))
     if arguments.write:
         kinds = list(dict.fromkeys(line.split(" | ")[0].removeprefix("| ") for line in lines[2:]))

@@ -8,10 +8,10 @@ import pytest
 import pointloom as loom
 from pointloom.rgbd.slam.frame_checks import MAX_DEVIATION, judge_drift
 from pointloom.rgbd.slam.keyframes import Keyframes
-from pointloom.rgbd.slam.results import TrackingResult
-from pointloom.rgbd.slam.tracker import Drift
+from pointloom.rgbd.slam.results import TrackingResult, rotated_covariance
+from pointloom.rgbd.slam.tracker import Drift, join_covariance
 
-from .slam_walks import begun, frames
+from .slam_walks import begun, blank, frame, frames
 
 
 def deviated(deviation: float, status="tracked") -> TrackingResult:
@@ -42,16 +42,16 @@ def test_a_lost_frame_stays_lost():
 def test_uncertainty_accumulates_and_is_reduced_by_revisiting(device):
     """All alignments are equally certain; only the frames they refer to differ."""
     model, covariance, offs = begun(device).model, 1e-6 * np.eye(6), []
-    keyframes = Keyframes(model.device)
+    keyframes, noises = Keyframes(model.device), ((covariance, covariance),) * 2
     drift = Drift(keyframes)
     for number in range(0, 60, 6):
         shown = frames(number)[0]
         pyramid = model.prepare(shown).pyramid
-        offs.append(np.trace(drift.of(pyramid, shown.T_world_camera, covariance)[3:, 3:]))
+        offs.append(np.trace(drift.of(pyramid, shown.T_world_camera, noises)[0][3:, 3:]))
         keyframes.add(pyramid, shown.T_world_camera, number)
         drift.keep(pyramid)
     back = frames(1)[0]
-    again = np.trace(drift.of(model.prepare(back).pyramid, back.T_world_camera, covariance)[3:, 3:])
+    again = np.trace(drift.of(model.prepare(back).pyramid, back.T_world_camera, noises)[0][3:, 3:])
     assert offs[0] == 0 and offs[-1] > 2 * offs[1] > 0
     assert again < 0.7 * offs[-1]
 
@@ -71,3 +71,49 @@ def test_a_path_with_large_deviation_is_unreliable_and_reports_it():
     drifted = dataclasses.replace(path, deviations=(0.0, 0.02, 0.12), drifted=(2,), uncertain=(2,))
     assert not drifted.reliable and "0.12 m" in str(drifted.warnings) and drifted.to_dict()["drifted"] == [2]
     assert "120 mm" in str(drifted)
+
+
+def test_each_pose_of_a_path_has_a_covariance_relative_to_the_first(device):
+    slam = begun(device)
+    given = [*frames(0, 2), blank(frame(3)), *frames(4, 6)]
+    slam.run(given)
+    path = loom.track(loom.frames_from([(f.color, f.depth) for f in given], slam.model.intrinsic), voxel_size=0.04)
+    for found, poses in ((slam.covariances, slam.trajectory.poses), (path.covariances, path.trajectory.poses)):
+        assert len(found) == len(poses) == 4
+        assert not found[0].matrix.any() and all((one.sigmas > 0).all() for one in found[1:])
+        assert [one.center.tolist() for one in found] == poses[:, :3, 3].tolist()
+    assert slam.results[2].pose_covariance is None
+    assert (slam.results[-1].pose_covariance.matrix == slam.covariances[-1].matrix).all()
+    listed = path.to_dict()["poses"]
+    assert [one["frame"] for one in listed] == [0, 1, 3, 4]
+    assert listed[-1]["sigma_position"] == path.covariances[-1].sigmas[3:].tolist()
+    assert listed[-1]["sigma_rotation"] == path.covariances[-1].sigmas[:3].tolist()
+
+
+def test_covariances_rotate_with_corrected_poses():
+    camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+    v, u = np.mgrid[:48, :64]
+    depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
+    path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
+    quarter = np.eye(4)
+    quarter[:3, :3], quarter[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], [5, 6, 7]
+    moved = path.with_poses(quarter @ path.trajectory.poses)
+    before, after = path.covariances[2], moved.covariances[2]
+    assert np.allclose(after.sigmas, before.sigmas[[1, 0, 2, 4, 3, 5]], rtol=1e-9)
+    assert np.allclose(after.center, moved.trajectory.poses[2, :3, 3])
+    assert not np.allclose(after.sigmas, before.sigmas)
+
+
+def test_a_correction_that_only_shifts_leaves_a_covariance_as_it_is():
+    matrix, shifted = np.diag([1.0, 2, 3, 4, 5, 6]), np.eye(4)
+    shifted[:3, 3] = 9.0
+    assert (rotated_covariance(matrix, np.eye(4), shifted) == matrix).all()
+
+
+def test_the_error_of_a_join_grows_with_the_distance_from_the_origin_of_the_joined_map():
+    T = np.eye(4)
+    T[:3, 3] = [3.0, 0, 0]
+    join = join_covariance(T, 0.02)
+    at_origin = np.sqrt(np.diag(join))
+    assert np.allclose(at_origin[:3], 0.02) and np.isclose(at_origin[3], 0.02)
+    assert np.allclose(at_origin[4:], 0.02 * np.sqrt(1 + 9))

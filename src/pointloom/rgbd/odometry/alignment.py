@@ -75,7 +75,7 @@ def align_steps(
 ) -> OdometryResult:
     """As `align_frames` without checks, with maximum steps per level (coarsest first) and a brightness weight."""
     alignment, checked_level = descend(source, target, start, method, steps, share)
-    return judge(alignment, source, checked_level, target.blur)
+    return judge(alignment, source, checked_level, target.blur, method is not Method.PointToPlane)
 
 
 def descend(

@@ -31,11 +31,18 @@ MIN_INFORMATION = 1e-4  # of it, for a finite covariance: a meter and more
 MIN_EXCESS = 0.1  # of the measured noise: means of many pixels are less exact than their number suggests
 MAX_OPEN = 0.06  # [m] deviation along undetermined motions
 SHARED = 25.0  # pixels per plane window, with common errors
+# Number of pixels of two frames with a common error: FRAME_NOISE for noise, more with larger residuals, which are due
+# to errors of parts of the image. Chosen on synthetic frames with squared residuals of 0.03 variances, and on poses of
+# halves of real frames (0.35), which differ more with brightness (benchmarks/trust/calibration.py --fitted).
+FRAME_NOISE, SURFACE_ERROR, BRIGHTNESS_ERROR = 4.0, 130.0, 270.0
+LEAST_EXCESS = 1e-6  # of identical frames
 SHADED = 0.3  # minimum fraction of inliers with brightness
 SHIFT = 0.01  # [m] displacement whose cost the eigenvalue measures, in noise variances
 
 
-def judge(alignment: Alignment, source: OdometryFrame, level: int, blur: float = 0.0) -> OdometryResult:
+def judge(
+    alignment: Alignment, source: OdometryFrame, level: int, blur: float = 0.0, uses_brightness: bool = True
+) -> OdometryResult:
     v = alignment.consistency
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
     reason = _first_fault(alignment, pixels, seen, inliers, blur)
@@ -56,7 +63,9 @@ def judge(alignment: Alignment, source: OdometryFrame, level: int, blur: float =
         smallest_eigenvalue=smallest,
         iterations=alignment.steps,
         contradiction=_contradiction(v, blur),
-        covariance=covariance_of(alignment.firm, v),
+        covariance=covariance_of(alignment.firm, v, frame_noise(v, uses_brightness)),
+        check_covariance=covariance_of(alignment.firm, v, model_noise(v)),
+        unit_covariance=unit_covariance(v),
     )
 
 
@@ -114,7 +123,18 @@ def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> fl
     return float(values[0] * SHIFT * SHIFT)
 
 
-def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+def frame_noise(v: NDArray[np.float64], uses_brightness: bool) -> float:
+    """Variance of the residuals of two frames, in noise variances, times the number of pixels with a common error."""
+    excess = max(float(v[at.EXCESS] / v[at.PLANES]), LEAST_EXCESS) if v[at.PLANES] else 0.0
+    return excess * (FRAME_NOISE + (BRIGHTNESS_ERROR if uses_brightness else SURFACE_ERROR) * excess)
+
+
+def model_noise(v: NDArray[np.float64]) -> float:
+    """As `frame_noise`, of a frame and a model. A model has errors that the residuals do not contain."""
+    return SHARED * max(v[at.EXCESS] / v[at.PLANES], MIN_EXCESS) if v[at.PLANES] else 0.0
+
+
+def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64], noise: float) -> NDArray[np.float64]:
     """Covariance of the motion about the target's camera, rotation first; infinite with too few pixels."""
     n = v[at.INLIERS]
     if n < MIN_INLIER_COUNT or not v[at.PLANES]:
@@ -123,9 +143,16 @@ def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[
     values, vectors = eigh(matmul(b.T, symmetric_matrices(firm[None, :21])[0], b))
     unit = n / SHIFT**2
     information = np.maximum(values - IMITATED * unit, MIN_INFORMATION * unit)
-    noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], MIN_EXCESS)
     spread = matmul(b, vectors)
     return matmul(spread * np.minimum(noise / information, MAX_OPEN**2), spread.T)
+
+
+def unit_covariance(v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Covariance of the motion by an error of 1 m along each motion about the inlier center."""
+    if v[at.INLIERS] < MIN_INLIER_COUNT:
+        return np.full((6, 6), np.inf)
+    b = _about_middle(v)
+    return matmul(b, b.T)
 
 
 def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:

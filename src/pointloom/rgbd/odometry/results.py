@@ -30,8 +30,10 @@ class OdometryResult(AssessedRecord):
             0.015 the motion is undetermined.
         iterations: Steps in all levels.
         contradiction: Contradiction of the inliers by normals, distances or brightness, or empty. Ignores occlusion.
-        covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6], due to noise.
-            Valid if the motion is not contradicted.
+        covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6]. Errors that both
+            frames share, of a lens for example, are not included. Valid if the motion is not contradicted.
+        check_covariance: A wider one, for the checks of tracking: residuals do not contain all errors of a model.
+        unit_covariance: That of an error of 1 m along each motion of the inliers, rotations in units of their spread.
     """
 
     transformation: NDArray[np.float64]
@@ -46,6 +48,8 @@ class OdometryResult(AssessedRecord):
     iterations: int = 0
     contradiction: str = ""
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
+    check_covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
+    unit_covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.reliable, self.transformation, self.information))

@@ -21,6 +21,7 @@ from ...kernels.memory import download
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
+from ...registration.pose_errors import PoseCovariance
 from ...registration.rigid import invert_pose
 from .fixed_parts import FixedParts
 from .foreground import Foreground
@@ -33,7 +34,7 @@ from .map_merging import Joining
 from .maps import Maps, SlamMap, map_sizes
 from .model import Model
 from .moving_objects import Movers
-from .results import TrackingResult
+from .results import TrackingResult, with_pose
 from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
 from .tracker import Tracker, clean_pose
@@ -194,6 +195,18 @@ class DenseSLAM:
         ids = np.array([(r.index, r.index, int(r.is_tracked)) for r in results], np.int64).reshape(-1, 3)
         times = [result.timestamp for result in results]
         return Trajectory(poses, None if None in times or not times else np.array(times, np.float64), ids)
+
+    @property
+    def covariances(self) -> tuple[PoseCovariance, ...]:
+        """Covariance of each pose of `trajectory` relative to the first pose of its map, as accumulated by tracking.
+
+        The order is rotation [rad], translation [m], along the axes of the map. The center is the camera. The first
+        pose has zero. `close_loops` moves the covariances with the poses but does not reduce them: the pose graph has
+        no marginal covariances. Lost frames have no pose. See `TrackingResult.pose_covariance` for all frames.
+        """
+        largest = next(iter(self.map_sizes), 0)
+        found = [result.pose_covariance for result in self.results if result.map == largest]
+        return tuple(covariance for covariance in found if covariance is not None)
 
     def track(self, frame: Any) -> TrackingResult:
         """Estimate the pose of a frame without changing the model. The next frame is expected to follow this one.
@@ -371,6 +384,7 @@ class DenseSLAM:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=has_velocity)
         fields = {**attempt.measures, **known, "relocalized": is_anew, "covariance": attempt.covariance}
+        fields["error_covariance"] = attempt.error_covariance
         result = TrackingResult(attempt.pose, attempt.status, attempt.warnings, map=maps.here.number, **fields)
         return judge_drift(result, self.model.volume.truncation)
 
@@ -446,7 +460,7 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
 
     for i, result in enumerate(results):
         if result.pose is not None and result.map == known.number:
-            results[i] = dataclasses.replace(result, pose=corrected(result.pose, result.index))
+            results[i] = with_pose(result, corrected(result.pose, result.index))
     keyframes.poses = [corrected(T, n) for T, n in zip(keyframes.poses, keyframes.numbers, strict=True)]
     if motion.pose is not None:
         motion.pose = corrected(motion.pose, len(results))

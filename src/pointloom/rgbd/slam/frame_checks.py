@@ -41,13 +41,14 @@ MAX_OUTLIER_RATIO, MIN_OUTLIER_EXCESS = 2.0, 0.05  # factor of the fraction off 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Attempt:
-    """An alignment: `pose` T_world_camera, OdometryResult, status with warnings, covariance as of `TrackingResult`."""
+    """An alignment: `pose` T_world_camera, OdometryResult, status with warnings, covariances as of `TrackingResult`."""
 
     pose: NDArray[np.float64]
     result: OdometryResult
     status: Status
     warnings: tuple[str, ...] = ()
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
+    error_covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
 
     @property
     def score(self) -> float:

@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.volume_fusion import fuse_volumes
-from ...registration.rigid import invert_pose
+from ...registration.rigid import adjoint_of, invert_pose, make_pose
 from .frames import SensorFrame
 from .loop_pairs import Candidate, Loop, SubmapSurface, refine, verify_far
 from .map_joins import MIN_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
 from .maps import Maps, SlamMap, map_sizes
 from .moving_objects import Movers
-from .results import TrackingResult
+from .results import TrackingResult, with_pose
 from .submaps import Submap
-from .tracker import AGREED, clean_pose
+from .tracker import AGREED, clean_pose, join_covariance
 
 Pose = NDArray[np.float64]
 
@@ -73,14 +73,17 @@ def _distinct(loops: list[Loop], submap_poses: list[Pose]) -> list[Pose]:
 
 def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results: list[TrackingResult]) -> None:
     T = T_target_source
-    rotation = np.kron(np.eye(2), T[:3, :3])
+    deviation = target.model.volume.voxel_size
+    join = join_covariance(T, deviation)
     for i, result in enumerate(results):
         if result.map == source.number:
-            pose = None if result.pose is None else clean_pose(matmul(T, result.pose))
-            covariance = matmul(rotation, result.covariance, rotation.T)
-            results[i] = dataclasses.replace(result, pose=pose, covariance=covariance, map=target.number)
+            if result.pose is not None:
+                pose = clean_pose(matmul(T, result.pose))
+                about = adjoint_of(make_pose(np.eye(3), -pose[:3, 3]))
+                result = with_pose(result, pose, matmul(about, join, about.T))
+            results[i] = dataclasses.replace(result, map=target.number)
     target.keyframes.extend(source.keyframes, T)
-    target.tracker.drift.take_over(source.tracker.drift, T, target.model.volume.voxel_size)
+    target.tracker.drift.take_over(source.tracker.drift, T, deviation)
     if target.recorder is not None and source.recorder is not None:
         moved = [
             dataclasses.replace(submap, T_world_submap=matmul(T, submap.T_world_submap), follows=True)

@@ -21,7 +21,7 @@ from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
 from ...registration.rigid import rotation_vector
 from ..odometry.alignment import Method, descend
 from ..odometry.frames import OdometryFrame
-from ..odometry.motion_checks import covariance_of
+from ..odometry.motion_checks import covariance_of, model_noise
 from .frames import SensorFrame
 
 Floats = NDArray[np.float64]
@@ -184,7 +184,8 @@ def rotations_between(now: OdometryFrame, before: OdometryFrame) -> Rotations | 
     steps = STEPS if now.levels.count > 2 else STEPS_SMALL
     by_color, _ = descend(now, before, np.eye(4), Method.Intensity, steps)
     by_depth, _ = descend(now, before, np.eye(4), Method.PointToPlane, steps)
-    covariance = covariance_of(by_depth.firm, by_depth.consistency)[:3, :3]
+    sums = by_depth.consistency
+    covariance = covariance_of(by_depth.firm, sums, model_noise(sums))[:3, :3]
     poses = by_color.pose, by_depth.pose
     if not all(np.isfinite(matrix).all() for matrix in (*poses, covariance)):
         return None

@@ -15,9 +15,11 @@ from ...core.number_ranges import some_frames
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_share
 from ...io.frames.frames import why_out_of_range
+from ...registration.pose_errors import PoseCovariance
 from ...registration.trajectories.trajectory_error import TrajectoryError
 from .map_joins import MapJoin
 from .path_statistics import error_against_truth, path_length
+from .results import rotated_covariance
 
 MANY_UNCERTAIN = 0.2  # fraction of uncertain frames above which the path is unreliable
 
@@ -46,6 +48,9 @@ class TrackedPath(Assessed):
             unreliable.
         notes: Remarks that do not concern reliability: covered frames, and objects fixed to the camera.
         deviations: Accumulated standard deviation [m] of each position along its least determined direction.
+        covariances: Covariance of each pose of `trajectory` relative to the first one, which has zero: rotation [rad],
+            then translation [m], along the axes of the first camera, about the position of the pose. Lost frames have
+            no pose and no covariance. Loop closure moves the covariances with the poses, but does not reduce them.
         drifted: Uncertain frames whose accumulated deviation is too large.
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
             lost for long.
@@ -68,6 +73,7 @@ class TrackedPath(Assessed):
     uncertain_warning: str = ""
     stream: str | None = None
     deviations: tuple[float, ...] = ()
+    covariances: tuple[PoseCovariance, ...] = ()
     drifted: tuple[int, ...] = ()
     other_maps: tuple[Trajectory, ...] = ()
     joins: tuple[MapJoin, ...] = ()
@@ -117,9 +123,12 @@ class TrackedPath(Assessed):
     def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
         original = self.trajectory
         corrected = np.array(poses, np.float64).reshape(-1, 4, 4)
-        return dataclasses.replace(
-            self, trajectory=Trajectory(corrected, timestamps=original.timestamps, ids=original.ids)
+        trajectory = Trajectory(corrected, timestamps=original.timestamps, ids=original.ids)
+        moved = tuple(
+            PoseCovariance(rotated_covariance(one.matrix, before, after), after[:3, 3].copy())
+            for one, before, after in zip(self.covariances, original.poses, corrected, strict=bool(self.covariances))
         )
+        return dataclasses.replace(self, trajectory=trajectory, covariances=moved)
 
     def to_dict(self) -> dict[str, Any]:
         return {
@@ -133,6 +142,10 @@ class TrackedPath(Assessed):
             "stream": self.stream,
             "drifted": list(self.drifted),
             "position_deviation_m": max(self.deviations, default=None),
+            "poses": [
+                {"frame": number, "sigma_position": one.sigmas[3:].tolist(), "sigma_rotation": one.sigmas[:3].tolist()}
+                for number, one in zip(_numbers(self.trajectory), self.covariances, strict=bool(self.covariances))
+            ],
             "lost": [{"frame": number, "reason": reason} for number, reason in self.lost.items()],
             "unreadable": [{"frame": number, "reason": reason} for number, reason in self.unreadable.items()],
             "depth_share": self.depth_share,
