@@ -117,3 +117,17 @@ def test_the_error_of_a_join_grows_with_the_distance_from_the_origin_of_the_join
     at_origin = np.sqrt(np.diag(join))
     assert np.allclose(at_origin[:3], 0.02) and np.isclose(at_origin[3], 0.02)
     assert np.allclose(at_origin[4:], 0.02 * np.sqrt(1 + 9))
+
+
+def test_errors_of_keyframes_persist_in_later_frames(device):
+    """The errors of a keyframe, not those of the same frame alone, add to frames that are aligned with it."""
+    model, own, kept = begun(device).model, 1e-6 * np.eye(6), 9e-6 * np.eye(6)
+    drift = Drift(keyframes := Keyframes(model.device))
+    for number in (0, 20):
+        pyramid, pose = model.prepare(frame(number)).pyramid, frame(number).T_world_camera
+        first = drift.of(pyramid, pose, ((own, own), (own, kept)))
+        keyframes.add(pyramid, pose, number)
+        drift.keep(pyramid)
+    again = drift.of(pyramid, pose, ((own, own), (own, kept)))
+    assert np.allclose(first[0], first[1])
+    assert np.trace(again[1]) > np.trace(again[0]) > np.trace(first[0])
