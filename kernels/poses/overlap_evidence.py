@@ -18,6 +18,7 @@ from ..lang import (
     array,
     cross,
     dot,
+    float32,
     float64,
     func,
     int32,
@@ -37,12 +38,16 @@ from ..lang import (
     vector,
 )
 from ..memory import copy, download, empty, zeros
+from ..search.bucket_walk import points_within
 from ..search.nearest_point import NO_POINT, find_nearest
+from ..search.point_tree import BUCKET, PointTree
+from ..search.tree_search import squared_radius
 from ..surface.hollow_side import Surface
 from .main_planes import MainPlanes, find_main_planes, leave_out_planes
 
 middle_sums = vector(5, float64)  # count, x, y, z, squares
 relief_sums = vector(4, float64)  # count, covariance, variances
+deviation_sums = vector(2, float64)  # pairs, deviating ones
 evidence_sums = vector(46, float64)  # normal matrices of near points and matches, then four counts
 motions = vector(6, float64)
 NEAR_AT, AGREEING_AT, MATCHED_AT, ALIGNED_AT = 42, 43, 44, 45
@@ -317,6 +322,52 @@ def sum_relief(overlap: Overlap, planes: MainPlanes, slab: float, edge: float) -
     return out
 
 
+@kernel
+def find_spreads_kernel(tree: PointTree, normals: array(dtype=vec3), radius: float, spreads: array(dtype=float32)):
+    """Standard deviation of the distances [m] of a point's neighbors from its tangent plane."""
+    i = tid()
+    row = tree.order[i]
+    p = tree.points[i]
+    n = normals[row]
+    count = float(0.0)
+    total = float(0.0)
+    squares = float(0.0)
+    for j, _ in points_within(i // BUCKET, p, radius, tree):
+        height = dot(n, tree.points[j] - p)
+        count += 1.0
+        total += height
+        squares += height * height
+    mean = total / count
+    spreads[row] = sqrt(max(squares / count - mean * mean, 0.0))
+
+
+def find_spreads(surface: Surface, radius: float) -> Array1[Any]:
+    """Noise of a surface [m] within a radius [m] of each point, float32 (n). Curvature adds to it."""
+    spreads = zeros(surface.points.size, float32, surface.device)
+    arguments = [surface.tree, surface.normals, squared_radius(radius), spreads]
+    launch(find_spreads_kernel, surface.tree.count, arguments)
+    return spreads
+
+
+@reduction
+def sum_deviating(
+    overlap: Overlap, spreads: array(dtype=float32), other_spreads: array(dtype=float32), sigmas: float, floor: float
+) -> deviation_sums:
+    """Count of pairs with agreeing normals, and of those apart along the normal by several sigmas of their noise."""
+    i = tid()
+    out = deviation_sums(0.0)
+    if overlap.nearest[i] != int64(NO_POINT):
+        if agrees(overlap, i) == 1:
+            row = key_index(overlap.nearest[i])
+            height = dot(overlap.moved[i] - overlap.points[row], overlap.normals[row])
+            noise = spreads[i] * spreads[i] + other_spreads[row] * other_spreads[row]
+            deviating = float64(0.0)
+            if height * height > sigmas * sigmas * max(noise, floor * floor):
+                deviating = 1.0
+            out = deviation_sums(1.0, deviating)
+    return out
+
+
 def weigh_overlaps(
     pairs: Sequence[tuple[Surface, Surface, np.ndarray]],
     distance: float,
@@ -357,4 +408,30 @@ def weigh_reliefs(
     for k, (source, target, pose) in enumerate(pairs):
         overlap = Overlap(source, target, pose, distance, near, cosine, tight)
         copy(gathered, overlap.weigh_relief(overlap.find_planes()), count=1, offset=k)
+    return download(gathered).copy()  # sync
+
+
+def count_deviating(
+    pairs: Sequence[tuple[Surface, Surface, np.ndarray]],
+    distance: float,
+    near: float,
+    cosine: float,
+    tight: float,
+    *,
+    radius: float,
+    sigmas: float,
+    floor: float,
+) -> np.ndarray:
+    """Pairs of points within `distance` [m] with agreeing normals, and those apart along the normal by `sigmas`.
+
+    The standard deviation is of the neighbors within `radius` [m] of both points, at least `floor` [m]. Arguments as of
+    `weigh_overlaps`; float64 (pairs, 2). One sync.
+    """
+    spreads = {id(s): find_spreads(s, radius) for s in {id(s): s for pair in pairs for s in pair[:2]}.values()}
+    gathered = empty(len(pairs), deviation_sums, pairs[0][0].device)
+    for k, (source, target, pose) in enumerate(pairs):
+        overlap = Overlap(source, target, pose, distance, near, cosine, tight)
+        overlap.leave_out_border()
+        arguments = [overlap, spreads[id(source)], spreads[id(target)], sigmas, floor]
+        copy(gathered, reduce(sum_deviating, overlap.moved.size, arguments), count=1, offset=k)
     return download(gathered).copy()  # sync

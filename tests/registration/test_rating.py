@@ -13,6 +13,7 @@ from pointloom.kernels.poses.overlap_evidence import (
     MATCHED_AT,
     MAX_DIRECTIONS,
     NEAR_AT,
+    count_deviating,
     find_directions,
     weigh_overlaps,
 )
@@ -22,6 +23,7 @@ from pointloom.registration.globally.rating import Evidence
 from pointloom.registration.rigid import symmetric_matrices
 from pointloom.registration.surfaces import surface_of
 
+from .hilly_clouds import uneven_ground
 from .poses import as_pose, moved
 from .room_corners import ONE, OTHER, corner
 
@@ -252,17 +254,6 @@ def test_a_few_matches_beside_the_planes_can_be_chance(monkeypatch):
     assert few.rest == pytest.approx(0.2)
 
 
-def uneven_ground(rng, heights_of, low, high, count=30000):
-    """Ground with slopes of a few degrees, within 5 cm of a plane, between two x; 3 mm noise."""
-    generator = np.random.default_rng(heights_of)
-    x, y, z = rng.uniform(low, high, count), rng.uniform(-2, 2, count), np.zeros(count)
-    for length in np.geomspace(0.8, 3, 8):
-        heading, phase = generator.uniform(0, 2 * np.pi, 2)
-        along = x * np.cos(heading) + y * np.sin(heading)
-        z += 0.016 * length**0.7 * np.sin(2 * np.pi * along / length + phase)
-    return np.column_stack([x, y, z]) + rng.normal(0, 0.003, (count, 3))
-
-
 def test_relief_on_planes_is_evidence(device, rng):
     source = loom.PointCloud(uneven_ground(rng, 1, -2, 1), device=device)
     same, other = (loom.PointCloud(uneven_ground(rng, k, -1, 2), device=device) for k in (1, 2))
@@ -292,6 +283,32 @@ def test_details_decide_where_the_usual_evidence_does_not():
     assert by_chance.score > 0.5 > by_chance._replace(details=few).score
     assert "beside three planes" in by_chance._replace(details=few).problem
     assert weak._replace(details=few._replace(visible=0.5, relief=0.9)).score > 0.5
+
+
+def test_pairs_farther_apart_than_the_noise_contradict_a_pose(device, rng):
+    def wall(step, noise):
+        """A wall whose right half is set back by a step."""
+        x, y = rng.uniform(-1, 1, (2, 20000))
+        return np.column_stack([x, y, np.where(x > 0, -step, 0.0) + rng.normal(0, noise, 20000)])
+
+    def contrary(step, noise):
+        clouds = [loom.PointCloud(points, device=device) for points in (wall(0, noise), wall(step, noise))]
+        pairs = rating._both_ways(*(surface_of(cloud, 0.05) for cloud in clouds), np.eye(4))
+        limits = {"radius": 0.1, "sigmas": 3.0, "floor": 0.005}
+        counts = count_deviating(pairs, *rating._limits(0.075), **limits)
+        return (counts[:, 1] / counts[:, 0]).tolist()
+
+    assert max(contrary(0.0, 0.002)) < 0.01 and max(contrary(0.0, 0.02)) < 0.01
+    assert min(contrary(0.04, 0.002)) > 0.35 and max(contrary(0.04, 0.002)) < 0.55  # the right half
+    assert max(contrary(0.04, 0.02)) < 0.05  # within the noise
+
+
+def test_contradicting_pairs_must_be_fewer_than_matches_beside_the_planes():
+    details = rating.Details(visible=0.55, rest=0.35, matches=80, relief=0.0, relief_matches=1300)
+    agreeing, contrary = (Evidence(0.44, 0.04, 1400, rest=0.3, details=details._replace(contrary=k)) for k in (10, 160))
+    assert agreeing.score > 0.9 and contrary.score < 0.1 and "than their noise" in contrary.problem
+    on_ground = details._replace(matches=2, contrary=20, relief=0.95)  # no matches beside planes: the relief decides
+    assert Evidence(0.44, 0.04, 1400, rest=0.0, details=on_ground).score > 0.5
 
 
 def directions_of(normals, where):
