@@ -54,6 +54,12 @@ def icp(p: SampledSurface, method: str = "PointToPoint", **options: Any) -> Any:
     return reg().registration_icp(p.source, p.facing, p.max_distance, None, estimation)
 
 
+def ndt(p: SampledSurface, **options: Any) -> Any:
+    """NDT with options given by keyword."""
+    option = reg().NormalDistributionsTransformOption(12 * p.spacing, **options)
+    return reg().registration_ndt(p.source, p.facing, option)
+
+
 def from_poses(p: SampledSurface) -> list[Any]:
     """ICP from three poses at once."""
     starts = [about(p.middle, pose_of(degrees, np.zeros(3))) for degrees in (-1.0, 0.0, 3.0)]
@@ -216,6 +222,8 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
         p.other.transform(scenes.inverse(p.pose)), p.cloud, p.max_distance
     ),
     "icp, generalized, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
+    "registration_ndt": lambda p: ndt(p),
+    "registration_ndt, one voxel": lambda p: ndt(p, neighbor_search_type=0, min_points_per_voxel=4),
     "registration_icp_batch, three poses": from_poses,
     "evaluate_registration": lambda p: reg().evaluate_registration(p.source, p.cloud, p.max_distance),
     "get_information_matrix_from_point_clouds": lambda p: reg().get_information_matrix_from_point_clouds(

@@ -45,6 +45,8 @@ from .icp.kinds import registration_generalized_icp as registration_generalized_
 from .icp.kinds import registration_symmetric_icp as registration_symmetric_icp
 from .icp.leveling import leveled as leveled
 from .icp.multi_scale import multi_scale_icp as multi_scale_icp
+from .icp.ndt import NormalDistributionsTransformOption as NormalDistributionsTransformOption
+from .icp.ndt import registration_ndt as registration_ndt
 from .lidar.deskewing import deskew_point_cloud as deskew_point_cloud
 from .lidar.lidar_odometry import LidarOdometry as LidarOdometry
 from .lidar.lidar_runs import iterate_odometry as iterate_odometry

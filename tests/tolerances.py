@@ -303,6 +303,11 @@ TABLE: dict[str, tuple[float, str]] = {
         1e-8,
         "as `icp_pose`, of covariances, normals or directions that are rounded to float32: 6e-8 of motions of 0.05",
     ),
+    "ndt_pose": (
+        1e-9,
+        "[m] and of a rotation matrix: as `icp_pose`, for information of up to 1e5 of the largest eigenvalue; Open3D's "
+        "steps rotate about the origin, and the last one of both has up to 1e-6",
+    ),
     "icp_pose_colored": (
         1e-6,
         "as `icp_pose`, of color gradients that are projected onto the tangent plane where Open3D's are not: about "

@@ -15,6 +15,7 @@ CONVERGED = 1
 OUT_OF_ITERATIONS = 2
 NO_PAIRS = 3
 NOT_FINITE = 4
+FEW_PAIRS = 5
 
 free_directions = vector(36, float64)  # up to six unit vectors, one per row
 

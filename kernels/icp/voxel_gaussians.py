@@ -88,22 +88,8 @@ class VoxelGaussians:
         segment_count: int = 1,
         corner: Sequence[float] | tuple[float, float, float] = (0.0, 0.0, 0.0),
     ) -> None:
-        device, scale = points.device, 1.0 / voxel_size
-        low, high, finite = bound_points(points)  # sync
-        first, cells = np.zeros(3), np.zeros(3)
-        if finite:
-            first = np.floor((low.astype(np.float64) - corner) * scale)
-            last = np.floor((high.astype(np.float64) - corner) * scale)
-            cells = last - first + 1
-            _check_cells(voxel_size, first, last)
-        self.grid = CellGrid(corner, scale, first, cells)
-        bits = sum(int(b) for b in self.grid.bits) + (segment_count - 1).bit_length()
-        if bits > KEY_BITS:
-            need = " x ".join(f"{c:,.0f}" for c in cells)
-            raise ValueError(
-                f"voxel_size: {voxel_size} makes {segment_count:,} grids of {need} cells, more than 2^62; "
-                "take larger voxels"
-            )
+        device = points.device
+        self.grid, bits, _ = enclosing_grid(points, voxel_size, segment_count, corner)  # sync
         labels = empty(0, int32, device) if segments is None else segments
         keys, skipped = empty(points.size, int64, device), 1 << bits
         arguments = [points, covariances, labels, segment_count, self.grid, skipped, keys]
@@ -125,10 +111,16 @@ class VoxelGaussians:
 
 
 @func
+def cell_at(p: vec3d, grid: CellGrid) -> vec3d:
+    """Cell of a position relative to the first cell. NaN if the position is."""
+    d = (p - grid.corner) * grid.scale
+    return vec3d(floor(d[0]) - grid.first[0], floor(d[1]) - grid.first[1], floor(d[2]) - grid.first[2])
+
+
+@func
 def cell_of(p: vec3, grid: CellGrid) -> vec3d:
     """Cell of a point relative to the first cell. NaN if the point is."""
-    d = (widen(p) - grid.corner) * grid.scale
-    return vec3d(floor(d[0]) - grid.first[0], floor(d[1]) - grid.first[1], floor(d[2]) - grid.first[2])
+    return cell_at(widen(p), grid)
 
 
 @func
@@ -272,6 +264,28 @@ def match_voxels_kernel(matches: Matches, voxels: VoxelGaussians):
                 if square_distance(q, gaussian_mean(row, voxels.gaussians)) <= matches.max_sqdist:
                     pair = row
         matches.pairs[i] = pair
+
+
+def enclosing_grid(
+    points: Points, voxel_size: float, segment_count: int, corner: Sequence[float] | tuple[float, float, float]
+) -> tuple[CellGrid, int, int]:
+    """(grid of the finite points from a corner on, bits of its keys, their count). ValueError above 2^62 cells."""
+    low, high, finite = bound_points(points)  # sync
+    first, cells, scale = np.zeros(3), np.zeros(3), 1.0 / voxel_size
+    if finite:
+        first = np.floor((low.astype(np.float64) - corner) * scale)
+        last = np.floor((high.astype(np.float64) - corner) * scale)
+        cells = last - first + 1
+        _check_cells(voxel_size, first, last)
+    grid = CellGrid(corner, scale, first, cells)
+    bits = sum(int(b) for b in grid.bits) + (segment_count - 1).bit_length()
+    if bits > KEY_BITS:
+        need = " x ".join(f"{c:,.0f}" for c in cells)
+        raise ValueError(
+            f"voxel_size: {voxel_size} makes {segment_count:,} grids of {need} cells, more than 2^62; "
+            "take larger voxels"
+        )
+    return grid, bits, finite
 
 
 def _check_cells(voxel_size: float, first: np.ndarray, last: np.ndarray) -> None:

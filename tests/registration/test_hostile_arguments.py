@@ -52,6 +52,7 @@ huber.weight(residual=three)
 l1.weight(residual=three)
 l2.weight(residual=three)
 reg.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=3)
+reg.NormalDistributionsTransformOption(voxel_size=0.5, min_points_per_voxel=6, covariance_regularization=1e-3, transformation_epsilon=1e-6, relative_objective=1e-6, max_iteration=3, outlier_threshold=9.0, neighbor_search_type=1)
 reg.Prior(transformation=pose, information=None, sigma_translation=0.1, sigma_rotation=0.2)
 reg.leveled(init=pose, up_in_source=three, up_in_target=three)
 reg.RANSACConvergenceCriteria(max_iteration=100, confidence=0.9)
@@ -100,6 +101,7 @@ reg.registration_ransac_based_on_correspondence(source=source, target=target, co
 reg.registration_ransac_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, mutual_filter=True, max_correspondence_distance=0.2, estimation_method=to_points, ransac_n=3, checkers=[by_distance], criteria=draws, seed=0)
 reg.registration_robust_based_on_correspondence(source=source, target=target, corres=corres, noise_bound=0.1, seed=0)
 reg.registration_robust_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, noise_bound=0.1, seed=0)
+reg.registration_ndt(source=source, target=target, option=distributions, init=pose, degeneracy=0.005)
 reg.registration_symmetric_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules, overlap=0.9, weights=times)
 reg.run_odometry(scans=[source, source], timestamps=None, progress=None, device="cpu", columns=["x", "y", "z"])
 reg.scale_from_known(model=model, a="a", b=three, distance=1.0)
@@ -149,6 +151,7 @@ def things() -> dict[str, Any]:
         times=np.linspace(0, 1, 60), features=rng.random((60, 5)).astype(np.float32), node=nodes[0],
         information=np.eye(6), graph=reg.PoseGraph(nodes, [edge]), trajectory=loom.Trajectory([np.eye(4)] * 3),
         rules=reg.ICPConvergenceCriteria(max_iteration=3), draws=reg.RANSACConvergenceCriteria(100, 0.9),
+        distributions=reg.NormalDistributionsTransformOption(0.5, max_iteration=3),
         levenberg=reg.GlobalOptimizationLevenbergMarquardt(), option=reg.GlobalOptimizationOption(),
         criteria=reg.GlobalOptimizationConvergenceCriteria(max_iteration=3),
         to_points=reg.TransformationEstimationPointToPoint(), l2=reg.L2Loss(), l1=reg.L1Loss(),

@@ -30,6 +30,9 @@ for method in methods:
     r = reg.registration_icp(source, target, 0.1, None, method, reg.ICPConvergenceCriteria(0, 0, 4), overlap=0.9)
     show(r.transformation, r.correspondence_set, r.inlier_rmse)
 
+r = reg.registration_ndt(source, target, reg.NormalDistributionsTransformOption(0.25))
+show(r.transformation, r.correspondence_set, r.inlier_rmse)
+
 box = rng.uniform(-1, 1, (3000, 3))
 pairs = np.column_stack([np.arange(3000)] * 2)
 pairs[300:, 1] = rng.integers(0, 3000, 2700)

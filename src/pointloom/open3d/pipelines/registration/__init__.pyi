@@ -21,6 +21,7 @@ from .estimation import TukeyLoss as TukeyLoss
 from .globally import FastGlobalRegistrationOption as FastGlobalRegistrationOption
 from .globally import Feature as Feature
 from .globally import ICPConvergenceCriteria as ICPConvergenceCriteria
+from .globally import NormalDistributionsTransformOption as NormalDistributionsTransformOption
 from .globally import RANSACConvergenceCriteria as RANSACConvergenceCriteria
 from .globally import RegistrationResult as RegistrationResult
 from .globally import compute_fpfh_feature as compute_fpfh_feature
@@ -32,6 +33,7 @@ from .globally import registration_fgr_based_on_correspondence as registration_f
 from .globally import registration_fgr_based_on_feature_matching as registration_fgr_based_on_feature_matching
 from .globally import registration_generalized_icp as registration_generalized_icp
 from .globally import registration_icp as registration_icp
+from .globally import registration_ndt as registration_ndt
 from .globally import registration_ransac_based_on_correspondence as registration_ransac_based_on_correspondence
 from .globally import registration_ransac_based_on_feature_matching as registration_ransac_based_on_feature_matching
 from .globally import registration_symmetric_icp as registration_symmetric_icp

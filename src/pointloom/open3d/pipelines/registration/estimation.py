@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ....registration import rigid, robust_kernels
 from ....registration.icp import estimation
+from ...argument_errors import as_runtime_errors
 from ...geometry import PointCloud
 from ...settings import Settings
 from ...vectors import Vector2iVector
@@ -75,10 +76,12 @@ class TransformationEstimation(Settings):
 
     _kind = estimation.TransformationEstimation
 
+    @as_runtime_errors
     def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
         """The step (4, 4) of one iteration from pairs (source, target). The identity without pairs."""
         return fit_step(*_clouds(source, target), as_array(Vector2iVector(corres)), self._native)
 
+    @as_runtime_errors
     def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
         """Root mean square of the residuals of the pairs that `compute_transformation` minimizes, without a kernel."""
         return residual_rmse(*_clouds(source, target), as_array(Vector2iVector(corres)), self._native)
@@ -96,11 +99,13 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
     _kind = estimation.TransformationEstimationPointToPoint
     with_scaling: bool = False
 
+    @as_runtime_errors
     def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
         """Least-squares transformation (4, 4) of pairs (source, target)."""
         p, q = _pairs(source, target, corres)
         return rigid.fit_pose(p, q, with_scaling=bool(self.with_scaling)) if len(p) else np.eye(4)
 
+    @as_runtime_errors
     def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
         p, q = _pairs(source, target, corres)
         return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0

@@ -14,7 +14,8 @@ from ....core.checks import check_count, check_number, check_numeric
 from ....pcd import features
 from ....registration import matching, result
 from ....registration.globally import fast_global, ransac
-from ....registration.icp import evaluation, icp
+from ....registration.icp import evaluation, icp, ndt
+from ...argument_errors import ArgumentError, as_runtime_errors
 from ...geometry import PointCloud
 from ...geometry.search_param import keywords_of
 from ...indices import flagged
@@ -69,6 +70,7 @@ class FastGlobalRegistrationOption(Settings):
         return "FastGlobalRegistrationOption(\n" + "".join(f"{name}={value},\n" for name, value in values.items()) + ")"
 
 
+@as_runtime_errors
 def registration_ransac_based_on_feature_matching(
     source: Any,
     target: Any,
@@ -96,6 +98,7 @@ def registration_ransac_based_on_feature_matching(
     return RegistrationResult._of(result)
 
 
+@as_runtime_errors
 def registration_ransac_based_on_correspondence(
     source: Any,
     target: Any,
@@ -116,6 +119,7 @@ def registration_ransac_based_on_correspondence(
     return RegistrationResult._of(result)
 
 
+@as_runtime_errors
 def registration_fgr_based_on_feature_matching(
     source: Any, target: Any, source_feature: Any, target_feature: Any, option: Any = None
 ) -> RegistrationResult:
@@ -129,6 +133,7 @@ def registration_fgr_based_on_feature_matching(
     return RegistrationResult._of(result)
 
 
+@as_runtime_errors
 def registration_fgr_based_on_correspondence(
     source: Any, target: Any, corres: Any, option: Any = None
 ) -> RegistrationResult:
@@ -173,6 +178,7 @@ class ICPConvergenceCriteria(Settings):
         return f"ICPConvergenceCriteria({limits}, max_iteration={self.max_iteration})"
 
 
+@as_runtime_errors
 def registration_icp(
     source: Any,
     target: Any,
@@ -185,6 +191,7 @@ def registration_icp(
     return _register(source, target, max_correspondence_distance, init, method, criteria, TransformationEstimation)
 
 
+@as_runtime_errors
 def registration_colored_icp(
     source: Any,
     target: Any,
@@ -199,6 +206,7 @@ def registration_colored_icp(
     return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
 
 
+@as_runtime_errors
 def registration_generalized_icp(
     source: Any,
     target: Any,
@@ -212,6 +220,7 @@ def registration_generalized_icp(
     return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
 
 
+@as_runtime_errors
 def registration_symmetric_icp(
     source: Any,
     target: Any,
@@ -223,9 +232,47 @@ def registration_symmetric_icp(
     """Symmetric point-to-plane ICP: both clouds need normals."""
     kind = TransformationEstimationSymmetric
     method = kind() if estimation_method is None else estimation_method
+    for name, cloud in zip(("source", "target"), clouds_of(source, target), strict=True):
+        if not cloud.has_normals:
+            raise ArgumentError(
+                f"{name}: symmetric ICP requires both source and target to have normals; call {name}.estimate_normals()"
+            )
     return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
 
 
+@dataclass(eq=False, repr=False)
+class NormalDistributionsTransformOption(Settings):
+    """Options of NDT. Invalid ones are rejected here, and on use after an assignment."""
+
+    _kind = ndt.NormalDistributionsTransformOption
+    voxel_size: Any = 1.0
+    min_points_per_voxel: int = 6
+    covariance_regularization: float = 1e-3
+    transformation_epsilon: float = 1e-6
+    relative_objective: float = 1e-6
+    max_iteration: int = 30
+    outlier_threshold: float = 9.0
+    neighbor_search_type: int = 1
+
+    @as_runtime_errors
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _ = self._native
+
+    def __repr__(self) -> str:
+        values = {name: str(value).removesuffix(".0") for name, value in self._keywords().items()}
+        return f"NormalDistributionsTransformOption({', '.join(f'{name}={value}' for name, value in values.items())})"
+
+
+@as_runtime_errors
+def registration_ndt(source: Any, target: Any, option: Any = None, init: ArrayLike = IDENTITY) -> RegistrationResult:
+    """Normal distributions transform: neither normals nor a search of nearest points."""
+    chosen = NormalDistributionsTransformOption() if option is None else option
+    rules = unwrap(chosen, NormalDistributionsTransformOption, "option")
+    return RegistrationResult._of(ndt.registration_ndt(*clouds_of(source, target), rules, init, degeneracy=0.0))
+
+
+@as_runtime_errors
 def evaluate_registration(
     source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY
 ) -> RegistrationResult:
@@ -235,6 +282,7 @@ def evaluate_registration(
     )
 
 
+@as_runtime_errors
 def get_information_matrix_from_point_clouds(
     source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike
 ) -> NDArray[np.float64]:
@@ -322,6 +370,7 @@ def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
     return np.ascontiguousarray(feature.data.T, np.float32)
 
 
+@as_runtime_errors
 def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
     """FPFH with 33 numbers per point. Requires normals. With `indices`, for these points only, each once."""
     rows = np.asarray(features.compute_fpfh_feature(unwrap(input, PointCloud, "input"), **keywords_of(search_param)))
@@ -329,6 +378,7 @@ def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> 
     return made if indices is None else made.select_by_index(indices)
 
 
+@as_runtime_errors
 def correspondences_from_features(
     source_features: Any, target_features: Any, mutual_filter: bool = False, mutual_consistency_ratio: float = 0.1
 ) -> Vector2iVector:
