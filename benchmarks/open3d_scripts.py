@@ -5,7 +5,9 @@ python -m benchmarks.open3d_scripts run FOLDER [FILE..] each script with both pa
 python -m benchmarks.open3d_scripts tests FOLDER        pytest of Open3D's own tests with both packages
 
 `names` follows `import open3d as o3d`, `from open3d import ..`, and the classes of variables that a constructor or a
-reader assigns. It runs nothing. `run` compares the arrays and numbers that remain in a script's variables.
+reader assigns. It runs nothing. `run` compares the arrays and numbers that remain in a script's variables, the drawn
+geometries and the printed text. Windows show nothing. With `--samples FOLDER`, both packages read the stand-ins of
+benchmarks/open3d_stand_ins.py for sample data and missing files.
 """
 
 from __future__ import annotations
@@ -15,7 +17,12 @@ import ast
 import collections
 import contextlib
 import importlib
+import importlib.abc
+import importlib.machinery
+import io
 import os
+import pickle
+import random
 import re
 import signal
 import subprocess
@@ -25,6 +32,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from benchmarks.open3d_stand_ins import replace
 from scripts.open3d_names_page import members, of_path
 
 OURS, THEIRS = "pointloom.open3d", "open3d"
@@ -35,7 +45,9 @@ READERS = {  # function -> class of its result, as far as scripts use its method
     "t.io.read_image": "t.geometry.Image",
 }  # fmt: skip
 TOLERANCE = 1e-5  # of the largest value
-SECONDS = 60  # for a script
+SECONDS = 60  # of CPU time for a script
+ATTRIBUTES = ("", "points", "vertices", "triangles", "lines", "colors", "vertex_colors", "normals", "vertex_normals",
+              "transformation")  # fmt: skip
 
 
 class Names(NamedTuple):
@@ -147,84 +159,138 @@ def count_names(folder: Path) -> None:
         print(f"{count:5d} scripts ({alone[name]} lack it alone): {name}")
 
 
-def variables_of(path: Path, package: str) -> dict[str, Any]:
-    """Run a script in the working directory with a package. Return its variables as arrays."""
-    import numpy as np
+def variables_of(path: Path, package: str, samples: Path | None = None) -> dict[str, Any]:
+    """Run a script in the working directory with a package. Return its variables and what it draws as arrays.
 
+    "output" is the printed text. `samples` is the folder of stand-ins for missing files.
+    """
     text = re.sub(r"^(\s*)import open3d as", rf"\1import {package} as", path.read_text(), flags=re.M)
     text = re.sub(r"^(\s*)import open3d\b(?! as)(?!\.)", rf"\1import {package} as open3d", text, flags=re.M)
     text = re.sub(r"^(\s*)(import|from) open3d\.", rf"\1\2 {package}.", text, flags=re.M)
     text = re.sub(r"^(\s*)from open3d import", rf"\1from {package} import", text, flags=re.M)
-    for name in ("draw_geometries", "draw"):
-        with contextlib.suppress(AttributeError):
-            setattr(importlib.import_module(f"{package}.visualization"), name, lambda *_, **__: None)
+    module, data = importlib.import_module(package), importlib.import_module(f"{OURS}.data")
+    if package == OURS:
+        _import_ours_as_open3d()
+    drawn, printed = replace(module, data, samples), io.StringIO()
+    random.seed(0)
+    np.random.seed(0)  # for scripts that use it
     names: dict[str, Any] = {"__name__": "__main__", "__file__": str(path)}
     sys.argv, sys.path[0] = [str(path)], str(path.parent)
-    exec(compile(text, str(path), "exec"), names)
-    found: dict[str, Any] = {}
-    for name, value in names.items():
-        for attribute in ("", "points", "vertices", "triangles", "colors", "normals", "transformation"):
-            part = getattr(value, attribute, None) if attribute else value
-            part = part.numpy() if hasattr(part, "numpy") else part
+    with contextlib.redirect_stdout(printed):
+        exec(compile(text, str(path), "exec"), names)
+    found: dict[str, Any] = {"output": printed.getvalue()}
+    for name, value in [*names.items(), *((f"drawn {i}", value) for i, value in enumerate(drawn))]:
+        for attribute in ATTRIBUTES:
             with contextlib.suppress(Exception):
-                array = np.asarray(part)
+                part = getattr(value, attribute) if attribute else value
+                array = np.asarray(part.numpy() if hasattr(part, "numpy") else part)
                 if array.dtype.kind in "biuf" and array.size:
-                    found[f"{name}.{attribute}".strip(".")] = array
+                    found[f"{name}.{attribute}".strip(".")] = array.copy()
     return found
 
 
-def run_one(path: Path, package: str, result: Path) -> None:
-    """Run a script and store its variables, or its error, in a file."""
-    import pickle
+def _import_ours_as_open3d() -> None:
+    """Let `import open3d` in other modules, such as those beside the script, import pointloom.open3d."""
 
-    signal.alarm(SECONDS)
-    try:
-        outcome: Any = variables_of(path, package)
-    except BaseException as error:
-        outcome = f"{type(error).__name__}: {str(error)[:200]}"
-    result.write_bytes(pickle.dumps(outcome))
+    class Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+        def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> Any:
+            is_theirs = fullname.split(".")[0] == THEIRS
+            return importlib.machinery.ModuleSpec(fullname, self) if is_theirs else None
+
+        def create_module(self, spec: Any) -> ModuleType:
+            return importlib.import_module(spec.name.replace(THEIRS, OURS, 1))
+
+        def exec_module(self, module: ModuleType) -> None:
+            pass
+
+    for name in [name for name in sys.modules if name.split(".")[0] == THEIRS]:
+        del sys.modules[name]
+    sys.meta_path.insert(0, Finder())
 
 
-def outcome_of(path: Path, package: str) -> Any:
-    """The variables of a script in a process of its own, or its error."""
-    import pickle
-
+def outcome_of(path: Path, package: str, samples: Path | None = None) -> Any:
+    """The variables of a script in a process of its own, or its error. Both packages are imported before the fork."""
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder) / "result"
-        command = [sys.executable, "-m", "benchmarks.open3d_scripts", "one", str(path), package, str(result)]
-        environment = os.environ | {"POINTLOOM_DRAW": "picture"}
+        child = os.fork()
+        if child:
+            status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+            return pickle.loads(result.read_bytes()) if result.is_file() else f"ended with status {status}"
         try:
-            subprocess.run(command, cwd=Path.cwd(), env=environment, capture_output=True, timeout=2 * SECONDS)
-        except subprocess.TimeoutExpired:
-            return "TimeoutExpired"
-        return pickle.loads(result.read_bytes()) if result.is_file() else "ended without a result"
+            null = os.open(os.devnull, os.O_RDWR)
+            for stream in range(3):
+                os.dup2(null, stream)
+            os.chdir(folder)
+            for kind, seconds in ((signal.ITIMER_PROF, SECONDS), (signal.ITIMER_REAL, 4 * SECONDS)):
+                signal.setitimer(kind, seconds)  # the signal ends this process
+            outcome: Any = variables_of(path, package, samples)
+        except BaseException as error:
+            outcome = f"{type(error).__name__}: {str(error)[:200]}"
+        with contextlib.suppress(BaseException):
+            (Path(folder) / "unfinished").write_bytes(pickle.dumps(outcome))
+            (Path(folder) / "unfinished").replace(result)
+        os._exit(0)
 
 
 def compare(ours: Any, theirs: Any) -> str:
-    """One of: equal, different, raises here, raises there, raises in both."""
-    import numpy as np
-
+    """One of: equal, other order (of rows), different, raises here, raises there, raises in both."""
     failed = [isinstance(outcome, str) for outcome in (ours, theirs)]
     if any(failed):
         return {(True, True): "raises in both", (True, False): "raises here"}.get(tuple(failed), "raises there")
-    for name in theirs:
+    reordered = ""
+    for name in sorted(theirs, key=lambda name: name == "output"):
         expected, got = theirs[name], ours.get(name)
-        if got is None or got.shape != expected.shape:
+        if name == "output":
+            if not _equal_texts(expected, got):
+                return "different: output"
+        elif got is None or got.shape != expected.shape:
             return f"different: {name}"
-        scale = max(1.0, float(np.abs(expected[np.isfinite(expected)]).max(initial=0)))
-        if not np.allclose(got, expected, atol=TOLERANCE * scale, rtol=0, equal_nan=True):
-            return f"different: {name}"
-    return "equal"
+        elif not _close(got, expected):
+            if not _close(_ordered(got), _ordered(expected)):
+                return f"different: {name}"
+            reordered = f"other order: {name}"
+    return reordered or "equal"
 
 
-def run_scripts(folder: Path, files: list[str]) -> None:
+def _close(a: np.ndarray, b: np.ndarray) -> bool:
+    scale = max(1.0, float(np.abs(b[np.isfinite(b)]).max(initial=0)))
+    return np.allclose(a, b, atol=TOLERANCE * scale, rtol=0, equal_nan=True)
+
+
+def _ordered(values: np.ndarray) -> np.ndarray:
+    """The rows in lexicographic order of their rounded coordinates."""
+    rows = values.reshape(len(values), -1) if values.ndim > 1 else values.reshape(-1, 1)
+    scale = max(1.0, float(np.abs(rows[np.isfinite(rows)]).max(initial=0)))
+    return rows[np.lexsort(np.round(rows.astype(float) / scale, 4).T)]
+
+
+def _equal_texts(expected: str, got: str) -> bool:
+    """True if two texts have the same words and numbers within the tolerance. Names of the packages may differ.
+
+    Lines of Open3D's log are left out, since its C++ code does not print them through Python.
+    """
+    number = r"-?\d+\.?\d*(?:e[-+]?\d+)?"
+    lines = [re.sub(r"^.*\[Open3D .*$", "", text.replace(OURS, THEIRS), flags=re.M) for text in (expected, got)]
+    words = [re.sub(r"\s+", "", re.sub(number, "0", text)) for text in lines]
+    values = [np.array(re.findall(number, text), float) for text in lines]
+    return words[0] == words[1] and _close(*values)
+
+
+def run_scripts(folder: Path, files: list[str], samples: Path | None) -> None:
     """Run scripts with both packages and print how their variables compare."""
     counts: collections.Counter[str] = collections.Counter()
+    for package in (OURS, THEIRS):
+        importlib.import_module(package)
+    if samples:
+        os.environ["POINTLOOM_SAMPLES"] = str(samples)
     for path in [folder / name for name in files] or sorted(folder.rglob("*.py")):
-        ours, theirs = (outcome_of(path, package) for package in (OURS, THEIRS))
-        verdict = compare(ours, theirs)
+        theirs = outcome_of(path.resolve(), THEIRS, samples)
+        ours = outcome_of(path.resolve(), OURS, samples) if not isinstance(theirs, str) else "not run"
+        verdict = compare(ours, theirs) if not isinstance(theirs, str) else f"raises there: {theirs}"
+        verdict = "nothing to compare" if verdict == "equal" and theirs == {"output": ""} else verdict
         counts[verdict.partition(":")[0]] += 1
-        print(f"{path.relative_to(folder)}: {verdict}{f' ({ours})' if isinstance(ours, str) else ''}", flush=True)
+        reason = f" ({ours})" if isinstance(ours, str) and not isinstance(theirs, str) else ""
+        print(f"{path.relative_to(folder)}: {verdict}{reason}".replace("\n", " "), flush=True)
     print(", ".join(f"{count} {verdict}" for verdict, count in counts.most_common()))
 
 
@@ -244,18 +310,17 @@ def run_tests(folder: Path) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("names", "run", "tests", "one"))
+    parser.add_argument("what", choices=("names", "run", "tests"))
     parser.add_argument("folder", type=Path)
     parser.add_argument("files", nargs="*")
+    parser.add_argument("--samples", type=Path, help="stand-ins for missing files: benchmarks/open3d_stand_ins.py")
     given = parser.parse_args()
     if given.what == "names":
         count_names(given.folder)
     elif given.what == "run":
-        run_scripts(given.folder, given.files)
-    elif given.what == "tests":
-        run_tests(given.folder)
+        run_scripts(given.folder, given.files, given.samples and given.samples.resolve())
     else:
-        run_one(given.folder, given.files[0], Path(given.files[1]))
+        run_tests(given.folder)
 
 
 if __name__ == "__main__":

@@ -34,3 +34,10 @@ def test_results_are_compared_by_value():
     assert compare(a | {"x": np.array([1.0001, np.nan])}, a) == compare({"n": a["n"]}, a) == "different: x"
     assert compare("TypeError: b", a) == "raises here"
     assert (compare(a, "TypeError"), compare("TypeError", "TypeError")) == ("raises there", "raises in both")
+
+
+def test_the_order_of_rows_and_the_log_are_told_apart_from_other_differences():
+    a = {"x": np.array([[1.0, 2], [3, 4]]), "output": "1.5 points\n[Open3D DEBUG] 3\n"}
+    assert compare(a | {"x": a["x"][::-1]}, a) == "other order: x"
+    assert compare(a | {"output": "1.5000001  points\n\n"}, a) == "equal"
+    assert compare(a | {"output": "1.6 points\n"}, a) == "different: output"
