@@ -8,5 +8,13 @@ a `loom.PointCloud`. Missing names raise errors that name pointloom's equivalent
 from ..public_names import attach, report_unknown_modules  # pyright: ignore[reportMissingImports]
 
 __version__ = "0.20.0"  # version of the Open3D API; pointloom.__version__ is that of pointloom
+_build_config = {  # parts of Open3D's build that pointloom replaces
+    **dict.fromkeys(("BUILD_CUDA_MODULE", "GLIBCXX_USE_CXX11_ABI"), True),
+    **dict.fromkeys(("BUILD_SYCL_MODULE", "BUILD_PYTORCH_OPS", "BUILD_TENSORFLOW_OPS", "BUNDLE_OPEN3D_ML"), False),
+    **dict.fromkeys(("BUILD_AZURE_KINECT", "BUILD_LIBREALSENSE", "BUILD_SHARED_LIBS", "BUILD_GUI"), False),
+    "BUILD_JUPYTER_EXTENSION": False,
+    **dict.fromkeys(("CUDA_VERSION", "CUDA_GENCODES", "Tensorflow_VERSION", "Pytorch_VERSION"), ""),
+    "CMAKE_BUILD_TYPE": "Release",
+}
 __getattr__, __dir__ = attach(__name__)
 report_unknown_modules()

@@ -2,6 +2,7 @@
 
 from . import cuda as cuda
 from . import nns as nns
+from . import sycl as sycl
 from .device import Device as Device
 from .dtype import Dtype as Dtype
 from .dtype import bool as bool

@@ -3,6 +3,7 @@
 from . import keypoint as keypoint
 from .boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .boxes import OrientedBoundingBox as OrientedBoundingBox
+from .ellipsoids import OrientedBoundingEllipsoid as OrientedBoundingEllipsoid
 from .enums import DeformAsRigidAsPossibleEnergy as DeformAsRigidAsPossibleEnergy
 from .enums import FilterScope as FilterScope
 from .enums import ImageFilterType as ImageFilterType

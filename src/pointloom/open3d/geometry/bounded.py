@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .ellipsoids import OrientedBoundingEllipsoid, fit_ellipsoid
 from .geometry import Geometry3D
 
 
@@ -34,3 +35,10 @@ class BoundedByBoxes(Geometry3D):
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         return OrientedBoundingBox._of(self._native.get_minimal_oriented_bounding_box(robust))
+
+    def get_oriented_bounding_ellipsoid(self, robust: bool = False) -> OrientedBoundingEllipsoid:
+        """Ellipsoid of smallest volume around the points."""
+        name = next(iter(self._arrays))
+        assigned = self._shared.get(name)
+        points = self._read(name) if assigned is None else assigned.vector._values
+        return OrientedBoundingEllipsoid(*fit_ellipsoid(points, robust))

@@ -29,15 +29,15 @@ class Value:
     def __get__(self, box: Any, owner: type) -> Any:
         return self if box is None else box._parts()[self.name]
 
-    def __set__(self, box: BoundingBox, values: ArrayLike) -> None:
+    def __set__(self, box: Any, values: ArrayLike) -> None:
         part = column(self.name, values) if self.shape == (3,) else check_shape(self.name, values, self.shape)
-        box._edited = {**box._parts(), self.name: part.astype(np.float64)}
+        box._set(**{self.name: part.astype(np.float64)})
 
 
 class Lengths(Value):
     """Assignable lengths. Signs are dropped."""
 
-    def __set__(self, box: BoundingBox, values: ArrayLike) -> None:
+    def __set__(self, box: Any, values: ArrayLike) -> None:
         super().__set__(box, np.abs(column(self.name, values)))
 
 
@@ -57,6 +57,9 @@ class BoundingBox(Geometry3D):
 
     def _parts(self) -> dict[str, Row]:
         return self._edited or {name: getattr(self._wrapped, name) for name in (*self._fields, "color")}
+
+    def _set(self, **parts: Row) -> None:
+        self._edited = self._parts() | parts
 
     def clear(self) -> Self:
         """Reset to an empty box at zero."""

@@ -15,6 +15,7 @@ from ..wrapper import Rows, column, unwrap
 from .bounded import BoundedByBoxes
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .point_cloud import PointCloud
+from .triangle_mesh import TriangleMesh
 
 
 class LineSet(BoundedByBoxes):
@@ -55,6 +56,12 @@ class LineSet(BoundedByBoxes):
     @classmethod
     def create_from_oriented_bounding_box(cls, box: Any) -> Self:
         return cls._of(cls._kind.create_from_oriented_bounding_box(unwrap(box, OrientedBoundingBox, "box")))
+
+    @classmethod
+    def create_from_oriented_bounding_ellipsoid(cls, ellipsoid: Any) -> Self:
+        """Edges of the mesh of an ellipsoid, in its color."""
+        made = cls.create_from_triangle_mesh(TriangleMesh.create_from_oriented_bounding_ellipsoid(ellipsoid))
+        return made.paint_uniform_color(ellipsoid.color)
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:

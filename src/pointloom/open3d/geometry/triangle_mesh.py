@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.checks import check_number
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.mesh import mesh
 from .. import geometry
@@ -15,7 +16,9 @@ from ..indices import indices_of
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Vector2dVector, Vector2iVector, Vector3dVector, Vector3iVector
 from ..wrapper import Rows, as_array, column, unwrap
+from .alpha_shapes import alpha_faces
 from .bounded import BoundedByBoxes
+from .ellipsoids import OrientedBoundingEllipsoid
 from .enums import DeformAsRigidAsPossibleEnergy, FilterScope, SimplificationContraction
 from .image import Image
 from .point_cloud import PointCloud
@@ -165,11 +168,33 @@ class MeshFactories(MeshBase):
         return cls._of(made.rotate(box.R, [0, 0, 0]).translate(box.center))
 
     @classmethod
+    def create_from_oriented_bounding_ellipsoid(
+        cls, obel: Any, scale: ArrayLike = (1.0, 1.0, 1.0), resolution: int = 20, create_uv_map: bool = False
+    ) -> Self:
+        """A mesh of an ellipsoid, scaled per axis."""
+        parts = unwrap(obel, OrientedBoundingEllipsoid, "obel")
+        radii = (parts["radii"] * np.asarray(scale, np.float64)).tolist()
+        made = NativeMesh.create_ellipsoid(*radii, resolution, create_uv_map)
+        return cls._of(made.rotate(parts["R"], [0, 0, 0]).translate(parts["center"]))
+
+    @classmethod
     def create_from_point_cloud_alpha_shape(
         cls, pcd: Any, alpha: float, tetra_mesh: Any = None, pt_map: Any = None
     ) -> Self:
-        """Alpha shape of a cloud. Given tetrahedra are ignored and computed again."""
-        return cls._of(NativeMesh.create_from_point_cloud_alpha_shape(unwrap(pcd, PointCloud, "pcd"), alpha))
+        """Alpha shape of a cloud, or of given tetrahedra.
+
+        `pt_map` lists the points whose normals and colors their vertices get.
+        """
+        if tetra_mesh is None:
+            return cls._of(NativeMesh.create_from_point_cloud_alpha_shape(unwrap(pcd, PointCloud, "pcd"), alpha))
+        vertices = np.array(tetra_mesh.vertices)
+        rows, triangles = alpha_faces(vertices, np.array(tetra_mesh.tetras), check_number("alpha", alpha))
+        made = cls(Vector3dVector(vertices[rows]), Vector3iVector(triangles))
+        for name in ("normals", "colors") if pt_map is not None else ():
+            if getattr(pcd, f"has_{name}")():
+                points = indices_of("pt_map", pt_map, len(pcd.points), f"cloud of {len(pcd.points)} points")
+                setattr(made, f"vertex_{name}", Vector3dVector(np.array(getattr(pcd, name))[points[rows]]))
+        return made
 
     @classmethod
     def create_from_point_cloud_ball_pivoting(cls, pcd: Any, radii: Any) -> Self:

@@ -14,6 +14,7 @@ from ...core.dtype import Dtype, float32, float64, int64
 from ...core.tensor import Tensor
 from ...wrapper import unwrap
 from .. import geometry
+from .ellipsoids import OrientedBoundingEllipsoid
 from .geometry import device_of
 from .moved import MovedGeometry
 from .sweeps import sweep_along, sweep_around
@@ -82,6 +83,19 @@ class LineSet(MovedGeometry):
         if color is not None and len(rgb := array_of("color", color)):
             made.line.colors[:8] = Tensor(rgb, float32)
         return made
+
+    @staticmethod
+    def create_from_oriented_bounding_ellipsoid(
+        ellipsoid: OrientedBoundingEllipsoid,
+        resolution: int = 20,
+        float_dtype: Dtype = float32,
+        int_dtype: Dtype = int64,
+        device: Any = CPU,
+    ) -> LineSet:
+        """Edges of the mesh of an ellipsoid, in its color."""
+        made = legacy.TriangleMesh.create_from_oriented_bounding_ellipsoid(ellipsoid._native, resolution=resolution)
+        lines = legacy.LineSet.create_from_triangle_mesh(made).paint_uniform_color(ellipsoid._rgb)
+        return LineSet.from_legacy(lines, float_dtype, int_dtype, device)
 
     def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> Any:
         """Mesh of the lines swept along a vector. `capping` has no effect."""

@@ -6,9 +6,12 @@ from typing import Any, Self
 
 from numpy.typing import ArrayLike
 
+from ... import geometry as legacy
 from ...core.dtype import Dtype, float32, int64
+from .ellipsoids import OrientedBoundingEllipsoid
 from .geometry import device_of
 from .mesh_tensors import CPU, MeshTensors, NativeMesh
+from .tensor_map import matrix_of
 from .tensors import host_of
 
 
@@ -100,6 +103,21 @@ class MeshFactories(MeshTensors):
         return cls._create(
             "create_ellipsoid", (radius_x, radius_y, radius_z, resolution), (float_dtype, int_dtype), device
         )
+
+    @classmethod
+    def create_from_oriented_bounding_ellipsoid(
+        cls,
+        ellipsoid: OrientedBoundingEllipsoid,
+        scale: Any = (1.0, 1.0, 1.0),
+        resolution: int = 20,
+        float_dtype: Dtype = float32,
+        int_dtype: Dtype = int64,
+        device: Any = CPU,
+    ) -> Self:
+        """A mesh of an ellipsoid, scaled per axis."""
+        factors = matrix_of("scale", scale, (3,))
+        made = legacy.TriangleMesh.create_from_oriented_bounding_ellipsoid(ellipsoid._native, factors, resolution)
+        return cls.from_legacy(made, float_dtype, int_dtype, device)
 
     @classmethod
     def create_torus(

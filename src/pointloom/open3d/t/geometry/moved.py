@@ -12,6 +12,7 @@ from ....pcd.cloud import PointCloud
 from ....pcd.motion import map_about
 from ...core.tensor import Tensor
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .ellipsoids import OrientedBoundingEllipsoid
 from .geometry import Geometry
 from .native import native_of, positions_of, write
 from .tensor_map import TensorMap, matrix_of
@@ -45,6 +46,10 @@ class MovedGeometry(Geometry):
     def get_oriented_bounding_box(self) -> OrientedBoundingBox:
         """The smallest box."""
         return OrientedBoundingBox.create_from_points(self.point.positions)
+
+    def get_oriented_bounding_ellipsoid(self, robust: bool = False) -> OrientedBoundingEllipsoid:
+        """Ellipsoid of smallest volume around the points."""
+        return OrientedBoundingEllipsoid.create_from_points(self.point.positions, robust)
 
     def transform(self, transformation: Any) -> Self:
         """Apply a 4x4 matrix. Normals stay perpendicular to the surface and keep their lengths."""

@@ -111,6 +111,10 @@ class TriangleMesh(MeshFactories, BakedTextures):
         """The smallest box."""
         return self._cloud().get_oriented_bounding_box()
 
+    def get_oriented_bounding_ellipsoid(self, robust: bool = False) -> Any:
+        """Ellipsoid of smallest volume around the vertices."""
+        return self._cloud().get_oriented_bounding_ellipsoid(robust)
+
     def _cloud(self) -> Any:
         """A cloud that shares the positions and normals of the vertices."""
         shared = {name: tensor for name, tensor in self.vertex.items() if name in ("positions", "normals")}
