@@ -369,7 +369,7 @@ class Drift:
     def __init__(self, keyframes: Keyframes):
         self.keyframes = keyframes
         self._views: list[tuple[NDArray[np.float32], NDArray[np.float64]]] = []  # depth [h, w] and lens of each
-        self._joints = [np.zeros((0, 0))] * 2
+        self._joints: list[Matrix] = [np.zeros((0, 0))] * 2
         self._latest = np.zeros((6, 0)), [np.zeros((6, 6))] * 2  # row of the latest frame, and its own covariances
 
     def of(self, frame: OdometryFrame, pose: Pose, noises: Noises) -> list[Matrix]:
