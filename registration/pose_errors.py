@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -29,8 +30,9 @@ TO_SIGMA = 1.4826  # standard deviation of a normal distribution from its median
 WIDTH = 2.0  # standard deviations of the residuals at which a row has a quarter of its weight
 RIDGE = 1e-6  # relative to the normal matrix of a row: undetermined motions
 # Error of the surfaces that more points do not reduce, relative to the residuals. The second part grows with the
-# residuals in voxels, since these bias the normals. Chosen on 24 rooms, 60 sites, 40 streets and 40 divided real scans,
-# generated like those of benchmarks/trust/calibration.py from other seeds.
+# residuals in voxels of the registration, 1 / FINE of those of the surfaces, since these bias the normals. Chosen on 24
+# rooms, 60 sites, 40 streets and 40 divided real scans, generated like those of benchmarks/trust/calibration.py from
+# other seeds.
 MODEL_ERROR, NORMAL_ERROR = 0.005, 0.35
 # Factor of the mean squared distance from the step. If the error is this distance in a random one of six directions,
 # 66 % and 99 % of its components are within one and two standard deviations, with a factor of one 64 % and 97 %.
@@ -112,24 +114,28 @@ def pose_covariance(
     step = measure_step(source, target, T, distance)
     if step is None or not step.is_solved:
         return PoseCovariance(np.full((6, 6), math.inf), target.origin.copy())
-    apart = float(matmul(step.motion, solve(step.unit, step.motion))) / 6
-    model = step.noise * (MODEL_ERROR + NORMAL_ERROR * step.noise * VOXELS / distance)
-    matrix = step.scatter + (model**2 + STEP_FACTOR * apart) * step.unit
-    matrix = matrix + _open_motions(source, target, distance, step)
+    matrix = step.scatter + common_covariance(step, lambda: judged_surfaces(source, target, distance))
     to_radians = np.repeat([1 / step.rows.lever, 1.0], 3)
     matrix = matrix * np.outer(to_radians, to_radians)
     return PoseCovariance((matrix + matrix.T) / 2, step.rows.middle + target.origin)
 
 
 class Step(NamedTuple):
-    """A robust point-to-plane step of the surfaces at a pose: rotations times the lever of the rows, translations."""
+    """A robust point-to-plane step of the surfaces at a pose: rotations times the lever of the rows, translations.
+
+    Vectors and matrices are of the `free` ones of the six motions.
+    """
 
     rows: AlignmentRows
     source: Surface
     target: Surface
     pose: Matrix
+    distance: float  # [m] match distance of the registration
+    voxel: float  # [m] of the surfaces
+    free: list[int]
     motion: NDArray[np.float64]
-    scatter: Matrix  # covariance of the motion by the scatter of the gradients
+    influences: Matrix  # error of the motion by each block of space, [blocks, free]
+    blocks: NDArray[np.int64]  # keys of the blocks
     unit: Matrix  # covariance of the motion by an error [1 m] that is common to all points
     shares: NDArray[np.float64]  # constraint along the eigenvectors of the rows, 0..1
     noise: float
@@ -137,6 +143,12 @@ class Step(NamedTuple):
     @property
     def is_solved(self) -> bool:
         return len(self.rows) >= ENOUGH
+
+    @property
+    def scatter(self) -> Matrix:
+        """Covariance of the motion by the scatter of the gradients of the blocks."""
+        covariance = matmul(self.influences.T, self.influences)
+        return (covariance + covariance.T) / 2
 
 
 def match_distance(source: PointCloud, target: PointCloud, given: float | None) -> float:
@@ -148,57 +160,89 @@ def match_distance(source: PointCloud, target: PointCloud, given: float | None) 
 
 def measure_step(source: PointCloud, target: PointCloud, T: Matrix, distance: float) -> Step | None:
     """The step at a pose in the clouds' worlds. None without a surface."""
-    voxel = distance / VOXELS
-    left, right = surface_for(source, FINER * FINE * voxel, distance), surface_for(target, FINE * voxel, distance)
-    pose = to_local(T, source.origin, target.origin)
-    if not (len(left) and len(right)):
+    size = FINE * distance / VOXELS
+    left, right = surface_for(source, FINER * size, distance), surface_for(target, size, distance)
+    return step_between(left, right, to_local(T, source.origin, target.origin), distance, size)
+
+
+def judged_surfaces(source: PointCloud, target: PointCloud, distance: float) -> tuple[Surface, Surface]:
+    """The surfaces of two clouds that `judge_motions` compares."""
+    size = distance / VOXELS
+    return surface_for(source, FINER * size, distance), surface_for(target, size, distance)
+
+
+def step_between(
+    source: Surface,
+    target: Surface,
+    pose: Matrix,
+    distance: float,
+    size: float,
+    free: Sequence[int] = range(6),
+    frame: Matrix | None = None,
+) -> Step | None:
+    """The step of surfaces in voxels of a size [m] at a pose T_target_source about their origins. None if one is empty.
+
+    `frame`: T_frame_target, in which space is divided into blocks.
+    """
+    if not (len(source) and len(target)):
         return None
-    rows = AlignmentRows(PairedSurfaces(left, right, pose, invert_pose(pose), REACH * voxel, COSINE))
+    voxel, axes = distance / VOXELS, list(free)
+    rows = AlignmentRows(PairedSurfaces(source, target, pose, invert_pose(pose), REACH * voxel, COSINE))
+    parts = rows, source, target, pose, distance, size, axes
     if len(rows) < ENOUGH:
-        return Step(rows, left, right, pose, np.zeros(6), np.eye(6), np.eye(6), np.zeros(6), math.nan)
-    return Step(rows, left, right, pose, *_solve(rows, BLOCK * voxel))
+        d = len(axes)
+        return Step(*parts, np.zeros(d), np.zeros((0, d)), np.zeros(0, np.int64), np.eye(d), np.zeros(d), math.nan)
+    return Step(*parts, *_solve(rows, axes, BLOCK * voxel, np.eye(4) if frame is None else frame))
+
+
+def common_covariance(step: Step, coarse: Callable[[], tuple[Surface, Surface]]) -> Matrix:
+    """Covariance of the motion by errors common to all points: of the model, of the estimate, undetermined motions.
+
+    `coarse` returns the surfaces that are compared if a motion may be undetermined.
+    """
+    apart = float(matmul(step.motion, solve(step.unit, step.motion))) / len(step.free)
+    model = step.noise * (MODEL_ERROR + NORMAL_ERROR * step.noise * FINE / step.voxel)
+    covariance = (model**2 + STEP_FACTOR * apart) * step.unit
+    if step.shares[0] < SUSPECT_SHARE:
+        covariance = covariance + _open_motions(step, coarse())
+    return covariance
 
 
 def _solve(
-    rows: AlignmentRows, block_size: float
-) -> tuple[NDArray[np.float64], Matrix, Matrix, NDArray[np.float64], float]:
+    rows: AlignmentRows, free: list[int], block_size: float, frame: Matrix
+) -> tuple[NDArray[np.float64], Matrix, NDArray[np.int64], Matrix, NDArray[np.float64], float]:
     motion = np.zeros(6)
     for _ in range(ROUNDS):
-        _, matrix, right, _ = _normal_equations(rows, motion)
-        motion = -solve(matrix, right)
-    weight, matrix, _, width = _normal_equations(rows, motion)
-    scores = rows.block_scores(motion, width, block_size)
-    inverse = inv(matrix)
-    scatter = matmul(inverse, matmul(scores.T, scores), inverse) * (len(scores) / max(len(scores) - 6, 1))
+        _, matrix, right, _ = _normal_equations(rows, motion, free)
+        motion[free] = -solve(matrix, right)
+    weight, matrix, _, width = _normal_equations(rows, motion, free)
+    blocks, scores = rows.block_scores(motion, width, block_size, frame)
+    inverse, count = inv(matrix), len(scores)
+    influences = -matmul(scores[:, free], inverse.T) * math.sqrt(count / max(count - len(free), 1))
     unit = weight * (inverse + inverse.T) / 2
-    return motion, (scatter + scatter.T) / 2, unit, eigvalsh(matrix / weight), width / WIDTH
+    return motion[free], influences, blocks, unit, eigvalsh(matrix / weight), width / WIDTH
 
 
 def _normal_equations(
-    rows: AlignmentRows, motion: NDArray[np.float64]
+    rows: AlignmentRows, motion: NDArray[np.float64], free: list[int]
 ) -> tuple[float, Matrix, NDArray[np.float64], float]:
     """Sum of the weights at a motion, normal matrix with a ridge, right side, and width of the weights [m]."""
     width = WIDTH * TO_SIGMA * max(rows.median_residual(motion), 1e-9)
     weight, triangle, right = rows.system(motion, width)
     (matrix,) = symmetric_matrices(triangle[None])
-    return weight, matrix + RIDGE * weight * np.eye(6), right, width
+    return weight, (matrix + RIDGE * weight * np.eye(6))[np.ix_(free, free)], right[free], width
 
 
-def _open_motions(source: PointCloud, target: PointCloud, distance: float, step: Step) -> Matrix:
+def _open_motions(step: Step, surfaces: tuple[Surface, Surface]) -> Matrix:
     """Covariance of the undetermined motions: as large as the overlap, where the surfaces still match."""
     total = np.zeros((6, 6))
-    if step.shares[0] >= SUSPECT_SHARE:
-        return total
-    size = distance / VOXELS
-    surfaces = surface_for(source, FINER * size, distance), surface_for(target, size, distance)
-    judged = judge_motions(*surfaces, step.pose, distance)
-    if judged is None:
-        return total
-    lever = step.rows.lever
-    for motion, kind in zip(judged.motions, judged.kinds, strict=True):
-        if kind == "none":
-            rotation = motion[:3] / judged.lever
-            shift = motion[3:] + matmul(skew(rotation), step.rows.middle - judged.middle)
-            ray = np.concatenate([rotation * lever, shift])
-            total += np.outer(ray, ray) * lever**2
-    return total
+    judged = judge_motions(*surfaces, step.pose, step.distance, step.free)
+    if judged is not None:
+        lever = step.rows.lever
+        for motion, kind in zip(judged.motions, judged.kinds, strict=True):
+            if kind == "none":
+                rotation = motion[:3] / judged.lever
+                shift = motion[3:] + matmul(skew(rotation), step.rows.middle - judged.middle)
+                ray = np.concatenate([rotation * lever, shift])
+                total += np.outer(ray, ray) * lever**2
+    return total[np.ix_(step.free, step.free)]

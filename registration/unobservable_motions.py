@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -28,8 +29,8 @@ RADIUS_VOXELS = 2.0  # search radius of planes
 
 
 class JudgedMotions(NamedTuple):
-    """Motions about `middle` [m] (rotation times `lever` [m], translation), float64 [6, 6] rows, with their constraint
-    0..1, the smallest first, and whether they are "full", "partial" or "none"."""
+    """Motions about `middle` [m] (rotation times `lever` [m], translation), float64 [d, 6] rows, with their constraint
+    0..1, the smallest first, and whether they are "full", "partial" or "none". d of the six are free."""
 
     middle: Matrix
     lever: float
@@ -38,11 +39,13 @@ class JudgedMotions(NamedTuple):
     kinds: tuple[str, ...]
 
 
-def judge_motions(source: Surface, target: Surface, pose: Matrix, distance: float) -> JudgedMotions | None:
+def judge_motions(
+    source: Surface, target: Surface, pose: Matrix, distance: float, free: Sequence[int] = range(6)
+) -> JudgedMotions | None:
     """The motions that two surfaces in voxels of `distance` / VOXELS determine. None if they hardly match.
 
-    `pose`: T_target_source about the origins. Weakly constrained motions are verified: undetermined if the source
-    matches as well when moved both ways.
+    `pose`: T_target_source about the origins. `free`: the motions that are not fixed. Weakly constrained motions
+    are verified: undetermined if the source matches as well when moved both ways.
     """
     if not (len(source) and len(target)):
         return None
@@ -51,10 +54,13 @@ def judge_motions(source: Surface, target: Surface, pose: Matrix, distance: floa
         return None
     size = distance / VOXELS
     (matrix,) = symmetric_matrices(constraint.triangle[None])
-    shares, vectors = eigh(matrix / constraint.matches)
+    axes = list(free)
+    shares, free_vectors = eigh(matrix[np.ix_(axes, axes)] / constraint.matches)
+    vectors = np.zeros((6, len(axes)))
+    vectors[axes] = free_vectors
     scale = np.array([constraint.lever] * 3 + [1.0] * 3)
     suspects = vectors.T[shares < SUSPECT_SHARE]
-    kinds = ["full"] * 6
+    kinds = ["full"] * len(axes)
     if len(suspects):
         steps = [sign * STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
         poses = np.array([pose, *(moved(pose, step, about=constraint.middle) for step in steps)])

@@ -1,4 +1,4 @@
-"""Coverage of `pose_covariance`: errors of registered pairs beside their standard deviations.
+"""Coverage of `pose_covariance` and of stations: errors of registrations beside their standard deviations.
 
     POINTLOOM_DATA=... python benchmarks/trust/calibration.py [--fitted] [--pairs 60] [--only drives] [--write]
 
@@ -22,24 +22,25 @@ from numpy.typing import NDArray
 FOLDER = Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 
-import belief_scenes  # noqa: E402
 import box_rooms  # noqa: E402
 import drives  # noqa: E402
 import frame_errors  # noqa: E402
 import made_rooms  # noqa: E402
 import places  # noqa: E402
 import street  # noqa: E402
+import surveys  # noqa: E402
 from judged import share_in_words  # noqa: E402
 from pages import text_between, write_between  # noqa: E402
-from real_data import DataMissingError  # noqa: E402
 from real_scans import Rotation  # noqa: E402
 from run import merged  # noqa: E402
+from surveys import HELD_OUT  # noqa: E402
 
 Array = NDArray[np.float64]
 PAGE = FOLDER.parent.parent / "docs" / "trust.md"
-FITTED, HELD_OUT = 0, 2000  # first seeds
+FITTED = 0  # first seed
 PAIRS = 56  # of each kind: 336 components
 PAIRS_OF_WALK = 28  # pairs for which one walk through each kind of site is tracked
+SURVEYS = 24  # of each kind
 SITES = ("hall", "forest", "outdoors", "tunnel")
 OPERATIONS = ("point-to-plane", "generalized")
 MIN_FITNESS = 0.1  # pairs below hardly overlap and are left out
@@ -105,12 +106,7 @@ def parts_of_real(seeds: range) -> Iterator[Pair]:
     Every second cloud is held out, but many clouds of both halves show one kitchen. The poses are exact and the noise
     is real, but errors of the sensor common to both halves cancel.
     """
-    clouds = []
-    for name in ("kitchen", "teaser", "frames", "clouds", "streets"):
-        try:
-            clouds += list(getattr(belief_scenes, name)())
-        except DataMissingError as error:
-            print(f"left out {name}: {error}", file=sys.stderr)
+    clouds = surveys.real_clouds()
     clouds = clouds[::2] if seeds.start < HELD_OUT else clouds[1::2]
     for seed in seeds if clouds else ():
         scan, rng = clouds[seed % len(clouds)], np.random.default_rng([seed, 80])
@@ -198,12 +194,34 @@ def frame_components(seed: int) -> dict[str, Array]:
     return found
 
 
-def whitened(error: Array, matrix: Array, center: Array) -> Array:
+def station_components(survey: surveys.Survey, seed: int) -> list[Array]:
+    """As `components`, of the placed stations of a survey, relative to the reference. Four components if level."""
+    import pointloom as loom
+
+    rng, rough = np.random.default_rng(seed), survey.poses.copy()
+    axes = [0, 0, 1] if survey.level else [1, 1, 1]
+    for T in rough[1:]:
+        T[:3, :3] = Rotation.from_rotvec(rng.normal(0, 0.01, 3) * axes).as_matrix() @ T[:3, :3]
+        T[:3, 3] += rng.normal(0, survey.voxel / 2, 3)
+    clouds = [loom.PointCloud(points) for points in survey.scans]
+    result = loom.registration.register_stations(clouds, poses=rough, voxel_size=survey.voxel, level=survey.level)
+    fixed = result.reference
+    truth = result.poses[fixed] @ np.linalg.inv(survey.poses[fixed]) @ survey.poses
+    found, first = [], 2 if survey.level else 0
+    for i in np.flatnonzero(result.placed):
+        if i != fixed:
+            error, covariance = truth[i] @ np.linalg.inv(result.poses[i]), result.pose_covariances[i]
+            found.append(whitened(error, covariance.matrix, covariance.center, first))
+    return found
+
+
+def whitened(error: Array, matrix: Array, center: Array, first: int = 0) -> Array:
     """Components of an error, a 4x4 motion of the target's world, in standard deviations. `matrix`: covariance of
-    rotation and translation of `center`.
+    rotation and translation of `center`. The motions before `first` are fixed.
     """
     rotation = Rotation.from_matrix(error[:3, :3]).as_rotvec()
     motion = np.concatenate([rotation, error[:3, :3] @ center + error[:3, 3] - center])
+    motion, matrix = motion[first:], matrix[first:, first:]
     scale = np.sqrt(np.diag(matrix))  # radians and meters become comparable
     values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
     return (vectors.T @ (motion / scale)) / np.sqrt(values)
@@ -247,6 +265,19 @@ def frame_lines(is_fitted: bool, count: int) -> list[str]:
     return [_line(*names, some) for names, some in found.items()]
 
 
+def station_lines(is_fitted: bool, count: int) -> list[str]:
+    """Coverage of the poses of stations by kind of survey."""
+    first, lines = _first_seed(is_fitted), []
+    for kind, make in surveys.KINDS.items():
+        found: list[Array] = []
+        for seed, survey in enumerate(make(range(first, first + min(count, SURVEYS))), first):
+            print(f"{kind} {seed}", file=sys.stderr, flush=True)
+            found += station_components(survey, seed)
+        if found:
+            lines.append(_line(kind, "stations", found))
+    return lines
+
+
 def _first_seed(is_fitted: bool) -> int:
     return FITTED if is_fitted else HELD_OUT
 
@@ -259,7 +290,7 @@ def _line(kind: str, operation: str, found: Sequence[Array]) -> str:
     return line
 
 
-AREAS = {"pairs": pair_lines, "frames": frame_lines, "drives": drive_lines}
+AREAS = {"pairs": pair_lines, "frames": frame_lines, "drives": drive_lines, "stations": station_lines}
 
 
 def main() -> None:

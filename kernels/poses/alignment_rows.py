@@ -6,7 +6,7 @@ is valid if the errors within a block are correlated (Liang and Zeger 1986).
 
 import numpy as np
 
-from ..algebra.transform import transform_points, widen
+from ..algebra.transform import Transform, narrow, transform_point, transform_points, widen
 from ..arrays.block_keys import block_key
 from ..arrays.packed_keys import key_index
 from ..arrays.quantiles import median_above_zero
@@ -176,11 +176,12 @@ def score_rows_kernel(
     residuals: array(dtype=float64),
     motion: motions,
     width: float64,
+    frame: Transform,
     block_size: float,
     scores: array(dtype=float64, ndim=2),
     blocks: array(dtype=int64),
 ):
-    """Gradient of each row at a motion, and its block of space."""
+    """Gradient of each row at a motion, and its block of space in a frame."""
     i = tid()
     residual = residual_after(rows, residuals, motion, i)
     a = rows[i]
@@ -188,7 +189,7 @@ def score_rows_kernel(
     for k in range(6):
         scores[i, k] = factor * a[k]
     source, _target = rows_of_pair(surfaces, pairs[i])
-    p = surfaces.moved[source]
+    p = narrow(transform_point(widen(surfaces.moved[source]), frame))
     blocks[i] = block_key(int(floor(p[0] / block_size)), int(floor(p[1] / block_size)), int(floor(p[2] / block_size)))
 
 
@@ -231,13 +232,18 @@ class AlignmentRows:
         sums = download(reduce(sum_system, len(self), [self._rows, self._residuals, motions(*motion), width]))[0]
         return float(sums[0]), sums[1 : 1 + TRIANGLE], sums[1 + TRIANGLE :]
 
-    def block_scores(self, motion: np.ndarray, width: float, block_size: float) -> np.ndarray:
-        """Sums of the gradients over blocks of an edge [m], float64 (blocks, 6). Two syncs."""
+    def block_scores(
+        self, motion: np.ndarray, width: float, block_size: float, frame: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Keys of blocks with an edge [m], and the sums of the gradients over them, float64 (blocks, 6). Three syncs.
+
+        `frame`: T_frame_target about the target's origin, in which space is divided.
+        """
         device = self._rows.device
         scores, keys = empty((len(self), 6), float64, device), empty(len(self), int64, device)
-        at = [motions(*motion), width, block_size]
+        at = [motions(*motion), width, Transform(frame), block_size]
         launch(
             score_rows_kernel, len(self), [self._surfaces, self._pairs, self._rows, self._residuals, *at, scores, keys]
         )
         groups = UniqueKeys(keys)
-        return download(sum_columns(scores, groups.order, groups.starts))
+        return download(groups.keys), download(sum_columns(scores, groups.order, groups.starts))

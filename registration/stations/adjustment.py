@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,7 @@ from ..pose_graphs.pose_graph import GraphArrays
 from ..pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses
 from ..rigid import rotations_of, skew
 from .observations import Array, ControlPoint, StationPair, TargetObservation
+from .pair_errors import PairErrors
 
 LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six motions
 NOTHING = 1e-12  # relative to the largest eigenvalue: undetermined below
@@ -35,7 +36,10 @@ ROUNDING = 1e-12  # relative to the sum of squares
 
 @dataclass(frozen=True, eq=False)
 class Observed:
-    """The observations in level frames; `tilt_sigma`: standard deviation of up [rad], `pair_factor`: sigma factor."""
+    """The observations in level frames; `tilt_sigma`: standard deviation of up [rad], `pair_factor`: sigma factor.
+
+    `errors`: correlated errors of pairs (source, target). The errors of the others are independent.
+    """
 
     pairs: Sequence[StationPair] = ()
     targets: Sequence[TargetObservation] = ()
@@ -43,12 +47,13 @@ class Observed:
     tilt_sigma: float = 0.0
     positions: tuple[Array, float] | None = None
     pair_factor: float = 1.0
+    errors: Mapping[tuple[int, int], PairErrors] = field(default_factory=dict)
 
     def without(self, group: Group) -> Observed:
         names = {"pair": "pairs", "target": "targets", "control": "control"}
-        field = names[group.kind]
-        remaining = [one for one in getattr(self, field) if one is not group.observation]
-        return dataclasses.replace(self, **{field: remaining})
+        name = names[group.kind]
+        remaining = [one for one in getattr(self, name) if one is not group.observation]
+        return dataclasses.replace(self, **{name: remaining})
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,12 +200,13 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
     adjusted_poses = np.tile(np.eye(4), (count, 1, 1))
     adjusted_poses[:, :3, :3], adjusted_poses[:, :3, 3] = rotations, poses.positions + pivot
     blocks = [slice(size * i, size * (i + 1)) for i in range(count)]
-    spots = {name: slice(column, column + 3) for name, column in network.column.items()}
+    spots = [slice(column, column + 3) for column in network.column.values()]
+    covariances = _covariances(A, Q, rows.groups, network, [*blocks, *spots])
     return Adjusted(
         adjusted_poses,
         {name: point + pivot for name, point in points.items()},
-        np.array([Q[part, part] for part in blocks]),
-        {name: Q[part, part] for name, part in spots.items()},
+        np.array(covariances[:count]),
+        dict(zip(network.column, covariances[count:], strict=True)),
         groups,
         float((right * right).sum()),
         rows.count - network.unknowns + nullity,
@@ -296,6 +302,38 @@ def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Arr
     moves = (left.reshape(network.unknowns, -1) ** 2).sum(axis=1)[: network.size * network.count]
     loose = moves.reshape(network.count, network.size).sum(axis=1) > 1e-6
     return Q, len(H), Z.shape[1], loose
+
+
+def _covariances(
+    A: sp.csr_matrix, Q: Array, groups: Sequence[Group], network: _Network, parts: Sequence[slice]
+) -> list[Array]:
+    """Covariances of parts of the unknowns. Pairs with known errors are correlated within blocks of space."""
+    errors, keys, by_block, by_row = network.observed.errors, [], [], []
+    for k, group in enumerate(groups):  # pairs are the first groups
+        rows = A[group.rows]
+        columns = np.unique(rows.indices)
+        gain = matmul(np.asarray(rows[:, columns].todense()), Q[columns])
+        one = errors.get((group.observation.source, group.observation.target)) if group.kind == "pair" else None
+        if one is None:
+            by_row.append(gain)
+            continue
+        root = network.roots[k] * network.observed.pair_factor
+        keys.append(one.blocks)
+        by_block.append(matmul(one.influences, root.T, gain))
+        by_row.append(matmul(_root_covariance(matmul(root, one.common, root.T)), gain))
+    if not keys:
+        return [Q[part, part] for part in parts]
+    _, block = np.unique(np.concatenate(keys), return_inverse=True)
+    shared = np.zeros((int(block.max()) + 1, Q.shape[1]))
+    np.add.at(shared, block.reshape(-1), np.concatenate(by_block))
+    total = np.concatenate([shared, *by_row])
+    return [matmul(total[:, part].T, total[:, part]) for part in parts]
+
+
+def _root_covariance(covariance: Array) -> Array:
+    """W with W^T W = covariance."""
+    values, vectors = eigh((covariance + covariance.T) / 2)
+    return np.sqrt(np.maximum(values, 0.0))[:, None] * vectors.T
 
 
 def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:

@@ -16,7 +16,8 @@ from ...core.wording import plain
 from ...kernels.linear_algebra import norm
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from .adjustment import Group
+from ..pose_errors import PoseCovariance
+from .adjustment import LEVEL_ROWS, Group
 from .loops import Loop
 from .observations import Array, ControlPoint, StationPair, TargetObservation
 from .snooping import Outlier
@@ -33,9 +34,10 @@ class StationsResult(Report, Assessed):
         names: Station names.
         poses: T_survey_station, float64 [n, 4, 4]. As given if not placed.
         placed: Mask of the placed stations, bool [n].
-        sigmas: Standard deviations of position [m] and rotations about x, y, z [rad], [n, 6]. 0 if fixed, NaN if not
-            placed.
-        covariances: Of yaw, x, y, z if level (d = 4), else rotation and translation (d = 6), [n, d, d].
+        undetermined: Mask of the placed stations with a motion that neither surfaces nor other observations determine,
+            bool [n]. Its standard deviation is the size of the overlap.
+        pose_covariances: Covariance of the error of each pose along the survey's axes, about the station, relative to
+            the reference if that defines the frame. Zero for fixed motions, infinite if not placed.
         pairs: The used pairs.
         rejected: The rejected pairs, each with its warnings.
         targets: Target positions [m], by name.
@@ -57,8 +59,8 @@ class StationsResult(Report, Assessed):
     names: tuple[str, ...]
     poses: Array
     placed: NDArray[np.bool_]
-    sigmas: Array
-    covariances: Array
+    undetermined: NDArray[np.bool_]
+    pose_covariances: tuple[PoseCovariance, ...]
     pairs: list[StationPair]
     rejected: list[StationPair]
     targets: dict[str, Array]
@@ -77,6 +79,22 @@ class StationsResult(Report, Assessed):
     unit: LengthUnit | None = None
 
     @property
+    def sigmas(self) -> Array:
+        """Standard deviations of position [m] and rotations about x, y, z [rad], by `pose_covariances`, [n, 6]. 0 if
+        fixed, NaN if not placed.
+        """
+        sigmas = np.array([covariance.sigmas[[3, 4, 5, 0, 1, 2]] for covariance in self.pose_covariances])
+        return np.where(self.placed[:, None], sigmas, np.nan)
+
+    @property
+    def covariances(self) -> Array:
+        """The free part of `pose_covariances`: of yaw, x, y, z if level (d = 4), else of rotation and translation
+        (d = 6), [n, d, d].
+        """
+        free = LEVEL_ROWS if self.level else list(range(6))
+        return np.array([covariance.matrix[np.ix_(free, free)] for covariance in self.pose_covariances])
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         reasons = []
         lost = [name for name, is_placed in zip(self.names, self.placed, strict=True) if not is_placed]
@@ -84,6 +102,12 @@ class StationsResult(Report, Assessed):
             verb = "is" if len(lost) == 1 else "are"
             reasons.append(
                 f"{_listed(lost)} {verb} not connected: no pair, target or control links it to the other stations"
+            )
+        loose = [name for name, is_open in zip(self.names, self.undetermined, strict=True) if is_open]
+        if loose:
+            reasons.append(
+                f"the surfaces do not determine the pose of {_listed(loose)} (pose_covariances): "
+                "add targets, or stations between"
             )
         if self.outliers:
             descriptions = [self._outlier_in_words(one) for one in self.outliers[:SHOWN]]

@@ -1,7 +1,7 @@
 """Registration of many terrestrial laser scans into one frame: overlapping pairs, their covariances, joint adjustment.
 
-A pair's covariance is N^-1 (sum g_b g_b^T) N^-1 with N = sum J^T J of its point-to-plane rows and g_b = sum of J^T r
-over block b of space, which accounts for correlated errors of neighbors (White 1980, eq. 3; Liang and Zeger 1986).
+The error of a pair is that of `pose_errors`: the scatter of the gradients by blocks of space, and errors common to all
+points. Pairs with points in the same block have correlated errors.
 """
 
 from __future__ import annotations
@@ -33,7 +33,8 @@ from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.reports import failed
 from ...core.units import common_unit
-from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm
+from ...kernels.linear_algebra import elementwise, matmul, norm
+from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..globally.global_registration import Description, describe, register_described
@@ -43,15 +44,19 @@ from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.evaluation import fitness_of
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from ..icp.multi_scale import LITTLE, MIN_OVERLAP_RATIO
+from ..pose_errors import PoseCovariance
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.spanning_tree import chain, spanning_tree
 from ..result import MIN_SCORE, RegistrationResult
 from ..rigid import about_up, fit_pose, invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
 from ..robust_kernels import TukeyLoss
+from ..surfaces import FINER as SOURCE_FINER
+from ..surfaces import surface_of
 from ..voxel_size import choose_voxel_size
-from .adjustment import Adjusted, Observed
+from .adjustment import LEVEL_ROWS, Adjusted, Observed
 from .loops import loops_of
 from .observations import Array, ControlPoint, StationPair, TargetObservation, check_control, check_sigma, check_targets
+from .pair_errors import PairErrors, pair_errors
 from .result import StationsResult
 from .snooping import snoop
 
@@ -60,9 +65,6 @@ BAND = 0.01  # fraction of surveys with sigma0 outside its limits
 ENOUGH = 10  # minimum redundancy for scaling by sigma0
 ROUGH = 2.0  # [m]
 MAX_VOXELS = 1e6  # maximum per axis of a cloud
-# Ratio of true to estimated pair errors: pairs of a station share its noise, which closes their loops. Measured on 16
-# synthetic courtyards of five stations, tests/registration/test_stations.py.
-SHARED = 1.25
 
 
 def register_stations(
@@ -153,7 +155,6 @@ def register_stations(
         known,
         survey.tilt_sigma,
         None if gnss is None else (survey.positions, gnss),  # type: ignore[arg-type]
-        SHARED,
     )
     return _adjust_and_refine(survey, finder, observed, pairs, reference, away, report_progress)
 
@@ -175,7 +176,7 @@ def _adjust_and_refine(
             pairs = finder.again(pairs, inner, result.placed)
         report_progress("adjust", iteration, 2)
         pairs = [_check_distance(pair, survey.positions, rough) for pair in pairs]
-        used = dataclasses.replace(observed, pairs=[pair for pair in pairs if pair.reliable])
+        used = dataclasses.replace(observed, pairs=[pair for pair in pairs if pair.reliable], errors=finder.errors)
         rejected = [pair for pair in pairs if not pair.reliable]
         result = adjust_stations(survey, used, rejected, reference, AGREES * finder.size)
     assert result is not None
@@ -203,8 +204,10 @@ def adjust_stations(
     is_determined = ~adjusted.loose & ((parts == main) | (fixed[parts] & anchored))
     sigma0, limits = _sigma0(adjusted)
     scale = max(sigma0, 1.0) if adjusted.redundancy >= ENOUGH else 1.0
-    sigmas, covariances = _sigmas(adjusted, survey, scale)
-    sigmas[~is_determined] = np.nan
+    is_fixed = np.arange(survey.count) == (fixed_station if adjusted.datum == adjusted.covariances.shape[1] else -1)
+    covariances = _pose_covariances(adjusted, is_determined, is_fixed, scale)
+    is_wide = [bool(covariance.sigmas[3:].max() > tolerance) for covariance in covariances]
+    is_open = is_determined & np.array(is_wide) & _has_open_pair(remaining, survey.count)
     poses = matmul(adjusted.poses, survey.frames)
     if survey.poses is None:
         poses[~is_determined] = np.eye(4)
@@ -214,7 +217,7 @@ def adjust_stations(
         survey.names,
         poses,
         is_determined,
-        sigmas,
+        is_open,
         covariances,
         list(remaining.pairs),
         rejected,
@@ -363,13 +366,26 @@ def _sigma0(adjusted: Adjusted) -> tuple[float, tuple[float, float]]:
     return float(np.sqrt(adjusted.squares / r)), (float(limits[0]), float(limits[1]))
 
 
-def _sigmas(adjusted: Adjusted, survey: _Survey, scale: float) -> tuple[Array, Array]:
-    covariances = adjusted.covariances * scale**2
-    spread = np.sqrt(np.maximum(np.diagonal(covariances, axis1=1, axis2=2), 0.0))
-    sigmas = np.zeros((survey.count, 6))
-    sigmas[:, :3] = spread[:, -3:]
-    sigmas[:, 5 if survey.level else 3 :] = spread[:, :-3]
-    return sigmas, covariances
+def _has_open_pair(observed: Observed, count: int) -> NDArray[np.bool_]:
+    """Mask of stations in a pair whose surfaces do not determine all motions."""
+    mask = np.zeros(count, bool)
+    for pair in observed.pairs:
+        errors = observed.errors.get((pair.source, pair.target))
+        mask[[pair.source, pair.target]] |= errors is not None and errors.is_open
+    return mask
+
+
+def _pose_covariances(
+    adjusted: Adjusted, is_determined: NDArray[np.bool_], is_fixed: NDArray[np.bool_], scale: float
+) -> tuple[PoseCovariance, ...]:
+    size = adjusted.covariances.shape[1]
+    free = LEVEL_ROWS if size == len(LEVEL_ROWS) else list(range(6))
+    matrices = np.where(is_determined[:, None, None], np.zeros((6, 6)), np.inf)
+    for i in np.flatnonzero(is_determined & ~is_fixed):
+        C = adjusted.covariances[i] * scale**2
+        np.fill_diagonal(C, np.maximum(np.diagonal(C), 0.0))
+        matrices[i][np.ix_(free, free)] = (C + C.T) / 2
+    return tuple(PoseCovariance(M, T[:3, 3].copy()) for M, T in zip(matrices, adjusted.poses, strict=True))
 
 
 BY_TARGETS = 0.25  # support of a link from targets only: below an accepted pair
@@ -484,9 +500,6 @@ MAX_BENT = np.radians(30.0)  # maximum angle between the normals of a pair
 RATED_WITHIN = 1.5  # [voxels]
 SAME = 0.25  # [voxels] maximum displacement of points to keep a rating, which first refines the pose itself
 NEAR = 4.0  # [voxels] overlap distance for approximate poses
-BLOCK = 8.0  # [voxels] edge of blocks with correlated errors
-MIN_BLOCKS = 12  # minimum occupied blocks for an error estimate
-OPEN = 1e-3  # relative to the largest eigenvalue, rotations in units of the radius: undetermined
 ALL_PAIRS = 40  # maximum stations for all pairs without approximate positions
 PLANE = TransformationEstimationPointToPlane()
 
@@ -516,6 +529,8 @@ class PairFinder:
         self.descriptions: dict[int, Description] = {}
         self.witnesses: dict[tuple[int, float], Witness] = {}
         self.thinned: dict[tuple[int, float], PointCloud] = {}
+        self.surfaces: dict[tuple[int, float], Surface] = {}
+        self.errors: dict[tuple[int, int], PairErrors] = {}  # by blocks of the survey
         self.limit = MIN_LIMIT * size  # cutoff of the residuals
 
     def candidates(self, poses: Array | None, positions: Array | None, rough: float) -> list[tuple[int, int]]:
@@ -628,8 +643,11 @@ class PairFinder:
         starts: Sequence[Array],
         search_scores: Sequence[float],
         earlier: Sequence[StationPair] = (),
+        stations: Array | None = None,
     ) -> list[StationPair]:
-        """Refine all pairs in the same launches, point to plane. With earlier results, the poses are accurate."""
+        """Refine all pairs in the same launches, point to plane. With earlier results, the poses are accurate, and
+        `stations` are the adjusted poses.
+        """
         if not pairs:
             return []
         sources, targets = self._clouds(pairs)
@@ -646,7 +664,7 @@ class PairFinder:
                 sources, targets, MAX_DISTANCE * self.size, poses, method, rules, **options
             )
             poses = np.array([result.transformation for result in results])
-        return self._judged(pairs, results, search_scores, earlier)
+        return self._judged(pairs, results, search_scores, earlier, stations)
 
     def again(self, pairs: Sequence[StationPair], poses: Array, is_placed: NDArray[np.bool_]) -> list[StationPair]:
         """Register the pairs again from adjusted poses, to leave local minima."""
@@ -655,12 +673,15 @@ class PairFinder:
         ]
         earlier = [pairs[k] for k in selected]
         starts = [matmul(invert_pose(poses[pair.target]), poses[pair.source]) for pair in earlier]
-        refined = self._refined([(p.source, p.target) for p in earlier], starts, [1.0] * len(earlier), earlier)
+        ends = [(pair.source, pair.target) for pair in earlier]
+        centered = poses.copy()
+        centered[:, :3, 3] -= poses[is_placed][:, :3, 3].mean(axis=0) if is_placed.any() else 0.0
+        refined = self._refined(ends, starts, [1.0] * len(earlier), earlier, centered)
         renewed = dict(zip(selected, refined, strict=True))
         return [renewed.get(k, pair) for k, pair in enumerate(pairs)]
 
     def _limit(self, pairs: Sequence[tuple[int, int]], results: Sequence[RegistrationResult]) -> float:
-        sizes = [float(np.median(np.abs(self._rows(*each)[1]))) for each in zip(pairs, results, strict=True)
+        sizes = [float(np.median(np.abs(self._residuals(*each)))) for each in zip(pairs, results, strict=True)
                  if len(each[1].correspondence_set)]  # fmt: skip
         return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, MIN_LIMIT * self.size)
 
@@ -670,6 +691,7 @@ class PairFinder:
         results: Sequence[RegistrationResult],
         search_scores: Sequence[float],
         earlier: Sequence[StationPair],
+        stations: Array | None,
     ) -> list[StationPair]:
         poses = [result.transformation for result in results]
         back = self._overlaps([(b, a) for a, b in pairs], [invert_pose(X) for X in poses], MAX_DISTANCE * self.size)
@@ -682,7 +704,8 @@ class PairFinder:
         for k, (pair, result, overlap) in enumerate(zip(pairs, results, overlaps, strict=True)):
             information, rms, score, warning = np.zeros((6, 6)), 0.0, 0.0, "no overlap"
             if overlap >= self.min_overlap:
-                (information, rms), score = self._information(pair, result, self.limit), scores[k]
+                information, score = self._information(pair, poses[k], stations), scores[k]
+                rms = self._rms(pair, result)
                 warning = "" if score > MIN_SCORE else "the surfaces hardly match, or match elsewhere equally well"
                 if not warning and not information.any():
                     warning = "too few points match to estimate the accuracy"
@@ -695,51 +718,38 @@ class PairFinder:
         angle = float(norm(rotation_vector(D[:3, :3])))
         return float(norm(D[:3, 3])) + angle * self.scans[pair.source].radius < SAME * self.size
 
-    def _information(self, pair: tuple[int, int], result: RegistrationResult, limit: float) -> tuple[Array, float]:
-        """Information of the residual in the source frame, and the root mean square of the used residuals."""
-        J, r, p = self._rows(pair, result)
-        inside = np.abs(r) < limit
-        J, r, p = J[inside], r[inside], p[inside]
-        share = 1 - (r / limit) ** 2
-        motions = [2, 3, 4, 5] if self.free else list(range(6))
+    def _information(self, pair: tuple[int, int], X: Array, stations: Array | None) -> Array:
+        """Information of the pose in the source frame, zero if undetermined."""
+        a, b = pair
+        origins = self.scans[a].cloud.origin, self.scans[b].cloud.origin
+        surfaces = self._surface(a, SOURCE_FINER * self.size), self._surface(b, self.size)
+        motions = LEVEL_ROWS if self.free else list(range(6))
+        frame = None if stations is None else to_local(stations[b], origins[1], np.zeros(3))
+        errors = pair_errors(surfaces, origins, to_local(X, *origins), self.size, motions, frame)
         information = np.zeros((6, 6))
-        information[np.ix_(motions, motions)] = _clustered(
-            J[:, motions], share**2 * r, share * (5 * share - 4), p, BLOCK * self.size
-        )
-        return information, float(np.sqrt((r * r).mean())) if len(r) else 0.0
+        if errors is not None:
+            information[np.ix_(motions, motions)] = errors.information
+            if stations is not None:
+                self.errors[pair] = errors
+        return information
 
-    def _rows(self, pair: tuple[int, int], result: RegistrationResult) -> tuple[Array, Array, Array]:
-        """Jacobians of the point-to-plane distances, the distances, and the positions in the source."""
+    def _surface(self, i: int, size: float) -> Surface:
+        if (i, size) not in self.surfaces:
+            self.surfaces[i, size] = surface_of(self.scans[i].cloud, size)
+        return self.surfaces[i, size]
+
+    def _rms(self, pair: tuple[int, int], result: RegistrationResult) -> float:
+        """Root mean square of the used residuals [m]."""
+        r = self._residuals(pair, result)
+        r = r[np.abs(r) < self.limit]
+        return float(np.sqrt((r * r).mean())) if len(r) else 0.0
+
+    def _residuals(self, pair: tuple[int, int], result: RegistrationResult) -> Array:
+        """Point-to-plane distances of the matches."""
         a, b = pair
         source, target = self.scans[a].cloud, self.scans[b].cloud
         matches = result.correspondence_set
         p, q = source.points[matches[:, 0]], target.points[matches[:, 1]]
         R, t = result.transformation[:3, :3], result.transformation[:3, 3]
         n = np.asarray(target.normals, np.float64)[matches[:, 1]]
-        r = (n * (np.einsum("ij,nj->ni", R, p) + t - q)).sum(axis=1)
-        n = np.einsum("ji,nj->ni", R, n)
-        return np.concatenate([np.asarray(np.cross(p, n), np.float64), n], axis=1), r, p
-
-
-def _clustered(J: Array, pull: Array, stiffness: Array, points: Array, edge: float) -> Array:
-    """Information from rows with errors that correlate within blocks of space (Tukey influence `pull`)."""
-    size = J.shape[1]
-    keys = np.floor(points / edge).astype(np.int64)
-    _, block = np.unique(keys, axis=0, return_inverse=True)
-    block = block.reshape(-1)
-    count = int(block.max(initial=-1)) + 1
-    if count < MIN_BLOCKS:
-        return np.zeros((size, size))
-    rotation_count = size - 3
-    radius = max(float(np.sqrt((points * points).sum(axis=1).mean())), 1e-9)
-    unit = np.concatenate([np.full(rotation_count, radius), np.ones(3)])
-    J = J / unit
-    N = np.einsum("ni,n,nj->ij", J, stiffness, J)
-    pulls = np.stack([np.bincount(block, J[:, k] * pull, count) for k in range(size)], axis=1)
-    values, vectors = eigh(N)
-    known = values > OPEN * values[-1]
-    V = vectors[:, known] / values[known]
-    errors = np.einsum("bi,ik->bk", pulls, V)
-    covariance = np.einsum("bi,bj->ij", errors, errors) * count / (count - size)
-    information = matmul(vectors[:, known], inv(covariance), vectors[:, known].T)
-    return information * unit[:, None] * unit[None]
+        return (n * (np.einsum("ij,nj->ni", R, p) + t - q)).sum(axis=1)

@@ -7,11 +7,14 @@ import pytest
 from scipy.special import chdtri
 from scipy.stats import binom
 
-from pointloom.registration.rigid import invert_pose, make_pose, rotation_of
+import pointloom as loom
+from pointloom.registration.rigid import invert_pose, make_pose, rotation_of, to_local
 from pointloom.registration.stations.adjustment import Observed, adjust
 from pointloom.registration.stations.observations import ControlPoint, StationPair, TargetObservation
+from pointloom.registration.stations.pair_errors import PairErrors, pair_errors
 from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
-from pointloom.registration.stations.stations import _check_distance, _clustered
+from pointloom.registration.stations.stations import _check_distance
+from pointloom.registration.surfaces import surface_of
 
 POSITIONS = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
 LINKS = [(1, 0), (2, 1), (3, 2), (4, 3), (5, 4), (0, 5), (4, 1)]
@@ -140,24 +143,95 @@ def test_a_pair_that_contradicts_station_positions_is_not_used():
     assert "4.00 m apart, their positions 5.50 m" in _check_distance(pair, there, 1.0).warnings[0]
 
 
-def test_too_few_blocks_give_no_information():
-    rng = np.random.default_rng(0)
-    J, r, positions = rng.normal(size=(400, 4)), rng.normal(0, 0.01, 400), rng.uniform(0, 10, (400, 3))
-    assert _clustered(J, r, np.ones(400), positions, 2.0).any()
-    assert not _clustered(J, r, np.ones(400), positions, 6.0).any()  # eight blocks
+def hills(seed, extent, count=6000, noise=0.003):
+    """Points of bumpy ground with their own noise."""
+    rng = np.random.default_rng(seed)
+    x, y = rng.uniform(-extent, extent, (2, count))
+    z = 0.3 * np.sin(2 * x) * np.cos(1.5 * y) + 0.2 * np.sin(3 * y + x)
+    return loom.PointCloud(np.column_stack([x, y, z]) + rng.normal(0, noise, (count, 3)))
 
 
-def test_information_matches_the_errors_of_blocks():
-    sizes = []
-    for seed in range(40):
-        rng = np.random.default_rng(seed)
-        positions = rng.uniform(0, 10, (3000, 3))
-        key = (np.floor(positions / 2) @ [25, 5, 1]).astype(int)
-        J = rng.normal(size=(3000, 4)) + rng.normal(size=(125, 4))[key]
-        r = 0.01 * rng.normal(size=125)[key]  # the correlation between neighbors
-        error = np.linalg.solve(J.T @ J, J.T @ r)
-        sizes.append(error @ _clustered(J, r, np.ones(3000), positions, 2.0) @ error)
-    assert 2.5 < np.mean(sizes) < 6.0  # of four unknowns, with covariances of 125 blocks
+def errors_at(clouds, pose, size, frame=None):
+    a, b = clouds
+    local = to_local(pose, a.origin, b.origin)
+    surfaces = surface_of(a, 0.8 * size), surface_of(b, size)
+    return pair_errors(surfaces, (a.origin, b.origin), local, size, range(6), frame)
+
+
+def test_too_few_blocks_give_no_errors():
+    assert errors_at([hills(k, 3.0) for k in range(2)], np.eye(4), 0.15) is not None
+    assert errors_at([hills(k, 1.2) for k in range(2)], np.eye(4), 0.15) is None  # four blocks of 1.5 m
+
+
+def test_errors_of_a_pair_follow_the_frame_of_its_source():
+    clouds = [hills(k, 3.0) for k in range(2)]
+    turn = make_pose(rotation_of(np.array([0, 0, np.pi / 2])), np.zeros(3))
+    one = errors_at(clouds, np.eye(4), 0.15)
+    turned = errors_at([clouds[0].transform(turn), clouds[1]], invert_pose(turn), 0.15)
+    values = np.sqrt(np.diag(np.linalg.inv(one.information)))
+    rotated = np.sqrt(np.diag(np.linalg.inv(turned.information)))
+    np.testing.assert_allclose(rotated[[1, 0, 2, 4, 3, 5]], values, rtol=0.2)
+    covariance = one.influences.T @ one.influences + one.common
+    np.testing.assert_allclose(covariance, np.linalg.inv(one.information), rtol=1e-3, atol=1e-12)
+    assert not one.is_open
+
+
+def test_blocks_are_those_of_the_survey():
+    clouds = [hills(k, 3.0) for k in range(2)]
+    one, moved = (errors_at(clouds, np.eye(4), 0.15, make_pose(np.eye(3), [shift, 0, 0])) for shift in (0.0, 3.0))
+    assert len(np.intersect1d(one.blocks, moved.blocks)) < len(one.blocks) == len(moved.blocks)
+    np.testing.assert_allclose(moved.influences, one.influences, rtol=1e-6, atol=1e-12)
+
+
+def test_motions_that_surfaces_do_not_determine_are_as_uncertain_as_the_overlap():
+    rng, clouds = np.random.default_rng(0), []
+    for _ in range(2):
+        x, u = rng.uniform(-6, 6, 9000), rng.uniform(-1, 1, 9000)
+        side = np.arange(9000) % 3
+        corridor = np.column_stack([x, np.where(side < 2, 2.0 * side - 1, u), np.where(side < 2, u, -1)])
+        clouds.append(loom.PointCloud(corridor + rng.normal(0, 0.03, (9000, 3))))
+    errors = errors_at(clouds, np.eye(4), 0.2)
+    sigmas = np.sqrt(np.diag(errors.influences.T @ errors.influences + errors.common))
+    assert errors.is_open and sigmas[3] > 1.0 and sigmas[4:].max() < 0.02
+
+
+def closing_survey(blocks):
+    """Three stations at one point whose pairs close exactly: each error is the difference of two stations' errors."""
+    noise = 1e-3 * np.random.default_rng(0).normal(size=(3, 50, 4))
+    pairs, errors = [], {}
+    for a, b in ((1, 0), (2, 0), (2, 1)):
+        information = np.zeros((6, 6))
+        information[2:, 2:] = np.eye(4) / (2 * 50e-6)
+        pairs.append(StationPair(a, b, np.eye(4), information))
+        errors[a, b] = PairErrors(blocks(a, b), noise[a] - noise[b], np.zeros((4, 4)), information[2:, 2:], False)
+    return noise, Observed(pairs, errors=errors)
+
+
+def test_pairs_with_points_in_one_block_have_correlated_errors():
+    noise, observed = closing_survey(lambda a, b: np.arange(50))
+    first = np.tile(np.eye(4), (3, 1, 1))
+    correlated = adjust(first, observed, level=True).covariances
+    for i in (1, 2):
+        apart = noise[i] - noise[0]
+        np.testing.assert_allclose(correlated[i], apart.T @ apart, rtol=1e-9, atol=1e-15)
+    assert np.abs(correlated[0]).max() < 1e-20
+    _, separate = closing_survey(lambda a, b: np.arange(50) + 100 * (2 * a + b))
+    independent = adjust(first, separate, level=True).covariances
+    assert (np.trace(correlated[1]), np.trace(independent[1])) == pytest.approx((4e-4, 8e-4 / 3), rel=0.3)
+
+
+def test_errors_that_are_common_to_a_pair_and_the_factor_of_pairs_add():
+    _, observed = closing_survey(lambda a, b: np.arange(50))
+    common = np.diag([1e-6, 2e-6, 3e-6, 4e-6])
+    errors = {
+        ends: dataclasses.replace(one, influences=0 * one.influences, common=common)
+        for ends, one in observed.errors.items()
+    }
+    first = np.tile(np.eye(4), (3, 1, 1))
+    once = adjust(first, dataclasses.replace(observed, errors=errors), level=True).covariances
+    np.testing.assert_allclose(once[1], common * 2 / 3, rtol=1e-9, atol=1e-18)
+    thrice = adjust(first, dataclasses.replace(observed, errors=errors, pair_factor=3.0), level=True).covariances
+    np.testing.assert_allclose(thrice, 9 * once, rtol=1e-9, atol=1e-18)
 
 
 def test_exchanged_names_are_named():

@@ -6,6 +6,10 @@ from scipy.special import chdtri
 
 import pointloom as loom
 from pointloom.registration.rigid import make_pose, rotation_of
+from pointloom.registration.stations.adjustment import Observed
+from pointloom.registration.stations.observations import StationPair
+from pointloom.registration.stations.pair_errors import PairErrors
+from pointloom.registration.stations.stations import _Survey, adjust_stations
 from pointloom.visualization.render.plots import station_plan
 
 from .station_scenes import BOXES, COURT, pose_at, scan_all
@@ -39,6 +43,47 @@ def court():
 def court_result(court):
     clouds, truth = court
     return register_stations(clouds, poses=rough_of(truth, 0), voxel_size=SIZE)
+
+
+def bumpy_scans(device="cpu"):
+    """Three scans of bumpy ground, and their rough poses."""
+    x, y = np.random.default_rng(0).uniform(-3, 3, (2, 9000))
+    ground = np.column_stack([x, y, 0.5 * np.sin(1.5 * x) * np.cos(y) + 0.3 * np.sin(2 * y + x)])
+    positions = np.array([[0.0, 0.0, 1.5], [0.8, 0.4, 1.6], [0.4, -0.8, 1.4]])
+    rough = np.tile(np.eye(4), (3, 1, 1))
+    rough[:, :3, 3] = np.add(positions, [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]])
+    return [loom.PointCloud(ground[k::3] - p, device=device) for k, p in enumerate(positions)], rough
+
+
+@pytest.mark.parametrize("level", [True, False])
+def test_standard_deviations_are_those_of_the_covariances_of_poses(level):
+    clouds, rough = bumpy_scans()
+    result = register_stations(clouds, poses=rough, voxel_size=0.2, level=level, reference=1)
+    for i, covariance in enumerate(result.pose_covariances):
+        assert np.array_equal(covariance.center, result.poses[i, :3, 3])
+        assert np.array_equal(covariance.sigmas[[3, 4, 5, 0, 1, 2]], result.sigmas[i])
+        assert (covariance.matrix == covariance.matrix.T).all()
+        assert (covariance.sigmas[:2] == 0).all() == (level or i == 1)
+    free = result.covariances[[0, 2]]
+    assert free.shape == (2, 4, 4) if level else (2, 6, 6)
+    assert (np.linalg.eigvalsh(free) > 0).all() and np.sqrt(free[:, -1, -1]).max() < 0.01
+    assert np.abs(result.covariances[1]).max() < 1e-15
+    assert not result.undetermined.any()
+
+
+def test_a_station_with_an_undetermined_motion_is_reported():
+    clouds, rough = bumpy_scans()
+    survey = _Survey(clouds[:2], ["N", "E"], rough[:2], None, True, None)
+    weights = np.array([1e6, 0.01, 1e6, 1e6])
+    information = np.zeros((6, 6))
+    information[2:, 2:] = np.diag(weights)
+    pair = StationPair(1, 0, np.linalg.inv(rough[0]) @ rough[1], information)
+    for is_open in (True, False):
+        errors = PairErrors(np.arange(1), np.zeros((1, 4)), np.diag(1 / weights), np.diag(weights), is_open)
+        result = adjust_stations(survey, Observed([pair], errors={(1, 0): errors}), [], 0, 0.5)
+        assert result.placed.all() and result.sigmas[1, :3] == pytest.approx([10, 1e-3, 1e-3])
+        assert result.undetermined.tolist() == [False, is_open]
+        assert ("do not determine the pose of E " in str(result.warnings)) == is_open
 
 
 @pytest.mark.slow
@@ -85,7 +130,7 @@ def test_a_separate_station_is_named_and_the_others_stay():
     result = register_stations([*clouds, *alone], poses=rough, voxel_size=SIZE, names=["N", "E", "S", "far"])
     assert result.placed.tolist() == [True, True, True, False]
     assert "far is not connected" in str(result.warnings)
-    assert np.isnan(result.sigmas[3]).all()
+    assert np.isnan(result.sigmas[3]).all() and np.isinf(result.pose_covariances[3].matrix).all()
     assert np.array_equal(result.poses[3], rough[3])
     assert "not placed" in result.report()
 

@@ -1,0 +1,82 @@
+"""Errors of the poses of station pairs: scatter by blocks of the survey, and errors common to all points of a pair."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.linear_algebra import eigh, eigvalsh, inv, matmul
+from ...kernels.surface.hollow_side import Surface
+from ..pose_errors import Step, common_covariance, step_between
+from ..rigid import skew
+from ..surfaces import VOXELS
+from .observations import Array
+
+MIN_BLOCKS = 12  # minimum occupied blocks for an error estimate
+UNKNOWN = 1e-3  # constraint relative to the largest one: motions below have no information
+OPEN = 0.1  # standard deviation relative to the lever: undetermined
+
+
+@dataclass(frozen=True, eq=False)
+class PairErrors:
+    """Error of a pair's pose: a motion of the source in its own frame, of the free motions (rotation, translation).
+
+    Attributes:
+        blocks: Keys of the blocks of space, int64 [b]. Points of other pairs in the same block have correlated errors.
+        influences: Error by each block, [b, d].
+        common: Covariance of errors that are common to all points, [d, d].
+        information: Inverse of the covariance. Zero along motions without a constraint, [d, d].
+        is_open: True if the surfaces do not determine all motions.
+    """
+
+    blocks: NDArray[np.int64]
+    influences: Array
+    common: Array
+    information: Array
+    is_open: bool
+
+
+def pair_errors(
+    surfaces: tuple[Surface, Surface],
+    origins: tuple[Array, Array],
+    pose: Array,
+    size: float,
+    free: Sequence[int],
+    frame: Array | None,
+) -> PairErrors | None:
+    """The errors of a pose T_target_source about the origins of two clouds in voxels of a size [m].
+
+    `frame`: T_survey_target about the target's origin, in which space is divided into blocks. None: the target's.
+    Returns None if too few points match.
+    """
+    step = step_between(*surfaces, pose, VOXELS * size, size, free, frame)
+    if step is None or not step.is_solved or len(step.blocks) < MIN_BLOCKS:
+        return None
+    common = common_covariance(step, lambda: surfaces)
+    lever = step.rows.lever
+    values, vectors = eigh(step.unit)
+    V = vectors[:, values * UNKNOWN < values[0]]
+    covariance = matmul(V.T, step.scatter + (common + common.T) / 2, V)
+    to_source = _to_source(step, pose, origins[0])
+    from_source, motion = inv(to_source), matmul(to_source, V, V.T)
+    information = matmul(from_source.T, V, inv(covariance), V.T, from_source)
+    return PairErrors(
+        step.blocks,
+        matmul(step.influences, motion.T),
+        matmul(motion, common, motion.T),
+        (information + information.T) / 2,
+        V.shape[1] < len(V) or float(eigvalsh(covariance)[-1]) > (OPEN * lever) ** 2,
+    )
+
+
+def _to_source(step: Step, pose: Array, origin: Array) -> Array:
+    """Matrix from motions of a step, in the target's axes, to motions of the source in its own frame."""
+    R, lever = pose[:3, :3], step.rows.lever
+    center = pose[:3, 3] - matmul(R, origin)  # the source's zero
+    A = np.zeros((6, 6))
+    A[:3, :3], A[3:, 3:] = R.T / lever, R.T
+    A[3:, :3] = -matmul(R.T, skew(center - step.rows.middle)) / lever
+    return A[np.ix_(step.free, step.free)]
