@@ -40,7 +40,7 @@ PAGE = FOLDER.parent.parent / "docs" / "trust.md"
 FITTED = 0  # first seed
 PAIRS = 56  # of each kind: 336 components
 PAIRS_OF_WALK = 28  # pairs for which one walk through each kind of site is tracked
-SURVEYS = 24  # of each kind
+SURVEYS = {"courtyards": 24, "sites": 18, "parts of real scans": 24}
 SITES = ("hall", "forest", "outdoors", "tunnel")
 OPERATIONS = ("point-to-plane", "generalized")
 MIN_FITNESS = 0.1  # pairs below hardly overlap and are left out
@@ -270,11 +270,11 @@ def station_lines(is_fitted: bool, count: int) -> list[str]:
     first, lines = _first_seed(is_fitted), []
     for kind, make in surveys.KINDS.items():
         found: list[Array] = []
-        for seed, survey in enumerate(make(range(first, first + min(count, SURVEYS))), first):
+        for seed, survey in enumerate(make(range(first, first + min(count, SURVEYS[kind]))), first):
             print(f"{kind} {seed}", file=sys.stderr, flush=True)
             found += station_components(survey, seed)
         if found:
-            lines.append(_line(kind, "stations", found))
+            lines.append(_line(f"stations, {kind}", "register_stations", found))
     return lines
 
 
