@@ -21,8 +21,10 @@ class KDTreeFlann(HintedNames):
     """Search in the points of a cloud, the vertices of a mesh, features, or the columns of a matrix.
 
     Searches return count, indices by distance, and squared distances. As in Open3D, the tree keeps the positions at
-    construction.
+    construction. Non-finite points are never found.
     """
+
+    _places: NDArray[np.int64]  # indices of the finite points, which the tree contains
 
     def __init__(self, data: Any = None):
         self._tree: KDTree | None = None
@@ -42,7 +44,8 @@ class KDTreeFlann(HintedNames):
         rows = _rows_of(data)
         if not len(rows):
             raise ValueError("data: expected one or more points, got none")
-        self._tree = KDTree(rows)
+        self._places = np.flatnonzero(np.isfinite(rows).all(axis=1))
+        self._tree = KDTree(rows[self._places])
         return True
 
     def search_knn_vector_3d(self, query: ArrayLike, knn: int) -> SearchResult:
@@ -52,11 +55,11 @@ class KDTreeFlann(HintedNames):
         """All points within a radius, excluding those at exactly the radius, as in Open3D."""
         tree, point = self._tree_and_query(query)
         max_distance = check_positive("radius", radius, allow_zero=True, allow_infinite=True)
-        rows = np.array(tree.query_ball_point(point, max_distance), np.int64)
+        rows = np.array(tree.query_ball_point(point, max_distance) if tree.n else (), np.int64)
         sqdists = ((tree.data[rows] - point) ** 2).sum(axis=1)
         rows, sqdists = rows[sqdists < max_distance**2], sqdists[sqdists < max_distance**2]
         order = np.lexsort((rows, sqdists))
-        return len(rows), IntVector(rows[order]), DoubleVector(sqdists[order])
+        return len(rows), IntVector(self._places[rows[order]]), DoubleVector(sqdists[order])
 
     def search_hybrid_vector_3d(self, query: ArrayLike, radius: float, max_nn: int) -> SearchResult:
         return self._nearest(
@@ -78,10 +81,12 @@ class KDTreeFlann(HintedNames):
 
     def _nearest(self, query: ArrayLike, count: int, radius: float = np.inf) -> SearchResult:
         tree, point = self._tree_and_query(query)
+        if not tree.n:
+            return 0, IntVector(), DoubleVector()
         distances, rows = tree.query(point, min(count, tree.n), distance_upper_bound=radius)
         near = np.isfinite(np.atleast_1d(distances))
         rows = np.atleast_1d(rows)[near]
-        return len(rows), IntVector(rows), DoubleVector(((tree.data[rows] - point) ** 2).sum(axis=1))
+        return len(rows), IntVector(self._places[rows]), DoubleVector(((tree.data[rows] - point) ** 2).sum(axis=1))
 
     def _tree_and_query(self, query: ArrayLike) -> tuple[KDTree, NDArray[np.float64]]:
         if self._tree is None:
