@@ -16,7 +16,7 @@ import pointloom as loom
 
 from . import choice
 from .cpu_seconds import CpuSeconds
-from .mutants.run import QUICK
+from .mutants.run import QUICK, check_list, read_mutants
 from .products import each_pair
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -225,3 +225,7 @@ def test_the_slowest_tests_are_listed_in_order(capsys):
     assert capsys.readouterr().out.splitlines() == [
         "slowest tests, of 0.1 CPU min", "   4.0 s  dear", "   2.0 s  dearer",
     ]  # fmt: skip
+
+
+def test_mutants_name_present_code_and_tests():
+    check_list(ROOT, read_mutants(ROOT / "tests" / "mutants"))

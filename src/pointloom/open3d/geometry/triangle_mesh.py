@@ -57,6 +57,8 @@ NativeMesh = mesh.TriangleMesh
 
 
 class MeshFactories(MeshBase):
+    triangles = Rows(Vector3iVector)
+
     @classmethod
     def create_box(
         cls,
@@ -173,8 +175,8 @@ class MeshFactories(MeshBase):
     ) -> Self:
         """A mesh of an ellipsoid, scaled per axis."""
         parts = unwrap(obel, OrientedBoundingEllipsoid, "obel")
-        radii = (parts["radii"] * np.asarray(scale, np.float64)).tolist()
-        made = NativeMesh.create_ellipsoid(*radii, resolution, create_uv_map)
+        x, y, z = (parts["radii"] * np.asarray(scale, np.float64)).tolist()
+        made = NativeMesh.create_ellipsoid(x, y, z, resolution, create_uv_map)
         return cls._of(made.rotate(parts["R"], [0, 0, 0]).translate(parts["center"]))
 
     @classmethod
@@ -189,7 +191,8 @@ class MeshFactories(MeshBase):
             return cls._of(NativeMesh.create_from_point_cloud_alpha_shape(unwrap(pcd, PointCloud, "pcd"), alpha))
         vertices = np.array(tetra_mesh.vertices)
         rows, triangles = alpha_faces(vertices, np.array(tetra_mesh.tetras), check_number("alpha", alpha))
-        made = cls(Vector3dVector(vertices[rows]), Vector3iVector(triangles))
+        made = cls._of(NativeMesh())
+        made.vertices, made.triangles = Vector3dVector(vertices[rows]), Vector3iVector(triangles)
         for name in ("normals", "colors") if pt_map is not None else ():
             if getattr(pcd, f"has_{name}")():
                 points = indices_of("pt_map", pt_map, len(pcd.points), f"cloud of {len(pcd.points)} points")
@@ -403,7 +406,6 @@ class TriangleMesh(TriangleNormals):
     _kind = mesh.TriangleMesh
     _has_adjacency = False
 
-    triangles = Rows(Vector3iVector)
     triangle_uvs = Rows(Vector2dVector)
     triangle_material_ids = Rows(IntVector)
 

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from ... import geometry as legacy
 from ...core.dtype import Dtype, float32, int64
+from ...wrapper import unwrap
 from .ellipsoids import OrientedBoundingEllipsoid
 from .geometry import device_of
 from .mesh_tensors import CPU, MeshTensors, NativeMesh
@@ -117,7 +118,7 @@ class MeshFactories(MeshTensors):
         """A mesh of an ellipsoid, scaled per axis."""
         factors = matrix_of("scale", scale, (3,))
         made = legacy.TriangleMesh.create_from_oriented_bounding_ellipsoid(ellipsoid._native, factors, resolution)
-        return cls.from_legacy(made, float_dtype, int_dtype, device)
+        return cls._of(unwrap(made).to(device_of(device).name), float_dtype, int_dtype)
 
     @classmethod
     def create_torus(
