@@ -24,7 +24,7 @@ def test_the_page_of_all_names_is_fresh(o3d):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("o3d.geometry.OrientedBoundingEllipsoid", "not here; loom.OrientedBoundingBox"),
+        ("o3d.t.io.RGBDVideoReader", "loom.RealSenseCamera"),
         ("o3d.pipelines.odometry.compute_correspondence", "inliers counts them"),
         ("o3d.pipelines.registration.PointCloud", "it is o3d.geometry.PointCloud"),
         ("o3d.visualization.Viewer", "it is loom.Viewer"),

@@ -158,7 +158,7 @@ def test_vectors_grow_like_lists():
 @pytest.mark.parametrize(
     ("wrong", "kind", "message"),
     [
-        (lambda: o3d.geometry.OrientedBoundingEllipsoid, AttributeError, "loom.OrientedBoundingBox"),
+        (lambda: o3d.t.io.RGBDVideoReader, AttributeError, "loom.RealSenseCamera"),
         (lambda: o3d.geometry.PointCloud().vertices, AttributeError, "cloud.points"),
         (lambda: o3d.geometry.TriangleMesh.create_nothing, AttributeError, "create_nothing"),
         (lambda: setattr(o3d.geometry.PointCloud(), "color", 1), AttributeError, "color"),
