@@ -47,7 +47,7 @@ def path_errors(seeds: range) -> Iterator[PoseError]:
             print(f"{kind} {seed}: {len(numbers)} poses", file=sys.stderr, flush=True)
             start = poses[0] @ np.linalg.inv(frames[numbers[0]].pose)
             for k in range(EVERY, len(numbers), EVERY):
-                covariance, true = path.covariances[k], start @ frames[numbers[k]].pose
+                covariance, true = path.pose_covariances[k], start @ frames[numbers[k]].pose
                 error = true @ np.linalg.inv(poses[k])
                 yield PoseError("sites, RGB-D paths", "track", error, covariance.matrix, covariance.center)
 

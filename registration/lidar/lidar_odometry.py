@@ -179,12 +179,12 @@ class LidarOdometry:
         return np.array([step.pose for step in self.steps]).reshape(-1, 4, 4)
 
     @property
-    def covariances(self) -> Matrix:
-        """Covariance of the error of each pose relative to the first scan, float64 [n, 6, 6].
+    def pose_covariances(self) -> tuple[PoseCovariance, ...]:
+        """Covariance of the error of each pose relative to the first scan.
 
         Rotation vector [rad], then displacement of the sensor [m], along the axes of the world.
         """
-        return np.array([step.covariance.matrix for step in self.steps]).reshape(-1, 6, 6)
+        return tuple(step.covariance for step in self.steps)
 
     @property
     def map(self) -> PointCloud:

@@ -78,16 +78,19 @@ def test_each_pose_of_a_path_has_a_covariance_relative_to_the_first(device):
     given = [*frames(0, 2), blank(frame(3)), *frames(4, 6)]
     slam.run(given)
     path = loom.track(loom.frames_from([(f.color, f.depth) for f in given], slam.model.intrinsic), voxel_size=0.04)
-    for found, poses in ((slam.covariances, slam.trajectory.poses), (path.covariances, path.trajectory.poses)):
+    for found, poses in (
+        (slam.pose_covariances, slam.trajectory.poses),
+        (path.pose_covariances, path.trajectory.poses),
+    ):
         assert len(found) == len(poses) == 4
         assert not found[0].matrix.any() and all((one.sigmas > 0).all() for one in found[1:])
         assert [one.center.tolist() for one in found] == poses[:, :3, 3].tolist()
     assert slam.results[2].pose_covariance is None
-    assert (slam.results[-1].pose_covariance.matrix == slam.covariances[-1].matrix).all()
+    assert (slam.results[-1].pose_covariance.matrix == slam.pose_covariances[-1].matrix).all()
     listed = path.to_dict()["poses"]
     assert [one["frame"] for one in listed] == [0, 1, 3, 4]
-    assert listed[-1]["sigma_position"] == path.covariances[-1].sigmas[3:].tolist()
-    assert listed[-1]["sigma_rotation"] == path.covariances[-1].sigmas[:3].tolist()
+    assert listed[-1]["sigma_position"] == path.pose_covariances[-1].sigmas[3:].tolist()
+    assert listed[-1]["sigma_rotation"] == path.pose_covariances[-1].sigmas[:3].tolist()
 
 
 def test_covariances_rotate_with_corrected_poses():
@@ -98,7 +101,7 @@ def test_covariances_rotate_with_corrected_poses():
     quarter = np.eye(4)
     quarter[:3, :3], quarter[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], [5, 6, 7]
     moved = path.with_poses(quarter @ path.trajectory.poses)
-    before, after = path.covariances[2], moved.covariances[2]
+    before, after = path.pose_covariances[2], moved.pose_covariances[2]
     assert np.allclose(after.sigmas, before.sigmas[[1, 0, 2, 4, 3, 5]], rtol=1e-9)
     assert np.allclose(after.center, moved.trajectory.poses[2, :3, 3])
     assert not np.allclose(after.sigmas, before.sigmas)

@@ -197,7 +197,7 @@ class DenseSLAM:
         return Trajectory(poses, None if None in times or not times else np.array(times, np.float64), ids)
 
     @property
-    def covariances(self) -> tuple[PoseCovariance, ...]:
+    def pose_covariances(self) -> tuple[PoseCovariance, ...]:
         """Covariance of each pose of `trajectory` relative to the first pose of its map, as accumulated by tracking.
 
         The order is rotation [rad], translation [m], along the axes of the map. The center is the camera. The first

@@ -48,8 +48,8 @@ class TrackedPath(Assessed):
             unreliable.
         notes: Remarks that do not concern reliability: covered frames, and objects fixed to the camera.
         deviations: Accumulated standard deviation [m] of each position along its least determined direction.
-        covariances: Covariance of each pose of `trajectory` relative to the first one, which has zero: rotation [rad],
-            then translation [m], along the axes of the first camera, about the position of the pose. Lost frames have
+        pose_covariances: Covariance of each pose of `trajectory` relative to the first one, which has zero: rotation
+            [rad], then translation [m], along the axes of the first camera, about the position of the pose. Lost frames have
             no pose and no covariance. Loop closure moves the covariances with the poses, but does not reduce them.
         drifted: Uncertain frames whose accumulated deviation is too large.
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
@@ -73,7 +73,7 @@ class TrackedPath(Assessed):
     uncertain_warning: str = ""
     stream: str | None = None
     deviations: tuple[float, ...] = ()
-    covariances: tuple[PoseCovariance, ...] = ()
+    pose_covariances: tuple[PoseCovariance, ...] = ()
     drifted: tuple[int, ...] = ()
     other_maps: tuple[Trajectory, ...] = ()
     joins: tuple[MapJoin, ...] = ()
@@ -126,9 +126,11 @@ class TrackedPath(Assessed):
         trajectory = Trajectory(corrected, timestamps=original.timestamps, ids=original.ids)
         moved = tuple(
             PoseCovariance(rotated_covariance(one.matrix, before, after), after[:3, 3].copy())
-            for one, before, after in zip(self.covariances, original.poses, corrected, strict=bool(self.covariances))
+            for one, before, after in zip(
+                self.pose_covariances, original.poses, corrected, strict=bool(self.pose_covariances)
+            )
         )
-        return dataclasses.replace(self, trajectory=trajectory, covariances=moved)
+        return dataclasses.replace(self, trajectory=trajectory, pose_covariances=moved)
 
     def to_dict(self) -> dict[str, Any]:
         return {
@@ -144,7 +146,9 @@ class TrackedPath(Assessed):
             "position_deviation_m": max(self.deviations, default=None),
             "poses": [
                 {"frame": number, "sigma_position": one.sigmas[3:].tolist(), "sigma_rotation": one.sigmas[:3].tolist()}
-                for number, one in zip(_numbers(self.trajectory), self.covariances, strict=bool(self.covariances))
+                for number, one in zip(
+                    _numbers(self.trajectory), self.pose_covariances, strict=bool(self.pose_covariances)
+                )
             ],
             "lost": [{"frame": number, "reason": reason} for number, reason in self.lost.items()],
             "unreadable": [{"frame": number, "reason": reason} for number, reason in self.unreadable.items()],

@@ -176,7 +176,7 @@ class _Tally:
             joins=tuple(self.slam.joins),
             uncertain_warning=next(("; ".join(r.warnings) for r in located.values() if not r.is_tracked), ""),
             stream=self.slam.stream.problems, deviations=tuple(results[n].position_deviation for n in main),
-            covariances=tuple(found for n in main if (found := results[n].pose_covariance) is not None),
+            pose_covariances=tuple(found for n in main if (found := results[n].pose_covariance) is not None),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
             covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())),
             depth_share=depth_share, used_share=used_share, **sizes,
