@@ -49,8 +49,8 @@ class TrackedPath(Assessed):
         notes: Remarks that do not concern reliability: covered frames, and objects fixed to the camera.
         deviations: Accumulated standard deviation [m] of each position along its least determined direction.
         pose_covariances: Covariance of each pose of `trajectory` relative to the first one, which has zero: rotation
-            [rad], then translation [m], along the axes of the first camera, about the position of the pose. Lost frames have
-            no pose and no covariance. Loop closure moves the covariances with the poses, but does not reduce them.
+            [rad], then translation [m], along the axes of the first camera, about the position of the pose. Lost frames
+            have no pose and no covariance. Loop closure moves the covariances with the poses, but does not reduce them.
         drifted: Uncertain frames whose accumulated deviation is too large.
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
             lost for long.
