@@ -84,7 +84,7 @@ def test_a_mutant_only_detected_by_slow_tests_is_detected_with_all_tests(tree, c
         ({"new": "max(x, low)"}, "another text than the new one"),
         ({"new": "max(x"}, "no lower limit: the new text is no Python"),
         ({"file": "pcd/limits.py"}, "no lower limit: there is no file pcd/limits.py"),
-        ({"tests": ["tests/test_limits.py::test_low"]}, "no lower limit: there is no test tests/test_limits.py::test_low"),
+        ({"tests": ["tests/test_limits.py::test_low"]}, "there is no test tests/test_limits.py::test_low"),
         ({"tests": []}, "no lower limit: names no tests"),
         ({"why": "a limit"}, "no lower limit: expected name, file, old, new, tests, got name"),
         ({"name": "no upper limit"}, "no upper limit: a name that is taken already"),
