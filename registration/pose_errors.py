@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_positive, check_rigid, check_shape
+from ..kernels.array_types import LongIntegers
 from ..kernels.linear_algebra import eigvalsh, inv, matmul, solve
 from ..kernels.poses.alignment_rows import AlignmentRows, PairedSurfaces
 from ..kernels.surface.hollow_side import Surface
@@ -135,7 +136,7 @@ class Step(NamedTuple):
     free: list[int]
     motion: NDArray[np.float64]
     influences: Matrix  # error of the motion by each block of space, [blocks, free]
-    blocks: NDArray[np.int64]  # keys of the blocks
+    blocks: LongIntegers | None  # keys of the blocks
     unit: Matrix  # covariance of the motion by an error [1 m] that is common to all points
     shares: NDArray[np.float64]  # constraint along the eigenvectors of the rows, 0..1
     noise: float
@@ -191,7 +192,7 @@ def step_between(
     parts = rows, source, target, pose, distance, size, axes
     if len(rows) < ENOUGH:
         d = len(axes)
-        return Step(*parts, np.zeros(d), np.zeros((0, d)), np.zeros(0, np.int64), np.eye(d), np.zeros(d), math.nan)
+        return Step(*parts, np.zeros(d), np.zeros((0, d)), None, np.eye(d), np.zeros(d), math.nan)
     return Step(*parts, *_solve(rows, axes, BLOCK * voxel, np.eye(4) if frame is None else frame))
 
 
@@ -210,7 +211,7 @@ def common_covariance(step: Step, coarse: Callable[[], tuple[Surface, Surface]])
 
 def _solve(
     rows: AlignmentRows, free: list[int], block_size: float, frame: Matrix
-) -> tuple[NDArray[np.float64], Matrix, NDArray[np.int64], Matrix, NDArray[np.float64], float]:
+) -> tuple[NDArray[np.float64], Matrix, LongIntegers, Matrix, NDArray[np.float64], float]:
     motion = np.zeros(6)
     for _ in range(ROUNDS):
         _, matrix, right, _ = _normal_equations(rows, motion, free)

@@ -7,6 +7,7 @@ is valid if the errors within a block are correlated (Liang and Zeger 1986).
 import numpy as np
 
 from ..algebra.transform import Transform, narrow, transform_point, transform_points, widen
+from ..array_types import LongIntegers
 from ..arrays.block_keys import block_key
 from ..arrays.packed_keys import key_index
 from ..arrays.quantiles import median_above_zero
@@ -234,8 +235,8 @@ class AlignmentRows:
 
     def block_scores(
         self, motion: np.ndarray, width: float, block_size: float, frame: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Keys of blocks with an edge [m], and the sums of the gradients over them, float64 (blocks, 6). Three syncs.
+    ) -> tuple[LongIntegers, np.ndarray]:
+        """Keys of blocks with an edge [m], and the sums of the gradients over them, float64 (blocks, 6). Two syncs.
 
         `frame`: T_frame_target about the target's origin, in which space is divided.
         """
@@ -246,4 +247,4 @@ class AlignmentRows:
             score_rows_kernel, len(self), [self._surfaces, self._pairs, self._rows, self._residuals, *at, scores, keys]
         )
         groups = UniqueKeys(keys)
-        return download(groups.keys), download(sum_columns(scores, groups.order, groups.starts))
+        return groups.keys, download(sum_columns(scores, groups.order, groups.starts))

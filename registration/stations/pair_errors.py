@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigh, eigvalsh, inv, matmul
+from ...kernels.memory import download
 from ...kernels.surface.hollow_side import Surface
 from ..pose_errors import Step, common_covariance, step_between
 from ..rigid import skew
@@ -53,7 +54,7 @@ def pair_errors(
     Returns None if too few points match.
     """
     step = step_between(*surfaces, pose, VOXELS * size, size, free, frame)
-    if step is None or not step.is_solved or len(step.blocks) < MIN_BLOCKS:
+    if step is None or step.blocks is None or len(step.influences) < MIN_BLOCKS:
         return None
     common = common_covariance(step, lambda: surfaces)
     lever = step.rows.lever
@@ -64,7 +65,7 @@ def pair_errors(
     from_source, motion = inv(to_source), matmul(to_source, V, V.T)
     information = matmul(from_source.T, V, inv(covariance), V.T, from_source)
     return PairErrors(
-        step.blocks,
+        download(step.blocks),
         matmul(step.influences, motion.T),
         matmul(motion, common, motion.T),
         (information + information.T) / 2,
