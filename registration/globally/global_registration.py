@@ -220,6 +220,9 @@ def _choose(
     if refine:
         result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS, free, WEAK)[0]
         result.iterations += first[best].iterations
+        # The reported free motions are those of ICP, which include weakly determined ones.
+        last = refine_poses(source.surface, target.surface, result.transformation[None], distance, 1, free)[0]
+        result.degenerate_directions = last.degenerate_directions
     evidence = rate_surfaces(source, target, result.transformation, distance, details=True)
     if evidence.score <= 0.5:
         equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
