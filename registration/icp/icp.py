@@ -236,6 +236,14 @@ def registration_icp_batch(
     return problem.results()
 
 
+def check_degeneracy(degeneracy: float) -> float:
+    """The fraction of the largest eigenvalue, from 0 to below 1."""
+    fraction = check_positive("degeneracy", degeneracy, allow_zero=True)
+    if fraction >= 1:
+        raise ValueError(f"degeneracy: expected a fraction from 0 to below 1, got {fraction!r}")
+    return fraction
+
+
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
     """A rigid pose (or similarity, if the method has a scale) [4, 4] in float64, its rotation made orthonormal."""
     if pose is None:
@@ -298,15 +306,13 @@ def _make_problem(
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)
     overlap = None if overlap is None else check_positive("overlap", overlap)
-    degeneracy = check_positive("degeneracy", degeneracy, allow_zero=True)
+    degeneracy = check_degeneracy(degeneracy)
     if overlap is not None and overlap > 1:
         raise ValueError(f"overlap: expected a fraction above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
         max_normal_angle = check_angle("max_normal_angle", max_normal_angle)
         if method._target_voxel_size is not None:
             raise ValueError("max_normal_angle: the voxels of a voxelized target have no normals; leave it out")
-    if degeneracy >= 1:
-        raise ValueError(f"degeneracy: expected a fraction from 0 to below 1, got {degeneracy!r}")
     check_constrainable(method, constraint)
     options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     return IterativeRegistration(

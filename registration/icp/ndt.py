@@ -26,7 +26,7 @@ from ..correspondence_input import check_clouds
 from ..result import Pairs, RegistrationResult
 from ..rigid import to_local, to_world
 from .estimation import TransformationEstimationPointToPoint
-from .icp import LOW_FITNESS, MAX_STEPS, check_poses, warn_of_low_fitness
+from .icp import LOW_FITNESS, MAX_STEPS, check_degeneracy, check_poses, warn_of_low_fitness
 from .iterative import DEGENERACY, FAILURES
 
 MIN_POINTS = 4  # of a voxel: fewer do not determine a covariance
@@ -131,9 +131,7 @@ def registration_ndt(
         raise TypeError(f"option: expected NormalDistributionsTransformOption, got {type(rules).__name__}")
     check_clouds(source, target)
     pose = check_poses("init", init, TransformationEstimationPointToPoint())
-    if check_positive("degeneracy", degeneracy, allow_zero=True) >= 1:
-        raise ValueError(f"degeneracy: expected a fraction from 0 to below 1, got {degeneracy!r}")
-    result = _run(source, target, rules, pose, degeneracy)
+    result = _run(source, target, rules, pose, check_degeneracy(degeneracy))
     if result.fitness < LOW_FITNESS:
         warn_of_low_fitness(result, source, target, pose, rules.voxel_size)
         result.warnings = tuple(f"{text}; {REMEDY}" for text in result.warnings)
