@@ -21,11 +21,11 @@ from .tensor_map import TensorMap, wrap
 
 
 def native_of(point: TensorMap, *names: str) -> PointCloud:
-    """A cloud with the positions and those of the named attributes that there are."""
+    """A cloud with the positions and the named attributes, if present, each as columns."""
     given = {name: point[name] for name in names if name in point}
     if "colors" in given and given["colors"].dtype == uint16:
         given["colors"] = given["colors"].to(float32) / 65535.0
-    return PointCloud(point.positions._array, **{name: tensor._array for name, tensor in given.items()})
+    return PointCloud(point.positions._array, **{name: columns_of(tensor)._array for name, tensor in given.items()})
 
 
 def attribute(cloud: PointCloud, name: str, dtype: Dtype | None = None) -> Tensor:

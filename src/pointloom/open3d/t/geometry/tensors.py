@@ -20,8 +20,10 @@ def values_of(value: Any) -> Any:
 
 
 def host_of(value: Any) -> Any:
-    """The NumPy array of a tensor, for small arguments such as matrices. Other values are returned unchanged."""
-    return value.numpy() if isinstance(value, Tensor) else value
+    """The NumPy array of a tensor or of an array on a GPU. Other values are returned unchanged."""
+    if isinstance(value, Tensor):
+        return value.numpy()
+    return download(take_numbers("values", value)) if is_on_gpu(value) else value
 
 
 def new_tensor(array: Any, dtype: DTypeLike | None = None, shape: tuple[int, ...] | None = None) -> Tensor:

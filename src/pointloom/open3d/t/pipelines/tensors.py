@@ -7,18 +7,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ....core.checks import is_on_gpu
-from ....core.gpu_arrays import take_numbers
-from ....kernels.memory import download
 from ...core.device import Device
 from ...core.dtype import Dtype, float64
 from ...core.tensor import Tensor
+from ..geometry.tensors import host_of
 
 
 def on_host(value: Any) -> NDArray[Any]:
     """The values of a tensor or of an array on any device, as a NumPy array."""
-    array = value._array if isinstance(value, Tensor) else value
-    return download(take_numbers("values", array)) if is_on_gpu(array) else np.asarray(array)
+    return np.asarray(host_of(value))
 
 
 def tensor_of(values: Any, dtype: Dtype, device: Device | None = None) -> Tensor:

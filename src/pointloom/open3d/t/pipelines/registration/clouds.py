@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from .....pcd.cloud import PointCloud
 from ....core.tensor import Tensor
+from ...geometry.native import native_of
 from ..tensors import on_host
 
 USED = ("normals", "colors", "covariances", "dopplers", "directions")  # by the estimators, beside positions
@@ -16,11 +17,8 @@ USED = ("normals", "colors", "covariances", "dopplers", "directions")  # by the 
 
 def cloud_of(name: str, cloud: Any) -> PointCloud:
     """The pointloom cloud on the device of the tensors. Raises TypeError if it is no cloud of tensors."""
-    positions = _positions(name, cloud)._array
-    attributes = {key: cloud.point[key]._array for key in USED if key in cloud.point}
-    if "covariances" in attributes:
-        attributes["covariances"] = attributes["covariances"].reshape((-1, 9))
-    return PointCloud(positions, **attributes)
+    _positions(name, cloud)
+    return native_of(cloud.point, *USED)
 
 
 def points_of(name: str, cloud: Any) -> NDArray[np.float64]:
