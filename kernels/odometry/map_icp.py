@@ -10,7 +10,8 @@ from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.matrices import multiply33
 from ..algebra.rigid_solve import TRIANGLE, triangle_index
 from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vector
-from .voxel_map_search import covariance_of, map_moments, mean_of
+from .voxel_map import VoxelMap
+from .voxel_map_search import covariance_of, map_moments, mean_of, moments_in_map
 
 SUMS = 31  # upper triangle, right side, then squared distance, pairs, cost, informative pairs
 sums = vector(31, float64)
@@ -38,6 +39,17 @@ def plane_of(m: map_moments) -> plane:
                 result = plane(float(normal[0]), float(normal[1]), float(normal[2]), 1.0, WEAK_WEIGHT)
             else:
                 result = plane(0.0, 0.0, 0.0, 0.0, SCATTERED)
+    return result
+
+
+@func
+def plane_around(center: vec3d, radius: float, voxel_map: VoxelMap) -> plane:
+    """Plane of the map points within a radius [m], at most a voxel, else of those within twice the radius."""
+    result = plane_of(moments_in_map(center, radius, 1, voxel_map))
+    if result[3] == 0.0 and result[4] == WEAK_WEIGHT:
+        wider = plane_of(moments_in_map(center, 2.0 * radius, 2, voxel_map))
+        if wider[3] > 0.0:
+            result = wider
     return result
 
 
