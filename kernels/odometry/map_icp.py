@@ -22,6 +22,7 @@ COST = 29
 INFORMATIVE = 30
 FEW = 5.0  # points around the nearest one. Fewer define no plane
 FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
+WIDE_WEIGHT = 0.5  # of planes in the wider neighborhoods
 SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
 WEAK_WEIGHT = 1.0e-3  # weight of undetermined directions: keeps the system solvable
 
@@ -49,7 +50,7 @@ def plane_around(center: vec3d, radius: float, voxel_map: VoxelMap) -> plane:
     if result[3] == 0.0 and result[4] == WEAK_WEIGHT:
         wider = plane_of(moments_in_map(center, 2.0 * radius, 2, voxel_map))
         if wider[3] > 0.0:
-            result = wider
+            result = plane(wider[0], wider[1], wider[2], WIDE_WEIGHT, WEAK_WEIGHT)
     return result
 
 
@@ -85,7 +86,7 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     result[TRIANGLE + 2] = result[TRIANGLE + 2] - (y[0] * f[1] - y[1] * f[0])
     result[SQUARES] = result[SQUARES] + sqdist
     result[PAIRS] = result[PAIRS] + 1.0
-    if at[3] + at[4] > 2.0 * WEAK_WEIGHT:
+    if at[3] == 1.0 or at[4] > WEAK_WEIGHT:
         result[COST] = result[COST] + 1.0 - root
         result[INFORMATIVE] = result[INFORMATIVE] + 1.0
     return result

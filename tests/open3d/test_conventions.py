@@ -322,6 +322,18 @@ def test_incomplete_shapes_lose_no_data(tmp_path):
     assert read.has_vertex_normals() and read.has_vertex_colors() and not read.has_triangles()
 
 
+@pytest.mark.parametrize(("angle", "vertices"), [(0.0, 4), (5e-6, 4), (2e-4, 6), (0.1, 6)])
+def test_corners_of_an_stl_are_one_vertex_if_their_normals_are_equal(tmp_path, angle, vertices):
+    corners = [[0, 0, 0], [0, 1, 0], [1, 0, 0], [-np.cos(angle), 0, np.sin(angle)]]
+    triangles = bridge.utility.Vector3iVector([[0, 2, 1], [0, 1, 3]])
+    mesh = bridge.geometry.TriangleMesh(bridge.utility.Vector3dVector(corners), triangles)
+    bridge.io.write_triangle_mesh(tmp_path / "a.stl", mesh)
+    read = bridge.io.read_triangle_mesh(tmp_path / "a.stl")
+    assert len(read.vertices) == vertices
+    placed = np.asarray(read.vertices)[np.asarray(read.triangles)]
+    np.testing.assert_allclose(placed, np.asarray(corners)[np.asarray(triangles)], atol=1e-7)
+
+
 @pytest.mark.parametrize(
     ("indices", "kind"),
     [([True], TypeError), (np.arange(4) < 3, TypeError), ([0.0], TypeError), ([-1], IndexError), ([9], IndexError)],

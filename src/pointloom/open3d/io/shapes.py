@@ -32,7 +32,7 @@ TEXT_COLUMNS = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts
 # Formats in which empty clouds and meshes are not written, as in Open3D.
 OF_POINTS, OF_VERTICES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts"), (".ply", ".stl", ".off")
 
-NORMAL_STEPS = 1000  # normals in an .stl are the same if they are equal after rounding to 1 / 1000
+SAME_NORMAL = 1e-5  # distance of unit normals in an .stl up to which corners are one vertex, as in Open3D
 
 
 def read_point_cloud(
@@ -145,17 +145,20 @@ def _vertices_of(cloud: Any) -> NativeMesh:
 
 def _split_at_edges(mesh: NativeMesh) -> NativeMesh:
     """A mesh with a vertex for each normal of the triangles around a vertex, in the order of the triangles."""
-    normals, corners = mesh.triangle_normals, mesh.triangles.reshape(-1).astype(np.int64)
-    steps = np.rint(normals * NORMAL_STEPS).astype(np.int64) + NORMAL_STEPS  # 11 bits each
-    keys = corners << 33 | np.repeat(steps @ [1 << 22, 1 << 11, 1], 3)
-    _, first, group = np.unique(keys, return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    rank = np.empty_like(order)
-    rank[order] = np.arange(len(order))
-    first = first[order]
+    normals, corners = mesh.triangle_normals, mesh.triangles.reshape(-1)
+    group = np.arange(len(corners))  # of each corner: the first one of its vertex
+    rest = np.argsort(corners, kind="stable")
+    while len(rest):
+        _, start, count = np.unique(corners[rest], return_index=True, return_counts=True)
+        leaders = np.repeat(rest[start], count)
+        is_same = ((normals[rest // 3] - normals[leaders // 3]) ** 2).sum(axis=1) <= SAME_NORMAL**2
+        is_same |= rest == leaders  # NaN normals
+        group[rest[is_same]] = leaders[is_same]
+        rest = rest[~is_same]
+    first, rank = np.unique(group, return_inverse=True)
     made = NativeMesh(
         mesh.vertices[corners[first]],
-        rank[group].reshape(-1, 3),
+        rank.reshape(-1, 3),
         vertex_normals=normals[first // 3],
         triangle_attributes=mesh.triangle_attributes,
         device=mesh.device,
