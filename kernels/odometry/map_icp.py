@@ -2,8 +2,9 @@
 
 Float64 sums about the sensor, independent of the distance traveled. Points on a plane count along the normal (plus a
 little regularization), points among scattered neighbors in all directions, points on lines almost nothing, since scan
-rings on far ground move with the scanner. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure weight. Chen and
-Medioni 1991 for planes.
+rings on far ground move with the scanner. Points without a plane count along that of a wider neighborhood, if any, but
+not in the cost, whose limits are those of planes nearby. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure
+weight. Chen and Medioni 1991 for planes.
 """
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
