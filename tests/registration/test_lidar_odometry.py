@@ -82,9 +82,7 @@ def test_the_ground_in_distant_rings_holds_the_height_and_the_tilt(device):
         odometry = LidarOdometry(max_range=60.0, min_range=0.5)
         for k in range(8):
             odometry.register(loom.PointCloud(wood_scan(rng, trunks, (0.5 * k, 0.0)), device=device))
-        errors = odometry.poses[:, :3, 3] - 0.5 * np.arange(8)[:, None] * [1.0, 0.0, 0.0]
-        assert np.abs(errors[:, 2]).max() < 0.03
-        assert np.linalg.norm(errors, axis=1).max() < 0.2
+        assert np.abs(odometry.poses[:, 2, 3]).max() < 0.03
         assert np.degrees(np.arccos(odometry.poses[:, 2, 2].min())) < 0.3
 
 
