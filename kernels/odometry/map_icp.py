@@ -48,7 +48,7 @@ def plane_of(m: map_moments) -> plane:
 def plane_around(center: vec3d, radius: float, voxel_map: VoxelMap) -> plane:
     """Plane of the map points within a radius [m], at most a voxel, else of those within twice the radius."""
     result = plane_of(moments_in_map(center, radius, 1, voxel_map))
-    if result[3] == 0.0 and result[4] == WEAK_WEIGHT:
+    if result[3] == 0.0 and result[4] < 2.0 * WEAK_WEIGHT:
         wider = plane_of(moments_in_map(center, 2.0 * radius, 2, voxel_map))
         if wider[3] > 0.0:
             result = plane(wider[0], wider[1], wider[2], WIDE_WEIGHT, WEAK_WEIGHT)
@@ -87,7 +87,7 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     result[TRIANGLE + 2] = result[TRIANGLE + 2] - (y[0] * f[1] - y[1] * f[0])
     result[SQUARES] = result[SQUARES] + sqdist
     result[PAIRS] = result[PAIRS] + 1.0
-    if at[3] == 1.0 or at[4] > WEAK_WEIGHT:
+    if at[3] == 1.0 or at[4] > 2.0 * WEAK_WEIGHT:
         result[COST] = result[COST] + 1.0 - root
         result[INFORMATIVE] = result[INFORMATIVE] + 1.0
     return result
