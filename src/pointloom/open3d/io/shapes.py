@@ -149,8 +149,8 @@ def _split_at_edges(mesh: NativeMesh) -> NativeMesh:
     group = np.arange(len(corners))  # of each corner: the first one of its vertex
     rest = np.argsort(corners, kind="stable")
     while len(rest):
-        _, start, count = np.unique(corners[rest], return_index=True, return_counts=True)
-        leaders = np.repeat(rest[start], count)
+        is_first = np.diff(corners[rest], prepend=-1) != 0  # of the rest at its vertex
+        leaders = rest[is_first][np.cumsum(is_first) - 1]
         is_same = ((normals[rest // 3] - normals[leaders // 3]) ** 2).sum(axis=1) <= SAME_NORMAL**2
         is_same |= rest == leaders  # NaN normals
         group[rest[is_same]] = leaders[is_same]
