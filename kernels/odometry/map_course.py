@@ -20,9 +20,9 @@ from ..algebra.transform import widen
 from ..array_types import Device
 from ..lang import INFINITY, array, cross, float64, func, int32, kernel, mat44d, sqrt, struct, tid, vec3, vec3d
 from ..memory import empty, zeros
-from .map_icp import PAIRS, SQUARES, SUMS, add_pair, plane, plane_of, sums
+from .map_icp import PAIRS, SQUARES, SUMS, add_pair, plane, plane_around, sums
 from .voxel_map import VoxelMap
-from .voxel_map_search import find_nearest_in_map, moments_in_map
+from .voxel_map_search import find_nearest_in_map
 
 PLANE_RUN = 32  # points per thread for plane information
 FOLD = 64  # rows per second-stage sum on CUDA
@@ -160,7 +160,7 @@ def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64,
                     if course.known[j] == nearest:
                         at = course.planes[j]
                     else:
-                        at = plane_of(moments_in_map(x - r, course.plane_radius, course.voxel_map))
+                        at = plane_around(x - r, course.plane_radius, course.voxel_map)
                         course.known[j] = nearest
                         course.planes[j] = at
                 total = add_pair(total, y, r, at, kernel_scale)

@@ -2,15 +2,17 @@
 
 Float64 sums about the sensor, independent of the distance traveled. Points on a plane count along the normal (plus a
 little regularization), points among scattered neighbors in all directions, points on lines almost nothing, since scan
-rings on far ground move with the scanner. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure weight. Chen and
-Medioni 1991 for planes.
+rings on far ground move with the scanner. Points without a plane count along that of a wider neighborhood, if any, but
+not in the cost, whose limits are those of planes nearby. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure
+weight. Chen and Medioni 1991 for planes.
 """
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.matrices import multiply33
 from ..algebra.rigid_solve import TRIANGLE, triangle_index
 from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vector
-from .voxel_map_search import covariance_of, map_moments, mean_of
+from .voxel_map import VoxelMap
+from .voxel_map_search import covariance_of, map_moments, mean_of, moments_in_map
 
 SUMS = 31  # upper triangle, right side, then squared distance, pairs, cost, informative pairs
 sums = vector(31, float64)
@@ -21,6 +23,8 @@ COST = 29
 INFORMATIVE = 30
 FEW = 5.0  # points around the nearest one. Fewer define no plane
 FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
+WIDE_WEIGHT = 0.5  # of planes in the wider neighborhoods, where a point off the plane is more often of another surface
+WIDE_SCALE = 0.0625  # of their kernel scale (squared distance)
 SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
 WEAK_WEIGHT = 1.0e-3  # weight of undetermined directions: keeps the system solvable
 
@@ -42,6 +46,17 @@ def plane_of(m: map_moments) -> plane:
 
 
 @func
+def plane_around(center: vec3d, radius: float, voxel_map: VoxelMap) -> plane:
+    """Plane of the map points within a radius [m], at most a voxel, else of those within twice the radius."""
+    result = plane_of(moments_in_map(center, radius, 1, voxel_map))
+    if result[3] == 0.0 and result[4] < 2.0 * WEAK_WEIGHT:
+        wider = plane_of(moments_in_map(center, 2.0 * radius, 2, voxel_map))
+        if wider[3] > 0.0:
+            result = plane(wider[0], wider[1], wider[2], WIDE_WEIGHT, WEAK_WEIGHT)
+    return result
+
+
+@func
 def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) -> sums:
     """Add a pair: y from the sensor to the point, r from the map point to it."""
     normal = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
@@ -50,7 +65,10 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     square = sqdist
     if at[3] > 0.0:
         square = along * along
-    root = kernel_scale / (kernel_scale + square)
+    scale = kernel_scale
+    if at[3] == WIDE_WEIGHT:
+        scale = kernel_scale * float64(WIDE_SCALE)
+    root = scale / (scale + square)
     w = root * root
     a = w * float64(at[3])
     b = w * float64(at[4])
@@ -73,7 +91,7 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     result[TRIANGLE + 2] = result[TRIANGLE + 2] - (y[0] * f[1] - y[1] * f[0])
     result[SQUARES] = result[SQUARES] + sqdist
     result[PAIRS] = result[PAIRS] + 1.0
-    if at[3] + at[4] > 2.0 * WEAK_WEIGHT:
+    if at[3] == 1.0 or at[4] > 2.0 * WEAK_WEIGHT:
         result[COST] = result[COST] + 1.0 - root
         result[INFORMATIVE] = result[INFORMATIVE] + 1.0
     return result

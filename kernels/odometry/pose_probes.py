@@ -12,9 +12,9 @@ from ..array_types import Points
 from ..lang import array, float32, float64, func, kernel, launch, mat44d, tid, uint8, vec3, vec3d
 from ..memory import download, empty, upload
 from ..poses.cost_differences import compare_costs, run_length
-from .map_icp import plane_of
+from .map_icp import plane_around
 from .voxel_map import VoxelMap
-from .voxel_map_search import find_nearest_in_map, moments_in_map
+from .voxel_map_search import find_nearest_in_map
 
 
 @func
@@ -24,7 +24,7 @@ def plane_square(x: vec3d, limit: float, radius: float, voxel_map: VoxelMap) -> 
     nearest_point = find_nearest_in_map(x, limit, voxel_map)
     if nearest_point[4] >= 0.0:
         r = vec3d(nearest_point[0], nearest_point[1], nearest_point[2])
-        at = plane_of(moments_in_map(x - r, radius, voxel_map))
+        at = plane_around(x - r, radius, voxel_map)
         if at[3] > 0.0:
             along = float64(at[0]) * r[0] + float64(at[1]) * r[1] + float64(at[2]) * r[2]
             square = float(along * along)

@@ -36,7 +36,7 @@ def sectors_in_map(center: vec3d, radius: float, u: vec3d, v: vec3d, voxel_map: 
     near = vec3i(1, 1, 1)
     sqradius = radius * radius
     octants = int(0)
-    for voxel, shift in voxels_around(cell, position, sqradius, side_in_order, near, voxel_map):
+    for voxel, shift in voxels_around(cell, position, sqradius, side_in_order, near, 3, voxel_map):
         first = voxel * voxel_map.room
         for slot in range(first, first + voxel_map.counts[voxel]):
             d = widen(voxel_map.offsets[slot] + shift - position)
@@ -62,7 +62,7 @@ def sectors_in_map(center: vec3d, radius: float, u: vec3d, v: vec3d, voxel_map: 
 def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> patch:
     """The surface patch around a map point, seen along a ray; 0 points if there is none."""
     result = patch(0.0)
-    m = moments_in_map(center, radius, voxel_map)
+    m = moments_in_map(center, radius, 1, voxel_map)
     if m[0] >= MIN_POINTS:
         n = float64(m[0])
         mean = mean_of(m)

@@ -1,5 +1,5 @@
-"""Voxel map queries: nearest point and local moments, within 27 voxels. Float32 differences inside voxels, equally
-exact at any distance. The query's voxel comes first, then the others that may be nearer.
+"""Voxel map queries: nearest point and local moments, within the surrounding voxels. Float32 differences inside voxels,
+equally exact at any distance. The query's voxel comes first, then the others that may be nearer.
 """
 
 from ..arrays.block_keys import block_key
@@ -14,12 +14,12 @@ map_moments = vector(10, float32)  # count, sums of x y z, of xx xy xz yy yz zz
 
 @func
 def gap_to(offset: float, side: int, size: float) -> float:
-    """Distance [m] from a position in a voxel to the neighbor on a side (-1, 0, 1), along one axis."""
+    """Distance [m] from a position in a voxel to the one `side` voxels further (0: itself), along one axis."""
     gap = 0.0
     if side < 0:
-        gap = offset
+        gap = offset - float(side + 1) * size
     if side > 0:
-        gap = size - offset
+        gap = float(side) * size - offset
     return gap
 
 
@@ -35,9 +35,9 @@ def side_of(digit: int, near: int) -> int:
 
 
 @func
-def side_in_order(digit: int, near: int) -> int:
-    """-1, 0, 1."""
-    return digit - 1
+def side_in_order(digit: int, reach: int) -> int:
+    """-reach to reach."""
+    return digit - reach
 
 
 @func
@@ -48,11 +48,10 @@ def nearer_side(offset: float, size: float) -> int:
 
 @loop
 def voxels_around(
-    cell: vec3i, position: vec3, sqradius: float, side: callback, near: vec3i, voxel_map: VoxelMap
+    cell: vec3i, position: vec3, sqradius: float, side: callback, near: vec3i, n: int, voxel_map: VoxelMap
 ) -> tuple[int, vec3]:
-    """Occupied voxels of the 27 within sqrt(`sqradius`), and offsets [m]; `side` gives the order along an axis."""
+    """Occupied voxels of the n^3 within sqrt(`sqradius`), and offsets [m]; `side` gives the order along an axis."""
     edge = float(voxel_map.voxel_size)
-    n = int(3)
     for z in range(n):
         sz = side(z, near[2])
         gz = gap_to(position[2], sz, edge)
@@ -81,7 +80,7 @@ def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_
     best = vec3(0.0, 0.0, 0.0)
     min_sqdist = limit
     nearest = -1
-    for voxel, shift in voxels_around(cell, position, min_sqdist, side_of, near, voxel_map):
+    for voxel, shift in voxels_around(cell, position, min_sqdist, side_of, near, 3, voxel_map):
         q = position - shift
         first = voxel * voxel_map.room
         for slot in range(first, first + voxel_map.counts[voxel]):
@@ -95,14 +94,14 @@ def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_
 
 
 @func
-def moments_in_map(center: vec3d, radius: float, voxel_map: VoxelMap) -> map_moments:
-    """Count of points within `radius` [m], sums of differences and of products (xx, xy, xz, yy, yz, zz)."""
+def moments_in_map(center: vec3d, radius: float, reach: int, voxel_map: VoxelMap) -> map_moments:
+    """Count of points within `radius` [m], at most `reach` voxels, sums of differences and of products (xx, xy, ..)."""
     cell = cell_holding(center, voxel_map.voxel_size)
     position = offset_in_cell(center, cell, voxel_map.voxel_size)
-    near = vec3i(1, 1, 1)
+    order = vec3i(reach, reach, reach)
     sqradius = radius * radius
     total = map_moments(0.0)
-    for voxel, shift in voxels_around(cell, position, sqradius, side_in_order, near, voxel_map):
+    for voxel, shift in voxels_around(cell, position, sqradius, side_in_order, order, 2 * reach + 1, voxel_map):
         first = voxel * voxel_map.room
         for slot in range(first, first + voxel_map.counts[voxel]):
             d = voxel_map.offsets[slot] + shift - position

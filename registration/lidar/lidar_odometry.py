@@ -93,12 +93,12 @@ class LidarOdometry:
         Memory O(map): 12 B times `max_points_per_voxel` per voxel. Exact over any travel distance: points are
         float32 within integer voxels, poses float64. Bitwise reproducible for any number of threads. One host
         synchronization for the sizes of a scan, one for all iterations and one for the surfaces, twice if it is
-        deskewed again. An interrupted `register` (Ctrl-C, out of memory) leaves the scan fully in or out: see
-        `len(steps)`.
+        deskewed again. Sparse scans take up to six more: their surfaces are searched in a coarser map. An interrupted
+        `register` (Ctrl-C, out of memory) leaves the scan fully in or out: see `len(steps)`.
         Differences from the paper:
 
         - Point-to-plane iterations follow: scan rings move with the sensor, so point-to-point ICP alone underestimates
-          the motion.
+          the motion. Planes are of map points within a voxel, else within two, with half the weight.
         - Scans refer to their end, motions are screws, and a wrongly predicted scan is deskewed again with its
           estimated motion.
         - The second scan is tried from 25 positions within 1.5 initial thresholds. Its motion also deskews the first.

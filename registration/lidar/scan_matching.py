@@ -347,6 +347,7 @@ def _open_to_surfaces(
     size, free = voxel_map.voxel_size, None
     if np.trace(information[3:, 3:]) >= MIN_PATCHES and _exceeds(_scaled(information, size)[0], SURE_SHARE):
         return None
+    has_patches = False
     for factor in (1.0, COARSE_FACTOR):
         like = voxel_map if factor == 1.0 else voxel_map.coarser(factor, pose[:3, 3])
 
@@ -356,12 +357,10 @@ def _open_to_surfaces(
         _, rows = compare_surfaces(points, JUDGING_POINTS, like, pose[None], like.voxel_size)
         information = matmul(rows[:, :6].T, rows[:, :6])
         if np.trace(information[3:, 3:]) >= MIN_PATCHES:
-            free = _undetermined(like.voxel_size, pose, information, rises_at, free)
-        elif free is None:
-            return OpenDirections(1.0, np.eye(6), is_blind=True)
-        if free is None:
-            return None
-    return free
+            free, has_patches = _undetermined(like.voxel_size, pose, information, rises_at, free), True
+            if free is None:
+                return None
+    return free if has_patches else OpenDirections(1.0, np.eye(6), is_blind=True)
 
 
 def _undetermined(

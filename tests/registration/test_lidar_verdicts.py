@@ -92,7 +92,7 @@ def test_distant_piers_constrain_the_motion(device, rng):
 
 def test_repeated_piers_are_reported_as_ambiguous(device, rng):
     piers = np.arange(-40, 40, 2.0)
-    odometry = run([corridor_scan(rng, 6000, piers, 2.0 * k, 0.06) for k in range(3)], device)
+    odometry = run([corridor_scan(rng, 20000, piers, 2.0 * k, 0.06) for k in range(3)], device)
     assert odometry.summary.ambiguous
     rivals = np.array([rival for step in odometry.steps for rival in step.rivals])
     assert np.abs(np.linalg.norm(rivals, axis=1) - 2.0).min() < 0.1
