@@ -98,7 +98,8 @@ class LidarOdometry:
         Differences from the paper:
 
         - Point-to-plane iterations follow: scan rings move with the sensor, so point-to-point ICP alone underestimates
-          the motion. Planes are of map points within a voxel, else within two, with half the weight.
+          the motion. Planes are of map points within a voxel, else within two, with half the weight and a quarter
+          of the kernel width.
         - Scans refer to their end, motions are screws, and a wrongly predicted scan is deskewed again with its
           estimated motion.
         - The second scan is tried from 25 positions within 1.5 initial thresholds. Its motion also deskews the first.
