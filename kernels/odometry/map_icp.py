@@ -23,8 +23,8 @@ COST = 29
 INFORMATIVE = 30
 FEW = 5.0  # points around the nearest one. Fewer define no plane
 FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
-WIDE_WEIGHT = 0.5  # of planes in the wider neighborhoods, where a point off the plane is more often of another surface
-WIDE_SCALE = 0.0625  # of their kernel scale (squared distance)
+WIDE_WEIGHT = 0.5  # of planes in the wider neighborhoods
+WIDE_SCALE = 0.0625  # of their kernel scale (squared distance): a point off such a plane is often of another surface
 SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
 WEAK_WEIGHT = 1.0e-3  # weight of undetermined directions: keeps the system solvable
 
