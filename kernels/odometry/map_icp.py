@@ -24,7 +24,7 @@ INFORMATIVE = 30
 FEW = 5.0  # points around the nearest one. Fewer define no plane
 FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
 WIDE_WEIGHT = 0.5  # of planes in the wider neighborhoods
-WIDE_SCALE = 0.0625  # of their kernel scale (squared distance): a point off such a plane is often of another surface
+WIDE_SQUARE = 16.0  # factor of squared distances from them: a point off such a plane is often of another surface
 SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
 WEAK_WEIGHT = 1.0e-3  # weight of undetermined directions: keeps the system solvable
 
@@ -65,10 +65,9 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     square = sqdist
     if at[3] > 0.0:
         square = along * along
-    scale = kernel_scale
     if at[3] == WIDE_WEIGHT:
-        scale = kernel_scale * float64(WIDE_SCALE)
-    root = scale / (scale + square)
+        square = square * float64(WIDE_SQUARE)
+    root = kernel_scale / (kernel_scale + square)
     w = root * root
     a = w * float64(at[3])
     b = w * float64(at[4])
