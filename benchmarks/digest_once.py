@@ -510,6 +510,11 @@ def reconstructed(d: Scenes) -> list[Any]:
         return results
 
 
+def registered_fragments(d: Scenes) -> list[Any]:
+    result = reg().register_fragments(d.fragments, voxel_size=0.1)
+    return [result, *result.pose_covariances(d.fragments)]
+
+
 def aligned_fragments(d: Scenes) -> list[Any]:
     """Fragments aligned together, rigid and deformed."""
     rec, count = loom().reconstruction, len(d.fragments)
@@ -737,7 +742,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "robust registration": robust_global,
     "register_globally": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08),
     "register_globally, not refined": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08, refine=False),
-    "register_fragments": lambda d: reg().register_fragments(d.fragments, voxel_size=0.1),
+    "register_fragments": registered_fragments,
     "run_system": reconstructed,
     "SLAC": aligned_fragments,
     "register_nonrigid": bent,

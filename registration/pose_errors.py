@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_positive, check_rigid, check_shape
 from ..kernels.array_types import LongIntegers
-from ..kernels.linear_algebra import eigvalsh, inv, matmul, solve
+from ..kernels.linear_algebra import eigh, eigvalsh, inv, matmul, solve
 from ..kernels.poses.alignment_rows import AlignmentRows, PairedSurfaces
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.cloud import PointCloud
@@ -207,6 +207,25 @@ def common_covariance(step: Step, coarse: Callable[[], tuple[Surface, Surface]])
     if step.shares[0] < SUSPECT_SHARE:
         covariance = covariance + _open_motions(step, coarse())
     return covariance
+
+
+def motions_of_source(step: Step, origin: NDArray[np.float64]) -> Matrix:
+    """Matrix from motions of a step, in the target's axes, to motions of the source in its own frame.
+
+    `origin` [m]: the source's origin in this frame.
+    """
+    R, lever = step.pose[:3, :3], step.rows.lever
+    center = step.pose[:3, 3] - matmul(R, origin)  # the source's zero
+    A = np.zeros((6, 6))
+    A[:3, :3], A[3:, 3:] = R.T / lever, R.T
+    A[3:, :3] = -matmul(R.T, skew(center - step.rows.middle)) / lever
+    return A[np.ix_(step.free, step.free)]
+
+
+def root_of_covariance(covariance: Matrix) -> Matrix:
+    """W with W^T W = covariance."""
+    values, vectors = eigh((covariance + covariance.T) / 2)
+    return np.sqrt(np.maximum(values, 0.0))[:, None] * vectors.T
 
 
 def _solve(

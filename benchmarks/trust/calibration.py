@@ -1,4 +1,4 @@
-"""Coverage of `pose_covariance` and of stations: errors of registrations beside their standard deviations.
+"""Coverage of `pose_covariance`, of stations and of fragments: errors of registrations beside their standard deviations.
 
     POINTLOOM_DATA=... python benchmarks/trust/calibration.py [--fitted] [--pairs 60] [--only drives] [--write]
 
@@ -194,24 +194,33 @@ def frame_components(seed: int) -> dict[str, Array]:
     return found
 
 
-def station_components(survey: surveys.Survey, seed: int) -> list[Array]:
-    """As `components`, of the placed stations of a survey, relative to the reference. Four components if level."""
+def survey_components(survey: surveys.Survey, seed: int) -> dict[str, list[Array]]:
+    """As `components`, of the clouds of a survey with a pose, relative to the reference. Four components if level."""
     import pointloom as loom
 
-    rng, rough = np.random.default_rng(seed), survey.poses.copy()
+    reg, rng, rough = loom.registration, np.random.default_rng(seed), survey.poses.copy()
     axes = [0, 0, 1] if survey.level else [1, 1, 1]
     for T in rough[1:]:
         T[:3, :3] = Rotation.from_rotvec(rng.normal(0, 0.01, 3) * axes).as_matrix() @ T[:3, :3]
         T[:3, 3] += rng.normal(0, survey.voxel / 2, 3)
     clouds = [loom.PointCloud(points) for points in survey.scans]
-    result = loom.registration.register_stations(clouds, poses=rough, voxel_size=survey.voxel, level=survey.level)
-    fixed = result.reference
-    truth = result.poses[fixed] @ np.linalg.inv(survey.poses[fixed]) @ survey.poses
-    found, first = [], 2 if survey.level else 0
-    for i in np.flatnonzero(result.placed):
-        if i != fixed:
-            error, covariance = truth[i] @ np.linalg.inv(result.poses[i]), result.pose_covariances[i]
-            found.append(whitened(error, covariance.matrix, covariance.center, first))
+    stations = reg.register_stations(clouds, poses=rough, voxel_size=survey.voxel, level=survey.level)
+    steps = [np.linalg.inv(rough[i]) @ rough[i + 1] for i in range(len(rough) - 1)]
+    known = [reg.FragmentPair(i + 1, i, step, 1.0, 1.0) for i, step in enumerate(steps)]
+    free = ("x", "y", "z", "yaw") if survey.level else None
+    fragments = reg.register_fragments(clouds, voxel_size=survey.voxel, known=known, pairs=(), free=free)
+    first, found = 2 if survey.level else 0, {}
+    for name, result, covariances in (
+        ("register_stations", stations, stations.pose_covariances),
+        ("register_fragments", fragments, fragments.pose_covariances(clouds)),
+    ):
+        fixed = result.reference
+        truth = result.poses[fixed] @ np.linalg.inv(survey.poses[fixed]) @ survey.poses
+        found[name] = [
+            whitened(truth[i] @ np.linalg.inv(result.poses[i]), covariances[i].matrix, covariances[i].center, first)
+            for i in np.flatnonzero(result.placed)
+            if i != fixed and np.isfinite(covariances[i].matrix).all()
+        ]
     return found
 
 
@@ -265,16 +274,16 @@ def frame_lines(is_fitted: bool, count: int) -> list[str]:
     return [_line(*names, some) for names, some in found.items()]
 
 
-def station_lines(is_fitted: bool, count: int) -> list[str]:
-    """Coverage of the poses of stations by kind of survey."""
+def survey_lines(is_fitted: bool, count: int) -> list[str]:
+    """Coverage of the poses of many clouds by kind of survey."""
     first, lines = _first_seed(is_fitted), []
     for kind, make in surveys.KINDS.items():
-        found: list[Array] = []
+        rows: dict[str, list[Array]] = {}
         for seed, survey in enumerate(make(range(first, first + min(count, SURVEYS[kind]))), first):
             print(f"{kind} {seed}", file=sys.stderr, flush=True)
-            found += station_components(survey, seed)
-        if found:
-            lines.append(_line(f"stations, {kind}", "register_stations", found))
+            for operation, found in survey_components(survey, seed).items():
+                rows.setdefault(operation, []).extend(found)
+        lines += [_line(f"surveys, {kind}", operation, some) for operation, some in rows.items() if some]
     return lines
 
 
@@ -290,7 +299,7 @@ def _line(kind: str, operation: str, found: Sequence[Array]) -> str:
     return line
 
 
-AREAS = {"pairs": pair_lines, "frames": frame_lines, "drives": drive_lines, "stations": station_lines}
+AREAS = {"pairs": pair_lines, "frames": frame_lines, "drives": drive_lines, "surveys": survey_lines}
 
 
 def main() -> None:

@@ -144,10 +144,18 @@ class NormalEquations:
 
     def solve(self, damping: float) -> Array:
         """The step [6 f] with `damping` times the scale on the diagonal. RuntimeError if singular."""
+        self._factor(damping)
+        return self.factor.solve(self.right)
+
+    def inverse(self, damping: float) -> Array:
+        """Inverse of the matrix of `solve`, [6 f, 6 f]. RuntimeError if singular."""
+        self._factor(damping)
+        return self.factor.solve(np.eye(len(self.right)))
+
+    def _factor(self, damping: float) -> None:
         damped = self.matrix.data.copy()
         damped[self.diagonal] += damping * self.scale
         self.factor.factor(damped)
-        return self.factor.solve(self.right)
 
     def step_of(self, solution: Array, count: int) -> Array:
         step = np.zeros((count, 6))

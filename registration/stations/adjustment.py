@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from ...kernels.arrays.sparse_factor import SparseFactor
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul
+from ..pose_errors import root_of_covariance
 from ..pose_graphs.pose_graph import GraphArrays
 from ..pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses
 from ..rigid import rotations_of, skew
@@ -320,7 +321,7 @@ def _covariances(
         root = network.roots[k] * network.observed.pair_factor
         keys.append(one.blocks)
         by_block.append(matmul(one.influences, root.T, gain))
-        by_row.append(matmul(_root_covariance(matmul(root, one.common, root.T)), gain))
+        by_row.append(matmul(root_of_covariance(matmul(root, one.common, root.T)), gain))
     if not keys:
         return [Q[part, part] for part in parts]
     _, block = np.unique(np.concatenate(keys), return_inverse=True)
@@ -328,12 +329,6 @@ def _covariances(
     np.add.at(shared, block.reshape(-1), np.concatenate(by_block))
     total = np.concatenate([shared, *by_row])
     return [matmul(total[:, part].T, total[:, part]) for part in parts]
-
-
-def _root_covariance(covariance: Array) -> Array:
-    """W with W^T W = covariance."""
-    values, vectors = eigh((covariance + covariance.T) / 2)
-    return np.sqrt(np.maximum(values, 0.0))[:, None] * vectors.T
 
 
 def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:

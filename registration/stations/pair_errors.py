@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import eigh, eigvalsh, inv, matmul
 from ...kernels.memory import download
 from ...kernels.surface.hollow_side import Surface
-from ..pose_errors import Step, common_covariance, step_between
-from ..rigid import skew
+from ..pose_errors import common_covariance, motions_of_source, step_between
 from ..surfaces import VOXELS
 from .observations import Array
 
@@ -57,11 +56,10 @@ def pair_errors(
     if step is None or step.blocks is None or len(step.influences) < MIN_BLOCKS:
         return None
     common = common_covariance(step, lambda: surfaces)
-    lever = step.rows.lever
     values, vectors = eigh(step.unit)
     V = vectors[:, values * UNKNOWN < values[0]]
     covariance = matmul(V.T, step.scatter + (common + common.T) / 2, V)
-    to_source = _to_source(step, pose, origins[0])
+    to_source = motions_of_source(step, origins[0])
     from_source, motion = inv(to_source), matmul(to_source, V, V.T)
     information = matmul(from_source.T, V, inv(covariance), V.T, from_source)
     return PairErrors(
@@ -69,15 +67,5 @@ def pair_errors(
         matmul(step.influences, motion.T),
         matmul(motion, common, motion.T),
         (information + information.T) / 2,
-        V.shape[1] < len(V) or float(eigvalsh(covariance)[-1]) > (OPEN * lever) ** 2,
+        V.shape[1] < len(V) or float(eigvalsh(covariance)[-1]) > (OPEN * step.rows.lever) ** 2,
     )
-
-
-def _to_source(step: Step, pose: Array, origin: Array) -> Array:
-    """Matrix from motions of a step, in the target's axes, to motions of the source in its own frame."""
-    R, lever = pose[:3, :3], step.rows.lever
-    center = pose[:3, 3] - matmul(R, origin)  # the source's zero
-    A = np.zeros((6, 6))
-    A[:3, :3], A[3:, 3:] = R.T / lever, R.T
-    A[3:, :3] = -matmul(R.T, skew(center - step.rows.middle)) / lever
-    return A[np.ix_(step.free, step.free)]

@@ -91,8 +91,9 @@ def test_registered_clouds_are_merged(partly_registered):
         ([*clouds[:2], 3], TypeError, r"clouds\[2\]: expected a PointCloud"),
         (None, TypeError, "clouds"),
     ):
-        with pytest.raises(kind, match=message):
-            result.merge(wrong)
+        for method in (result.merge, result.pose_covariances):
+            with pytest.raises(kind, match=message):
+                method(wrong)
 
 
 def test_clouds_are_called_by_number_or_by_name(partly_registered):

@@ -293,27 +293,33 @@ def test_a_handler_at_exit_can_still_work():
     assert (done.returncode, done.stderr) == (0, "") and int(done.stdout) > 100
 
 
-def test_ctrl_c_ends_a_program_during_launches():
-    """At the first press but where it falls into `__del__` of one of Warp's arrays: Python drops what is raised there.
+ENDLESS = f"""
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs of a shell ignore it
+{THIN}
+thin()
+dropped = []
+sys.unraisablehook = dropped.append
+print("begun", flush=True)
+while not dropped:
+    thin()
+(report,) = dropped
+assert report.exc_type is KeyboardInterrupt and not str(report.object.__module__).startswith("pointloom"), report
+raise KeyboardInterrupt
+"""
 
-    That was 51 of 3,000 presses; nothing else lost one.
-    """
-    takes = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs of a shell ignore it
-    program = takes + textwrap.dedent(THIN) + "thin()\nprint('begun', flush=True)\nwhile True:\n    thin()\n"
-    command = [sys.executable, "-c", program]
-    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    with subprocess.Popen(command, env=os.environ | {"POINTLOOM_CPU_THREADS": "2"}, **options) as process:
+
+def test_ctrl_c_ends_a_program_during_launches():
+    """Python drops exceptions of `__del__` and of weak references: no code of pointloom may lose an interrupt so."""
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    environment = os.environ | {"POINTLOOM_CPU_THREADS": "2"}
+    with subprocess.Popen([sys.executable, "-c", ENDLESS], env=environment, **pipes) as process:
         assert process.stdout.readline() == "begun\n"
         process.send_signal(signal.SIGINT)
         try:
-            _, errors = process.communicate(timeout=60)
-        except subprocess.TimeoutExpired:
-            process.send_signal(signal.SIGINT)
-            try:
-                _, errors = process.communicate(timeout=60)
-                assert "Exception ignored in: <function array.__del__" in errors
-            finally:
-                process.kill()
+            _, errors = process.communicate(timeout=120)
+        finally:
+            process.kill()
     assert process.returncode == -signal.SIGINT and errors.rstrip().endswith("KeyboardInterrupt")
 
 

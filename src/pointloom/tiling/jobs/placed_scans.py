@@ -71,7 +71,7 @@ def finish_registration(folder: FilePath) -> PlacedScans:
     with manifest:
         done = partial(done_in, manifest)
         graph, pairs = solve_graph(done, job.size, job.plan["free"])
-        result = fragments_result(graph, pairs)
+        result = fragments_result(graph, pairs, job.size, job.plan["free"])
         points = sum(task.result["points"] for task in done(0))
         return PlacedScans(**vars(result), scans=job.plan["scans"], points=points, tried=_tried(job, result, done))
 
