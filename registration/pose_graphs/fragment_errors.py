@@ -58,7 +58,7 @@ def _gains(
     errors = edges.errors(poses)
     system.linearize(poses, errors, arrays.confidences)
     solved = system.inverse(DAMPING)
-    is_loose = np.diag(solved) * system.scale * DAMPING > LOOSE
+    damped = np.diag(solved) * system.scale * DAMPING  # fraction of the stiffness along each motion
     inverse = np.zeros((len(rotations), 6, len(solved)))
     inverse[system.free] = solved.reshape(len(system.free), 6, -1)
     inverse[:, ~is_free] = 0.0
@@ -69,7 +69,7 @@ def _gains(
         moved = matmul(by_source[k], inverse[arrays.source[k]]) + matmul(by_target[k], inverse[arrays.target[k]])
         return matmul(information[k], moved)
 
-    return system.free, is_loose.reshape(-1, 6).any(axis=1), gain
+    return system.free, damped.reshape(-1, 6).max(axis=1) > LOOSE, gain
 
 
 class _Pairs:
