@@ -109,8 +109,7 @@ class FragmentsResult(Report):
         Notes:
             Each edge of the graph has the error of `pose_covariance`, independent of the others. The graph's weights
             propagate the errors to the poses. Edges whose surfaces hardly match are as uncertain as the cloud is large.
-            Memory O(points) and O(edges x n).
-            Bitwise reproducible. The coverage is in docs/trust.md.
+            Memory O(points) and O(edges x n). Bitwise reproducible. The coverage is in docs/trust.md.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -131,10 +130,7 @@ class FragmentsResult(Report):
         return found
 
     def _check_clouds(self, clouds: Any) -> list[PointCloud]:
-        checked = check_list("clouds", clouds, "point clouds")
-        for i, cloud in enumerate(checked):
-            check_cloud(f"clouds[{i}]", cloud)
-            check_same_device(f"clouds[{i}]", checked[0].device, cloud.device)
+        checked = _check_clouds(clouds)
         if len(checked) != len(self.placed):
             raise ValueError(f"clouds: expected {len(self.placed)}, as many as were registered, got {len(checked)}")
         return checked
@@ -204,12 +200,9 @@ def register_fragments(
         CVPR 2015, sections 4 and 5.
     """
     size = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
-    clouds, chooser = check_list("clouds", clouds, "point clouds"), check_seed(seed)
+    clouds, chooser = _check_clouds(clouds), check_seed(seed)
     if not clouds:
         raise ValueError("clouds: expected at least one, got none")
-    for i, cloud in enumerate(clouds):
-        check_cloud(f"clouds[{i}]", cloud)
-        check_same_device(f"clouds[{i}]", clouds[0].device, cloud.device)
     common_unit("clouds", (cloud.unit for cloud in clouds))
     report_progress, level = check_progress(progress), check_level(free)
     accepted = check_known(known, len(clouds), level)
@@ -234,6 +227,15 @@ def register_fragments(
     result = fragments_result(fragments, accepted, size, level)
     report("fragments", clouds=clouds, poses=result.poses, placed=result.placed)
     return result
+
+
+def _check_clouds(clouds: Any) -> list[PointCloud]:
+    """A list of point clouds on one device."""
+    checked = check_list("clouds", clouds, "point clouds")
+    for i, cloud in enumerate(checked):
+        check_cloud(f"clouds[{i}]", cloud)
+        check_same_device(f"clouds[{i}]", checked[0].device, cloud.device)
+    return checked
 
 
 def try_pair(
