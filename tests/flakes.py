@@ -30,9 +30,9 @@ GROUPS = (
     (
         *("tests/kernels/language/test_cpu_pool.py", "tests/kernels/language/test_device_lock.py"),
         *("tests/kernels/language/test_kernel_cache.py", "tests/kernels/language/test_module_loading.py"),
-        *("tests/kernels/language/test_compile_notices.py", "tests/photogrammetry/sfm/test_limits.py"),
-        *("tests/io/test_rgbd_sources.py", "tests/rgbd/test_frame_threads.py", "tests/cli/test_cli.py"),
-        *("tests/cli/test_pipes.py", "tests/cli/test_tile_command.py", "tests/cli/test_view_command.py"),
+        "tests/photogrammetry/sfm/test_limits.py",
+        *("tests/io/test_rgbd_sources.py", "tests/rgbd/test_frame_calls.py", "tests/cli/test_cli.py"),
+        *("tests/cli/test_file_commands.py", "tests/cli/test_tile_command.py", "tests/cli/test_view_command.py"),
     ),
 )
 

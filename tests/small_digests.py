@@ -46,7 +46,8 @@ def main() -> None:
     if options.cpu_target:
         cpu_code.set_target(options.cpu_target)
     warnings.simplefilter("ignore")
-    features = [name for name, has in np._core._multiarray_umath.__cpu_features__.items() if has]
+    core = getattr(np, "_core", None) or np.core  # np.core in NumPy 1
+    features = [name for name, has in core._multiarray_umath.__cpu_features__.items() if has]
     print(
         json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS, "pool": pool_code.is_usable()})
     )

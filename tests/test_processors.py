@@ -18,8 +18,9 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[1]
-FEATURES: dict[str, bool] = np._core._multiarray_umath.__cpu_features__
-DISPATCHED: list[str] = np._core._multiarray_umath.__cpu_dispatch__  # beyond NumPy's baseline
+UFUNCS = (getattr(np, "_core", None) or np.core)._multiarray_umath  # np.core in NumPy 1
+FEATURES: dict[str, bool] = UFUNCS.__cpu_features__
+DISPATCHED: list[str] = UFUNCS.__cpu_dispatch__  # beyond NumPy's baseline
 # The instructions that a level of x86-64 has in NumPy's words, whichever of them this NumPy uses.
 V3 = {"AVX", "F16C", "FMA3", "AVX2", "X86_V3"}
 V4 = V3 | {"AVX512F", "AVX512CD", "AVX512_SKX", "X86_V4"}

@@ -16,6 +16,7 @@ import random
 import shutil
 import sqlite3
 import tempfile
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -57,7 +58,9 @@ def _with(array: Any, value: float) -> Any:
     """An array with one different value, or that value alone."""
     if array.dtype.kind not in "biuf":
         return array
-    with np.errstate(all="ignore"), contextlib.suppress(OverflowError, ValueError):
+    failures = (OverflowError, ValueError, DeprecationWarning)  # NumPy 1 warns where NumPy 2 raises OverflowError
+    with np.errstate(all="ignore"), warnings.catch_warnings(), contextlib.suppress(*failures):
+        warnings.simplefilter("error", DeprecationWarning)
         changed = array.copy()
         changed.reshape(-1)[: random.Random(array.size).choice([1, max(1, array.size)])] = value
         return changed

@@ -247,7 +247,7 @@ def pcd(path: Path, table: PointTable) -> str | None:
     elif head["DATA"] == ["binary"]:
         row = np.dtype(
             [
-                (f"{k}{name}", code, count)
+                (f"{k}{name}", code, (count,))
                 for k, (name, code, count) in enumerate(zip(names, types, counts, strict=True))
             ]
         )

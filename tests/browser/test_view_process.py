@@ -14,25 +14,21 @@ import numpy as np
 
 import pointloom as loom
 
+from ..sigint import sigint_enabled
 from .pixels import count_pixels, see
 from .viewer_scenes import HEIGHT, RED, WIDTH, grid_cloud
-
-# A shell that starts the tests in the background makes them and their children ignore Ctrl-C.
-START = """import signal, sys
-signal.signal(signal.SIGINT, signal.default_int_handler)
-from pointloom.__main__ import main
-sys.exit(main())"""
 
 
 def test_the_command_shows_a_file_until_ctrl_c(open_page, tmp_path):
     cloud = loom.PointCloud(grid_cloud().points, colors=np.tile(np.array(RED, np.uint8), (12**3, 1)))
     loom.write_point_cloud(tmp_path / "cloud.ply", cloud)
-    command = [sys.executable, "-c", START, "view", str(tmp_path / "cloud.ply"), "--no-open", "--port", "0"]
+    command = [sys.executable, "-m", "pointloom", "view", str(tmp_path / "cloud.ply"), "--no-open", "--port", "0"]
     environment = os.environ | {"PYTHONPATH": str(Path(loom.__file__).parents[1])}
     environment.pop("SSH_CONNECTION", None)
     page = open_page("about:blank", width=WIDTH, height=HEIGHT, faults=False)  # it logs an error after Ctrl-C
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    process = subprocess.Popen(command, text=True, env=environment, **pipes)
+    with sigint_enabled():
+        process = subprocess.Popen(command, text=True, env=environment, **pipes)
     try:
         lines = []
         for line in process.stderr:  # until the process has ended, or is there

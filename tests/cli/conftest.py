@@ -16,7 +16,7 @@ from pointloom.kernels.language import compile_notices
 from ..rgbd.sequences import Part
 from .surface_poses import NEAR, bumpy, colors_at, moved, path_of
 
-pytest.register_assert_rewrite("tests.app.commands")  # show the compared values of its asserts
+pytest.register_assert_rewrite("tests.cli.commands")  # show the compared values of its asserts
 
 
 @pytest.fixture(autouse=True)

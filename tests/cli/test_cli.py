@@ -24,6 +24,7 @@ from pointloom.core.wording import format_bytes
 from pointloom.io.pictures.image_files import write_png
 from pointloom.io.points import ply
 
+from ..sigint import sigint_enabled
 from .commands import answer, names_in, refusal, run, unreliable
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -38,7 +39,8 @@ COMMANDS = (
 def start(program: str, *words: object) -> subprocess.Popen:
     setup = f"import sys; sys.path[:0] = [{str(ROOT / 'src')!r}]; sys.argv[1:] = {[str(word) for word in words]!r}\n"
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    return subprocess.Popen([sys.executable, "-c", setup + program], **pipes)
+    with sigint_enabled():
+        return subprocess.Popen([sys.executable, "-c", setup + program], **pipes)
 
 
 def test_help_imports_no_heavy_packages():
@@ -63,6 +65,7 @@ def test_every_command_has_help_and_accepts_json():
     assert sorted(cli.commands) == sorted(COMMANDS)
     result = run()
     assert (result.exit_code, "Commands:" in result.stdout, result.stderr) == (0, True, "")
+    assert run("--version").stdout.split()[-1] == loom.__version__
     listing = run("--help").stdout
     for name in COMMANDS:
         assert f"  {name} " in listing
@@ -205,9 +208,7 @@ def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypat
 def test_a_signal_while_writing_leaves_nothing(cloud, tmp_path, number, code):
     before = names_in(tmp_path)
     program = """
-import signal
 import time
-signal.signal(signal.SIGINT, signal.default_int_handler)  # "make test &" in a script starts with it ignored
 from pointloom.cli.shell.cli import main
 from pointloom.io.points import ply
 from pointloom.io.pictures.image_files import write_png
@@ -218,7 +219,6 @@ ply._write_columns = stall
 main()
 """
     process = start(program, "convert", cloud, tmp_path / "out.ply")
-    assert process.stderr is not None
     with process:
         assert process.stderr.readline() == "writing\n"
         assert len(names_in(tmp_path)) == len(before) + 1  # the part under its temporary name
@@ -230,14 +230,11 @@ main()
 def test_ctrl_c_while_the_command_is_loaded_is_one_line(tmp_path):
     (tmp_path / "click.py").write_text("import sys, time\nprint('loading', flush=True)\ntime.sleep(60)\n")
     program = f"""
-import signal
-signal.signal(signal.SIGINT, signal.default_int_handler)
 sys.path.insert(0, {str(tmp_path)!r})
 import runpy
 runpy.run_module("pointloom", run_name="__main__", alter_sys=True)
 """
     process = start(program, "--version")
-    assert process.stdout is not None
     with process:
         assert process.stdout.readline() == "loading\n"
         process.send_signal(signal.SIGINT)
@@ -247,8 +244,6 @@ runpy.run_module("pointloom", run_name="__main__", alter_sys=True)
 
 def test_ctrl_c_between_commands_of_click_is_one_line():
     program = """
-import signal
-signal.signal(signal.SIGINT, signal.default_int_handler)
 from pointloom.cli.shell import cli, group
 def interrupt(*_args, **_options):
     raise KeyboardInterrupt
@@ -258,12 +253,6 @@ cli.main()
     process = start(program, "--version")
     _, stderr = process.communicate(timeout=300)
     assert (process.returncode, stderr) == (130, "interrupted\n")
-
-
-def test_the_package_runs_as_a_module():
-    process = start('import runpy; runpy.run_module("pointloom", run_name="__main__", alter_sys=True)', "--version")
-    stdout, stderr = process.communicate(timeout=300)
-    assert (process.returncode, stderr) == (0, "") and stdout.split()[-1] == loom.__version__
 
 
 def test_fuse_reports_the_camera(frames, tmp_path):

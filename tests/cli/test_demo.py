@@ -107,14 +107,6 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path):
     assert json.loads(again.stdout) == json.loads((tmp_path / "demo" / "report.json").read_text())
 
 
-@pytest.mark.slow
-def test_a_coarse_demo_is_unreliable(tmp_path, monkeypatch):
-    monkeypatch.setitem(LARGEST_RMSE, "noise", 0.001)
-    result = CliRunner().invoke(cli, ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"])
-    assert result.exit_code == 3 and "unreliable result: expected a root mean square error of at most" in result.stderr
-    assert names_in(tmp_path / "demo") == OUTPUTS
-
-
 @pytest.mark.parametrize(("noise", "limit"), [(True, 1.0), (False, 0.3)])
 def test_a_demo_is_unreliable_beyond_its_own_limit_and_not_at_it(noise, limit):
     assert _problem(errors_of(limit), noise) is None

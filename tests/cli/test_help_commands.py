@@ -1,7 +1,8 @@
-"""Help for the commands: tab completion, chapters, the man page and the guide for assistants."""
+"""Help for the commands: completion, chapters, the man page, and messages for invalid calls."""
 
 import importlib.util
 import json
+import math
 import os
 import re
 import shutil
@@ -11,15 +12,18 @@ import tomllib
 from types import SimpleNamespace
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.cli.shell import chapters as book
 from pointloom.cli.shell.cli import cli
 from pointloom.cli.shell.completion import SHELLS, complete_path
 from pointloom.cli.shell.help_commands import VARIABLE
+from pointloom.core.wording import format_share
 
 from ..test_imports import ROOT
-from .commands import run
+from .commands import names_in, run
 
 
 def completed(words: str, shell: str = "bash") -> list[tuple[str, str]]:
@@ -150,3 +154,123 @@ def test_the_man_page_matches_the_commands():
     installed = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["hatch"]["build"]["targets"]["wheel"]
     assert installed["shared-data"] == {"docs/pointloom.1": "share/man/man1/pointloom.1"}
     assert writer.escaped(".ply a-b\n'x\\") == "\\&.ply a\\-b\n\\&'x\\e"
+
+
+MESH, TILES = "mesh a.ply b.ply", "tile plan survey --steps steps.toml -o job"
+CALLS = [
+    ("fus", "did you mean fuse?"),
+    ("xyzzy", "the commands are change, clean, clean-mesh"),
+    ("fuse", "missing argument"),
+    ("fuse frames", "missing option '-o'"),
+    ("fuse frames -o a.ply --voxl 1", "no option --voxl of pointloom fuse; did you mean --voxel?"),
+    ("normals a.ply b.ply --voxel 1", "which downsample and simplify have; its options are --radius,"),
+    ("view a.ply --eps 1", "no option --eps of pointloom view; its options are --port"),
+    ("clean a.ply", "missing argument 'OUT'"),
+    ("clean a.ply b.ply -o c.ply", "expected one OUT, got b.ply and -o c.ply"),
+    ("fuse frames -o a.ply --voxel 0", "above 0, got '0'"),
+    ("fuse frames -o a.ply --depth-max inf", "above 0, got 'inf'"),
+    ("fuse frames -o a.ply --every 0", "--every"),
+    ("fuse frames -o a.ply --layout kitti", "--layout"),
+    ("fuse frames -o a.ply --device gpu", "such as cuda:0"),
+    ("normals a.ply b.ply --neighbors 2", "'--neighbors'"),
+    ("normals a.ply b.ply --toward 0 0 0 --direction 0 0 1", "pass one of them"),
+    ("change a.ply b.ply --toward 0 0 0", "expected a direction"),
+    ("demo --seed -1", "--seed"),
+    ("reconstruct frames -o a.ply --resume", "--resume requires --method fragments"),
+    ("reconstruct frames -o a.ply --config a.json", "--config requires --method fragments"),
+    ("reconstruct frames -o a.ply --picture ./a.ply", "--picture is the same file as --output, a.ply"),
+    ("register a.ply", "missing argument 'B'"),
+    ("register a.ply b.ply --init globl", "--init: expected global, identity or a pose file, got 'globl'"),
+    ("register a.ply b.ply --aligned c.png --picture ./c.png", "--picture is the same file as --aligned, c.png"),
+    ("register a.ply b.ply --picture x.html --record x.html", "--record"),
+    ("register a.ply b.ply --record r.avi", ".html, .gif, .mp4"),
+    ("register a.ply b.ply --free x,yav", "expected motions among x, y, z, roll, pitch, yaw, each once, got 'yav'"),
+    ("register a.ply b.ply --free x,x", "each once, got 'x'"),
+    ("register a.ply b.ply --free x", "expected all six or x,y,z,yaw for a global search, got x; others need --init"),
+    ("register a.ply b.ply --prior-sigma 0.1 1", "--prior, --prior-sigma: expected both or none"),
+    ("multiway scans -o a.log --loops 0", "'--loops': expected a whole number from 1"),
+    ("multiway scans -o a.log --job job", "missing option '--voxel'; --job"),
+    ("multiway scans -o a.log --voxel 1 --job job --merged b.ply", "--merged needs all clouds in memory"),
+    ("multiway scans -o a.log --workers 2", "--workers, --places and --place-error require --job"),
+    ("odometry scans -o a.txt --format json", "'--format'"),
+    ("odometry drive -o x.html --record x.html", "--record"),
+    ("odometry scans -o a.txt --min-range -1", "'--min-range': expected a distance in meters, 0 or above"),
+    ("odometry scans -o a.txt --max-range 3", "--min-range 5 leaves nothing within --max-range 3"),
+    ("evaluate a.txt b.txt --alignment umeyama", "'--alignment'"),
+    ("clean a.ply b.ply --radius 1", "--radius requires --min-neighbors"),
+    ("clean a.ply b.ply --deviations inf", "'--deviations': expected a finite number above 0, got 'inf'"),
+    ("clean a.ply b.ply --neighbors 2147483647", "'--neighbors': expected a whole number from 1 to"),
+    ("clean a.ply b.ply --removed ./b.ply", "--removed is the same file as OUT"),
+    ("cluster a.ply b.ply", "missing option '--radius'"),
+    ("plane a.ply b.ply --distance 1 --planes 2 --invert", "--invert selects points, --planes labels"),
+    ("plane a.ply b.ply --distance 1 --min-points 9", "--min-points requires --planes"),
+    ("plane a.ply b.ply --distance 1 --seed 2147483648", "'--seed': expected a whole number from 0"),
+    ("crop a.ply b.ply", "one of --box and --polygon"),
+    ("crop a.ply b.ply --box 0 0 0 1 nan 1", "'--box': expected a coordinate"),
+    ("crop a.ply b.ply --box 0 2 0 1 1 1", "--box: expected Y0 <= Y1, got 2 and 1"),
+    ("downsample a.ply b.ply", "one of --every, --ratio, --farthest and --voxel, got none"),
+    ("downsample a.ply b.ply --ratio 1.5", "'--ratio': expected a share above 0 and up to 1"),
+    ("downsample a.ply b.ply --every 2 --nearest", "--nearest requires --voxel"),
+    ("simplify a.ply b.ply", "--triangles"),
+    ("simplify a.ply b.ply --voxel 0.1 --max-error 1", "--max-error"),
+    ("smooth-mesh a.ply b.ply --method simple --mu -0.5", "--mu requires --method taubin"),
+    (f"{MESH} --radii 0.1", "--radii requires --method ball"),
+    (f"{MESH} --alpha 0.1", "--alpha requires --method alpha"),
+    (f"{MESH} --method ball --depth 7", "--depth requires --method poisson"),
+    (f"{MESH} --method alpha --new-normals", "--new-normals requires --method poisson or ball"),
+    (f"{MESH} --method ball --radii 0.1,0", "expected lengths in meters above 0"),
+    (f"{MESH} --method alpha --alpha much", "expected a length in meters above 0, or auto"),
+    (f"{MESH} --density-quantile 1", "expected a share from 0 and below 1"),
+    (f"{MESH} --picture b.ply", "--picture is the same file as OUT"),
+    ("texture a.ply frames -o b.ply --picture b.ply", "--picture is the same file as --output"),
+    ("convert - b.ply", "- has no extension; pass its format, such as --from ply"),
+    ("convert a.ply -", "such as --to ply"),
+    ("convert a.ply b.ply --from ply", "--from requires - as IN"),
+    ("convert a.ply b.ply --up z", "--up z requires a .glb or .gltf file"),
+    ("info - - --from ply", "- is duplicated"),
+    ("info a.ply --from ply", "--from requires -"),
+    ("convert - - --from docx --to ply", "--from"),
+    ("view a.ply --port 70000", "--port"),
+    ("view a.ply --point-size 0", "above 0"),
+    ("view a.ply --colormap jet", "--colormap requires --color-by"),
+    ("view a.ply --screenshot a.ply", "is one of the FILES"),
+    ("view a.ply --screenshot a.png --save-html a.png", "is the same file as"),
+    ("tile plan survey -o job", "missing option '--steps'"),
+    (f"{TILES} --size 5 --points 9", "both define the tiles"),
+    (f"{TILES} --only 1,2,3,nan", "expected X0,Y0,X1,Y1"),
+    (f"{TILES} --output ply", "'laz', 'copc'"),
+    ("tile plan survey --steps steps.toml", "missing option '-o'"),
+    ("tile run job --part 1/2 --tile 0_0", "pass one of them"),
+    ("tile run job --part 0/2", "such as 17/400"),
+    ("tile runs job", "did you mean run?"),
+    ("tile finish job --output gltf", "'gltf' is not one of 'laz', 'las', 'copc'"),
+]
+
+
+@pytest.mark.parametrize(("words", "hint"), CALLS)
+def test_a_wrong_call_exits_with_2_and_explains_the_fix(tmp_path, monkeypatch, words, hint):
+    monkeypatch.chdir(tmp_path)
+    result = run(*words.split())
+    assert (result.exit_code, result.stdout) == (2, "")
+    first, *others = result.stderr.splitlines()
+    assert first.startswith("error: ") and all(line.startswith("See 'pointloom") for line in others)
+    assert hint.lower() in first.lower() and names_in(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("share", "text"),
+    [
+        (0, "0.0%"), (1, "100.0%"), (0.5, "50.0%"), (51 / 113662, "0.04%"), (0.0004, "0.04%"), (0.001, "0.1%"),
+        (0.9996, "99.96%"), (1 - 1e-6, "99.9999%"), (0.905, "90.5%"), (math.nan, "nan%"), (1e-7, "0.00001%"),
+    ],
+)  # fmt: skip
+def test_fractions_have_enough_digits(share, text):
+    assert format_share(share) == text
+
+
+@settings(max_examples=25)
+@given(st.integers(1, 10**9).flatmap(lambda total: st.tuples(st.integers(0, total), st.just(total))))
+def test_only_0_and_1_are_printed_as_0_and_100_percent(counts):
+    count, total = counts
+    printed = float(format_share(count / total).rstrip("%"))
+    assert (printed == 0) == (count == 0) and (printed == 100) == (count == total)

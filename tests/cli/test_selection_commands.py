@@ -1,12 +1,24 @@
-"""clean, cluster, crop, plane and downsample."""
+"""clean, cluster, crop, plane, downsample, change: results, common behavior, units and errors."""
+
+import json
+import re
+from pathlib import Path
 
 import numpy as np
+import pytest
 
 import pointloom as loom
 from pointloom.cli.jobs.cluster import TAB20
 
-from .commands import answer, names_in, refusal, run, unreliable
-from .toolbox_scene import FIRST_BLOB, FLOOR, NOT_FINITE, REPEATED, SECOND_BLOB, STRAY, rows_of
+from .commands import answer, chosen_device, names_in, refusal, run, unreliable
+
+
+def rows_of(path: Path) -> list[int]:
+    return loom.read_point_cloud(path)["row"].tolist()
+
+
+FLOOR, FIRST_BLOB, SECOND_BLOB = range(600), range(600, 750), range(750, 850)
+STRAY, REPEATED, NOT_FINITE = 850, 851, 852
 
 
 def test_clean_removes_non_finite_points_and_statistical_outliers(scene, tmp_path, points, device):
@@ -246,3 +258,231 @@ def test_farthest_points_start_at_a_finite_point_and_a_ratio_below_one_point_is_
     assert "a.ply: expected at least 4 finite points, got 3" in refusal(*words, 4)
     assert unreliable("downsample", tmp_path / "a.ply", tmp_path / "c.ply", "--ratio", "1e-6")["files"] == []
     assert names_in(tmp_path) == ["a.ply", "b.ply"]
+
+
+# every command, with options that work on `scene`
+CALLS = {
+    "clean": [],
+    "cluster": ["--radius", "0.2"],
+    "plane": ["--distance", "0.01"],
+    "crop": ["--box", "0", "0", "0", "1", "1", "1"],
+    "downsample": ["--every", "2"],
+}
+each_command = pytest.mark.parametrize("command", CALLS)
+
+
+@each_command
+def test_attributes_are_written_unchanged(scene, points, tmp_path, device, command):
+    output = tmp_path / "out.npz"
+    report = answer(command, scene, output, *CALLS[command], "--device", device)
+    assert (report["command"], report["points_in"], report["left_out"]) == (command, len(points), [])
+    assert report["files"] == [str(output)]
+    with np.load(output) as written:
+        rows = written["row"]
+        assert len(rows) == report["points"] > 0 and written["points"].dtype == np.float64
+        np.testing.assert_array_equal(written["points"], points[rows])  # float32 would round them
+        np.testing.assert_array_equal(written["time"], rows / 3)
+        np.testing.assert_array_equal(written["colors"], np.full((len(rows), 3), 0.25))
+        assert written["normals"].shape == (len(rows), 3)
+
+
+@each_command
+def test_the_summary_lists_omitted_attributes(scene, tmp_path, command):
+    options = [*CALLS[command], *(["--largest", "1"] if command == "cluster" else [])]
+    result = run(command, scene, tmp_path / "out.xyz", *options)
+    assert result.exit_code == 0, result.stderr
+    assert "left out" in result.stdout
+    for word in ("normals, colors", "time", "seconds", f"on {chosen_device()}", "out.xyz"):
+        assert word in result.stdout
+    assert result.stderr == ""
+
+
+@each_command
+def test_the_output_is_checked_before_the_input_is_read(tmp_path, command):
+    words = command, tmp_path / "missing.ply", *CALLS[command]
+    assert "not written to .docx" in refusal(*words, "-o", tmp_path / "out.docx")
+    assert "Leave out --ascii" in refusal(*words, "-o", tmp_path / "out.npz", "--ascii")
+
+
+@each_command
+def test_a_broken_file_is_an_error_and_nothing_is_written(cloud, tmp_path, command):
+    cloud.write_bytes(cloud.read_bytes()[:-1])
+    assert refusal(command, cloud, tmp_path / "out.ply", *CALLS[command]).startswith(f"error: {cloud}")
+    assert names_in(tmp_path) == ["cloud.ply"]
+
+
+@each_command
+def test_a_cloud_without_finite_points_is_unreliable(tmp_path, command):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
+    options = ["--voxel", "1"] if command == "downsample" else CALLS[command]
+    extra = ["--largest", "1"] if command == "cluster" else []
+    report = unreliable(command, tmp_path / "a.ply", tmp_path / "b.ply", *options, *extra)
+    assert (report["points_in"], report["points"], report["files"]) == (4, 0, [])
+    assert "nothing was written" in str(report["warnings"])
+    assert command != "downsample" or "none of 4 points is left" in str(report["warnings"])
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(), overwrite=True)
+    assert unreliable(command, tmp_path / "a.ply", tmp_path / "b.ply", *CALLS[command], *extra)["files"] == []
+    assert names_in(tmp_path) == ["a.ply"]
+
+
+@each_command
+def test_commands_accept_the_vertices_of_a_mesh(mesh, tmp_path, command):
+    options = ["--radius", "2", "--neighbors", "5", "--largest", "1"] if command == "cluster" else CALLS[command]
+    result = run(command, mesh, tmp_path / "out.ply", *options, "--json")
+    report = json.loads(result.stdout)
+    assert report["points_in"] == 4 and report["left_out"] == ["triangles"]
+
+
+@pytest.fixture
+def feet(tmp_path, rng):
+    path = tmp_path / "feet.ply"
+    points = np.column_stack([rng.random((2000, 2)) * 10, 0.001 * rng.normal(size=2000)])
+    loom.write_point_cloud(path, loom.PointCloud(points, unit="foot"))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["downsample", "--voxel", 1], "one a voxel of 1 ft"),
+        (["cluster", "--eps", 0.001], "eps 0.001 ft"),
+        (["cluster", "--eps", 0.001], "no point has 10 points within 0.001 ft"),
+        (["normals", "--radius", 0.001], r"within 0.001 ft, .* have 3 within \S+ ft:"),
+        (["clean", "--radius", 0.001, "--min-neighbors", 5], r"within 0.001 ft; .* within \S+ ft:"),
+        (["mesh", "--method", "alpha", "--alpha", 1], "ft^2"),
+    ],
+)
+def test_lengths_are_printed_in_the_unit_of_the_file(words, message, feet, tmp_path):
+    result = run(words[0], feet, tmp_path / "out.ply", *words[1:], "--device", "cpu")
+    assert re.search(message.replace("^", r"\^"), result.stdout + result.stderr), result.stdout + result.stderr
+    note = f"note: the unit of {feet} is foot (0.3048 m): all lengths, input and output, are in this unit\n"
+    assert note in result.stderr
+    if (tmp_path / "out.ply").exists():
+        (report,) = answer("info", tmp_path / "out.ply")["files"]
+        assert report["unit"] == "foot"
+
+
+def test_json_contains_the_unit_and_meters_or_an_unknown_unit_are_reported_as_meters(feet, tmp_path):
+    result = run("downsample", feet, tmp_path / "out.npz", "--voxel", 1, "--json", "--device", "cpu")
+    assert result.stderr == "" and json.loads(result.stdout)["unit"] == "foot"
+    for unit in (None, "metre"):
+        loom.write_point_cloud(tmp_path / "a.npz", loom.PointCloud(np.eye(3), unit=unit))
+        result = run("downsample", tmp_path / "a.npz", tmp_path / "b.ply", "--voxel", 1, "--force", "--device", "cpu")
+        assert "one a voxel of 1 m, the mean\n" in result.stdout and "note" not in result.stderr
+        (report,) = answer("info", tmp_path / "a.npz")["files"]
+        assert report.get("unit") == unit
+
+
+@pytest.mark.filterwarnings("always::pointloom.UnitWarning")
+def test_files_in_different_units_cause_a_warning(feet, tmp_path):
+    other = tmp_path / "meters.ply"
+    cloud = loom.read_point_cloud(feet)
+    loom.write_point_cloud(other, cloud.to_unit("metre"))
+    result = run("register", feet, other, "--init", "identity", "--voxel", 1, "--device", "cpu")
+    assert "warning: source, target: expected one unit of length, got foot and metre" in result.stderr
+    result = run("register", feet, feet, "--init", "identity", "--voxel", 1, "--device", "cpu")
+    assert "warning" not in result.stderr
+    assert "one per voxel of 1 ft" in result.stdout and " ft at the middle of the source" in result.stdout
+
+
+def test_meshes_are_compared_in_their_unit(tmp_path):
+    for name, size in (("a.ply", 1.0), ("b.ply", 1.1)):
+        mesh = loom.TriangleMesh.create_box(size, size, size)
+        mesh.unit = "US survey foot"
+        loom.write_triangle_mesh(tmp_path / name, mesh)
+    result = run("compare-meshes", tmp_path / "a.ply", tmp_path / "b.ply", "--samples", 500, "--device", "cpu")
+    assert re.search(r"chamfer +0\.\d+ US ft\n", result.stdout) and " US ft from A to B" in result.stdout
+
+
+UTM = np.array([447_000.0, 5_411_000.0, 300.0])
+
+
+def survey(lift=0.0, pit=0.0, seed=0, count=6000):
+    """A slope of 20 x 20 m with 1 cm of noise and a lowered corner of 6 x 6 m."""
+    rng = np.random.default_rng(seed)
+    x, y = rng.random((2, count)) * 20
+    z = 0.2 * x + 0.01 * rng.normal(size=count) + lift - np.where((x < 6) & (y < 6), pit, 0)
+    return loom.PointCloud(np.column_stack([x, y, z]) + UTM, intensity=np.arange(count, dtype=np.uint16))
+
+
+@pytest.fixture
+def files(tmp_path):
+    clouds = {"before": survey(), "after": survey(pit=0.3, seed=1), "lifted": survey(lift=0.5, seed=2)}
+    for name, cloud in clouds.items():
+        loom.write_point_cloud(tmp_path / f"{name}.npz", cloud)
+    return tmp_path
+
+
+def test_two_clouds_are_compared_by_m3c2(files, device):
+    sizes = {"normal_radii": [1, 2], "cylinder_radius": 0.8, "max_distance": 2, "registration_error": 0.005}
+    words = ["--normals", "1,2", "--cylinder", 0.8, "--max-distance", 2, "--registration-error", 0.005]
+    words += ["-o", files / "out.npz", "--device", device]
+    report = answer("change", files / "before.npz", files / "after.npz", *words)
+    before, after = (loom.read_point_cloud(files / f"{name}.npz") for name in ("before", "after"))
+    expected = loom.change.m3c2(before, after, **sizes)
+    cloud = loom.read_point_cloud(files / "out.npz")
+    np.testing.assert_array_equal(cloud["distance"], expected.distances.astype(np.float32))
+    np.testing.assert_array_equal(cloud["significant"] != 0, expected.is_significant)
+    np.testing.assert_array_equal(cloud["intensity"], before["intensity"])
+    np.testing.assert_array_equal(cloud["points_after"], expected.counts[:, 1])
+    known = np.isfinite(expected.distances).sum()
+    assert (report["method"], report["cores"], report["known"]) == ("m3c2", 6000, known)
+    assert report["significant"] == expected.is_significant.sum() and report["reliable"]
+    assert -0.31 < report["median"] < -0.2
+    sunk = (cloud.points[:, 0] - UTM[0] < 5) & (cloud.points[:, 1] - UTM[1] < 5)
+    assert (cloud["significant"] != 0)[sunk].all() and (cloud["significant"] != 0)[~sunk].mean() < 0.2
+
+
+def test_default_lengths_are_derived_from_the_points(files):
+    words = ["--cores", "1", "--painted", files / "p.ply", "--picture", files / "c.png"]
+    report = answer("change", files / "before.npz", files / "after.npz", *words)
+    radius = report["lengths"]["cylinder_radius"]
+    within = survey().compute_nearest_neighbor_distance()
+    assert 2 * np.median(within) < radius < 1
+    assert report["lengths"]["normal_radii"] == pytest.approx([radius, 2 * radius, 4 * radius])
+    painted = loom.read_point_cloud(files / "p.ply")
+    assert len(painted) == report["cores"] and 400 <= len(painted) < 500
+    colors = painted.colors.astype(float)
+    gray = np.ptp(colors, axis=1) < 0.05
+    assert 0.7 < gray.mean() < 0.95 and (colors[~gray, 2] > colors[~gray, 0]).mean() > 0.8  # blue: below
+    assert loom.read_color(files / "c.png").shape == (960, 1280, 3)
+
+
+def test_a_cloud_is_compared_with_a_mesh(files):
+    corners = np.array([[0, 0, 0], [20, 0, 4], [20, 20, 4], [0, 20, 0.0]]) + UTM
+    loom.write_triangle_mesh(files / "design.ply", loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]]))
+    words = ["--cylinder", "0.8", "-o", files / "out.npz"]
+    report = answer("change", files / "design.ply", files / "after.npz", *words)
+    assert report["method"] == "cloud to mesh" and report["lengths"] == {"radius": 0.8}
+    cloud = loom.read_point_cloud(files / "out.npz")
+    sunk = (cloud.points[:, 0] - UTM[0] < 5) & (cloud.points[:, 1] - UTM[1] < 5)
+    np.testing.assert_allclose(cloud["distance"][sunk], -0.3 / np.sqrt(1.04), atol=0.01)
+    assert (cloud["significant"] != 0)[sunk].mean() > 0.95
+    assert "Pass the mesh first" in refusal("change", files / "after.npz", files / "design.ply")
+
+
+def test_unregistered_or_separate_epochs_are_unreliable(files):
+    report = unreliable("change", files / "before.npz", files / "lifted.npz")
+    assert "moved up, by 0.49" in str(report["warnings"]) and "register the epochs first" in str(report["warnings"])
+    assert answer("change", files / "before.npz", files / "lifted.npz", "--registration-error", "0.4")["reliable"]
+    loom.write_point_cloud(files / "far.npz", survey().translate([0, 0, 50.0]))
+    report = unreliable("change", files / "before.npz", files / "far.npz", "-o", files / "out.npz")
+    assert report["known"] == 0 and "barely overlap" in str(report["warnings"]) and report["median"] is None
+    assert np.isnan(loom.read_point_cloud(files / "out.npz")["distance"]).all()
+
+
+def test_clouds_that_cannot_be_compared_are_an_error(files, tmp_path):
+    loom.write_point_cloud(files / "one.npz", loom.PointCloud(np.tile(UTM, (30, 1))))
+    assert "Pass --cylinder" in refusal("change", files / "one.npz", files / "after.npz")
+    loom.write_point_cloud(files / "none.npz", loom.PointCloud(np.full((3, 3), np.nan)))
+    assert "no finite point" in refusal("change", files / "before.npz", files / "none.npz")
+    assert "out.xyz" in refusal("change", files / "before.npz", files / "after.npz", "-o", files / "out.xyz")
+    laspy, pyproj = pytest.importorskip("laspy"), pytest.importorskip("pyproj")
+    paths = []
+    for number, code in enumerate((25832, 25833)):
+        paths.append(tmp_path / f"{number}.laz")
+        loom.write_point_cloud(paths[-1], survey(count=500))
+        content = laspy.read(paths[-1])
+        content.header.add_crs(pyproj.CRS.from_epsg(code))
+        content.write(paths[-1])
+    assert "got ETRS89 / UTM zone 33N" in refusal("change", *paths)

@@ -21,6 +21,7 @@ from pointloom.tiling import plan as planning
 from pointloom.tiling.manifest import Manifest
 from pointloom.tiling.status import TileStatus
 
+from ..sigint import sigint_enabled
 from ..test_imports import ROOT
 from ..tiling.scenes import finished, rows_of, survey, tiled
 from .commands import answer, names_in, refusal, run
@@ -169,10 +170,12 @@ def test_ctrl_c_prints_one_line_and_the_next_run_continues(job, how):
     )
     words = [sys.executable, "-c", f"{setup}main()", "tile", "run", "job", *how]
     os.mkfifo("begun")
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     begun = os.open("begun", os.O_RDWR)  # also for writing, so that no process waits for a reader
     for _ in range(4):
         before = answer("tile", "status", "job")
-        process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0)
+        with sigint_enabled():
+            process = subprocess.Popen(words, process_group=0, text=True, **pipes)
         assert select.select([begun], [], [], 300)[0]
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does
         stdout, stderr = process.communicate(timeout=300)

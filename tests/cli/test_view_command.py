@@ -17,6 +17,7 @@ import pointloom as loom
 from pointloom.cli.shell.cli import cli
 from pointloom.visualization.viewer.detail_tree import DetailTree
 
+from ..sigint import sigint_enabled
 from .commands import answer, names_in, refusal, run
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,19 +31,12 @@ def trajectory(tmp_path):
     return tmp_path / "poses.log"
 
 
-# Background jobs of a script, and their child processes, start with Ctrl-C ignored.
-VIEW = """
-import signal
-signal.signal(signal.SIGINT, signal.default_int_handler)
-from pointloom.__main__ import main
-main()
-"""
-
-
 def start(*words):
     environment = os.environ | {"PYTHONPATH": str(ROOT / "src"), "SSH_CONNECTION": "10.0.0.1 5 10.0.0.2 22"}
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    return subprocess.Popen([sys.executable, "-c", VIEW, "view", *map(str, words)], env=environment, **pipes)
+    command = [sys.executable, "-m", "pointloom", "view", *map(str, words)]
+    with sigint_enabled():
+        return subprocess.Popen(command, env=environment, **pipes)
 
 
 def red_pixels(path):
@@ -147,7 +141,6 @@ def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
     ("words", "reason"),
     [
         (["missing.ply"], "missing.ply: does not exist"),
-        (["notes.md"], "notes.md: unknown kind of file '.md'. Supported: .ply"),
         (["."], "is a folder. Give its files"),
         (["broken.ply"], "broken.ply"),
         (["other.json"], "contains Other, which is not a geometry"),
@@ -156,7 +149,6 @@ def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
         (["cloud.ply", "--view", "other.json"], "other.json"),
         (["cloud.ply", "--save-html", "out.txt"], "ends in .html"),
         (["cloud.ply", "--screenshot", "cloud.png"], "cloud.png: exists already"),
-        (["cloud.ply", "--screenshot", "no/such/out.png"], "no/such"),
     ],
 )
 def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monkeypatch, words, reason):
@@ -177,7 +169,6 @@ def test_the_address_is_printed_to_stderr_and_ctrl_c_frees_the_port(cloud):
     with socket.create_server(("127.0.0.1", 0)) as line:
         port = line.getsockname()[1]
     process = start(cloud, "--port", port)
-    assert process.stderr is not None
     address_line = process.stderr.readline()
     assert re.fullmatch(rf"viewer: http://127\.0\.0\.1:{port}/\?token=[\w-]+ \(Ctrl-C ends it\)\n", address_line)
     assert f"ssh -L {port}:127.0.0.1:{port} " in process.stderr.readline()
@@ -213,7 +204,6 @@ def test_a_large_file_is_displayed_while_it_is_read(tmp_path, rng, monkeypatch):
 def test_json_prints_the_address_and_nothing_else(cloud):
     process = start(cloud, "--port", 0, "--json")
     assert process.stderr is not None and process.stderr.readline().startswith("viewer: ")
-    assert process.stdout is not None
     lines = [process.stdout.readline()]  # printed while it serves, so that the caller can read the address
     while lines[-1].rstrip() != "}":
         lines.append(process.stdout.readline())

@@ -1,10 +1,8 @@
 """Arrays come back as they came: whose they are, where they are, at which address, and with the same numbers."""
 
-import gc
 import pickle
 import subprocess
 import sys
-import weakref
 
 import numpy as np
 import pytest
@@ -285,24 +283,6 @@ def test_numpy_lists_and_files_give_numpy_on_every_device(device, surface):
     cloud = loom.PointCloud(surface, device=device)
     surface += 1
     np.testing.assert_array_equal(cloud.points, before)  # a copy, as ever
-
-
-@pytest.mark.slow
-def test_a_shared_array_lives_as_long_as_its_users(library, surface):
-    if library.name == "jax":
-        pytest.skip("its arrays take no weak references")
-    points = library.make(surface)
-    gone = weakref.ref(points)
-    cloud = loom.PointCloud(points)
-    labels = cloud.cluster_dbscan(0.1, 4)
-    del points
-    gc.collect()
-    np.testing.assert_array_equal(cloud.points, surface.astype(np.float64))
-    expected = library.host(labels).copy()
-    del cloud
-    gc.collect()
-    assert library.name == "torch" or gone() is None  # torch keeps the memory, not the tensor
-    np.testing.assert_array_equal(library.host(labels), expected)
 
 
 @pytest.mark.slow

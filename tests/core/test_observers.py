@@ -1,13 +1,20 @@
-"""Observers receive the events of algorithms, and results do not depend on observers."""
+"""Observers receive events without an effect on results, and a clock measures and reports its stages."""
 
+import ctypes
+import subprocess
+import sys
 import threading
+import time
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core import timing
 from pointloom.core.observers import report, standing_for, unwatched, watch, watched
+from pointloom.core.timing import Clock, peak_bytes, peak_bytes_of_all
 
 SHIFT = np.array([0.03, -0.02, 0.01])
 Events = list[tuple[str, dict[str, Any]]]
@@ -93,18 +100,6 @@ def test_icp_reports_its_start_and_every_iteration_as_its_callback(device):
     assert events[-1][0] == "registration" and events[-1][1]["result"] is result
 
 
-def test_icp_is_bitwise_identical_with_observers(device):
-    target, source = (loom.PointCloud(points, device=device) for points in (bumps(), bumps() + SHIFT))
-    register = loom.registration.registration_icp
-    alone = register(source, target, 0.2)
-    with watch(lambda event, data: None):
-        observed = register(source, target, 0.2)
-    assert np.array_equal(alone.transformation, observed.transformation)
-    for name in ("fitness", "inlier_rmse", "iterations"):
-        assert getattr(alone, name) == getattr(observed, name)
-    assert np.array_equal(alone.correspondence_set, observed.correspondence_set)
-
-
 def test_multi_scale_icp_reports_the_clouds_that_it_was_given(device):
     target, source = (loom.PointCloud(points, device=device) for points in (bumps(), bumps() + SHIFT))
     rules = [loom.registration.ICPConvergenceCriteria(max_iteration=5)] * 2
@@ -115,23 +110,28 @@ def test_multi_scale_icp_reports_the_clouds_that_it_was_given(device):
     assert sorted({data["scale_index"] for _, data in events}) == [0, 1]
 
 
-def test_fusion_clusters_and_planes_are_bitwise_identical_with_observers(device):
+def test_icp_fusion_clusters_and_planes_are_bitwise_identical_with_observers(device):
     camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
     depth = (1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0) / 4)).astype(np.float32)
     cloud = loom.PointCloud(np.vstack([bumps(), bumps() + 100 * SHIFT]), device=device)
+    target, source = (loom.PointCloud(points, device=device) for points in (bumps(), bumps() + SHIFT))
 
     def work() -> list[np.ndarray]:
         volume = loom.TSDFVolume(voxel_size=0.05, device=device)
         for _ in range(2):
             volume.integrate(depth, camera, np.eye(4))
         mesh = volume.extract_triangle_mesh(0)
-        return [mesh.vertices, mesh.triangles, cloud.cluster_dbscan(0.2, 5), *cloud.segment_plane(0.05)]
+        results = [mesh.vertices, mesh.triangles, cloud.cluster_dbscan(0.2, 5), *cloud.segment_plane(0.05)]
+        icp = loom.registration.registration_icp(source, target, 0.2)
+        statistics = np.array([icp.fitness, icp.inlier_rmse, icp.iterations])
+        return [*results, icp.transformation, icp.correspondence_set, statistics]
 
     events: Events = []
     alone = work()
     with watch(noted(events)):
         observed = work()
-    assert [event for event, _ in events] == ["integrate", "integrate", "clusters", "plane"]
+    names = list(dict.fromkeys(event for event, _ in events))
+    assert names == ["integrate", "clusters", "plane", "icp", "registration"]
     for left, right in zip(alone, observed, strict=True):
         assert np.array_equal(left, right)
 
@@ -145,3 +145,84 @@ def test_an_error_of_a_watcher_ends_icp_and_leaves_the_clouds_to_others(device):
     with pytest.raises(RuntimeError, match="enough"), watch(refuse):
         loom.registration.registration_icp(cloud, cloud, 0.2)
     assert loom.registration.registration_icp(cloud, cloud, 0.2).fitness == 1.0
+
+
+@pytest.fixture
+def now(monkeypatch):
+    hands = [10.0]
+    monkeypatch.setattr(timing.time, "perf_counter", lambda: hands[0])
+    return hands
+
+
+def test_a_repeated_stage_adds_to_its_seconds(now):
+    clock = Clock()
+    for stage, seconds in (("read", 2.0), ("fuse", 1.0), ("read", 0.5)):
+        now[0] += seconds
+        clock.stop(stage)
+    assert clock.seconds == {"read": 2.5, "fuse": 1.0}
+    assert list(clock.cpu_seconds) == ["read", "fuse"]
+
+
+def test_time_between_stages_is_not_counted(now):
+    clock = Clock()
+    now[0] += 5.0
+    with clock.stage("read"):
+        now[0] += 1.0
+    now[0] += 5.0
+    clock.restart()
+    now[0] += 0.25
+    clock.stop("write")
+    assert clock.seconds == {"read": 1.0, "write": 0.25}
+
+
+def test_stages_are_reported_when_they_begin(now):
+    steps = []
+    clock = Clock(lambda *step: steps.append(step))
+    with clock.stage("read"):
+        assert steps == [("read", 0, 0)]
+    clock.stop("write")
+    assert steps == [("read", 0, 0)]
+
+
+def test_a_stage_that_fails_is_not_counted(now):
+    clock = Clock()
+    with pytest.raises(KeyError), clock.stage("read"):
+        raise KeyError
+    assert clock.seconds == {}
+
+
+@pytest.mark.slow
+def test_seconds_of_the_cpu_are_those_of_processes_too():
+    clock, start = Clock(), time.process_time()
+    subprocess.run([sys.executable, "-c", "sum(range(3_000_000))"], check=True)
+    clock.stop("count")
+    assert clock.cpu_seconds["count"] > time.process_time() - start
+
+
+def test_memory_is_counted_in_bytes():
+    peak = peak_bytes()
+    assert 1 << 20 < peak <= peak_bytes_of_all() < 1 << 45
+
+
+@pytest.mark.parametrize(("system", "unit"), [("linux", 1024), ("darwin", 1)])
+def test_the_unit_of_peak_memory_follows_the_system(system, unit, monkeypatch):
+    peaks = {"of this process": 7, "of children": 9}
+    usage = SimpleNamespace(RUSAGE_SELF="of this process", RUSAGE_CHILDREN="of children")
+    usage.getrusage = lambda who: SimpleNamespace(ru_maxrss=peaks[who])
+    monkeypatch.setitem(sys.modules, "resource", usage)
+    monkeypatch.setattr(sys, "platform", system)
+    assert (peak_bytes(), peak_bytes_of_all()) == (7 * unit, 9 * unit)
+
+
+def test_windows_reports_peak_memory(monkeypatch):
+    """PROCESS_MEMORY_COUNTERS has 72 bytes: its size and a count of 4 bytes each, then the peak."""
+
+    def fill(process, counters, size):
+        assert (process.value, size) == (2**64 - 1, 72)
+        ctypes.memmove(ctypes.byref(counters._obj, 8), (123 << 20).to_bytes(8, "little"), 8)
+
+    libraries = {"kernel32": SimpleNamespace(K32GetProcessMemoryInfo=fill)}
+    monkeypatch.setattr(ctypes, "WinDLL", libraries.__getitem__, raising=False)
+    monkeypatch.setitem(sys.modules, "resource", None)
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert peak_bytes() == peak_bytes_of_all() == 123 << 20

@@ -1,9 +1,10 @@
-"""Units of length: what names and lengths mean, what files may write, where the user is warned."""
+"""Units of length: names, text and warnings, and lengths in another unit that leave no points."""
 
 import copy
 import pickle
 import warnings
 
+import numpy as np
 import pytest
 
 import pointloom as loom
@@ -90,3 +91,96 @@ def test_one_unit_is_common_and_two_are_a_warning_at_the_users_line():
 
 def test_lengths_in_unknown_units_are_reported_in_meters():
     assert [symbol_of(unit) for unit in (None, METRE, US_FOOT, LINK)] == ["m", "m", "US ft", "li"]
+
+
+@pytest.fixture
+def ball(rng, device):
+    points = rng.normal(size=(800, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    return loom.PointCloud(points, normals=points, device=device)
+
+
+def test_a_radius_without_neighbors_warns(ball):
+    with pytest.warns(loom.UnitWarning, match=r"^radius:.*0\.0001.*0.*2") as caught:
+        result = ball.estimate_normals(radius=1e-4)
+    assert caught[0].filename == __file__ and (result.normals[:, 2] ** 2 == 1).all()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert ball.estimate_normals(radius=0.2).has_normals
+        crowded = loom.PointCloud(np.repeat(ball.points, 3, axis=0), device=ball.device)
+        assert crowded.estimate_normals(radius=1e-4).has_normals  # of few points at one place
+        assert loom.PointCloud([[0, 0, 0], [1, 0, 0]], device=ball.device).estimate_normals(radius=1e-4).has_normals
+
+
+@pytest.mark.parametrize(
+    ("depth", "options", "message"),
+    [
+        (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* read as 1 units per meter"),
+        (np.full((48, 64), 1500.0, np.float32), {}, "read as meters, are beyond 3 m"),
+        (np.full((48, 64), 1.5, np.float32), {"depth_scale": 1000.0}, "within 0.05 m: .* 1.5..1.5, divided by 1000"),
+        (
+            np.full((48, 64), 1500, np.uint16),
+            {"depth_trunc": 1.0},
+            "beyond 1 m; for TUM images, .*=5000. .* a larger depth_trunc",
+        ),
+    ],
+)
+def test_a_depth_scale_that_removes_all_points_warns(depth, options, message):
+    color = np.zeros((48, 64, 3), np.uint8)
+    with pytest.warns(loom.UnitWarning, match=message) as caught:
+        loom.RGBDImage.create_from_color_and_depth(color, depth, **options)
+    assert caught[0].filename == __file__
+    depth[5, 5] = 1 if depth.min() > 100 else 100  # a pixel that the first look does not see
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        loom.RGBDImage.create_from_color_and_depth(color, depth, **options)
+        loom.RGBDImage.create_from_color_and_depth(color, 0 * depth, **options)
+
+
+def test_ball_radii_and_alphas_without_faces_warn(ball):
+    with pytest.warns(loom.UnitWarning, match=r"^radii:.*1e-06.*0\.0") as caught:
+        assert len(loom.TriangleMesh.create_from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
+    assert caught[0].filename == __file__
+    with pytest.warns(loom.UnitWarning, match=r"^alpha:.*1e-06.*0") as caught:
+        assert len(loom.TriangleMesh.create_from_point_cloud_alpha_shape(ball, 1e-6)) == 0
+    assert caught[0].filename == __file__
+    flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
+    with pytest.warns(UserWarning, match=r"^cloud:") as caught:
+        assert len(loom.TriangleMesh.create_from_point_cloud_alpha_shape(flat, 2.0)) == 0
+    assert [each.category for each in caught] == [UserWarning]  # no unit gives a plane a volume
+    assert caught[0].filename == __file__
+
+
+def test_icp_without_correspondences_reports_both_positions(ball):
+    far = loom.PointCloud(ball.points * 1000, device=ball.device)
+    with pytest.warns(loom.UnitWarning, match="no correspondences:") as caught:
+        result = loom.registration.registration_icp(far, ball, 0.05)
+    assert caught[0].filename == __file__
+    assert result.warnings[0].startswith("no correspondences: the source spans")
+    assert "no correspondences: the source spans 2e+03 x " in repr(result) and "the target spans 2 x " in repr(result)
+    assert repr(result).endswith("within 0.05 m; in another unit?)")
+    with pytest.warns(loom.UnitWarning, match=r"no correspondences:.*100.*0\.05"):
+        moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
+    assert "their centers 100 m apart, within 0.05 m)" in repr(moved)
+    assert loom.registration.registration_icp(ball, ball, 0.05).warnings == ()
+    empty = loom.PointCloud(device=ball.device)
+    result = loom.registration.registration_icp(empty, ball, 0.05)
+    assert result.warnings == ("no correspondences: the source has no points",)
+
+
+def test_lengths_that_suit_few_points_do_not_warn(ball):
+    """A voxel around a small cluster, clusters of a loose cloud, a coarse level of a registration, an empty tile."""
+    few = ball.select_by_index(range(60))
+    loose = loom.PointCloud(ball.points * [40, 40, 0.1], device=ball.device)
+    tile = loom.AxisAlignedBoundingBox([900, 0, 0], [910, 10, 10])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(few.voxel_down_sample(9.0)) <= 8 and set(few.cluster_dbscan(9.0, 5)) == {0}
+        assert len(few.segment_plane(9.0)[1]) == 60
+        assert set(loose.cluster_dbscan(3.0, 200)) == {-1} and len(loose.remove_radius_outlier(200, 3.0)[0]) == 0
+        assert len(ball.crop(tile)) == 0
+        near = ball.translate([3.0, 0, 0])
+        assert loom.registration.registration_icp(near, ball, 0.05).fitness == 0
+        small = ball.scale(0.01)
+        assert loom.registration.registration_icp(small, loom.PointCloud(ball.points[:1]), 9.0).fitness == 1
+        loom.registration.registration_icp_batch(ball.translate([100, 0, 0]), ball, 0.05)

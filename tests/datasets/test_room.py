@@ -1,4 +1,4 @@
-"""The furnished room: exact depth, the noise model, and the dataset on disk."""
+"""The furnished room: exact depth, texture, the noise models, and the dataset on disk."""
 
 from types import SimpleNamespace
 
@@ -8,11 +8,17 @@ import pytest
 from pointloom import PinholeCameraIntrinsic
 from pointloom.core.errors import FileError
 from pointloom.datasets.scenes.furniture import LAMP, SIZE, furnished_room
-from pointloom.datasets.scenes.room import film_pose, room_pose, room_sequence, surface_errors, write_room_sequence
+from pointloom.datasets.scenes.room import (
+    film_pose,
+    room_loop_sequence,
+    room_pose,
+    room_sequence,
+    surface_errors,
+    write_room_sequence,
+)
 from pointloom.io.frames.datasets import open_dataset
 from pointloom.kernels.memory import download
 from pointloom.kernels.scenes.depth_noise import measure_depth
-from pointloom.kernels.scenes.primitives import CYLINDER
 from pointloom.kernels.scenes.room import Room
 
 SMALL = {"width": 160, "height": 120}
@@ -25,28 +31,6 @@ def back_project(frame, depth):
     camera = frame.intrinsic
     points = np.column_stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z])
     return points @ frame.T_world_camera[:3, :3].T + frame.T_world_camera[:3, 3]
-
-
-def test_exact_depth_matches_the_true_surface(device):
-    sequence = room_sequence(7, **SMALL, noise=False, device=device)
-    for frame in sequence:
-        assert frame.depth.dtype == np.float32 and frame.depth.min() > 0.3
-        assert surface_errors(back_project(frame, frame.depth), device=device).max() < 2e-6
-
-
-def test_room_distance_is_the_minimum_over_its_solids(device):
-    room = furnished_room()
-    points = np.random.default_rng(0).uniform(-0.1, np.array(SIZE) + 0.1, (500, 3))
-    min_distance = np.full(500, np.inf)
-    for kind, R, center, extent in zip(room.kinds, room.rotations, room.centers, room.extents, strict=True):
-        q = (points - center) @ R.T
-        if kind == CYLINDER:
-            q = np.column_stack([np.hypot(q[:, 0], q[:, 1]), np.zeros(500), q[:, 2]])
-        a = np.abs(q) - extent[:3]
-        a = np.delete(a, 1, axis=1) if kind == CYLINDER else a
-        distance = np.linalg.norm(np.maximum(a, 0), axis=1) + np.minimum(a.max(axis=1), 0) - extent[3]
-        min_distance = np.minimum(min_distance, distance)
-    assert np.abs(surface_errors(points, device=device) - np.abs(min_distance)).max() < 1e-12
 
 
 @pytest.mark.slow
@@ -142,3 +126,60 @@ def test_options_out_of_range_and_existing_folders_are_refused(tmp_path):
     for path, message in ((tmp_path, "exists already"), (tmp_path / "a" / "b", "/b:")):
         with pytest.raises(FileError, match=message):
             write_room_sequence(path, frame_count=1, **SMALL)
+
+
+def local_contrast(picture):
+    """Fraction of 8 x 8 px blocks in which brightness varies by more than 3 %."""
+    gray = picture.astype(float).mean(axis=2)
+    blocks = gray.reshape(gray.shape[0] // 8, 8, -1, 8).swapaxes(1, 2).reshape(-1, 64)
+    return (blocks.std(axis=1) > 0.03 * 255).mean()
+
+
+def test_texture_changes_colors_and_no_depth(device):
+    plain, textured = (room_sequence(40, **SMALL, noise=False, texture=t, device=device).read(0) for t in (False, True))
+    assert np.array_equal(plain.depth, textured.depth) and (plain.color != textured.color).mean() > 0.9
+    assert abs(textured.color.astype(float).mean() / plain.color.astype(float).mean() - 1) < 0.05
+    assert local_contrast(textured.color) > 0.95 > 0.5 > local_contrast(plain.color)
+
+
+def test_texture_is_fixed_to_the_surface_not_the_view(device):
+    sequence = room_sequence(400, width=320, height=240, noise=False, texture=True, color_noise=0, device=device)
+    first, second = sequence.read(0), sequence.read(1)
+    v, u = np.mgrid[:240, :320].reshape(2, -1)
+    camera, z = first.intrinsic, first.depth.reshape(-1).astype(float)
+    points = np.stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z, np.ones(z.shape)])
+    x, y, away, _ = np.linalg.inv(second.T_world_camera) @ first.T_world_camera @ points
+    parts = (camera.fx, x, camera.cx), (camera.fy, y, camera.cy)
+    column, row = (np.rint(f * a / away + c).astype(int) for f, a, c in parts)
+    visible = (column >= 0) & (column < 320) & (row >= 0) & (row < 240)
+    visible[visible] = np.abs(second.depth[row[visible], column[visible]] - away[visible]) < 0.01
+    one = first.color[v[visible], u[visible]].astype(float)
+    other = second.color[row[visible], column[visible]].astype(float)
+    assert visible.mean() > 0.5
+    assert np.corrcoef(one.mean(axis=1), other.mean(axis=1))[0, 1] > 0.98  # up to half a pixel
+
+
+def test_noise_of_colors_has_the_requested_deviation_two_with_texture_and_none_without():
+    textured, noisy, clean = (
+        room_sequence(40, **SMALL, texture=True, color_noise=n).read(3).color.astype(float) for n in (None, 4, 0)
+    )
+    assert 1.5 < (textured - clean).std() < 2.1
+    assert abs((noisy - clean)[(clean > 20) & (clean < 235)].std() - 4) < 0.1
+    plain, clean = (room_sequence(40, **SMALL, color_noise=n).read(3).color for n in (None, 0))
+    assert np.array_equal(plain, clean)
+
+
+def test_a_loop_has_texture_too_and_blur_takes_it_away(device):
+    same = SMALL | {"texture": True, "color_noise": 0, "device": device}
+    sharp, blurred = (room_loop_sequence(300, **same, blur=blur).read(10).color for blur in (0.0, 4.0))
+    detail = [np.abs(np.diff(color.astype(float), axis=1)).mean() for color in (sharp, blurred)]
+    assert detail[1] < 0.6 * detail[0]
+
+
+def test_a_covered_lens_still_has_the_sensors_noise_whose_range_is_checked():
+    frame = room_loop_sequence(9, **SMALL, texture=True, covered=(2, 4)).read(2)
+    assert 0 < frame.color.max() < 20
+    for make in (room_sequence, room_loop_sequence):
+        for value in (-1, 256, np.nan):
+            with pytest.raises(ValueError, match="color_noise"):
+                make(9, **SMALL, color_noise=value)

@@ -29,8 +29,6 @@ def write_raw(path, raw, records, *, scales=(0.01,) * 3, offsets=(0, 0, 0), wkt_
     """A file of points with these stored integers (n, 3) and records of its coordinate system by number."""
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = scales, offsets
-    if wkt_flag is not None:
-        header.global_encoding.wkt = wkt_flag
     for number, content in records.items():
         content = content.encode() if isinstance(content, str) else content
         header.vlrs.append(laspy.VLR("LASF_Projection", number, "", content))
@@ -38,6 +36,10 @@ def write_raw(path, raw, records, *, scales=(0.01,) * 3, offsets=(0, 0, 0), wkt_
     record.X, record.Y, record.Z = np.transpose(raw)
     with laspy.open(path, mode="w", header=header, do_compress=path.suffix == ".laz") as writer:
         writer.write_points(record)
+    if wkt_flag is not None:  # laspy before 2.7 sets the flag itself
+        content = bytearray(path.read_bytes())
+        content[6] = content[6] & ~16 | 16 * wkt_flag
+        path.write_bytes(content)
     return path
 
 

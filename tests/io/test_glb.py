@@ -1,15 +1,12 @@
 """GLB: hand-made scenes, exchange with trimesh and Open3D, and invalid files."""
 
 import base64
-import json
 import re
 import struct
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.core.errors import FileError
@@ -18,7 +15,7 @@ from pointloom.io.meshes.glb_writer import write_glb
 from pointloom.io.pictures.image_files import encode_png
 
 from .gltf_scenes import TRIANGLE, Scene, changed, container, one_triangle
-from .textured_meshes import PICTURE, square, textured
+from .textured_meshes import PICTURE, square
 
 Z = [[0.0, 0.0, 1.0]] * 3
 
@@ -173,8 +170,6 @@ INVALID = [
     (("asset", None), "glTF None"),
     (("extensionsRequired", "NOT_YET"), "needs the extension NOT_YET, which is not supported"),
     (("meshes", 0, "primitives", 0, "targets", 3), "targets: expected a list of objects"),
-    (("nodes", 0, "skin", 0), "refers to skins 0, of 0"),
-    (("accessors", 0, "sparse", {"count": 4}), "sparse replaces 4 of 3 elements"),
     (("accessors", 0, "sparse", 4), "sparse is not an object"),
     (("accessors", 0, "count", 2**62), "count is 4611686018427387904"),
     (("accessors", 0, "count", True), "count is True"),
@@ -184,13 +179,11 @@ INVALID = [
     (("bufferViews", 0, "byteStride", 8), "elements of 12 bytes every 8"),
     (("buffers", 0, "byteLength", 45), "declares 45 bytes, but has 44"),
     (("buffers", 0, "uri", "m.bin"), "is in another file, 'm.bin'"),
-    (("buffers", 0, "uri", "data:;base64,@@"), "its data URI is damaged"),
     (("meshes", 0, "primitives", 0, "attributes", 3), "has no attributes"),
     (("meshes", 0, "primitives", 0, "mode", 7), "the unknown mode 7"),
     (("meshes", 0, "primitives", 0, "mode", 0), "contains no triangles"),
     (("meshes", 0, "primitives", 0, "material", 0), "refers to materials 0, of 0"),
     (("meshes", 0, "primitives", 3), "primitives: expected a list of objects"),
-    (("meshes", 3), "meshes: expected a list of objects"),
     (("nodes", 0, "mesh", -1), "refers to meshes -1, of 1"),
     (("nodes", 0, "children", [0]), "is duplicated in the node tree"),
     (("nodes", 0, "children", ["a"]), "expected a list of node indices"),
@@ -223,7 +216,6 @@ def test_invalid_materials_are_rejected(tmp_path):
         ([look(baseColorTexture={"extensions": {"KHR_texture_transform": 3}})], {}, "transform is not an obj"),
         ([look(baseColorFactor=[1, 1])], {}, "baseColorFactor is not 4 numbers"),
         ([look(baseColorTexture={"index": 0})], {"textures": [{}]}, "source is None"),
-        ([look(baseColorTexture={"index": 0})], {"images": [{"uri": 7}]}, "uri is 7, expected a string"),
     ):
         with pytest.raises(FileError, match=reason):
             read_glb(materials_of(tmp_path, materials, [0], **more))
@@ -248,39 +240,3 @@ def test_a_damaged_container_is_refused(tmp_path):
         path.write_bytes(data)
         with pytest.raises(FileError, match=reason):
             read_glb(path)
-
-
-def paths_of(content, path=()):
-    yield path
-    items = content.items() if isinstance(content, dict) else enumerate(content) if isinstance(content, list) else ()
-    for key, value in items:
-        yield from paths_of(value, (*path, key))
-
-
-JUNK = st.sampled_from([None, True, -1, 0, 1, 2, 3, 2**31, 2**63, 1e308, 0.5, "", "x", "VEC4", [], [0], [[]], {}, 5126])
-
-
-@pytest.mark.slow
-@settings(max_examples=300, derandomize=True, deadline=None, database=None)
-@given(st.data())
-@pytest.mark.filterwarnings("ignore:.*are dropped")
-def test_any_value_at_any_path_is_a_mesh_or_a_file_error(tmp_path_factory, data):
-    path = tmp_path_factory.getbasetemp() / "junk.glb"
-    write_glb(path, textured())
-    valid = path.read_bytes()
-    size = struct.unpack("<I", valid[12:16])[0]
-    content, body = json.loads(valid[20 : 20 + size]), valid[28 + size :]
-    content["nodes"][0]["matrix"] = np.eye(4).reshape(-1).tolist()
-    for _ in range(data.draw(st.integers(1, 2))):
-        *above, last = data.draw(st.sampled_from([keys for keys in paths_of(content) if keys]))
-        holder = content
-        for key in above:
-            holder = holder[key]
-        holder[last] = data.draw(JUNK)
-    path.write_bytes(container(json.dumps(content).encode(), body))
-    try:
-        mesh = read_glb(path)
-    except FileError as error:
-        assert error.reason
-    else:
-        assert mesh.triangles.min() >= 0 and mesh.triangles.max() < len(mesh.vertices)

@@ -21,10 +21,9 @@ from pointloom.io.source import netted
 from pointloom.io.table import MeshTable
 
 from .gltf_scenes import TRIANGLE, Scene, changed, one_triangle
-from .textured_meshes import PICTURE, square, textured
+from .textured_meshes import PICTURE, textured
 
 SHEAR = np.array([[1, 0.5, 0, 3], [0, 2, 0, 0], [0, 0, 1, -1], [0, 0, 0, 1.0]])
-HALF = float(np.sqrt(0.5))
 
 
 def test_a_gltf_is_read_as_its_glb_is(tmp_path):
@@ -51,7 +50,6 @@ def test_a_gltf_is_read_as_its_glb_is(tmp_path):
         ("data:;base64,@@", "its data URI is damaged"),
         ("data:;base64", "it has no comma"),
         ("data:,%2", "a % without two digits"),
-        ("data:,ü", "its data URI is damaged"),
         (7, "uri is 7, expected a string"),
     ],
 )
@@ -77,9 +75,12 @@ def test_gltf_exchange_with_trimesh(tmp_path):
         mesh = read_glb(tmp_path / "model.gltf")
     both = scene.to_geometry()
     np.testing.assert_allclose(mesh.vertices[mesh.triangles], both.vertices[both.faces], atol=1e-6)
-    loom.write_triangle_mesh(tmp_path / "m.gltf", loom.TriangleMesh(mesh.vertices, mesh.triangles))
+    label = np.arange(len(mesh.vertices)).astype("u1")
+    made = loom.TriangleMesh(mesh.vertices, mesh.triangles, vertex_attributes={"label": label})
+    loom.write_triangle_mesh(tmp_path / "m.gltf", made)
     loaded = trimesh.load(tmp_path / "m.gltf", process=False, force="mesh")
     np.testing.assert_allclose(loaded.vertices[loaded.faces], mesh.vertices[mesh.triangles], atol=1e-6)
+    np.testing.assert_array_equal(np.ravel(loaded.vertex_attributes["_label"]), label)
 
 
 CLIMBING = {
@@ -188,10 +189,8 @@ NON_FINITE_TARGET.primitives[0]["targets"][0]["POSITION"] = NON_FINITE_TARGET.ar
     [
         (sparse_scene([1, 1], MOVED, base=True), (), "indices that do not increase"),
         (sparse_scene([0, 1], MOVED, base=True, count=3), (), "beyond the 4 bytes"),
-        (sparse_scene([0, 1], MOVED, base=True, count=0), (), "sparse replaces 0 of 3"),
         (sparse_scene([0, 1], MOVED, base=True, code="i2"), (), "indices that are not unsigned integers"),
         (skinned([[np.nan, 0, 0, 0]] * 3), (), "invalid joint weights"),
-        (skinned([[2, -1, 0, 0]] * 3), (), "invalid joint weights"),
         (skinned([[0, 1, 0, 0]] * 3, joints=[[0, 2, 0, 0]] * 3), (), "refers to joint 2, of 2"),
         (SKINNED, ("skins", 0, "joints", []), "has no joints"),
         (SKINNED, ("skins", 0, "joints", [1, 5]), "its joint nodes 5 is not in the scene"),
@@ -200,7 +199,6 @@ NON_FINITE_TARGET.primitives[0]["targets"][0]["POSITION"] = NON_FINITE_TARGET.ar
         (SKINNED, ("meshes", 0, "primitives", 0, "attributes", {"POSITION": 0}), "has a skin, but no joints and"),
         (skinned([[1, 0, 0, 0]] * 2), (), "WEIGHTS_0 of meshes 0 has 2 elements, POSITION 3"),
         (morphed(weights=[1]), (), "is not 2 numbers"),
-        (morphed(weights=["a", 1]), (), "is not 2 numbers"),
         (morphed(weights=3), (), "weights are not a list"),
         (NON_FINITE_TARGET, (), r"vertex 0\): POSITION of meshes 0 is moved by a morph target to a NaN or infinite"),
         (NAN, (), r"vertex 2\): POSITION of meshes 0 is NaN or infinite"),
@@ -448,15 +446,6 @@ def test_8_bit_vertex_colors_round_trip_as_linear_light(tmp_path):
     assert linear[2, 0] == pytest.approx(2 / 255 / 12.92)
     again = read_glb(tmp_path / "m.gltf")
     np.testing.assert_array_equal(np.rint(again.vertex_colors * 255), grays)
-
-
-def test_trimesh_finds_our_attributes(tmp_path):
-    trimesh = pytest.importorskip("trimesh")
-    mesh = square().without_texture()
-    mesh.attributes = {"label": np.array([3, 1, 4, 1], "u1")}
-    write_glb(tmp_path / "m.glb", mesh)
-    loaded = trimesh.load(tmp_path / "m.glb", process=False, force="mesh")
-    np.testing.assert_array_equal(np.ravel(loaded.vertex_attributes["_label"]), [3, 1, 4, 1])
 
 
 def test_copies_of_a_mesh_and_elements_of_few_bytes_have_a_budget(tmp_path, monkeypatch):

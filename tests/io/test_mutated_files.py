@@ -19,19 +19,25 @@ from pointloom.io.meshes.off import read_off, write_off
 from pointloom.io.meshes.stl import read_stl, write_stl
 from pointloom.io.models.metashape import read_metashape_cameras
 from pointloom.io.pictures.image_files import read_color
+from pointloom.io.points.e57 import read_e57
+from pointloom.io.points.e57_writer import write_e57
+from pointloom.io.points.las import read_las
+from pointloom.io.points.las_writer import write_las
 from pointloom.io.points.npz import read_npz, write_npz
 from pointloom.io.points.pcd import read_pcd, write_pcd
 from pointloom.io.points.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
 from pointloom.io.points.ptx import read_ptx
 from pointloom.io.points.text import read_text, write_text
 from pointloom.io.points.text_table import read_text_table
+from pointloom.io.splats.splat_files import read_splats, write_splats
 from pointloom.io.splats.splat_ply import read_splat_ply
 from pointloom.io.table import MeshTable, PointTable
 
+from ..pcd.test_splats import made
 from .point_tables import table_of
-from .test_metashape import TRANSFORM, camera, document
-from .test_ptx import scan
+from .test_camera_files import TRANSFORM, camera, document
 from .test_splat_files import CHUNK, compressed, packed
+from .test_text import scan
 from .textured_meshes import square, textured
 
 EXAMPLES = 25
@@ -59,6 +65,11 @@ def text_table(suffix):
     table = table_of(7)
     normals = table.normals if suffix == ".xyzn" else None
     return PointTable(table.points, normals, table.colors if suffix in (".xyzrgb", ".pts") else None)
+
+
+def scanned():
+    table = table_of(7)
+    return PointTable(table.points, None, table.colors, {"intensity": np.arange(7, dtype=np.uint16)})
 
 
 def mesh():
@@ -98,6 +109,7 @@ MAKERS = {
     "plain.txt": (lambda path: path.write_text("# x y z\n1 2 3\n4.5 5e1 -6\n"), read_text_table),
     "scans.ptx": (lambda path: path.write_text(scan()), read_ptx),
     "splats.ply": (lambda path: compressed(path, [packed()] * 3, CHUNK, sh=[[1] * 9] * 3), read_splat_ply),
+    "splats.spz": (lambda path: write_splats(path, made(3, 0)), read_splats),
     "mesh.obj": (lambda path: write_obj(path, mesh()), read_obj),
     "mesh.stl": (lambda path: write_stl(path, MeshTable(mesh().vertices, mesh().triangles)), read_stl),
     "text.stl": (write_text_stl, read_stl),
@@ -106,6 +118,9 @@ MAKERS = {
     "square.obj": (lambda path: write_obj(path, square()), read_obj),
     "textured.ply": (lambda path: write_ply_mesh(path, textured()), read_ply_mesh),
     "square_ascii.ply": (lambda path: write_ply_mesh(path, square(), ascii=True), read_ply_mesh),
+    "cloud.las": (lambda path: write_las(path, scanned()), read_las),
+    "cloud.laz": (lambda path: write_las(path, scanned()), read_las),
+    "cloud.e57": (lambda path: write_e57(path, scanned()), read_e57),
     "cloud.npz": (lambda path: write_npz(path, table_of(7)), read_npz),
     "cameras.xml": (write_cameras, read_metashape_cameras),
     **{f"path.{suffix}": (write_path, read_trajectory) for suffix in ("log", "tum", "kitti", "json")},
@@ -137,6 +152,7 @@ TEXT = (
     "square",
     "path",
 )
+UNBOUNDED = ("cloud.xyz", "plain", "cloud.la", "splats.spz")  # formats that allow bytes behind the points
 COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "scans.ptx", "text.stl", "mesh.off", "path.json"]
 
 pytestmark = [
@@ -230,7 +246,7 @@ def test_a_truncated_file_that_lost_a_value_is_an_error(name, valid_files):
             MAKERS[name][1](path)
 
 
-@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(("cloud.xyz", "plain"))])
+@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(UNBOUNDED)])
 def test_bytes_behind_the_payload_are_an_error(name, valid_files):
     folder, files = valid_files
     path = folder / f"long_{name}"

@@ -1,14 +1,33 @@
-"""Point cloud files: round trips of every format and attribute, warnings about losses, atomic writing."""
+"""Point cloud files: round trips, names, units, non-finite values, NPZ archives, and warnings about losses."""
 
 import builtins
 import importlib
+import io
+import re
 import sys
+import warnings
+import zipfile
+from contextlib import nullcontext
 
+import laspy
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.io.points.formats import READERS
+from pointloom.core.errors import FileError
+from pointloom.core.units import LengthUnit
+from pointloom.io.attribute_names import NameRules, is_word, new_names
+from pointloom.io.meshes.tables import write_cloud_table
+from pointloom.io.points.formats import READERS, write_table
+from pointloom.io.points.las import read_las
+from pointloom.io.points.npz import read_npz, write_npz
+from pointloom.io.points.ply import read_ply
+from pointloom.io.points.scan_files import list_scans
+from pointloom.io.table import PointTable
+from pointloom.registration import run_odometry
+
+from .las_files import edited, make
+from .point_tables import assert_same_table, table_of
 
 UTM = np.array([5.01234e5, 5.412345e6, 212.5])
 BINARY = [(".ply", False), (".ply", True), (".pcd", False), (".pcd", True), (".npz", False)]
@@ -64,20 +83,6 @@ def test_colors_between_the_steps_of_8_bits_are_rounded(extension, rng, tmp_path
     loom.write_point_cloud(path, cloud)
     limit = tolerances.color_8bit if extension != ".npz" else 0
     np.testing.assert_allclose(loom.read_point_cloud(path).colors, cloud.colors, rtol=0, atol=limit)
-
-
-@pytest.mark.parametrize("extension", [".pcd", ".npz"])
-def test_an_organized_cloud_keeps_its_grid_and_its_holes(device, extension, tmp_path):
-    depth = np.full((4, 6), 1500, np.uint16)
-    depth[1, 2:4] = 0
-    camera = loom.PinholeCameraIntrinsic(6, 4, 5, 5, 2.5, 1.5)
-    cloud = loom.PointCloud.create_from_depth_image(depth, camera, project_valid_depth_only=False, device=device)
-    path = tmp_path / f"cloud{extension}"
-    loom.write_point_cloud(path, cloud)
-    result = loom.read_point_cloud(path, device=device)
-    assert result.grid == (4, 6)
-    np.testing.assert_array_equal(result.points, cloud.points)
-    assert np.isnan(result.points).any()
 
 
 @pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz", ".xyz"])
@@ -143,3 +148,447 @@ def test_a_missing_package_is_named_with_the_line_that_installs_it(missing, suff
     message = rf'{suffix} needs the package {missing}. pip install "pointloom\[{extra}\]"'
     with pytest.raises(loom.FileError, match=message):
         loom.read_point_cloud(tmp_path / f"a{suffix}")
+
+
+WORDS = {"Pulse width": "Pulse_width", "größe": "gr__e", "": "_", "a\tb": "a_b"}
+LONG = "Reflectance of the second return 2"  # 34 bytes
+
+
+def test_names_unsupported_by_the_format_are_changed(tmp_path):
+    for suffix, names in (
+        (".ply", WORDS | {"x": "x_2"}),
+        (".pcd", WORDS | {"x": "x_2", "": "__2", "_": "__2", "rgb": "rgb_2"}),
+        (".npz", {"a/b": "a_b", "": "_", "new\nline": "new_line", "grid": "grid_2"}),
+        (".las", {LONG: LONG[:32], "": "_", "new\nline": "new_line", "X": "X_2", "red": "red_2"}),
+        (".copc.laz", {LONG: LONG[:32]}),
+    ):
+        for old, new in names.items():
+            cloud = loom.PointCloud(np.eye(3), **{old: np.array([1.5, -2, 3], np.float32)})
+            with pytest.warns(UserWarning, match="under other names"):
+                loom.write_point_cloud(tmp_path / f"a{suffix}", cloud)
+            assert loom.read_point_cloud(tmp_path / f"a{suffix}")[new].tolist() == [1.5, -2, 3]
+
+
+def test_names_that_would_become_one_stay_apart(tmp_path):
+    for suffix, names, changed in (
+        (".ply", ["a b", "a_b", "a\tb"], ["a_b_2", "a_b", "a_b_3"]),
+        (".ply", ["nx", "ny", "nz"], ["nx", "ny", "nz_2"]),  # no normals
+        (".ply", ["red", "green", "blue"], ["red", "green", "blue_2"]),
+        (".pcd", ["normal x", "normal_y", "normal_z"], ["normal_x_2", "normal_y", "normal_z"]),
+        (".las", [LONG, LONG + "b", "b" * 32], [LONG[:32], LONG[:30] + "_2", "b" * 32]),
+    ):
+        cloud = loom.PointCloud(np.eye(3), **{name: np.full(3, k, np.int16) for k, name in enumerate(names)})
+        with pytest.warns(UserWarning, match="under other names"):
+            loom.write_point_cloud(tmp_path / f"a{suffix}", cloud)
+        read = loom.read_point_cloud(tmp_path / f"a{suffix}")
+        assert [read[name].tolist() for name in changed] == [[k] * 3 for k in range(3)]
+        assert not read.has_normals and not read.has_colors
+
+
+def test_components_take_names_too():
+    pairs = np.zeros((2, 2))
+    assert new_names({"a": pairs, "a_1": pairs[0]}, NameRules(is_word)) == {"a_1": "a_1_2"}
+    assert new_names({"b c": pairs}, NameRules(is_word, max_bytes=4)) == {"b c": "b_"}
+
+
+@pytest.mark.parametrize("suffix", [".las", ".laz"])
+def test_values_out_of_range_of_a_standard_dimension_get_an_extra_one(suffix, tmp_path):
+    columns = {"intensity": np.array([0.0, 0.1, 0.9]), "classification": np.array([-1, 0, 300])}
+    with pytest.warns(UserWarning, match="'intensity_value', 'classification' as 'classification_value'"):
+        loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(np.eye(3), **columns))
+    read = loom.read_point_cloud(tmp_path / f"a{suffix}")
+    for name, values in columns.items():
+        np.testing.assert_array_equal(read[f"{name}_value"], values)
+
+
+def test_mesh_attribute_names_are_valid_in_ply(tmp_path):
+    values = np.arange(3, dtype=np.float32)
+    mesh = loom.TriangleMesh(np.eye(3), [[0, 1, 2]], vertex_attributes={"a b": values, "x": values})
+    mesh.triangle_attributes["vertex_indices"] = values[:1]
+    with pytest.warns(UserWarning, match=r"/a\.ply:"):
+        loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
+    read = loom.read_triangle_mesh(tmp_path / "a.ply")
+    assert sorted(read.vertex_attributes) == ["a_b", "x_2"] and [*read.triangle_attributes] == ["vertex_indices_2"]
+
+
+TYPES = [([2**31 - 1, -1], "i4"), ([2**32 - 1, 0], "u4"), ([2**53, -1], "f8"), ([2**53 + 1, 0], None), ([], "i4")]
+
+
+@pytest.mark.parametrize(("values", "kind"), TYPES)
+def test_convert_writes_64_bit_integers_to_ply_if_none_changes(values, kind, tmp_path):
+    table = PointTable(np.zeros((len(values), 3)), attributes={"label": np.array(values, np.int64)})
+    assert write_cloud_table(tmp_path / "a.ply", table) == ([] if kind else ["label"])
+    attributes = read_ply(tmp_path / "a.ply").attributes
+    expected = {"label": (np.dtype(kind), values)} if kind else {}
+    assert {name: (column.dtype, column.tolist()) for name, column in attributes.items()} == expected
+
+
+TRIANGLE = [[0, 0, 0], [10, 0, 0], [0, 10, 0]], [[0, 1, 2]]
+LINK = LengthUnit("Gunter's link", "li", 0.201168)
+
+
+@pytest.mark.parametrize("unit", [None, "foot", "metre", "degree", LINK], ids=str)
+@pytest.mark.parametrize("ascii", [False, True])
+@pytest.mark.parametrize("suffix", [".ply", ".pcd", ".npz"])
+def test_the_unit_survives(suffix, ascii, unit, tmp_path):
+    cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], unit=unit, ring=np.int32([1, 2]))
+    path = tmp_path / f"a{suffix}"
+    loom.write_point_cloud(path, cloud, ascii=ascii)
+    back = loom.read_point_cloud(path)
+    assert (back.unit, back.points.tolist(), [*back.attributes]) == (cloud.unit, cloud.points.tolist(), ["ring"])
+
+
+def test_file_without_a_unit_is_unchanged(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
+    assert "comment" not in (tmp_path / "a.ply").read_text()
+    loom.write_point_cloud(tmp_path / "a.pcd", loom.PointCloud([[0, 0, 0]]), ascii=True)
+    assert "unit" not in (tmp_path / "a.pcd").read_text()
+    loom.write_point_cloud(tmp_path / "a.npz", loom.PointCloud([[0, 0, 0]]))
+    assert np.load(tmp_path / "a.npz").files == ["points"]
+
+
+def test_other_comments_and_those_after_the_header_are_ignored(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]], unit="foot"), ascii=True)
+    text, twice = (tmp_path / "a.ply").read_text(), "unit foot\ncomment unit metre"
+    for comments in ("unit mm", "unit of the scan", "units foot", twice, "Unit foot", "unit x = 0 m"):
+        (tmp_path / "a.ply").write_text(text.replace("unit foot", comments))
+        assert loom.read_point_cloud(tmp_path / "a.ply").unit is None
+    points = np.frombuffer(b"\ncomment unit foot\n".ljust(24), "<f4").reshape(2, 3)
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, origin=[0, 0, 0]))
+    assert b"unit foot" in (tmp_path / "a.ply").read_bytes() and loom.read_point_cloud(tmp_path / "a.ply").unit is None
+
+
+def test_an_npz_names_its_unit_as_text(tmp_path):
+    path = tmp_path / "a.npz"
+    loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0]], unit="foot"))
+    assert str(np.load(path)["unit"]) == "foot"
+    np.savez(path, points=np.zeros((2, 3)), unit=[3, 4])  # an attribute of that name
+    cloud = loom.read_point_cloud(path)
+    assert cloud.unit is None and cloud["unit"].tolist() == [3, 4]
+    cloud.unit = "foot"
+    with pytest.warns(UserWarning, match=r"/a\.npz:.*unit_2"):
+        loom.write_point_cloud(path, cloud)
+    for wrong in ("ell", "", "x" * 300, np.array(["foot"])):
+        np.savez(path, points=np.zeros((2, 3)), unit=wrong)
+        with pytest.raises(loom.FileError, match=r"unit|archive"):
+            loom.read_point_cloud(path)
+
+
+def test_an_e57_is_in_metres(tmp_path):
+    path = tmp_path / "a.e57"
+    loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0], [1, 2, 3]]))
+    cloud = loom.read_point_cloud(path)
+    assert cloud.unit == "metre" and cloud.points[1].tolist() == [1, 2, 3]
+    assert loom.read_point_cloud(path, scan=0).unit == "metre"
+    with pytest.warns(loom.UnitWarning, match=r"/a\.e57:.*0\.3048"):
+        loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0], [0, 0, 1000]], unit="ft"))
+    assert loom.read_point_cloud(path).points[1, 2] == pytest.approx(304.8)
+    with pytest.raises(loom.FileError, match=r"degrees.*project_to_utm"):
+        loom.write_point_cloud(path, loom.PointCloud([[8, 48, 0]], unit="degree"))
+
+
+def test_meshes_keep_the_unit_if_the_format_stores_it(tmp_path):
+    mesh = loom.TriangleMesh(*TRIANGLE)
+    mesh.unit = "foot"
+    loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
+    assert loom.read_triangle_mesh(tmp_path / "a.ply").unit == "foot"
+    assert loom.read_point_cloud(tmp_path / "a.ply").unit == "foot"
+    with pytest.warns(loom.UnitWarning, match=r"/a\.glb:"):
+        loom.write_triangle_mesh(tmp_path / "a.glb", mesh)
+    back = loom.read_triangle_mesh(tmp_path / "a.glb")
+    assert back.unit == "metre" and back.vertices.max() == pytest.approx(3.048)
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".stl", ".off", ".xyz"])
+def test_format_without_a_unit_field_warns(suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    for unit, count in (("foot", 1), ("metre", 0), (None, 0)):
+        mesh = loom.TriangleMesh(*TRIANGLE)
+        mesh.unit = unit
+        cloud = loom.PointCloud(TRIANGLE[0], unit=unit)
+        with pytest.warns(loom.UnitWarning, match="coordinates are in foot") if count else nullcontext():
+            if suffix == ".xyz":
+                loom.write_point_cloud(path, cloud)
+            else:
+                loom.write_triangle_mesh(path, mesh)
+
+
+SIGNALLING = {np.float32: (np.uint32, 0x7F800001), np.float64: (np.uint64, 0x7FF0000000000001)}
+KINDS = ("signalling", "all signalling", "infinite", "all infinite", "largest", "far signalling", "far infinite")
+
+
+def vectors(kind, dtype):
+    rows = np.arange(18, dtype=dtype).reshape(6, 3) + dtype(1e6 if kind.startswith("far") else 0)
+    unsigned, bits = SIGNALLING[dtype]
+    if kind.endswith("signalling"):
+        rows.view(unsigned)[2:, 1] = bits
+        if kind.startswith("all"):
+            rows.view(unsigned)[...] = bits
+    elif kind.endswith("infinite"):
+        rows[2] = np.inf
+        rows[3] = -np.inf
+        if kind.startswith("all"):
+            rows[...] = np.inf
+            rows[::2] = -np.inf
+    else:
+        rows[2, 1], rows[3, 1] = np.finfo(dtype).max, -np.finfo(dtype).max
+    return rows
+
+
+def attempt(operation, *args, **kwargs):
+    """The result, or None if rejected. A warning is an error, even as the cause of a rejection."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.simplefilter("ignore", UserWarning)  # of attributes with other names
+        try:
+            return operation(*args, **kwargs)
+        except (ValueError, TypeError) as error:
+            assert "encountered" not in str(error)
+            return None
+
+
+@pytest.mark.parametrize("dtype", SIGNALLING)
+@pytest.mark.parametrize("kind", KINDS)
+def test_non_finite_cloud_issues_no_warning(kind, dtype, device):
+    rows = vectors(kind, dtype)
+    cloud = attempt(loom.PointCloud, rows, device=device)
+    if cloud is not None:
+        points = attempt(lambda: cloud.points)
+        np.testing.assert_array_equal(np.isnan(points), np.isnan(rows))
+        assert np.isfinite(points[:2]).all() == np.isfinite(rows[:2]).all()
+    attempt(loom.PointCloud, rows, origin=[1e5, 0, 0], device=device)
+    for name in ("normals", "colors", "intensity"):
+        attempt(loom.PointCloud, np.zeros((6, 3)), device=device, **{name: rows})
+
+
+@pytest.mark.parametrize("dtype", SIGNALLING)
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", ["points", "normals", "intensity"])
+def test_non_finite_file_issues_no_warning(name, kind, dtype, tmp_path):
+    rows = vectors(kind, dtype)
+    plain = np.arange(18, dtype=dtype).reshape(6, 3)
+    for extension in READERS:
+        normals = rows if name == "normals" else np.ones((6, 3)) if extension == ".xyzn" else None
+        attributes = {"intensity": rows[:, 1].copy()} if name == "intensity" else {}
+        colors = np.full((6, 3), 0.5) if extension == ".xyzrgb" else None
+        table = PointTable(rows if name == "points" else plain, normals, colors, attributes)
+        for ascii in {False, extension in (".ply", ".pcd")}:
+            path = tmp_path / f"{ascii}{extension}"
+            attempt(write_table, path, table, ascii=ascii, overwrite=True)
+            if path.exists():
+                attempt(loom.read_point_cloud, path)
+    stored = {"points": plain, name: rows if name != "intensity" else rows[:, 1]}
+    np.savez(tmp_path / "raw.npz", **stored)
+    attempt(loom.read_point_cloud, tmp_path / "raw.npz")
+
+
+@pytest.mark.parametrize("bound", ["7ff0000000000001", "7ff0000000000000", "fff0000000000000", "7fefffffffffffff"])
+def test_las_header_with_a_non_finite_box_issues_no_warning(bound, small_las):
+    edited(small_las, *((at, "<Q", int(bound, 16)) for at in range(179, 227, 8)))
+    parts = attempt(lambda: list(loom.read_las_chunks(small_las, 7)))
+    assert [len(part) for part in parts] == [7, 7, 6]
+    joined = np.concatenate([part.points for part in parts])
+    np.testing.assert_allclose(joined, read_las(small_las).points, rtol=0, atol=4)  # 2e7 m apart
+
+
+def test_extra_dimension_with_a_non_finite_scale_issues_no_warning(tmp_path, rng):
+    extra = laspy.ExtraBytesParams("range", "i4", scales=[np.inf], offsets=[-np.inf])
+    make(tmp_path / "a.las", 6, 20, rng, [extra])
+    cloud = attempt(loom.read_point_cloud, tmp_path / "a.las")
+    assert not np.isfinite(cloud["range"]).any()
+
+
+def test_coordinate_overflow_error_names_the_file(tmp_path):
+    (tmp_path / "far.xyz").write_text("0 0 0\n1e39 0 0\n")
+    with pytest.raises(loom.FileError, match=r"far\.xyz"):
+        loom.read_point_cloud(tmp_path / "far.xyz")
+
+
+def cloud(count=40, dtype=np.float32, grid=None):
+    rng = np.random.default_rng(8)
+    attributes = {code: rng.integers(0, 2, count).astype(code) for code in ("?", "i1", "u2", "i4", "u8", "f2", "f8")}
+    return table_of(count, dtype, grid, features=rng.random((count, 33)), file=np.arange(count), **attributes)
+
+
+def array_bytes(array, **changes):
+    stream = io.BytesIO()
+    np.save(stream, array)
+    data = stream.getvalue()
+    for old, new in changes.items():
+        head, body = data[:128], data[128:]
+        old, new = old.encode(), new.encode()
+        assert old in head
+        data = head.replace(old, new)[:127].ljust(127) + b"\n" + body
+    return data
+
+
+def write_members(path, **members):
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, data in members.items():
+            archive.writestr(f"{name}.npy", data)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "cloud.npz"
+
+
+@pytest.mark.parametrize(("count", "grid", "dtype"), [(0, None, "f4"), (1, None, "f8"), (40, (5, 8), "f4")])
+def test_every_array_survives_a_round_trip_to_the_bit(path, dtype, count, grid):
+    table = cloud(count, dtype, grid)
+    write_npz(path, table)
+    assert_same_table(read_npz(path), table)
+    assert list(read_npz(path).attributes) == list(table.attributes)
+
+
+def test_numpy_reads_written_files_and_their_bytes_are_reproducible(path, tmp_path):
+    table = cloud()
+    write_npz(path, table)
+    with np.load(path) as archive:
+        np.testing.assert_array_equal(archive["points"], table.points)
+    write_npz(tmp_path / "again.npz", table)
+    assert path.read_bytes() == (tmp_path / "again.npz").read_bytes()
+
+
+@pytest.mark.parametrize("save", [np.savez, np.savez_compressed])
+def test_archives_of_numpy_are_read_in_any_layout(path, save):
+    points = np.arange(12, dtype=">f8").reshape(3, 4).T
+    save(path, points=points, colors=np.full((4, 3), 51, np.uint8), ring=np.arange(8)[::2])
+    read = read_npz(path)
+    assert read.points.dtype == np.float64 and read.points.flags.c_contiguous
+    np.testing.assert_array_equal(read.points, points)
+    np.testing.assert_array_equal(read.colors, np.full((4, 3), 0.2, np.float32))
+    np.testing.assert_array_equal(read.attributes["ring"], [0, 2, 4, 6])
+
+
+@pytest.mark.parametrize(
+    ("arrays", "reason"),
+    [
+        ({"xyz": np.zeros((2, 3))}, "no array 'points' (the archive contains: xyz)"),
+        ({"points": np.zeros((3, 2))}, "points: expected numbers of shape [n, 3], got float64 [3, 2]"),
+        ({"points": np.zeros((2, 3), bool)}, "points: expected numbers"),
+        ({"points": np.zeros((2, 3)), "normals": np.zeros((3, 3))}, "normals: expected numbers of shape [2, 3]"),
+        ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a color is outside 0..1"),
+        ({"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))}, "ring: expected shape [2] or [2, c], got [2, 2"),
+        ({"points": np.zeros((2, 3)), "grid": np.array([3, 3])}, "grid: expected height and width"),
+        ({"points": np.zeros((2, 3)), "evil": np.array([print, None], object)}, "evil:"),  # never unpickled
+    ],
+)
+def test_an_archive_that_is_no_cloud_is_refused(path, arrays, reason):
+    np.savez(path, **arrays)
+    with pytest.raises(FileError, match=re.escape(reason)):
+        read_npz(path)
+
+
+SHAPES = f"({10**18}, 3)", "(-2, -3)", "(3, 3)", "(1, 3)", "(2, 3, 1)", "()", "(True, 6)", "(2.0, 3)"
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_header_with_a_wrong_shape_is_rejected_before_allocation(path, shape):
+    write_members(path, points=array_bytes(np.zeros((2, 3)), **{"(2, 3)": shape}))
+    with pytest.raises(FileError, match="points:"):
+        read_npz(path)
+
+
+@pytest.mark.parametrize("size", [10**9, 2**32 - 2])
+def test_directory_with_a_wrong_size_is_rejected(path, size):
+    write_members(path, points=array_bytes(np.zeros((2, 3))))
+    data = bytearray(path.read_bytes())
+    entry = data.rindex(b"PK\1\2")
+    data[entry + 24 : entry + 28] = size.to_bytes(4, "little")
+    path.write_bytes(data)
+    with pytest.raises(FileError, match=f"claims {size} bytes from 176 stored ones"):
+        read_npz(path)
+
+
+def test_a_damaged_archive_is_refused(path):
+    for change, reason in (
+        (lambda data: b"", "is empty"),
+        (lambda data: data[:-1], "truncated"),
+        (lambda data: data + b"\0", "bytes follow its end"),
+        (lambda data: b"junk" + data, "4 bytes precede the archive"),
+        (lambda data: data.replace(b"ring__.npy", b"points.npy"), "is duplicated"),
+        (lambda data: data.replace(b"\x93NUMPY\1", b"\x93NUMPY\7"), "Bad CRC-32"),
+    ):
+        np.savez(path, points=np.zeros((2, 3)), ring__=np.zeros(2))
+        path.write_bytes(change(path.read_bytes()))
+        with pytest.raises(FileError, match=reason):
+            read_npz(path)
+
+
+@pytest.mark.parametrize("name", ["points", "grid", "", "a/b", "..\\b", "new\nline"])
+def test_attribute_name_unsupported_as_member_is_rejected(path, name):
+    with pytest.raises(FileError, match=r"/cloud\.npz:"):
+        write_npz(path, PointTable(np.zeros((2, 3)), attributes={name: np.zeros(2)}))
+    assert not list(path.parent.iterdir())
+
+
+def test_out_of_memory_error_names_the_file(path, monkeypatch):
+    np.savez(path, points=np.zeros((2, 3)))
+
+    def refuse(*args, **kwargs):
+        raise MemoryError
+
+    for target in ("zipfile.ZipExtFile.read", "numpy.lib.format.read_array_header_1_0", "numpy.frombuffer"):
+        with monkeypatch.context() as patch:
+            patch.setattr(target, refuse)
+            with pytest.raises(MemoryError, match=re.escape(f"{path}: not enough memory")):
+                read_npz(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (r"{'descr': '\z', 'fortran_order': False, 'shape': (3,), }", "header is damaged"),  # Python warns of both
+        ("{'descr': '<f8', 'fortran_order': False, 'shape': (1or 3,), }", "header is damaged"),
+        ("(" * 5000, "header is damaged"),
+        (b"\x94NUMPY\1\0v\0", "header is damaged"),
+        (b"\x93NUMPY\7\0v\0", "unknown version"),
+    ],
+    ids=range(5),
+)
+def test_a_damaged_header_is_an_error_and_no_warning(path, text, reason):
+    header = text if isinstance(text, bytes) else b"\x93NUMPY\1\0" + (len(text) + 2).to_bytes(2, "little")
+    write_members(path, points=header + (b"" if isinstance(text, bytes) else text.encode() + b" \n") + bytes(200))
+    with pytest.raises(FileError, match=reason):
+        read_npz(path)
+
+
+def test_names_with_leading_zeros_and_words_are_ordered(tmp_path):
+    names = ["a1.pcd", "a01.pcd", "a002.pcd", "a10.pcd", "b.pcd", "2.pcd", "10.pcd"]
+    for name in names:
+        (tmp_path / name).touch()
+    (tmp_path / "notes.md").touch()
+    (tmp_path / "more.pcd").mkdir()
+    listed = [path.name for path in list_scans(tmp_path)]
+    assert listed == ["a01.pcd", "a1.pcd", "a002.pcd", "a10.pcd", "b.pcd", "2.pcd", "10.pcd"]
+
+
+def test_tables_beside_scans_are_no_scans(tmp_path):
+    for name in ("1.csv", "2.csv"):
+        (tmp_path / name).write_text("0,0,0\n1,2,3\n")
+    assert [path.name for path in list_scans(tmp_path)] == ["1.csv", "2.csv"]
+    for name in ("1.bin", "times.txt"):
+        (tmp_path / name).touch()
+    assert [path.name for path in list_scans(tmp_path)] == ["1.bin"]
+
+
+def test_folders_that_are_none_are_named(tmp_path):
+    with pytest.raises(FileError, match="/nowhere:"):
+        run_odometry(tmp_path / "nowhere")
+    with pytest.raises(FileError, match="contains no scan"):
+        run_odometry(tmp_path)
+    (tmp_path / "1.bin").touch()
+    (tmp_path / "2.ply").touch()
+    with pytest.raises(FileError, match=r"several types: \.bin, \.ply"):
+        run_odometry(tmp_path)
+    with pytest.raises(FileError, match=r"/1\.bin:"):
+        run_odometry(tmp_path / "1.bin")
+    with pytest.raises(FileError, match="is empty"):
+        run_odometry([tmp_path / "1.bin"])
+    for wrong in (loom.PointCloud([[1, 2, 3]]), [3]):
+        with pytest.raises(TypeError, match=r"^scans:"):
+            run_odometry(wrong)
+    with pytest.raises(ValueError, match="timestamps:"):
+        run_odometry([loom.PointCloud([[1, 2, 3]])], timestamps=[0.0, 1.0])
+    assert len(run_odometry([])) == 0

@@ -22,6 +22,8 @@ from pointloom.kernels import cuda_cache
 from pointloom.kernels.language import compiled_ahead
 from pointloom.kernels.language.compiled_ahead import choose
 
+from ..sigint import sigint_enabled
+
 SRC = str(Path(__file__).parents[2] / "src")
 ALL = [f"sm{a}.cubin" for a in cuda_cache.ARCHITECTURES]
 SELECT = "pointloom.kernels.arrays.select"
@@ -146,11 +148,8 @@ def command(folder, *options):
     folders = ["--work", str(folder / "work"), "--output", str(folder / "dist")]
     program = [sys.executable, "-m", "pointloom.kernels.cuda_cache", *folders, *options]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-
-    def hear_interrupts():
-        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a shell's background jobs ignore it, and so would their children
-
-    return subprocess.Popen(program, env=os.environ | {"PYTHONPATH": SRC}, preexec_fn=hear_interrupts, **pipes)
+    with sigint_enabled():
+        return subprocess.Popen(program, env=os.environ | {"PYTHONPATH": SRC}, **pipes)
 
 
 @pytest.mark.slow

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
@@ -87,10 +88,8 @@ def perturb(poses, degrees=0.5, meters=0.01, seed=0):
     rng, result = np.random.default_rng(seed), poses.copy()
     for pose in result:
         axis = rng.normal(size=3)
-        axis *= np.radians(degrees) / np.linalg.norm(axis)
-        K = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
-        angle = np.radians(degrees)
-        pose[:3, :3] = (np.eye(3) + np.sin(angle) / angle * K + (1 - np.cos(angle)) / angle**2 * K @ K) @ pose[:3, :3]
+        rotation = Rotation.from_rotvec(np.radians(degrees) * axis / np.linalg.norm(axis))
+        pose[:3, :3] = rotation.as_matrix() @ pose[:3, :3]
         step = rng.normal(size=3)
         pose[:3, 3] += meters * step / np.linalg.norm(step)
     return result

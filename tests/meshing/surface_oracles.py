@@ -35,14 +35,19 @@ def winding_numbers(points: NDArray[Any], corners: NDArray[Any]) -> NDArray[np.f
     return (2 * np.arctan2(volume, rest)).sum(1) / (4 * np.pi)
 
 
+def cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
+    """Cross product of two vectors. NumPy 1 has none of Python's integers."""
+    return a[[1, 2, 0]] * b[[2, 0, 1]] - a[[2, 0, 1]] * b[[1, 2, 0]]
+
+
 def triangles_meet(s: NDArray[Any], t: NDArray[Any]) -> bool:
     """True if two triangles with small integer coordinates intersect: no candidate axis separates them."""
     edges = [s[1] - s[0], s[2] - s[1], s[0] - s[2], t[1] - t[0], t[2] - t[1], t[0] - t[2]]
-    across = [np.cross(a, b) for a, b in itertools.combinations(edges, 2)]
-    axes = [*edges, *across, *(np.cross(a, e) for a in across for e in edges)]
+    across = [cross(a, b) for a, b in itertools.combinations(edges, 2)]
+    axes = [*edges, *across, *(cross(a, e) for a in across for e in edges)]
     # directions between the edges, and for coplanar or collinear cases their components across the span
     joint = t[0] - s[0]
-    axes += [joint, *(np.cross(joint, e) for e in edges), *(np.cross(np.cross(joint, e), e) for e in edges)]
+    axes += [joint, *(cross(joint, e) for e in edges), *(cross(cross(joint, e), e) for e in edges)]
     low, high = np.array(axes) @ s.T, np.array(axes) @ t.T
     return not ((low.max(1) < high.min(1)) | (high.max(1) < low.min(1))).any()
 

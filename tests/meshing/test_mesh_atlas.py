@@ -162,20 +162,3 @@ def test_triangles_of_a_texture_color_the_texels_that_they_cover(seed, size):
     surely, perhaps = covered(mesh.triangle_uvs, size) > 0, covered(mesh.triangle_uvs, size, 1e-4) > 0
     assert (picture[surely] == 255).all()
     assert (picture[~perhaps] == 0).all()
-
-
-def test_invalid_baking_input_is_rejected():
-    mesh = TriangleMesh.create_plane(create_uv_map=True)
-    with pytest.raises(ValueError, match=r"^bake_vertex_colors:"):
-        mesh.bake_vertex_colors()
-    bare = colored(TriangleMesh.create_plane())
-    with pytest.raises(ValueError, match=r"^bake_vertex_colors:.*triangle_uvs.*compute_uvatlas"):
-        bare.bake_vertex_colors()
-    mesh = colored(mesh)
-    for size, gutter in ((0, 1), (2**15, 1), (8, -1), (8, 9)):
-        with pytest.raises(ValueError, match=r"size|gutter"):
-            mesh.bake_vertex_colors(size, gutter=gutter)
-    for factor in (2, np.nan):
-        mesh.triangle_uvs = mesh.triangle_uvs * factor
-        with pytest.raises(ValueError, match=r"^triangle_uvs:.*0\.\.1"):
-            mesh.bake_vertex_colors()

@@ -1,13 +1,15 @@
-"""Vertex and triangle attributes follow all mesh operations with unchanged types."""
+"""Vertex and triangle attributes, texture coordinates and images follow all mesh operations."""
 
 import copy
 import pickle
-import warnings
 
 import numpy as np
 import pytest
 
-from pointloom import AxisAlignedBoundingBox, TriangleMesh, read_triangle_mesh, write_triangle_mesh
+from pointloom import AxisAlignedBoundingBox, TriangleMesh
+
+from .mesh_soups import FAR
+from .repair_scenes import SIDE_BY_SIDE, moved, sphere
 
 
 def labeled(device=None, mesh: TriangleMesh | None = None) -> TriangleMesh:
@@ -119,24 +121,135 @@ def test_operations_that_drop_attributes_warn():
     assert not bare.vertex_attributes and not bare.triangle_attributes
 
 
-@pytest.mark.parametrize("as_text", [False, True])
-def test_ply_stores_vertex_attributes(tmp_path, as_text):
-    mesh = TriangleMesh.create_box()
-    mesh.vertex_attributes["quality"] = np.linspace(0, 1, 8)
-    mesh.vertex_attributes["label"] = np.arange(8, dtype=np.int32)
-    write_triangle_mesh(tmp_path / "m.ply", mesh, ascii=as_text)
-    back = read_triangle_mesh(tmp_path / "m.ply")
-    for name, values in mesh.vertex_attributes.items():
-        np.testing.assert_array_equal(back.vertex_attributes[name], values)
-        assert back.vertex_attributes[name].dtype == values.dtype
+PICTURE = np.arange(4 * 5 * 3, dtype=np.uint8).reshape(4, 5, 3)
 
 
-@pytest.mark.parametrize("suffix", [".obj", ".stl"])
-def test_formats_without_attributes_warn(tmp_path, suffix):
-    path = tmp_path / f"m{suffix}"
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        write_triangle_mesh(path, labeled())
-    messages = " ".join(str(warning.message) for warning in caught)
-    assert all(name in messages for name in ("place", "number", "row", "middle", "even")) and "left out" in messages
-    assert not read_triangle_mesh(path).vertex_attributes
+def textured(device=None) -> TriangleMesh:
+    rng = np.random.default_rng(0)
+    triangles = rng.permuted(np.tile(np.arange(30), (40, 1)), axis=1)[:, :3]
+    return TriangleMesh(
+        rng.normal(size=(32, 3)),
+        triangles,
+        triangle_uvs=rng.random((120, 2)),
+        triangle_material_ids=rng.integers(0, 2, 40),
+        textures=[PICTURE, PICTURE[::-1]],
+        device=device,
+    )
+
+
+def corner_table(mesh: TriangleMesh) -> np.ndarray:
+    """Position, texture coordinates and material of each corner: the appearance, independent of numbering."""
+    assert mesh.triangle_uvs is not None and mesh.triangle_material_ids is not None
+    corners, materials = mesh.vertices[mesh.triangles.reshape(-1)], np.repeat(mesh.triangle_material_ids, 3)
+    return np.column_stack([corners, mesh.triangle_uvs, materials])
+
+
+def test_a_reflection_preserves_texture_corners(device):
+    mesh = textured(device)
+    mirrored = mesh.transform(np.diag([-1.0, 1, 1, 1]))
+    there = corner_table(mesh) * [-1, 1, 1, 1, 1, 1]
+    np.testing.assert_array_equal(np.sort(corner_table(mirrored), axis=0), np.sort(there, axis=0))
+    np.testing.assert_array_equal(corner_table(mirrored)[::3], there[::3])
+    np.testing.assert_array_equal(corner_table(mirrored)[1::3], there[2::3])
+
+
+def test_texture_survives_copies_pickles_and_devices(device):
+    mesh = textured(device)
+    for again in (mesh.copy(), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh)), mesh.to("cpu")):
+        np.testing.assert_array_equal(corner_table(again), corner_table(mesh))
+        np.testing.assert_array_equal(again.textures[1], PICTURE[::-1])
+
+
+def test_dropping_texture_coordinates_drops_images():
+    mesh = textured()
+    mesh.triangle_uvs = None
+    assert mesh.triangle_uvs is None and mesh.triangle_material_ids is None and mesh.textures == ()
+
+
+FILTERS = {
+    "simple": lambda mesh: mesh.filter_smooth_simple(4),
+    "laplacian": lambda mesh: mesh.filter_smooth_laplacian(4),
+    "taubin": lambda mesh: mesh.filter_smooth_taubin(4),
+    "sharpen": lambda mesh: mesh.filter_sharpen(1, 0.1),
+}
+CLOSE = 2e-6  # m: sums in another order, then float32
+
+
+def split_at_seams(mesh: TriangleMesh, device=None) -> TriangleMesh:
+    """The mesh with a texture of four charts, each with its own vertices, as in a file."""
+    middles = mesh.vertices[mesh.triangles].mean(axis=1)
+    piece = (middles[:, 0] > 0.1) * 2 + (middles[:, 1] > 0.1)
+    keys, corners = np.unique(piece[:, None] * len(mesh.vertices) + mesh.triangles, return_inverse=True)
+    split = TriangleMesh(mesh.vertices[keys % len(mesh.vertices)], corners.reshape(-1, 3), device=device)
+    split.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
+    split.textures = [PICTURE]
+    split.vertex_colors = np.random.default_rng(1).random((len(split.vertices), 3))
+    return split
+
+
+def corners_of(mesh: TriangleMesh) -> np.ndarray:
+    return mesh.vertices[mesh.triangles]
+
+
+@pytest.mark.parametrize("name", FILTERS)
+def test_filters_preserve_seams_and_texture(device, name):
+    ball = sphere()
+    split = split_at_seams(ball, device)
+    changed = FILTERS[name](split)
+    np.testing.assert_allclose(corners_of(changed), corners_of(FILTERS[name](ball)), rtol=0, atol=CLOSE)
+    np.testing.assert_array_equal(changed.triangles, split.triangles)
+    np.testing.assert_array_equal(changed.triangle_uvs, split.triangle_uvs)
+    groups = np.unique(split.vertices, axis=0, return_inverse=True)[1]
+    assert len(np.unique(np.column_stack([groups, changed.vertices]), axis=0)) == len(ball.vertices)
+    assert len(np.unique(np.column_stack([groups, changed.vertex_colors]), axis=0)) == len(ball.vertices)
+
+
+def test_loop_subdivision_is_smooth_across_seams(device):
+    ball = sphere()
+    split = split_at_seams(ball, device)
+    fine = split.subdivide_loop(2)
+    np.testing.assert_allclose(corners_of(fine), corners_of(ball.subdivide_loop(2)), rtol=0, atol=CLOSE)
+    np.testing.assert_array_equal(fine.triangle_uvs, split.subdivide_midpoint(2).triangle_uvs)
+    assert fine.is_watertight()
+
+
+def test_distances_and_curvatures_are_continuous_across_seams(device):
+    ball = sphere()
+    split = split_at_seams(ball, device)
+    index_of = {tuple(p): k for k, p in enumerate(ball.vertices.tolist())}
+    numbers = [index_of[tuple(p)] for p in split.vertices.tolist()]
+    source = numbers.index(0)
+    wanted = ball.compute_geodesic_distances([0])[numbers]
+    np.testing.assert_allclose(split.compute_geodesic_distances([source]), wanted, rtol=1e-9)
+    for result, known in zip(split.compute_vertex_curvature(), ball.compute_vertex_curvature(), strict=True):
+        np.testing.assert_allclose(result, known[numbers], rtol=1e-6)
+
+
+def test_deformations_preserve_seams(device):
+    ball = moved(sphere(), FAR)
+    split = split_at_seams(ball, device)
+    low, high = (int(pick(split.vertices[:, 2])) for pick in (np.argmin, np.argmax))
+    targets = split.vertices[[low, high]] + [[0, 0, 0], [0, 0, 0.3]]
+    bent = split.deform_as_rigid_as_possible([low, high], targets, 5)
+    handles = [int(np.flatnonzero((ball.vertices == split.vertices[v]).all(axis=1))[0]) for v in (low, high)]
+    wanted = ball.deform_as_rigid_as_possible(handles, targets, 5)
+    np.testing.assert_allclose(corners_of(bent), corners_of(wanted), rtol=0, atol=1e-5)
+
+
+def test_coincident_vertices_get_one_position(device):
+    split = split_at_seams(sphere(), device)
+    positions, counts = np.unique(split.vertices, axis=0, return_counts=True)
+    first, second = np.flatnonzero((split.vertices == positions[counts > 1][0]).all(axis=1))[:2].tolist()
+    target = split.vertices[first] + 0.1
+    once = split.deform_as_rigid_as_possible([first], [target], 2)
+    twice = split.deform_as_rigid_as_possible([first, second], [target, target], 2)
+    np.testing.assert_array_equal(once.vertices, twice.vertices)
+    with pytest.raises(ValueError, match=f"vertices {first} and {second} coincide at a seam"):
+        split.deform_as_rigid_as_possible([first, second], [target, target + 1], 2)
+
+
+def test_touching_solids_are_smoothed_separately(device):
+    """Closed components have no boundary, so none of their edges is a seam."""
+    changed = SIDE_BY_SIDE.to(device).filter_smooth_simple(2)
+    alone = TriangleMesh.create_box().filter_smooth_simple(2)
+    np.testing.assert_array_equal(changed.vertices[:8], alone.vertices)

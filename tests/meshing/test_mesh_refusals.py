@@ -12,7 +12,7 @@ import pointloom as loom
 
 from .color_scenes import make_scene
 from .picture_scenes import CAMERA, wall_scene
-from .test_mesh_texture import PICTURE, textured
+from .test_mesh_attributes import PICTURE, textured
 from .tsdf_scenes import SMALL
 
 CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [np.nan] * 3]
@@ -45,6 +45,30 @@ def texture(**given):
     return loom.color_map.texture_from_pictures(**fixed | given)
 
 
+def pivot(radii):
+    return loom.TriangleMesh.create_from_point_cloud_ball_pivoting(BALL, radii)
+
+
+def alpha_shape(alpha):
+    return loom.TriangleMesh.create_from_point_cloud_alpha_shape(CUBE, alpha)
+
+
+def bend(**given):
+    fixed = {"constraint_vertex_indices": [0, 1], "constraint_vertex_positions": np.eye(3)[:2], "max_iter": 3}
+    return loom.TriangleMesh(CORNERS, [[0, 1, 2]]).deform_as_rigid_as_possible(**fixed | given)
+
+
+def bake(size=8, *, factor=1, missing="", **options):
+    mesh = loom.TriangleMesh.create_plane(create_uv_map=missing != "uvs")
+    if missing != "uvs":
+        mesh.triangle_uvs = mesh.triangle_uvs * factor
+    if missing != "colors":
+        mesh.vertex_colors = np.zeros((4, 3))
+    return mesh.bake_vertex_colors(size, **options)
+
+
+CUBE = loom.PointCloud(np.indices([2, 2, 2]).reshape(3, -1).T)
+FINE = loom.TriangleMesh(np.zeros((3, 3)), np.zeros((10_001, 3), int))
 NAMES = {
     "loom": loom, "np": np, "nan": np.nan, "inf": np.inf, "eye": np.eye(4), "make": loom.TriangleMesh,
     "box": loom.TriangleMesh.create_box(), "corners": loom.TriangleMesh(CORNERS, [[0, 1, 2]]), "ball": BALL,
@@ -52,9 +76,26 @@ NAMES = {
     "splats": SPLATS, "volume": VOLUME, "shifted": SHIFTED, "camera": SMALL, "s": SCENE, "poses": SCENE.poses,
     "boxes": BOXES, "frame": loom.video.WorldFrame(48.75, 9.0), "poisson": poisson, "color_map": color_map,
     "rigid": loom.color_map.RigidOptimizerOption(), "texture": texture, "wall": WALL, "scene": loom.RaycastingScene(),
+    "pivot": pivot, "alpha_shape": alpha_shape, "bend": bend, "bake": bake, "fine": FINE, "obj": object(),
     "gray": loom.RGBDImage.create_from_color_and_depth(SCENE.frames[0].color, SCENE.frames[0].depth),
 }  # fmt: skip
 VALUES = """
+make(X, [[0, 1, 2]]) | np.zeros((2, 4)) | vertices:
+make(np.eye(3), [[0, 1, X]]) | 3; -1 | triangles:
+make(np.eye(3), [[0, 1, 2]], X=np.zeros((2, 3))) | vertex_normals | vertex_normals:
+make(np.eye(3), [[0, 1, 2]], origin=[0, 0]) | origin:
+bend(constraint_vertex_indices=X) | []; [0, 0]; [0, 4]; [-1, 1]; [0, 3] | constraint_vertex_indices:
+bend(constraint_vertex_positions=X) | [[0, 0, 0]]; [[0, 0, inf]] * 2 | constraint_vertex_positions:
+bend(max_iter=X) | -1; 10_001 | max_iter:
+bend(energy="springs") | energy:
+bend(smoothed_alpha=-0.1) | smoothed_alpha:
+pivot(X) | []; 0.0; [0.1, -1.0]; nan; [inf]; 1e9 | radii:
+alpha_shape(X) | 0; -1; nan; -inf; []; [1.0, -1.0]; "wide"; "0.1" | alpha:
+setattr(box, "up", X) | "w"; (0, 0, 0); (1, 2) | up:
+bake(missing=X) | "colors"; "uvs" | bake_vertex_colors:
+bake(X) | 0; 2**15 | size
+bake(gutter=X) | -1; 9 | gutter
+bake(factor=X) | 2; nan | triangle_uvs:
 scene.add_instance(0, eye) | geometry_id: expected a geometry id below 0, got 0
 scene.cast_rays(np.zeros((3, 5))) | rays:
 scene.test_occlusions(np.zeros((3, 6)), -1) | tnear
@@ -72,51 +113,35 @@ loom.create_surface(ball, "alpha", density_quantile=0.1) | density_quantile:
 loom.create_surface(ball, alpha=0.1) | alpha:
 loom.create_surface(ball, "voronoi") | method:
 loom.create_surface(ball, density_quantile=1) | density_quantile:
-poisson(np.zeros((0, 3))) | cloud:
-poisson(np.ones((1, 3))) | cloud:
-poisson(np.ones((40, 3))) | cloud:
+poisson(X) | np.zeros((0, 3)); np.ones((1, 3)); np.ones((40, 3)) | cloud:
 poisson(sphere, np.zeros((62, 3))) | cloud:
 poisson(np.full((9, 3), nan)) | cloud:
 poisson(3e38 * sphere, sphere, scale=1.3) | cloud, scale:
 make.create_from_point_cloud_poisson(loom.PointCloud(sphere)) | the cloud has no normals:
-poisson(sphere, depth=1) | depth:
-poisson(sphere, depth=21) | depth:
-poisson(sphere, width=-1) | width:
-poisson(sphere, width=1e-9) | width:
-poisson(sphere, scale=0.99) | scale:
-poisson(sphere, scale=17.0, depth=5) | scale:
-poisson(sphere, point_weight=-1) | point_weight:
-poisson(sphere, point_weight=1001) | point_weight:
+poisson(sphere, depth=X) | 1; 21 | depth:
+poisson(sphere, depth=4, envelope=X) | make(box.vertices * 9 - 4, box.triangles[1:]); fine | envelope:
+poisson(sphere, width=X) | -1; 1e-9 | width:
+poisson(sphere, scale=X) | 0.99; 17.0, depth=5 | scale:
+poisson(sphere, point_weight=X) | -1; 1001 | point_weight:
 poisson(sphere, samples_per_node=1e-4) | samples_per_node:
-loom.marching_cubes(np.zeros((3, 3)), 0) | field:
-loom.marching_cubes(np.zeros((3, 1, 3)), 0) | field:
+loom.marching_cubes(np.zeros((3, X)), 0) | 3; 1, 3 | field:
 loom.marching_cubes(np.zeros((2, 2, 2)), 1e39) | level:
-loom.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=1.0) | spacing:
-loom.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=(1, 0, 1)) | spacing:
-loom.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=(1, 1e-60, 1)) | spacing:
+loom.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=X) | 1.0; (1, 0, 1); (1, 1e-60, 1) | spacing:
 loom.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=(1, 1e39, 1)) | origin, spacing:
 loom.marching_cubes(np.zeros((2, 2, 2)), 0, origin=(nan, 0, 0)) | origin, spacing:
 box.scale(1e60) | scale, center:
 box.paint_uniform_color([255, 0, 0]) | color:
-box.vertex_attributes.__setitem__("a", [1, 2]) | a:
-box.vertex_attributes.__setitem__("a", np.zeros((8, 2, 2))) | a:
+box.vertex_attributes.__setitem__("a", X) | [1, 2]; np.zeros((8, 2, 2)) | a:
 make([[1e6, 0, 0]], [], origin=[0, 0, 0]).merge_close_vertices(1e-20) | eps:
 box.merge_close_vertices(0) | eps:
 box.remove_small_components(min_triangles=0) | min_triangles:
 box.remove_small_components(min_area=-1) | min_area:
-box.clip_plane([0, 0], [0, 0, 1]) | point:
+box.clip_plane(X, [0, 0, 1]) | [0, 0]; [0, 0, inf] | point:
 box.clip_plane([0, 0, 0], [0, 0, 0]) | normal:
-box.clip_plane([0, 0, inf], [0, 0, 1]) | point:
-box.slice_plane([0, 0], [0, 0, 1]) | point:
+box.slice_plane(X, [0, 0, 1]) | [0, 0]; [0, 0, inf] | point:
 box.slice_plane([0, 0, 0], [0, 0, 0]) | normal:
-box.slice_plane([0, 0, inf], [0, 0, 1]) | point:
-corners.compute_geodesic_distances([]) | sources:
-corners.compute_geodesic_distances([4]) | sources:
-corners.compute_geodesic_distances([-1]) | sources:
-corners.compute_geodesic_distances([3]) | sources:
-corners.compute_geodesic_distances(0) | sources:
-make.from_polygon([[0, 0], [1, 1], [1, 0], [0, 1]]) | outline, holes:
-make.from_polygon([[0, 0], [1, 0], [2, 0]]) | outline, holes:
+corners.compute_geodesic_distances(X) | []; [4]; [-1]; [3]; 0 | sources:
+make.from_polygon(X) | [[0, 0], [1, 1], [1, 0], [0, 1]]; [[0, 0], [1, 0], [2, 0]] | outline, holes:
 make.from_polygon([[0, 0], [1, 0]]) | outline:
 make.from_polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]]) | outline, holes:
 make.from_polygon([[0, 0], [nan, 0], [1, 1]]) | outline:
@@ -124,16 +149,12 @@ box.compute_metrics(box, [0.0]) | fscore_radius:
 box.compute_metrics(none) | mesh2:
 none.compute_metrics(box) | compute_metrics:
 box.compute_error_map(box, max_distance=-1) | max_distance:
-box.remesh_isotropic(0) | edge_length:
-box.remesh_isotropic(1e-9) | edge_length:
+box.remesh_isotropic(X) | 0; 1e-9 | edge_length:
 box.remesh_isotropic(0.1, -1) | iterations:
 box.remesh_isotropic(0.1, feature_angle=200) | feature_angle:
-box.repair(hole_size=0) | hole_size:
-box.repair(hole_size=inf) | hole_size:
-box.repair(merge_distance=0) | merge_distance:
-box.repair(merge_distance=inf) | merge_distance:
-loom.simplify_mesh(box) | pass one of triangles, ratio and voxel_size
-loom.simplify_mesh(box, triangles=9, ratio=0.5) | pass one of triangles, ratio and voxel_size
+box.repair(hole_size=X) | 0; inf | hole_size:
+box.repair(merge_distance=X) | 0; inf | merge_distance:
+loom.simplify_mesh(X) | box; box, triangles=9, ratio=0.5 | pass one of triangles, ratio and voxel_size
 loom.simplify_mesh(box, ratio=0) | ratio:
 loom.simplify_mesh(box, voxel_size=1, max_error=1) | max_error, boundary_weight:
 loom.smooth_mesh(box, "simple", mu=-1) | mu:
@@ -141,13 +162,10 @@ loom.smooth_mesh(box, strength=1) | strength:
 loom.smooth_mesh(box, "bilateral") | method:
 loom.clean_mesh(box, min_triangles=0) | min_triangles:
 loom.compare_meshes(box, box, limit=0) | limit:
-box.sample_points_uniformly(0) | number_of_points:
-box.sample_points_uniformly(2**31) | number_of_points:
-box.sample_points_poisson_disk(0) | number_of_points:
-box.sample_points_poisson_disk(2**31) | number_of_points:
+box.sample_points_uniformly(X) | 0; 2**31 | number_of_points:
+box.sample_points_poisson_disk(X) | 0; 2**31 | number_of_points:
 make.create_box(width=0) | width:
-make.create_sphere(resolution=1) | resolution:
-make.create_sphere(resolution=10**6) | resolution:
+make.create_sphere(resolution=X) | 1; 10**6 | resolution:
 make.create_cylinder(resolution=2) | resolution:
 make.create_cylinder(split=0) | split:
 make.create_cone(radius=-1) | radius:
@@ -158,29 +176,19 @@ make.create_mobius(twists=-1) | twists:
 make.create_mobius(width_split=1) | width_split:
 make.create_coordinate_frame(origin=[0, 0]) | origin:
 make.create_coordinate_frame(origin=[0, inf, 0]) | origin:
-box.filter_smooth_laplacian(-1) | number_of_iterations:
-box.filter_smooth_laplacian(10_001) | number_of_iterations:
-box.filter_smooth_laplacian(filter_scope="vertices") | filter_scope:
-box.filter_smooth_laplacian(filter_scope="normal") | filter_scope:
-box.subdivide_midpoint(-1) | number_of_iterations:
-box.subdivide_midpoint(15) | number_of_iterations:
-box.subdivide_loop(-1) | number_of_iterations:
-box.subdivide_loop(15) | number_of_iterations:
-box.subdivide_loop(2**31 - 1) | number_of_iterations:
+box.filter_smooth_laplacian(X) | -1; 10_001 | number_of_iterations:
+box.filter_smooth_laplacian(filter_scope=X) | "vertices"; "normal" | filter_scope:
+box.subdivide_midpoint(X) | -1; 15 | number_of_iterations:
+box.subdivide_loop(X) | -1; 2**31 - 1 | number_of_iterations:
 setattr(textured, "triangle_uvs", np.zeros((40, 2))) | triangle_uvs:
-setattr(textured, "triangle_material_ids", [0]) | triangle_material_ids:
-setattr(textured, "triangle_material_ids", np.full(40, -1)) | triangle_material_ids:
+setattr(textured, "triangle_material_ids", X) | [0]; np.full(40, -1) | triangle_material_ids:
 setattr(textured, "textures", [PICTURE.astype(float)]) | textures[0]:
-box.trim([1, 2], 0) | vertex_values:
-box.trim(np.zeros((8, 1)), 0) | vertex_values:
-box.trim(np.full(8, nan), 0) | vertex_values:
+box.trim(X, 0) | [1, 2]; np.zeros((8, 1)); np.full(8, nan) | vertex_values:
 box.trim(np.zeros(8), inf) | level:
-box.trim(np.zeros(8), 0, island_ratio=-0.1) | island_ratio:
-box.trim(np.zeros(8), 0, island_ratio=2) | island_ratio:
+box.trim(np.zeros(8), 0, island_ratio=X) | -0.1; 2 | island_ratio:
 box.voxelize(0) | voxel_size:
 box.voxelize(1e-12) | voxel_size, min_bound, max_bound:
-box.voxelize(3e-9) | voxel_size:
-box.voxelize(1e-6) | voxel_size:
+box.voxelize(X) | 3e-9; 1e-6 | voxel_size:
 box.voxelize(0.1, [0, 0]) | min_bound:
 box.voxelize(0.1, [0, 0, nan]) | min_bound:
 box.voxelize(0.1, [0, 0, 0], [1, 1, -1]) | min_bound, max_bound:
@@ -192,21 +200,17 @@ loom.orthophoto(box, 1.0, bounds=(0, 0, 0, 1)) | bounds:
 loom.orthophoto(box, 1.0, corner=(1e300, 0)) | corner:
 box.simplify_quadric_decimation(-1) | target_number_of_triangles:
 box.simplify_quadric_decimation(2, maximum_error=-1) | maximum_error:
-box.simplify_quadric_decimation(2, boundary_weight=-1) | boundary_weight:
-box.simplify_quadric_decimation(2, boundary_weight=inf) | boundary_weight:
-box.simplify_vertex_clustering(0) | voxel_size:
-box.simplify_vertex_clustering(1e-30) | voxel_size:
+box.simplify_quadric_decimation(2, boundary_weight=X) | -1; inf | boundary_weight:
+box.simplify_vertex_clustering(X) | 0; 1e-30 | voxel_size:
 box.simplify_vertex_clustering(1, "median") | contraction:
 scene.compute_distance([[0, 0]]) | query_points:
 scene.compute_signed_distance([[0, 0, 0]], nsamples=2) | nsamples:
-loom.fuse_splats(splats, camera, voxel_size=0.1) | extrinsics:
-loom.fuse_splats(splats, extrinsics=[eye], voxel_size=0.1) | extrinsics:
+loom.fuse_splats(splats, X, voxel_size=0.1) | camera; extrinsics=[eye] | extrinsics:
 loom.fuse_splats(splats, voxel_size=0) | voxel_size:
 loom.fuse_splats(splats, voxel_size=0.1, depth_max=-1) | depth_max:
 loom.fuse_splats(splats, voxel_size=0.1, depth_max=1e-3) | extrinsics:
 loom.fuse_splats(splats.select_by_index([]), voxel_size=0.1) | splats:
-volume.ray_cast(camera, eye, depth_min=0) | depth_min:
-volume.ray_cast(camera, eye, depth_min=2, depth_max=1) | depth_min:
+volume.ray_cast(camera, eye, depth_min=X) | 0; 2, depth_max=1 | depth_min:
 volume.ray_cast(camera, eye, weight_threshold=-1) | weight_threshold:
 volume.ray_cast(camera, np.diag([2.0, 2, 2, 1])) | extrinsic:
 volume.extract_triangle_mesh(-1) | weight_threshold:
@@ -216,8 +220,7 @@ loom.fuse_volumes([volume], [eye, eye]) | poses:
 loom.fuse_volumes([volume], [2 * eye]) | poses[0]:
 loom.fuse_volumes([volume, volume], [eye, shifted]) | poses:
 loom.fuse_volumes([volume], [eye], voxel_size=0.0) | voxel_size:
-loom.fuse_volumes([volume], [eye], truncation=0.2) | truncation:
-loom.fuse_volumes([volume], [eye], truncation=0.01) | truncation:
+loom.fuse_volumes([volume], [eye], truncation=X) | 0.2; 0.01 | truncation:
 loom.fuse_volumes([volume], [eye], color=True) | color:
 color_map(camera_trajectory=loom.Trajectory(poses[:4])) | camera_trajectory.poses:
 color_map(intrinsic=[s.camera] * 2) | intrinsic:
@@ -233,17 +236,22 @@ color_map(images_rgbd=[gray] * 5) | images_rgbd[0]:
 texture(mesh=box.remove_triangles_by_mask(np.ones(12, bool))) | mesh:
 texture(cameras=loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)) | pictures[0]:
 texture(extrinsics=[*wall.extrinsics[:2], np.full((4, 4), nan)]) | extrinsics[2]:
-texture(extrinsics=wall.extrinsics[:2]) | extrinsics:
-texture(extrinsics=None) | extrinsics:
+texture(extrinsics=X) | wall.extrinsics[:2]; None | extrinsics:
 texture(pictures=[], extrinsics=[]) | pictures:
 """
 TYPES = """
+make(np.eye(3), [[0.0, 1.0, 2.0]]) | triangles:
+make(np.eye(3), [[0, 1, 2]], vertex_colors=[["red"] * 3] * 3) | vertex_colors:
+bend(constraint_vertex_indices=[0.0, 1.0]) | constraint_vertex_indices:
+bend(energy=1) | energy:
+pivot(X) | "0.1"; ["0.1"]; True; obj | radii:
+setattr(box, "up", obj) | up:
+poisson(sphere, depth=4, envelope="box") | envelope:
 loom.change.cloud_to_mesh(ball, ball) | mesh:
 loom.create_surface(ball, "alpha", alpha=[0.1, 0.2]) | alpha:
 poisson(sphere, depth=5.0) | depth:
 loom.marching_cubes(np.zeros((2, 2, 2), complex), 0) | field:
-box.vertex_attributes.__setitem__("a", ["x"] * 8) | a:
-box.vertex_attributes.__setitem__("a", np.zeros(8, np.longdouble)) | a:
+box.vertex_attributes.__setitem__("a", X) | ["x"] * 8; np.zeros(8, np.longdouble) | a:
 box.remove_small_components(min_triangles=1.5) | min_triangles:
 corners.compute_geodesic_distances([0.5]) | sources:
 box.compute_metrics([[0, 0, 0]]) | mesh2:
@@ -271,10 +279,16 @@ KEYS = "box.vertex_attributes.__setitem__('vertex_colors', np.zeros((8, 3))) | '
 KINDS = {ValueError: VALUES, TypeError: TYPES, KeyError: KEYS}
 
 
+def rows_of(line):
+    """(call, argument) for each value that replaces X in the call."""
+    call, *values, name = line.split(" | ")
+    return [(re.sub(r"\bX\b", value, call), name) for value in (values[0].split("; ") if values else [""])]
+
+
 @pytest.mark.parametrize(
-    ("line", "error"), [(line, error) for error, lines in KINDS.items() for line in lines.strip().splitlines()]
+    ("call", "name", "error"),
+    [(*row, error) for error, lines in KINDS.items() for line in lines.strip().splitlines() for row in rows_of(line)],
 )
-def test_invalid_arguments_are_rejected_by_name(line, error):
-    call, _, name = line.rpartition(" | ")
+def test_invalid_arguments_are_rejected_by_name(call, name, error):
     with pytest.raises(error, match=f"^{re.escape(name)}"):
         eval(call, dict(NAMES))

@@ -1,18 +1,17 @@
 """A volume with blocks on disk is bitwise identical to one in memory, and saved data survives the process."""
 
 import copy
+import itertools
 import os
 import pickle
-import signal
-import subprocess
-import sys
-from pathlib import Path
+import shutil
 
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.kernels.memory import download
+from pointloom.meshing.volume import page_files
 
 CAMERA = loom.PinholeCameraIntrinsic(40, 30, 40.0, 40.0, 19.5, 14.5)
 SIZES = {"voxel_size": 0.025, "truncation": 0.075}
@@ -212,42 +211,33 @@ def test_folders_are_preserved(device, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("at", [3, 17, 40, 64])
-def test_a_killed_process_leaves_its_last_save(tmp_path, at):
-    """Killed at some file write: `load` finds the frames of the last `save`, and the rest can be repeated."""
-    program = f"""
-import os, signal, sys
-sys.path.insert(0, {str(Path.cwd())!r})
-from tests.meshing.test_paged_volume import frame, integrate_frames, paged
-import pointloom.meshing.volume.page_files as files
-written = 0
-def counting(function):
-    def call(*arguments, **more):
-        global written
-        written += 1
-        if written == {at}:
-            os.kill(os.getpid(), signal.SIGKILL)
-        return function(*arguments, **more)
-    return call
-os.replace = counting(os.replace)
-os.link = counting(os.link)
-files.Path.unlink = counting(files.Path.unlink)
-volume = paged({str(tmp_path / "v")!r}, "cpu")
-for k in range(12):
-    integrate_frames(volume, [k])
-    if k % 2:
-        volume.save()
-        print(k + 1, flush=True)
-"""
-    environment = os.environ | {"PYTHONPATH": str(Path.cwd() / "src")}
-    command = [sys.executable, "-c", program]
-    done = subprocess.run(command, capture_output=True, text=True, env=environment)
-    assert done.returncode == -signal.SIGKILL, done.stderr
-    reported = int((done.stdout.split() or ["0"])[-1])
-    with loom.PagedTSDFVolume.load(tmp_path / "v", max_blocks=190) as volume:
-        assert volume.frame_count in (reported, reported + 2)
+def test_a_killed_process_leaves_its_last_save(tmp_path, monkeypatch, at):
+    """The files at some change of a file: `load` finds the frames of the last `save`, and the rest can be repeated."""
+    changes, saved, volume = itertools.count(1), [0], paged(tmp_path / "v", "cpu")
+
+    def counting(function):
+        def call(*arguments, **more):
+            if next(changes) == at:
+                shutil.copytree(tmp_path / "v", tmp_path / "killed")
+                saved.append(saved[0])
+            return function(*arguments, **more)
+
+        return call
+
+    with monkeypatch.context() as patch:
+        for owner, name in ((os, "replace"), (os, "link"), (page_files.Path, "unlink")):
+            patch.setattr(owner, name, counting(getattr(owner, name)))
+        for k in range(12):
+            integrate_frames(volume, [k])
+            if k % 2:
+                volume.save()
+                saved[0] = k + 1
+    volume.close()
+    with loom.PagedTSDFVolume.load(tmp_path / "killed", max_blocks=190) as volume:
+        assert volume.frame_count in (saved[1], saved[1] + 2)
         assert_same_bits(volume.to_volume(), integrate_frames(loom.TSDFVolume(**SIZES), range(volume.frame_count)))
         integrate_frames(volume, range(volume.frame_count, 12))
         assert_same_bits(volume.to_volume(), integrate_frames(loom.TSDFVolume(**SIZES)))
         volume.save()
-        left = {file.name for file in (tmp_path / "v").iterdir()}
+        left = {file.name for file in (tmp_path / "killed").iterdir()}
         assert len(left) == 1 + len(volume._volume.cubes)  # no leftovers of the killed process

@@ -12,7 +12,7 @@ import pointloom as loom
 
 from .shape_scenes import icosphere
 from .simplification_scenes import bumpy_torus
-from .test_mesh_deformation import bumpy_ball, pulled
+from .test_mesh_smoothing import bumpy_ball, pulled
 from .test_mesh_voxels import soup
 
 CASES = """
@@ -35,6 +35,7 @@ CASES = """
 0 0 torus.compute_uvatlas(128).triangle_uvs
 0 0 loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, 0.3 * s).triangles
 0 0 soup.voxelize(0.1 * s).coordinates
+1 1e-6 soup.sample_points_uniformly(300).points
 0 0 cloud.estimate_normals(max_nn=10).normals
 0 0 loom.compute_eigen_features(cloud, max_nn=12)["planarity"]
 0 0 loom.compute_fpfh_feature(cloud, radius=0.2 * s)

@@ -1,17 +1,19 @@
-"""Volumes that integrate frames on a GPU are bitwise identical to those of the CPU."""
+"""Frames on a GPU give bitwise identical volumes to those of the CPU, and are integrated completely or not."""
 
 import pickle
+from functools import partial
 
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.kernels.lang import cpu_compiler, float32, uint8, uint16
+from pointloom.kernels.lang import cpu_compiler
 from pointloom.kernels.linear_algebra import inv
-from pointloom.kernels.memory import download, upload
-from pointloom.kernels.volumes import device_frames
+from pointloom.kernels.memory import download
+from pointloom.kernels.volumes import device_frames, voxel_blocks
 from pointloom.meshing.volume.block_count import BlockCount
 
+from ..interruptions import run_lines
 from .tsdf_scenes import CAMERA, SMALL, TRUNCATION, VOXEL, fingerprint, look_at, plane_depth, rays_of, small_frames
 
 WIDE = loom.PinholeCameraIntrinsic(61, 33, 40.0, 41.0, 30.2, 16.4)
@@ -144,6 +146,9 @@ def test_rendered_maps_match_the_ray_cast_in_the_camera_frame(device, origin):
     assert np.abs(normals - view.normals @ T[:3, :3])[both].max() < 1e-3
     assert (normals[both][:, 2] < 0).all(), "they point to the camera's side"
     assert np.isnan(normals[depth == 0]).all()
+    assert rendered(painted_wall(device, color=False, origin=origin)[0], T)[2] is None
+    depth, normals, _ = rendered(volume, T, depth_max=0.2)
+    assert not depth.any() and np.isnan(normals).all()
 
 
 def test_rendered_brightness_is_smooth_and_matches_the_surface(device):
@@ -162,35 +167,102 @@ def test_rendered_brightness_is_smooth_and_matches_the_surface(device):
     assert not intensity[depth == 0].any()
 
 
-def test_a_volume_without_color_renders_no_brightness(device):
-    volume, _ = painted_wall(device, color=False)
-    depth, _, intensity = rendered(volume, look_at((0, 0, -1.0)))
-    assert intensity is None
-    assert (depth > 0).sum() > 10_000
+FILES = (
+    "meshing/volume/tsdf.py", "kernels/volumes/voxel_blocks.py", "kernels/volumes/integrate.py",
+    "kernels/volumes/device_frames.py", "kernels/volumes/frame_record.py", "kernels/arrays/hash_table.py",
+    "kernels/arrays/atomic_changes.py",
+)  # fmt: skip
+LENS = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+HERE, THERE = np.eye(4), np.eye(4)
+THERE[0, 3] = 1.5  # with new blocks, for which the table and the voxels grow
 
 
-def test_an_empty_view_is_empty(device):
-    volume = loom.TSDFVolume(voxel_size=VOXEL, device=device)
-    depth, normals, intensity = rendered(volume, np.eye(4))
-    assert not depth.any() and np.isnan(normals).all() and intensity is None
-    volume, _ = painted_wall(device)
-    assert not rendered(volume, np.eye(4), depth_max=0.2)[0].any()
+def seeded_frame(seed):
+    depth = (1 + 0.4 * np.random.default_rng(seed).random((24, 32))).astype(np.float32)
+    return depth, np.full((24, 32, 3), 40 * seed, np.uint8)
 
 
-def test_limits_of_a_rendered_view_are_checked(device):
-    volume, _ = painted_wall(device)
-    with pytest.raises(ValueError, match="depth_min"):
-        volume._render_maps(CAMERA, np.eye(4), depth_min=2.0, depth_max=1.0)
+def begun(device):
+    volume = loom.TSDFVolume(voxel_size=0.02, device=device)
+    add(volume, 1, HERE)
+    return volume
 
 
-@pytest.mark.parametrize("raw", [uint16, float32])
-def test_a_frame_on_the_device_is_integrated_like_any_other(device, rng, raw):
-    a, b = (loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device) for _ in range(2))
-    for depth, T, color in small_frames(rng, 4):
-        image, scale = ((depth * 1000).astype(np.uint16), 1000.0) if raw == uint16 else (depth.astype(np.float32), 1.0)
-        E = np.linalg.inv(T)
-        a.integrate(image, SMALL, E, color, depth_max=2.0)
-        arrays = upload(image.reshape(-1), raw, b.device), upload(color.reshape(-1, 3), uint8, b.device)
-        b._integrate_device_frame(arrays[0], SMALL, np.linalg.inv(E), arrays[1], scale, 2.0)
-    assert a.frame_count == b.frame_count == 4
-    assert fingerprint(a) == fingerprint(b)
+def add(volume, seed, pose):
+    depth, color = seeded_frame(seed)
+    return volume.integrate(depth, LENS, pose, color)
+
+
+def without_spare_room(device, monkeypatch):
+    """Make GPU volumes grow with the counted blocks as well; by default they allocate a frame's blocks beforehand."""
+    if device.startswith("cuda"):
+        monkeypatch.setattr(device_frames, "ROOM_SHARE", 0.0)
+
+
+def interrupt_everywhere(begin, states, blocks, every=1):
+    """Interrupt the second seeded_frame before each (or some) line: it is either in the volume or not."""
+    volume = begin()
+    total, stop, outcomes = run_lines(lambda: add(volume, 2, THERE), FILES), 0, set()
+    while stop < total:
+        stop += every
+        volume = begin()
+        run_lines(lambda: add(volume, 2, THERE), FILES, stop)  # noqa: B023  runs at once
+        added = volume.frame_count - 1
+        outcomes.add(added)
+        assert (volume.block_count, fingerprint(volume)) == (blocks[added], states[added]), stop
+        if not added:
+            add(volume, 2, THERE)
+        assert (volume.frame_count, fingerprint(volume)) == (2, states[1]), stop
+    assert outcomes == {0, 1}
+
+
+@pytest.mark.slow
+def test_a_frame_is_integrated_completely_or_not_at_all_after_any_interruption(device, tmp_path, monkeypatch):
+    without_spare_room(device, monkeypatch)
+    volume = begun(device)
+    states, blocks, room = [fingerprint(volume)], [volume.block_count], volume.memory_bytes
+    add(volume, 2, THERE)
+    states, blocks = [*states, fingerprint(volume)], [*blocks, volume.block_count]
+    assert volume.memory_bytes > room  # both voxels and table grew
+    interrupt_everywhere(partial(begun, device), states, blocks)
+    if device.startswith("cuda"):  # by launches in a row, then by a recording of them
+        monkeypatch.undo()
+        interrupt_everywhere(partial(begun, device), states, blocks, every=7)
+    volume.save(tmp_path / "volume.npz")
+    assert fingerprint(loom.TSDFVolume.load(tmp_path / "volume.npz", device=device)) == states[1]
+
+
+def test_a_second_interruption_during_cleanup_is_harmless(device):
+    volume = begun(device)
+    total = run_lines(lambda: add(volume, 2, THERE), FILES)
+    state = fingerprint(volume)
+    for stop in range(total // 2, total, 7):
+        volume = begun(device)
+        run_lines(lambda: add(volume, 2, THERE), FILES, stop)  # noqa: B023
+        for again in (2, 5, 8, 11):
+            run_lines(lambda: volume.frame_count, FILES, again)  # noqa: B023
+        if volume.frame_count == 1:
+            add(volume, 2, THERE)
+        assert (volume.frame_count, fingerprint(volume)) == (2, state)
+
+
+@pytest.mark.parametrize("stage", ["new arrays", "last launch"])
+def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, stage):
+    without_spare_room(device, monkeypatch)
+    is_cuda = device.startswith("cuda")
+    last = (device_frames, "launch_integration") if is_cuda else (voxel_blocks, "gather_rows")
+    volume = begun(device)
+    before = fingerprint(volume)
+
+    def fail(*_args, **_options):
+        raise MemoryError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(*{"new arrays": (voxel_blocks, "zeros"), "last launch": last}[stage], fail)
+        with pytest.raises(MemoryError):
+            add(volume, 2, THERE)
+    assert (volume.frame_count, fingerprint(volume)) == (1, before)
+    add(volume, 2, THERE)
+    fresh = begun(device)
+    add(fresh, 2, THERE)
+    assert fingerprint(volume) == fingerprint(fresh)

@@ -5,7 +5,6 @@ import pytest
 
 import pointloom as loom
 from pointloom.cameras.images import upload_raw_depth
-from pointloom.datasets.scenes.room import room_sequence, surface_errors
 from pointloom.io.frames.datasets import open_dataset
 from pointloom.kernels.images.depth import largest_depth, metric_depth
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
@@ -96,23 +95,3 @@ def test_a_ray_cast_view_matches_the_depth_of_a_frame(device, real_file):
     assert both.sum() > 0.9 * ((truth > 0) & (truth < DEPTH_MAX)).sum()
     assert np.median(np.abs(view.depth - truth)[both]) < VOXEL
     assert np.abs(view.colors[both] - frame.color[both] / 255.0).mean() < 0.1
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("voxel_size", "limit"), [(0.03, 0.3), (0.02, 0.3)])
-def test_the_room_without_noise_is_reconstructed_within_a_third_of_a_voxel(device, voxel_size, limit):
-    sequence = room_sequence(60, width=320, height=240, noise=False, device=device)
-    volume = loom.TSDFVolume(voxel_size=voxel_size, device=device)
-    for frame in sequence:
-        extrinsic = np.linalg.inv(frame.T_world_camera)
-        volume.integrate(frame.depth, frame.intrinsic, extrinsic, color=frame.color, depth_max=5.0)
-    mesh = volume.extract_triangle_mesh(3)
-    errors = surface_errors(mesh.vertices, device=device)
-    assert len(errors) > 50_000
-    assert np.sqrt(np.mean(errors**2)) < limit * voxel_size
-    # the view of the room's cameras: no ray passes a wall
-    frame = sequence.read(7)
-    view = volume.ray_cast(frame.intrinsic, np.linalg.inv(frame.T_world_camera), depth_max=5.0, weight_threshold=0)
-    seen = frame.depth < 4.9
-    assert (view.depth[seen] > 0).mean() > 0.99
-    assert np.median(np.abs(view.depth - frame.depth)[seen]) < 0.3 * voxel_size

@@ -6,6 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.kernels.memory import download
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
+from pointloom.meshing.volume.shift_scores import score_shifts
 
 from ..interruptions import run_lines
 from .tsdf_scenes import fingerprint
@@ -127,12 +128,16 @@ def test_a_scan_at_utm_coordinates_is_equally_exact(device):
     assert np.abs(near.vertices[:, 0] - 2).max() < 0.05
 
 
-def test_outlier_points_create_no_blocks(device):
-    volume, clean = volume_on(device), volume_on(device)
-    wild = np.array([[1e7, 3e6, 1e5], [np.nan, 0, 0], [0, 0, 0], [0.2, 0, 0]])
-    volume.integrate_points(np.vstack([wall(2.0), wild]), np.zeros(3), min_range=0.5, max_range=50.0, carve=False)
-    clean.integrate_points(wall(2.0), np.zeros(3), carve=False)
-    assert fingerprint(volume) == fingerprint(clean)
+@pytest.mark.parametrize("carve", [True, False])
+def test_outlier_points_create_no_blocks(device, carve):
+    points, options = wall(2.0), {"min_range": 0.5, "max_range": 50.0, "carve": carve}
+    wild = np.array([[1e7, 3e6, 1e5], [1e30, 3e29, 1e29], [65.0, 21, 9], [np.nan, 0, 0], [0, 0, 0], [0.2, 0, 0]])
+    volumes = volume_on(device), volume_on(device)
+    for volume, scan in zip(volumes, (points, np.vstack([points, wild])), strict=True):
+        volume.integrate_points(scan, np.zeros(3), **options)
+    keys = [volume._downloaded()["keys"].tobytes() for volume in volumes]
+    assert keys[0] == keys[1] and volumes[0].memory_bytes == volumes[1].memory_bytes
+    assert carve or fingerprint(volumes[0]) == fingerprint(volumes[1])
 
 
 def test_scans_with_invalid_poses_are_rejected_and_leave_the_volume(device):
@@ -178,3 +183,34 @@ def test_a_scan_is_integrated_completely_or_not_at_all_after_any_interruption(de
             add(volume)
         assert (volume.frame_count, fingerprint(volume)) == (2, states[1]), stop
     assert outcomes == {0, 1}
+
+
+SMALL_VOXEL, SMALL_TRUNCATION = 0.05, 0.2
+CAMERA = loom.PinholeCameraIntrinsic(40, 30, 35.0, 35.0, 19.5, 14.5)
+
+
+def seen_wall(device):
+    """A volume of a seen_wall 1 m in front of the camera, seen once, and points on the seen_wall."""
+    volume = loom.TSDFVolume(voxel_size=SMALL_VOXEL, truncation=SMALL_TRUNCATION, color=False, device=device)
+    volume.integrate(np.ones((30, 40), np.float32), CAMERA, np.eye(4), depth_scale=1.0)
+    x, y = np.random.default_rng(0).uniform(-0.25, 0.25, (2, 60))
+    return volume, np.column_stack([x, y, np.ones(60)])
+
+
+def test_a_score_is_the_closeness_of_the_observed_points(device):
+    volume, points = seen_wall(device)
+    offsets = np.array([0.0, 0.05, 0.1, -0.1, -0.15, 0.6])
+    shifts = np.vstack([np.outer(offsets, [0, 0, 1]), [[30, 0, 0]]])
+    scores = score_shifts(volume, points, shifts, weight_threshold=0.0, min_score=0.0)
+    expected = np.append(np.maximum(1 - np.abs(offsets) / SMALL_TRUNCATION, 0), 0)
+    np.testing.assert_allclose(scores, expected, rtol=0, atol=1e-3)
+    assert (score_shifts(volume, points, shifts, weight_threshold=1.0, min_score=0.0) == 0).all()
+    coarse = score_shifts(volume, points, shifts, weight_threshold=1.0, min_score=0.0, is_coarse=True)
+    assert coarse[0] == 1 and coarse[-1] == 0
+
+
+def test_a_shift_with_low_initial_scores_is_abandoned(device):
+    volume, points = seen_wall(device)
+    points[:24, 2] = 0.85
+    scores = [score_shifts(volume, points, np.zeros((1, 3)), weight_threshold=0.0, min_score=x)[0] for x in (0.0, 0.5)]
+    np.testing.assert_allclose(scores, [(24 * 0.25 + 36) / 60, 0.25], rtol=0, atol=1e-3)

@@ -5,6 +5,7 @@ of the tree in a temporary folder, and the tests run without real data. Exit cod
 2 if the list or the tests themselves are wrong: then the mutants are not tried.
 
     make mutants ARGS="--only kernels/volumes"     those with this in their name or file
+    make mutants ARGS="--from pcd.toml --part 1/3" the first third of one list
     make mutants ARGS="--list"                     the list of mutants
     make mutants ARGS="--all"                      with the tests of `make test-all`, not those of `make test`
 """
@@ -57,14 +58,14 @@ class Outcome(NamedTuple):
     seconds: float
 
 
-def read_mutants(folder: Path) -> list[Mutant]:
-    """The mutants of all .toml files of a folder.
+def read_mutants(folder: Path, lists: str = "*.toml") -> list[Mutant]:
+    """The mutants of the .toml files of a folder, or of those that match `lists`.
 
     Raises:
         ListError: A field is missing, one too many, or a name is duplicated.
     """
     mutants: list[Mutant] = []
-    for path in sorted(folder.glob("*.toml")):
+    for path in sorted(folder.glob(lists)):
         for fields in tomllib.loads(path.read_text(encoding="utf-8"))["mutant"]:
             name = fields.get("name", "a mutant without a name")
             if set(fields) != set(Mutant._fields):
@@ -73,6 +74,19 @@ def read_mutants(folder: Path) -> list[Mutant]:
                 raise ListError(f"{path.name}: {name}: a name that is taken already")
             mutants.append(Mutant(**fields))
     return mutants
+
+
+def part_of(mutants: list[Mutant], part: str) -> list[Mutant]:
+    """The mutants of part K of N equal parts, given as "K/N".
+
+    Raises:
+        ListError: It has another form, or K is not one of 1 to N.
+    """
+    number, _, count = part.partition("/")
+    if not (number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
+        raise ListError(f"--part: expected K/N with K from 1 to N, such as 1/3, got {part}")
+    begin, end = (len(mutants) * k // int(count) for k in (int(number) - 1, int(number)))
+    return mutants[begin:end]
 
 
 def mutated(tree: Path, mutant: Mutant) -> str:
@@ -228,13 +242,17 @@ def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path 
     """The command; returns its exit code."""
     parser = argparse.ArgumentParser(prog="make mutants", description=__doc__.partition("\n")[0])
     parser.add_argument("--only", default="", metavar="TEXT", help="those with this text in their name or file")
+    parser.add_argument("--from", dest="lists", default="*.toml", metavar="FILE", help="those of this .toml file")
+    parser.add_argument("--part", default="1/1", metavar="K/N", help="part K of N equal parts of the selection")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once (each takes all cores)")
     parser.add_argument("--list", action="store_true", help="check the list and print it; run nothing")
     parser.add_argument("--all", action="store_true", help="also with tests that `make test` leaves out")
     options = parser.parse_args(words)
     try:
-        every = read_mutants(folder or Path(__file__).parent)
-        mutants = [m for m in every if options.only in m.name or options.only in m.file]
+        every = read_mutants(folder or Path(__file__).parent, options.lists)
+        if not every:
+            raise ListError(f"--from: expected a .toml file with mutants in tests/mutants, got {options.lists}")
+        mutants = part_of([m for m in every if options.only in m.name or options.only in m.file], options.part)
         if not mutants or options.jobs < 1:
             raise ListError(f"--only {options.only}: no mutant has this in its name" if not mutants else "--jobs: < 1")
         if options.list:

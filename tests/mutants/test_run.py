@@ -96,6 +96,36 @@ def test_a_list_that_is_wrong_is_refused_before_anything_runs(tree, capsys, chan
     assert reason in shown.err and not shown.out
 
 
+def test_the_parts_of_a_list_are_all_of_its_mutants(tree, capsys):
+    names = [f"limit {number}" for number in range(5)]
+    listed = []
+    for part in ("1/3", "2/3", "3/3"):
+        assert run(tree, *(NOTICED | {"name": name} for name in names), words=["--list", "--part", part]) == 0
+        listed.append([line.partition("limit")[2] for line in capsys.readouterr().out.splitlines()])
+    assert [int(number) for part in listed for number in part] == [*range(5)]
+    assert all(listed)
+
+
+def test_only_the_mutants_of_the_named_list_are_selected(tree, capsys):
+    (tree / "list" / "other.toml").write_text("[[mutant]]\nname = 'not read'\n")
+    assert run(tree, NOTICED, words=["--list", "--from", "pcd.toml"]) == 0
+    assert capsys.readouterr().out.split() == ["pcd/clamp.py", *NOTICED["name"].split()]
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["--part", "0/2"], "--part: expected K/N with K from 1 to N, such as 1/3, got 0/2"),
+        (["--part", "3/2"], "got 3/2"),
+        (["--part", "1"], "got 1"),
+        (["--from", "io.toml"], "--from: expected a .toml file with mutants in tests/mutants, got io.toml"),
+    ],
+)
+def test_a_part_or_a_list_that_does_not_exist_is_refused(tree, capsys, words, reason):
+    assert run(tree, NOTICED, words=words) == 2
+    assert reason in capsys.readouterr().err
+
+
 def test_a_name_that_no_mutant_has_is_refused(tree, capsys):
     assert run(tree, NOTICED, words=["--only", "kernels/"]) == 2
     assert "--only kernels/: no mutant has this" in capsys.readouterr().err

@@ -1,10 +1,14 @@
-"""docs/open3d-names.md lists the pointloom equivalent of each name of the installed Open3D."""
+"""Modules, names and data sets of Open3D: those that are missing raise errors with the equivalents."""
 
 import re
+from pathlib import Path
 
 import pytest
 
 import pointloom.open3d
+import pointloom.open3d as o3d
+from pointloom.core.errors import FileError
+from pointloom.core.open3d_names import BRIDGE, sections
 
 from ..test_imports import ROOT
 
@@ -24,12 +28,20 @@ def test_the_page_of_all_names_is_fresh(o3d):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
+        *[
+            (f"o3d.{old}", f"it is o3d.pipelines.{old}")
+            for old in ("registration", "integration", "odometry", "color_map")
+        ],
+        ("o3d.visualization.rendering.Open3DScene", "o3d.visualization.draw"),
+        ("o3d.io.read_triangle_model", "o3d.io.read_triangle_mesh"),
+        ("o3d.camera.PrimeSenseDefault", "o3d.camera.PinholeCameraIntrinsicParameters"),
+        ("o3d.visualization.O3DVisualizer.scene_shader", "set_background"),
+        ("o3d.visualization.VisualizerWithVertexSelection.pick_points", "add_picked_points"),
         ("o3d.t.io.RGBDVideoReader", "loom.RealSenseCamera"),
         ("o3d.pipelines.odometry.compute_correspondence", "inliers counts them"),
         ("o3d.pipelines.registration.PointCloud", "it is o3d.geometry.PointCloud"),
         ("o3d.visualization.Viewer", "it is loom.Viewer"),
         ("o3d.read_point_cloud", "it is o3d.io.read_point_cloud"),
-        ("o3d.PoseGraph", "it is o3d.pipelines.registration.PoseGraph"),
         ("o3d.visualization.Visualizer().register_mouse_move_callback", "not here"),
         ("o3d.pipelines.registration.ICPConvergenceCriteria().max_iterations", "did you mean 'max_iteration'"),
     ],
@@ -37,3 +49,125 @@ def test_the_page_of_all_names_is_fresh(o3d):
 def test_a_missing_name_is_an_error_with_the_equivalent(line, message):
     with pytest.raises(AttributeError, match=message):
         eval(line, {"o3d": pointloom.open3d})
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import pointloom.open3d.core as o3c",
+        "import pointloom.open3d.t.geometry",
+        "import pointloom.open3d.visualization.rendering as rendering",
+        "from pointloom.open3d.visualization import draw, rendering, webrtc_server",
+        "from pointloom.open3d.visualization.rendering import MaterialRecord",
+    ],
+)
+def test_modules_are_imported_by_any_statement(line):
+    exec(line)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("from pointloom.open3d.visualization import gui", "not here: o3d.visualization.draw"),
+        ("import pointloom.open3d.visualization.app", "not here: o3d.visualization.draw"),
+        ("from pointloom.open3d.visualization.rendering import OffscreenRenderer", "here: window = o3d.visual"),
+        ("import pointloom.open3d.ml.torch as ml3d", "not here: "),
+        ("import pointloom.open3d.cpu.pybind.geometry", "not here: import the module itself"),
+        ("from pointloom.open3d.open3d_pybind import geometry", "not here: import the module itself"),
+        ("from pointloom.open3d import registration", "it is o3d.pipelines.registration"),
+    ],
+)
+def test_a_missing_module_is_an_import_error_with_the_equivalent(line, message):
+    with pytest.raises(ImportError, match=message):
+        exec(line)
+
+
+def test_equivalents_in_errors_exist():
+    rows = [row for section, names in sections().items() if section.split(".")[0] == BRIDGE for row in names.values()]
+    for path in set(re.findall(r"\bo3d((?:\.\w+)+)", "\n".join(rows))):
+        owner = o3d
+        for name in path[1:].split("."):
+            owner = getattr(owner, name)
+
+
+def test_constants_of_old_scripts_exist():
+    assert o3d.utility.Debug is o3d.utility.VerbosityLevel.Debug
+    assert o3d.utility.Error is o3d.utility.VerbosityLevel.Error
+    assert o3d.visualization.webrtc_server.enable_webrtc() is None and o3d.utility.reset_print_function() is None
+
+
+ICP_FILES = ("cloud_bin_0.pcd", "cloud_bin_1.pcd", "cloud_bin_2.pcd", "init.log")
+
+
+@pytest.fixture(autouse=True)
+def home(tmp_path, monkeypatch):
+    """An empty home and no folder of samples."""
+    for name in ("POINTLOOM_SAMPLES", "OPEN3D_DATA_ROOT"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    return tmp_path / "home"
+
+
+def write(folder: Path, *names: str) -> list[str]:
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).touch()
+    return [str(folder / name) for name in names]
+
+
+@pytest.mark.parametrize("layout", ["extract/DemoICPPointClouds", "DemoICPPointClouds"])
+@pytest.mark.parametrize("place", ["argument", "POINTLOOM_SAMPLES", "OPEN3D_DATA_ROOT", "open3d_data"])
+def test_files_are_found_in_each_folder(place, layout, tmp_path, home, monkeypatch):
+    root = home / "open3d_data" if place == "open3d_data" else tmp_path / "samples"
+    paths = write(root / layout, *ICP_FILES)
+    if place.isupper():
+        monkeypatch.setenv(place, str(root))
+    dataset = o3d.data.DemoICPPointClouds(data_root=str(root) if place == "argument" else "")
+    assert dataset.paths == paths[:3] and dataset.transformation_log_path == paths[3]
+    assert (dataset.data_root, dataset.extract_dir) == (str(root), str(root / layout))
+    assert dataset.prefix == "DemoICPPointClouds" and dataset.download_dir.endswith("download/DemoICPPointClouds")
+
+
+def test_a_missing_file_is_an_error_with_its_folder_and_an_alternative(tmp_path, monkeypatch):
+    with pytest.raises(FileError) as raised:
+        o3d.data.BunnyMesh().path  # noqa: B018
+    assert raised.value.path.endswith("home/open3d_data/extract/BunnyMesh/BunnyMesh.ply")
+    assert "POINTLOOM_SAMPLES" in raised.value.remedy and "loom.datasets.object_mesh()" in raised.value.remedy
+    samples = tmp_path / "samples"
+    monkeypatch.setenv("POINTLOOM_SAMPLES", str(samples))
+    write(samples / "DemoICPPointClouds", *ICP_FILES[:1])
+    with pytest.raises(FileError) as raised:
+        o3d.data.DemoICPPointClouds().paths  # noqa: B018
+    assert raised.value.path == str(samples / "DemoICPPointClouds/cloud_bin_1.pcd")
+    with pytest.raises(FileError):  # a given folder is the only one that is searched
+        o3d.data.DemoICPPointClouds(str(tmp_path / "other")).paths  # noqa: B018
+
+
+def test_models_and_textures_have_maps_of_paths(tmp_path):
+    crate = write(tmp_path / "CrateModel", "crate.mtl", "crate.obj", "crate.jpg")
+    dataset = o3d.data.CrateModel(str(tmp_path))
+    assert dataset.path == crate[1]
+    assert dataset.path_map == dict(zip(("crate_material", "crate_model", "texture_image"), crate, strict=True))
+    names = ("image/b.jpg", "image/a.jpg", "depth/0.png")
+    colors = sorted(write(tmp_path / "SampleFountainRGBDImages", *names)[:2])
+    assert o3d.data.SampleFountainRGBDImages(str(tmp_path)).color_paths == colors
+
+
+def test_a_data_set_of_the_caller_needs_its_folder(tmp_path):
+    descriptor = o3d.data.DataDescriptor(o3d.data.open3d_downloads_prefix + "a.zip", "0" * 32)
+    with pytest.raises(FileError):
+        o3d.data.DownloadDataset("Own", descriptor, str(tmp_path))
+    write(tmp_path / "Own", "a.ply")
+    assert o3d.data.DownloadDataset("Own", descriptor, str(tmp_path)).extract_dir == str(tmp_path / "Own")
+    with pytest.raises(ValueError, match="prefix:"):
+        o3d.data.Dataset("")
+
+
+@pytest.mark.slow
+def test_data_sets_have_the_attributes_of_open3d():
+    real = pytest.importorskip("open3d").data
+    for name in dir(real):
+        kind = getattr(real, name)
+        if not name.startswith("_") and isinstance(kind, type) and name != "DataDescriptor":
+            attributes = {each for each in dir(kind) if not each.startswith("_")}
+            assert attributes == {each for each in dir(getattr(o3d.data, name)) if not each.startswith("_")}, name

@@ -62,7 +62,6 @@ def both(request, page_files, monkeypatch):
     register = "register_animation_callback"
     monkeypatch.setattr(visualization.Visualizer, register, lambda _, callback: callbacks.update(now=callback))
     monkeypatch.setattr(visualization, "draw_geometries_with_animation_callback", show)
-    monkeypatch.setattr(visualization, "draw_geometries_with_key_callbacks", lambda shapes, _: show(shapes))
 
     def compare(page):
         for module in (open3d, o3d):
@@ -82,6 +81,23 @@ def test_customized_windows_have_open3ds_cameras(both):
     assert (drawn[0] != drawn[1]).mean() < 0.08  # a disc of pointloom covers more pixels
     in_both = drawn[0] & drawn[1]
     assert (np.abs(depths[0] - depths[1])[in_both] < 1e-3).mean() > 0.95
+
+
+@pytest.fixture
+def drawn(tmp_path):
+    """A function that draws like `draw` and returns the image of the window."""
+
+    def draw(*geometries, **options):
+        images = []
+
+        def look(vis):
+            vis.export_current_image(tmp_path / "a.png")
+            images.append(np.asarray(o3d.io.read_image(tmp_path / "a.png")))
+
+        o3d.visualization.draw(*geometries, width=64, height=48, on_init=look, **options)
+        return images[0]
+
+    return draw
 
 
 @pytest.fixture
@@ -248,21 +264,16 @@ def test_an_animation_calls_while_its_box_is_ticked(box, window):
     assert not window.is_animating and not window._window._viewer._calls_made._beats
 
 
-def test_draw_accepts_the_same_arguments_without_a_page(box, tmp_path):
-    pictures = []
-
-    def look(vis):
-        vis.export_current_image(tmp_path / "a.png")
-        pictures.append(np.asarray(o3d.io.read_image(tmp_path / "a.png")))
-
-    o3d.visualization.draw(
+def test_draw_accepts_the_same_arguments_without_a_page_and_geometries_with_a_legacy_form(box, drawn):
+    image = drawn(
         [box, {"name": "hidden", "geometry": box, "is_visible": False, "time": 1.0}],
-        title="boxes", width=64, height=48, actions=[("Make", print)], lookat=[0.5, 1, 1.5], eye=[9, 1, 1.5],
-        up=[0, 0, 1], field_of_view=40.0, bg_color=(0, 0, 1, 1), show_axes=True, line_width=2, point_size=4,
-        animation_time_step=0.1, animation_duration=2.0, on_init=look, on_animation_frame=print,
+        title="boxes", actions=[("Make", print)], lookat=[0.5, 1, 1.5], eye=[9, 1, 1.5], up=[0, 0, 1],
+        field_of_view=40.0, bg_color=(0, 0, 1, 1), show_axes=True, line_width=2, point_size=4,
+        animation_time_step=0.1, animation_duration=2.0, on_animation_frame=print,
     )  # fmt: skip
-    assert pictures[0].shape == (48, 64, 3) and pictures[0][0, 0].tolist() == [0, 0, 255]
-    assert pictures[0][24, 32, 0] > 100
+    assert image.shape == (48, 64, 3) and image[0, 0].tolist() == [0, 0, 255] and image[24, 32, 0] > 100
+    tensors = type("Tensors", (), {"to_legacy": lambda self: box})()
+    assert drawn(tensors)[24, 32, 0] > 100
 
 
 def test_a_notebook_displays_the_page_of_draw_geometries(box, monkeypatch):
@@ -272,18 +283,6 @@ def test_a_notebook_displays_the_page_of_draw_geometries(box, monkeypatch):
     monkeypatch.setenv("POINTLOOM_INLINE", "1")
     o3d.visualization.draw_geometries([box], width=64, height=48)
     assert "srcdoc=" in displayed[0]._repr_mimebundle_()["text/html"]
-
-
-def test_geometries_with_a_legacy_form_are_drawn_as_it(box, tmp_path):
-    class Tensors:
-        def to_legacy(self):
-            return box
-
-    def look(vis):
-        vis.export_current_image(tmp_path / "a.png")
-
-    o3d.visualization.draw(Tensors(), width=64, height=48, on_init=look)
-    assert np.asarray(o3d.io.read_image(tmp_path / "a.png"))[24, 32, 0] > 100
 
 
 def test_a_polygon_crops_clouds_and_meshes(tmp_path, rng):
@@ -399,21 +398,14 @@ def test_vertices_are_selected_by_clicks_and_by_the_program(box, monkeypatch):
     vis.destroy_window()
 
 
-def test_materials_set_the_color_of_geometries_without_colors(tmp_path):
+def test_materials_set_the_color_of_geometries_without_colors(drawn):
     material = o3d.visualization.rendering.MaterialRecord()
     material.shader, material.base_color, material.point_size = "defaultLit", [0, 0, 1, 1], 9
     plain = o3d.geometry.TriangleMesh.create_box(1, 1, 1)
     red = o3d.geometry.TriangleMesh(plain).paint_uniform_color([1, 0, 0])
-    drawn = []
-
-    def look(vis):
-        vis.export_current_image(tmp_path / "a.png")
-        drawn.append(np.asarray(o3d.io.read_image(tmp_path / "a.png"))[24, 32])
-
-    for mesh in (plain, red):
-        entry = {"name": "box", "geometry": mesh, "material": material}
-        o3d.visualization.draw([entry], width=64, height=48, on_init=look)
-    assert drawn[0][2] > 100 > drawn[0][0] and drawn[1][0] > 100 > drawn[1][2]
+    entries = [{"name": "box", "geometry": mesh, "material": material} for mesh in (plain, red)]
+    middles = [drawn([entry])[24, 32] for entry in entries]
+    assert middles[0][2] > 100 > middles[0][0] and middles[1][0] > 100 > middles[1][2]
     with pytest.raises(AttributeError, match="base_colour"):
         material.base_colour = [1, 0, 0, 1]
     with pytest.raises(TypeError, match="material:"):

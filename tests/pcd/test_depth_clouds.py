@@ -149,27 +149,6 @@ def test_normals_rotate_with_the_camera(device, redwood):
     np.testing.assert_array_equal(rotated.colors, near.colors)
 
 
-def blurred_cloud(o3d, depth, K):
-    """Points and normals by Open3D, which blurs the depth first. Without holes, where the blur would spread NaN."""
-    image = o3d.t.geometry.Image(o3d.core.Tensor(depth[..., None]))
-    options = {"depth_scale": 1.0, "depth_max": 3.0, "with_normals": True}
-    cloud = o3d.t.geometry.PointCloud.create_from_depth_image(image, o3d.core.Tensor(K), **options)
-    return cloud.point.positions.numpy(), cloud.point.normals.numpy()
-
-
-def test_blurred_normals_are_open3ds_with_normals(device, oracle, tolerances):
-    v, u = np.mgrid[:24, :32]
-    depth = (1.5 + 0.2 * np.sin(u / 9) + 0.1 * np.cos(v / 7)).astype(np.float32)
-    K = np.array([[60.0, 0, 15.5], [0, 60.0, 11.5], [0, 0, 1]])
-    points, normals = oracle("pcd/depth_clouds/blurred", blurred_cloud, depth, K)
-    smooth = loom.filter_depth_bilateral(depth, 5, 10.0, 10.0, device=device)
-    intrinsic = loom.PinholeCameraIntrinsic.from_matrix(K, 32, 24)
-    cloud = loom.PointCloud.create_from_depth_image(smooth, intrinsic, with_normals=True, device=device)
-    assert len(cloud) == len(points) == 23 * 31
-    np.testing.assert_allclose(cloud.points, points, atol=2e-6)
-    np.testing.assert_allclose(cloud.normals, normals, atol=tolerances.normal_map)
-
-
 def test_images_of_one_row_or_column_have_no_normals(device):
     for shape in ((1, 5), (5, 1), (1, 1)):
         intrinsic = loom.PinholeCameraIntrinsic(shape[1], shape[0], 1, 1, 0, 0)

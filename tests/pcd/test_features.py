@@ -1,16 +1,17 @@
-"""FPFH compared with Open3D on real scans and with its formula, and the limits of every feature."""
+"""FPFH, eigenvalue features and ISS keypoints compared with Open3D and with their definitions, and their limits."""
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial import cKDTree
 
 import pointloom as loom
 
-from ..scan_cases import on_sets
+from ..scan_cases import ON_REAL_SCANS, on_sets
 from .any_cloud import examples
 from .made_shapes import bumpy
-from .open3d_clouds import features_of
+from .open3d_clouds import cloud_of, features_of
 
 
 @pytest.fixture(scope="module")
@@ -51,8 +52,6 @@ def assert_same_features(cloud, actual, expected, radius, max_nn, tolerances):
 
 def uncertain_points(cloud, radius, max_nn, tolerances):
     """Points whose neighbors are ambiguous, and all points with one of these among their neighbors."""
-    from scipy.spatial import cKDTree
-
     p = cloud.array("points").numpy().astype(float)
     tree = cKDTree(p)
     uncertain = np.zeros(len(p), bool)
@@ -217,3 +216,254 @@ def test_extremely_close_points_have_finite_features(device, rng):
         features = loom.compute_fpfh_feature(cloud, **limits)
         assert np.isfinite(features).all()
         np.testing.assert_allclose(features[:3].reshape(3, 3, 11).sum(axis=2), 200, rtol=1e-4)
+
+
+def plain_shapes(near):
+    """The features of one neighborhood in float64."""
+    values, vectors = np.linalg.eigh(np.cov(near.T, bias=True))
+    low, middle, high = np.maximum(values, 0)
+    e = np.array([high, middle, low]) / (low + middle + high)
+    return {
+        "eigenvalues": [high, middle, low],
+        "linearity": (high - middle) / high,
+        "planarity": (middle - low) / high,
+        "sphericity": low / high,
+        "omnivariance": np.cbrt(e.prod()),
+        "anisotropy": (high - low) / high,
+        "eigenentropy": -(e[e > 0] * np.log(e[e > 0])).sum(),
+        "curvature": e[2],
+        "verticality": 1 - abs(vectors[2, 0]),
+    }
+
+
+def lists_of(cloud, radius=None, max_nn=30):
+    """The neighbors of each point by pointloom's own search, so that both use the same ones."""
+    finder = loom.NearestNeighborSearch(cloud)
+    if max_nn is None:
+        neighbors = finder.radius_search(cloud, radius)
+        return np.split(neighbors.indices, np.cumsum(neighbors.counts)[:-1])
+    neighbors = finder.knn_search(cloud, max_nn) if radius is None else finder.hybrid_search(cloud, radius, max_nn)
+    return [row[row >= 0] for row in neighbors.indices]
+
+
+@ON_REAL_SCANS
+@pytest.mark.parametrize("search", [{"radius": 0.1}, {"max_nn": 20}, {"radius": 0.06, "max_nn": None}], ids=str)
+def test_features_of_the_fragment_agree_with_float64(device, search, fragment, tolerances):
+    cloud = loom.PointCloud(fragment.points[::17], device=device)
+    shapes = loom.compute_eigen_features(cloud, **search)
+    lists, points = lists_of(cloud, **search), cloud.points
+    check_shapes(shapes, lists, points, range(0, len(cloud), 40), tolerances)
+    check_density(shapes, lists, points, **search)
+    np.testing.assert_array_equal(loom.estimate_curvature(cloud, **search)["curvature"], shapes["curvature"])
+
+
+@on_sets("scan", shipped=("lidar", "terrain"), real=["lidar"])
+def test_features_of_scans_agree_with_float64(device, scan, lidar, terrain, tolerances):
+    """The tile at UTM coordinates by radius: on its grid of 0.5 m many neighbors tie for the last slot of a count."""
+    points, search = (lidar[:, :3], {"max_nn": 20}) if scan == "lidar" else (terrain, {"radius": 4.3, "max_nn": None})
+    cloud = loom.PointCloud(points, device=device)
+    shapes = loom.compute_eigen_features(cloud, **search)
+    check_shapes(shapes, lists_of(cloud, **search), cloud.points - cloud.origin, range(0, len(cloud), 70), tolerances)
+
+
+def check_shapes(shapes, lists, points, rows, tolerances):
+    checked = 0
+    for row in rows:
+        if len(lists[row]) < 3:
+            assert np.isnan(shapes["linearity"][row])
+            continue
+        expected = plain_shapes(points[lists[row]])
+        scale = expected["eigenvalues"][0]
+        assert np.abs(shapes["eigenvalues"][row] - expected.pop("eigenvalues")).max() < tolerances.eigen_feature * scale
+        for name, value in expected.items():
+            power = 3 if name == "omnivariance" else 1  # the cube root of a rounding error is not small
+            assert shapes[name][row] ** power == pytest.approx(value**power, abs=tolerances.eigen_feature), name
+        checked += 1
+    assert checked > 100
+
+
+def check_density(shapes, lists, points, radius=None, max_nn=30):
+    """Number of neighbors over the volume of the search ball."""
+    for row in range(0, len(points), 40):
+        if len(lists[row]) >= 3:
+            is_full = max_nn is not None and len(lists[row]) == max_nn
+            farthest = np.linalg.norm(points[lists[row]] - points[row], axis=1).max()
+            volume = 4 / 3 * np.pi * (farthest if is_full else radius) ** 3
+            assert shapes["density"][row] == pytest.approx(len(lists[row]) / volume, rel=1e-5)
+
+
+def test_degenerate_neighborhoods_have_no_features(device):
+    for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.eye(3)[:2], np.ones((20, 3)), np.full((5, 3), np.nan)):
+        shapes = loom.compute_eigen_features(loom.PointCloud(points, device=device), max_nn=10)
+        assert shapes["eigenvalues"].shape == (len(points), 3)
+        assert all(np.isnan(values).all() for values in shapes.attributes.values())
+
+
+def test_shapes_travel_with_attributes_origin_and_grid(device, rng):
+    utm = np.array([5e5, 5.4e6, 100])
+    points = bumpy(rng)
+    cloud = loom.PointCloud(points + utm, device=device, label=np.arange(len(points)))
+    shapes = loom.compute_eigen_features(cloud, radius=0.2)
+    assert "linearity" not in cloud and (shapes.origin == cloud.origin).all()
+    assert shapes["label"].tolist() == cloud["label"].tolist()
+    part = shapes.select_by_index([5, 3])
+    np.testing.assert_array_equal(part["planarity"], shapes["planarity"][[5, 3]])
+    local = loom.compute_eigen_features(loom.PointCloud(points, device=device), radius=0.2)
+    agree = np.abs(local["linearity"] - shapes["linearity"]) < 1e-3
+    assert agree.mean() > 0.98, "rounded to 1e-8 m about the origin"
+    image = loom.PointCloud(points, device=device)
+    image.grid = (20, 30)
+    assert loom.estimate_curvature(image).grid == (20, 30)
+
+
+RADII = {"fragment": (0.06, 0.04), "lidar": (1.0, 0.7), "terrain": (6.0, 4.0)}
+
+
+@pytest.fixture(scope="module")
+def scans(fragment, lidar, scan_file):
+    """Real coordinates about their own origin, rounded to float32."""
+    utm = loom.read_point_cloud(scan_file("lidar-pcl-terrain/samp11-utm.pcd")).points
+    clouds = {
+        "fragment": fragment.points[::3],
+        "lidar": lidar[:, :3],
+        "terrain": utm - np.round(np.median(utm, axis=0)),
+    }
+    return {name: np.float32(points).astype(float) for name, points in clouds.items()}
+
+
+@pytest.fixture(scope="module")
+def keypoints_of(scans, o3d):
+    """A function that returns Open3D's keypoints of a scan as indices."""
+
+    def compute(name, **arguments):
+        keypoints = o3d.geometry.keypoint.compute_iss_keypoints(cloud_of(o3d, scans[name]), **arguments)
+        row_of = {tuple(p): i for i, p in enumerate(scans[name])}
+        return sorted(row_of[tuple(p)] for p in np.asarray(keypoints.points))
+
+    return compute
+
+
+def saliencies(points, rows, radius, gamma_21=0.975, gamma_32=0.975, min_neighbors=5):
+    """The smallest eigenvalue of each neighborhood in float64; 0 if the three are not different enough."""
+    tree, result = cKDTree(points), np.zeros(len(rows))
+    for at, row in enumerate(rows):
+        near = np.array(tree.query_ball_point(points[row], radius))
+        near = near[((points[near] - points[row]) ** 2).sum(axis=1) < radius**2]
+        if len(near) >= min_neighbors:
+            low, middle, high = np.linalg.eigvalsh(np.cov(points[near].T, bias=True))
+            if low > 1e-12 * radius**2 and middle < gamma_21 * high and low < gamma_32 * middle:
+                result[at] = low
+    return result
+
+
+def assert_same_but_for_ties(points, actual, expected, radii, **limits):
+    """Check for all keypoints of Open3D and a few equally salient ones, between which its rounding decides.
+
+    Some keypoints of Open3D have a planar neighborhood, a few points of one LiDAR ring, whose smallest eigenvalue
+    is a rounding error: they are not keypoints.
+    """
+    missed = sorted(set(expected) - set(actual))
+    assert not saliencies(points, missed, radii[0], **limits).any()
+    assert len(missed) <= 0.05 * len(expected)
+    extra = sorted(set(actual) - set(expected))
+    assert len(extra) <= 0.01 * len(expected)
+    tree = cKDTree(points)
+    for row in extra:
+        near = tree.query_ball_point(points[row], radii[1])
+        values = saliencies(points, [row, *near], radii[0], **limits)
+        assert 0 < values[0] >= values.max() - 1e-14 * radii[0] ** 2
+
+
+@on_sets("scan", shipped=["lidar"], real=RADII)
+@pytest.mark.parametrize("given", ["defaults", "radii"])
+def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, keypoints_of):
+    """If points have the same neighbors, rounding in Open3D selects one; here all are selected."""
+    points, radii = scans[scan], RADII[scan]
+    arguments = dict(zip(("salient_radius", "non_max_radius"), radii, strict=True)) if given == "radii" else {}
+    cloud = loom.PointCloud(points, device=device)
+    keypoints, indices = loom.compute_iss_keypoints(cloud, return_indices=True, **arguments)
+    expected = keypoints_of(scan, **arguments)
+    np.testing.assert_array_equal(keypoints.points, points[indices])
+    assert (np.diff(indices) > 0).all() and len(expected) > 100
+    if given == "defaults":
+        spacing = cloud.compute_nearest_neighbor_distance().mean()
+        radii = (6 * spacing, 4 * spacing)
+    assert_same_but_for_ties(points, indices, expected, radii)
+
+
+def test_gammas_and_counts_are_open3ds(device, scans, keypoints_of):
+    limits = {"gamma_21": 0.6, "gamma_32": 0.3, "min_neighbors": 12}
+    cloud = loom.PointCloud(scans["terrain"], device=device)
+    indices = loom.compute_iss_keypoints(cloud, 6.0, 3.0, **limits, return_indices=True)[1]
+    expected = keypoints_of("terrain", salient_radius=6.0, non_max_radius=3.0, **limits)
+    assert_same_but_for_ties(scans["terrain"], indices, expected, (6.0, 3.0), **limits)
+    assert 0 < len(indices) < len(loom.compute_iss_keypoints(cloud, 6.0, 3.0))
+
+
+@pytest.mark.parametrize("radii", [(0.0, 1.0), (1.0, 0.0)], ids=str)
+def test_one_radius_alone_is_replaced_too_as_in_open3d(device, radii, scans):
+    cloud = loom.PointCloud(scans["lidar"], device=device)
+    result = loom.compute_iss_keypoints(cloud, *radii, return_indices=True)[1]
+    assert result.tolist() == loom.compute_iss_keypoints(cloud, return_indices=True)[1].tolist()
+
+
+@examples(15)
+@given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 80), min_neighbors=st.integers(1, 8))
+def test_keypoints_follow_their_definition(device, seed, count, min_neighbors):
+    """Random points, lattice points, duplicates and NaN against float64 NumPy; lattices tie."""
+    rng = np.random.default_rng(seed)
+    points = np.where(rng.random((count, 1)) < 0.6, rng.random((count, 3)), rng.integers(0, 4, (count, 3)) / 4)
+    points = np.float32(points).astype(float)
+    points[rng.random(count) < 0.1, 0] = np.nan
+    cloud = loom.PointCloud(points, device=device)
+    options = {"gamma_21": 0.9, "gamma_32": 0.9, "min_neighbors": min_neighbors, "return_indices": True}
+    result = loom.compute_iss_keypoints(cloud, 0.33, 0.23, **options)[1]
+    good = np.flatnonzero(np.isfinite(points).all(axis=1))
+    finite_points = points[good]
+    limits = (0.33, 0.9, 0.9, min_neighbors)
+    values = saliencies(finite_points, range(len(good)), *limits) if len(good) else np.zeros(0)
+    expected = []
+    for at, p in enumerate(finite_points):
+        near = ((finite_points - p) ** 2).sum(axis=1) < 0.23**2
+        if values[at] > 0 and near.sum() >= min_neighbors and values[at] >= values[near].max() - 1e-15:
+            expected.append(good[at])
+    assert result.tolist() == expected
+
+
+def test_clouds_that_do_not_vary_have_no_keypoints(device, rng):
+    """Open3D detects some on exact planes and lines, where the smallest eigenvalue is a rounding error."""
+    plane = np.column_stack([rng.random((500, 2)), np.zeros(500)])
+    line = np.outer(rng.random(100), [1.0, 2, 3])
+    roof = np.column_stack([plane[:, :2], 0.3 * plane[:, 0] - 0.7 * plane[:, 1]])  # rounded to float32, as stored
+    few = [np.zeros((0, 3)), np.zeros((1, 3)), np.eye(3)[:2], np.ones((50, 3)), np.full((9, 3), np.nan)]
+    for points in (*few, plane, roof, np.outer(np.arange(64), [1.0, 2, 4]), line * [1, 0, 0]):
+        for radii in ((), (0.3, 0.2), (1e30, 1e30), (1e-30, 1e-30)):
+            cloud = loom.PointCloud(points, device=device)
+            keypoints, indices = loom.compute_iss_keypoints(cloud, *radii, return_indices=True)
+            assert len(keypoints) == len(indices) == 0
+
+
+def open3d_keypoints(o3d, points):
+    cloud = cloud_of(o3d, points)
+    return np.asarray(o3d.geometry.keypoint.compute_iss_keypoints(cloud, 0.15, 0.1).points)
+
+
+@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e9])
+def test_keypoints_are_open3ds_and_do_not_depend_on_scale(device, scale, rng, oracle):
+    """Open3D detects none in a small cloud: it treats covariances below 1e-12 m^2 as zero."""
+    points = np.float32(rng.random((2000, 3)) * [1, 1, 0.2]).astype(float)
+    factor = 2.0 ** np.round(np.log2(scale))  # exact in float32
+    cloud = loom.PointCloud(points * factor, device=device, origin=np.zeros(3))
+    result = loom.compute_iss_keypoints(cloud, 0.15 * factor, 0.1 * factor, return_indices=True)[1]
+    expected = oracle("pcd/keypoints/slab", open3d_keypoints, points)
+    assert sorted(map(tuple, points[result])) == sorted(map(tuple, expected))
+
+
+def test_attributes_stay_with_their_keypoints(device, rng):
+    points = rng.random((1000, 3))
+    cloud = loom.PointCloud(points, normals=points, colors=points, label=np.arange(1000), device=device)
+    keypoints, indices = loom.compute_iss_keypoints(cloud, 0.2, 0.2, return_indices=True)
+    assert 0 < len(indices) < 100 and keypoints["label"].tolist() == indices.tolist()
+    np.testing.assert_array_equal(keypoints.normals, cloud.normals[indices])
+    np.testing.assert_array_equal(keypoints.colors, cloud.colors[indices])
+    assert len(cloud) == 1000 and len(loom.compute_iss_keypoints(cloud, 0.2, 0.2)) == len(indices)

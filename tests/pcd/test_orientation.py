@@ -1,15 +1,22 @@
-"""Consistent orientation: compared with Kruskal's algorithm on small clouds, known surfaces, and edge cases."""
+"""Consistent orientation: Kruskal's algorithm, Open3D's rule, known surfaces, and the disagreement of normals."""
+
+from functools import cache
+from itertools import combinations
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.sparse.csgraph import breadth_first_order, minimum_spanning_tree
+from scipy.spatial import Delaunay, cKDTree
 
 import pointloom as loom
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.point_tree import PointTree
 
+from ..scan_cases import on_sets
 from .any_cloud import examples
 from .orientation import agreement, orient, random_signs, sphere
 
@@ -175,3 +182,166 @@ def test_clouds_of_a_few_points_are_oriented(device, k):
     for count, expected in ((0, []), (1, [-1]), (2, [-1, -1]), (3, [-1, -1, 1])):
         result = orient(points[:count].reshape(-1, 3), normals[:count].reshape(-1, 3), k, device)
         np.testing.assert_array_equal(result, normals[:count] * np.array(expected, np.float32).reshape(-1, 1))
+
+
+def pairs(edges):
+    return np.unique(np.sort(edges, axis=1), axis=0)
+
+
+def spanning_tree(count, edges, weights):
+    tree = minimum_spanning_tree(sp.csr_matrix((weights + 1e-12, (edges[:, 0], edges[:, 1])), shape=(count, count)))
+    return tree + tree.T
+
+
+def without(edges, others):
+    keys, forbidden = (e[:, 0].astype(np.int64) * 2**32 + e[:, 1] for e in (edges, others))
+    return edges[~np.isin(keys, forbidden)]
+
+
+def orient_along(points, normals, edges):
+    """Open3D's rule on a given graph."""
+    weights = 1 - np.abs((normals[edges[:, 0]] * normals[edges[:, 1]]).sum(axis=1))
+    low = int(points[:, 2].argmin())
+    order, before = breadth_first_order(spanning_tree(len(points), edges, weights.clip(0)), low, directed=False)
+    signs = np.zeros(len(points))
+    signs[low] = -1 if normals[low, 2] > 0 else 1
+    for v in order[1:]:
+        signs[v] = signs[before[v]] * (1 if normals[v] @ normals[before[v]] >= 0 else -1)
+    return normals * signs[:, None]
+
+
+FRAGMENT = pytest.param("fragment", marks=pytest.mark.slow)
+
+
+@pytest.fixture(scope="module")
+def scans(fragment, lidar, terrain, o3d, to_open3d):
+    """Points and float32 normals of an indoor scan, a LiDAR frame and a centered terrain tile, all thinned."""
+    arrays = {}
+    for name, points, voxel in (
+        ("fragment", fragment.points, 0.03),
+        ("lidar", lidar[:, :3], 0.3),
+        ("terrain", terrain - np.round(terrain.mean(axis=0)), 3.0),
+    ):
+        cloud = to_open3d(points).voxel_down_sample(voxel)
+        cloud.points = o3d.utility.Vector3dVector(np.asarray(cloud.points).astype(np.float32))
+        cloud.estimate_normals(o3d.geometry.KDTreeSearchParamKNN(20))
+        arrays[name] = (np.asarray(cloud.points), np.asarray(cloud.normals).astype(np.float32).astype(float))
+    return arrays
+
+
+@pytest.fixture(scope="module")
+def oracle(scans, to_open3d):
+    """A function (scan, k) -> Open3D's normals, computed once."""
+
+    @cache
+    def orient_scan(scan, k):
+        cloud = to_open3d(*scans[scan])
+        cloud.orient_normals_consistent_tangent_plane(k)
+        return np.asarray(cloud.normals)
+
+    return orient_scan
+
+
+@pytest.fixture(scope="module")
+def graphs(scans):
+    """A function (scan, k) -> edges of the complete graph, of Open3D's graph, and of the k nearest neighbors."""
+
+    @cache
+    def euclidean_tree(scan):
+        points = scans[scan][0]
+        delaunay = pairs(np.concatenate([Delaunay(points).simplices[:, pair] for pair in combinations(range(4), 2)]))
+        lengths = ((points[delaunay[:, 0]] - points[delaunay[:, 1]]) ** 2).sum(axis=1)
+        return delaunay, pairs(np.stack(spanning_tree(len(points), delaunay, lengths).nonzero(), axis=1))
+
+    @cache
+    def make_graphs(scan, k):
+        points, (delaunay, tree) = scans[scan][0], euclidean_tree(scan)
+        nearest = cKDTree(points).query(points, k)[1]
+        nearest = np.stack([np.repeat(np.arange(len(points)), k), nearest.ravel()], axis=1)
+        nearest = pairs(nearest[nearest[:, 0] != nearest[:, 1]])
+        complete, reduced = (pairs(np.concatenate([tree, e])) for e in (nearest, without(nearest, delaunay)))
+        return complete, reduced, nearest
+
+    return make_graphs
+
+
+@pytest.mark.parametrize("k", [6, 15, 30, 100])
+def test_orientation_of_the_fragment_is_open3ds(device, k, scans, oracle, tolerances):
+    assert agreement(orient(*scans["fragment"], k, device), oracle("fragment", k)) >= tolerances.orientation_share
+
+
+@on_sets("scan", shipped=("terrain", FRAGMENT), real=("lidar", FRAGMENT))
+@pytest.mark.parametrize("k", [15, pytest.param(30, marks=pytest.mark.slow)])
+def test_orientation_follows_open3ds_rule_on_the_complete_graph(device, scan, k, scans, oracle, graphs, tolerances):
+    """Open3D omits neighbors that are edges of its Delaunay tetrahedra but not of its Euclidean tree.
+
+    Where normals are noisy, as in trees and on distant LiDAR rings, this flips whole patches. Its rule on its graph
+    gives its result; the same rule on all neighbors gives pointloom's.
+    """
+    complete, reduced, nearest = graphs(scan, k)
+    assert len(complete) - len(reduced) > 0.1 * len(nearest)
+    expected = orient_along(*scans[scan], reduced)
+    assert agreement(expected, oracle(scan, k)) >= tolerances.orientation_share
+    result = orient(*scans[scan], k, device)
+    assert agreement(result, orient_along(*scans[scan], complete)) >= tolerances.orientation_share
+
+
+def ball(count: int, seed: int = 0) -> np.ndarray:
+    points = np.random.default_rng(seed).normal(size=(count, 3))
+    return points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
+def by_hand(points: np.ndarray, normals: np.ndarray, k: int) -> float:
+    """The rule in float64, pair by pair."""
+    neighbors = cKDTree(points).query(points, k=k + 1)[1][:, 1:]
+    counted = opposed = 0
+    for i, near in enumerate(neighbors):
+        for j in near:
+            n, m, way = normals[i], normals[j], points[j] - points[i]
+            if abs(n @ m) < 0.5 * np.linalg.norm(n) * np.linalg.norm(m):
+                continue
+            if abs(way @ n) > np.sqrt(0.5) * np.linalg.norm(way) * np.linalg.norm(n):
+                continue
+            counted += n @ m != 0
+            opposed += n @ m < 0
+    return opposed / counted
+
+
+@pytest.mark.parametrize("k", [1, 6, 15])
+def test_fraction_follows_the_rule(device, rng, k):
+    points = rng.random((400, 3)).astype(np.float32)
+    normals = (rng.normal(size=(400, 3)) * rng.uniform(0.1, 3, (400, 1))).astype(np.float32)
+    cloud = loom.PointCloud(points, normals=normals, device=device)
+    assert cloud.normal_disagreement(k) == pytest.approx(by_hand(points.astype(float), normals.astype(float), k))
+
+
+def test_agreement_is_zero_and_random_signs_are_a_half(device, rng):
+    points = ball(2000)
+    cloud = loom.PointCloud(points, normals=points, device=device)
+    assert cloud.normal_disagreement() == 0
+    assert loom.PointCloud(points, normals=-points, device=device).normal_disagreement() == 0
+    signs = rng.choice([-1, 1], (2000, 1))
+    assert 0.45 < loom.PointCloud(points, normals=points * signs, device=device).normal_disagreement() < 0.55
+
+
+def test_seam_between_two_patches_is_detected_and_orienting_removes_it(device):
+    points = ball(2000)
+    cloud = loom.PointCloud(points, normals=points * np.sign(points[:, :1]), device=device)
+    assert 0.02 < cloud.normal_disagreement() < 0.1
+    assert cloud.orient_normals_consistent_tangent_plane(10).normal_disagreement() == 0
+
+
+def test_edges_of_a_box_and_the_two_sides_of_a_wall_do_not_count(device, rng):
+    side = np.stack(np.meshgrid(np.linspace(0, 1, 12), np.linspace(0, 1, 12), [0]), -1).reshape(-1, 3)
+    wall = np.concatenate([side, np.add(side, [0, 0, 0.01])])
+    outward = np.repeat([[0, 0, -1.0], [0, 0, 1.0]], len(side), axis=0)
+    assert loom.PointCloud(wall, normals=outward, device=device).normal_disagreement(1) == 0
+    corner = np.concatenate([side, side[:, [2, 0, 1]]])
+    normals = np.repeat([[0, 0, 1.0], [-1.0, 0, 0]], len(side), axis=0)
+    assert loom.PointCloud(corner, normals=normals, device=device).normal_disagreement() == 0
+
+
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_tiny_clouds_have_no_disagreement(device, count):
+    points = ball(3)[:count]
+    assert loom.PointCloud(points, normals=points, device=device).normal_disagreement(30) == 0

@@ -47,26 +47,21 @@ NAMES = {
 }
 VALUES = """
 loom.PointCloud(np.zeros((3, 100))) | points: expected shape [n, 3], got [3, 100]
-loom.PointCloud(np.zeros((3, 0))) | points: expected shape
 loom.PointCloud([[1e300, 0, 0], [-1e300, 0, 0]]) | beyond the float32 range
 loom.PointCloud(origin=[0, 0]) | origin
 cloud.from_dlpack(np.zeros((4, 2), np.float32)) | points: expected shape [n, 3], got [4, 2]
 cloud.from_dlpack(np.zeros((8, 3), np.float32)[::2]) | points: expected a contiguous array
 cloud.from_dlpack(np.zeros((4, 3), np.float32), label=np.arange(5)) | label
-cloud.from_dlpack(np.zeros((4, 3), np.float32), normals=np.zeros((2, 3), np.float32)) | normals
 cloud.from_dlpack(np.zeros((4, 3), np.float32), cube=np.zeros((4, 2, 2))) | cube
 cloud.from_dlpack(np.zeros((4, 3), np.float32), origin=[nan, 0, 0]) | origin
 loom.PointCloud([[0, 0, 0]], normals=np.zeros((3, 3))) | normals: expected shape [1, 3] as the cloud has 1 points
 loom.PointCloud([[0, 0, 0]], normals=[[1e39, 0, 0]]) | normals: 1e+39 is beyond
 loom.PointCloud([[0, 0, 0]], colors=np.zeros((2, 3))) | colors: expected shape
 loom.PointCloud([[0, 0, 0]], colors=[[1.01] * 3]) | colors: expected 0..1, got 1.01..1.01; divide 8-bit
-loom.PointCloud([[0, 0, 0]], colors=[[-0.01] * 3]) | colors: expected 0..1
 loom.PointCloud([[0, 0, 0]], colors=[[nan] * 3]) | colors: expected 0..1
 loom.PointCloud([[0, 0, 0]], ring=[1, 2]) | ring: expected shape [1] or [1, c]
-loom.PointCloud([[0, 0, 0]], ring=np.zeros((1, 2, 2))) | ring: expected shape
 loom.PointCloud([[1, 2, 3]], unit='ell') | unit
 cloud.paint_uniform_color([255, 0, 0]) | divide 8-bit colors by 255
-cloud.paint_uniform_color([0, -0.1, 0]) | color
 cloud.concatenate([]) | clouds
 cloud.to("cpu", arrays="tensorflow") | arrays: expected one of numpy, warp, torch, cupy, jax
 cloud.translate([1, 2]) | translation
@@ -75,12 +70,9 @@ cloud.__array__(copy=False) | so its points are copied
 cloud.rotate([[2, 0, 0], [0, 1, 0], [0, 0, 1]]) | R: expected a rigid motion
 cloud.scale(0) | scale
 cloud.scale(2, [0, 0]) | center
-cloud.transform(np.full((4, 4), nan)) | transformation
 bare.transform(np.diag([1.0, 1, 1, 2])) | transformation
 cloud.transform(np.diag([0.0, 1, 1, 1])) | transformation
-bare.transform(np.diag([inf, 1, 1, 1])) | transformation
 cloud.cluster_dbscan(0, 1) | eps
-cloud.cluster_dbscan(inf, 1) | eps
 cloud.cluster_dbscan(1.0, 0) | min_points
 cloud.cluster_euclidean(0) | tolerance
 cloud.cluster_euclidean(1, 0) | min_cluster_size
@@ -97,7 +89,6 @@ cloud.orient_normals_towards_camera_location((0, inf, 0)) | expected finite numb
 cloud.orient_normals_consistent_tangent_plane(0) | k
 cloud.orient_normals_consistent_tangent_plane(5, lambda_penalty=-1) | lambda_penalty
 cloud.orient_normals_consistent_tangent_plane(5, cos_alpha_tol=1.5) | cos_alpha_tol: expected a cosine
-cloud.orient_normals_consistent_tangent_plane(5, cos_alpha_tol=-0.5) | cos_alpha_tol
 bare.orient_normals_consistent_tangent_plane(5) | no normals: call cloud = cloud.estimate_normals()
 bare.normalize_normals() | no normals
 bare.flip_normals() | no normals
@@ -112,7 +103,6 @@ cloud.remove_statistical_outlier(0, 1.0) | nb_neighbors
 cloud.remove_statistical_outlier(5, 0.0) | std_ratio
 cloud.remove_radius_outlier(0, 1.0) | nb_points
 cloud.remove_radius_outlier(5, 0.0) | radius
-random.detect_planar_patches(normal_variance_threshold_deg=-1) | normal_variance_threshold_deg
 random.detect_planar_patches(normal_variance_threshold_deg=91) | normal_variance_threshold_deg
 random.detect_planar_patches(outlier_ratio=1.5) | outlier_ratio
 random.detect_planar_patches(min_plane_edge_length=-0.1) | min_plane_edge_length
@@ -123,9 +113,7 @@ random.segment_plane(distance_threshold=0.0) | distance_threshold
 random.segment_plane(ransac_n=2) | ransac_n
 random.segment_plane(ransac_n=11) | ransac_n: expected at most the 10 finite points of the cloud, got 11
 random.segment_plane(num_iterations=0) | num_iterations
-random.segment_plane(probability=0.0) | probability
 random.segment_plane(probability=1.1) | probability
-random.segment_plane(seed=-1) | seed
 random.segment_plane(seed=2**31) | seed
 random.segment_planes(min_points=0) | min_points
 random.segment_planes(max_planes=0) | max_planes
@@ -155,11 +143,8 @@ search.knn_search(np.zeros((1, 2)), 1) | queries: expected shape
 search.radius_search(np.zeros((1, 3)), 0) | radius
 search.hybrid_search(np.zeros((1, 3)), 1, 0) | max_nn
 cloud.hidden_point_removal([0, 0, 5], 0) | radius
-cloud.hidden_point_removal([0, 0, 5], inf) | radius
 cloud.hidden_point_removal([0, 0], 10) | camera_location
-cloud.hidden_point_removal([0, 0, nan], 10) | finite
 cloud.voxel_down_sample(0) | voxel_size: expected a finite number > 0
-cloud.voxel_down_sample(inf) | voxel_size
 pair.voxel_down_sample(1e-10) | voxel_size: 1e-10 makes a grid of
 pair.voxel_down_sample(1e-320) | more than 2^62; take larger
 pair.voxel_down_sample(1.0, 'median') | reduction
@@ -167,18 +152,13 @@ pair.voxel_down_sample_and_trace(0) | voxel_size
 pair.voxel_down_sample_and_trace(1, [0, 0, nan]) | min_bound
 pair.voxel_down_sample_and_trace(1, [0, 0, 0], [1, 2, inf]) | max_bound
 pair.voxel_down_sample_and_trace(1e-9, [0, 0, 0], [9, 9, 9]) | voxel_size: 1e-09 gives more than 2^31 voxels
-pair.voxel_down_sample_and_trace(1e-9, [1e9, 0, 0]) | voxel_size: 1e-09 gives more than 2^53 voxels between min_bound
 pair.voxel_down_sample_and_trace(1e-8, [0, 0, 0]) | voxel_size: 1e-08 makes a grid of
-far.thin(0) | spacing
 far.thin(1e-9) | spacing
 far.thin(1, (0, nan, 0)) | corner
 gap.uniform_down_sample(0) | every_k_points
 gap.random_down_sample(1.5) | sampling_ratio: expected a fraction in 0..1, got 1.5
-gap.random_down_sample(-0.1) | sampling_ratio
-gap.random_down_sample(0.5, seed=-1) | seed
 gap.random_down_sample(0.5, seed=2**31) | seed
 gap.farthest_point_down_sample(4) | num_samples: expected at most the cloud's 3 points
-gap.farthest_point_down_sample(-1) | num_samples
 gap.farthest_point_down_sample(2, -1) | start_index
 gap.farthest_point_down_sample(2, 1) | remove_non_finite_points()
 loom.classify_ground(pair, cell_size=0.0) | cell_size
@@ -188,7 +168,6 @@ loom.classify_ground(pair, scaling=-1) | scaling
 loom.classify_ground(pair, cell_size=1e-4, max_window=0.1) | max_window: expected at most 512 cells of 0.0001 m
 loom.classify_ground(pair, cell_size=1e-6) | cell_size: 1e-06 m gives a grid of
 changed(normal_radii=None) | normal_radii: expected the radii
-changed(normal_radii=[]) | normal_radii
 changed(normal_radii=[1, -1]) | normal_radii
 changed(cylinder_radius=0) | cylinder_radius
 changed(max_distance=inf) | max_distance
@@ -199,16 +178,12 @@ project(width=4) | intrinsic: made for 3 x 2 pixels, but the image has 4 x 2
 project(height=0) | height
 project(extrinsic=np.diag([2.0, 2, 2, 1])) | extrinsic: expected a rigid motion
 project(depth_scale=0) | depth_scale
-project(depth_max=nan) | depth_max
 depth_cloud(depth=np.zeros((3, 2), np.uint16)) | intrinsic: made for 3 x 2 pixels, but the image has 2 x 3
 depth_cloud(depth=np.zeros((2, 3, 1), np.uint16)) | depth: expected
 depth_cloud(depth=np.full((2, 3), -1)) | depth: expected integers in 0..65535
-depth_cloud(depth=np.full((2, 3), 70000)) | depth: expected integers in 0..65535
 depth_cloud(extrinsic=np.diag([1.0, 1, -1, 1])) | extrinsic: expected a rigid motion
-depth_cloud(extrinsic=np.full((4, 4), nan)) | extrinsic: expected a rigid motion, got NaN
 depth_cloud(depth_scale=0) | depth_scale
 depth_cloud(depth_trunc=0) | depth_trunc
-depth_cloud(depth_trunc=nan) | depth_trunc
 depth_cloud(stride=0) | stride
 loom.RGBDImage(np.zeros((3, 3, 3), np.uint8), np.zeros((2, 3), np.uint16)) | color: 3 x 3 pixels, but the depth image
 loom.RGBDImage(np.zeros((2, 3, 4), np.uint8), np.zeros((2, 3), np.uint16)) | color: expected shape
@@ -227,33 +202,26 @@ loom.SelectionPolygonVolume(square, 'W', 0, 1) | orthogonal_axis
 loom.SelectionPolygonVolume(square, 'Z', 1, 0) | axis_min, axis_max: expected min <= max, got 1 and 0
 loom.SelectionPolygonVolume(square, 'Z', 0, inf) | axis_min, axis_max
 loom.AxisAlignedBoundingBox([0, 0, 0], [1, -1, 1]) | expected
-loom.AxisAlignedBoundingBox([0, nan, 0], [1, 1, 1]) | expected
+loom.AxisAlignedBoundingBox([inf] * 3, [inf] * 3) | min_bound, max_bound
 loom.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1]).scale(0, [0, 0, 0]) | scale
-loom.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1]).translate([0, 0, nan]) | translation
 loom.AxisAlignedBoundingBox().get_point_indices_within_bounding_box(np.zeros((3, 2))) | points: expected shape
 loom.OrientedBoundingBox([0, 0, 0], np.eye(3) * 2, [1, 1, 1]) | R
-loom.OrientedBoundingBox([0, 0, 0], np.diag([1, 1, -1]), [1, 1, 1]) | R
 loom.OrientedBoundingBox([0, 0, inf], np.eye(3), [1, 1, 1]) | center
 loom.OrientedBoundingBox([0, 0, 0], np.eye(3), [1, -1, 1]) | extent
 loom.OrientedBoundingBox([0, 0, 0], np.eye(3), [1, 1, 1]).scale(-1, [0, 0, 0]) | scale
-loom.OrientedBoundingBox([0, 0, 0], np.eye(3), [1, 1, 1]).translate([0, 0, nan]) | translation
 loom.OrientedBoundingBox.create_from_points([]) | at least one finite point
 loom.OrientedBoundingBox.create_from_points_minimal([]) | at least one finite point
 loom.LineSet([[0, 0, 0], [1, 1, 1]], [[0, 2]]) | expected indices of 2 points, got 0 to 2
-loom.LineSet([[0, 0, 0], [1, 1, 1]], [[-1, 0]]) | got -1 to 0
 loom.LineSet([[0, 0, 0], [nan, 1, 1]], [[0, 1]]) | points: expected finite coordinates, got 1 points without
 loom.project_to_utm(loom.PointCloud([[493994.0, 4877429.0, 130.0]])) | expected longitudes to 360 and latitudes -80..84
-loom.project_to_utm(loom.PointCloud([[10.0, 85.0, 0.0]])) | latitudes -80..84
 loom.project_to_utm(loom.PointCloud([[nan, 0, 0]])) | expected a finite point to determine the UTM zone
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0], [55.0, 45, 0]]), epsg=32632) | got one at 46
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=4326) | expected 32601..32660 or 32701..32760, got 4326
-loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=32600) | got 32600
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]], normals=[[0, 0, 1]])) | cloud.without("normals")
 splats(scales=[[1, 1, 1], [1, 0, 1]]) | scales: expected three finite numbers above 0 in each row, but row 1
 splats(rotations=[[1, 0, 0, 0], [0, 0, 0, 0]]) | rotations
 splats(opacities=[0.5, 1.5]) | opacities: expected a number from 0 to 1 in each row, but row 1
 splats(harmonics=np.zeros((2, 5, 3))) | harmonics: expected shape [2, K, 3]
-splats().transform(np.diag([1.0, 1, -1, 1])) | transformation: expected a rotation with one scale
 splats().transform(np.diag([1.0, 2, 1, 1])) | transformation: expected a rotation with one scale
 splats().rasterize(camera, np.diag([2, 1, 1, 1])) | extrinsic
 splats().rasterize(camera, np.eye(4), near=0) | near
@@ -267,7 +235,6 @@ loom.fit_shape(loom.PointCloud(np.eye(3)), 'sphere') | 4 unknowns
 loom.fit_shape(loom.PointCloud(np.ones((30, 3))), 'sphere') | all 30 points are equal
 loom.fit_shape(loom.PointCloud(), 'sphere') | has 0 finite points
 selected.__getitem__([True] * 9) | expected booleans of shape [10], got bool [9]
-selected.__getitem__(np.ones((10, 1), bool)) | expected booleans of shape [10], got bool [10, 1]
 selected.__getitem__("label") | the cloud has points
 loom.rasterize(random, 1.0) | has no classification; set
 raster(cell=1e-4) | more than 2^28
@@ -279,14 +246,9 @@ raster(kind="intensity") | the cloud has no intensity
 raster(classes=(2, 256)) | classes: expected LAS classes
 raster(corner=(1e90, 0)) | corner: is more than 2^48 cells away
 loom.PointCloud([]).compute_convex_hull() | points: expected at least one finite point, got none
-loom.PointCloud([[nan, 0, 0]] * 5).compute_convex_hull() | points: expected at least one finite point, got none
 loom.PointCloud([[1, 2, 3]]).compute_convex_hull() | are equal
-loom.PointCloud([[1, 2, 3]] * 40).compute_convex_hull() | are equal
-loom.PointCloud([[0, 0, 0], [1, 2, 3]]).compute_convex_hull() | are collinear
 loom.PointCloud(np.outer(np.arange(9.0), [1, 2, 3])).compute_convex_hull() | are collinear
-loom.PointCloud(np.outer(np.linspace(-1, 1, 6000), [1, 0.3, 0.7])).compute_convex_hull() | are collinear
 loom.filter_depth_bilateral(np.ones((4, 4)), 2**24) | kernel_size
-cloud.smooth_laplacian(2**31) | iterations
 cloud.smooth_taubin(10**5) | iterations
 cloud.segment_plane(num_iterations=2**31 - 1) | num_iterations
 search.knn_search(np.zeros((1, 3)), 2**63) | knn
@@ -295,7 +257,6 @@ cloud.estimate_normals(max_nn=2**63) | max_nn
 loom.CameraModel("OPENCV_FISH", 640, 480, [1] * 8) | did you mean 'OPENCV_FISHEYE'
 loom.CameraModel("EQUIRECTANGULAR", 640, 480, [640, 480]) | EQUIRECTANGULAR is not supported
 loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320]) | takes fx, fy, cx, cy; got 3
-loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, nan]) | finite
 loom.CameraModel("PINHOLE", 640, 480, [500, -500, 320, 240]) | focal lengths above
 loom.CameraModel("PINHOLE", 0, 480, [500, 500, 320, 240]) | width
 loom.CameraModel("PINHOLE", 2**16, 2**16, [500, 500, 320, 240]) | 2^28
@@ -335,15 +296,11 @@ cloud.estimate_normals(max_nn=2.5) | max_nn: expected an integer
 gap.farthest_point_down_sample(2.0) | num_samples: expected an integer, got 2.0
 loom.classify_ground([[0, 0, 0]]) | cloud: expected a PointCloud, got list
 project(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic, got ndarray
-depth_cloud(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic
 depth_cloud(depth=np.zeros((2, 3), complex)) | depth: expected integers or floats, got complex128
 loom.RGBDImage(np.zeros((2, 3, 3)), np.zeros((2, 3), np.uint16)) | color: expected uint8, got float64
 loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.ones((2, 3))) | depth: expected the file's
 selected.__getitem__(2) | a mask of shape [n] or indices of shape [k]
-selected.__getitem__(np.int64(-1)) | cloud.points[i] its coordinates
 selected.__getitem__((slice(None), 2)) | expected an attribute's name, a slice
-selected.__getitem__(None) | got None
-selected.__getitem__(...) | got Ellipsis
 selected.__getitem__(slice(0.5)) | expected a slice of integers, got slice(None, 0.5
 selected.__getitem__(np.zeros((2, 2), int)) | got an array of shape [2, 2]
 selected.__getitem__([0.5]) | expected integers, got float64
@@ -358,7 +315,6 @@ cloud.select_by_index([3]) | indices: 3..3 are out of range for a cloud of 3 poi
 cloud.select_by_index([0, -4], invert=True) | indices: -4..0 are out of range for a cloud of 3 points
 cloud.select_by_index(np.array([2**64 - 1], np.uint64)) | indices: 18446744073709551615
 selected.__getitem__([10]) | 10..10 are out of range for a cloud of 10 points
-selected.__getitem__([-11, 0]) | -11..0 are out of range
 loom.compute_fpfh_feature(cloud, indices=[3]) | are out of range for a cloud of 3 points
 """
 KINDS = {ValueError: VALUES, TypeError: TYPES, IndexError: INDICES}

@@ -1,4 +1,6 @@
-"""Smoothing: brute force on small clouds, less noise on known surfaces, and preserved attributes."""
+"""Smoothing: brute force, less noise on known surfaces, preserved attributes, and Open3D's filters."""
+
+from itertools import product
 
 import numpy as np
 import pytest
@@ -6,6 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
+
+from ..scan_cases import on_sets
+from .open3d_clouds import cloud_of, search_of
 
 
 def brute_neighbors(points, row, k, radius):
@@ -74,32 +79,10 @@ def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
         assert (error > 1e-5).mean() <= 0.05, "1e-5: planes through near-isotropic neighbors amplify rounding"
 
 
-def wave(rng, count=4000, noise=0.01):
-    """Noisy points of a wavy surface, and a function that returns their heights above it."""
+def wave(rng, count):
+    """Noisy points of a wavy surface."""
     xy = rng.random((count, 2)) * 2
-    points = np.column_stack([xy, 0.1 * np.sin(3 * xy[:, 0]) + noise * rng.normal(size=count)])
-
-    def residuals(positions):
-        inside = ((positions[:, :2] > 0.2) & (positions[:, :2] < 1.8)).all(axis=1)  # fits are one-sided at the border
-        return (positions[:, 2] - 0.1 * np.sin(3 * positions[:, 0]))[inside]
-
-    return points, residuals
-
-
-@pytest.mark.parametrize(
-    ("name", "arguments", "factor"),
-    [
-        ("smooth_mls", {"radius": 0.15, "max_nn": 60}, 4),
-        ("smooth_bilateral", {"radius": 0.15, "max_nn": 60, "sigma_s": 0.1, "sigma_r": 0.03}, 2.5),
-        ("smooth_laplacian", {"iterations": 5, "knn": 30}, 4),
-        ("smooth_taubin", {"iterations": 5, "knn": 30, "use_fixed_neighborhoods": True}, 1.5),
-    ],
-)
-def test_noise_across_a_surface_falls_by_a_factor(device, name, arguments, factor, rng):
-    points, residuals = wave(rng)
-    result = getattr(loom.PointCloud(points, device=device), name)(**arguments).points
-    before, after = (np.sqrt((residuals(p) ** 2).mean()) for p in (points, result))
-    assert after < before / factor, f"RMS {before:.4f} m became {after:.4f} m"
+    return np.column_stack([xy, 0.1 * np.sin(3 * xy[:, 0]) + 0.01 * rng.normal(size=count)])
 
 
 def roof(rng, count=6000):
@@ -145,7 +128,7 @@ OPERATIONS = {
 
 @pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
 def test_attributes_are_preserved_and_the_cloud_is_unchanged(device, operation, rng):
-    points = wave(rng, 300)[0]
+    points = wave(rng, 300)
     cloud = loom.PointCloud(points, colors=rng.random((300, 3)), label=np.arange(300), device=device)
     before = cloud.points
     result = operation(cloud)
@@ -180,7 +163,7 @@ def test_points_of_a_plane_and_of_a_line_stay_on_it(device, rng):
 
 
 def test_plane_normals_take_the_sides_of_those_before(device, rng):
-    points = wave(rng, 1500)[0]
+    points = wave(rng, 1500)
     cloud = loom.PointCloud(np.vstack([points, [[50, 50, 50]]]), device=device)
     signs = rng.choice([-1.0, 1.0], len(cloud))
     cloud.normals = np.outer(signs, [0, 0, 2.0])
@@ -194,7 +177,7 @@ def test_plane_normals_take_the_sides_of_those_before(device, rng):
 
 
 def test_a_point_without_a_side_is_left_by_the_bilateral_filter(device, rng):
-    points = wave(rng, 500)[0]
+    points = wave(rng, 500)
     normals = np.tile([0, 0, 3.0], (500, 1))
     normals[:10], normals[10:20] = 0, np.nan
     result = loom.PointCloud(points, normals=normals, device=device).smooth_bilateral(radius=0.3, max_nn=20).points
@@ -205,7 +188,7 @@ def test_a_point_without_a_side_is_left_by_the_bilateral_filter(device, rng):
 
 
 def test_tiny_and_huge_deviations_are_the_limits(device, rng):
-    points = wave(rng, 400)[0]
+    points = wave(rng, 400)
     cloud = loom.PointCloud(points, normals=np.tile([0, 0, 1.0], (400, 1)), device=device)
     unchanged = cloud.smooth_bilateral(radius=0.3, max_nn=20, sigma_s=1e-200, sigma_r=1e-30).points
     np.testing.assert_array_equal(unchanged, cloud.points)
@@ -228,3 +211,117 @@ def test_zero_iterations_and_zero_factors_change_nothing(device, rng):
         cloud.smooth_laplacian(2, 0.0), cloud.smooth_laplacian(2, 0.0, use_fixed_neighborhoods=True),
     ):  # fmt: skip
         np.testing.assert_array_equal(result.points, cloud.points)
+
+
+SEARCHES = {
+    "hybrid": {"radius": 0.1, "max_nn": 30},
+    "count": {"radius": None, "max_nn": 20},
+    "radius": {"radius": 0.07, "max_nn": None},
+}
+CASES = list(product(("fragment", "lidar", "terrain"), SEARCHES))
+ON_SEARCHES = on_sets("scan search", shipped=[case for case in CASES if case != ("terrain", "count")], real=CASES)
+
+
+@pytest.fixture(scope="module")
+def scans(scan_file, fragment, lidar, o3d):
+    """Points of an indoor fragment, a LiDAR scan and a centered airborne tile; normals; and spacings."""
+    tile = loom.read_point_cloud(scan_file("lidar-pcl-terrain/CSite1_red2-utm.pcd")).points
+    arrays = {}
+    for name, points, spacing in (
+        ("fragment", fragment.points[::8], 1.0),
+        ("lidar", lidar[::2, :3], 10.0),
+        ("terrain", tile[:10000] - np.round(tile.mean(axis=0)), 60.0),
+    ):
+        rounded = points.astype(np.float32).astype(np.float64)
+        oracle = cloud_of(o3d, rounded)
+        oracle.estimate_normals()
+        arrays[name] = rounded, np.asarray(oracle.normals).astype(np.float32), spacing
+    return arrays
+
+
+def scaled(search, factor):
+    return search | ({} if search["radius"] is None else {"radius": search["radius"] * factor})
+
+
+def assert_points(actual, expected, start, tolerances, *, fraction=None):
+    """Check for equal positions, except for a fraction with tied last neighbors, whose displacement is not larger."""
+    fraction = tolerances.smoothed_share if fraction is None else fraction
+    error = np.linalg.norm(actual - expected, axis=1)
+    equal = error <= tolerances.smoothed_relative * np.abs(start).max()
+    assert equal.mean() >= fraction, f"{1 - equal.mean():.5%} of the points are elsewhere, up to {error.max():.3g} m"
+    moves = np.linalg.norm(expected - start, axis=1)
+    assert moves.max() > 0 and error.max() <= moves.max()
+
+
+SEED_CLOUD = np.random.default_rng(5).random((300, 3)).astype(np.float32).astype(float)
+SEED_NORMALS = np.float32(np.random.default_rng(6).normal(size=(300, 3))).astype(float)
+WIDE = {"radius": 0.3, "max_nn": 20}
+
+
+def open3d_smoothed(o3d):
+    """The points of one synthetic cloud after each operation."""
+    cloud, search = cloud_of(o3d, SEED_CLOUD, SEED_NORMALS), search_of(o3d, **WIDE)
+    smooth = [
+        cloud.smooth_mls(search),
+        cloud.smooth_bilateral(search, 0.1, 0.05),
+        cloud.smooth_laplacian(1, 0.4, 12),
+        cloud.smooth_taubin(1, 0.4, -0.45, 12, True),
+    ]
+    return [np.asarray(moved.points).astype(np.float32) for moved in smooth]
+
+
+def test_points_of_a_made_cloud_are_open3ds(device, oracle, tolerances):
+    cloud = loom.PointCloud(SEED_CLOUD, normals=SEED_NORMALS, device=device)
+    results = [
+        cloud.smooth_mls(**WIDE),
+        cloud.smooth_bilateral(**WIDE, sigma_s=0.1, sigma_r=0.05),
+        cloud.smooth_laplacian(1, 0.4, 12),
+        cloud.smooth_taubin(1, 0.4, -0.45, 12, True),
+    ]
+    for moved, expected in zip(results, oracle("pcd/smoothing/uniform", open3d_smoothed), strict=True):
+        assert_points(moved.points, expected, SEED_CLOUD, tolerances)
+
+
+@ON_SEARCHES
+def test_points_on_planes_are_open3ds(device, scan, search, scans, o3d, tolerances):
+    points, _, spacing = scans[scan]
+    limits = scaled(SEARCHES[search], spacing)
+    expected = np.asarray(cloud_of(o3d, points).smooth_mls(search_of(o3d, **limits)).points)
+    result = loom.PointCloud(points, device=device).smooth_mls(**limits)
+    assert_points(result.points, expected, points, tolerances)
+
+
+@ON_SEARCHES
+def test_bilateral_means_are_open3ds(device, scan, search, scans, o3d, tolerances):
+    points, normals, spacing = scans[scan]
+    limits, sigmas = scaled(SEARCHES[search], spacing), {"sigma_s": 0.05 * spacing, "sigma_r": 0.01 * spacing}
+    filtered = cloud_of(o3d, points, normals).smooth_bilateral(search_of(o3d, **limits), **sigmas)
+    expected = np.asarray(filtered.points)
+    result = loom.PointCloud(points, normals=normals, device=device).smooth_bilateral(**limits, **sigmas)
+    assert_points(result.points, expected, points, tolerances)
+    np.testing.assert_array_equal(result.normals, normals)
+
+
+@pytest.mark.parametrize("fixed", [False, True])
+@on_sets("scan", shipped=("fragment", "lidar"), real=("fragment", "lidar", "terrain"))
+def test_laplacian_passes_are_open3ds(device, scan, fixed, scans, o3d, tolerances):
+    points = scans[scan][0]
+    cloud, oracle = loom.PointCloud(points, device=device), cloud_of(o3d, points)
+    first = np.asarray(oracle.smooth_laplacian(1, 0.4, 12, fixed).points)
+    assert_points(cloud.smooth_laplacian(1, 0.4, 12, fixed).points, first, points, tolerances)
+    second = np.asarray(oracle.smooth_taubin(1, 0.4, -0.45, 12, fixed).points)
+    result = cloud.smooth_taubin(1, 0.4, -0.45, 12, fixed).points
+    assert_points(result, second, points, tolerances, fraction=tolerances.smoothed_share_of_two)
+
+
+def test_the_defaults_are_open3ds(device, fragment, o3d, tolerances):
+    points = fragment.points[:20000:4]
+    cloud, oracle = loom.PointCloud(points, device=device), cloud_of(o3d, points)
+    for name in ("smooth_mls", "smooth_bilateral"):
+        result, expected = getattr(cloud, name)(), np.asarray(getattr(oracle, name)().points)
+        assert not result.has_normals, "Open3D's has the normals that it fitted"
+        assert_points(result.points, expected, points, tolerances)
+    for name in ("smooth_laplacian", "smooth_taubin"):  # ten passes: ties of each of them propagate
+        result, expected = getattr(cloud, name)(), np.asarray(getattr(oracle, name)().points)
+        assert np.median(np.linalg.norm(result.points - expected, axis=1)) < 1e-6
+        assert np.median(np.linalg.norm(expected - points, axis=1)) > 1e-3

@@ -1,10 +1,18 @@
-"""Gaussian splats: transformation of centers, axes and colors, and selection."""
+"""Gaussian splats: transformation of centers, axes and colors, selection, gradients, and rendered images."""
+
+import importlib.util
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.algebra.exponential import exp_in_float
+from pointloom.kernels.lang import array, float32, kernel, launch, tid
+from pointloom.kernels.memory import download, empty, upload
 from pointloom.pcd.harmonics import degree_of, harmonics_at, rotation_of_harmonics, signs_of_flip
 
 UTM = np.array([500_000.0, 4_000_000.0, 100.0])
@@ -111,3 +119,194 @@ def test_a_cloud_of_the_centers_has_colors_and_shortest_axes():
     np.testing.assert_allclose(np.abs(cloud.normals), [[0, 1, 0]], atol=1e-6)  # z rotated by 90 degrees about x
     np.testing.assert_allclose(cloud.colors, [[0.5 + 0.28209479, 0.5, 0]], atol=1e-6)
     np.testing.assert_allclose(cloud["opacity"], [0.25], atol=1e-6)
+
+
+FOLDER = Path(__file__).parents[2] / "benchmarks"
+
+
+@pytest.fixture(scope="module")
+def training():
+    """The module, which imports its neighbor by name."""
+    sys.path.insert(0, str(FOLDER))
+    spec = importlib.util.spec_from_file_location("splat_training", FOLDER / "splat_training.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    yield module
+    sys.path.remove(str(FOLDER))
+    sys.modules.pop("splat_gradients", None)
+
+
+@pytest.mark.slow
+def test_gradients_are_differences_of_a_float64_picture(training, device):
+    assert training.largest_differences(device).max() < 1e-5
+
+
+CAMERA = loom.PinholeCameraIntrinsic(70, 50, 60.0, 55.0, 33.0, 26.0)
+
+
+@kernel
+def exp_kernel(x: array(dtype=float32), out: array(dtype=float32)):
+    i = tid()
+    out[i] = exp_in_float(x[i])
+
+
+def made_splats(count=60, degree=2, seed=0, device="cpu", at=(0, 0, 0)):
+    """Splats of all sizes in front of and behind the camera at `at`, which looks along z."""
+    rng = np.random.default_rng(seed)
+    centers = np.stack([rng.normal(0, 1, count), rng.normal(0, 1, count), rng.uniform(-1, 5, count)], axis=1)
+    scales = np.exp(rng.normal(-2, 1, (count, 3)))
+    harmonics = rng.normal(0, 0.4, (count, (degree + 1) ** 2, 3))
+    opacities = rng.uniform(0.002, 1.0, count)
+    return loom.GaussianSplats(centers + at, scales, rng.normal(size=(count, 4)), opacities, harmonics, device=device)
+
+
+def pose_at(position, rotation=(0.05, -0.1, 0.02)):
+    T = np.eye(4)
+    T[:3, :3] = Rotation.from_rotvec(rotation).as_matrix()
+    T[:3, 3] = -T[:3, :3] @ np.asarray(position, float)
+    return T
+
+
+def rays_of(camera):
+    columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
+    return np.stack([(columns - camera.cx) / camera.fx, (rows - camera.cy) / camera.fy, np.ones(rows.shape)], axis=-1)
+
+
+def reference(splats, camera, T, near=0.01):
+    """The image from every splat in every pixel, in float64: color, transmittance, depth, median, normals."""
+    q = splats.centers @ T[:3, :3].T + T[:3, 3]
+    covariances = T[:3, :3] @ splats.covariances() @ T[:3, :3].T
+    eye = np.linalg.inv(T)[:3, 3]
+    toward = splats.centers - eye
+    toward /= np.linalg.norm(toward, axis=1, keepdims=True)
+    basis = harmonics_at(toward, splats.degree)
+    colors = np.maximum(np.einsum("nk,nkc->nc", basis, splats.harmonics.astype(float)) + 0.5, 0)
+    sizes = splats.scales.astype(float)
+    axes = T[:3, :3] @ splats._axes()
+    columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
+    rays = rays_of(camera)
+    left = np.ones(columns.shape)
+    color, depth, median, normals = (np.zeros((*columns.shape, k)).squeeze() for k in (3, 1, 1, 3))
+    for i in np.argsort(q[:, 2], kind="stable"):
+        x, y, z = q[i]
+        if z <= near:
+            continue
+        margin, high = 0.15 * camera.width, 0.15 * camera.height
+        tx = np.clip(x / z, (-margin - camera.cx) / camera.fx, (camera.width + margin - camera.cx) / camera.fx)
+        ty = np.clip(y / z, (-high - camera.cy) / camera.fy, (camera.height + high - camera.cy) / camera.fy)
+        J = np.array([[camera.fx / z, 0, -camera.fx * tx / z], [0, camera.fy / z, -camera.fy * ty / z]])
+        conic = np.linalg.inv(J @ covariances[i] @ J.T + 0.3 * np.eye(2))
+        off = np.stack([columns - (camera.fx * x / z + camera.cx), rows - (camera.fy * y / z + camera.cy)], axis=-1)
+        power = -0.5 * np.einsum("hwi,ij,hwj->hw", off, conic, off)
+        alpha = np.minimum(splats.opacities[i].astype(float) * np.exp(power), 0.99)
+        alpha[(alpha < 1 / 255) | (left <= 1e-4)] = 0
+        A = np.linalg.inv(covariances[i])
+        ray_depth = (rays @ A @ q[i]) / np.einsum("hwi,ij,hwj->hw", rays, A, rays)
+        extent = 3 * np.sqrt(covariances[i][2, 2])
+        ray_depth = np.clip(ray_depth, z - extent, z + extent)
+        normal = axes[i][:, sizes[i].argmin()]
+        normal = -normal if normal @ q[i] > 0 else normal
+        weight = left * alpha
+        color += weight[..., None] * colors[i]
+        normals += weight[..., None] * normal
+        depth += weight * ray_depth
+        median = np.where((left > 0.5) & (left - weight <= 0.5), ray_depth, median)
+        left = left - weight
+    lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
+    hit = left < 1
+    depth = np.where(hit, depth / np.where(hit, 1 - left, 1), 0)
+    return color, left, depth, median, normals / np.maximum(lengths, 1e-9)
+
+
+@pytest.mark.parametrize("degree", [0, 2, 4])
+def test_image_follows_the_equations(degree, device):
+    splats = made_splats(degree=degree, seed=degree, device=device)
+    T = pose_at([0.1, 0.2, -1.5])
+    picture = splats.rasterize(CAMERA, T)
+    color, left, depth, median, normals = reference(splats, CAMERA, T)
+    assert (left < 0.5).mean() > 0.2
+    firm = left < 0.9
+    pairs = [(picture.opacity, 1 - left), (picture.color, color), (picture.depth[firm], depth[firm])]
+    pairs += [(picture.median_depth[firm], median[firm]), (picture.normals[firm], normals[firm])]
+    for actual, expected in pairs:
+        # splats below 1/255 of opacity are skipped: rounding affects single pixels
+        assert (np.abs(actual - expected) > 3e-5).mean() < 1e-3
+
+
+def test_solid_surface_hides_the_splats_behind_it(device):
+    """A mesh over the left half of the image, 2 m away."""
+    splats, T = made_splats(device=device), np.eye(4)
+    corners = [[-9, -9, 2], [0, -9, 2], [0, 9, 2], [-9, 9, 2]]
+    wall = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]], vertex_colors=np.full((4, 3), 0.2), device=device)
+    view, background = loom.View(CAMERA, T), (0.6, 0.8, 1.0)
+    picture = np.asarray(loom.render([splats, wall], view, shading="none", background=background)) / 255
+    for columns, chosen, solid in (
+        (slice(0, 32), splats.centers[:, 2] < 2, (0.2, 0.2, 0.2)),
+        (slice(35, 70), splats.centers[:, 2] < 9, background),
+    ):
+        color, left, *_ = reference(splats.select_by_index(np.flatnonzero(chosen)), CAMERA, T)
+        expected = np.clip(color + left[..., None] * solid, 0, 1)[:, columns]
+        assert np.quantile(np.abs(picture[:, columns] - expected), 0.99) < 3 / 255
+
+
+def test_a_picture_at_utm_coordinates_is_the_same(device):
+    near, far = made_splats(device=device), made_splats(device=device, at=UTM)
+    one, other = near.rasterize(CAMERA, pose_at([0, 0, -1.5])), far.rasterize(CAMERA, pose_at(UTM - [0, 0, 1.5]))
+    assert np.abs(one.color - other.color).mean() < 1e-5
+    assert np.abs(one.depth - other.depth).mean() < 1e-4
+
+
+def test_a_flat_splat_gives_the_depth_of_its_plane(device):
+    tilt = Rotation.from_rotvec([0.6, 0.3, 0])
+    rotation = np.roll(tilt.as_quat(), 1)
+    splats = loom.GaussianSplats([[0, 0, 3]], [[0.8, 0.8, 1e-6]], [rotation], [0.95], [[0, 0, 0]], device=device)
+    picture = splats.rasterize(CAMERA, np.eye(4))
+    rays = rays_of(CAMERA)
+    normal = tilt.as_matrix()[:, 2]
+    plane = 3 * normal[2] / (rays @ normal)
+    visible = picture.opacity > 0.3
+    assert visible.sum() > 300
+    np.testing.assert_allclose(picture.depth[visible], plane[visible], rtol=2e-5)
+    np.testing.assert_allclose(picture.normals[visible], np.broadcast_to(-normal, (visible.sum(), 3)), atol=1e-6)
+
+
+def test_the_nearer_of_two_hides_the_other_and_the_background_shows_beside(device):
+    centers, harmonics, unturned = [[0, 0, 2], [0, 0, 1]], [[-2, -2, 2], [2, -2, -2]], [[1, 0, 0, 0]] * 2
+    two = loom.GaussianSplats(centers, np.full((2, 3), 0.1), unturned, [1, 1], harmonics, device=device)
+    picture = two.rasterize(CAMERA, np.eye(4), background=(0, 1, 0))
+    red, green, blue = picture.color[26, 33]
+    assert red > 0.9 and green < 0.01 and 0 < blue < 0.02
+    np.testing.assert_allclose(picture.color[0, 0], [0, 1, 0], atol=1e-6)
+    assert picture.median_depth[26, 33] == pytest.approx(1, abs=1e-6) and picture.depth[0, 0] == 0
+
+
+def test_splats_that_are_not_finite_are_not_drawn(device):
+    splats = made_splats(count=30, device=device).translate([0, 0, 3])
+    cloud = splats.cloud.copy()
+    scale, opacity = (cloud[name].copy() for name in ("scale", "opacity"))
+    scale[0, 1], scale[1, 0], opacity[2], opacity[3] = np.nan, np.inf, np.nan, -np.inf
+    opacity[4], scale[4, 2], scale[5] = np.inf, -np.inf, 80.0  # opaque and flat: drawn; overflowing size: skipped
+    cloud["scale"], cloud["opacity"] = scale, opacity
+    hostile = loom.GaussianSplats.from_cloud(cloud)
+    result = hostile.rasterize(CAMERA, np.eye(4))
+    valid = hostile.select_by_index([4, *range(6, 30)]).rasterize(CAMERA, np.eye(4))
+    assert valid.opacity.max() > 0.5 and np.isfinite(result.color).all()
+    for name in ("color", "opacity", "depth", "median_depth"):
+        np.testing.assert_array_equal(getattr(result, name), getattr(valid, name))
+
+
+def test_splats_behind_or_beside_the_camera_are_invisible(device):
+    splats = made_splats(device=device)
+    for chosen in (splats.select_by_index([]), splats.translate([0, 0, -50]), splats.translate([1000, 0, 0])):
+        picture = chosen.rasterize(CAMERA, pose_at([0, 0, -1]))
+        assert not picture.opacity.any() and not picture.depth.any() and not picture.normals.any()
+
+
+@pytest.mark.slow
+def test_exponential_is_accurate_to_two_ulps(device):
+    x = np.concatenate([np.linspace(-87, 88, 20_001), [0, -np.inf, np.inf, -200, 1e-7]]).astype(np.float32)
+    target_device = resolve_device(device)
+    out = empty(len(x), float32, target_device)
+    launch(exp_kernel, len(x), [upload(x, float32, target_device), out])
+    expected = np.exp(np.clip(x.astype(np.float64), -87, 88))
+    assert np.abs(download(out) / expected - 1).max() < 2 * np.finfo(np.float32).eps

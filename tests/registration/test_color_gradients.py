@@ -1,12 +1,15 @@
-"""Color gradients along a surface are the least squares over the neighbors, for colored ICP."""
+"""Color gradients are the least squares over the neighbors, and the other preparations of clouds for ICP."""
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
+from pointloom.kernels.lang import float32
+from pointloom.registration.icp.preparation import doppler_measurements, generalized_covariances
 
 from .color_surfaces import gradients_of, paint, wavy
 
@@ -56,29 +59,6 @@ def test_gradients_do_not_depend_on_the_unit_of_length(device, rng):
     np.testing.assert_allclose(one, other, atol=1e-6 * np.abs(one).max())
 
 
-def test_the_gradient_of_a_linear_color_is_exact(device, rng):
-    """On planes of any pose, for any neighbors, and with normals of any length."""
-    R = Rotation.from_rotvec([0.4, -1.1, 0.3]).as_matrix()
-    plane = np.column_stack([rng.uniform(-1, 1, (600, 2)), np.zeros(600)])
-    true = R @ [0.3, -0.2, 0.0]
-    points = (plane @ R.T + [3.0, -2.0, 1.0]).astype(np.float32)
-    colors = np.repeat((0.5 + plane @ [0.3, -0.2, 0.0])[:, None], 3, axis=1)
-    normals = np.outer(rng.uniform(0.1, 9.0, 600), R[:, 2]) * rng.choice([-1, 1], 600)[:, None]
-    _, gradients = gradients_of(points, normals, colors, 0.5, 30, device)
-    np.testing.assert_allclose(gradients, np.tile(true, (600, 1)), atol=2e-5)
-
-
-def test_points_without_neighbors_or_extent_have_no_gradient(device, rng):
-    colors = rng.random((50, 3))
-    up = np.tile([0, 0, 1.0], (50, 1))
-    assert not gradients_of(np.full((50, 3), 0.3), up, colors, 1.0, 30, device)[1].any(), "all at one place"
-    assert not gradients_of(np.outer(np.arange(50), [0, 0, 1]), up, colors, 10.0, 30, device)[1].any(), (
-        "along the normal"
-    )
-    assert not gradients_of(rng.random((50, 3)), up, colors, 1e-6, 30, device)[1].any(), "nobody near"
-    assert not gradients_of(rng.random((50, 3)), up * 0, colors, 1.0, 30, device)[1].any(), "zero normals"
-
-
 def test_non_finite_points_contribute_nothing(device, rng):
     points, normals = wavy(rng, 900), np.tile([0, 0, 1.0], (900, 1))
     colors, bad = paint(points), rng.permutation(900)[:90]
@@ -108,3 +88,51 @@ def test_gradients_of_lattices_match_least_squares(device, rows, radius, normal)
     intensities, gradients = gradients_of(points, normals, colors, radius, 64, device)
     expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 64)
     np.testing.assert_allclose(gradients, expected, atol=1e-5)
+
+
+def test_covariances_come_from_the_cloud_its_normals_or_its_neighbors(device, rng, tolerances):
+    cloud = loom.PointCloud(wavy(rng, 400), device=device)
+    near = generalized_covariances(cloud, 1e-3).numpy()
+    np.testing.assert_array_equal(near, plane_covariances(cloud.search_tree(), 20, 1e-3).numpy())
+    tilted = cloud.estimate_normals(max_nn=5)
+    by_normals = generalized_covariances(tilted, 0.01).numpy()
+    np.testing.assert_array_equal(by_normals, plane_covariances_from_normals(tilted.array("normals"), 0.01).numpy())
+    measured = tilted.estimate_covariances(max_nn=9)
+    assert generalized_covariances(measured, 0.5) is measured.array("covariances")
+    wide = cloud.copy()
+    wide["covariances"] = measured["covariances"].astype(np.float64)
+    result = generalized_covariances(wide, 0.5)
+    assert result.dtype == float32
+    np.testing.assert_array_equal(result.numpy(), measured["covariances"])
+    wide["covariances"] = np.zeros((400, 6))
+    with pytest.raises(ValueError, match="target:"):
+        generalized_covariances(wide, 0.5, "target")
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("shape", [(300,), (300, 1)], ids=str)
+def test_directions_point_from_the_sensor_to_the_points(device, shape, dtype, rng):
+    points, speeds = rng.normal(size=(300, 3)) * 30, rng.normal(size=300)
+    points[7] = 0
+    cloud = loom.PointCloud(
+        points, dopplers=speeds.reshape(shape).astype(dtype), device=device, origin=[5.0, -9.0, 1.0]
+    )
+    result = doppler_measurements(cloud)
+    expected = points / np.maximum(np.linalg.norm(points, axis=1, keepdims=True), 1e-9)
+    np.testing.assert_allclose(np.delete(result.directions.numpy(), 7, 0), np.delete(expected, 7, 0), atol=1e-5)
+    np.testing.assert_array_equal(result.dopplers.numpy(), speeds.astype(np.float32))
+    assert result.dopplers.dtype == float32 and result.dopplers.shape == (300,)
+
+
+def test_given_directions_are_used(device, rng):
+    cloud = loom.PointCloud(rng.normal(size=(40, 3)), dopplers=np.zeros(40), device=device)
+    for dtype in (np.float32, np.float64):
+        cloud["directions"] = np.tile([0, 3, 4.0], (40, 1)).astype(dtype)
+        directions = doppler_measurements(cloud).directions.numpy()
+        np.testing.assert_allclose(directions, np.tile([0, 0.6, 0.8], (40, 1)), atol=1e-7)
+    cloud["directions"] = np.zeros((40, 2))
+    with pytest.raises(ValueError, match="source:"):
+        doppler_measurements(cloud)
+    cloud["dopplers"] = np.zeros((40, 2))
+    with pytest.raises(ValueError, match="frame:"):
+        doppler_measurements(cloud, "frame")

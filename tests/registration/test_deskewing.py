@@ -6,11 +6,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from scipy.linalg import expm, logm
+from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.registration import deskew_point_cloud
-from pointloom.registration.lidar.deskewing import point_times
+from pointloom.registration.lidar.deskewing import SMALL_ANGLE, point_times, twist_of
 from pointloom.registration.lidar.lidar_odometry import part_of_interval
+from pointloom.registration.rigid import pose_of, rotation_vector
 
 small = st.floats(-1.5, 1.5, allow_subnormal=False)
 
@@ -44,9 +46,6 @@ def test_a_scan_is_deskewed_to_its_end(device, tolerances, twist, unit, start, c
 
 @pytest.mark.parametrize("angle", [0.0, 1e-7, 1e-5, 1.0, 3.0])
 def test_a_twist_is_the_logarithm_of_a_pose(angle):
-    from pointloom.registration.lidar.deskewing import twist_of
-    from pointloom.registration.rigid import pose_of
-
     twist = np.array([0.6 * angle, -0.8 * angle, 0.0, 1.0, 2.0, -3.0])
     np.testing.assert_allclose(twist_of(pose_of(twist)), twist, atol=1e-8)
     if angle > 1e-3:
@@ -56,9 +55,6 @@ def test_a_twist_is_the_logarithm_of_a_pose(angle):
 
 def test_a_twist_with_long_translation_and_small_rotation_is_exact():
     """Just below the angle of the series expansion; its second term is 2 micrometers here."""
-    from pointloom.registration.lidar.deskewing import SMALL_ANGLE, twist_of
-    from pointloom.registration.rigid import pose_of
-
     for angle in (0.9 * SMALL_ANGLE, 1.1 * SMALL_ANGLE):
         twist = np.array([0.6 * angle, -0.8 * angle, 0.0, 1000.0, 2000.0, -3000.0])
         np.testing.assert_allclose(twist_of(pose_of(twist)), twist, rtol=0, atol=1e-7)
@@ -66,10 +62,6 @@ def test_a_twist_with_long_translation_and_small_rotation_is_exact():
 
 @pytest.mark.parametrize("gap", [1e-7, 1e-8, 2e-6, 1e-3])
 def test_a_rotation_just_below_180_degrees_keeps_its_axis_and_sign(rng, gap):
-    from scipy.spatial.transform import Rotation
-
-    from pointloom.registration.rigid import rotation_vector
-
     axes = np.concatenate([rng.normal(size=(50, 3)), np.eye(3), -np.eye(3)])
     for vector in axes / np.linalg.norm(axes, axis=1, keepdims=True) * (np.pi - gap):
         np.testing.assert_allclose(rotation_vector(Rotation.from_rotvec(vector).as_matrix()), vector, atol=1e-8)

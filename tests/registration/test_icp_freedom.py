@@ -164,13 +164,6 @@ def test_weights_count_as_duplicate_points(device, full_pair, rng):
         assert np.abs(weighted.transformation - plain.transformation).max() > 1e-6, kind
 
 
-def test_a_source_without_pairs_stays(device):
-    source, target = (loom.PointCloud(np.zeros((n, 3)) + n, device=device) for n in (3, 5))
-    result = reg.registration_icp(source, target, 0.1, INIT, free=("x",))
-    assert result.warnings[0].startswith("no correspondences") and result.free == ("x",)
-    np.testing.assert_allclose(result.transformation, INIT, atol=1e-14)
-
-
 def test_empty_clouds_and_single_points_respect_the_freedom(device):
     for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.zeros((2, 3))):
         source = loom.PointCloud(points, device=device)

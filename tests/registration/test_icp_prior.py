@@ -9,7 +9,7 @@ from ..products import each_pair
 from .dense_icp import MOTIONS, DenseICP, motion
 from .icp_clouds import KINDS, PLANE, noisy_pair, on
 from .poses import as_pose
-from .test_icp_degenerate import degenerate
+from .test_icp import degenerate
 
 reg = loom.registration
 LONG = reg.ICPConvergenceCriteria(0, 0, 300)

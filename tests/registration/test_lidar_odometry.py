@@ -1,4 +1,6 @@
-"""LiDAR odometry on a synthetic street with a known path, and against an explicit loop."""
+"""LiDAR odometry: a street with a known path, an explicit loop, input of all kinds, and interruptions."""
+
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -6,9 +8,21 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.cameras.trajectory import Trajectory
-from pointloom.registration import LidarOdometry, evaluate_trajectory
+from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from pointloom.core.devices import resolve_device
+from pointloom.io.points.scan_files import list_scans
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
+from pointloom.kernels.odometry import odometry_sampling
+from pointloom.kernels.odometry.map_aligner import Leg, MapAligner
+from pointloom.kernels.odometry.map_course import CONVERGED, EXHAUSTED
+from pointloom.kernels.odometry.odometry_sampling import first_in_voxels
+from pointloom.kernels.odometry.voxel_map import VoxelMap
+from pointloom.registration import LidarOdometry, evaluate_trajectory, run_odometry
+from pointloom.registration.lidar.lidar_runs import iterate_odometry
+from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
 
+from ..interruptions import run_lines
 from .drives import clouds, follow, truth_of
 
 
@@ -130,13 +144,6 @@ def plane_weights(tree, position, radius) -> tuple[np.ndarray, np.ndarray | int,
 
 @pytest.mark.parametrize("radius", [0.0, 0.8])
 def test_a_scan_pose_matches_the_explicit_loop(device, street_pair, tolerances, radius):
-    from pointloom.core.devices import resolve_device
-    from pointloom.kernels.lang import vec3
-    from pointloom.kernels.memory import upload
-    from pointloom.kernels.odometry.map_aligner import Leg, MapAligner
-    from pointloom.kernels.odometry.map_course import CONVERGED
-    from pointloom.kernels.odometry.voxel_map import VoxelMap
-
     where = resolve_device(device)
     voxel_map = VoxelMap(1.0, 20, where)
     voxel_map.add(upload(street_pair.target[::9], vec3, where), np.eye(4), 150.0)
@@ -188,12 +195,6 @@ def test_a_scan_pose_matches_the_explicit_loop(device, street_pair, tolerances, 
 
 @pytest.mark.parametrize("in_table", [True, False])
 def test_scans_are_downsampled_to_the_first_point_of_each_voxel(device, lidar, monkeypatch, in_table):
-    from pointloom.core.devices import resolve_device
-    from pointloom.kernels.lang import vec3
-    from pointloom.kernels.memory import upload
-    from pointloom.kernels.odometry import odometry_sampling
-    from pointloom.kernels.odometry.odometry_sampling import first_in_voxels
-
     if not in_table:  # as with voxels so small that a key and a point index do not fit into one entry
         monkeypatch.setattr(odometry_sampling, "ENTRY_BITS", 0)
     points = lidar[:, :3].copy()
@@ -207,8 +208,6 @@ def test_scans_are_downsampled_to_the_first_point_of_each_voxel(device, lidar, m
 
 
 def test_the_threshold_adapts_to_prediction_errors():
-    from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
-
     threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0)
     start = np.tile(np.eye(4), (3, 1, 1))
     moved = start.copy()
@@ -246,13 +245,6 @@ def test_a_driver_can_reuse_one_buffer(fast_drive):
 
 @pytest.mark.parametrize("iterations", [1, 5])
 def test_the_iteration_limit_is_respected_and_reported(device, rng, iterations):
-    from pointloom.core.devices import resolve_device
-    from pointloom.kernels.lang import vec3
-    from pointloom.kernels.memory import upload
-    from pointloom.kernels.odometry.map_aligner import Leg, MapAligner
-    from pointloom.kernels.odometry.map_course import EXHAUSTED
-    from pointloom.kernels.odometry.voxel_map import VoxelMap
-
     where = resolve_device(device)
     points = rng.uniform(-3, 3, (400, 3)).astype(np.float32)
     voxel_map = VoxelMap(1.0, 20, where)
@@ -265,10 +257,152 @@ def test_the_iteration_limit_is_respected_and_reported(device, rng, iterations):
 
 @pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])
 def test_errors_below_the_smallest_motion_do_not_rate_the_prediction(shift, count):
-    from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
-
     deviation = np.eye(4)
     deviation[1, 3] = shift
     threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0).updated(deviation)
     assert threshold.count == count
     assert threshold.sqsum == pytest.approx(4 + (count - 1) * shift**2, rel=1e-12)
+
+
+def wall(device, z=0.0, count=40):
+    rows = [[10, 0.5 * i, 0.5 * j + z] for i in range(-count // 2, count // 2) for j in range(count // 2)]
+    return loom.PointCloud(np.array(rows, float), device=device)
+
+
+@pytest.mark.parametrize("what", ["empty", "near", "far", "nan"])
+def test_an_empty_scan_gets_the_predicted_pose(device, fast_drive, what):
+    points = {"empty": np.zeros((0, 3)), "near": np.full((9, 3), 0.1), "far": np.full((9, 3), 400.0)}
+    bad = loom.PointCloud(points.get(what, np.full((9, 3), np.nan)), device=device)
+    odometry = follow(fast_drive, device, 4)
+    before = odometry.poses
+    T = odometry.register(bad)
+    np.testing.assert_allclose(T, before[-1] @ np.linalg.inv(before[-2]) @ before[-1], atol=1e-12)
+    step = odometry.steps[-1]
+    assert (step.status, step.is_predicted, step.converged, step.inliers) == ("no points in range", True, False, 0)
+    assert step.warnings == ("the pose is a prediction: no points in range",) and not step.to_dict()["reliable"]
+    assert odometry.summary.predicted == (4,)
+    next_scan = clouds(fast_drive, device)[5]
+    gap = odometry.register(next_scan)[:3, 3] - truth_of(fast_drive).poses[5, :3, 3]
+    assert not odometry.steps[-1].is_predicted and np.linalg.norm(gap) < 0.3
+
+
+def test_the_first_nonempty_scan_starts_the_map(device):
+    odometry = LidarOdometry()
+    for cloud in (loom.PointCloud(device=device), loom.PointCloud(device=device), wall(device), wall(device)):
+        odometry.register(cloud)
+    assert [step.status for step in odometry.steps] == ["no points in range"] * 2 + ["first scan", "converged"]
+    np.testing.assert_allclose(odometry.poses, np.tile(np.eye(4), (4, 1, 1)), atol=1e-4)
+
+
+def test_a_distant_scan_is_reported_and_added_to_the_map(device):
+    odometry = LidarOdometry()
+    for z in (0.0, 0.0, 60.0, 60.0):
+        odometry.register(wall(device, z))
+    assert [step.status for step in odometry.steps] == ["first scan", "converged", "no overlap", "converged"]
+    assert odometry.summary.predicted == (2,)
+    np.testing.assert_allclose(odometry.poses[2:], odometry.poses[1:2].repeat(2, axis=0), atol=1e-3)
+
+
+def test_times_can_have_any_unit_and_start(device, fast_drive):
+    seconds, other = LidarOdometry(), LidarOdometry()
+    for cloud in clouds(fast_drive, device, 4):
+        seconds.register(cloud)
+        other.register(cloud, (cloud["time"] * 1e9).astype(np.int64) + 1_700_000_000_000_000_000)
+    np.testing.assert_allclose(seconds.poses, other.poses, atol=1e-4)
+
+
+def test_one_common_time_means_no_motion(device, fast_drive):
+    still, plain = LidarOdometry(), LidarOdometry(deskew=False)
+    for points in fast_drive.scans[:3]:
+        with pytest.warns(UserWarning, match=r"^timestamps: ") if not still.steps else nullcontext():
+            still.register(loom.PointCloud(points, device=device), np.full(len(points), 7.0))
+        plain.register(loom.PointCloud(points, device=device))
+    np.testing.assert_allclose(still.poses, plain.poses, atol=1e-3)
+
+
+def test_invalid_scans_are_rejected_and_leave_the_odometry_unchanged(device, fast_drive):
+    odometry = follow(fast_drive, device, 2)
+    cloud = clouds(fast_drive, device, 1)[0]
+    with pytest.raises(
+        ValueError, match=rf"timestamps: expected shape \[{len(cloud)}\], one for each point, got \[3\]"
+    ):
+        odometry.register(cloud, [0.0, 0.5, 1.0])
+    with pytest.raises(TypeError, match="scan:"):
+        odometry.register(cloud.points)
+    cloud["time"] = np.zeros((len(cloud), 2))
+    with pytest.raises(ValueError, match="time:"):
+        odometry.register(cloud)
+    assert len(odometry.steps) == 2
+    np.testing.assert_array_equal(odometry.poses, follow(fast_drive, device, 2).poses)
+
+
+def test_a_folder_of_kitti_scans_is_read_in_natural_order(device, fast_drive, tmp_path):
+    for k in (10, 2, 1, 9, 0, 3, 4, 5, 6, 7, 8):
+        rows = np.column_stack([fast_drive.scans[k], np.full(len(fast_drive.scans[k]), 0.5)]).astype("<f4")
+        rows.tofile(tmp_path / f"scan{k}.bin")
+    assert [path.name for path in list_scans(tmp_path)] == [f"scan{k}.bin" for k in range(11)]
+    seen = []
+    path = run_odometry(tmp_path, timestamps=np.arange(11) / 10, progress=seen.append, device=device)
+    direct = run_odometry([loom.PointCloud(points, device=device) for points in fast_drive.scans[:11]])
+    np.testing.assert_array_equal(path.poses, direct.poses)
+    assert [step.index for step in seen] == list(range(11)) and direct.timestamps is None
+    for format, suffix in (("kitti", ".txt"), ("tum", ".tum")):
+        write_trajectory(tmp_path / f"path{suffix}", path, format=format)
+        np.testing.assert_allclose(read_trajectory(tmp_path / f"path{suffix}").poses, path.poses, atol=1e-12)
+    assert read_trajectory(tmp_path / "path.tum").timestamps.tolist() == (np.arange(11) / 10).tolist()
+
+
+def test_files_preserve_their_times(device, fast_drive, tmp_path):
+    for k, cloud in enumerate(clouds(fast_drive, device, 4)):
+        loom.write_point_cloud(tmp_path / f"{k}.ply", cloud)
+    steps = list(iterate_odometry(sorted(tmp_path.glob("*.ply")), device=device))
+    np.testing.assert_array_equal([step.pose for step in steps], follow(fast_drive, device, 4).poses)
+
+
+FILES = (
+    "registration/lidar/lidar_odometry.py", "registration/lidar/scan_matching.py", "kernels/odometry/voxel_map.py",
+    "kernels/arrays/hash_table.py", "kernels/arrays/atomic_changes.py",
+)  # fmt: skip
+SHIFTS = (0.0, 0.4, 0.8, 9.0, 9.4)  # voxels are dropped on the way; the fourth scan is far from its predicted pose
+
+
+def scans(device):
+    """A room moving past the scanner, with times; so the second scan deskews the first."""
+    rng = np.random.default_rng(0)
+    room = rng.uniform(-8, 8, (800, 3)) * [1, 1, 0.3]
+    room[np.arange(800), np.arange(800) % 3] = np.where(rng.random(800) < 0.5, -1, 1) * 8.0
+    times = np.arange(800) / 800
+    return [loom.PointCloud(room - [shift, 0, 0], time=times, device=device) for shift in SHIFTS]
+
+
+def odometry_over(clouds):
+    odometry = LidarOdometry(max_range=14, min_range=0.5, voxel_size=0.5)
+    for cloud in clouds:
+        odometry.register(cloud)
+    return odometry
+
+
+def state_of(odometry):
+    """The complete state that later scans depend on, and the reported results."""
+    points = odometry.map.points
+    threshold = odometry.threshold
+    return odometry.poses.tobytes(), threshold.sqsum, threshold.count, points[np.lexsort(points.T)].tobytes()
+
+
+@pytest.mark.slow
+def test_a_scan_is_registered_completely_or_not_at_all_after_any_interruption(device):
+    clouds = scans(device)
+    straight = [state_of(odometry_over(clouds[:n])) for n in range(len(clouds) + 1)]
+    outcomes = set()
+    for n, cloud in list(enumerate(clouds))[1::2]:  # the second restarts the map, the fourth drops voxels
+        odometry = odometry_over(clouds[:n])
+        total = run_lines(lambda: odometry.register(cloud), FILES)  # noqa: B023  runs at once
+        for stop in [total // 3, total // 2, *range(total - 48, total + 1, 6)]:
+            odometry = odometry_over(clouds[:n])
+            run_lines(lambda: odometry.register(cloud), FILES, stop)  # noqa: B023
+            outcomes.add(len(odometry.steps) - n)
+            assert state_of(odometry) == straight[len(odometry.steps)], (n, stop)
+            for next_cloud in clouds[len(odometry.steps) : n + 1]:
+                odometry.register(next_cloud)
+            assert state_of(odometry) == straight[len(odometry.steps)], (n, stop)
+    assert outcomes == {0, 1}

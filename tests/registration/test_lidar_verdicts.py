@@ -1,11 +1,17 @@
-"""Warnings of LiDAR odometry for scans that do not constrain the motion or show another location."""
+"""Warnings of LiDAR odometry for scans that do not constrain the motion, and the covariances of its poses."""
+
+import json
 
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.registration import LidarOdometry
-from pointloom.registration.lidar.scan_matching import OpenDirections, rotated_guesses
+from pointloom.registration.lidar.lidar_odometry import Rest
+from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
+from pointloom.registration.lidar.path_errors import SHIFT_FACTOR, MapError, MatchError, match_error, prediction_error
+from pointloom.registration.lidar.scan_matching import OpenDirections
+from pointloom.registration.pose_errors import PoseCovariance
 from pointloom.registration.unobservable_motions import MIN_RISE, rises_clearly
 
 
@@ -110,26 +116,16 @@ def test_one_foreign_scan_is_harmless(device, fast_drive, rng):
     np.testing.assert_allclose(odometry.poses, clean.poses, atol=0.05)
 
 
-def test_a_quickly_rotated_scanner_is_relocalized(device, fast_drive):
+@pytest.mark.parametrize("angle", [0.5, np.pi / 2])
+def test_a_quickly_rotated_scanner_is_relocalized(device, fast_drive, angle):
     rotation = np.eye(4)
-    rotation[:2, :2] = [[np.cos(0.5), np.sin(0.5)], [-np.sin(0.5), np.cos(0.5)]]
-    odometry = LidarOdometry()
-    for points in fast_drive.scans[:3]:
-        odometry.register(loom.PointCloud(points))
-    predicted = odometry.poses[-1] @ np.linalg.inv(odometry.poses[-2]) @ odometry.poses[-1]
-    T = odometry.register(loom.PointCloud(fast_drive.scans[3]).transform(rotation))
-    assert odometry.summary.strayed == ()
-    np.testing.assert_allclose(T, predicted @ np.linalg.inv(rotation), atol=0.05)
-
-
-def test_a_rotation_by_90_degrees_between_two_scans_is_found(device, fast_drive):
-    rotation = np.eye(4)
-    rotation[:2, :2] = [[0, -1], [1, 0]]
+    rotation[:2, :2] = [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
     odometry = LidarOdometry()
     for points in fast_drive.scans[:3]:
         odometry.register(loom.PointCloud(points, device=device))
     predicted = odometry.poses[-1] @ np.linalg.inv(odometry.poses[-2]) @ odometry.poses[-1]
     T = odometry.register(loom.PointCloud(fast_drive.scans[3], device=device).transform(rotation))
+    assert odometry.summary.strayed == ()
     np.testing.assert_allclose(T, predicted @ np.linalg.inv(rotation), atol=0.05)
 
 
@@ -152,8 +148,6 @@ def test_new_points_far_away_contradict_a_stationary_scanner(device, rng):
 
 
 def test_a_stationary_scanner_among_moving_objects_is_reported():
-    from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
-
     def steps(fitness, speed=0.0):
         poses = np.tile(np.eye(4), (12, 1, 1))
         poses[:, 0, 3] = speed * np.arange(12)
@@ -184,14 +178,6 @@ def test_free_directions_are_taken_from_another_pose(rng):
     np.testing.assert_allclose(OpenDirections(4.0, basis).weight()[2, 2], 16e6)
 
 
-def test_wide_guesses_rotate_about_the_sensor_position():
-    pose = np.eye(4)
-    pose[:3, 3] = 1, 2, 3
-    guesses = np.array(rotated_guesses(pose, np.eye(4)))
-    assert len(guesses) == 2 * 19
-    np.testing.assert_allclose(guesses[:19, :3, 3], np.tile([1, 2, 3], (19, 1)))
-
-
 def slow_scan(rng, shift):
     """A scan among walls at 1.5 m that move along, with poles at 6 and 10 m at the given shift along x."""
     wall = np.column_stack([rng.uniform(-1.5, 1.5, 1600), rng.choice([-1.5, 1.5], 1600), rng.uniform(-1, 1, 1600)])
@@ -211,9 +197,6 @@ def test_surroundings_that_move_slowly_with_the_scanner_are_detected_by_the_scan
 
 
 def test_a_rest_ends_with_a_motion_and_after_thirty_scans():
-    from pointloom.registration.lidar.lidar_odometry import Rest
-    from pointloom.registration.lidar.lidar_steps import OdometryStep
-
     def step(index, x):
         pose = np.eye(4)
         pose[0, 3] = x
@@ -221,3 +204,113 @@ def test_a_rest_ends_with_a_motion_and_after_thirty_scans():
 
     rest = Rest(None, step(4, 1.0))
     assert rest.lasts_to(step(34, 1.05)) and not rest.lasts_to(step(35, 1.05)) and not rest.lasts_to(step(6, 1.2))
+
+
+PIERS = [-9.0, -2.5, 3.1, 8.0]
+
+
+def test_the_first_pose_is_exact_and_the_covariances_are_those_of_the_steps(device, rng):
+    odometry = run([corridor_scan(rng, 3000, PIERS, 0.2 * k) for k in range(3)], device)
+    assert not odometry.pose_covariances[0].matrix.any()
+    for covariance, pose in zip(odometry.pose_covariances, odometry.poses, strict=True):
+        np.testing.assert_array_equal(covariance.matrix, covariance.matrix.T)
+        np.testing.assert_array_equal(covariance.center, pose[:3, 3])
+    assert all(np.linalg.eigvalsh(covariance.matrix).min() > 0 for covariance in odometry.pose_covariances[1:])
+    summary = odometry.summary
+    np.testing.assert_array_equal(summary.sigmas, odometry.steps[-1].covariance.sigmas)
+    written = json.loads(json.dumps(summary.to_dict()))
+    assert written["last_position_sigma_m"] == pytest.approx(summary.sigmas[3:])
+    assert written["last_rotation_sigma_deg"] == pytest.approx(np.degrees(summary.sigmas[:3]))
+    assert LidarOdometry().pose_covariances == () and LidarOdometry().summary.sigmas == ()
+
+
+def test_errors_in_a_corridor_with_piers_are_within_four_standard_deviations(device, rng):
+    odometry = run([corridor_scan(rng, 4000, PIERS, 0.2 * k) for k in range(6)], device)
+    assert odometry.summary.reliable
+    for k, step in enumerate(odometry.steps[1:], 1):
+        error = [0.2 * k, 0, 0] - step.pose[:3, 3]
+        assert (np.abs(error) < 4 * step.covariance.sigmas[3:]).all()
+        assert step.covariance.sigmas[3:].max() < 0.1 and step.covariance.sigmas[:3].max() < 0.02
+
+
+def test_the_standard_deviation_along_a_bare_corridor_is_meters_and_grows(device, rng):
+    odometry = run([corridor_scan(rng, 3000) for _ in range(5)], device, initial_threshold=1.5)
+    sigmas = np.array([step.covariance.sigmas for step in odometry.steps])
+    np.testing.assert_allclose(sigmas[1:, 3], 1.5 * np.sqrt(np.arange(1, 5)), rtol=0.02)  # one unknown motion per scan
+    assert sigmas[:, 4:].max() < 0.05 and sigmas[:, :3].max() < 0.02
+
+
+def test_a_stationary_scanner_does_not_drift_and_a_moving_one_does(device, rng):
+    ends = (-5.0, 8.0)
+    still = run([beam_scan(rng, 4.0, 24, ends=ends) for _ in range(8)], device, max_range=40.0)
+    moving = [beam_scan(rng, 4.0, 24, ends=(ends[0] - 0.3 * k, ends[1] - 0.3 * k)) for k in range(8)]
+    position = [np.sqrt(np.trace(step.covariance.matrix[3:, 3:])) for step in still.steps]
+    assert position[-1] < 1.5 * max(position[1:4])
+    drifting = run(moving, device, max_range=40.0)
+    map_errors = [step.covariance.matrix - step.match_error.matrix for step in drifting.steps[1:]]
+    assert (np.diff([np.trace(matrix[3:, 3:]) for matrix in map_errors]) > 0).all()
+
+
+def test_a_scan_without_points_has_the_error_of_a_prediction_and_the_next_one_that_of_the_map(device, rng):
+    scans = [corridor_scan(rng, 3000, PIERS, 0.1 * k) for k in range(5)]
+    scans[3] = np.empty((0, 3))
+    odometry = run(scans, device, initial_threshold=1.0)
+    before, lost, after = (step.covariance.sigmas for step in odometry.steps[2:])
+    np.testing.assert_allclose(lost[3:] ** 2 - before[3:] ** 2, 1.0, atol=1e-3)
+    assert after[3:].max() < 0.1
+
+
+def test_the_covariance_is_bitwise_reproducible_and_a_read_of_the_steps_does_not_change_it(device, rng):
+    scans = [corridor_scan(rng, 2000, PIERS, 0.2 * k) for k in range(4)]
+    first, second = run(scans, device), LidarOdometry(max_range=30.0, min_range=0.3)
+    for scan in scans:
+        second.register(loom.PointCloud(scan, device=device))
+        assert second.summary.scan_count == len(second.pose_covariances)
+    for one, other in zip(first.pose_covariances, second.pose_covariances, strict=True):
+        np.testing.assert_array_equal(one.matrix, other.matrix)
+
+
+def rows_of_box(rng, count, motion):
+    """Rows of points on three pairs of walls, whose distances a motion explains, and their normal matrix."""
+    y, n = rng.uniform(-5, 5, (count, 3)), np.eye(3)[rng.integers(0, 3, count)]
+    J = np.concatenate([np.cross(y, n), n], 1)
+    return np.column_stack([J, -J @ motion]), J.T @ J
+
+
+def test_the_distance_to_the_pose_of_the_surfaces_is_part_of_the_error(rng):
+    motion = np.array([0.002, -0.001, 0.003, 0.02, -0.01, 0.03])
+    rows, information = rows_of_box(rng, 600, motion)
+    error = match_error(information, rows, 0.0, 1.0).matrix
+    at_pose = match_error(information, np.column_stack([rows[:, :6], np.zeros(600)]), 0.0, 1.0).matrix
+    assert np.abs(at_pose).max() < 1e-12
+    np.testing.assert_allclose(motion @ np.linalg.solve(error, motion), 1 / SHIFT_FACTOR, rtol=0.2)
+
+
+def test_motions_that_the_surfaces_hardly_determine_last(rng):
+    rows, information = rows_of_box(rng, 600, np.zeros(6))
+    assert not match_error(information, rows, 0.1, 1.0).lasting.any()
+    walls = rows[np.abs(rows[:, 5]) < 0.5]  # no floor: height is determined by planes only
+    error = match_error(information, walls, 0.1, 1.0)
+    values, vectors = np.linalg.eigh(error.lasting)
+    assert abs(vectors[5, -1]) > 0.99 and values[-1] > 100 * values[-2]
+    assert error.matrix[5, 5] == pytest.approx(error.lasting[5, 5], rel=0.01)
+
+
+def test_a_rotation_of_the_map_displaces_later_poses_and_only_renewed_parts_add_errors():
+    tilt = MatchError(np.diag([0, 0, 1e-4, 0, 0, 0]), np.diag([0, 0, 1e-4, 0, 0, 0]))
+    noise = MatchError(np.eye(6) * 1e-4)
+    start = MapError().after(100, 50, np.zeros(3), tilt)
+    ahead = start.of_pose(100, np.array([30.0, 0, 0]), MatchError())
+    np.testing.assert_allclose(ahead.sigmas, [0, 0, 0.01, 0, 0.3, 0], atol=1e-12)
+    seen = MapError().after(100, 50, np.zeros(3), noise)
+    assert not seen.of_pose(100, np.zeros(3), MatchError()).matrix.any()  # the map has no new voxel
+    half, complete = (seen.of_pose(n, np.zeros(3), MatchError()).matrix[0, 0] for n in (110, 10**6))
+    assert 0 < half < complete == 1e-4
+    pruned = seen.without_voxels(40)
+    np.testing.assert_array_equal(pruned.of_pose(60, np.zeros(3), noise).matrix, noise.matrix)
+
+
+def test_a_predicted_motion_displaces_far_points_by_its_deviation():
+    matrix = prediction_error(2.0, 50.0)
+    far = PoseCovariance(matrix, np.zeros(3)).about([0.0, 50.0, 0.0])
+    np.testing.assert_allclose(far.matrix[3, 3], 2 * 2.0**2)

@@ -1,14 +1,29 @@
-"""Many clouds in one frame: synthetic fragments in any order, unrelated clouds, and the ten bunny scans."""
+"""Many clouds in one frame: synthetic fragments, unrelated clouds, ten bunny scans, and the errors of the poses."""
 
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.registration.pose_graphs.multiway import FragmentPair
+from pointloom.registration.pose_graphs.connected_parts import connected_parts
+from pointloom.registration.pose_graphs.fragment_graph import (
+    MAX_DISTANCE,
+    Extent,
+    FragmentPair,
+    _agreement,
+    refine_pairs,
+)
 from pointloom.registration.rigid import make_pose
+
+from .test_alignment import UTM
+from .test_pose_covariance import whitened
 
 reg = loom.registration
 
@@ -21,8 +36,6 @@ def relief(x: np.ndarray, y: np.ndarray) -> np.ndarray:
 @pytest.fixture(scope="module")
 def fragments():
     """Five overlapping parts of a relief, each randomly rotated and shifted: clouds, and their poses in the relief."""
-    from scipy.spatial.transform import Rotation
-
     rng = np.random.default_rng(3)
     clouds, poses = [], []
     for k in range(5):
@@ -112,11 +125,6 @@ def test_ten_scans_of_the_bunny_are_registered_without_a_guess(real_file, o3d):
 
 def test_the_information_of_a_pair_is_about_the_source_coordinates(device, fragments, rng):
     """For any rotation and 50 m apart, against manual rows: the target's points in source coordinates."""
-    from scipy.spatial import cKDTree
-    from scipy.spatial.transform import Rotation
-
-    from pointloom.registration.pose_graphs.fragment_graph import MAX_DISTANCE, FragmentPair, refine_pairs
-
     size, T = 0.06, np.eye(4)
     T[:3, :3], T[:3, 3] = Rotation.from_rotvec([1.2, -0.7, 2.0]).as_matrix(), [50, -20, 30]
     source = fragments.clouds[0][::4]
@@ -135,8 +143,6 @@ def test_the_information_of_a_pair_is_about_the_source_coordinates(device, fragm
 
 
 def test_pairs_support_each_other_only_if_they_close_a_loop(fragments):
-    from pointloom.registration.pose_graphs.fragment_graph import Extent, FragmentPair, _agreement
-
     clouds = [Extent.of(loom.PointCloud(p[::20])) for p in fragments.clouds[:3]]
     between = {(s, t): np.linalg.inv(fragments.poses[t]) @ fragments.poses[s] for s, t in ((0, 1), (1, 2), (0, 2))}
     scores = np.array([0.9, 0.8, 0.6])
@@ -166,3 +172,128 @@ def test_level_clouds_stay_level(fragments):
     known = [FragmentPair(1, 0, tilted, 0.0, 1.0)]
     with pytest.raises(ValueError, match=r"known\[0\]\.transformation:.*1"):
         reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"), known=known)
+
+
+def scipys(source, target, count) -> np.ndarray:
+    return connected_components(coo_matrix((np.ones(len(source)), (source, target)), (count, count)), directed=False)[1]
+
+
+@given(st.integers(1, 60), st.integers(0, 80), st.integers(0, 2**31 - 1))
+@settings(deadline=None)
+def test_components_are_numbered_as_in_scipy(count, edges, seed):
+    source, target = np.random.default_rng(seed).integers(0, count, (2, edges))
+    parts = connected_parts(source, target, count)
+    assert parts.dtype == np.int32
+    np.testing.assert_array_equal(parts, scipys(source, target, count))
+
+
+@pytest.mark.parametrize("shape", ["chain", "shuffled chain", "star", "comb"])
+def test_long_graphs_are_one_component(shape, rng):
+    order = rng.permutation(20_000) if shape.startswith("shuffled") else np.arange(20_000)
+    source, target = order[:-1], order[1:]
+    if shape == "star":
+        source = np.full(19_999, 19_999)
+        target = order[:-1]
+    if shape == "comb":
+        source, target = np.arange(10_000, 20_000), np.arange(10_000)
+        source, target = np.append(source, source[:-1]), np.append(target, source[1:])
+    assert not connected_parts(source, target, 20_000).any()
+
+
+def test_a_graph_without_nodes_has_no_components():
+    assert connected_parts(np.zeros(0, np.int64), np.zeros(0, np.int64), 0).shape == (0,)
+
+
+SIZE = 0.1
+LEVEL = ("x", "y", "z", "yaw")
+
+
+def parts(rng, shifts, count=6000):
+    """Overlapping parts of a relief, each in a frame of its own, and their poses in the first one's frame."""
+    clouds, poses = [], []
+    for k, shift in enumerate(shifts):
+        x, y = rng.uniform(-1.1, 1.1, (2, count))
+        points = np.column_stack([x + shift, y, relief(x + shift, y)])
+        T = make_pose(Rotation.from_euler("z", 20 * k, degrees=True).as_matrix(), np.array([shift, 0.0, 0.0]))
+        clouds.append((points - T[:3, 3]) @ T[:3, :3])
+        poses.append(T)
+    return clouds, np.linalg.inv(poses[0]) @ poses
+
+
+def registered(points, poses, pairs, device="cpu", **options):
+    clouds = [loom.PointCloud(p, device=device) for p in points]
+    known = [reg.FragmentPair(s, t, np.linalg.inv(poses[t]) @ poses[s], 1.0, 1.0) for s, t in pairs]
+    return clouds, reg.register_fragments(clouds, voxel_size=SIZE, known=known, pairs=(), **options)
+
+
+def test_a_single_pair_has_the_covariance_of_its_pose(device, rng):
+    clouds, result = registered(*parts(rng, (0.0, 0.8)), [(1, 0)], device)
+    reference, moved = result.pose_covariances(clouds)
+    expected = reg.pose_covariance(clouds[1], clouds[0], result.poses[1], 1.5 * SIZE).about(moved.center)
+    assert not reference.matrix.any() and (moved.matrix == moved.matrix.T).all()
+    scale = np.sqrt(np.outer(np.diag(expected.matrix), np.diag(expected.matrix)))
+    np.testing.assert_allclose(moved.matrix / scale, expected.matrix / scale, atol=1e-6)
+    again = result.pose_covariances(clouds)[1]
+    assert (again.matrix == moved.matrix).all()
+
+
+def test_two_thirds_of_the_errors_are_within_one_standard_deviation(rng):
+    sizes = []
+    for _ in range(4):
+        points, poses = parts(rng, (0.0, 0.7, 1.4, 0.5, 1.1))
+        clouds, result = registered(points, poses, [(k + 1, k) for k in range(4)])
+        assert len(result.pose_graph.edges) > 4
+        found = result.pose_covariances(clouds)
+        sizes += [np.abs(whitened(poses[k] @ np.linalg.inv(result.poses[k]), found[k])) for k in range(1, 5)]
+    within = [np.mean(np.concatenate(sizes) < limit) for limit in (1, 2, 4)]
+    assert 0.5 < within[0] < 0.95 and within[1] > 0.85 and within[2] == 1
+
+
+def test_errors_grow_along_a_chain(rng):
+    clouds, result = registered(*parts(rng, (0.0, 1.1, 2.2, 3.3)), [(k + 1, k) for k in range(3)])
+    assert len(result.pose_graph.edges) == 3
+    sigmas = [np.linalg.norm(found.sigmas[3:]) for found in result.pose_covariances(clouds)]
+    assert sigmas[0] == 0 and (np.diff(sigmas) > 0).all()
+
+
+@pytest.mark.parametrize("overlap", [0.04, -17.0])
+def test_a_cloud_whose_surfaces_hardly_match_is_as_uncertain_as_it_is_large(rng, overlap):
+    clouds, result = registered(*parts(rng, (0.0, 0.8, 3.0 - overlap)), [(1, 0), (2, 1)])
+    _, near, far = result.pose_covariances(clouds)
+    assert near.sigmas.max() < 0.01 and far.sigmas.min() > 0.3
+
+
+def test_level_clouds_have_no_error_of_tilt(rng):
+    points, poses = parts(rng, (0.0, 0.8, 1.6))
+    clouds, result = registered(points, poses, [(1, 0), (2, 1)], free=LEVEL)
+    for found in result.pose_covariances(clouds)[1:]:
+        assert not found.matrix[:2].any() and not found.matrix[:, :2].any()
+        assert (np.linalg.eigvalsh(found.matrix[2:, 2:]) > 0).all()
+
+
+def test_covariances_at_utm_coordinates_are_those_near_zero(device, rng):
+    points, poses = parts(rng, (0.0, 0.8, 1.6))
+    clouds, result = registered(points, poses, [(1, 0), (2, 1)], device)
+    away = np.eye(4)
+    away[:3, 3] = UTM
+    moved = [away @ T @ np.linalg.inv(away) for T in poses]
+    far, far_result = registered([p + UTM for p in points], moved, [(1, 0), (2, 1)], device)
+    near_found, found = result.pose_covariances(clouds), far_result.pose_covariances(far)
+    for one, other in zip(near_found[1:], found[1:], strict=True):
+        assert np.abs(other.center - one.center - UTM).max() < 1.5
+        assert other.sigmas == pytest.approx(one.about(other.center - UTM).sigmas, rel=0.2)
+
+
+def test_clouds_without_a_pose_have_an_infinite_covariance(rng):
+    points, poses = parts(rng, (0.0, 0.8))
+    clouds, result = registered([points[0], np.empty((0, 3)), points[1]], poses[[0, 0, 1]], [(2, 0)])
+    assert result.placed.tolist() == [True, False, True]
+    finite = [bool(np.isfinite(found.matrix).all()) for found in result.pose_covariances(clouds)]
+    assert finite == [True, False, True]
+
+
+def test_motions_that_the_surfaces_do_not_determine_are_as_uncertain_as_their_size(rng):
+    planes = [np.column_stack([*rng.uniform(-1, 1, (2, 8000)), 0.004 * rng.normal(size=8000)]) for _ in range(2)]
+    clouds, result = registered(planes, np.array([np.eye(4)] * 2), [(1, 0)])
+    sigmas = result.pose_covariances(clouds)[1].sigmas
+    assert sigmas[[2, 3, 4]].min() > 0.4 and sigmas[[0, 1, 5]].max() < 0.01

@@ -68,15 +68,6 @@ def test_the_true_motion_is_recovered(device, kind, rooms):
     assert (result.covariance.sigmas > 0).all()
 
 
-def test_fitness_and_rmse_are_those_of_the_pairs(device, rooms):
-    source, target = rooms
-    result = register(device, source, target, voxel_size=0.5)
-    pairs, T = result.correspondence_set, result.transformation
-    gaps = source[pairs[:, 0]] @ T[:3, :3].T + T[:3, 3] - target[pairs[:, 1]]
-    assert result.fitness == len(pairs) / len(source) and (np.diff(pairs[:, 0]) > 0).all()
-    assert result.inlier_rmse == pytest.approx(np.sqrt((gaps**2).sum(axis=1).mean()), rel=1e-9)
-
-
 @pytest.mark.parametrize("offset", [(1e6, -1e6, 250), (500_000, 5_400_000, 300.5)])
 def test_results_do_not_depend_on_the_position(device, offset, rooms):
     source, target = rooms
@@ -95,11 +86,6 @@ def test_voxels_are_aligned_with_the_world_for_any_origin_of_the_coordinates(dev
     found = reg.registration_ndt(*clouds, reg.NormalDistributionsTransformOption(0.5), degeneracy=0.0)
     np.testing.assert_allclose(found.transformation, plain.transformation, rtol=0, atol=1e-9)
     np.testing.assert_array_equal(found.correspondence_set, plain.correspondence_set)
-
-
-def test_float32_and_float64_input_give_the_same(device, rooms):
-    results = [register(device, *(p.astype(kind) for p in rooms), voxel_size=0.5) for kind in (np.float32, float)]
-    np.testing.assert_array_equal(results[0].transformation, results[1].transformation)
 
 
 def test_points_that_are_not_finite_are_ignored(device, rooms):
@@ -171,11 +157,3 @@ def test_a_small_change_of_the_residual_or_a_short_step_ends_it(device, rooms):
     for name, value in (("relative_objective", 1e-2), ("transformation_epsilon", 1e-3)):
         found = register(device, *rooms, **limits | {name: value})
         assert found.converged and 1 <= found.iterations < all_steps
-
-
-def test_options_of_the_wrong_kind_are_type_errors(rooms):
-    clouds = [loom.PointCloud(points) for points in rooms]
-    with pytest.raises(TypeError, match="option: expected NormalDistributionsTransformOption"):
-        reg.registration_ndt(*clouds, reg.ICPConvergenceCriteria())
-    with pytest.raises(TypeError):
-        reg.registration_ndt(*clouds, None, np.eye(4), reg.ICPConvergenceCriteria())

@@ -10,6 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.registration.rigid import fit_pose
 
 from ..scan_cases import ON_REAL_SCANS, on_sets
 from .poses import as_pose, bunny_pose, moved, shift_between
@@ -169,8 +170,6 @@ def test_kinect_views_close_loops(real_file, angle_between, tolerances):
 @pytest.fixture(scope="module")
 def dragon(real_file):
     """A cloud and its rigid copy, rounded to 1e-4 in the file, and the pose between their rows."""
-    from pointloom.registration.rigid import fit_pose
-
     source, target = (np.loadtxt(real_file(f"reg-simpleicp/dragon{k}.xyz")) for k in (2, 1))
     return source, target, fit_pose(source, target)
 

@@ -1,6 +1,7 @@
-"""Station adjustment: correct standard deviations, and detection of exactly the wrong observations."""
+"""Stations: registration with documented accuracy, standard deviations, and detection of wrong observations."""
 
 import dataclasses
+import json
 
 import numpy as np
 import pytest
@@ -8,13 +9,24 @@ from scipy.special import chdtri
 from scipy.stats import binom
 
 import pointloom as loom
+from pointloom.cameras.trajectory import Trajectory, write_trajectory
+from pointloom.cli.jobs.evaluate import ALIGNMENTS
+from pointloom.core.wording import json_text
+from pointloom.registration.lidar.lidar_runs import iterate_odometry
+from pointloom.registration.lidar.lidar_steps import summarize_steps
+from pointloom.registration.pose_graphs.multiway import FragmentsResult
 from pointloom.registration.rigid import invert_pose, make_pose, rotation_of, to_local
 from pointloom.registration.stations.adjustment import Observed, adjust
 from pointloom.registration.stations.observations import ControlPoint, StationPair, TargetObservation
 from pointloom.registration.stations.pair_errors import PairErrors, pair_errors
 from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
-from pointloom.registration.stations.stations import _check_distance
+from pointloom.registration.stations.stations import _check_distance, _Survey, adjust_stations
 from pointloom.registration.surfaces import surface_of
+from pointloom.visualization.render.plots import station_plan
+
+from ..cli.commands import answer, run
+from ..cli.surface_poses import yaw_pose
+from .station_scenes import BOXES, COURT, pose_at, scan_all
 
 POSITIONS = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
 LINKS = [(1, 0), (2, 1), (3, 2), (4, 3), (5, 4), (0, 5), (4, 1)]
@@ -277,3 +289,266 @@ def test_an_up_direction_with_uncertainty_is_an_observation():
     result = adjust(first, tilted, level=False)
     assert result.datum == 4  # gravity fixes two of six
     assert np.abs(result.poses[:, :2, 2]).max() < 1e-3
+
+
+register_stations = loom.registration.register_stations
+SIZE = 0.3
+CORRIDOR = [
+    ((-20, -1.5, -1.7), (60, 3, 0.1), 0.0),
+    ((-20, -1.6, -1.6), (60, 0.1, 2.8), 0.0),
+    ((-20, 1.5, -1.6), (60, 0.1, 2.8), 0.0),
+    *[((4.0 * k - 20, 1.2, -1.6), (0.6, 0.3, 2.4), 0.0) for k in range(15)],
+]
+
+
+def rough_of(truth, seed, shift=0.3):
+    rng = np.random.default_rng(seed)
+    rough = truth.copy()
+    for T in rough[1:]:
+        T[:3, :3] = pose_at((0, 0, 0), rng.normal(0, 0.05))[:3, :3] @ T[:3, :3]
+        T[:3, 3] += rng.normal(0, shift, 3)
+    return rough
+
+
+@pytest.fixture(scope="module")
+def court():
+    return scan_all(BOXES, COURT, 0)
+
+
+@pytest.fixture(scope="module")
+def court_result(court):
+    clouds, truth = court
+    return register_stations(clouds, poses=rough_of(truth, 0), voxel_size=SIZE)
+
+
+def bumpy_scans(device="cpu"):
+    """Three scans of bumpy ground, and their rough poses."""
+    x, y = np.random.default_rng(0).uniform(-3, 3, (2, 9000))
+    ground = np.column_stack([x, y, 0.5 * np.sin(1.5 * x) * np.cos(y) + 0.3 * np.sin(2 * y + x)])
+    positions = np.array([[0.0, 0.0, 1.5], [0.8, 0.4, 1.6], [0.4, -0.8, 1.4]])
+    rough = np.tile(np.eye(4), (3, 1, 1))
+    rough[:, :3, 3] = np.add(positions, [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]])
+    return [loom.PointCloud(ground[k::3] - p, device=device) for k, p in enumerate(positions)], rough
+
+
+@pytest.mark.parametrize("level", [True, False])
+def test_standard_deviations_are_those_of_the_covariances_of_poses(level):
+    clouds, rough = bumpy_scans()
+    result = register_stations(clouds, poses=rough, voxel_size=0.2, level=level, reference=1)
+    for i, covariance in enumerate(result.pose_covariances):
+        assert np.array_equal(covariance.center, result.poses[i, :3, 3])
+        assert np.array_equal(covariance.sigmas[[3, 4, 5, 0, 1, 2]], result.sigmas[i])
+        assert (covariance.matrix == covariance.matrix.T).all()
+        assert (covariance.sigmas[:2] == 0).all() == (level or i == 1)
+    free = result.covariances[[0, 2]]
+    assert free.shape == (2, 4, 4) if level else (2, 6, 6)
+    assert (np.linalg.eigvalsh(free) > 0).all() and np.sqrt(free[:, -1, -1]).max() < 0.01
+    assert np.abs(result.covariances[1]).max() < 1e-15
+    assert not result.undetermined.any()
+
+
+def test_a_station_with_an_undetermined_motion_is_reported():
+    clouds, rough = bumpy_scans()
+    survey = _Survey(clouds[:2], ["N", "E"], rough[:2], None, True, None)
+    weights = np.array([1e6, 0.01, 1e6, 1e6])
+    information = np.zeros((6, 6))
+    information[2:, 2:] = np.diag(weights)
+    pair = StationPair(1, 0, np.linalg.inv(rough[0]) @ rough[1], information)
+    for is_open in (True, False):
+        errors = PairErrors(np.arange(1), np.zeros((1, 4)), np.diag(1 / weights), np.diag(weights), is_open)
+        result = adjust_stations(survey, Observed([pair], errors={(1, 0): errors}), [], 0, 0.5)
+        assert result.placed.all() and result.sigmas[1, :3] == pytest.approx([10, 1e-3, 1e-3])
+        assert result.undetermined.tolist() == [False, is_open]
+        assert ("do not determine the pose of E " in str(result.warnings)) == is_open
+
+
+@pytest.mark.slow
+def test_a_courtyard_is_put_together_to_a_third_of_a_millimeter(court, court_result):
+    errors = errors_of(court_result.poses, court[1], True)
+    assert np.abs(errors[:, 1:]).max() < 4e-4
+    assert np.abs(errors[:, 0]).max() < np.radians(0.002)
+    assert np.array_equal(court_result.poses[:, 2, :3], np.tile([0.0, 0.0, 1.0], (5, 1)))
+    assert court_result.reliable
+    assert court_result.reference == 0
+    assert np.array_equal(court_result.poses[0], court[1][0])
+
+
+@pytest.mark.nightly
+def test_errors_match_their_covariances_over_many_courtyards():
+    squares, seeds = [], 12
+    for seed in range(100, 100 + seeds):
+        clouds, truth = scan_all(BOXES, COURT, seed)
+        result = register_stations(clouds, poses=rough_of(truth, seed), voxel_size=SIZE)
+        errors = errors_of(result.poses, truth, True)[1:]
+        squares += [e @ np.linalg.solve(C, e) for e, C in zip(errors, result.covariances[1:], strict=True)]
+    # the four stations of a scene are correlated through the fixed one: a factor of four in seeds is safe
+    assert chdtri(4 * seeds, 0.995) / (4 * seeds) < np.mean(squares) / 4 < chdtri(4 * seeds, 0.005) / (4 * seeds)
+
+
+@pytest.mark.slow
+def test_report_and_plan_are_complete(court_result, tmp_path):
+    text = court_result.report()
+    for word in ("STATIONS", "PAIRS", "LOOPS OF PAIRS", "sigma0", "all quality checks passed"):
+        assert word in text
+    data = court_result.to_dict()
+    assert [s["name"] for s in data["stations"]] == list("01234")
+    assert len(data["pairs"]) == len(court_result.pairs)
+    plan = station_plan(court_result)
+    assert plan.shape == (960, 1280, 3)
+    assert len(np.unique(plan.reshape(-1, 3), axis=0)) > 50
+
+
+@pytest.mark.slow
+def test_a_separate_station_is_named_and_the_others_stay():
+    clouds, truth = scan_all(BOXES, COURT[:3], 0, columns=300, rows=100)
+    alone, _ = scan_all([((-3, -3, -1.7), (6, 6, 0.1), 0.0), ((1, 0, -1.6), (1, 2, 3), 0.4)], [(0, 0, 0)], 7)
+    rough = np.concatenate([rough_of(truth, 0), [pose_at((200, 0, 0), 0)]])
+    result = register_stations([*clouds, *alone], poses=rough, voxel_size=SIZE, names=["N", "E", "S", "far"])
+    assert result.placed.tolist() == [True, True, True, False]
+    assert "far is not connected" in str(result.warnings)
+    assert np.isnan(result.sigmas[3]).all() and np.isinf(result.pose_covariances[3].matrix).all()
+    assert np.array_equal(result.poses[3], rough[3])
+    assert "not placed" in result.report()
+
+
+@pytest.mark.slow
+def test_a_repetitive_corridor_is_reported_and_targets_fix_it():
+    clouds, truth = scan_all(CORRIDOR, [(0, 0, 0), (6, 0.2, 0), (12, -0.2, 0)], 3, columns=360, rows=120)
+    slipped = truth.copy()
+    slipped[1][0, 3] += 4.0  # shifted by one door
+    result = register_stations(clouds, poses=slipped, voxel_size=0.2)
+    assert "not connected" in str(result.warnings)
+    assert "apart, their positions" in result.report()
+    positions = {"A": [1, 1.4, 0], "B": [9, -1.4, 0.4], "C": [5, -1.4, 0.2]}
+    seen = [
+        loom.registration.TargetObservation(i, name, T[:3, :3].T @ (np.array(position) - T[:3, 3]))
+        for i, T in enumerate(truth)
+        for name, position in positions.items()
+    ]
+    result = register_stations(clouds, poses=slipped, voxel_size=0.2, targets=seen)
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 2e-3
+    assert result.reliable
+
+
+@pytest.mark.slow
+def test_stations_without_initial_poses_are_searched():
+    clouds, truth = scan_all(BOXES, COURT[:3], 4)
+    result = register_stations(clouds, voxel_size=SIZE)
+    there = truth[0] @ np.linalg.inv(result.poses[0]) @ result.poses
+    assert result.placed.all()
+    assert np.abs(there - truth)[:, :3, 3].max() < 1e-2
+
+
+@pytest.mark.slow
+def test_clouds_at_survey_coordinates_keep_all_digits():
+    clouds, truth = scan_all(BOXES, COURT[:3], 5, columns=360, rows=120)
+    far = np.array([456_789.0, 5_400_123.0, 321.0])
+    moved = [cloud.transform(T @ np.eye(4)).translate(far) for cloud, T in zip(clouds, truth, strict=True)]
+    result = register_stations(moved, poses=np.tile(np.eye(4), (3, 1, 1)), voxel_size=SIZE)
+    for cloud, T in zip(moved, result.poses, strict=True):
+        middle = cloud.get_center()
+        assert np.abs(T[:3, :3] @ middle + T[:3, 3] - middle).max() < 1e-3
+
+
+@pytest.mark.slow
+def test_tilted_scanners_are_leveled_with_six_degrees_of_freedom():
+    clouds, truth = scan_all(BOXES, COURT[:4], 2, columns=360, rows=120)
+    rng = np.random.default_rng(0)
+    leans = [make_pose(rotation_of(rng.normal(0, 0.05, 3) * [1, 1, 0]), np.zeros(3)) for _ in truth]
+    leaning = [cloud.transform(np.linalg.inv(T)) for cloud, T in zip(clouds, leans, strict=True)]
+    truth = truth @ np.array(leans)
+    result = register_stations(leaning, poses=rough_of(truth, 0), voxel_size=SIZE, level=False)
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 1e-3
+    assert result.reliable
+    leveled = register_stations(leaning, poses=truth, voxel_size=SIZE)  # four degrees of freedom: tilts stay unchanged
+    assert np.abs(leveled.poses - truth)[:, 2, :3].max() < 1e-12
+
+
+reg = loom.registration
+
+
+@pytest.fixture
+def paths() -> tuple[Trajectory, Trajectory]:
+    """A path of 120 poses, 1 % too long and rotated, and the true one."""
+    truth = np.array([yaw_pose(0, 2 * i, 0, 0) for i in range(120)])
+    estimate = yaw_pose(30, 1, 2, 3) @ truth
+    estimate[:, :3, 3] *= 1.01
+    return Trajectory(estimate), Trajectory(truth)
+
+
+@pytest.mark.parametrize("align", ALIGNMENTS)
+def test_trajectory_errors_match_the_evaluate_command(paths, tmp_path, align):
+    files = tmp_path / "poses.txt", tmp_path / "truth.txt"
+    for path, file in zip(paths, files, strict=True):
+        write_trajectory(file, path, format="kitti")
+    result = reg.evaluate_trajectory(*paths, **ALIGNMENTS[align])
+    assert result.aligned_by == align
+    assert f"{files[0]} against {files[1]}\n{result}\n" == run("evaluate", *files, "--alignment", align).stdout
+    report = answer("evaluate", *files, "--alignment", align)
+    assert {name: report[name] for name in result.to_dict()} == result.to_dict()
+
+
+def test_errors_are_valid_json(paths):
+    for count in (1, 2, 120):
+        result = reg.evaluate_trajectory(*(Trajectory(path.poses[:count]) for path in paths))
+        read = json.loads(json_text({"errors": result}))["errors"]
+        assert read == result.to_dict() and len(read["segments"]) == len(result.segments)
+        assert read["absolute"]["m"]["rmse"] == result.absolute_translation.rmse  # every digit
+    single = reg.evaluate_trajectory(*(Trajectory(path.poses[:1]) for path in paths))
+    assert single.fields()[2] == ("RPE", "none: too few poses")
+
+
+def test_a_drive_without_overlap_reports_its_gaps():
+    wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
+    result = summarize_steps(list(iterate_odometry([wall, loom.PointCloud(), wall])))
+    assert (result.empty, result.has_seen) == ((1,), True)
+    torn, open_ways = result.warnings
+    assert torn == (
+        "1 of 3 scans do not overlap earlier scans, or have no points in range, so the path may be broken at scan 1"
+    )
+    assert open_ways.startswith("1 of 3 scans do not determine the motion along")  # of a single wall
+    assert ("predicted", "1: scan 1") in result.fields()
+    assert result.to_dict()["predicted"] == [1]
+    nothing = summarize_steps(list(iterate_odometry([loom.PointCloud()] * 2)))
+    assert (nothing.warnings, nothing.to_dict()["mean_fitness"]) == (("no scan has points in range",), None)
+    assert [label for label, _ in nothing.fields()] == ["scans", "path", "predicted"]
+
+
+@pytest.fixture
+def partly_registered(rng) -> tuple[list[loom.PointCloud], FragmentsResult]:
+    """Two parts of a surface, a cloud of noise between them, and their registration."""
+    x, y = rng.uniform(-1, 1, (2, 6000))
+    points = np.column_stack([x, y, 0.2 * np.sin(5 * x) * np.cos(4 * y) + 0.1 * np.sin(9 * y + x)])
+    parts = points[x < 0.6], rng.random((900, 3)), points[x > -0.6] + [1, 2, 3]
+    clouds = [loom.PointCloud(part, k=np.full(len(part), k, np.int32)) for k, part in enumerate(parts)]
+    clouds[0]["more"] = np.zeros(len(parts[0]), np.float32)
+    return clouds, reg.register_fragments(clouds, voxel_size=0.08)
+
+
+def test_registered_clouds_are_merged(partly_registered):
+    clouds, result = partly_registered
+    assert result.placed.tolist() == [True, False, True]
+    merged = result.merge(clouds)
+    assert set(merged["k"].tolist()) == {0, 2} and list(merged.attributes) == ["k"]
+    last = clouds[2].transform(result.poses[2]).points
+    np.testing.assert_allclose(merged.points[merged["k"] == 2], last, atol=1e-6)
+    np.testing.assert_array_equal(result.trajectory.poses, result.poses[result.placed])
+    assert result.trajectory.ids is not None and result.trajectory.ids[:, 0].tolist() == [0, 2]
+    for wrong, kind, message in (
+        (clouds[:2], ValueError, "clouds: expected 3, as many as were registered, got 2"),
+        ([*clouds[:2], 3], TypeError, r"clouds\[2\]: expected a PointCloud"),
+        (None, TypeError, "clouds"),
+    ):
+        for method in (result.merge, result.pose_covariances):
+            with pytest.raises(kind, match=message):
+                method(wrong)
+
+
+def test_clouds_are_called_by_number_or_by_name(partly_registered):
+    result = partly_registered[1]
+    assert "2 of 3 placed" in str(result) and "that of 0" in str(result)
+    report = result.to_dict()
+    assert (report["clouds"], report["not_placed"], report["reference"]) == ([0, 1, 2], [1], 0)
+    named = result.to_dict(["a.ply", "b.ply", "c.ply"])
+    assert (named["not_placed"], named["reference"], named["poses"][1]) == (["b.ply"], "a.ply", None)
+    assert named["registered"][0]["target"] == "a.ply"

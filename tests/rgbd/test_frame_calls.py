@@ -1,6 +1,10 @@
-"""`loom.fuse`, `track`, `reconstruct`, `check_focal` accept any frames and give the results of the commands."""
+"""`fuse`, `track`, `reconstruct`, `check_focal` accept any frames, match the commands, and depend on no threads."""
 
 import json
+import os
+import subprocess
+import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -111,14 +115,6 @@ def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, ref
         ), line
 
 
-def test_a_list_and_a_generator_give_the_same_mesh():
-    listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
-    first, second = (loom.reconstruct(frames, voxel_size=0.02) for frames in (listed, streamed))
-    np.testing.assert_array_equal(first.mesh.vertices, second.mesh.vertices)
-    assert len(first.mesh) > 100
-    assert first.to_dict() == second.to_dict()
-
-
 def test_one_frame_is_a_mesh_already():
     result = loom.reconstruct(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
     assert (result.method, len(result.trajectory), result.error, result.warnings) == ("slam", 1, None, ())
@@ -135,7 +131,7 @@ def test_an_empty_mesh_is_unreliable():
 def test_the_command_gives_the_same_bits_and_figures(folder, tmp_path):
     words = ["--voxel", 0.02, "--trajectory", tmp_path / "poses.log"]
     report = command(folder, "-o", tmp_path / "mesh.ply", *words)
-    result = loom.reconstruct(loom.open_frames(folder), voxel_size=0.02)
+    result = loom.reconstruct(loom.frames_from(iter(waves()), CAMERA), voxel_size=0.02)  # read once, as from a camera
     loom.write_triangle_mesh(tmp_path / "own.ply", result.mesh)
     loom.write_trajectory(tmp_path / "own.log", result.trajectory)
     assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
@@ -241,3 +237,41 @@ def test_a_number_of_no_frame_is_refused():
     for frames in (Damaged(), loom.frames_from(waves(), CAMERA)):
         with pytest.raises(ValueError, match="trajectory:"):
             loom.check_focal(frames, strange)
+
+
+ROOT = Path(__file__).parents[2]
+PROGRAM = f"""
+import sys
+sys.path.insert(0, {str(ROOT)!r})
+import hashlib
+import pytest
+import pointloom as loom
+from tests.rgbd.slam.slam_walks import begun, frame, frames, sequence
+
+first, second = (loom.odometry.OdometryFrame(frame(k).depth, sequence().intrinsic, frame(k).color) for k in (0, 3))
+pair = loom.odometry.align_frames(second, first)
+slam = begun("cpu", submap_frames=3)
+slam.run(frames(*range(7)))
+tracked = slam.trajectory.poses.tobytes()
+slam.close_loops()
+mesh = slam.extract_triangle_mesh(0.0)
+assert pair.reliable and len(mesh) > 100
+for name, content in [
+    ("pair", pair.transformation.tobytes() + pair.information.tobytes()), ("tracked", tracked),
+    ("corrected", slam.trajectory.poses.tobytes()), ("mesh", mesh.vertices.tobytes() + mesh.triangles.tobytes()),
+]:
+    print(name, hashlib.sha256(content).hexdigest())
+"""
+
+
+@pytest.mark.slow
+def test_the_number_of_threads_changes_no_bit_of_poses_and_surface():
+    answers = []
+    for threads in ("1", "2"):
+        environment = os.environ | {"POINTLOOM_CPU_THREADS": threads, "PYTHONPATH": str(ROOT / "src")}
+        done = subprocess.run(
+            [sys.executable, "-c", PROGRAM], env=environment, stdout=subprocess.PIPE, text=True, check=True, timeout=300
+        )
+        answers.append(done.stdout.splitlines())
+    assert len(answers[0]) == 4
+    assert answers[0] == answers[1]

@@ -107,6 +107,12 @@ def kill_runner(call, job, stage, workers=0):
         runner.stdout.read()
 
 
+def watch_calls(monkeypatch, owner, name, note):
+    """Call `note` with the arguments of each call of a function, before the call."""
+    call = getattr(owner, name)
+    monkeypatch.setattr(owner, name, lambda *given, **more: (note(*given), call(*given, **more))[1])
+
+
 def plan_of(folder):
     with Manifest(folder) as manifest:
         return manifest.plan

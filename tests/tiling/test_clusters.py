@@ -137,24 +137,6 @@ def test_cluster_sizes_are_bounded(files, tmp_path):
     assert np.bincount(labels[labels >= 0]).max() <= 40
 
 
-@pytest.mark.slow
-def test_parts_of_an_array_job_join_the_tiles_of_all_parts(files, tmp_path):
-    """A part stops when it needs tiles of others; the next run after a pass is complete joins it once."""
-    loom.tiling.plan_tiles(files, [DBSCAN], tmp_path / "job", size=11.0)
-    for part in ((1, 3), (2, 3), (3, 3)):
-        assert loom.tiling.run_tiles(tmp_path / "job", part=part).done < 16
-    status = tile_status(tmp_path / "job")
-    assert status.waiting > 0 and (status.which_pass, status.passes) == (2, 2)
-    assert f"pass 2 of 2: {status.through} of 16 tiles finished it" in str(status)
-    with pytest.raises(loom.FileError, match="is not finished"):
-        loom.tiling.finish_tiles(tmp_path / "job")
-    assert loom.tiling.run_tiles(tmp_path / "job").is_finished
-    result = finished(tmp_path / "job")
-    cloud = read_cloud(files, result.origin)
-    np.testing.assert_array_equal(labeled(result), labeled(labels_in_memory(cloud, DBSCAN)))
-    assert not (tmp_path / "job" / "left").exists()
-
-
 def test_the_intermediate_file_of_a_tile_is_checked_against_the_manifest(files, tmp_path, monkeypatch):
     loom.tiling.plan_tiles(files, [DBSCAN], tmp_path / "job", size=20.0)
     join = tasks.join_step
@@ -207,22 +189,6 @@ def test_steps_after_clustering_keep_the_labels(files, tmp_path):
     cloud = in_memory(cloud, steps[2:], plan["voxel_corner"])
     assert 1000 < len(cloud) < 3000
     np.testing.assert_array_equal(labeled(result), labeled(cloud))
-
-
-@pytest.mark.slow
-def test_a_tile_damaged_after_the_result_was_written_is_recomputed(files, tmp_path):
-    job = tmp_path / "job"
-    text = "[[step]]\nstep = 'cluster_dbscan'\neps = 0.9\nmin_points = 5\n"
-    (tmp_path / "steps.toml").write_text(text)
-    loom.tiling.plan_tiles(files, tmp_path / "steps.toml", job, size=30.0)
-    assert loom.tiling.run_tiles(job).is_finished
-    expected = labeled(finished(job))
-    (job / "tiles" / "1_1.laz").write_bytes(b"LASF, and nothing else")
-    with pytest.raises(loom.FileError, match=r"1_1\.laz"):
-        loom.tiling.finish_tiles(job, overwrite=True)
-    assert loom.tiling.run_tiles(job).is_finished
-    result = read_cloud([loom.tiling.finish_tiles(job, overwrite=True)], np.array(plan_of(job)["origin"]))
-    np.testing.assert_array_equal(labeled(result), expected)
 
 
 KILLED = """

@@ -60,15 +60,20 @@ def test_steps_may_be_given_in_a_file(files, job, tmp_path):
         '[[step]]\nstep = "voxel_down_sample"\nvoxel_size = 1e999',
         '[[step]]\nstep = "rasterize"\ncell = 1\nname = "../a"',
         '[[step]]\nstep = "function"\ncall = "x"\nreach = 0\narguments = {day = 2020-01-01}',
+        '[[step]]\nstep = "function"\ncall = "os:mkdir"\nreach = 0\narguments = {path = "called"}',
         "x = " + "[" * 100_000,
         "\xff",
     ],
 )
-def test_invalid_steps_in_a_file_are_an_error_that_names_it(files, tmp_path, text):
+def test_invalid_steps_in_a_file_are_an_error_that_names_it_and_no_function_is_called(
+    files, tmp_path, monkeypatch, text
+):
+    monkeypatch.chdir(tmp_path)
     path = tmp_path / "steps.toml"
     path.write_text(text, "latin-1")
     with pytest.raises(FileError, match=r"steps\.toml"):
         loom.tiling.plan_tiles(files, path, tmp_path / "job")
+    assert {each.name for each in tmp_path.iterdir()} == {path.name, *(file.name for file in files)}
 
 
 @pytest.mark.parametrize("what", ["scale", "attributes", "unit"])
@@ -143,7 +148,10 @@ def test_a_part_stops_when_it_needs_results_of_other_parts(files, tmp_path):
     steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 1.5}]
     loom.tiling.plan_tiles(files, steps, job, size=20.0)
     assert loom.tiling.run_tiles(job, part=(1, 2)).done == 0
-    assert 0 < loom.tiling.run_tiles(job, part=(2, 2)).done < 9
+    status = loom.tiling.run_tiles(job, part=(2, 2))
+    assert 0 < status.done < 9 and f"pass 2 of 2: {status.through} of 9 tiles finished it" in str(status)
+    with pytest.raises(FileError, match="is not finished"):
+        loom.tiling.finish_tiles(job)
     assert loom.tiling.run_tiles(job, part=(1, 2)).is_finished
 
 
@@ -206,15 +214,6 @@ def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
     assert loom.tiling.run_tiles(job).is_finished
 
 
-def test_a_steps_file_cannot_name_a_function(files, tmp_path):
-    called = tmp_path / "called"
-    path = tmp_path / "steps.toml"
-    path.write_text(f'[[step]]\nstep = "function"\ncall = "os:mkdir"\nreach = 0\narguments = {{path = "{called}"}}\n')
-    with pytest.raises(FileError, match=r"steps\.toml"):
-        loom.tiling.plan_tiles(files, path, tmp_path / "job")
-    assert not called.exists() and not (tmp_path / "job").exists()
-
-
 @pytest.mark.parametrize("runner", [None, pytest.param("two_workers", marks=pytest.mark.slow)])
 def test_a_manifest_cannot_allow_functions(files, tmp_path, monkeypatch, runner, request):
     job = tmp_path / "job"
@@ -259,20 +258,18 @@ def test_a_damaged_file_is_named_and_leaves_no_bucket(files, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("runner", [None, "two_workers"])
-def test_progress_is_reported_for_files_and_each_pass_over_the_tiles(files, tmp_path, runner, request):
-    scheduler = runner and request.getfixturevalue(runner)
+def test_progress_is_reported_for_files_and_each_pass_over_the_tiles(files, tmp_path, two_workers):
     steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 4, "std_ratio": 3.0}]
     loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=20.0)
     events = []
-    loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: events.append(words))
+    loom.tiling.run_tiles(tmp_path / "job", scheduler=two_workers, progress=lambda *words: events.append(words))
     assert list(dict.fromkeys(stage for stage, _, _ in events)) == ["files", "pass 1 of 2", "pass 2 of 2"]
     assert events[0] == ("files", 0, 2) and events[-1] == ("pass 2 of 2", 9, 9)
     for stage, total in (("files", 2), ("pass 1 of 2", 9), ("pass 2 of 2", 9)):
         done = [count for name, count, of in events if name == stage and of == total]
         assert done == sorted(done) and done[-1] == total
     events.clear()
-    loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: events.append(words))
+    loom.tiling.run_tiles(tmp_path / "job", scheduler=two_workers, progress=lambda *words: events.append(words))
     assert events[-1] == ("pass 2 of 2", 9, 9)
 
 

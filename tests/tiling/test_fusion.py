@@ -21,6 +21,8 @@ from pointloom.tiling.jobs import fusion
 from pointloom.tiling.jobs.run_jobs import job_status, retry_job
 from pointloom.tiling.manifest import Manifest, worker_lock
 
+from .scenes import watch_calls
+
 VOXEL = 0.08
 # [m] six blocks, three blocks, and the whole room in eight cubes.
 SIZES = [4.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (2.0, 20.0))]
@@ -130,18 +132,9 @@ def test_parts_match_bitwise_at_their_borders(frames, expected, tmp_path):
 def test_a_cube_contains_its_blocks_and_one_layer_around_them(frames, tmp_path, monkeypatch):
     """Only one cube is in memory, and each frame is read only for the cubes that it touches."""
     block_counts, read = [], Counter()
-    extract = VolumePart.extract_part
-    monkeypatch.setattr(
-        VolumePart,
-        "extract_part",
-        lambda self, min_weight: block_counts.append(self.block_count) or extract(self, min_weight),
-    )
-    integrate = fusion.FusionJob._integrate
-    monkeypatch.setattr(
-        fusion.FusionJob,
-        "_integrate",
-        lambda self, volume, frame: read.update([type(volume).__name__]) or integrate(self, volume, frame),
-    )
+    watch_calls(monkeypatch, VolumePart, "extract_part", lambda part, *_: block_counts.append(part.block_count))
+    count = lambda job, volume, frame: read.update([type(volume).__name__])  # noqa: E731
+    watch_calls(monkeypatch, fusion.FusionJob, "_integrate", count)
     by_cubes(frames, tmp_path / "job", size=3 * 8 * VOXEL)
     cubes = job_status(tmp_path / "job").done - 1
     assert max(block_counts) <= 4**3 and len(block_counts) == cubes
@@ -267,10 +260,7 @@ def test_tasks_of_dead_workers_are_repeated_and_quarantined_after_three_deaths(f
 @pytest.mark.slow
 def test_parts_and_concurrent_runs_do_every_task_once(frames, expected, tmp_path, monkeypatch):
     job, done = tmp_path / "job", Counter()
-    do = fusion.FusionJob.do
-    monkeypatch.setattr(
-        fusion.FusionJob, "do", lambda self, stage, name, reports: done.update([name]) or do(self, stage, name, reports)
-    )
+    watch_calls(monkeypatch, fusion.FusionJob, "do", lambda job, stage, name, *_: done.update([name]))
     loom.tiling.plan_fusion(frames, job, voxel_size=VOXEL, size=2.0)
     assert loom.tiling.run_job(job, part=(1, 3)).done == 0
     assert not loom.tiling.run_job(job, part=(2, 3)).is_finished

@@ -42,6 +42,12 @@ def expected(files, tmp_path_factory):
     return rows_of(finished(job))
 
 
+@pytest.fixture
+def job(files, tmp_path):
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    return tmp_path / "job"
+
+
 @pytest.fixture(scope="module")
 def scheduler():
     """Address of a scheduler with one worker, both in threads of this process."""
@@ -51,58 +57,37 @@ def scheduler():
         yield cluster.scheduler_address
 
 
-def test_a_cluster_gives_the_rows_of_one_process(files, expected, scheduler, tmp_path):
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+def test_a_cluster_gives_the_rows_of_one_process(expected, scheduler, job):
     events = []
-    status = loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: events.append(words))
+    status = loom.tiling.run_tiles(job, scheduler=scheduler, progress=lambda *words: events.append(words))
     assert status.is_finished and events[-1] == ("pass 2 of 2", 4, 4)
-    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
-def failing(cloud):
-    raise ValueError("this step always fails")
-
-
-@pytest.mark.slow
-def test_a_step_that_fails_on_a_cluster_is_reported_for_each_tile(files, scheduler, tmp_path):
-    steps = [{"step": "function", "call": failing, "reach": 0}]
-    loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=30.0)
-    status = loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler)
-    assert status.failed == 4 and not status.waiting
-    assert all("this step always fails" in text for text in status.troubles.values())
-
-
-def test_a_missing_scheduler_is_named_and_nothing_is_lost(files, tmp_path, monkeypatch):
+def test_a_missing_scheduler_is_named_and_nothing_is_lost(monkeypatch, job):
     monkeypatch.setattr(processes, "CONNECT_TIMEOUT", 0.2)
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     with pytest.raises(loom.FileError, match=r"no scheduler at tcp://127\.0\.0\.1:9"):
-        loom.tiling.run_tiles(tmp_path / "job", scheduler="tcp://127.0.0.1:9")
-    assert tile_status(tmp_path / "job").waiting == 4
+        loom.tiling.run_tiles(job, scheduler="tcp://127.0.0.1:9")
+    assert tile_status(job).waiting == 4
 
 
-def test_a_worker_of_another_version_is_rejected(files, scheduler, tmp_path, monkeypatch):
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+def test_a_worker_of_another_version_is_rejected(scheduler, monkeypatch, job):
     monkeypatch.setattr(processes, "_prepare", _another_version)
     with pytest.raises(loom.FileError, match=r"on the worker at .*, got 0\.0\.1"):
-        loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler)
-    assert tile_status(tmp_path / "job").waiting == 4
+        loom.tiling.run_tiles(job, scheduler=scheduler)
+    assert tile_status(job).waiting == 4
 
 
 def _another_version(device):
     return "0.0.1"
 
 
-def test_workers_and_a_scheduler_are_rejected(files, tmp_path):
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+def test_workers_are_rejected_with_a_scheduler_and_without_distributed(job, monkeypatch):
     with pytest.raises(ValueError, match="expected one of them, got both"):
-        loom.tiling.run_tiles(tmp_path / "job", workers=2, scheduler="tcp://127.0.0.1:9")
-
-
-def test_workers_without_distributed_are_an_error_that_names_the_extra(files, tmp_path, monkeypatch):
+        loom.tiling.run_tiles(job, workers=2, scheduler="tcp://127.0.0.1:9")
     monkeypatch.setitem(sys.modules, "distributed", None)
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     with pytest.raises(loom.FileError, match=r'pip install "pointloom\[tiling\]"'):
-        loom.tiling.run_tiles(tmp_path / "job", workers=2)
+        loom.tiling.run_tiles(job, workers=2)
 
 
 def dies(cloud, folder, deaths):
@@ -135,8 +120,7 @@ def test_a_tile_that_kills_workers_is_repeated_and_quarantined_after_three_death
 
 
 @pytest.mark.slow
-def test_a_script_may_start_workers_and_prints_nothing_of_them(files, expected, tmp_path):
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+def test_a_script_may_start_workers_and_prints_nothing_of_them(expected, tmp_path, job):
     script = tmp_path / "script.py"
     text = "import os, sys, pointloom as loom\n"
     text += "if __name__ == '__main__':\n    before = dict(os.environ)\n"
@@ -145,10 +129,10 @@ def test_a_script_may_start_workers_and_prints_nothing_of_them(files, expected, 
     text += "    assert before.items() <= os.environ.items()\n"
     script.write_text(text)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    command = [sys.executable, str(script), str(tmp_path / "job")]
+    command = [sys.executable, str(script), str(job)]
     ended = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     assert (ended.returncode, ended.stderr) == (0, "") and ended.stdout.startswith("4 of 4 tiles done")
-    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
 @pytest.mark.slow
@@ -164,27 +148,26 @@ def test_workers_of_a_killed_run_end_and_the_job_is_resumed(files, expected, tmp
 
 
 @pytest.mark.slow
-def test_a_cluster_without_workers_or_that_disconnects_is_an_error(files, tmp_path, monkeypatch):
+def test_a_cluster_without_workers_or_that_disconnects_is_an_error(monkeypatch, job):
     monkeypatch.setattr(processes, "MAX_WITHOUT_WORKERS", 0.3)
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     alone = {"host": "127.0.0.1", "protocol": "tcp", "dashboard_address": "127.0.0.1:0"}
     with distributed.LocalCluster(n_workers=0, processes=False, **alone) as empty:
         with pytest.raises(loom.FileError, match="no worker was connected to"):
-            loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
+            loom.tiling.run_tiles(job, scheduler=empty.scheduler_address)
         monkeypatch.setattr(processes, "MAX_WITHOUT_WORKERS", 60)
         checked, ended = threading.Event(), processes._ended
         monkeypatch.setattr(processes, "_ended", lambda *given: (checked.set(), ended(*given))[1])
         closing = threading.Thread(target=lambda: checked.wait(60) and empty.close())
         closing.start()
         with pytest.raises(loom.FileError, match="was lost"):
-            loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
+            loom.tiling.run_tiles(job, scheduler=empty.scheduler_address)
         closing.join()
-    assert tile_status(tmp_path / "job").waiting == 4
+    assert tile_status(job).waiting == 4
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("openssl") is None, reason="certificates are made by openssl")
-def test_a_scheduler_with_certificates_accepts_clients_that_have_them(files, expected, tmp_path):
+def test_a_scheduler_with_certificates_accepts_clients_that_have_them(expected, tmp_path, job):
     key, certificate = str(tmp_path / "key.pem"), str(tmp_path / "certificate.pem")
     command = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost"]
     subprocess.run([*command, "-keyout", key, "-out", certificate], check=True, capture_output=True)
@@ -192,13 +175,12 @@ def test_a_scheduler_with_certificates_accepts_clients_that_have_them(files, exp
              for what, value in (("key", key), ("cert", certificate))}  # fmt: skip
     security = distributed.Security(tls_ca_file=certificate, require_encryption=True, **roles)
     options = {"host": "127.0.0.1", "protocol": "tls", "dashboard_address": "127.0.0.1:0", "security": security}
-    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     with distributed.LocalCluster(1, processes=False, threads_per_worker=1, **options) as cluster:
         address = cluster.scheduler_address
         with pytest.raises(loom.FileError, match=r"no scheduler at tls://.*TLS"):
-            loom.tiling.run_tiles(tmp_path / "job", scheduler=address)
-        assert loom.tiling.run_tiles(tmp_path / "job", scheduler=address, security=security).is_finished
-    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+            loom.tiling.run_tiles(job, scheduler=address)
+        assert loom.tiling.run_tiles(job, scheduler=address, security=security).is_finished
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
 def add(more, value):

@@ -44,9 +44,14 @@ def in_one_piece(files, steps, plan):
     return in_memory(read_cloud(files, np.array(plan["origin"])), steps, plan["voxel_corner"])
 
 
-def check(files, steps, job, **options):
+@pytest.fixture(scope="module")
+def small_files(tmp_path_factory):
+    return survey(tmp_path_factory.mktemp("survey"), count=2500)
+
+
+def check(files, steps, job, device="cpu", **options):
     """Check that tiles give the rows of a single machine; return the result."""
-    result, plan = tiled(files, steps, job, **options)
+    result, plan = tiled(files, steps, job, device, **options)
     expected = in_one_piece(files, steps, plan)
     assert len(expected) > 0
     np.testing.assert_array_equal(rows_of(result), rows_of(expected))
@@ -63,6 +68,25 @@ def check(files, steps, job, **options):
 )
 def test_tiles_of_any_size_are_bitwise_identical_to_one_machine(files, tmp_path, chain, size):
     check(files, CHAINS[chain], tmp_path / "job", size=size)
+
+
+# Of each class of steps; the slow ones are tested on the CPU as "a chain", or above.
+@pytest.mark.parametrize(
+    "chain",
+    ["normals in a radius", *(pytest.param(name, marks=pytest.mark.slow) for name in ("normals of both", "a box"))],
+)
+def test_tiles_of_a_device_are_bitwise_identical_to_the_cpu(device, small_files, tmp_path, chain):
+    check(small_files, CHAINS[chain], tmp_path / "job", device, size=20.0)
+
+
+@pytest.mark.parametrize("chain", [pytest.param("smoothing", marks=pytest.mark.slow), "smoothing of the nearest"])
+def test_smoothed_tiles_of_a_device_match_the_cpu_within_two_micrometers(device, small_files, tmp_path, chain):
+    """A GPU fuses multiplications and additions."""
+    result, plan = tiled(small_files, CHAINS[chain], tmp_path / "job", device, size=20.0)
+    tables = [rows_of(cloud) for cloud in (result, in_one_piece(small_files, CHAINS[chain], plan))]
+    by_time = [rows[np.lexsort(rows[:, 3:].T)] for rows in tables]
+    np.testing.assert_array_equal(by_time[0][:, 3:], by_time[1][:, 3:])
+    assert np.abs(by_time[0] - by_time[1])[:, :3].max() * STEP <= 2e-6
 
 
 def test_a_too_small_halo_is_doubled(files, tmp_path, monkeypatch):

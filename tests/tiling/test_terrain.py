@@ -5,12 +5,11 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.io.points.las import read_las
 from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
-from pointloom.tiling.manifest import Manifest
 
-CORNER = np.array([500_000.0, 4_000_000.0, 100.0])
+from .scenes import CORNER, plan_of, read_cloud
+
 EXTENT = np.array([180.0, 130.0])
 GROUND = {"step": "classify_ground", "cell_size": 1.0, "max_window": 3.0}  # has a radius of 63 m
 ABOVE = {"step": "height_above_ground", "reach": 9.0}
@@ -51,13 +50,6 @@ def files(tmp_path_factory):
     return paths
 
 
-def complete_cloud(paths, plan):
-    tables = [read_las(path) for path in paths]
-    names = tables[0].attributes
-    attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in names}
-    return loom.PointCloud(np.concatenate([table.points for table in tables]), origin=plan["origin"], **attributes)
-
-
 def classified(cloud, **options):
     ground = loom.classify_ground(cloud, cell_size=1.0, max_window=3.0, corner=(0, 0), **options)
     cloud = cloud.copy()
@@ -77,15 +69,13 @@ def run(paths, steps, folder, **options):
     loom.tiling.plan_tiles(paths, steps, folder, **options)
     status = loom.tiling.run_tiles(folder)
     assert status.is_finished, status
-    result = loom.tiling.finish_tiles(folder)
-    with Manifest(folder) as manifest:
-        return result, manifest.plan
+    return loom.tiling.finish_tiles(folder), plan_of(folder)
 
 
 @pytest.mark.parametrize("size", [60.0, pytest.param(61.3, marks=pytest.mark.slow)])
 def test_ground_and_heights_match_one_machine_for_any_tile_size(files, tmp_path, size):
     result, plan = run(files, [GROUND, ABOVE], tmp_path / "job", size=size)
-    cloud = classified(complete_cloud(files, plan))
+    cloud = classified(read_cloud(files, plan["origin"]))
     cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9.0)
     labels = np.asarray(cloud["classification"])
     assert 0.5 < (labels == 2).mean() < 0.95
@@ -109,7 +99,7 @@ RASTERS = [
 def test_the_mosaic_of_tiles_matches_one_machine(files, tmp_path, size):
     rasterio = pytest.importorskip("rasterio")
     _, plan = run(files, [GROUND, *RASTERS], tmp_path / "job", size=size)
-    cloud = classified(complete_cloud(files, plan))
+    cloud = classified(read_cloud(files, plan["origin"]))
     for step in RASTERS:
         options = {key: value for key, value in step.items() if key not in ("step", "fill")}
         raster = loom.rasterize(cloud, **options)
@@ -129,7 +119,7 @@ def test_an_area_has_the_cells_of_its_tiles(files, tmp_path):
     steps = [{"step": "rasterize", "cell": 1.5, "kind": "lowest"}]
     low = CORNER[:2] + 70
     _, plan = run(files, steps, tmp_path / "job", size=30.0, only=[*low, *(low + 40)])
-    raster = loom.rasterize(complete_cloud(files, plan), 1.5, "lowest")
+    raster = loom.rasterize(read_cloud(files, plan["origin"]), 1.5, "lowest")
     with rasterio.open(tmp_path / "job" / "result.lowest.tif") as file:
         values, bounds = file.read(1, masked=True).filled(np.nan), file.bounds
     assert values.shape == (40, 40)
@@ -175,7 +165,7 @@ def test_large_mosaics_have_overviews_in_the_order_of_the_cloud(files, tmp_path)
     step = {"step": "rasterize", "cell": 0.1, "kind": "density"}
     rasters, plan = run(files, [step], tmp_path / "job", size=60.0)
     path = rasters.with_name("result.density.tif")
-    full = loom.rasterize(complete_cloud(files, plan), 0.1, "density").values
+    full = loom.rasterize(read_cloud(files, plan["origin"]), 0.1, "density").values
     with rasterio.open(path) as file:
         assert file.tags(ns="IMAGE_STRUCTURE")["LAYOUT"] == "COG"
         assert file.overviews(1) == file.overviews(2) == [2, 4, 8]
@@ -197,7 +187,7 @@ def test_a_tile_without_points_has_the_ground_nearby(tmp_path):
     write_las(tmp_path / "gap.laz", table, scale=1e-3)
     step = {"step": "rasterize", "cell": 1.0, "reach": 8.0}
     _, plan = run([tmp_path / "gap.laz"], [step], tmp_path / "job", size=30.0)
-    raster = loom.rasterize(complete_cloud([tmp_path / "gap.laz"], plan), 1.0, reach=8.0)
+    raster = loom.rasterize(read_cloud([tmp_path / "gap.laz"], plan["origin"]), 1.0, reach=8.0)
     with rasterio.open(tmp_path / "job" / "result.dtm.tif") as file:
         values = file.read(1)
     assert np.isfinite(raster.values[:, 30:36]).all() and np.isnan(raster.values[:, 40:50]).all()
@@ -214,17 +204,13 @@ def test_a_tile_without_points_has_the_ground_nearby(tmp_path):
         ({"name": "../x"}, "name: expected letters"),
         ({"classes": [300]}, "classes"),
         ({"fill": 0}, "fill"),
+        ({"cell": 2.0}, r"^steps:"),  # of the name of another one
     ],
 )
 def test_invalid_rasters_are_rejected_before_the_run(files, tmp_path, step, message):
+    plain = {"step": "rasterize", "cell": 1.0}
     with pytest.raises(ValueError, match=message):
-        loom.tiling.plan_tiles(files, [{"step": "rasterize", "cell": 1.0} | step], tmp_path / "job")
-
-
-def test_rasters_of_the_same_name_are_rejected(files, tmp_path):
-    steps = [{"step": "rasterize", "cell": 1.0}, {"step": "rasterize", "cell": 2.0}]
-    with pytest.raises(ValueError, match=r"^steps:"):
-        loom.tiling.plan_tiles(files, steps, tmp_path / "job")
+        loom.tiling.plan_tiles(files, [plain, plain | step], tmp_path / "job")
 
 
 @pytest.mark.slow
@@ -243,7 +229,7 @@ def test_real_surveys_match_one_machine(scan_file, tmp_path, name, size):
     kinds = {"dtm": 2.0 * scale, "chm": 3.0 * scale, "density": 5.0}
     steps += [{"step": "rasterize", "cell": cell, "kind": kind, "reach": 9 * scale} for kind, cell in kinds.items()]
     result, plan = run([path], steps, tmp_path / "job", size=size * scale)
-    cloud = complete_cloud([path], plan)
+    cloud = read_cloud([path], plan["origin"])
     ground = loom.classify_ground(cloud, **options, corner=(0, 0))
     cloud["classification"] = np.where(ground, 2, 1).astype(np.uint8)
     cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9 * scale, cell=scale)

@@ -12,9 +12,6 @@ from pointloom.core.errors import FileError
 from pointloom.io.points.copc import open_copc
 from pointloom.io.points.copc_writer import write_copc
 from pointloom.io.points.las import open_las, read_las
-from pointloom.kernels.lang import array, int32, kernel, launch, tid
-from pointloom.kernels.memory import download, empty, upload
-from pointloom.kernels.sampling.detail_levels import priority
 from pointloom.tiling import tile_tree
 
 from .scenes import CORNER, survey
@@ -103,20 +100,6 @@ def test_laspy_reads_all_points_and_windows(job, tmp_path, monkeypatch):
         assert reader.header.point_count == len(reader.query()) == 15_000
         inside = ((stored >= low) & (stored <= high)).all(axis=1).sum()
         assert 0 < len(reader.query(bounds=Bounds(low, high))) == inside
-
-
-@kernel
-def rank_kernel(numbers: array(dtype=int32), ranks: array(dtype=int32)):
-    i = tid()
-    ranks[i] = priority(numbers[i])
-
-
-@pytest.mark.slow
-def test_priorities_match_the_kernel():
-    numbers = np.array([0, 1, 7, 2**31 - 1, 2**31, 2**32 + 5, 3_000_000_000, 9_876_543_210])
-    ranks = empty(len(numbers), int32, "cpu")
-    launch(rank_kernel, len(numbers), [upload(numbers.astype(np.int32), int32, "cpu"), ranks])
-    assert download(ranks).tolist() == [tile_tree.priority_of(number) for number in numbers.tolist()]
 
 
 @pytest.mark.parametrize(

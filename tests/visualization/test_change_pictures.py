@@ -5,6 +5,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.pcd.change import M3C2Result
+from pointloom.visualization.change import pictures
 from pointloom.visualization.change.pictures import paint
 from pointloom.visualization.render.colormaps import MISSING
 
@@ -45,8 +46,6 @@ def test_limits_cover_nearly_all_changes(device):
 @pytest.fixture
 def legends(monkeypatch):
     """The arguments of the calls of `render`."""
-    from pointloom.visualization.change import pictures
-
     calls, render = [], pictures.render
 
     def noted(*args, **kwargs):

@@ -2,8 +2,6 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from pointloom.kernels.algebra.rigid_solve import (
@@ -186,30 +184,19 @@ def test_diagonal_and_zero_matrices_have_the_axes(device):
 
 
 @pytest.mark.parametrize("scaling", [False, True])
-@pytest.mark.parametrize("shape", ["cloud", "flat", "three"])
+@pytest.mark.parametrize("shape", ["cloud", "flat", "three", "mirrored"])
 def test_pairs_are_fitted_as_by_singular_values(device, rng, tolerances, shape, scaling):
     k = 3 if shape == "three" else 20
     sources = rng.normal(size=(100, k, 3)) * ([1, 1, 0] if shape == "flat" else [1, 1, 1])
-    R = Rotation.random(100, rng=rng).as_matrix()
+    R = Rotation.random(100, rng).as_matrix()
     targets = sources @ R.transpose(0, 2, 1) * 1.3 + rng.normal(size=(100, 1, 3)) + 0.02 * rng.normal(size=(100, k, 3))
+    targets = targets * ([1, 1, -1] if shape == "mirrored" else [1, 1, 1])
     weights = rng.uniform(0.1, 2, (100, k))
     result = fit(device, sources, targets, weights, scaling)
     given = zip(sources, targets, weights, strict=True)
     expected = [fit_by_svd(*pair, weights=w, with_scaling=scaling) for *pair, w in given]
     np.testing.assert_allclose(result, expected, atol=tolerances.pair_fit)
-
-
-def test_mirrored_pairs_get_a_rotation(device, rng):
-    sources = rng.normal(size=(50, 10, 3))
-    poses = fit(device, sources, sources * [1, 1, -1])
-    np.testing.assert_allclose(np.linalg.det(poses[:, :3, :3]), 1, rtol=1e-13)
-    # of all rotations the best: no other one leaves less
-    moved = sources @ poses[:, :3, :3].transpose(0, 2, 1) + poses[:, None, :3, 3]
-    left = np.square(moved - sources * [1, 1, -1]).sum((1, 2))
-    for R in Rotation.random(100, rng=rng).as_matrix():
-        moved = sources @ R.T
-        moved += (sources * [1, 1, -1] - moved).mean(axis=1, keepdims=True)
-        assert (np.square(moved - sources * [1, 1, -1]).sum((1, 2)) >= left - 1e-9).all()
+    assert (np.linalg.det(result[:, :3, :3]) > 0).all()
 
 
 @pytest.mark.parametrize("k", [1, 2, 5])
@@ -234,21 +221,6 @@ def test_pairs_that_share_a_point_are_not_rotated(device, rng, side):
 def test_pairs_without_weight_leave_the_identity(device, rng):
     poses = fit(device, rng.normal(size=(4, 5, 3)), rng.normal(size=(4, 5, 3)), np.zeros((4, 5)))
     np.testing.assert_array_equal(poses, np.tile(np.eye(4), (4, 1, 1)))
-
-
-@settings(max_examples=60, deadline=None)
-@given(
-    vector=st.tuples(*[st.floats(-3, 3)] * 3),
-    shift=st.tuples(*[st.floats(-10, 10)] * 3),
-    count=st.integers(3, 8),
-    seed=st.integers(0, 2**16),
-)
-def test_a_rigid_motion_is_recovered(vector, shift, count, seed):
-    sources = np.random.default_rng(seed).normal(size=(1, count, 3))
-    R = Rotation.from_rotvec(vector).as_matrix()
-    pose = fit("cpu", sources, sources @ R.T + np.array(shift))[0]
-    np.testing.assert_allclose(sources[0] @ pose[:3, :3].T + pose[:3, 3], sources[0] @ R.T + shift, atol=1e-7)
-    np.testing.assert_allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3), atol=1e-13)
 
 
 def test_rotations_match_scipy(device, rng):

@@ -1,17 +1,18 @@
-"""The ordered hash table: one layout for any order of insertion, and block keys that survive the way there and back."""
+"""Hash tables with one layout for any order of insertion, and disjoint sets that are connected components."""
 
 import itertools
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from pointloom.kernels.arrays import hash_table
 from pointloom.kernels.arrays.block_keys import BIAS, block_key, key_block
 from pointloom.kernels.arrays.hash_table import EMPTY, HashTable
-from pointloom.kernels.lang import array, int64, kernel, launch, tid, vec3i
-from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.arrays.union_find import flatten_sets_kernel
+from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3i
+from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.volumes.tsdf_blocks import block_box
 
 
@@ -54,28 +55,26 @@ def find(table, keys, device):
     return indices.numpy()
 
 
-def test_sequential_insertion_equals_batch_insertion(device, rng, monkeypatch):
-    keys, tables = random_keys(rng, 1500), []
+@pytest.mark.parametrize("parts", [1, 2, 7, 60])
+def test_the_table_depends_neither_on_the_parts_in_which_keys_are_appended_nor_on_their_number(
+    device, rng, monkeypatch, parts
+):
+    keys = random_keys(rng, 500)
+    expected = fill(keys, device)
     for max_sequential in (0, 10_000):
         monkeypatch.setattr(hash_table, "MAX_SEQUENTIAL", max_sequential)
-        tables.append(fill(keys, device, parts=7))
-    at_once, sequential = tables
-    assert at_once.keys.numpy().tobytes() == sequential.keys.numpy().tobytes()
-    for table in tables:
-        np.testing.assert_array_equal(find(table, keys, device), np.arange(len(keys)))
+        table = fill(keys, device, parts)
+        assert table.capacity == expected.capacity == 1024
+        assert table.keys.numpy().tobytes() == expected.keys.numpy().tobytes()
+        np.testing.assert_array_equal(find(table, keys, device), np.arange(500))
 
 
 @pytest.mark.parametrize("count", [2, 37, 400, 512])
-def test_the_layout_does_not_depend_on_the_order_of_insertion(device, rng, count):
-    keys = random_keys(rng, count)
-    layouts = {fill(order, device).keys.numpy().tobytes() for order in (keys, keys[::-1], np.sort(keys))}
-    assert len(layouts) == 1
-
-
-@pytest.mark.parametrize("count", [2, 37, 400, 512])
-def test_keys_ascend_along_each_probe_sequence(device, rng, count):
+def test_keys_ascend_along_each_probe_sequence_for_any_order_of_insertion(device, rng, count):
     """The invariant that lets a search stop at the first larger key; 512 keys fill half of the slots."""
-    slots = fill(random_keys(rng, count), device).keys.numpy()
+    keys = random_keys(rng, count)
+    slots, *others = (fill(order, device).keys.numpy() for order in (keys, keys[::-1], np.sort(keys)))
+    assert all(other.tobytes() == slots.tobytes() for other in others)
     taken = np.flatnonzero(slots != EMPTY)
     assert len(taken) == count
     for at in taken:
@@ -85,22 +84,6 @@ def test_keys_ascend_along_each_probe_sequence(device, rng, count):
         at_home = (h ^ (h >> 29)) & (len(slots) - 1)
         probe = np.arange(at_home, at_home + (at - at_home) % len(slots)) % len(slots)
         assert (slots[probe] < key).all()
-
-
-def test_each_key_has_its_list_index_and_others_are_missing(device, rng):
-    keys = random_keys(rng, 4000)
-    shuffled = rng.permutation(4000)
-    found = find(fill(keys[:3000], device), keys[shuffled], device)
-    np.testing.assert_array_equal(found, np.where(shuffled < 3000, shuffled, -1))
-
-
-@pytest.mark.parametrize("parts", [2, 7, 60])
-def test_keys_appended_in_parts_give_the_table_of_keys_appended_at_once(device, rng, parts):
-    keys = random_keys(rng, 500)
-    at_once, pieces = fill(keys, device), fill(keys, device, parts)
-    assert pieces.capacity == at_once.capacity == 1024
-    assert pieces.keys.numpy().tobytes() == at_once.keys.numpy().tobytes()
-    np.testing.assert_array_equal(find(pieces, keys, device), np.arange(500))
 
 
 def test_a_table_grows_and_keeps_its_contents(device, rng):
@@ -113,11 +96,6 @@ def test_a_table_grows_and_keeps_its_contents(device, rng):
         np.testing.assert_array_equal(find(table, keys, device), np.where(np.arange(6000) < count, np.arange(6000), -1))
     assert len(capacities) > 2
     assert (table.keys.numpy() != EMPTY).sum() == 6000
-
-
-def test_a_hundred_thousand_keys_get_their_slots(device, rng):
-    keys = random_keys(rng, 100_000)
-    np.testing.assert_array_equal(find(fill(keys, device, 3), keys, device), np.arange(100_000))
 
 
 @pytest.mark.parametrize("key", [0, 1, (1 << 63) - 2])
@@ -143,26 +121,84 @@ def test_asking_again_for_keys_that_are_there_changes_nothing(device, rng):
     np.testing.assert_array_equal(find(table, keys, device), np.arange(300))
 
 
-coordinates = st.integers(-BIAS, BIAS - 1)
-
-
-@settings(deadline=None, derandomize=True, max_examples=25)
-@given(st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=1, max_size=20))
-def test_blocks_survive_their_keys_and_keys_ascend_with_x_then_y_then_z(blocks):
-    array_ = np.array([*blocks, (-BIAS, -BIAS, -BIAS), (-1, 0, -1), (BIAS - 1, -BIAS, 0)])
-    keys = encode(array_, "cpu")
-    expected = ((array_[:, 0] + BIAS) << 42) | ((array_[:, 1] + BIAS) << 21) | (array_[:, 2] + BIAS)
-    np.testing.assert_array_equal(keys, expected)
-    assert (keys >= 0).all()
-    np.testing.assert_array_equal(np.argsort(keys, kind="stable"), np.lexsort(array_.T[::-1]))
-    np.testing.assert_array_equal(block_box(keys), array_)
-
-
-def test_negative_blocks_survive_their_keys(device, rng):
+def test_blocks_survive_their_keys_and_keys_ascend_with_x_then_y_then_z(device, rng):
     corners = [[-BIAS] * 3, [BIAS - 1, BIAS - 1, -BIAS]]
     blocks = np.concatenate([rng.integers(-BIAS, BIAS, (1000, 3)), rng.integers(-3, 3, (1000, 3)), corners])
     keys = encode(blocks, device)
     out = empty(len(blocks), vec3i, device)
     launch(decode_blocks_kernel, len(blocks), [upload(keys, int64, device), out])
     np.testing.assert_array_equal(out.numpy(), blocks)
+    np.testing.assert_array_equal(keys, (blocks + BIAS) @ [1 << 42, 1 << 21, 1])
     np.testing.assert_array_equal(block_box(keys), blocks)
+
+
+PAIRS = """
+@kernel
+def {name}_pairs_kernel(
+    first: array(dtype=int32), second: array(dtype=int32), parents: array(dtype=int32), seen: array(dtype=int32)
+):
+    i = tid()
+    seen[i] = {name}(parents, first[i], second[i])
+"""
+SOURCE = f"""
+from pointloom.kernels.arrays.union_find import hook_roots, read_root, unite
+{PAIRS.format(name="unite")}
+{PAIRS.format(name="hook_roots")}
+@kernel
+def read_roots_kernel(parents: array(dtype=int32), roots: array(dtype=int32)):
+    i = tid()
+    roots[i] = read_root(parents, i)
+"""
+
+
+@pytest.fixture(scope="module")
+def pairs_kernels(write_kernels):
+    return write_kernels("union_find_kernels", SOURCE)
+
+
+COUNT = 3001
+CHAIN = np.stack([np.arange(COUNT - 1), np.arange(1, COUNT)], axis=1)
+KINDS = {  # pairs of numbers
+    "none": lambda rng: np.zeros((0, 2), int),
+    "loops": lambda rng: np.stack([np.arange(COUNT)] * 2, axis=1),
+    "chain": lambda rng: CHAIN,
+    "chain backwards": lambda rng: CHAIN[::-1, ::-1],
+    "chain shuffled": lambda rng: rng.permutation(CHAIN),
+    "star about the last": lambda rng: np.stack([np.full(COUNT, COUNT - 1), rng.permutation(COUNT)], axis=1),
+    "stars": lambda rng: np.stack([rng.permutation(COUNT), np.arange(COUNT) // 7 * 7], axis=1),
+    "few": lambda rng: rng.integers(0, COUNT, (COUNT // 2, 2)),
+    "many": lambda rng: rng.integers(0, COUNT, (20 * COUNT, 2)),
+    "one pair often": lambda rng: np.tile([[2000, 5]], (5000, 1)),
+}
+
+
+@pytest.mark.parametrize("start", ["unite_pairs_kernel", "hook_roots_pairs_kernel"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_sets_are_the_connected_components_with_their_lowest_number_as_root(device, kind, start, rng, pairs_kernels):
+    """`hook_roots` gets numbers that are no roots any more, as a thread does where others were faster."""
+    pairs = KINDS[kind](rng)
+    first, second = (upload(side, int32, device) for side in (pairs[:, 0], pairs[:, 1]))
+    parents, labels = upload(np.arange(COUNT), int32, device), upload(np.zeros(len(pairs)), int32, device)
+    launch(getattr(pairs_kernels, start), len(pairs), [first, second, parents, labels])
+    assert (download(parents) <= np.arange(COUNT)).all(), "links go to lower numbers"
+    roots = upload(np.zeros(COUNT), int32, device)
+    launch(pairs_kernels.read_roots_kernel, COUNT, [parents, roots])
+    launch(flatten_sets_kernel, COUNT, [parents])
+
+    joined = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(COUNT, COUNT))
+    count, component = connected_components(joined, directed=False)
+    lowest = np.full(count, COUNT)
+    np.minimum.at(lowest, component, np.arange(COUNT))
+    np.testing.assert_array_equal(download(parents), lowest[component])
+    np.testing.assert_array_equal(download(roots), lowest[component])
+    if len(pairs):
+        np.testing.assert_array_equal(component[download(labels)], component[pairs[:, 0]])
+
+
+def test_numbers_with_a_negative_parent_stay_outside(device, pairs_kernels):
+    parents = upload(np.array([-1, 1, 2, -1, 4, 5]), int32, device)
+    pairs = np.array([[5, 2], [4, 5]])
+    first, second = (upload(side, int32, device) for side in (pairs[:, 0], pairs[:, 1]))
+    launch(pairs_kernels.unite_pairs_kernel, 2, [first, second, parents, upload(np.zeros(2), int32, device)])
+    launch(flatten_sets_kernel, 6, [parents])
+    assert download(parents).tolist() == [-1, 1, 2, -1, 2, 2]

@@ -1,18 +1,59 @@
-"""Sums over many segments in two launches: right at every size, blind to the dead, the same bits as each alone."""
-
-from types import SimpleNamespace
+"""Elements by thread, rows resolved in rounds, and sums over many segments, each independent of the others."""
 
 import numpy as np
 import pytest
-import warp as wp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang
+from pointloom.kernels.arrays.open_rows import CHECKED_ROUNDS, ROUNDS, resolve_in_rounds
+from pointloom.kernels.arrays.runs import CUDA_MIN_LENGTH, CUDA_THREADS, Runs, elements_of, row_of
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
-from pointloom.kernels.lang import BLOCK, array, atomic_add, float64, int32, kernel, launch, tid
+from pointloom.kernels.lang import BLOCK, array, atomic_add, float64, int32, kernel, launch, tid, uint8
 from pointloom.kernels.language import segment_launches
-from pointloom.kernels.memory import empty, full, upload, zeros
+from pointloom.kernels.memory import download, empty, full, upload, zeros
+
+LENGTH = 64  # of a run on the CPU
+
+
+@kernel
+def visit_elements_kernel(runs: Runs, visits: array(dtype=int32), taken: array(dtype=int32)):
+    i = tid()
+    for j in elements_of(i, runs):
+        visits[j] = visits[j] + 1
+        atomic_add(taken, row_of(i, runs), 1)
+
+
+@pytest.mark.parametrize("count", [0, 1, LENGTH - 1, LENGTH, LENGTH + 1, 1000, CUDA_MIN_LENGTH * CUDA_THREADS + 5])
+def test_each_element_is_taken_once(device, count):
+    warp_device = resolve_device(device)
+    runs = Runs(count, warp_device, LENGTH)
+    visits, taken = zeros(count, int32, warp_device), zeros(runs.rows, int32, warp_device)
+    launch(visit_elements_kernel, runs.threads, [runs, visits, taken])
+    assert (download(visits) == 1).all()
+    assert download(taken).sum() == count
+
+
+class Gpu:
+    is_cuda = True
+
+
+def test_gpu_launches_use_full_warps_up_to_the_device_limit():
+    assert Runs(200_000, Gpu(), 4096).threads == 50_016
+    assert Runs(1, Gpu(), 4096).threads == 32
+    assert Runs(50_000_000, Gpu(), 4096).threads == CUDA_THREADS
+
+
+@pytest.mark.parametrize("count", [1, 2**31 - 1])
+def test_all_numbers_of_the_largest_arrays_fit_in_32_bits(count):
+    runs = Runs(count, Gpu(), 4096)
+    last = runs.threads - 1
+    assert last * runs.stride < 2**31
+    assert max((count - 1 - last) // runs.step + 1, runs.length) < 2**31
+    assert last + ((count - 1 - last) // runs.step) * runs.step <= count - 1
+    assert np.int64(runs.rows) <= 256
+
 
 pair = lang.vector(2, float64)
 SIZES = [0, 1, 2, 7, BLOCK - 1, BLOCK, BLOCK + 1, 0, 3 * BLOCK + 5, 0]
@@ -42,6 +83,7 @@ def sums_of(device, values, firsts, counts, live=None, start=None):
     return out.numpy().copy()
 
 
+@settings(deadline=None)
 @given(st.lists(st.integers(0, 4 * BLOCK), max_size=12), st.integers(0, 9))
 def test_blocks_part_the_segments(counts, gap):
     firsts = np.concatenate([[0], np.cumsum(np.array(counts, int) + gap)[:-1]]).astype(int)[: len(counts)]
@@ -90,59 +132,10 @@ def test_inactive_segments_are_skipped_and_change_no_others(device, rng):
 
 def test_sums_in_several_launches_are_those_of_one(device, rng, monkeypatch):
     values, firsts = rng.normal(size=sum(SIZES)), np.concatenate([[0], np.cumsum(SIZES)[:-1]])
+    assert segment_launches.MAX_THREADS < 2**31
     at_once = sums_of(device, values, firsts, SIZES)
     monkeypatch.setattr(segment_launches, "MAX_THREADS", 3 * 256 + 255)
     np.testing.assert_array_equal(sums_of(device, values, firsts, SIZES), at_once)
-
-
-def test_more_segments_than_threads_can_be_numbered_for_are_parted():
-    """Nine million segments of one block each would be 2.3e9 threads on CUDA; none of these arrays has memory."""
-    count, launches = 9_000_000, []
-
-    def unread(size, dtype):
-        return wp.array(ptr=4096, dtype=dtype, shape=(size,), device="cpu", copy=False)
-
-    def note(name, threads, arguments, device, block_dim):
-        launches.append((name, threads, [(a.ptr - 4096) // wp.types.type_size_in_bytes(a.dtype) for a in arguments]))
-        assert block_dim == 256 and {a.size for a in arguments} <= {threads // 256, threads // 256 + 1, count}
-
-    kernels = SimpleNamespace(tiles="tiles", fold_tiles="fold")
-    tables = [unread(count, int32) for _ in range(3)]
-    blocks = SimpleNamespace(firsts=tables[0], lasts=tables[1], owners=tables[2], starts=unread(count + 1, int32))
-    blocks.count = count
-    live, partials, out = unread(count, int32), unread(count, pair), unread(count, pair)
-    segment_launches.launch_segments(note, kernels, [], blocks, live, partials, out)  # type: ignore[arg-type]
-    max_segments = 2**31 // 256 - 1
-    rest = count - max_segments
-    assert launches == [
-        ("tiles", max_segments * 256, [0, 0, 0, 0, 0]),
-        ("tiles", rest * 256, [max_segments, max_segments, max_segments, 0, max_segments]),
-        ("fold", max_segments * 256, [0, 0, 0, 0]),
-        ("fold", rest * 256, [max_segments, max_segments, 0, max_segments]),
-    ]
-
-
-@settings(max_examples=25, deadline=None)
-@given(st.lists(st.integers(0, 50), min_size=1, max_size=300))
-def test_many_small_segments_have_their_sums(counts):
-    values = np.arange(1.0, sum(counts) + 1)  # whole numbers: sums are exact
-    firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
-    expected = [[values[f : f + c].sum(), (values[f : f + c] ** 2).sum()] for f, c in zip(firsts, counts, strict=True)]
-    np.testing.assert_array_equal(sums_of("cpu", np.append(values, 0.0), firsts, counts), expected)
-
-
-@pytest.mark.parametrize("iterations", [[3], [1, 5, 2, 2], [1]])
-def test_a_loop_runs_until_the_last_is_done(device, iterations):
-    left, running = (upload(np.array(iterations), int32, device), upload(np.array([len(iterations)]), int32, device))
-    calls = []
-
-    def body():
-        calls.append(None)
-        launch(count_down_kernel, len(iterations), [left, running])
-
-    lang.loop_while(running, body)
-    assert running.numpy()[0] == 0 and not left.numpy().any()
-    assert len(calls) == 1  # the body is recorded, and its launches are made again
 
 
 @pytest.mark.parametrize("runs", [2, 5])
@@ -189,3 +182,28 @@ def test_a_loop_with_nothing_to_do_does_nothing(device):
     running = zeros(1, int32, device)
     lang.loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
     assert left.numpy()[0] == 7
+
+
+@kernel
+def wait_some_rounds_kernel(rows: array(dtype=int32), left: array(dtype=int32), open_rows: array(dtype=uint8)):
+    i = tid()
+    left[rows[i]] = left[rows[i]] - 1
+    open_rows[i] = uint8(1 if left[rows[i]] > 0 else 0)
+
+
+@pytest.mark.parametrize("max_rounds", [1, 3, 5, ROUNDS, ROUNDS + 3])
+def test_remaining_rows_are_those_that_need_more_rounds(device, rng, max_rounds):
+    round_counts = rng.integers(1, max_rounds + 1, 200)
+    round_counts[17] = max_rounds
+    warp_device, sizes = resolve_device(device), []
+    left = upload(round_counts, int32, warp_device)
+
+    def attempt(rows, open_rows):
+        sizes.append(rows.size)
+        launch(wait_some_rounds_kernel, rows.size, [rows, left, open_rows])
+
+    remaining = resolve_in_rounds(attempt, len(round_counts), warp_device)
+    assert download(remaining).tolist() == np.flatnonzero(round_counts > ROUNDS).tolist()
+    looks = range(1, ROUNDS + 1) if warp_device.is_cpu else CHECKED_ROUNDS
+    assert len(sizes) == next(look for look in looks if look >= min(max_rounds, ROUNDS))
+    assert sizes[0] == 200 and sizes[-1] == (round_counts > max([0, *(n for n in looks if n < len(sizes))])).sum()

@@ -1,11 +1,11 @@
-"""Arrays in one allocation: each is what was given, is its own, and comes back with the others."""
+"""Arrays in one allocation, and arrays downloaded together: each has its own values, type and shape."""
 
 import numpy as np
 import pytest
 
-from pointloom.kernels.arrays.side_by_side import SideBySide
-from pointloom.kernels.lang import array, float32, float64, int32, kernel, launch, mat44d, tid, vec3d
-from pointloom.kernels.memory import download, fill
+from pointloom.kernels.arrays.side_by_side import SideBySide, read_together
+from pointloom.kernels.lang import array, float32, float64, int32, kernel, launch, mat44d, tid, uint8, vec3, vec3d
+from pointloom.kernels.memory import download, fill, upload
 
 
 @kernel
@@ -55,3 +55,19 @@ def test_a_launch_changes_its_arrays_and_no_neighbor(device, rng):
 def test_an_array_outlives_its_container(device):
     left = SideBySide({"a": (np.arange(5), int32), "b": (np.arange(9.0), float64)}, device).arrays["b"]
     np.testing.assert_array_equal(download(left), np.arange(9.0))
+
+
+@pytest.mark.parametrize("count", [0, 1, 77])
+def test_each_has_its_type_its_shape_and_its_numbers(device, rng, count):
+    matrix = upload(rng.normal(size=(max(count, 2), 6)), float64, device)
+    arrays = [
+        upload(rng.integers(0, 99, count), int32, device),
+        upload(rng.normal(size=(count, 3)), vec3, device),
+        matrix,
+        matrix[:, 1],  # with gaps
+        upload(rng.integers(0, 2, count), uint8, device),
+    ]
+    for read, values in zip(read_together(arrays), arrays, strict=True):
+        alone = download(values)
+        assert (read.dtype, read.shape) == (alone.dtype, alone.shape)
+        np.testing.assert_array_equal(read, alone)

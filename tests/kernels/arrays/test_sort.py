@@ -1,4 +1,4 @@
-"""Stable sorting: what NumPy gives, on every device, to the last element."""
+"""Stable sorting, sorting of pairs, and unique keys with their counts: those of NumPy."""
 
 import numpy as np
 import pytest
@@ -7,9 +7,11 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from pointloom.kernels.arrays import sort
+from pointloom.kernels.arrays.pair_sort import LONGEST, MIN_PAIRS, argsort_pairs
 from pointloom.kernels.arrays.sort import MIN_RUN, argsort_keys
-from pointloom.kernels.lang import int64
-from pointloom.kernels.memory import upload
+from pointloom.kernels.arrays.unique import UniqueKeys, cut_together
+from pointloom.kernels.lang import int32, int64
+from pointloom.kernels.memory import download, upload
 
 SIZES = [0, 1, 2, 255, 256, 257, 70_001]
 
@@ -44,13 +46,6 @@ def test_runs_of_separate_keys_are_sorted_stably(device, mean, rng):
     assert_sorted_stably(device, runs << 20 | rng.integers(0, 50, len(runs)), 25, starts)
 
 
-@pytest.mark.parametrize("bits", [10, 63])
-def test_keys_already_in_order_reversed_and_all_equal_are_sorted_stably(device, bits):
-    rising = np.arange(1000, dtype=np.int64)
-    for keys in (rising, rising[::-1].copy(), np.full(1000, 2**bits - 1), np.repeat(rising[:10][::-1], 100)):
-        assert_sorted_stably(device, keys, bits)
-
-
 def test_sorting_leaves_the_keys_as_they_are(device, rng):
     for bits in (20, 63):
         keys = rng.integers(0, 2**bits, 500, dtype=np.int64)
@@ -68,3 +63,76 @@ def check_any_keys(device, keys):
 
 def test_any_keys_are_sorted_stably(device):
     check_any_keys(device)
+
+
+@pytest.mark.parametrize("bits", [0, 14])
+@pytest.mark.parametrize("size", [0, 1, 100, MIN_PAIRS, MIN_PAIRS + 1])
+def test_the_order_is_that_of_a_stable_sort(rng, device, size, bits):
+    count = 9000
+    firsts = rng.integers(0, count - 1, size)  # the last number is unused
+    keys = (firsts.astype(np.int64) << bits) | rng.integers(0, 1 << bits, size)
+    ordered, order = argsort_pairs(upload(keys, int64, device), bits, count)
+    expected = np.argsort(keys, kind="stable")
+    np.testing.assert_array_equal(download(order), expected)
+    np.testing.assert_array_equal(download(ordered), keys[expected])
+
+
+@pytest.mark.parametrize("more", [0, 1])
+def test_many_pairs_of_one_first_number_are_ordered_too(rng, device, more):
+    keys = np.repeat(np.arange(MIN_PAIRS // 4, dtype=np.int64), 4)
+    keys = np.concatenate([keys, np.full(LONGEST - 4 + more, 7)])
+    keys = (rng.permutation(keys) << 3) | rng.integers(0, 8, len(keys))
+    _, order = argsort_pairs(upload(keys, int64, device), 3, MIN_PAIRS)
+    np.testing.assert_array_equal(download(order), np.argsort(keys, kind="stable"))
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 1000])
+def test_unique_keys_have_numpys_counts_and_stable_positions(device, rng, count):
+    keys = rng.integers(0, 40, count)
+    unique = UniqueKeys(upload(keys, int64, device))
+    expected, counts = np.unique(keys, return_counts=True)
+    assert (download(unique.keys) == expected).all()
+    assert (download(unique.counts()) == counts).all()
+    assert (download(unique.order) == np.argsort(keys, kind="stable")).all()
+    assert download(unique.starts).tolist() == [0, *np.cumsum(counts)]
+
+
+@pytest.mark.parametrize("count", [0, 1, 500])
+def test_numbers_come_to_the_host_beside_the_count(device, rng, count):
+    keys = rng.integers(0, 40, count)
+    unique = UniqueKeys(upload(keys, int64, device), 6, beside=upload(np.array([7, -3]), int32, device))
+    assert unique.beside == [7, -3] and unique.count == len(np.unique(keys))
+    unique.drop_last(int(keys.max(initial=0)))
+    assert unique.count == max(len(np.unique(keys)) - 1, 0)
+
+
+@pytest.mark.parametrize("count", [0, 1, 500])
+def test_padding_has_no_positions(device, rng, count):
+    keys = rng.integers(0, 40, count)
+    unique = UniqueKeys(upload(keys, int64, device), 6, padded=True)
+    expected, counts = np.unique(keys, return_counts=True)
+    assert unique.count in (len(expected), count)
+    assert (download(unique.keys)[: len(expected)] == expected).all()
+    starts = download(unique.starts)
+    assert starts.tolist() == [0, *np.cumsum(counts), *[count] * (unique.count - len(expected))]
+
+
+def test_padded_keys_are_cut_to_the_existing_ones(device, rng):
+    lists = [rng.integers(0, 40, count) for count in (500, 1, 0, 60)]
+    groups = [UniqueKeys(upload(keys, int64, device), 6, padded=True) for keys in lists]
+    (result,) = cut_together(groups, upload(np.array([7, -3]), int32, device))
+    assert result.tolist() == [7, -3]
+    for keys, group in zip(lists, groups, strict=True):
+        expected, counts = np.unique(keys, return_counts=True)
+        assert group.count == len(expected) and group.summary is None
+        assert (download(group.keys) == expected).all() and (download(group.counts()) == counts).all()
+
+
+def test_the_last_key_is_dropped_only_where_it_is_the_one_named(device):
+    keys = upload(np.array([5, 9, 5]), int64, device)
+    unique = UniqueKeys(keys)
+    unique.drop_last(7)
+    assert download(unique.keys).tolist() == [5, 9]
+    unique.drop_last(9)
+    assert download(unique.keys).tolist() == [5]
+    assert download(unique.starts).tolist() == [0, 2]

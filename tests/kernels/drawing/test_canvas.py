@@ -1,12 +1,16 @@
-"""Strokes: coverage by distance, crossings no darker, whole-number blending, nothing outside the picture."""
+"""Strokes, colors of values, labels and directions, and lines along normals."""
 
 import numpy as np
 import pytest
 
 from pointloom.kernels import memory
 from pointloom.kernels.drawing import canvas as strokes
+from pointloom.kernels.drawing import value_colors
 from pointloom.kernels.drawing.canvas import Paint, Sheet, clip_box
-from pointloom.kernels.lang import uint8
+from pointloom.kernels.drawing.placing import make_normal_lines_kernel
+from pointloom.kernels.drawing.value_colors import MAX_LABELS, Ramp
+from pointloom.kernels.lang import float32, float64, int32, int64, launch, uint8, vec3
+from pointloom.kernels.memory import download, empty, upload
 
 WIDTH, HEIGHT = 48, 36
 ALL = (0, 0, WIDTH, HEIGHT)
@@ -44,11 +48,6 @@ def test_cells_are_covered_by_their_distance_from_a_stroke(sheet, segment, width
     strokes.cover_segments(sheet, np.array([segment], np.float32), width)
     expected = 255 * (width / 2 + 0.5 - distances(segment)).clip(0, 1)
     np.testing.assert_allclose(coverage(sheet), expected, atol=0.6)
-
-
-def test_a_line_of_one_pixel_along_a_row_fills_that_row_alone(sheet):
-    strokes.cover_segments(sheet, np.array([[2, 7, 40, 7]], np.float32), 1.0)
-    assert (coverage(sheet)[7, 2:41] == 255).all() and coverage(sheet).sum() == 39 * 255
 
 
 def test_a_line_of_half_a_pixel_is_half_as_dark(sheet):
@@ -100,3 +99,61 @@ def test_an_image_is_copied_into_a_box(sheet):
 
 def test_a_box_outside_the_image_is_empty(sheet):
     assert clip_box(sheet, 50, 3, 60, 9)[2] == 0 and clip_box(sheet, -9, -9, -1, -1)[2:] == (0, 0)
+
+
+TABLE = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]], np.float32)
+GRAY = (0.5, 0.5, 0.5)
+
+
+def colors_of(device, values, limits, dtype=float32):
+    warp_device = memory.upload(np.zeros(1), float32, device).device
+    ramp = Ramp(TABLE, limits, GRAY, warp_device)
+    colors = value_colors.color_values(memory.upload(np.array(values), dtype, warp_device), ramp)
+    return colors.numpy(), int(ramp.flag.numpy()[0])
+
+
+@pytest.mark.parametrize("dtype", [float32, float64])
+def test_values_are_mixed_between_entries_and_clamped_beyond_the_limits(device, dtype):
+    colors, flag = colors_of(device, [10, 15, 17.5, 20, 30, 31, -1e30], (10.0, 30.0), dtype)
+    expected = [[0, 0, 1], [0, 0.5, 0.5], [0, 0.75, 0.25], [0, 1, 0], [1, 0, 0], [1, 0, 0], [0, 0, 1]]
+    np.testing.assert_allclose(colors, expected, atol=1e-6)
+    assert flag == 0
+
+
+@pytest.mark.parametrize("dtype", [float32, float64])
+def test_non_finite_values_are_gray_and_reported(device, dtype):
+    colors, flag = colors_of(device, [1.0, np.nan, np.inf, -np.inf], (0.0, 1.0), dtype)
+    assert colors[1:].tolist() == [list(GRAY)] * 3 and flag == 1
+
+
+def test_limits_beyond_half_of_float64_do_not_overflow(device):
+    np.testing.assert_allclose(colors_of(device, [-1e308, 0, 1e308], (-1e308, 1e308), float64)[0], TABLE, atol=1e-6)
+
+
+@pytest.mark.parametrize("dtype", [int32, int64])
+def test_labels_repeat_the_palette_and_are_reported(device, dtype):
+    labels = memory.upload(np.array([0, 2, 3, -1, -7, 10_000_000]), dtype, device)
+    colors, seen = value_colors.color_labels(labels, TABLE, GRAY)
+    expected = [TABLE[0], TABLE[2], TABLE[0], GRAY, GRAY, TABLE[10_000_000 % 3]]
+    np.testing.assert_array_equal(colors.numpy(), np.array(expected, np.float32))
+    assert seen == [-1, 0, 2, 3, MAX_LABELS - 2]
+
+
+def test_directions_are_their_coordinates(device):
+    normals = memory.upload(np.array([[0, 0, 1], [-1, 0, 0], [5, -5, 0], [np.nan, 0, 0]]), vec3, device)
+    colors, flag = value_colors.color_normals(normals, GRAY)
+    expected = [[0.5, 0.5, 1], [0, 0.5, 0.5], [1, 0, 0.5], GRAY]
+    np.testing.assert_array_equal(colors.numpy(), np.array(expected, np.float32))
+    assert flag.numpy()[0] == 1
+
+
+def test_lines_along_normals_have_one_length_and_none_where_the_normal_has_none(device, rng):
+    points, normals = rng.normal(size=(2, 20, 3)).astype(np.float32)
+    normals[3] = 0
+    ends, lines = empty(40, vec3, device), empty(40, int32, device)
+    given = [upload(points, vec3, device), upload(normals, vec3, device), 0.5, ends, lines]
+    launch(make_normal_lines_kernel, 20, given)
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    tips = points + 0.5 * normals / np.where(lengths > 0, lengths, 1)
+    np.testing.assert_allclose(download(ends), np.stack([points, tips], axis=1).reshape(-1, 3), rtol=0, atol=1e-6)
+    np.testing.assert_array_equal(download(lines), np.arange(40))

@@ -22,6 +22,8 @@ from pointloom.kernels.language import cpu_code, cpu_pool
 from pointloom.kernels.language.device_lock import lock
 from pointloom.kernels.language.pool_code import FIELDS, LINE, WORKER
 
+from ...sigint import sigint_enabled
+
 SOURCE = """
 @kernel
 def count_kernel(seen: array(dtype=int), total: array(dtype=int)):
@@ -179,15 +181,22 @@ def test_a_senseless_number_of_threads_is_refused(count):
         loom.set_num_threads(count)
 
 
-def test_a_share_of_the_machine_s_time_counts_as_cores(monkeypatch):
+def test_the_default_number_of_threads_follows_limits_of_the_system(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(64)))
     monkeypatch.setattr(cpu_pool.Path, "read_text", lambda *_: "250000 100000\n")
     assert cpu_pool.default_thread_count() == 3
     monkeypatch.setattr(cpu_pool.Path, "read_text", lambda *_: "max 100000\n")
     assert cpu_pool.default_thread_count() == 64
-    monkeypatch.setattr(sys, "platform", "win32")
-    assert cpu_pool.default_thread_count() == 1
+    monkeypatch.delattr(os, "sched_getaffinity")
+    monkeypatch.setattr(os, "cpu_count", lambda: 12)
+    assert cpu_pool.usable_cores() == 12
+    for system in ("darwin", "win32"):
+        monkeypatch.setattr(sys, "platform", system)
+        monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
+        assert cpu_pool.default_thread_count() == 1
+        monkeypatch.setenv("POINTLOOM_CPU_THREADS", "5")
+        assert cpu_pool.default_thread_count() == 5
 
 
 def test_where_the_system_refuses_threads_there_are_fewer(kernels, monkeypatch):
@@ -204,22 +213,6 @@ def test_where_the_system_refuses_threads_there_are_fewer(kernels, monkeypatch):
     with pytest.warns(RuntimeWarning, match=r"uses 2 of 4 threads: can't start new thread; POINTLOOM_CPU_THREADS"):
         lang.launch(kernels.count_kernel, 1000, [visits, total])
     assert total.numpy()[0] == 1000
-
-
-def test_python_threads_share_the_pool(kernels):
-    loom.set_num_threads(3)
-    arrays = [(device_array(np.zeros(2000, np.int32), int), device_array([0], int)) for _ in range(4)]
-
-    def work(pair):
-        for _ in range(200):
-            lang.launch(kernels.count_kernel, 2000, pair)
-
-    workers = [threading.Thread(target=work, args=(pair,)) for pair in arrays]
-    for worker in workers:
-        worker.start()
-    for worker in workers:
-        worker.join()
-    assert [pair[1].numpy()[0] for pair in arrays] == [400_000] * 4
 
 
 def test_a_signal_handler_may_launch(kernels):
@@ -294,8 +287,7 @@ def test_a_handler_at_exit_can_still_work():
 
 
 ENDLESS = f"""
-import signal, sys
-signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs of a shell ignore it
+import sys
 {THIN}
 thin()
 dropped = []
@@ -313,7 +305,9 @@ def test_ctrl_c_ends_a_program_during_launches():
     """Python drops exceptions of `__del__` and of weak references: no code of pointloom may lose an interrupt so."""
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     environment = os.environ | {"POINTLOOM_CPU_THREADS": "2"}
-    with subprocess.Popen([sys.executable, "-c", ENDLESS], env=environment, **pipes) as process:
+    with sigint_enabled():
+        process = subprocess.Popen([sys.executable, "-c", ENDLESS], env=environment, **pipes)
+    with process:
         assert process.stdout.readline() == "begun\n"
         process.send_signal(signal.SIGINT)
         try:
@@ -414,15 +408,3 @@ def test_a_pool_uses_the_semaphores_of_its_system(kernels, system, monkeypatch):
         while not all(pool._words[WORKER + LINE * worker] for worker in range(2)):  # they sleep
             os.sched_yield()
     assert (visits.numpy() == 21).all() and total.numpy()[0] == 21_000
-
-
-@pytest.mark.parametrize("system", ["darwin", "win32"])
-def test_systems_without_affinity_count_all_cores(system, monkeypatch):
-    monkeypatch.delattr(os, "sched_getaffinity")
-    monkeypatch.setattr(os, "cpu_count", lambda: 12)
-    assert cpu_pool.usable_cores() == 12
-    monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
-    monkeypatch.setattr(sys, "platform", system)
-    assert cpu_pool.default_thread_count() == 1
-    monkeypatch.setenv("POINTLOOM_CPU_THREADS", "5")
-    assert cpu_pool.default_thread_count() == 5

@@ -130,14 +130,3 @@ def test_errors_name_parameters_in_either_process(cache):
     first, second = run(cache, WRONG), run(cache, WRONG)
     assert first == second and "reference: expected shape [3], got [2]" in first and "takes 5 arguments, got 3" in first
     assert "to_point: 1099511627776 does not fit into int32" in first
-
-
-@pytest.mark.slow
-def test_bits_survive_the_folder(cache):
-    """Numbers beyond float32 are Warp's to convert, which has the kernel made after all."""
-    program = """
-    import numpy as np, pointloom as loom
-    points = np.random.default_rng(0).random((500, 3)) * 1e30
-    print(loom.PointCloud(points).voxel_down_sample(3e29).points.tobytes().hex()[:80])
-    """
-    assert run(cache, program) == run(cache, program)

@@ -208,9 +208,3 @@ def test_a_variant_is_not_made_for_the_cpu():
         with pytest.raises(TypeError, match=f"{variant.name} is CUDA's alone"):
             _ = variant.cpu
     assert set(wp.get_module(f"{__name__}.cpu").kernels) - before <= set(lang.LAUNCHED[__name__])
-
-
-def test_every_variant_of_the_package_can_be_compiled():
-    for items in lang.LAUNCHED.values():
-        for item in items.values():
-            assert item.twin.for_cuda or item.twin is item

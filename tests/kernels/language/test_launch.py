@@ -1,11 +1,10 @@
 """Launches and reductions: compilers, refused input and thread safety; sums are bitwise reproducible."""
 
 import contextlib
-import os
 import subprocess
 import sys
 import threading
-from pathlib import Path
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -78,10 +77,14 @@ def test_no_threads_touch_nothing_and_empty_arrays_are_taken(kernels, device):
     assert sums.numpy().tolist() == [0, 0, 0]
 
 
+OTHER_TYPE = "TypeError: double_kernel: a: expected array of float32, got"
+GAPS = "ValueError: double_kernel: a: arrays must be contiguous"
+
+
 def refused(kernels, device, position, value, threads=4):
     a, out = arrays(device)
     given = [a, 2.0, 1, [1.0, 2.0, 3.0], out]
-    given[position] = value
+    given[position] = value(device) if callable(value) else value
     with pytest.raises((TypeError, ValueError)) as caught:
         lang.launch(kernels.double_kernel, threads, given)
     return f"{caught.type.__name__}: {caught.value}"
@@ -96,33 +99,13 @@ def refused(kernels, device, position, value, threads=4):
         (2, 2**31, "ValueError: double_kernel: n: 2147483648 does not fit into int32"),
         (3, [1.0, 2.0], "ValueError: double_kernel: v: expected shape [3], got [2]"),
         (3, 1.0, "ValueError: double_kernel: v: expected shape [3], got []"),
+        (0, lambda d: memory.zeros(4, lang.float64, d), f"{OTHER_TYPE} array of float64"),
+        (0, lambda d: memory.zeros((4, 1), lang.float32, d), f"{OTHER_TYPE} 2-D array of float32"),
+        (0, lambda d: memory.zeros(8, lang.float32, d)[::2], f"{GAPS}; call .contiguous() first"),
     ],
 )
 def test_an_argument_of_another_kind_is_refused(kernels, device, position, value, message):
     assert refused(kernels, device, position, value) == message
-
-
-def test_an_array_of_another_type_is_refused(kernels, device):
-    doubles = wp.zeros(4, dtype=wp.float64, device=device)
-    flat = wp.zeros((4, 1), dtype=wp.float32, device=device)
-    expected = "TypeError: double_kernel: a: expected array of float32, got "
-    assert refused(kernels, device, 0, doubles) == expected + "array of float64"
-    assert refused(kernels, device, 0, flat) == expected + "2-D array of float32"
-
-
-def test_an_array_with_gaps_is_refused(kernels, device):
-    gaps = wp.zeros(8, dtype=wp.float32, device=device)[::2]
-    message = "ValueError: double_kernel: a: arrays must be contiguous; call .contiguous() first"
-    assert refused(kernels, device, 0, gaps) == message
-    lang.launch(kernels.double_kernel, 4, [gaps.contiguous(), 2.0, 1, [0, 0, 0], arrays(device)[1]])
-
-
-def test_too_many_arguments_or_threads_are_refused(kernels, device):
-    a, out = arrays(device)
-    with pytest.raises(ValueError, match="double_kernel:"):
-        lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out, out])
-    for threads in (2**31, 2**40, -1):
-        assert f"{threads} threads" in refused(kernels, device, 1, 2.0, threads)
 
 
 def test_arrays_on_two_devices_are_refused(kernels, device, monkeypatch):
@@ -131,6 +114,14 @@ def test_arrays_on_two_devices_are_refused(kernels, device, monkeypatch):
         monkeypatch.setattr(other, "device", "cuda:9")
     reason = f"an array on {other.device}, others on {device}; move one with .to(...)"
     assert refused(kernels, device, 4, other).endswith(reason)
+
+
+def test_too_many_arguments_or_threads_are_refused(kernels, device):
+    a, out = arrays(device)
+    with pytest.raises(ValueError, match="double_kernel:"):
+        lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out, out])
+    for threads in (2**31, 2**40, -1):
+        assert f"{threads} threads" in refused(kernels, device, 1, 2.0, threads)
 
 
 def test_threads_of_the_program_may_launch_at_once(kernels, device):
@@ -145,11 +136,8 @@ def test_threads_of_the_program_may_launch_at_once(kernels, device):
                 if not (memory.download(out) == memory.download(a) * seed + k + 0.5).all():
                     wrong.append((seed, k))
 
-    threads = [threading.Thread(target=work, args=(seed,)) for seed in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    with ThreadPoolExecutor(8) as pool:
+        [*pool.map(work, range(8))]
     assert not wrong
 
 
@@ -232,37 +220,6 @@ def test_a_sum_is_bitwise_identical_with_both_compilers(kernels, rng, share, cou
     assert len(results) == 1
 
 
-PROGRAM = """
-import sys
-import numpy as np, warp as wp
-sys.path.insert(0, sys.argv[1])
-import launches
-from pointloom.kernels import lang
-from pointloom.kernels.language import taichi_compiler
-points = wp.array(np.random.default_rng(0).normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
-total = lang.reduce(launches.sum_points, 100_003, [points])
-print(taichi_compiler.start().thread_count)
-print(total.numpy().tobytes().hex())
-"""
-
-
-@pytest.mark.slow
-@pytest.mark.taichi
-def test_a_reduction_by_taichi_is_that_of_warp_for_any_number_of_threads(kernels, rng):
-    """test_cpu_pool.py changes the number of Warp's threads."""
-    points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
-    with lang.cpu_compiler("warp"):
-        results = {lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex()}
-    for threads in ("2", "3"):
-        environment = {**os.environ, "POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
-        command = [sys.executable, "-c", PROGRAM, str(Path(kernels.__file__).parent)]
-        run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-        count, bits = run.stdout.split()
-        assert count == threads
-        results.add(bits)
-    assert len(results) == 1
-
-
 FIRST = """
 import sys
 import numpy as np, pointloom as loom
@@ -288,11 +245,8 @@ def test_threads_that_launch_a_kernel_first_at_once_make_it_once(write_kernels, 
     vars(kernel).pop("cpu", None)
     given = [arrays("cpu", 8) for _ in range(8)]
     rest = [2.0, 1, [0.0, 0.0, 0.0]]
-    threads = [threading.Thread(target=lang.launch, args=(kernel, 8, [a, *rest, out])) for a, out in given]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    with ThreadPoolExecutor(8) as pool:
+        [*pool.map(lambda pair: lang.launch(kernel, 8, [pair[0], *rest, pair[1]]), given)]
     assert made == ["cpu"]
 
 

@@ -295,7 +295,7 @@ def test_errors_of_faulty_loops_give_the_line(write_kernels, source):
     assert DECLARATIONS[source] in caught.value.msg and caught.value.filename.endswith("faulty_walks.py")
 
 
-def test_loops_and_functions_of_one_name_from_two_modules_keep_their_own_names(device, write_kernels):
+def test_loops_and_functions_of_other_modules_keep_their_own_names_words_and_widths(device, write_kernels):
     shared = """
 
 @func
@@ -306,57 +306,38 @@ def scaled(n: int) -> int:
 def steps(last: int) -> int:
     for j in range(last):
         yield FACTOR * j
+
+@loop
+def roots(last: int) -> float:
+    for j in range(last):
+        if (int64(j) & int64(5)) == int64(j):
+            yield sqrt(float(j))
 """
     for name, factor in (("walk_a", 10), ("walk_b", 100)):
         write_kernels(name, f"FACTOR = {factor}\n{shared}")
     source = """
-from walk_a import scaled, steps
+from walk_a import roots, scaled, steps
 from walk_b import scaled as other, steps as others
+del sqrt
 
 @func
 def apply(n: int, of: callback) -> int:
     return of(n)
 
 @kernel
-def k(out: array(dtype=int32)):
-    i = tid()
-    total = apply(i + 1, scaled) + apply(i + 1, other)
-    for a in steps(3):
-        total += a
-    for b in others(3):
-        total += b
-    out[i] = total
-"""
-    module = write_kernels("two_walks", source)
-    out = memory.zeros(2, lang.int32, device)
-    lang.launch(module.k, 2, [out])
-    assert memory.download(out).tolist() == [110 + 30 + 300, 220 + 30 + 300]
-
-
-def test_a_traversal_may_use_words_and_widths_that_its_caller_does_not_use(device, write_kernels):
-    wide = """
-MASK = 5
-
-@loop
-def roots(last: int) -> float:
-    for j in range(last):
-        if (int64(j) & int64(MASK)) == int64(j):
-            yield sqrt(float(j))
-"""
-    caller = """
-from wide_walk import MASK, roots
-del sqrt
-
-@kernel
 def k(out: array(dtype=float32)):
     i = tid()
-    total = float(MASK & 3)
+    total = float(apply(i + 1, scaled) + apply(i + 1, other))
+    for a in steps(3):
+        total += float(a)
+    for b in others(3):
+        total += float(b)
     for root in roots(6):
         total += root
     out[i] = total
 """
-    write_kernels("wide_walk", wide)
-    module = write_kernels("narrow_caller", caller)
-    out = memory.zeros(1, lang.float32, device)
-    lang.launch(module.k, 1, [out])
-    assert memory.download(out)[0] == pytest.approx(1 + sum(np.sqrt(j) for j in (0, 1, 4, 5)), rel=1e-6)
+    module = write_kernels("two_walks", source)
+    out = memory.zeros(2, lang.float32, device)
+    lang.launch(module.k, 2, [out])
+    roots = sum(np.sqrt(j) for j in (0, 1, 4, 5))
+    np.testing.assert_allclose(memory.download(out), [110 + 30 + 300 + roots, 220 + 30 + 300 + roots], rtol=1e-6)

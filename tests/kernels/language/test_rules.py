@@ -38,28 +38,22 @@ REFUSED = [
     # names
     ("o[i] = unknown", 0, "unknown is not known here; define it above"),
     ("o[i] = TABLE[i]", 0, "TABLE is a tuple, not a word of the kernel language; constants are Python numbers"),
-    ("y[i] = ROTATION[0, 0]", 0, "ROTATION is a mat33f"),
     ("o[i] = NUMPY", 0, "NUMPY is a int64, not a word of the kernel language"),
-    ("o[i] = other_kernel", 0, "other_kernel is a Kernel"),
     ("n = n + 1", 0, "n is a parameter: change a copy, `copy = n`"),
     ("a = 3", 0, "a is an array"),
     ("i = i + 1", 0, "i is the thread's index"),
     ("for j in range(3):\n    j = 7", 1, "j is the variable of a loop"),
     ("j = 7\nfor j in range(3):\n    o[i] = j", 1, "j is in use: give the loop a variable of its own"),
-    ("for j in range(3):\n    for j in range(2):\n        o[i] = j", 1, "j is in use"),
     ("for j in range(3):\n    o[i] = j\no[i] = j", 2, "set j before the branch or loop that changes it"),
     ("if i > 0:\n    x = 1\no[i] = x", 2, "set x before the branch or loop that changes it"),
     ("x += 1", 0, "set x before it is changed"),
     ("x = True\nfor j in range(3):\n    x = False", 2, "x began as a truth value, which does not change"),
     # types
     ("x = 1.5\no[i] = a[i] + x", 1, "`+` between int32 and float32: convert with float(...)"),
-    ("o[i] = a[i] + 1.5", 0, "`+` between int32 and float32"),
     ("z[i] = z[i] * y[i]", 0, "`*` between float64 and float32: convert with float64(...)"),
-    ("k[i] = k[i] // n", 0, "`//` between int64 and int32: convert with int64(...)"),
     ("k[i] = a[i]", 0, "k[i] is int64, the value is int32: convert with int64(...)"),
     ("o[i] = a[i] > 3", 0, "o[i] is int32, the value is bool: convert with int(...)"),
     ("x = int(0)\nx = k[i]", 1, "x was int32 and becomes int64; take another name or convert"),
-    ("x = int(0)\nx += y[i]", 1, "`+` between int32 and float32"),
     ("y[i] = a[i] / 2", 0, "`/` between integers means two things: write `//`, or float(...)"),
     ("y[i] = y[i] ** 2.0", 0, "`**` is not in the kernel language: multiply, or pow(a, b)"),
     ("y[i] = y[i] % 2.0", 0, "`%` is for integers, not float32: write x - floor(x / y) * y"),
@@ -75,7 +69,6 @@ REFUSED = [
     ("k[i] = int64(1 << 40)", 0, "1 << 40 needs more than 32 bits"),
     ("o[i] = int(3000000000)", 0, "3000000000 does not fit into int32"),
     ("k[i] = int64(THREE)\no[i] = a[i] // THREE", 1, "THREE is used in 32 bits and in 64 bits here"),
-    ("u[i] = uint8(256)", 0, "256 does not fit into uint8"),
     ("k[i] = int64(uint64(-1))", 0, "-1 does not fit into uint64"),
     ("y[i] = 1.0 if i > 0 else 0", 0, "the two values are float32 and int32"),
     ("o[i] += 1", 0, "`+=` on an array hides an atomic: write `o[i] = o[i] + ...`"),
@@ -89,7 +82,6 @@ REFUSED = [
     ("o[i] = g[i][0]", 0, "an array with 2 axes takes 2 indices in one pair of brackets"),
     ("for j in range(k[i]):\n    o[i] = j", 0, "range runs over int32, not int64: write int(...)"),
     ("atomic_add(o, i, k[i])", 0, "atomic_add of int64 on an array of int32: convert with int(...)"),
-    ("atomic_add(o[i], 1, 1)", 0, "atomic_add(array, index, value), with an index for each axis"),
     ("atomic_max(g, i, 1.0)", 0, "with an index for each axis"),
     ("atomic_add(p, i, p[i])", 0, "it works on numbers of 32 or 64 bits"),
     ("y[i] = sqrt(a[i])", 0, "sqrt is not for int32: it takes floats of one type"),
@@ -111,8 +103,6 @@ REFUSED = [
     ("m = mat33(0.0)\ny[i] = m[1][2]", 1, "write m[row, column]"),
     ("m = mat33(0.0)\nm[1] = p[i]", 1, "write m[row, column]"),
     ("p[i] = p[i] * p[i]", 0, "`*` between vector of 3 float32 and vector of 3 float32: write it out by components"),
-    ("p[i] = p[i] + 1.0", 0, "write it out by components"),
-    ("p[i] = p[i] * 2", 0, "`*` between vector of 3 float32 and int32: convert with float(...)"),
     ("y[i] = p[i] @ p[i]", 0, "it takes a matrix; dot(a, b) is for vectors"),
     ("p[i] = mat44(0.0) @ p[i]", 0, "the sizes do not fit"),
     ("if p[i] == p[i]:\n    o[i] = 1", 0, "a comparison of a vector of 3 float32: compare its components"),
@@ -130,7 +120,6 @@ KERNEL = """
 import numpy
 
 TABLE = (1, 2)
-ROTATION = mat33(1.0)
 THREE = 3
 WIDE = 0xFFFF_FFFF
 NUMPY = numpy.int64(3)
@@ -142,11 +131,6 @@ def helper(x: float) -> float:
 @func
 def first(a: array(dtype=float32)) -> float:
     return a[0]
-
-@kernel
-def other_kernel(a: array(dtype=int32)):
-    i = tid()
-    a[i] = i
 
 @kernel
 def faulty_kernel(

@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.kernels.arrays.select import gather_rows
 from pointloom.kernels.arrays.sort import positions
-from pointloom.kernels.lang import cpu_compiler, uint8
+from pointloom.kernels.lang import uint8
 from pointloom.kernels.memory import download, full
 from pointloom.kernels.reconstruction import ball_faces
 from pointloom.kernels.reconstruction.ball_faces import BallPoints, list_faces
@@ -192,12 +192,3 @@ def test_a_power_of_two_as_scale_changes_no_triangle(device, rng, power):
     scaled, scaled_widths = faces_of(np.ldexp(points, power), normals, 0.2 * 2.0**power, device)
     assert len(scaled) == len(expected) > 100
     assert by_corners(scaled, scaled_widths) == by_corners(expected, widths)
-
-
-def test_compilers_and_thread_orders_are_bitwise_identical(device, rng):
-    points, normals = bumpy(rng, 400, 0.3)
-    faces, widths = faces_of(points, normals, 0.15, device)
-    with cpu_compiler("warp"):
-        expected, expected_widths = faces_of(points, normals, 0.15, "cpu")
-    np.testing.assert_array_equal(faces, expected)
-    np.testing.assert_array_equal(widths, expected_widths)

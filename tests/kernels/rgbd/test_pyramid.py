@@ -1,10 +1,15 @@
-"""Pyramids of frames: near and far are not mixed, holes do not grow, pixels keep their positions, planes are right."""
+"""Pyramids of frames, brightness of a rendered model, and pixels of objects that moved."""
 
 import numpy as np
+import pytest
 
+from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.kernels.lang import float32, uint8, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.rgbd.pyramid import level_sizes, make_levels
+from pointloom.kernels.rgbd.model_maps import colors_of, hide_unseen
+from pointloom.kernels.rgbd.moved_pixels import FreeSpace, hide_moved
+from pointloom.kernels.rgbd.pyramid import NO_COLOR, level_sizes, make_levels
+from pointloom.rgbd.odometry.frames import OdometryFrame
 
 
 def levels_of(depth, device, *, shade=None, normals=None, max_pixels=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
@@ -91,3 +96,96 @@ def test_colors_are_weighed_as_brightness(device):
 def test_without_colors_there_is_no_brightness(device):
     levels = levels_of(np.full((24, 32), 1.0, np.float32), device)
     assert (download(levels.brightness) < 0).all()
+
+
+def test_brightness_is_none_where_there_is_no_depth(device):
+    depth, bright = np.float32([0, 1, -1, 2]), np.float32([0.1, 0.2, 0.3, 0.4])
+    brightness = upload(bright, float32, device)
+    hide_unseen(upload(depth, float32, device), brightness)
+    np.testing.assert_array_equal(download(brightness), np.where(depth > 0, bright, np.float32(NO_COLOR)))
+
+
+def test_colors_are_rounded_to_nearest_even_bytes(device, rng):
+    depth = np.float32([0, *np.ones(99)])
+    colors = rng.random((100, 3)).astype(np.float32)
+    colors[1:3] = [[0.5, 0.5, 0.5], [0.5 / 255, 1.5 / 255, 2.5 / 255]]
+    pixels = colors_of(upload(depth, float32, device), upload(colors, vec3, device))
+    scaled = 255 * colors.astype(np.float32)
+    expected = np.rint(np.where(depth[:, None] > 0, scaled, np.float32(127.5)))
+    np.testing.assert_array_equal(download(pixels), expected.astype(np.uint8))
+    assert (scaled % 1 == 0.5).any()
+
+
+CAMERA = PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+WALL = 2.0  # [m]
+
+
+def hidden(device, before, now, T=None):
+    """Which pixels of `now` are hidden by the frame `before`."""
+    earlier = OdometryFrame(before.astype(np.float32), CAMERA, device=device)
+    depth = upload(now.astype(np.float32).reshape(-1), float32, device)
+    views = [(FreeSpace(earlier.levels), np.eye(4) if T is None else T)]
+    filtered = download(hide_moved(depth, CAMERA, views)).reshape(now.shape)
+    assert ((filtered == now.astype(np.float32)) | (filtered == 0)).all()
+    return (filtered == 0) & (now > 0)
+
+
+def wall():
+    return np.full((48, 64), WALL)
+
+
+def with_box(column, depth=1.2):
+    picture = wall()
+    picture[10:40, column : column + 12] = depth
+    return picture
+
+
+def test_new_objects_are_hidden_and_uncovered_surfaces_are_not(device):
+    came = hidden(device, wall(), with_box(20))
+    inner = np.zeros_like(came)
+    inner[10:40, 20:32] = True
+    assert np.array_equal(came, inner)
+    assert not hidden(device, with_box(20), wall()).any()
+
+
+def test_static_surfaces_stay(device):
+    assert not hidden(device, with_box(20), with_box(20)).any()
+    assert not hidden(device, wall(), wall() - 0.08).any(), "less than the margin"
+
+
+def test_where_the_earlier_frame_saw_nothing_nothing_is_known(device):
+    before = wall()
+    before[:, 20:30] = 0
+    moved = hidden(device, before, with_box(20))
+    assert not moved[:, 19:31].any(), "nor beside it"
+    assert moved[10:40, 31].all()
+
+
+@pytest.mark.parametrize("shift", [-0.2, 0.2])
+def test_the_earlier_camera_may_have_another_pose(device, shift):
+    """A box that stays where it is falls on itself; one that came falls on the wall."""
+    T = np.eye(4)
+    T[0, 3] = shift
+    pixels = round(60 * shift / 1.2)
+    assert not hidden(device, with_box(20 + pixels), with_box(20), T).any()
+    assert hidden(device, wall(), with_box(20), T)[12:38, 22:30].all()
+
+
+def test_pixels_outside_the_earlier_view_are_not_hidden(device):
+    T = np.eye(4)
+    T[0, 3] = 50.0
+    assert not hidden(device, wall(), with_box(20), T).any()
+    T[:3, 3] = 0, 0, -5
+    assert not hidden(device, wall(), with_box(20), T).any()
+
+
+def test_either_of_two_earlier_frames_is_enough(device):
+    """One saw the box, the other the wall behind it; pixels of an image of twice the size are tested in fours."""
+    wide_camera = PinholeCameraIntrinsic(128, 96, 120.0, 120.0, 63.5, 47.5)
+    now = np.kron(with_box(20), np.ones((2, 2)))
+    frames = [OdometryFrame(f.astype(np.float32), CAMERA, device=device) for f in (with_box(20), wall())]
+    depth = upload(now.astype(np.float32).reshape(-1), float32, device)
+    for order in ([0, 1], [1, 0]):
+        views = [(FreeSpace(frames[k].levels), np.eye(4)) for k in order]
+        filtered = download(hide_moved(depth, wide_camera, views)).reshape(now.shape)
+        assert np.array_equal(filtered == 0, now < WALL)

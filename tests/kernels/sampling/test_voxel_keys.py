@@ -1,4 +1,4 @@
-"""Voxel groups: every finite point in its voxel by float64 arithmetic, runs in ascending order of the key."""
+"""Voxel groups by float64 arithmetic in ascending order of the key, and first occurrences of points."""
 
 import itertools
 
@@ -7,8 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.kernels.arrays import first_rows
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
+from pointloom.kernels.sampling.duplicates import first_occurrences
 from pointloom.kernels.sampling.voxel_keys import VoxelGroups
 
 
@@ -39,27 +41,6 @@ def expected_groups(points, size):
 def test_points_fall_into_the_voxels_that_a_dictionary_gives(device, count, size, rng):
     points = (rng.normal(size=(count, 3)) * [1, 5, 0.2] - [0, 3, 0]).astype(np.float32)
     assert group(device, points, size) == expected_groups(points, size)
-
-
-def test_points_on_the_faces_of_voxels_belong_to_the_upper_voxel(device):
-    points = np.stack(np.meshgrid(*[np.arange(-3, 4)] * 3), -1).reshape(-1, 3).astype(np.float32) / 4
-    groups = group(device, points, 0.25)
-    assert groups == expected_groups(points, 0.25) and all(len(rows) == 1 for rows in groups)
-
-
-@pytest.mark.parametrize("axis", range(3))
-def test_an_axis_may_have_more_than_a_million_cells(device, axis, rng):
-    points = rng.random((500, 3)).astype(np.float32)
-    points[:, axis] = (rng.integers(0, 2**24, 500) / 8).astype(np.float32)
-    size = 0.0625
-    assert np.ptp(points[:, axis]) / size > 2**20
-    assert group(device, points, size) == expected_groups(points, size)
-
-
-def test_points_that_are_not_finite_are_in_no_voxel(device, rng):
-    points = rng.random((300, 3)).astype(np.float32)
-    points[::7, 1], points[::11, 0] = np.nan, -np.inf
-    assert group(device, points, 0.2) == expected_groups(points, 0.2)
 
 
 def test_a_grid_of_more_than_62_bits_is_refused_with_its_size(device):
@@ -95,3 +76,23 @@ def check_any_points(device, points, size):
 
 def test_any_points_fall_into_the_voxels_that_a_dictionary_gives(device):
     check_any_points(device)
+
+
+@pytest.mark.parametrize("slots", [1, 2, 50])
+def test_first_occurrences_do_not_depend_on_the_size_of_the_table(device, slots, rng, monkeypatch):
+    """With one slot per point nearly all probes meet other points."""
+    points = rng.integers(-3, 4, (256, 3)).astype(np.float32) / 3
+    points[::17, 0] = np.nan
+    expected, visited = [], set()
+    for row, point in enumerate(points.tolist()):
+        if np.isnan(point).any() or tuple(point) not in visited:
+            expected.append(row)
+        visited.add(tuple(point))
+    monkeypatch.setattr(first_rows, "SLOTS", slots)
+    assert first_occurrences(upload(points, vec3, device)).numpy().tolist() == expected
+
+
+def test_subnormal_coordinates_are_not_zero(device):
+    """In threads that take subnormal numbers for zero too."""
+    points = np.array([[0, 0, 0], [1e-45, 0, 0], [-0.0, 0, 0], [-1e-45, 0, 0], [1e-45, 0, 0]], np.float32)
+    assert first_occurrences(upload(points, vec3, device)).numpy().tolist() == [0, 1, 3]

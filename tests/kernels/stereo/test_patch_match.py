@@ -1,22 +1,39 @@
-"""PatchMatch's parts: planes are exact over the image, costs detect a shifted patch, hidden sources are ignored."""
+"""PatchMatch and plane priors: exact planes, costs of shifted patches, hidden sources, textureless regions."""
+
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pytest
 
-from pointloom.kernels.lang import launch, uint8, uint64, vec4
+from pointloom.kernels.lang import launch, uint8, uint64, vec2, vec4
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.stereo.brightness import LEVELS, resize_brightness_kernel
 from pointloom.kernels.stereo.inverse_planes import refine_planes_kernel
 from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import HalfIteration, spread_planes, start_planes
 from pointloom.kernels.stereo.plane_results import finish_planes
+from pointloom.kernels.stereo.region_planes import judge_pixels, take_priors
+from pointloom.kernels.stereo.textureless_regions import find_regions
 
-from .made_brightness import as_blocks, stored
+
+def as_blocks(levels: np.ndarray) -> np.ndarray:
+    """Pixels [h, w], the ones to the right, below, and opposite, with a repeated border, [h, w, 4]."""
+    height, width = levels.shape
+    padded = np.pad(levels, ((0, 1), (0, 1)), mode="edge")
+    return np.stack([padded[k // 2 :, k % 2 :][:height, :width] for k in range(4)], -1)
+
+
+def stored(pictures: Sequence[np.ndarray], device: str) -> Any:
+    levels = [np.round(np.clip(each, 0, 1) * LEVELS).astype(np.uint16) for each in pictures]
+    return upload(np.concatenate([as_blocks(each).reshape(-1) for each in levels]).view(np.uint64), uint64, device)
+
 
 WIDTH, HEIGHT, FOCAL, BASELINE = 40, 30, 40.0, 0.2
 LENS = (FOCAL, FOCAL, 19.5, 14.5)
 PATCH = np.array([(u, v) for v in range(-5, 6, 2) for u in range(-5, 6, 2) if u * u + v * v < 50])  # [px]
-SHIFT = 4  # [px] at inverse depth SHIFT / (FOCAL * BASELINE) = 0.5
+STEREO = FOCAL * BASELINE
+SHIFT = 4  # [px] at inverse depth SHIFT / STEREO = 0.5
 
 
 def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndarray:
@@ -30,6 +47,16 @@ def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndar
     return blocks[..., 0]
 
 
+def views_of(pictures: Sequence[np.ndarray], lens: tuple[float, ...], patch: np.ndarray, device: str):
+    """A reference, and sources at the baseline with maps of inverse depth 0.5."""
+    width, count = pictures[0].shape[1], len(pictures) - 1
+    there, back = (np.column_stack([np.eye(3), [x, 0.0, 0.0]])[None].repeat(count, 0) for x in (-STEREO, STEREO))
+    layout = [(width, HEIGHT, (1 + k) * width * HEIGHT) for k in range(count)]
+    maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (width * HEIGHT, 1)), vec4, device)
+    sources = Sources(there, there, back, layout, [(width, HEIGHT, 0)] * count, stored(pictures, device), maps)
+    return Reference(width, HEIGHT, 0, lens, (0.2, 1.0), STEREO, patch_on(patch, device)), sources
+
+
 def problem(device: str, count: int = 1, hidden: int = -1):
     """A picture and sources that see all of it SHIFT pixels to the left; a hidden one shows something else."""
     rng = np.random.default_rng(0)
@@ -37,13 +64,7 @@ def problem(device: str, count: int = 1, hidden: int = -1):
     pictures = [wide[:, :WIDTH]]
     for k in range(count):
         pictures.append(rng.random((HEIGHT, WIDTH)).astype(np.float32) if k == hidden else wide[:, SHIFT:])
-    values = stored(pictures, device)
-    there = np.column_stack([np.eye(3), [-FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
-    back = np.column_stack([np.eye(3), [FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
-    layout = [(WIDTH, HEIGHT, (1 + k) * WIDTH * HEIGHT) for k in range(count)]
-    maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, device)
-    sources = Sources(there, there, back, layout, [(WIDTH, HEIGHT, 0)] * count, values, maps)
-    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, device)), sources
+    return views_of(pictures, LENS, PATCH, device)
 
 
 def planes_of(w: float, device: str):
@@ -82,7 +103,7 @@ def test_a_plane_is_the_same_plane_in_a_larger_image(device):
 
 def test_the_true_plane_costs_nothing_and_others_do(device):
     inside = (slice(6, -6), slice(SHIFT + 6, -6))
-    true, wrong = costs_of(SHIFT / (FOCAL * BASELINE), device), costs_of(0.25, device)
+    true, wrong = costs_of(SHIFT / STEREO, device), costs_of(0.25, device)
     assert true[inside].max() < 1e-4
     assert np.median(wrong[inside]) > 0.7
     assert (true[:, :SHIFT] == np.float32(BAD)).all()  # seen left of the source
@@ -101,7 +122,7 @@ def test_brightness_and_contrast_of_a_source_do_not_matter(device):
 
 def test_the_way_there_and_back_counts_in_pixels(device):
     inside = (slice(6, -6), slice(SHIFT + 6, -6))
-    off = 0.5 + 0.5 / (FOCAL * BASELINE)  # half a pixel beside the source's surface
+    off = 0.5 + 0.5 / STEREO  # half a pixel beside the source's surface
     difference = costs_of(off, device, geometric=0.2) - costs_of(off, device)
     np.testing.assert_allclose(difference[inside], 0.1, atol=1e-4)
 
@@ -115,7 +136,7 @@ def test_planes_converge_despite_an_occluded_source(device):
             iteration = HalfIteration(3, number, color, 8, 4, 2, 0.5 * 0.5**number, 0.0, 0.8)
             spread_planes(iteration, reference, sources, planes, costs)
     result = np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)[4:-4, SHIFT + 4 : -4]
-    assert (np.abs(result[..., 0] - 0.5) * FOCAL * BASELINE < 0.25).mean() > 0.9  # a quarter of a pixel
+    assert (np.abs(result[..., 0] - 0.5) * STEREO < 0.25).mean() > 0.9  # a quarter of a pixel
     assert np.median(result[..., 3]) < 0.1  # the hidden source, whose cost is 1, has no influence
 
 
@@ -153,3 +174,80 @@ def test_depth_and_normals_are_those_of_the_plane(device, slopes):
     table[..., 3] = 1.0
     depth = download(finish_planes(reference, sources, upload(table.reshape(-1, 4), vec4, device))[0])
     assert not np.array(depth).any()  # patches that have nothing to do with each other
+
+
+WALL_WIDTH = 60
+TRUE = SHIFT / STEREO
+WALL_PATCH = np.array([(u, v) for v in (-2, 0, 2) for u in (-2, 0, 2) if u or v])  # [px]
+EDGE = 30  # plain columns begin here
+INNER = (slice(6, -6), slice(EDGE + 6, -6))  # patches see nothing else
+TEXTURED = (slice(6, -6), slice(SHIFT + 6, EDGE - 6))
+
+
+def half_plain(device: str):
+    """A wall that is textured on the left and gray, but for a camera's noise, on the right, in two views."""
+    rng = np.random.default_rng(0)
+    canvas = rng.random((HEIGHT, WALL_WIDTH + SHIFT)).astype(np.float32)
+    canvas[:, EDGE:] = 0.5
+    views = [canvas[:, :WALL_WIDTH], canvas[:, SHIFT:]]
+    noisy = [each + rng.normal(0, 0.006, each.shape).astype(np.float32) for each in views]
+    return views_of(noisy, (FOCAL, FOCAL, 29.5, 14.5), WALL_PATCH, device)
+
+
+def table(w: float, last: float) -> np.ndarray:
+    return np.tile(np.array([w, 0, 0, last], np.float32), (WALL_WIDTH * HEIGHT, 1))
+
+
+def after_priors(device: str, own: float, prior: float, weight: float) -> np.ndarray:
+    """Inverse depths [h, w] of planes at `own` that are offered another."""
+    reference, sources = half_plain(device)
+    planes = upload(table(own, 0.0), vec4, device)
+    costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)
+    priors = upload(table(prior, weight), vec4, device)
+    take_priors(1, 0.0, reference, sources, priors, planes, costs)
+    return np.array(download(planes)).reshape(HEIGHT, WALL_WIDTH, 4)
+
+
+def test_a_gray_wall_is_plain_in_spite_of_noise_and_a_textured_one_is_not(device):
+    reference, sources = half_plain(device)
+    planes = upload(table(TRUE, 0.1), vec4, device)
+    plain = np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WALL_WIDTH, 2)[..., 0]
+    assert plain[INNER].mean() > 0.95
+    assert not plain[TEXTURED].any()
+
+
+def test_depth_is_sure_where_it_fits_and_the_source_agrees(device):
+    reference, sources = half_plain(device)
+    sure = []
+    for w, cost in ((TRUE, 0.1), (TRUE, 0.6), (TRUE * 1.1, 0.1)):
+        planes = upload(table(w, cost), vec4, device)
+        sure.append(np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WALL_WIDTH, 2)[..., 1])
+    assert (sure[0][:, SHIFT:] == 1).all()  # one source is all that there is
+    assert not sure[1].any()  # does not fit
+    assert not sure[2].any()  # fits, but the source disagrees
+
+
+def test_plain_pixels_take_the_prior_and_textured_ones_take_it_only_where_it_fits(device):
+    far = after_priors(device, 0.3, TRUE, 1.0)
+    assert (far[INNER][..., 0] == np.float32(TRUE)).mean() > 0.8
+    assert (far[TEXTURED][..., 0] == np.float32(TRUE)).mean() > 0.95
+    wrong = after_priors(device, TRUE, 0.3, 0.25)
+    assert (wrong[TEXTURED][..., 0] == np.float32(TRUE)).mean() > 0.95  # although marked as slightly textureless
+    assert (far[INNER][..., 3] < 1.0).all()  # depth that counts
+
+
+def test_a_prior_without_weight_or_out_of_range_is_none(device):
+    for prior, weight in ((TRUE, 0.0), (0.1, 1.0), (1.5, 1.0)):
+        assert (after_priors(device, 0.3, prior, weight)[..., 0] == np.float32(0.3)).all()
+
+
+def test_a_sure_pixel_between_two_regions_counts_once_for_each(device):
+    width, height, seam = 21, 18, 10
+    judged = np.zeros((height, width, 2), np.float32)
+    judged[:, :, 0] = 1.0
+    judged[:, seam] = (0.0, 1.0)
+    regions = find_regions(upload(judged.reshape(-1, 2), vec2, device), width)
+    assert regions is not None
+    pairs = np.array(download(regions.pairs))
+    pixels = np.arange(height) * width + seam
+    np.testing.assert_array_equal(pairs, np.concatenate([pixels, (1 << 32) + pixels]))

@@ -1,10 +1,12 @@
-"""Tensors: values as NumPy's on every device, and Open3D's rules for types, indices and views."""
+"""Tensors, hash maps and searches: values as NumPy's on every device, and Open3D's rules."""
 
 import copy
 import pickle
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import pointloom.open3d.core as o3c
 
@@ -219,11 +221,8 @@ def test_functions_of_one_name_exist_as_method_and_function():
     ("call", "argument"),
     [
         (lambda: o3c.Tensor([1, 2]) + o3c.Tensor([1.0, 2]), "add"),
-        (lambda: o3c.Tensor([1, 2]).add("a"), "other"),
         (lambda: o3c.Tensor([1, 2]) / 0, "div"),
         (lambda: o3c.Tensor(["a"]), "np_array"),
-        (lambda: o3c.Tensor(None), "np_array"),
-        (lambda: o3c.Tensor([1j]), "np_array"),
         (lambda: o3c.Tensor(np.zeros(2, np.float16)), "dtype"),
         (lambda: o3c.Tensor([1, 2])[None], "index"),
         (lambda: o3c.Tensor([1, 2]).item(), "item"),
@@ -238,3 +237,165 @@ def test_functions_of_one_name_exist_as_method_and_function():
 def test_errors_name_the_argument_and_are_runtime_errors(call, argument):
     with pytest.raises(RuntimeError, match=argument):
         call()
+
+
+KEYS = st.lists(st.tuples(st.integers(-3, 3), st.integers(0, 2)), min_size=1, max_size=12)
+STEPS = st.lists(st.tuples(st.sampled_from(["insert", "activate", "erase", "find"]), KEYS), max_size=8)
+
+
+@settings(max_examples=60, deadline=None)
+@given(steps=STEPS)
+def test_a_map_holds_what_a_dictionary_holds(steps):
+    table = o3c.HashMap(2, o3c.int32, (2,), (o3c.int64, o3c.float32), ((), (3,)))
+    expected: dict[tuple[int, int], int] = {}
+    for number, (step, keys) in enumerate(steps):
+        tensor = o3c.Tensor(keys, o3c.int32)
+        known = [key in expected for key in keys]
+        is_first = [keys.index(key) == i for i, key in enumerate(keys)]
+        if step in ("insert", "activate"):
+            numbers = o3c.Tensor(np.arange(len(keys)) + 100 * number)
+            values = [numbers, numbers.to(o3c.float32).reshape((-1, 1)) + o3c.Tensor.zeros((1, 3))]
+            rows, masks = table.insert(tensor, values) if step == "insert" else table.activate(tensor)
+            added = masks.numpy()
+            assert added.tolist() == [first and not old for first, old in zip(is_first, known, strict=True)]
+            if step == "activate":
+                table.value_tensor()[rows[masks]] = numbers[masks]
+                table.value_tensor(1)[rows[masks]] = values[1][masks]
+            expected |= {keys[i]: 100 * number + int(i) for i in np.flatnonzero(added)}
+        elif step == "erase":
+            masks = table.erase(tensor).numpy()
+            assert masks.tolist() == [first and old for first, old in zip(is_first, known, strict=True)]
+            for key in keys:
+                expected.pop(key, None)
+        rows, masks = table.find(tensor)
+        assert masks.numpy().tolist() == [key in expected for key in keys]
+        found = [expected[key] for key in keys if key in expected]
+        assert table.value_tensor()[rows[masks]].numpy().tolist() == found
+        assert table.value_tensor(1)[rows[masks]].numpy().tolist() == [[value] * 3 for value in found]
+        assert table.size() == len(expected) <= table.capacity()
+        active = table.active_buf_indices()
+        assert {tuple(key) for key in table.key_tensor()[active].numpy().tolist()} == set(expected)
+
+
+def test_rows_stay_when_the_buffers_grow_and_copies_are_independent(device, tmp_path):
+    table = o3c.HashMap(2, o3c.int64, (1,), o3c.float64, (2,), device=o3c.Device(device))
+    keys = o3c.Tensor([5, -7], device=device)
+    rows, _ = table.insert(keys, o3c.Tensor([[1.0, 2], [3, 4]], device=device))
+    table.reserve(1000)
+    copied, moved = table.clone(), table.cpu()
+    assert (table.capacity(), table.key_tensor().shape, table.device.name) == (1000, [1000, 1], device)
+    assert table.erase(keys[:1]).numpy().tolist() == [True]
+    for other in (copied, moved) if device != "cpu" else (copied,):
+        assert other.find(keys.to(other.device))[1].numpy().all()
+        assert other.value_tensor()[rows.to(other.device)].numpy().tolist() == [[1, 2], [3, 4]]
+    table.save(tmp_path / "table.npz")
+    stored = o3c.HashMap.load(tmp_path / "table.npz")
+    assert (stored.size(), stored.capacity(), len(stored.value_tensors())) == (1, 1, 1)
+    assert stored.value_tensor()[stored.find(o3c.Tensor([-7]))[0]].numpy().tolist() == [[3, 4]]
+
+
+def test_a_set_has_keys_only():
+    keys = o3c.Tensor([[1, 2, 3], [2, 3, 4], [1, 2, 3]], o3c.int16)
+    table = o3c.HashSet(1, o3c.int16, (3,))
+    rows, masks = table.insert(keys)
+    assert (rows.dtype, rows.numpy().tolist(), masks.numpy().tolist()) == (o3c.int32, [0, 1, 0], [True, True, False])
+    assert table.find(keys + 1)[1].numpy().tolist() == [True, False, True]
+    assert table.insert(o3c.Tensor.zeros((0, 3), o3c.int16))[0].shape == (0,)
+
+
+@pytest.mark.parametrize(
+    ("call", "argument"),
+    [
+        (lambda: o3c.HashSet(1, o3c.float32, (1,)), "key_dtype"),
+        (lambda: o3c.HashSet(0, o3c.int32, (1,)), "init_capacity"),
+        (lambda: o3c.HashMap(1, o3c.int32, (1,), [o3c.int32], []), "value_element_shapes"),
+        (lambda: o3c.HashSet(1, o3c.int32, (3,)).find(o3c.Tensor([[1, 2]], o3c.int32)), "keys"),
+        (lambda: o3c.HashSet(1, o3c.int32, (2,)).find(o3c.Tensor([[1, 2]], o3c.int64)), "keys"),
+        (
+            lambda: o3c.HashMap(1, o3c.int64, (1,), o3c.int64, (1,)).insert(o3c.Tensor([1]), o3c.Tensor([1, 2])),
+            "values",
+        ),
+        (lambda: o3c.HashMap(1, o3c.int64, (1,), o3c.int64, (1,)).insert(o3c.Tensor([1]), []), "values"),
+    ],
+)
+def test_errors_name_the_argument(call, argument):
+    with pytest.raises(ValueError, match=argument):
+        call()
+
+
+RADIUS = 0.4
+
+
+def brute_force(points, queries):
+    """Squared distances (m, n), and the order of the points by distance."""
+    sqdists = ((queries[:, None].astype(float) - points[None]) ** 2).sum(axis=2)
+    return sqdists, np.argsort(sqdists, axis=1, kind="stable")
+
+
+@pytest.mark.parametrize(("dtype", "index_dtype"), [(o3c.float32, o3c.int32), (o3c.float64, o3c.int64)])
+@pytest.mark.parametrize("dimension", [3, 5])
+def test_neighbors_are_those_of_brute_force(device, dtype, index_dtype, dimension, rng):
+    points, queries = (rng.random((count, dimension)).astype(dtype.numpy) for count in (60, 20))
+    expected, order = brute_force(points, queries)
+    queries = o3c.Tensor(queries, device=device)
+    search = o3c.nns.NearestNeighborSearch(o3c.Tensor(points, device=device), index_dtype)
+    search.knn_index(), search.fixed_radius_index(RADIUS), search.hybrid_index(), search.multi_radius_index()
+    indices, sqdists = search.knn_search(queries, 4)
+    assert (indices.dtype, sqdists.dtype, indices.device) == (index_dtype, dtype, queries.device)
+    np.testing.assert_array_equal(indices.numpy(), order[:, :4])
+    np.testing.assert_allclose(sqdists.numpy(), np.take_along_axis(expected, order[:, :4], 1), rtol=1e-5, atol=1e-7)
+    assert search.knn_search(queries, 99)[0].shape == (20, 60)
+
+    indices, sqdists, counts = search.hybrid_search(queries, RADIUS, 5)
+    assert (indices.dtype, sqdists.dtype, counts.dtype) == (index_dtype, dtype, index_dtype)
+    near = np.minimum((expected < RADIUS**2).sum(axis=1), 5)
+    is_filled = np.arange(5) < near[:, None]
+    np.testing.assert_array_equal(counts.numpy(), near)
+    np.testing.assert_array_equal(indices.numpy(), np.where(is_filled, order[:, :5], -1))
+    filled = np.where(is_filled, np.take_along_axis(expected, order[:, :5], 1), 0)
+    np.testing.assert_allclose(sqdists.numpy(), filled, rtol=1e-5, atol=1e-7)
+
+    radii = np.full(20, RADIUS)
+    for found in (search.fixed_radius_search(queries, RADIUS), search.multi_radius_search(queries, radii / 2)):
+        indices, sqdists, splits = found
+        assert (indices.dtype, sqdists.dtype, splits.dtype) == (index_dtype, dtype, index_dtype)
+        near = (expected < radii[0] ** 2).sum(axis=1)
+        np.testing.assert_array_equal(splits.numpy(), np.concatenate([[0], np.cumsum(near)]))
+        rows = np.concatenate([each[:count] for each, count in zip(order, near, strict=True)])
+        np.testing.assert_array_equal(indices.numpy(), rows)
+        radii = radii / 2
+
+
+def test_points_at_the_radius_are_excluded_and_queries_may_be_none():
+    search = o3c.nns.NearestNeighborSearch(o3c.Tensor([[1.0, 0, 0], [0.5, 0, 0]]))
+    search.fixed_radius_index(1.0), search.knn_index(), search.hybrid_index()
+    origin, none = o3c.Tensor([[0.0, 0, 0]]), o3c.Tensor.zeros((0, 3), o3c.float64)
+    assert [part.numpy().tolist() for part in search.fixed_radius_search(origin, 1.0)] == [[1], [0.25], [0, 1]]
+    assert [part.shape for part in search.knn_search(none, 2)] == [[0, 2], [0, 2]]
+    assert [part.shape for part in search.hybrid_search(none, 1.0, 3)] == [[0, 3], [0, 3], [0]]
+    assert search.fixed_radius_search(none, 1.0)[2].numpy().tolist() == [0]
+
+
+@pytest.mark.parametrize(
+    ("call", "argument"),
+    [
+        (lambda search: search.hybrid_search(o3c.Tensor([[0.0, 0, 0]]), 1.0, 2), "hybrid_index"),
+        (lambda search: search.knn_search(o3c.Tensor([[0.0, 0, 0]]), 0), "knn"),
+        (lambda search: search.knn_search(o3c.Tensor([[0.0, 0, 0]], o3c.float32), 1), "query_points"),
+        (lambda search: search.knn_search(o3c.Tensor([[0.0, 0]]), 1), "query_points"),
+        (lambda _: o3c.nns.NearestNeighborSearch(o3c.Tensor([1.0, 2])), "dataset_points"),
+        (lambda _: o3c.nns.NearestNeighborSearch(o3c.Tensor([[1.0, 2]]), o3c.float32), "index_dtype"),
+    ],
+)
+def test_errors_of_searches_name_the_argument(call, argument):
+    search = o3c.nns.NearestNeighborSearch(o3c.Tensor([[0.0, 0, 0]]))
+    search.knn_index()
+    with pytest.raises(ValueError, match=argument):
+        call(search)
+
+
+def test_gpus_are_counted(device):
+    assert o3c.cuda.is_available() == (o3c.cuda.device_count() > 0)
+    o3c.cuda.synchronize(o3c.Device(device) if device != "cpu" else None)
+    o3c.cuda.release_cache()
+    assert o3c.Tensor([1], device=device).cpu().device == o3c.Device.DeviceType.CPU.name + ":0"

@@ -15,12 +15,6 @@ def opened(pcd, **size):
     return vis
 
 
-def custom_draw_geometry(pcd):
-    vis = opened(pcd)
-    vis.run()
-    vis.destroy_window()
-
-
 def custom_draw_geometry_with_custom_fov(pcd, fov_step):
     vis = opened(pcd)
     ctr = vis.get_view_control()
@@ -51,25 +45,6 @@ def custom_draw_geometry_load_option(pcd, render_option_path):
     results["option"] = [option.point_size, *option.background_color, option.show_coordinate_frame, option.line_width]
     vis.run()
     vis.destroy_window()
-
-
-def custom_draw_geometry_with_key_callback(pcd, render_option_path):
-    def change_background_to_black(vis):
-        opt = vis.get_render_option()
-        opt.background_color = np.asarray([0, 0, 0])
-        return False
-
-    def load_render_option(vis):
-        vis.get_render_option().load_from_json(render_option_path)
-        return False
-
-    def capture_depth(vis):
-        depth = vis.capture_depth_float_buffer()
-        results["depth of key"] = np.asarray(depth).max()
-        return False
-
-    key_to_callback = {ord("K"): change_background_to_black, ord("R"): load_render_option, ord("D"): capture_depth}
-    o3d.visualization.draw_geometries_with_key_callbacks([pcd], key_to_callback)
 
 
 def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
@@ -103,12 +78,10 @@ def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
 
 pcd = o3d.io.read_point_cloud("0.pcd")
 Path("captures").mkdir(exist_ok=True)
-custom_draw_geometry(pcd)
 custom_draw_geometry_with_custom_fov(pcd, 90.0)
 custom_draw_geometry_with_custom_fov(pcd, -90.0)
 custom_draw_geometry_with_rotation(pcd)
 custom_draw_geometry_load_option(pcd, "renderoption.json")
-custom_draw_geometry_with_key_callback(pcd, "renderoption.json")
 seen = custom_draw_geometry_with_camera_trajectory(pcd, "cameras.json")
 results["size"] = np.asarray(o3d.io.read_image("captures/00002.png")).shape
 results["frames"] = len(seen)

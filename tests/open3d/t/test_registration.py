@@ -1,14 +1,18 @@
-"""Registration of tensor clouds: Open3D's results as tensors, against float64 arithmetic and stored answers."""
+"""Registration of tensor clouds, and argument names of tensor geometries, as in Open3D."""
 
 import copy
+import inspect
 import pickle
+import re
 
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
+import pointloom.open3d
 import pointloom.open3d as bridge
+from pointloom.core.open3d_names import SHAPES, row_of
 
 SIDE, DISTANCE = 40, 0.1
 POSE = np.eye(4)  # of the target in the source
@@ -225,3 +229,39 @@ def test_arguments_are_checked():
     del target.point["normals"]
     with pytest.raises(ValueError, match="target:"):
         reg.icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimationPointToPlane())
+
+
+CLASSES = ("TensorMap", "PointCloud", "LineSet", "Image", "RGBDImage", "AxisAlignedBoundingBox", "OrientedBoundingBox")
+FUNCTIONS = ("read_point_cloud", "write_point_cloud", "read_image", "write_image")
+ROLES = {"self", "arg0", "arg1"}  # names that no caller writes
+NOT_TAKEN = {"gaussian_splat_antialias"}
+
+
+def arguments(thing, name):
+    """Argument names of each overload, from the first lines of a docstring."""
+    found = re.findall(rf"^(?:\d+\. )?{name}\((.*)\) ->", thing.__doc__ or "", re.MULTILINE)
+    names = [[word for word in re.findall(r"(\w+): ", line) if word not in ROLES] for line in found]
+    return ["property" if not found else " ".join(overload) for overload in (names or [[]])]
+
+
+def signatures(o3d, owner):
+    parent = o3d.t.io if owner == "io" else getattr(o3d.t.geometry, owner)
+    names = FUNCTIONS if owner == "io" else [name for name in dir(parent) if not name.startswith("_")]
+    return {name: arguments(getattr(parent, name), name) for name in names}
+
+
+@pytest.mark.parametrize("owner", [*CLASSES, "io"])
+def test_arguments_have_their_names(oracle, owner):
+    parent = pointloom.open3d.t.io if owner == "io" else getattr(pointloom.open3d.t.geometry, owner)
+    for name, overloads in oracle(f"open3d/t/signatures_{owner}", signatures, owner).items():
+        made = inspect.getattr_static(parent, name, None) if owner != "io" else getattr(parent, name)
+        is_field = any(name in getattr(base, "__annotations__", {}) for base in getattr(parent, "__mro__", ()))
+        if made is None and not is_field:
+            assert row_of(name, (*(base.__name__ for base in parent.__mro__), SHAPES)), f"{owner}.{name}: no row"
+            continue
+        if [*overloads] == ["property"]:
+            continue
+        taken = inspect.signature(getattr(parent, name)).parameters
+        takes_any = any(part.kind is part.VAR_KEYWORD for part in taken.values())
+        for overload in overloads:
+            assert takes_any or {*overload.split()} - NOT_TAKEN <= {*taken}, f"{owner}.{name}({overload})"

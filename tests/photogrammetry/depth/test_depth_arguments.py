@@ -1,17 +1,15 @@
 """Every public call on depth networks rejects invalid arguments by name."""
 
-from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
 
 import pointloom as loom
-from pointloom.photogrammetry.depth.settings import DepthSettings
 
-from ...hostile import faults_of, missing_from, public_arguments, read_table
+from ...hostile import missing_from, public_arguments, read_table
+from ..argument_tests import argument_tests
 from .tiny_networks import linear
 
 CALLS = """
@@ -30,45 +28,18 @@ NAMES = {"DepthModel", "estimate_depth"}
 def things(tmp_path_factory) -> dict[str, Any]:
     folder = tmp_path_factory.mktemp("model")
     path = linear(folder / "m.onnx", size=(28, 42))
-    Image.fromarray(PICTURE).save(folder / "photo.png")
     model = loom.DepthModel(path)
     depth = 1 / (model.run(PICTURE).astype(float) + 3)
     estimate = loom.estimate_depth(PICTURE, model)
-
     return {
         "loom": loom, "path": path, "picture": PICTURE, "camera": CAMERA, "depth": depth,
-        "model": lambda: model, "estimate": lambda: estimate, "photo": folder / "photo.png",
-        "settings": DepthSettings(), "place": lambda kind: folder / f"out.{kind}",
+        "model": lambda: model, "estimate": lambda: estimate,
     }  # fmt: skip
 
 
-@cache
-def arguments() -> dict[str, set[str]]:
-    public = SimpleNamespace(__all__=sorted(NAMES), **{name: getattr(loom, name) for name in NAMES})
-    result: dict[str, set[str]] = public_arguments(public, set())  # type: ignore[arg-type]
-    return result
-
-
 def test_the_table_names_every_argument_of_every_public_call():
-    assert missing_from(TABLE, arguments()) == {}
+    public = SimpleNamespace(__all__=sorted(NAMES), **{name: getattr(loom, name) for name in NAMES})
+    assert missing_from(TABLE, public_arguments(public, set())) == {}  # type: ignore[arg-type]
 
 
-def run(call: str, things: dict[str, Any], given: dict[str, Any]) -> Any:
-    """Call a function of the table; outputs of earlier calls are replaced."""
-    again = {"overwrite": True} if call == "depth_of_pictures" else {}
-    return eval(TABLE[call][0], dict(things))(**given, **again)
-
-
-@pytest.mark.parametrize("call", TABLE)
-def test_the_good_arguments_are_taken(call, things):
-    run(call, things, {name: eval(value, dict(things)) for name, value in TABLE[call][1].items()})
-
-
-CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]
-
-
-@pytest.mark.parametrize(("call", "argument"), CASES)
-def test_a_hostile_value_is_refused_by_name(call, argument, things):
-    good = {name: eval(expression, dict(things)) for name, expression in TABLE[call][1].items()}
-    faults = faults_of(lambda **given: run(call, things, given), good, argument)
-    assert not faults, "\n".join(faults)
+test_good_arguments_are_accepted, test_hostile_values_are_rejected_by_name = argument_tests(TABLE)

@@ -9,14 +9,11 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.io.points import ply
-from pointloom.photogrammetry.depth import job
-from pointloom.photogrammetry.depth.job import depth_of_pictures
 from pointloom.photogrammetry.depth.presets import DEFAULT
-from pointloom.photogrammetry.depth.settings import DepthSettings
 
 from ...cli.commands import answer, names_in, refusal, run, unreliable
 from .test_estimation import CAMERA, PICTURE, SIDE, scene, sparse_model
-from .tiny_networks import fixed_map, linear
+from .tiny_networks import fixed_map
 
 
 @pytest.fixture
@@ -208,48 +205,8 @@ def test_a_full_disk_leaves_no_half_cloud(folder, monkeypatch):
     assert names_in(folder) == before
 
 
-@pytest.mark.slow
-def test_the_same_files_twice(folder):
-    extras = ["--align", folder / "z.npy", "--picture", folder / "out.png", "--tiles", "2", "--force"]
-    linear(folder / "net.onnx", size=(252, 252))
-    np.save(folder / "z.npy", 1 / (0.1 + PICTURE.astype(np.float32).mean(2) / 100))
-    contents = []
-    for _ in range(2):
-        run(*words(folder, *extras))
-        contents.append([(folder / name).read_bytes() for name in ("out.ply", "out.png")])
-    assert contents[0] == contents[1]
-
-
 def test_other_formats_and_existing_files(folder):
     assert answer(*words(folder, output="out.npz"))["reliable"]
     assert len(loom.read_point_cloud(folder / "out.npz")) > 0.9 * SIDE**2
     assert "exists already" in refusal(*words(folder, output="out.npz"))
     assert json.loads(run(*words(folder, "--json", "--force", output="out.npz")).stdout)["command"] == "depth"
-
-
-def test_an_oblique_view_looks_at_the_scene():
-    view = job.oblique_view(CAMERA, 3.0)
-    T = np.linalg.inv(view.T_world_camera)
-    middle = T[:3, :3] @ [0, 0, 3.0] + T[:3, 3]
-    np.testing.assert_allclose(middle, [0, 0, 3.3], atol=1e-12)  # the point at this distance stays on the optical axis
-    assert view.T_world_camera[0, 3] > 0.3  # to the right
-    assert view.T_world_camera[1, 3] < -0.3  # and above
-
-
-def test_the_call_from_python_gives_what_the_command_prints(folder):
-    align = ["--align", folder / "z.npy", "--intrinsic", folder / "camera.json"]
-    printed, shown = answer(*words(folder, *align)), run(*words(folder, *align, "--force"))
-    settings = DepthSettings(intrinsic=CAMERA, align=folder / "z.npy")
-    paths = folder / "photo.png", folder / "net.onnx", folder / "out.ply"
-    report = depth_of_pictures(*paths, settings, device="cpu", overwrite=True)
-    changing = ("seconds", "peak_bytes")
-    made = json.loads(json.dumps(report.to_dict()))
-    assert {k: v for k, v in made.items() if k not in changing} == {
-        k: v for k, v in printed.items() if k not in changing
-    }
-    lines = [[line for line in text.splitlines() if "MiB" not in line and "seconds" not in line]
-             for text in (str(report), shown.stdout)]  # fmt: skip
-    assert lines[0] == lines[1]
-    (each,) = report.pictures
-    assert (each.unit, each.inlier_share, report.reliable) == ("m", 1.0, True)
-    assert each.point_count == len(loom.read_point_cloud(folder / "out.ply"))

@@ -1,15 +1,14 @@
-"""Depth and points from one picture: references, cameras, edges, tiles."""
-
-import itertools
+"""Depth and points from one picture: references, scale and shift, cameras, edges, tiles."""
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.photogrammetry.depth.alignment import AlignmentError, align_inverse_depth, align_to_distances
 from pointloom.photogrammetry.depth.estimation import DepthEstimate
 from pointloom.photogrammetry.depth.evaluation import evaluate_depth
-from pointloom.photogrammetry.depth.tiles import refine_by_tiles, side_of, starts_of
+from pointloom.photogrammetry.depth.tiles import refine_by_tiles
 
 from .tiny_networks import fixed_map, linear
 
@@ -129,21 +128,15 @@ def test_a_sparse_model_gives_its_unit_and_camera(network, tmp_path):
         assert evaluate_depth(result.depth, z).abs_rel < 5e-3
 
 
-def test_a_sparse_model_of_smaller_pictures_fits_too(network):
+@pytest.mark.parametrize("options", [{"size": 259}, {"distorted": True}])
+def test_the_camera_of_a_sparse_model_is_scaled_and_its_distortion_removed(network, options):
     path, z = network
-    result = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, size=259), "photo.png"))
+    result = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, **options), "photo.png"))
     assert evaluate_depth(result.depth, z).abs_rel < 5e-3
-    assert result.intrinsic_source == "the sparse model"
-    np.testing.assert_allclose(result.intrinsic.matrix, CAMERA.matrix, rtol=1e-12)
-
-
-def test_the_distortion_of_a_sparse_model_s_camera_is_removed(network):
-    path, z = network
-    result = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, distorted=True), "photo.png"))
-    assert evaluate_depth(result.depth, z).abs_rel < 5e-3
-    assert result.intrinsic_source == "the sparse model, its distortion left out"
-    camera = result.intrinsic
-    assert (camera.fx, camera.fy, camera.cx, camera.cy) == pytest.approx((500, 500, 250, 262), rel=1e-5)
+    left_out = ", its distortion left out" if "distorted" in options else ""
+    assert result.intrinsic_source == f"the sparse model{left_out}"
+    camera, fy = result.intrinsic, 500 if left_out else 510
+    assert (camera.fx, camera.fy, camera.cx, camera.cy) == pytest.approx((500, fy, 250, 262), rel=1e-5)
 
 
 def test_the_folder_of_a_model_is_accepted(network, tmp_path):
@@ -257,15 +250,6 @@ def test_one_model_serves_many_pictures(tmp_path):
         loom.estimate_depth(PICTURE, model, device="cpu")
 
 
-def test_tiles_cover_the_picture_evenly_and_overlap():
-    for length, side in ((1000, 400), (999, 250), (64, 32), (1000, 999), (50, 60)):
-        starts = starts_of(length, side)
-        assert starts[0] == 0
-        assert starts[-1] == max(length - side, 0)
-        assert all(0 < b - a <= 0.75 * side + 1 for a, b in itertools.pairwise(starts))
-    assert len(starts_of(4000, side_of(3000, 4000, 4))) == 4
-
-
 def test_tiles_add_detail_at_the_scale_of_the_full_image():
     """The network gives finer details for a tile, and each tile has a different scale."""
     v, u = np.mgrid[:240, :320]
@@ -343,3 +327,89 @@ def test_errors_follow_their_published_definitions():
     assert np.isnan(evaluate_depth(np.zeros((2, 2)), np.ones((2, 2))).abs_rel)
     with pytest.raises(ValueError, match="resize one"):
         evaluate_depth(np.ones((2, 2)), np.ones((2, 3)))
+
+
+def exact(count=200, scale=0.02, shift=0.1, seed=0):
+    d = np.random.default_rng(seed).uniform(0, 40, count)
+    return d, scale * d + shift
+
+
+@pytest.mark.parametrize("wrong", [0.0, 0.4, 0.6])
+def test_wrong_references_do_not_change_the_fit_to_exact_ones(wrong):
+    d, y = exact(400)
+    rng = np.random.default_rng(1)
+    lost = rng.random(400) < wrong
+    far = np.where(rng.random(400) < 0.5, y * rng.uniform(1.3, 5, 400), y * rng.uniform(0.1, 0.7, 400))
+    result = align_inverse_depth(d, np.where(lost, far, y))
+    assert (result.scale, result.shift) == pytest.approx((0.02, 0.1), rel=1e-9)
+    assert result.inlier_share == pytest.approx(1 - lost.mean(), abs=0.08)
+
+
+def test_the_fit_is_the_weighted_least_squares_of_the_inliers():
+    d, y = exact(300)
+    y = y * (1 + np.random.default_rng(2).normal(0, 0.01, 300))
+    result = align_inverse_depth(d, y)
+    rows = np.stack([d / y, 1 / y], 1)
+    np.testing.assert_allclose(
+        [result.scale, result.shift], np.linalg.lstsq(rows, np.ones(300), rcond=None)[0], rtol=1e-9
+    )
+
+
+def test_metric_depth_is_aligned_by_scale_only():
+    d = np.random.default_rng(0).uniform(0.2, 2, 100)
+    y = 1.25 * d
+    y[::3] *= 3
+    result = align_inverse_depth(d, y, with_shift=False)
+    assert (result.scale, result.shift) == (pytest.approx(1.25, rel=1e-12), 0.0)
+    assert result.inlier_share == pytest.approx(66 / 100)
+    assert result.farthest == pytest.approx(1 / y.reshape(-1)[np.arange(100) % 3 > 0].min())
+
+
+def test_fewer_than_20_inliers_are_rejected():
+    d, y = exact(200)
+    with pytest.raises(AlignmentError, match=r"^align:.*20.*got 19"):
+        align_inverse_depth(d[:19], y[:19])
+    assert align_inverse_depth(d[:20], y[:20]).inlier_share == 1.0
+    wrong = np.random.default_rng(3).uniform(0.01, 100, 30) ** 2
+    with pytest.raises(AlignmentError, match=r"^align:.*30"):
+        align_inverse_depth(d[:30], wrong)
+
+
+def test_a_map_that_decreases_with_inverse_depth_is_rejected():
+    d, y = exact(200)
+    with pytest.raises(AlignmentError, match=r"^align:"):
+        align_inverse_depth(d, y.max() + 0.2 - y)
+    with pytest.raises(AlignmentError):
+        align_inverse_depth(np.full(50, 3.0), y[:50])
+
+
+def test_two_distances_determine_scale_and_shift_unchecked():
+    result = align_to_distances(np.array([10.0, 30.0]), np.array([0.25, 0.5]))
+    assert (result.scale, result.shift, result.inlier_share) == (pytest.approx(0.0125), pytest.approx(0.125), None)
+    with pytest.raises(AlignmentError, match=r"^align:"):
+        align_to_distances(np.array([10.0, 30.0]), np.array([0.5, 0.25]))
+    with pytest.raises(AlignmentError, match=r"^align:.*2.*got 1"):
+        align_to_distances(np.array([10.0]), np.array([0.5]))
+
+
+def test_one_distance_determines_the_scale_unchecked():
+    result = align_to_distances(np.array([0.5]), np.array([0.25]), with_shift=False)
+    assert (result.scale, result.shift, result.inlier_share) == (0.5, 0.0, None)
+
+
+def test_a_majority_of_the_distances_must_agree():
+    d = np.array([5.0, 10.0, 20.0, 30.0, 40.0])
+    y = 0.0125 * d + 0.125
+    wrong = y.copy()
+    wrong[1] *= 3
+    result = align_to_distances(d, wrong)
+    assert (result.scale, result.shift) == pytest.approx((0.0125, 0.125), rel=1e-9)
+    assert result.inlier_share == pytest.approx(0.8)
+    wrong[[0, 4]] *= (0.2, 6.0)
+    with pytest.raises(AlignmentError, match=r"^align:.*5"):
+        align_to_distances(d, wrong)
+    half = np.array([5.0, 10.0, 20.0, 30.0, 40.0, 50.0])
+    with pytest.raises(AlignmentError, match=r"^align:.*6.*got 3"):
+        align_to_distances(half, (0.0125 * half + 0.125) * (1, 2, 1, 9, 1, 0.2))
+    with pytest.raises(AlignmentError, match=r"^align:.*3.*got 2"):
+        align_to_distances(d[:3], y[:3] * (1, 1, 4))

@@ -1,15 +1,18 @@
-"""Inputs and outputs of the networks of each preset, and models that do not match the preset."""
+"""Inputs and outputs of the networks of each preset, pictures of all kinds, and models that do not match."""
 
+import math
 import sys
 
 import numpy as np
 import onnx
 import pytest
-from onnx import TensorProto, helper
+from onnx import TensorProto
+from PIL import Image
 
 import pointloom as loom
 from pointloom.cli.shell import depth_command
 from pointloom.photogrammetry.depth import network
+from pointloom.photogrammetry.depth.photos import camera_of, take_photo
 from pointloom.photogrammetry.depth.presets import IMAGENET_MEAN, IMAGENET_STD, PRESETS, input_size
 
 from .tiny_networks import FLOAT, busy, fixed_map, in_strides, linear, save, seen_by, with_mean
@@ -37,18 +40,6 @@ SIZES = {  # of an input for 640 x 480, 480 x 640, 1920 x 1080, 100 x 100: rows 
 def test_the_input_has_the_size_of_the_network(name):
     sizes = [input_size(PRESETS[name], *size) for size in ((480, 640), (640, 480), (1080, 1920), (100, 100))]
     assert sizes == SIZES[name]
-
-
-@pytest.mark.parametrize("name", PRESETS)
-def test_sides_are_positive_multiples(name):
-    preset = PRESETS[name]
-    for size in ((1, 1), (5000, 4000), (97, 101), (3, 2000)):
-        try:
-            sides = input_size(preset, *size)
-        except ValueError as error:
-            assert "crop it" in str(error) and size == (3, 2000)
-        else:
-            assert all(side >= preset.multiple and side % preset.multiple == 0 for side in sides)
 
 
 def test_the_command_offers_every_preset():
@@ -192,66 +183,55 @@ def test_meters_require_a_known_focal_length(tmp_path):
     assert result.intrinsic.fx == pytest.approx(200 / np.tan(np.radians(30)))
 
 
-@pytest.mark.parametrize("name", ["depth-anything-v2", "dpt"])
-def test_inverse_depth_without_references_runs_from_1_to_10(tmp_path, name):
-    side = 518 if name == "depth-anything-v2" else 384
-    result = flat_estimate(tmp_path, name, two_reds((side, side), 200, 50), 300.0)
-    assert not result.is_metric
-    assert result.unit == "arbitrary"
-    assert result.depth[5, 5] == pytest.approx(1, rel=1e-4)
-    assert result.depth[5, -5] == pytest.approx(10, rel=1e-3)
-    d = np.array([200.0, 50.0])
-    np.testing.assert_allclose(1 / (result.scale * d + result.shift), [1, 10], rtol=1e-3)
+@pytest.mark.parametrize(
+    ("name", "side", "reds", "depth"),
+    [
+        ("depth-anything-v2", 518, (200, 50), (1, 10)),  # inverse depth runs from 1 to 10
+        ("dpt", 384, (200, 50), (1, 10)),
+        ("depth-anything-3", 504, (50, 200), (1, 4)),  # relative depth keeps its ratios
+    ],
+)
+def test_depth_without_references_has_an_arbitrary_unit(tmp_path, name, side, reds, depth):
+    result = flat_estimate(tmp_path, name, two_reds((side, side), *reds), 300.0)
+    assert (result.is_metric, result.unit) == (False, "arbitrary")
+    assert (result.depth[5, 5], result.depth[5, -5]) == pytest.approx(depth, rel=1e-3)
+    if name == "depth-anything-3":
+        assert result.shift == 0
+    else:
+        np.testing.assert_allclose(1 / (result.scale * np.array(reds) + result.shift), depth, rtol=1e-3)
 
 
-def test_relative_depth_without_references_keeps_its_ratios(tmp_path):
-    result = flat_estimate(tmp_path, "depth-anything-3", two_reds((504, 504), 50, 200), 300.0)
-    assert (result.unit, result.shift) == ("arbitrary", 0.0)
-    assert result.depth[5, 5] == pytest.approx(1, rel=1e-3)
-    assert result.depth[5, -5] == pytest.approx(4, rel=1e-3)
-
-
-def two_inputs(path):
-    ends = [("image", FLOAT, [1, 3, "h", "w"]), ("mask", FLOAT, [1, 3, "h", "w"])], [("y", FLOAT, [1, 3, "h", "w"])]
-    return save(path, [helper.make_node("Add", ["image", "mask"], ["y"])], *ends)
-
-
-def one_node(path, operation, shape, out, kind=FLOAT, **attributes):
-    node = helper.make_node(operation, ["x"], ["y"], **attributes)
-    return save(path, [node], [("x", kind, shape)], [("y", kind, out)])
-
-
-def two_outputs(path):
-    nodes = [helper.make_node("ReduceMean", ["x"], [name], axes=[1], keepdims=1) for name in ("normal", "mask")]
-    ends = [("x", FLOAT, [1, 3, "h", "w"])], [(name, FLOAT, [1, 1, "h", "w"]) for name in ("normal", "mask")]
-    return save(path, nodes, *ends)
-
-
-def mean_over(path, shape, axes, out, kind=FLOAT):
-    operation = "ReduceMean" if kind == FLOAT else "ReduceMax"
-    return one_node(path, operation, shape, out, kind, axes=axes, keepdims=0)
+def of_nodes(path, nodes, shape, out, kind=FLOAT, inputs=("x",), outputs=("y",)):
+    return save(path, nodes, [(name, kind, shape) for name in inputs], [(name, kind, out) for name in outputs])
 
 
 HW = ["h", "w"]
-MODELS = {
-    "two inputs": (two_inputs, "the image, got image, mask"),
-    "colors last": (lambda p: mean_over(p, [1, *HW, 3], [3], [1, *HW]), "expected [1, 3, h, w]"),
-    "one color": (lambda p: one_node(p, "Relu", [1, 1, *HW], [1, 1, *HW]), "expected [1, 3, h, w]"),
-    "three dimensions": (lambda p: one_node(p, "Relu", [3, *HW], [3, *HW]), "expected [1, 3, h, w]"),
-    "a batch of 4": (lambda p: one_node(p, "Relu", [4, 3, *HW], [4, 3, *HW]), "expected [1, 3, h, w]"),
-    "bytes": (lambda p: mean_over(p, [1, 3, *HW], [1], [1, *HW], TensorProto.UINT8), "expected floats"),
-    "500 rows": (lambda p: linear(p, size=(500, 518)), "is the default; another network: --preset"),
-    "two maps": (two_outputs, "got normal, mask"),
-    "a class": (lambda p: mean_over(p, [1, 3, *HW], [2, 3], [1, 3]), "of floats for"),
+MEANS = "ReduceMean x -> normal axes=[1] keepdims=1; ReduceMean x -> mask axes=[1] keepdims=1"
+MODELS = {  # nodes, shapes of the input and of the output, the reason, and more options
+    "two inputs": ("Add image mask -> y", [1, 3, *HW], [1, 3, *HW], "the image, got image, mask", ("image", "mask")),
+    "colors last": ("ReduceMean x -> y axes=[3] keepdims=0", [1, *HW, 3], [1, *HW], "expected [1, 3, h, w]"),
+    "one color": ("Relu x -> y", [1, 1, *HW], [1, 1, *HW], "expected [1, 3, h, w]"),
+    "three dimensions": ("Relu x -> y", [3, *HW], [3, *HW], "expected [1, 3, h, w]"),
+    "a batch of 4": ("Relu x -> y", [4, 3, *HW], [4, 3, *HW], "expected [1, 3, h, w]"),
+    "two maps": (MEANS, [1, 3, *HW], [1, 1, *HW], "got normal, mask", ("x",), ("normal", "mask")),
+    "a class": ("ReduceMean x -> y axes=[2,3] keepdims=0", [1, 3, *HW], [1, 3], "of floats for"),
 }
 
 
 @pytest.mark.parametrize("title", MODELS)
 def test_a_model_of_another_preset_is_rejected_when_opened(title, tmp_path):
-    make, reason = MODELS[title]
+    nodes, shape, out, reason, *names = MODELS[title]
     with pytest.raises(loom.FileError, match=r"m\.onnx") as error:
-        loom.DepthModel(make(tmp_path / "m.onnx"))
+        loom.DepthModel(of_nodes(tmp_path / "m.onnx", nodes, shape, out, FLOAT, *names))
     assert reason in str(error.value)
+
+
+def test_a_model_of_bytes_or_of_another_size_is_rejected_when_opened(tmp_path):
+    nodes, kind = "ReduceMax x -> y axes=[1] keepdims=0", TensorProto.UINT8
+    with pytest.raises(loom.FileError, match=r"m\.onnx.*expected floats"):
+        loom.DepthModel(of_nodes(tmp_path / "m.onnx", nodes, [1, 3, *HW], [1, *HW], kind))
+    with pytest.raises(loom.FileError, match=r"m\.onnx.*is the default; another network: --preset"):
+        loom.DepthModel(linear(tmp_path / "m.onnx", size=(500, 518)))
 
 
 def test_a_model_of_another_size_than_the_preset_s_is_refused(tmp_path):
@@ -372,3 +352,142 @@ def test_results_are_bitwise_identical_for_any_number_of_threads(tmp_path):
     first = loom.DepthModel(path, threads=1)._run_with_placement(picture)[0]
     for threads in (1, 2, None):
         np.testing.assert_array_equal(loom.DepthModel(path, threads=threads)._run_with_placement(picture)[0], first)
+
+
+UPRIGHT = np.random.default_rng(0).integers(0, 256, (24, 40), dtype=np.uint8).repeat(8, 0).repeat(8, 1)
+RGB = np.stack([UPRIGHT, 255 - UPRIGHT, UPRIGHT // 2], -1)
+
+# Stored pixels for each orientation that give this picture upright.
+STORED = {
+    1: RGB, 2: RGB[:, ::-1], 3: RGB[::-1, ::-1], 4: RGB[::-1], 5: RGB.transpose(1, 0, 2),
+    6: np.rot90(RGB, 1), 7: np.rot90(RGB, 2).transpose(1, 0, 2), 8: np.rot90(RGB, -1),
+}  # fmt: skip
+
+
+def exif(**tags):
+    made = Image.Exif()
+    if "orientation" in tags:
+        made[0x0112] = tags.pop("orientation")
+    inner = made.get_ifd(0x8769)
+    for name, value in tags.items():
+        inner[{"f35": 0xA405, "mm": 0x920A, "plane": 0xA20E, "unit": 0xA210, "width": 0xA002}[name]] = value
+    return made
+
+
+@pytest.mark.parametrize(("orientation", "suffix"), [*((each, "png") for each in STORED), (6, "jpg")])
+def test_exif_rotates_pictures_upright(tmp_path, orientation, suffix):
+    path = tmp_path / f"photo.{suffix}"
+    options = {"quality": 100, "subsampling": 0} if suffix == "jpg" else {}
+    stored = np.ascontiguousarray(STORED[orientation])
+    Image.fromarray(stored).save(path, exif=exif(orientation=orientation), **options)
+    photo = take_photo(path)
+    np.testing.assert_allclose(photo.color.astype(int), RGB, atol=8 if suffix == "jpg" else 0)
+    assert photo.is_rotated == (orientation > 4)
+    with Image.open(path) as picture:
+        from PIL import ImageOps
+
+        np.testing.assert_array_equal(photo.color, np.asarray(ImageOps.exif_transpose(picture)))
+
+
+def test_a_rotated_jpeg_requires_an_upright_camera(tmp_path):
+    path = tmp_path / "photo.jpg"
+    Image.fromarray(np.ascontiguousarray(STORED[6])).save(path, exif=exif(orientation=6))
+    model = linear(tmp_path / "m.onnx", size=(28, 28))
+    assert loom.estimate_depth(path, model).depth.shape == RGB.shape[:2]
+    stored = loom.PinholeCameraIntrinsic(192, 320, 300.0, 300.0, 95.5, 159.5)
+    with pytest.raises(ValueError, match=r"^intrinsic:.*320.*192"):
+        loom.estimate_depth(path, model, intrinsic=stored)
+    with pytest.raises(ValueError, match=r"^align:"):
+        loom.estimate_depth(path, model, align=np.ones((320, 192)))
+
+
+def test_an_unknown_orientation_and_damaged_exif_leave_the_picture_as_it_is(tmp_path):
+    path = tmp_path / "photo.jpg"
+    Image.fromarray(RGB).save(path, exif=exif(orientation=9))
+    assert take_photo(path).color.shape == RGB.shape
+    Image.fromarray(RGB).save(path, exif=b"Exif\0\0" + bytes(range(40)))
+    assert take_photo(path).focal is None
+
+
+def test_the_focal_length_comes_from_exif(tmp_path):
+    def focal_of(**tags):
+        Image.fromarray(RGB).save(tmp_path / "p.jpg", exif=exif(**tags))
+        return take_photo(tmp_path / "p.jpg").focal
+
+    diagonal = math.hypot(320, 192)
+    assert focal_of(f35=26) == pytest.approx(26 / math.hypot(36, 24) * diagonal)
+    assert focal_of(mm=4.25, plane=2000.0, unit=3, width=320) == pytest.approx(4.25 * 200)
+    assert focal_of(mm=4.25, plane=2000.0, unit=3, width=4000) is None  # the picture was scaled since
+    assert focal_of(mm=4.25) is None
+    assert focal_of(f35=0) is None
+    Image.fromarray(RGB).save(tmp_path / "p.jpg", exif=exif(f35=26))
+    camera, source = camera_of(take_photo(tmp_path / "p.jpg"))
+    assert source == "EXIF"
+    assert (camera.fx, camera.fy) == (pytest.approx(26 / math.hypot(36, 24) * diagonal),) * 2
+    assert (camera.cx, camera.cy) == (159.5, 95.5)
+
+
+def test_60_degrees_are_assumed_and_reported_without_a_focal_length():
+    for size in ((192, 320), (320, 192)):
+        camera, source = camera_of(take_photo(np.zeros(size, np.uint8)))
+        assert source == "assumed 60 degrees"
+        assert 2 * math.degrees(math.atan(160 / camera.fx)) == pytest.approx(60)
+
+
+def test_gray_deep_and_transparent_pictures_are_taken(tmp_path):
+    gray = np.repeat(UPRIGHT[..., None], 3, 2)
+    deep = UPRIGHT.astype(np.uint16) * 257
+    alpha = np.concatenate([RGB, np.full((*UPRIGHT.shape, 1), 7, np.uint8)], 2)
+    files = {
+        "gray.png": (Image.fromarray(UPRIGHT), gray), "deep.png": (Image.fromarray(deep), gray),
+        "alpha.png": (Image.fromarray(alpha), RGB), "palette.png": (Image.fromarray(UPRIGHT).convert("P"), gray),
+    }  # fmt: skip
+    for name, (picture, expected) in files.items():
+        picture.save(tmp_path / name)
+        np.testing.assert_array_equal(take_photo(tmp_path / name).color, expected, err_msg=name)
+    for array, expected in ((UPRIGHT, gray), (UPRIGHT[..., None], gray), (deep, gray), (alpha, RGB), (RGB, RGB)):
+        np.testing.assert_array_equal(take_photo(array).color, expected)
+    np.testing.assert_array_equal(take_photo(np.stack([deep] * 3, -1).astype(">u2")).color, gray)
+
+
+def test_a_single_pixel_and_a_line_of_pixels_have_a_depth(tmp_path):
+    model = loom.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
+    line = np.linspace(0, 255, 30).astype(np.uint8)
+    result = loom.estimate_depth(line[None], model)
+    assert result.depth.shape == (1, 30)
+    assert len(result.to_point_cloud()) == 30
+    with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):"):  # one color shows no depth
+        loom.estimate_depth(np.full((1, 1), 9, np.uint8), model)
+
+
+def test_a_huge_picture_is_downscaled_first(tmp_path):
+    model = loom.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
+    picture = np.tile(np.linspace(0, 255, 1500).astype(np.uint8), (1000, 1))
+    result = loom.estimate_depth(picture, model)
+    assert result.depth.shape == (1000, 1500)
+    assert result.enlargement == 1000 / 160  # 171 rows of 256 columns, in multiples of 32
+    with pytest.raises(ValueError, match=r"^picture:.*depth-anything-v2"):
+        loom.estimate_depth(np.zeros((4, 6000), np.uint8), linear(tmp_path / "d.onnx"))
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"hello", b"\x89PNG\r\n\x1a\n" + b"\0" * 50, b"\xff\xd8\xff\xe0" + b"\1" * 50]
+)
+def test_files_that_are_no_pictures_are_rejected(tmp_path, content):
+    path = tmp_path / "photo.jpg"
+    path.write_bytes(content)
+    with pytest.raises(loom.FileError, match=r"photo\.jpg"):
+        loom.estimate_depth(path, linear(tmp_path / "m.onnx"))
+
+
+@pytest.mark.parametrize(
+    ("array", "error"),
+    [
+        (np.zeros((4, 4), np.float32), TypeError), (np.zeros((4, 4), bool), TypeError), (np.zeros(4, "u1"), ValueError),
+        (np.zeros((0, 4), np.uint8), ValueError), (np.zeros((4, 4, 2), np.uint8), ValueError),
+        (np.zeros((2, 4, 4, 3), np.uint8), ValueError), (None, TypeError), ({}, TypeError),
+    ],
+)  # fmt: skip
+def test_other_arrays_are_refused_by_name(array, error):
+    with pytest.raises(error, match="picture:"):
+        take_photo(array)

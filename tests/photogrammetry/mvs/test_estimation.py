@@ -1,17 +1,22 @@
-"""Depth of posed photographs is accurate on a textured plane and reproducible."""
+"""Depth of posed photographs: choice of sources, accuracy, reproducibility, resumed searches, masks."""
 
 import hashlib
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.io.pictures.image_files import write_png
+from pointloom.photogrammetry.mvs import plane_search
 from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
 from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+from pointloom.photogrammetry.mvs.rectification import rectify
+from pointloom.photogrammetry.mvs.sources import choose_sources
 
-from .made_maps import moved
-from .made_pictures import FOCAL, NORMAL, camera_at, look, scene, three
+from .made_maps import moved, pose
+from .made_pictures import FOCAL, HEIGHT, NORMAL, WIDTH, camera_at, look, scene, three
 
 ALL = [[1, 2], [0, 2], [0, 1]]
 
@@ -194,3 +199,355 @@ def test_a_failure_leaves_no_finished_folder(tmp_path):
     with pytest.raises(loom.FileError, match="/maps:"):
         DepthMaps.open(tmp_path / "maps")
     assert not [path for path in (tmp_path / "maps").iterdir() if path.is_dir()]
+
+
+def bytes_of(maps):
+    return [part.tobytes() for each in maps for part in (each.depth, each.normals, each.confidence)]
+
+
+def test_an_interrupted_search_resumes_at_the_next_picture(tmp_path, monkeypatch):
+    cameras = three()
+    pictures, sparse = scene(cameras)
+    expected = bytes_of(loom.mvs.estimate_depth_maps(pictures, cameras, sparse))
+    steps, matched, match = [], [], plane_search._PhaseRun.match
+    monkeypatch.setattr(
+        plane_search._PhaseRun, "match", lambda phase, i: matched.append((phase.number, i)) or match(phase, i)
+    )
+
+    def run(stop):
+        matched.clear()
+
+        def progress(name, done, total):
+            steps.append(total)
+            if done == stop:
+                raise KeyboardInterrupt
+
+        return loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going", progress=progress)
+
+    for stop in (2, 4, 6, 9):
+        with pytest.raises(KeyboardInterrupt):
+            run(stop)
+    phases = steps[0] // 3
+    maps = run(None)
+    assert bytes_of(maps) == expected
+    assert matched == [(k // 3, k % 3) for k in range(9, 3 * phases)]  # finished pictures are not matched again
+
+
+def test_truncated_files_are_matched_again(tmp_path):
+    cameras = three()
+    pictures, sparse = scene(cameras)
+    expected = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
+    files = sorted((tmp_path / "going").iterdir())
+    files[0].write_bytes(files[0].read_bytes()[:-7])
+    files[1].write_bytes(b"")
+    np.save(files[2], np.zeros((3, 4), np.float32))
+    again = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
+    assert bytes_of(again) == bytes_of(expected)
+
+
+@pytest.fixture(scope="module")
+def masks():
+    """A mask that excludes the right half of each picture."""
+    mask = np.zeros((HEIGHT, WIDTH), np.uint8)
+    mask[:, : WIDTH // 2] = 255
+    return mask
+
+
+def test_masked_pixels_have_no_depth_and_no_points(masks, tmp_path):
+    cameras = three()
+    pictures, sparse = scene(cameras)
+    write_png(tmp_path / "m.png", masks)
+    given = [tmp_path / "m.png", masks, masks > 0]
+    unmasked = loom.mvs.estimate_depth_maps(pictures, cameras, sparse)
+    maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=given)
+    for each, all_of_it in zip(maps, unmasked, strict=True):
+        out = masks == 0
+        assert not each.depth[out].any() and not each.confidence[out].any() and not each.normals[out].any()
+        assert np.array_equal(each.depth[~out], all_of_it.depth[~out]) and each.depth[~out].any()
+    cloud = loom.mvs.fuse(maps, pictures)
+    inside = np.zeros(len(cloud), bool)
+    for camera in cameras:
+        p = cloud.points @ camera.T_camera_world[:3, :3].T + camera.T_camera_world[:3, 3]
+        inside |= camera.intrinsic.fx * p[:, 0] / p[:, 2] + camera.intrinsic.cx < WIDTH // 2 + 1
+    assert len(cloud) > 100 and inside.all()
+    maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=[None, masks, None])
+    assert np.array_equal(maps[0].depth, unmasked[0].depth) and not np.array_equal(maps[1].depth, unmasked[1].depth)
+
+
+def test_masks_that_do_not_fit_are_refused(masks, tmp_path):
+    cameras = three()
+    pictures, sparse = scene(cameras)
+    write_png(tmp_path / "m.png", masks[:-1])
+    for wrong, error, match in [
+        ([masks], ValueError, "masks: expected one, or None, for each of the 3 images, got 1"),
+        ([masks, masks, masks[1:]], ValueError, r"masks\[2\]: expected shape"),
+        ([masks, masks, 1.0 * masks], TypeError, r"masks\[2\]: expected a path, or an array of bool or uint8"),
+        ([masks, masks, tmp_path / "m.png"], loom.FileError, "m.png: expected a mask of 48 x 36 pixels"),
+    ]:
+        with pytest.raises(error, match=match):
+            loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=wrong)
+
+
+LENS = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+
+
+def camera_from(x, y=0.0, z=0.0, angle=0.0):
+    T = pose(x, y, angle)
+    T[:3, 3] -= T[:3, 2] * z
+    return loom.mvs.PosedCamera(LENS, T)
+
+
+def scattered(rng, count=9, points=300):
+    """Cameras in a row and points that some of them see."""
+    cameras = [camera_from(*rng.normal(0, 0.5, 2)) for _ in range(count)]
+    positions = rng.normal((0, 0, 6), 1, (points, 3))
+    return cameras, SparsePoints(positions, np.argwhere(rng.random((count, points)) < 0.4))
+
+
+def plain_cover(cameras, sparse, count):
+    """The greedy choice with one matrix per picture."""
+    centers, out = np.array([camera.center for camera in cameras]), []
+    for i in range(len(cameras)):
+        mine = sparse.seen_by(i)
+        weights = np.zeros((len(cameras), len(mine)))
+        for j in range(len(cameras)):
+            if j == i:
+                continue
+            a, b = sparse.points[mine] - centers[i], sparse.points[mine] - centers[j]
+            cosine = (a * b).sum(1) / np.linalg.norm(a, axis=1) / np.linalg.norm(b, axis=1)
+            angle = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+            weight = np.clip(angle / 3, 0, 1) * np.exp(-np.maximum(angle - 10, 0) / 10)
+            weights[j] = np.isin(mine, sparse.seen_by(j)) * weight
+        left, chosen = np.full(len(mine), 3.0), []
+        for _ in range(count):
+            gain = np.minimum(weights, left).sum(1)
+            gain[chosen] = -1
+            if gain.max() <= 0:
+                break
+            chosen.append(int(gain.argmax()))
+            left = np.maximum(left - weights[chosen[-1]], 0)
+        out.append(tuple(chosen))
+    return tuple(out)
+
+
+@pytest.mark.parametrize("count", [1, 4, 8])
+def test_the_choice_matches_a_plain_loop(rng, count):
+    cameras, sparse = scattered(rng)
+    assert choose_sources(cameras, sparse, count=count) == plain_cover(cameras, sparse, count)
+
+
+def test_a_source_covering_unseen_points_precedes_better_ones():
+    """Pictures 1 to 4 see the left half well; only picture 5 sees the right half, at a poorer angle."""
+    cameras = [camera_from(x) for x in (0.0, 0.5, 0.52, 0.54, 0.56, 0.15)]
+    points = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.full(40, 5.0)], axis=1)
+    left = np.flatnonzero(points[:, 0] < 0).tolist()
+    right = np.flatnonzero(points[:, 0] > 0).tolist()
+    seen = [(0, k) for k in range(40)] + [(j, k) for j in (1, 2, 3, 4) for k in left] + [(5, k) for k in right]
+    chosen = choose_sources(cameras, SparsePoints(points, seen), count=4)[0]
+    assert chosen.index(5) == 3  # after three good views of the left half a fourth adds nothing
+    assert choose_sources(cameras, SparsePoints(points, seen), count=8)[0] == chosen
+
+
+def test_angles_of_some_degrees_are_preferred():
+    degrees = np.array([0.0, 0.3, 6.0, 40.0, 85.0])
+    cameras = [camera_from(5 * np.sin(a), 0, 5 - 5 * np.cos(a)) for a in np.radians(degrees)]
+    sparse = SparsePoints([[0.0, 0.0, 5.0]], [(i, 0) for i in range(5)])
+    assert choose_sources(cameras, sparse)[0] == (2, 1, 3, 4)
+
+
+def test_sources_are_independent_of_origin_and_unit(rng):
+    cameras, sparse = scattered(rng)
+    expected = choose_sources(cameras, sparse)
+    for scale, shift in ((1.0, (5e5, 5.4e6, 300.0)), (1e-6, np.zeros(3)), (1e6, np.zeros(3))):
+        points = SparsePoints(sparse.points * scale + shift, sparse.observations)
+        assert choose_sources(moved(cameras, scale, shift), points) == expected
+
+
+def test_nearby_cameras_of_the_same_direction_are_sources_without_points():
+    cameras = [camera_from(0.1 * k) for k in range(6)] + [camera_from(0.05, angle=3.0)]
+    none = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
+    chosen = choose_sources(cameras, none, count=3)
+    assert chosen == choose_sources(cameras, None, count=3)
+    assert set(chosen[0]) <= {1, 2, 3, 4}
+    assert set(chosen[3]) <= {1, 2, 4, 5}
+    assert all(6 not in each for each in chosen[:6])  # it looks the other way
+    assert chosen[6] == ()
+
+
+def test_a_model_of_structure_from_motion_is_taken_for_its_points(rng):
+    cameras, sparse = scattered(rng)
+    model = SimpleNamespace(points=sparse.points, observations=sparse.observations, names=("a.jpg",) * 9)
+    assert choose_sources(cameras, model) == choose_sources(cameras, sparse)
+
+
+def test_only_a_picture_without_shared_points_is_chosen_for_by_its_camera(rng):
+    cameras, sparse = scattered(rng)
+    bare = SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 4])
+    chosen = choose_sources(cameras, bare, count=3)
+    assert len(chosen[4]) == 3
+    assert all(4 not in each for i, each in enumerate(chosen) if i != 4)
+
+
+def test_cameras_at_one_position_have_no_sources():
+    for count in (0, 1, 3):
+        assert choose_sources([camera_from(0.0)] * count, None) == ((),) * count
+    sparse = SparsePoints([[0.0, 0.0, 2.0]], [(0, 0), (1, 0), (2, 0)])
+    assert choose_sources([camera_from(0.0)] * 3, sparse) == ((), (), ())
+
+
+def test_an_observation_by_a_picture_that_is_not_there_is_refused():
+    sparse = SparsePoints([[0.0, 0.0, 2.0]], [(3, 0)])
+    with pytest.raises(ValueError, match="sparse:"):
+        choose_sources([camera_from(0.0)] * 2, sparse)
+
+
+PAIR_WIDTH, PAIR_HEIGHT = 96, 72
+PAIR_LENS = loom.PinholeCameraIntrinsic(PAIR_WIDTH, PAIR_HEIGHT, 2 * FOCAL, 2 * FOCAL, 47.5, 35.5)
+BASELINE = 0.18
+
+
+def rotated_camera(
+    x: float, y: float = 0.0, z: float = 0.0, *, angle: float = 0.0, roll: float = 0.0
+) -> loom.mvs.PosedCamera:
+    """A camera at a position, rotated about its vertical axis, then about its optical axis [rad]."""
+    c, s, a, b = np.cos(angle), np.sin(angle), np.cos(roll), np.sin(roll)
+    T = np.eye(4)
+    T[:3, :3] = np.array([[a, -b, 0], [b, a, 0], [0, 0, 1]]) @ [[c, 0, -s], [0, 1, 0], [s, 0, c]]
+    T[:3, 3] = -T[:3, :3] @ (x, y, z)
+    return loom.mvs.PosedCamera(PAIR_LENS, T)
+
+
+def estimate_pair(cameras, **options) -> DepthMaps:
+    pictures, sparse = scene(cameras)
+    return loom.mvs.estimate_depth_maps(pictures, cameras, sparse, method="sgm", **({"sources": [[1], [0]]} | options))
+
+
+def disparity_errors(each, camera) -> np.ndarray:
+    """Errors of disparity [px] for the baseline of the pairs."""
+    truth, has = look(camera)[1], each.depth > 0
+    return np.abs(1 / each.depth[has] - 1 / truth[has]) * PAIR_LENS.fx * BASELINE
+
+
+PAIRS = {
+    "rectified": (rotated_camera(0.0), rotated_camera(BASELINE)),
+    "second on the left": (rotated_camera(0.0), rotated_camera(-BASELINE)),
+    "toward each other": (rotated_camera(0.0, angle=0.06), rotated_camera(BASELINE, angle=-0.06)),
+    "one above the other": (rotated_camera(0.0), rotated_camera(0.0, BASELINE)),
+    "rolled": (rotated_camera(0.0, roll=0.3), rotated_camera(BASELINE, 0.02, 0.03, roll=-0.2)),
+}
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_a_slanted_plane_has_subpixel_depth_and_its_normal(device, name):
+    cameras = PAIRS[name]
+    maps = estimate_pair(cameras, device=device)
+    assert maps.sources == ((1,), (0,))
+    for each, camera in zip(maps, cameras, strict=True):
+        wrong = disparity_errors(each, camera)
+        assert each.share > 0.5
+        assert np.median(wrong) < 0.2
+        assert (wrong < 1).mean() > 0.97
+        has = each.depth > 0
+        cosines = each.normals[has] @ (camera.T_camera_world[:3, :3] @ NORMAL)
+        assert np.median(cosines) > 0.92
+        assert (each.confidence[has] > 0).all() and each.confidence.max() <= 0.5
+        assert not each.confidence[~has].any() and not each.normals[~has].any()
+
+
+def test_hidden_pixels_have_no_depth():
+    """A textured bar before a textured wall hides a strip of the wall from the right image."""
+    rng = np.random.default_rng(0)
+    wall, bar = (rng.integers(0, 256, (PAIR_HEIGHT, 2 * PAIR_WIDTH), dtype=np.uint8) for _ in range(2))
+    pictures = [wall[:, 20 : 20 + PAIR_WIDTH].copy(), wall[:, 24 : 24 + PAIR_WIDTH].copy()]
+    pictures[0][:, 40:60], pictures[1][:, 28:48] = bar[:, :20], bar[:, :20]  # disparities 4 and 12
+    cameras = [rotated_camera(0.0), rotated_camera(BASELINE)]
+    near, far = PAIR_LENS.fx * BASELINE / 12, PAIR_LENS.fx * BASELINE / 4
+    points = SparsePoints([[0, 0, z] for z in (near, near, far, far)], [[i, k] for i in (0, 1) for k in range(4)])
+    left, right = loom.mvs.estimate_depth_maps(pictures, cameras, points, sources=[[1], [0]], method="sgm")
+    hidden, inner = (slice(8, -8), slice(34, 38)), (slice(8, -8), slice(44, 56))
+    assert (left.depth[hidden] > 0).mean() < 0.1
+    np.testing.assert_allclose(np.median(left.depth[inner]), near, rtol=0.02)
+    assert (left.depth[8:-8, 8:30] > 0).mean() > 0.9
+    np.testing.assert_allclose(np.median(left.depth[8:-8, 8:30]), far, rtol=0.02)
+    assert (right.depth[8:-8, 50:54] > 0).mean() < 0.1
+
+
+@pytest.mark.parametrize("value", [0, 128])
+def test_images_without_texture_have_no_depth(device, value):
+    _, sparse = scene(list(PAIRS["rectified"]))
+    plain = [np.full((PAIR_HEIGHT, PAIR_WIDTH), value, np.uint8)] * 2
+    maps = loom.mvs.estimate_depth_maps(
+        plain, PAIRS["rectified"], sparse, sources=[[1], [0]], method="sgm", device=device
+    )
+    assert [each.share for each in maps] == [0.0, 0.0]
+
+
+@pytest.mark.parametrize("name", ["rectified", "rolled"])
+def test_results_are_bitwise_identical_for_one_and_two_threads(name):
+    before, digests = loom.get_num_threads(), []
+    try:
+        for count in (1, 2):
+            loom.set_num_threads(count)
+            digests.append(digest(estimate_pair(PAIRS[name])))
+    finally:
+        loom.set_num_threads(before)
+    assert digests[0] == digests[1]
+
+
+def test_exposure_colors_files_and_folders_change_nothing(tmp_path):
+    cameras = list(PAIRS["rectified"])
+    pictures, sparse = scene(cameras)
+    given = {"sources": [[1], [0]], "method": "sgm"}
+    first = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, **given)
+    darker = [pictures[0], (pictures[1] // 2).astype(np.uint8)]
+    dark = loom.mvs.estimate_depth_maps(darker, cameras, sparse, **given)
+    assert np.median(disparity_errors(dark[0], cameras[0])) < 0.2
+    stored = loom.mvs.estimate_depth_maps(
+        pictures, cameras, sparse, **given, folder=tmp_path / "maps", going=tmp_path / "going", device_bytes=0, seed=3
+    )
+    assert digest(first) == digest(stored) == digest(DepthMaps.open(tmp_path / "maps"))
+
+
+def test_masked_pixels_and_images_without_sources_have_no_depth():
+    mask = np.zeros((PAIR_HEIGHT, PAIR_WIDTH), bool)
+    mask[:, : PAIR_WIDTH // 2] = True
+    maps = estimate_pair(PAIRS["rectified"], masks=[None, mask], sources=[[1], [0]])
+    assert maps[0].share > 0.5 and not maps[1].depth[:, PAIR_WIDTH // 2 :].any()
+    maps = estimate_pair(PAIRS["rectified"], sources=[[1], []])
+    assert maps[0].share > 0.5 and maps[1].share == 0
+
+
+def test_the_unit_of_the_poses_scales_the_depth():
+    cameras = PAIRS["rectified"]
+    pictures, sparse = scene(list(cameras))
+    scaled = []
+    for camera in cameras:
+        T = camera.T_camera_world.copy()
+        T[:3, 3] *= 1000
+        scaled.append(loom.mvs.PosedCamera(PAIR_LENS, T))
+    points = SparsePoints(sparse.points * 1000, sparse.observations)
+    far = loom.mvs.estimate_depth_maps(pictures, scaled, points, sources=[[1], [0]], method="sgm")
+    near = estimate_pair(list(cameras))
+    np.testing.assert_allclose(far[0].depth, 1000 * near[0].depth, rtol=1e-4)
+
+
+def test_a_rectified_pair_keeps_its_pixels():
+    pair = rectify(PAIRS["rectified"])
+    assert (pair.width, pair.height, pair.order) == (PAIR_WIDTH, PAIR_HEIGHT, (0, 1))
+    assert all(view.there is None for view in pair.views)
+    assert rectify(PAIRS["second on the left"]).order == (1, 0)
+    np.testing.assert_allclose(pair.per_unit, PAIR_LENS.fx * BASELINE)
+
+
+def test_pairs_that_cannot_be_matched_are_rejected(tmp_path):
+    def refused(error, match, cameras=PAIRS["rectified"], **options):
+        with pytest.raises(error, match=match):
+            estimate_pair(list(cameras), folder=tmp_path / "maps", **options)
+        assert not (tmp_path / "maps").exists()
+
+    refused(ValueError, "cameras: expected a baseline across", (rotated_camera(0.0), rotated_camera(0.01, 0.0, 0.5)))
+    refused(ValueError, "pictures: expected 2", [rotated_camera(0.1 * k) for k in range(3)], sources=[[1], [0], []])
+    pictures, sparse = scene(list(PAIRS["rectified"]))
+    for method, error in (("sgbm", ValueError), (None, TypeError), (1, TypeError)):
+        with pytest.raises(error, match="method: expected"):
+            loom.mvs.estimate_depth_maps(pictures, PAIRS["rectified"], sparse, method=method)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import warp as wp
-from scipy import ndimage
 
 from pointloom.kernels.lang import vec2, vec4
 from pointloom.kernels.memory import download, upload
@@ -71,31 +70,6 @@ def test_there_is_no_prior_without_a_certain_plane(device, kind):
         plain = (np.abs(u - 40) < 3) & (np.abs(v - 30) < 3)
         sure = ~plain
     assert not given(device, w, sure, plain).any()
-
-
-def random_picture(seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Plain and certain pixels in speckles and bands."""
-    rng = np.random.default_rng(seed)
-    plain = ndimage.gaussian_filter(rng.normal(size=u.shape), 3) > 0.02
-    return plain, rng.random(u.shape) < 0.3
-
-
-@pytest.mark.parametrize("seed", range(2))
-def test_regions_are_connected_components_with_the_certain_pixels_around_them(device, seed):
-    plain, sure = random_picture(seed)
-    judged = np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2)
-    regions = find_regions(upload(judged, vec2, wp.get_device(device)), WIDTH)
-    assert regions is not None
-    labels, count = ndimage.label(plain)
-    large = [k for k in range(1, count + 1) if (labels == k).sum() >= 64]
-    assert regions.count == len(large)
-    expected = []
-    for number, k in enumerate(sorted(large, key=lambda k: np.flatnonzero(labels == k)[0])):
-        near = ndimage.binary_dilation(labels == k, iterations=3) & sure
-        expected += [(number << 32) | pixel for pixel in np.flatnonzero(near)]
-    assert download(regions.pairs).tolist() == expected
-    lengths = download(regions.lasts) - download(regions.firsts)
-    assert lengths.sum() == len(expected)
 
 
 def test_pixels_take_the_plane_of_near_pixels(device):

@@ -22,6 +22,7 @@ from pointloom.photogrammetry.sfm.limited_process import LimitedProcess
 from pointloom.photogrammetry.sfm.mapping import map_pictures
 from pointloom.photogrammetry.sfm.matches import match
 
+from ...sigint import sigint_enabled
 from .conftest import write_pictures
 
 # Code of a worker instead of its job, and the expected message.
@@ -100,13 +101,9 @@ def test_an_interrupt_kills_the_worker_and_its_children(scene_pictures, tmp_path
         watched.extend(os.pidfd_open(pid) for pid in pids)
         signal.raise_signal(signal.SIGINT)
 
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job of a script's begins with it ignored
     threading.Thread(target=interrupt, daemon=True).start()
-    try:
-        with pytest.raises(KeyboardInterrupt):
-            find_features(pictures, tmp_path / "f.db")
-    finally:
-        signal.signal(signal.SIGINT, before)
+    with sigint_enabled(), pytest.raises(KeyboardInterrupt):
+        find_features(pictures, tmp_path / "f.db")
     assert len(watched) == 2
     for process in watched:
         assert select.select([process], [], [], 60)[0]  # it has ended

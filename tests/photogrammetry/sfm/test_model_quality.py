@@ -1,12 +1,24 @@
-"""Quality of a model: angles between rays, and whether rotation alone explains the pictures."""
+"""Quality of a model: angles, parallax, focal lengths, and structure that repeats."""
 
 import dataclasses
+import json
+import math
+import sqlite3
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.model_quality import assess_model, parallax, triangulation_angles
+from pointloom.photogrammetry.sfm import colmap_worker
+from pointloom.photogrammetry.sfm import model_quality as module
+from pointloom.photogrammetry.sfm.camera_check import CameraCheck
+from pointloom.photogrammetry.sfm.model_quality import ModelQuality, assess_model, parallax, triangulation_angles
+from pointloom.photogrammetry.sfm.repetition_check import RepetitionCheck, check_repetition
+
+from .conftest import has_pycolmap
 
 FOCAL, WIDTH, HEIGHT = 500.0, 640, 480
 
@@ -108,3 +120,271 @@ def test_few_pictures_few_points_and_several_models_are_reported(points):
     assert assess_model(model, 4, model_sizes=(4, 2)).reliable  # the same pictures again
     few = assess_model(model_of(views(4, side=1.0, angle=0.3), points[:30]), 4)
     assert "only 30 points were triangulated" in str(few.warnings)
+
+
+CAMERA = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+
+
+def row_of(centers, seen, pixels=None):
+    """Cameras on the x axis, each of which sees a number of the first points."""
+    poses = np.tile(np.eye(4), (len(centers), 1, 1))
+    poses[:, 0, 3] = np.negative(centers)
+    points = np.random.default_rng(0).uniform([-1, -1, 4], [1, 1, 6], (max(seen), 3))
+    observations = np.array([[picture, k] for picture, count in enumerate(seen) for k in range(count)])
+    if pixels is None:
+        pixels = np.zeros((len(observations), 2))
+    names = [str(k) for k in range(len(centers))]
+    return loom.SfmModel(names, [CAMERA] * len(centers), poses, points=points, observations=observations, pixels=pixels)
+
+
+def test_a_picture_is_compared_with_one_that_is_far_and_sees_much_of_the_same(monkeypatch):
+    monkeypatch.setattr(module, "_MAX_PAIRS", 1)  # for the first picture alone
+    # distance times the root of the number of shared points: 45, 54 and 42
+    assert module._far_pairs(row_of([0.0, 10.0, 7.0, 3.0], [200, 20, 60, 200])) == [(0, 2)]
+
+
+def test_a_mirrored_picture_is_no_rotated_one():
+    rays = np.random.default_rng(1).uniform(-0.5, 0.5, (60, 2))
+    once = rays * 500 + [319.5, 239.5]
+    for second, is_rotated in ((once, True), ((rays * [-1, 1]) * 500 + [319.5, 239.5], False)):
+        off = module.parallax(row_of([0.0, 1.0], [60, 60], np.concatenate([once, second])), fixed=True)
+        assert (off < 1e-6) is is_rotated and (off > 50) is not is_rotated
+
+
+SIZE, FACADE_FOCAL, AWAY, PERIOD, STEP, COUNT = (320, 240), 300.0, 6.0, 2.0, 1.0, 6
+PAIR = 2147483647
+
+
+def facade(*, windows: int = 40, unique: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Points of a facade and descriptors: `windows` points that repeat in each period, and unique ones."""
+    rng = np.random.default_rng(0)
+    places, kinds = rng.uniform((0, -1.8, 0), (PERIOD, 1.8, 0.4), (windows, 3)), rng.dirichlet(np.ones(128), windows)
+    points = np.concatenate([places + np.array([k * PERIOD, 0, 0]) for k in range(-3, 7)])
+    alone = rng.uniform((-3 * PERIOD, -1.8, 0), (7 * PERIOD, 1.8, 0.4), (unique, 3))
+    seen = np.concatenate([*[kinds] * 10, rng.dirichlet(np.ones(128), unique)])
+    return np.concatenate([points, alone]), np.rint(512 * np.sqrt(seen)).astype(np.uint8)
+
+
+def scene(path: Path, points: np.ndarray, descriptors: np.ndarray) -> loom.SfmModel:
+    """Write the database of a camera along the facade, with correct matches; returns the correct model."""
+    camera = loom.CameraModel("PINHOLE", *SIZE, [FACADE_FOCAL, FACADE_FOCAL, SIZE[0] / 2, SIZE[1] / 2])
+    poses = np.tile(np.eye(4), (COUNT, 1, 1))
+    poses[:, 0, 3], poses[:, 2, 3] = -STEP * np.arange(COUNT), AWAY
+    rows, pixels, seen = [], [], []
+    with sqlite3.connect(path) as database:
+        database.execute("CREATE TABLE images (image_id INTEGER, name TEXT)")
+        for table in ("keypoints", "descriptors", "two_view_geometries"):
+            key = "pair_id" if table == "two_view_geometries" else "image_id"
+            database.execute(f"CREATE TABLE {table} ({key} INTEGER, rows INTEGER, cols INTEGER, data BLOB)")
+
+        def insert(table, number, values):
+            database.execute(f"INSERT INTO {table} VALUES (?, ?, ?, ?)", (number, *values.shape, values.tobytes()))
+
+        for k, pose in enumerate(poses):
+            at = camera.project(points + pose[:3, 3])
+            inside = np.flatnonzero(((at > 0) & (at < np.array(SIZE) - 1)).all(axis=1))
+            shape = np.tile([2.0, 0, 0, 2.0], (len(inside), 1))
+            database.execute("INSERT INTO images VALUES (?, ?)", (k + 1, f"{k}.jpg"))
+            insert("keypoints", k + 1, np.column_stack([at[inside] + 0.5, shape]).astype(np.float32))
+            insert("descriptors", k + 1, descriptors[inside])
+            rows.append(np.column_stack([np.full(len(inside), k), inside]))
+            pixels.append((at[inside] + 0.5).astype(np.float32) - 0.5)
+            seen.append(inside)
+        for i in range(COUNT):
+            for j in range(i + 1, COUNT):
+                _, first, second = np.intersect1d(seen[i], seen[j], return_indices=True)
+                insert(
+                    "two_view_geometries", PAIR * (i + 1) + j + 1, np.column_stack([first, second]).astype(np.uint32)
+                )
+    database.close()
+    names = [f"{k}.jpg" for k in range(COUNT)]
+    return loom.SfmModel(
+        names, [camera] * COUNT, poses, points, observations=np.concatenate(rows), pixels=np.concatenate(pixels)
+    )
+
+
+def checked(path: Path, **parts: int) -> RepetitionCheck:
+    return check_repetition(scene(path, *facade(**parts)), path)
+
+
+def test_a_facade_without_unique_parts_is_unreliable(tmp_path):
+    check = checked(tmp_path / "matches.db")
+    assert check.repeating_count == COUNT and check.connected_count == 1
+    assert check.period == pytest.approx(PERIOD * FACADE_FOCAL / AWAY, rel=0.1)
+    assert check.baselines == pytest.approx(PERIOD / STEP, rel=0.1)
+    (reason,) = check.reasons()
+    assert "the structure repeats every" in reason and "connect only 1 of 6 images" in reason
+    assert "2 times the distance of two cameras" in reason and "such as a door or a sign" in reason
+
+
+def test_unique_parts_decide(tmp_path):
+    check = checked(tmp_path / "matches.db", unique=1200)
+    assert check.repeating_count == COUNT and check.connected_count == COUNT and check.contradiction < 0.05
+    assert check.reasons() == []
+
+
+def test_a_scene_without_repetition_is_not_reported(tmp_path):
+    check = checked(tmp_path / "matches.db", windows=0, unique=1200)
+    assert check.repeating_count == 0 and check.reasons() == []
+
+
+def test_poses_that_unique_parts_contradict_are_unreliable(tmp_path):
+    model = scene(tmp_path / "matches.db", *facade(unique=1200))
+    poses = model.T_camera_world.copy()
+    poses[0, 0, 3] -= PERIOD
+    check = check_repetition(dataclasses.replace(model, T_camera_world=poses), tmp_path / "matches.db")
+    assert check.contradiction > 0.9 and "of the other matches of an image do not fit" in check.reasons()[0]
+
+
+def test_the_quality_has_the_check(tmp_path):
+    model = scene(tmp_path / "matches.db", *facade())
+    quality = assess_model(model, COUNT, repetition=check_repetition(model, tmp_path / "matches.db"))
+    assert any("the structure repeats every" in reason for reason in quality.warnings)
+    assert ModelQuality.from_json(quality.to_dict()).repetition == quality.repetition
+    with pytest.raises(TypeError, match="repetition: expected a ModelQuality's `repetition` or None, got int"):
+        assess_model(model, COUNT, repetition=3)
+
+
+def warnings_of(**figures: float) -> str:
+    return "; ".join(CameraCheck(**figures).reasons())
+
+
+def test_a_given_camera_is_reported_with_both_numbers():
+    message = warnings_of(given=600, found=526, error=0.85, freed_error=0.5)
+    assert "given focal length is 600 px, but 526 px fits the images better" in message
+    assert "(the error falls from 0.85 to 0.5 px)" in message
+    assert "given focal length is 600 px" in warnings_of(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
+
+
+@pytest.mark.parametrize(
+    "figures",
+    [
+        {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45},  # the pictures do not determine it
+        {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45, "spread": 0.03},  # nor do parts of them
+        {"given": 526, "found": 530, "error": 0.85, "freed_error": 0.5},  # it was something else
+        {"given": 526, "found": 526, "error": 0.5, "freed_error": 0.5, "own_error": 0.45},
+        {"found": 526, "rise": 0.01, "spread": 0.02, "error": 0.5, "own_error": 0.45},
+        {},
+    ],
+)
+def test_a_camera_that_fits_is_not_reported(figures):
+    assert warnings_of(**figures) == ""
+
+
+def test_an_undetermined_focal_length_is_reported():
+    message = warnings_of(found=663, rise=0.0, error=0.4)
+    assert "the images do not determine the focal length (with a focal length 15% off 663 px" in message
+    message = warnings_of(found=663, rise=0.026, spread=0.046, error=0.4)
+    assert "the error rises by 2.6%, and subsets of the images" in message
+    assert "or a lens with more distortion, change the focal length by 5%" in message
+    assert "the 525 px of EXIF fit worse" in warnings_of(found=663, rise=0, error=0.4, exif=525, freed_error=0.6)
+
+
+def test_exif_determines_the_focal_length_if_the_pictures_do_not():
+    check = CameraCheck(found=663, rise=0.0, error=0.4, exif=525, freed_error=0.401)
+    assert check.reasons() == []
+    (remark,) = check.notes()
+    assert "EXIF's 525 px are used" in remark and "across the viewing direction may be off by 5%" in remark
+
+
+def test_several_focal_lengths_are_reported_or_get_separate_cameras():
+    figures = {"found": 600.0, "rise": 0.1, "error": 1.4, "own_error": 0.4}
+    message = warnings_of(**figures)
+    assert "several focal lengths (with one focal length per image the error falls from 1.4 to 0.4 px)" in message
+    parted = CameraCheck(**figures | {"parted": 2})
+    assert parted.reasons() == [] and "2 cameras with different focal lengths do" in parted.notes()[0]
+    assert "several focal lengths" in warnings_of(given=525, freed_error=1.2, **figures)
+
+
+def test_a_check_and_a_quality_are_read_again_from_json():
+    check = CameraCheck(found=663, rise=0.0, error=0.4)
+    quality = dataclasses.replace(assess_model(None, 3), focal=check)
+    again = ModelQuality.from_json(json.loads(json.dumps(quality.to_dict(), allow_nan=False)))
+    assert again.focal is not None and again.focal.reasons() == check.reasons() and math.isnan(again.focal.given)
+    older = {key: value for key, value in quality.to_dict().items() if key not in ("focal", "notes")}
+    assert ModelQuality.from_json(older).focal is None
+
+
+def test_reprojection_errors_above_a_pixel_are_reported(points):
+    model = model_of(views(4, side=1.0, angle=0.3), points)
+    for error, size, refused in ((0.9, 1, False), (1.1, 1, True), (1.5, 4, False), (1.7, 4, True)):
+        cameras = [loom.CameraModel("PINHOLE", size * WIDTH, size * HEIGHT, [FOCAL, FOCAL, 9, 9])] * len(model)
+        scaled = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
+        warnings = assess_model(scaled, 4, focal=CameraCheck()).warnings
+        assert ("the reprojection error is" in str(warnings)) == refused
+
+
+def test_the_check_of_the_focal_length_makes_a_warning(points):
+    model = model_of(views(4, side=1.0, angle=0.3), points)
+    quality = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
+    assert not quality.reliable
+    assert quality.warnings[0].startswith("the images do not determine the focal length")
+    noted = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
+    assert noted.reliable and noted.to_dict()["notes"] == list(noted.notes) != []
+
+
+SCRIPT = """
+import json, pathlib, runpy, sys
+import pycolmap
+pycolmap.logging.minloglevel = 2
+script = runpy.run_path(sys.argv[1])
+results = {}
+for path in sorted(pathlib.Path(sys.argv[2]).iterdir()):
+    model = pycolmap.Reconstruction(str(path))
+    shared, own, lengths = script["own_focal_lengths"](pycolmap, model)
+    results[path.name] = script["profile"](pycolmap, model) | {"own": own / shared}
+    results[path.name] |= script["judge_given"](pycolmap, model)
+    results[path.name]["clusters"] = sorted(len(group) for group in script["clusters"](lengths))
+print(json.dumps(results))
+"""
+
+
+def zoomed(poses, points) -> loom.SfmModel:
+    """A model with one camera, although every second picture has another focal length."""
+    near, far = (model_of(poses, points, focal=focal, noise=0.2) for focal in (FOCAL, 1.3 * FOCAL))
+    parts = [(model, model.observations[:, 0] % 2 == k) for k, model in enumerate((near, far))]
+    seen = np.concatenate([model.observations[mine] for model, mine in parts])
+    pixels = np.concatenate([model.pixels[mine] for model, mine in parts])
+    return dataclasses.replace(near, observations=seen, pixels=pixels)
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory) -> dict:
+    """Results of COLMAP's process for models of synthetic points, without pictures."""
+    if not has_pycolmap():
+        pytest.skip("pycolmap is not installed")
+    rng = np.random.default_rng(0)
+    points = np.column_stack([rng.uniform(-4, 4, (300, 2)), rng.uniform(3, 8, 300)])
+    around, ahead = views(8, side=2.0, angle=0.5), [np.eye(4) for _ in range(8)]
+    for k, T in enumerate(ahead):
+        T[2, 3] = -0.2 * k
+    models = {
+        "around": model_of(around, points, noise=0.2),
+        "ahead": model_of(ahead, points, noise=0.2),
+        "wrong": model_of(around, points, noise=0.2, wrong_focal=1.15),
+        "zoom": zoomed(around, points),
+    }
+    folder = tmp_path_factory.mktemp("models")
+    for name, model in models.items():
+        loom.write_colmap_model(folder / name, model)
+    script = Path(colmap_worker.__file__).with_name("colmap_cameras.py")
+    command = [sys.executable, "-P", "-c", SCRIPT, str(script), str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def test_sideways_motion_determines_the_focal_length_and_forward_motion_does_not(results):
+    assert results["around"]["rise"] > 0.1 and results["around"]["found"] == pytest.approx(FOCAL, rel=0.01)
+    assert results["ahead"]["rise"] < 0.002
+
+
+def test_a_given_focal_length_is_checked_against_the_pictures(results):
+    assert CameraCheck.from_json(results["around"]).reasons() == []
+    check = CameraCheck.from_json(results["wrong"])
+    assert check.given == pytest.approx(1.15 * FOCAL) and check.found == pytest.approx(FOCAL, rel=0.01)
+    assert check.freed_error < 0.6 * check.error
+
+
+def test_pictures_of_two_focal_lengths_form_two_clusters(results):
+    assert results["zoom"]["own"] < 0.5 < 0.9 < results["around"]["own"]
+    assert results["zoom"]["clusters"] == [4, 4] and results["around"]["clusters"] == [8]

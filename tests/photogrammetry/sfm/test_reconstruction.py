@@ -1,19 +1,22 @@
-"""Structure from motion of a synthetic scene with known cameras."""
+"""Structure from motion of a synthetic scene with known cameras, builds of pycolmap, retrieval of pictures."""
 
 import json
+import runpy
 import sqlite3
+from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm import features, matches
+from pointloom.photogrammetry.sfm import colmap_jobs, features, matches
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.mapping import map_pictures
 from pointloom.photogrammetry.sfm.matches import match
 
-from .conftest import COUNT, FEATURES, write_pictures
+from .conftest import COUNT, FEATURES, has_pycolmap, write_pictures
 from .scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
 
 
@@ -68,14 +71,6 @@ def test_each_stage_reports_its_results(stages):
         assert {step[2] for step in steps} == {total}
         assert (steps[0][1], steps[-1][1]) == (0, total)
     assert {path.name for path in stages.work.iterdir()} == {"Bilder", "features.db", "matches.db", "sparse"}
-
-
-@pytest.mark.slow
-def test_mapping_begins_with_the_focal_length_of_a_telephone(stages):
-    """COLMAP's default, 1.2 of the width, gives rotating cameras a focal length that is too large."""
-    with sqlite3.connect(stages.features_db) as connection:
-        ((params,),) = connection.execute("SELECT params FROM cameras").fetchall()
-    assert np.frombuffer(params, np.float64).tolist() == [pytest.approx(0.85 * WIDTH), WIDTH / 2, HEIGHT / 2, 0]
 
 
 @pytest.mark.slow
@@ -176,3 +171,83 @@ def test_global_and_incremental_mapping_agree(stages, tmp_path):
     apart = [np.linalg.norm(each[:, None] - each[None], axis=2) for each in centers]
     scale = (apart[0] * apart[1]).sum() / (apart[0] ** 2).sum()
     assert np.abs(scale * apart[0] - apart[1]).max() < 0.01 * apart[1].max()
+
+
+WORKER = runpy.run_path(str(Path(colmap_jobs.__file__).with_name("colmap_worker.py")))
+
+
+@pytest.mark.parametrize(
+    ("has_cuda", "devices", "wanted", "used"),
+    [(True, 1, None, True), (True, 1, False, False), (True, 0, None, False), (False, 1, None, False)],
+)
+def test_a_gpu_is_used_where_pycolmap_and_the_machine_have_one(monkeypatch, has_cuda, devices, wanted, used):
+    monkeypatch.setitem(WORKER["on_gpu"].__globals__, "_cuda_devices", lambda: devices)
+    assert WORKER["on_gpu"](SimpleNamespace(has_cuda=has_cuda), {"gpu": wanted}) is used
+
+
+def test_a_requested_but_missing_gpu_is_an_error(monkeypatch):
+    monkeypatch.setitem(WORKER["on_gpu"].__globals__, "_cuda_devices", lambda: 0)
+    for has_cuda, message in ((False, "pip install pycolmap-cuda12"), (True, "there is no CUDA device")):
+        with pytest.raises(RuntimeError, match=message):
+            WORKER["on_gpu"](SimpleNamespace(has_cuda=has_cuda), {"gpu": True})
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+def test_missing_networks_are_a_named_error(scene_pictures, tmp_path):
+    pictures = write_pictures(tmp_path / "p", scene_pictures[:2])
+    with pytest.raises(loom.FileError, match="ALIKED and LightGlue require a pycolmap built with ONNX"):
+        find_features(pictures, tmp_path / "f.db", kind="aliked")
+    assert not (tmp_path / "f.db").exists()
+
+
+def descriptors_of_scenes(count: int, views: int, seed: int = 0) -> list[np.ndarray]:
+    """Descriptors of several views of several scenes, in order; each view has most of its scene's 60."""
+    rng = np.random.default_rng(seed)
+    sets = []
+    for _ in range(count):
+        things = rng.integers(0, 200, (60, 128))
+        for _ in range(views):
+            seen = things[rng.permutation(60)[:45]] + rng.integers(-12, 13, (45, 128))
+            sets.append(np.clip(seen, 0, 255).astype(np.uint8))
+    return sets
+
+
+def test_pictures_without_features_are_like_none():
+    none = np.zeros((0, 128), np.uint8)
+    sets = [*descriptors_of_scenes(count=2, views=2), none]
+    alike = matches.alike_pictures(sets, 9, seed=0, words=8)
+    assert alike[4] == [] and [len(row) for row in alike] == [3, 3, 3, 3, 0]
+    assert matches.alike_pictures([none, none], 9, seed=0) == [[], []]
+
+
+def test_many_pictures_are_matched_in_sequence_and_by_retrieval(tmp_path, monkeypatch):
+    sets = descriptors_of_scenes(count=11, views=4)
+    order = np.random.default_rng(3).permutation(len(sets))
+    database = tmp_path / "f.db"
+    with sqlite3.connect(database) as connection:
+        connection.execute("CREATE TABLE images (image_id INTEGER, name TEXT)")
+        connection.execute("CREATE TABLE descriptors (image_id INTEGER, rows INTEGER, cols INTEGER, data BLOB)")
+        connection.execute("CREATE TABLE two_view_geometries (pair_id INTEGER, rows INTEGER)")
+        for k, index in enumerate(order):
+            connection.execute("INSERT INTO images VALUES (?, ?)", (k + 1, f"a picture {k:02d}.png"))
+            connection.execute("INSERT INTO descriptors VALUES (?, 45, 128, ?)", (k + 1, sets[index].tobytes()))
+    connection.close()
+    given = {}
+
+    def run_job(job, path, **limits):
+        if "list" in job:
+            given[job["pairs"]] = [tuple(map(int, line.split())) for line in Path(job["list"]).read_text().splitlines()]
+        return {}, 0
+
+    monkeypatch.setattr(matches, "run_job", run_job)
+    for pairs in ("retrieval", "auto"):
+        report = match(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbors=3)
+        with sqlite3.connect(tmp_path / "m.db") as connection:
+            assert "a picture 07.png" in {name for (name,) in connection.execute("SELECT name FROM images")}
+        connection.close()
+        assert report.pair_count == len(given[report.pairs]) == len(set(given[report.pairs]))
+    looks, mixed = given["retrieval"], given[matches.MIXED]
+    assert set(looks) < set(mixed) and len(mixed) > 80 and (1, 3) in mixed
+    same = [order[a - 1] // 4 == order[b - 1] // 4 for a, b in looks]
+    assert sum(same) >= 0.9 * 6 * 11  # of the six pairs of each scene

@@ -1,17 +1,70 @@
-"""A folder of spherical pictures becomes one of cube faces, with masks and a known lens."""
+"""The full chain on small pictures of the room, and spherical pictures that become cube faces."""
+
+import importlib.util
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.panoramas import Panorama
-from pointloom.datasets.scenes.room import film_pose, look_along
+from pointloom.datasets.scenes.room import film_pose, look_along, room_views, surface_errors
 from pointloom.photogrammetry.sfm.sphere_pictures import with_all_faces
 from pointloom.photogrammetry.video import motion
 
+from ...cli.commands import answer
 from ..sfm.conftest import has_pycolmap, write_pictures
-from .room_pictures import fisheye_pictures, spheres_from
+
+
+def sampled(picture, x, y) -> np.ndarray:
+    """Colors between pixels, float64 [n, 3]."""
+    i, j = (np.clip(np.floor(at).astype(int), 0, picture.shape[axis] - 2) for at, axis in ((x, 1), (y, 0)))
+    fx, fy = np.clip(x - i, 0, 1)[:, None], np.clip(y - j, 0, 1)[:, None]
+    upper, lower = ((picture[row, i] * (1 - fx) + picture[row, i + 1] * fx) for row in (j, j + 1))
+    return upper * (1 - fy) + lower * fy
+
+
+def as_picture(light, noise_seed, shape) -> np.ndarray:
+    noisy = light + np.random.default_rng(noise_seed).normal(0, 2, light.shape)
+    return np.clip(np.rint(noisy), 0, 255).astype(np.uint8).reshape(*shape, 3)
+
+
+def fisheye_pictures(poses, camera, *, finer=1.5) -> list[np.ndarray]:
+    """Pictures by a CameraModel that unprojects all its pixels, sampled from a pinhole's, `finer` times as dense."""
+    v, u = np.mgrid[: camera.height, : camera.width].reshape(2, -1)
+    rays = np.asarray(camera.unproject(np.column_stack([u, v]).astype(np.float64)))
+    assert np.isfinite(rays).all(), "the lens does not unproject all its pixels"
+    slopes = rays[:, :2] / rays[:, 2:]
+    focal = finer * float(camera.params[0])
+    width, height = (int(2 * np.ceil(1.02 * extent * focal)) for extent in np.abs(slopes).max(axis=0))
+    wide = loom.PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
+    x, y = (slopes * focal + (wide.cx, wide.cy)).T
+    frames = room_views(poses, wide, color_noise=0)
+    shape = (camera.height, camera.width)
+    return [as_picture(sampled(frame.color.astype(np.float64), x, y), k, shape) for k, frame in enumerate(frames)]
+
+
+def spheres_from(poses, height=256, *, finer=2) -> list[np.ndarray]:
+    """Equirectangular pictures, uint8 [height, 2 height, 3], sampled from six pinholes, `finer` times as dense."""
+    faces = Panorama(2 * height, height, side=finer * height // 2)
+    lens = faces.intrinsic
+    v, u = np.mgrid[:height, : 2 * height].reshape(2, -1)
+    longitude, latitude = (u + 0.5) / height * np.pi - np.pi, np.pi / 2 - (v + 0.5) / height * np.pi
+    across = np.cos(latitude)
+    rays = np.column_stack([across * np.sin(longitude), -np.sin(latitude), across * np.cos(longitude)])
+    nearest = np.stack([rays @ rotation[:, 2] for rotation in faces.turns]).argmax(axis=0)
+    made = []
+    for k, pose in enumerate(np.asarray(poses)):
+        light = np.zeros((len(u), 3))
+        for n, rotation in enumerate(faces.turns):
+            T = np.array(pose, np.float64)
+            T[:3, :3] = pose[:3, :3] @ rotation
+            face = next(iter(room_views([T], lens, color_noise=0))).color.astype(np.float64)
+            x, y, z = (rays[nearest == n] @ rotation).T
+            light[nearest == n] = sampled(face, x / z * lens.fx + lens.cx, y / z * lens.fy + lens.cy)
+        made.append(as_picture(light, k, (height, 2 * height)))
+    return made
 
 
 def quiet(*_):
@@ -105,3 +158,76 @@ def test_an_uncalibrated_fisheye_is_calibrated_and_registered(tmp_path, mapper):
     assert result.model.cameras[0].params[0] == pytest.approx(160, rel=0.02)
     off = off_truth(result.model, np.array([poses[int(name[0])][:3, 3] for name in result.model.names]))
     assert np.sqrt(np.mean(off**2)) < 0.005, off
+
+
+COUNT, WIDTH, HEIGHT, FOCAL = 9, 320, 240, 262.5
+SIZE = 240  # of the pictures for depth: a pixel is 1 cm at 2 m
+EYE, RIGHT, TARGET = np.array([2.5, 2.05, 1.6]), np.array([-0.907, 0.422, 0.0]), np.array([1.6, 0.1, 1.0])
+
+
+@pytest.fixture(scope="module")
+def views():
+    """A meter from left to right, alternating up and down, looking at the middle of the bookcase."""
+    camera = PinholeCameraIntrinsic(WIDTH, HEIGHT, FOCAL, FOCAL, (WIDTH - 1) / 2, (HEIGHT - 1) / 2)
+    poses = []
+    for k, side in enumerate(np.linspace(-1, 1, COUNT)):
+        eye = EYE + 0.5 * side * RIGHT + 0.1 * (-1) ** k * np.array([0, 0, 1])
+        poses.append(look_along(eye, tuple(TARGET - eye)))
+    return room_views(np.array(poses), camera)
+
+
+@pytest.fixture(scope="module")
+def photos(views, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("photos")
+    for k in range(COUNT):
+        Image.fromarray(views.read(k).color).save(folder / f"photo_{k}.png")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def made(photos, tmp_path_factory):
+    """The report of one run, and its folder."""
+    if importlib.util.find_spec("pycolmap") is None:  # never imported beside NumPy
+        pytest.skip("the extra sfm is not there")
+    folder = tmp_path_factory.mktemp("made")
+    return run_in(folder, photos), folder
+
+
+def run_in(folder, photos, *words):
+    outputs = ("-o", folder / "mesh.ply", "--trajectory", folder / "poses.log", "--work", folder / "work")
+    return answer("video", photos, *outputs, "--max-size", SIZE, "--device", "cpu", *words)
+
+
+def true_points(views):
+    """Points of every 4th pixel of every picture, in the room [m]."""
+    v, u = (each.reshape(-1) for each in np.mgrid[0:HEIGHT:4, 0:WIDTH:4])
+    rays = np.stack([(u - (WIDTH - 1) / 2) / FOCAL, (v - (HEIGHT - 1) / 2) / FOCAL, np.ones(len(u))], axis=1)
+    points = []
+    for k in range(COUNT):
+        frame = views.read(k)
+        depth = np.asarray(frame.depth, np.float64)[v, u]
+        points.append((rays * depth[:, None])[depth > 0] @ frame.T_world_camera[:3, :3].T + frame.T_world_camera[:3, 3])
+    return np.concatenate(points)
+
+
+def errors_of_cameras(folder, views):
+    """Errors of the cameras after the best similarity transform to the true ones."""
+    path = loom.read_trajectory(folder / "poses.log")
+    assert path.ids[:, 0].tolist() == list(range(COUNT))  # the numbers in the photos' names
+    truth = loom.Trajectory(views.poses)
+    return loom.registration.evaluate_trajectory(loom.Trajectory(path.poses), truth, with_scale=True)
+
+
+@pytest.mark.slow
+def test_photos_alone_give_accurate_poses_and_surface(made, views):
+    report, folder = made
+    assert (report["model"]["registered_count"], report["units"], report["reliable"]) == (COUNT, "arbitrary", True)
+    assert report["fused"]["share"] > 0.6
+    errors = errors_of_cameras(folder, views)
+    assert errors.absolute_translation.rmse < 0.005 * np.linalg.norm(np.ptp(views.poses[:, :3, 3], axis=0))
+    mesh = loom.read_triangle_mesh(folder / "mesh.ply").transform(errors.transformation)
+    away, scene = surface_errors(mesh.vertices), loom.RaycastingScene()
+    scene.add_triangles(mesh)
+    assert np.median(away) < 0.01
+    assert np.mean(away <= 0.02) > 0.9
+    assert np.mean(scene.compute_distance(true_points(views).astype(np.float32)) <= 0.02) > 0.6

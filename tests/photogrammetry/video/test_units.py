@@ -1,12 +1,15 @@
-"""The unit of a model: arbitrary, by a factor, by the distance of two cameras, or by known positions."""
+"""The unit of a model, and its position and up direction by GPS, known positions or level cameras."""
 
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.photogrammetry.sfm.image_positions import PicturePlaces
 from pointloom.photogrammetry.video.units import Units, fit_units
 from pointloom.registration.rigid import make_pose
+
+from .made_flights import FRAME, attitudes_of, errors, gps_of, hidden, nadir, oblique, street
 
 NAMES = tuple(f"frame_{number:06d}.png" for number in (0, 7, 12, 30, 41))
 CENTERS = np.array([[0, 0, 0], [1, 0, 0], [1, 2, 0], [0, 2, 1], [3, 1, 2]], float)
@@ -133,3 +136,158 @@ def test_pictures_of_a_folder_keep_their_original_names():
     for known in (("IMG_9", "porch", 1.0), ("IMG_9.JPG", "porch.jpeg", 1.0), ("0000_IMG_9", "0002_porch.jpg", 1.0)):
         fit = fit_units(Units(known=known), model_of(names, [[0, 0, 0], [9, 9, 9], [0, 0, 2.0]]))
         assert fit.scale == pytest.approx(0.5)
+
+
+def fit_gps(poses, gps, align=None, **known):
+    model, _ = hidden(poses)
+    return fit_units(Units(align=align, places=gps, **known), model), model
+
+
+@pytest.mark.parametrize(("flight", "wild"), [(nadir, ()), (oblique, (3,))])
+def test_exact_gps_gives_the_true_position(flight, wild):
+    poses = flight()
+    fit, model = fit_gps(poses, gps_of(poses, wild=wild))
+    assert (fit.units, fit.by, fit.reliable, fit.notes) == ("meters", "exif", True, ())
+    assert fit.gps.left_out == tuple(f"IMG_{k:04d}.jpg" for k in wild)
+    scale, tilt, off = errors(fit, model, poses)
+    assert abs(scale) < 1e-8 and off < 1e-5
+    assert tilt < 1e-3  # up at the median position, 50 m away, is rotated by 0.0005 degrees
+
+
+@pytest.mark.parametrize(
+    ("flight", "noise", "wild"), [(nadir, 0.5, ()), (nadir, 2.0, (3, 11)), (oblique, 0.5, (3, 11)), (oblique, 2.0, ())]
+)
+def test_errors_of_noisy_gps_agree_with_the_reported_accuracy(flight, noise, wild):
+    poses = flight()
+    for seed in range(3):
+        fit, model = fit_gps(poses, gps_of(poses, noise, wild, seed=seed))
+        assert set(fit.gps.left_out) >= {f"IMG_{k:04d}.jpg" for k in wild} and len(fit.gps.left_out) <= len(wild) + 1
+        scale, tilt, off = errors(fit, model, poses)
+        assert abs(scale) < 3.5 * fit.gps.scale_sigma < 0.18
+        assert tilt < 3.5 * fit.gps.tilt_sigma
+        assert off < 3.5 * noise
+        assert 0.7 * noise < fit.gps.horizontal_rms < 2.1 * noise  # 1.41 is expected, less the part absorbed by the fit
+        assert 0.8 * noise < fit.gps.vertical_rms < 3.2 * noise  # twice that is expected
+
+
+def test_the_gimbal_gives_up_of_a_nadir_flight_ten_times_better_than_heights():
+    poses = nadir()
+    tilts = []
+    for attitudes in (None, attitudes_of(poses)):
+        fit, model = fit_gps(poses, gps_of(poses, 2.0, attitudes=attitudes, seed=1))
+        tilts.append(errors(fit, model, poses)[1])
+    assert fit.up.by == "attitudes"
+    assert tilts[1] < 0.1 * tilts[0] and tilts[1] < 0.3
+
+
+def test_a_straight_path_requires_level_cameras():
+    poses = street()
+    fit, model = fit_gps(poses, gps_of(poses, 0.2, sigma=0.2))
+    scale, tilt, off = errors(fit, model, poses)
+    assert fit.by == "exif" and abs(scale) < 0.02 and tilt < 0.5 and off < 1.0
+    alike = np.array([poses[0]] * len(poses))
+    alike[:, :3, 3] = poses[:, :3, 3]
+    fit, _ = fit_gps(alike, gps_of(poses, 0.2, sigma=0.2))
+    assert (fit.units, fit.by, fit.reliable) == ("arbitrary", None, True)
+    assert "GPS of the images is not used" in fit.notes[0] and "on a line" in fit.notes[0]
+
+
+def test_gps_without_altitudes_is_fitted_horizontally():
+    poses = oblique()
+    fit, model = fit_gps(poses, gps_of(poses, 0.5, altitudes=False))
+    assert fit.by == "exif" and np.isnan(fit.gps.vertical_rms)
+    scale, tilt, _ = errors(fit, model, poses)
+    assert abs(scale) < 0.02 and tilt < 0.5
+    assert fit.to_dict()["gps"]["vertical_rms_m"] is None
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda p: gps_of(p * 0 + p[:1], 0.5), "cover"),  # one position
+        (lambda p: gps_of(p, sigma=50.0), "the GPS positions cover only 8"),  # not farther apart than their accuracy
+        (lambda p: gps_of(p[np.random.default_rng(0).permutation(len(p))], 0.5), "determine|differ|agree"),
+    ],
+)
+def test_insufficient_gps_is_reported_and_unreliable_if_requested(change, reason):
+    poses = oblique()
+    gps = change(poses)
+    fit, _ = fit_gps(poses, gps)
+    assert (fit.units, fit.reliable) == ("arbitrary", True)
+    assert fit.is_upright
+    assert reason.split("|")[0] in fit.notes[-1] or any(each in fit.notes[-1] for each in reason.split("|"))
+    requested, _ = fit_gps(poses, gps, "exif")
+    assert not requested.reliable
+
+
+def test_gps_is_ignored_with_other_units_or_none():
+    poses = oblique()
+    gps = gps_of(poses)
+    fit, _ = fit_gps(poses, gps, scale=2.0)
+    assert (fit.by, fit.scale, fit.gps, fit.is_upright) == ("scale", 2.0, None, True)
+    fit, _ = fit_gps(poses, gps, "none")
+    np.testing.assert_array_equal(fit.T_world_model, np.eye(4))
+    assert (fit.units, fit.up) == ("arbitrary", None)
+
+
+def test_requested_gps_with_too_few_positions_is_rejected_early():
+    few = PicturePlaces(gps_of(oblique()).places[:2], {}, {"c.jpg": "its latitude is 97 degrees"}, 3)
+    with pytest.raises(ValueError, match=r"^align:.*2.*3.*c\.jpg.*97"):
+        Units(align="exif", places=few).check_names(["IMG_0000.jpg", "IMG_0001.jpg", "c.jpg"])
+    with pytest.raises(ValueError, match=r"^align:"):
+        Units(align="exif").check_names(["frame_000000.png"])
+
+
+def test_the_report_has_origin_zone_and_the_residual_of_each_picture():
+    poses = nadir()
+    fit, _ = fit_gps(poses, gps_of(poses, 0.5, (3,)))
+    report = fit.to_dict()["gps"]
+    assert report["epsg"] == 32632 and len(report["residuals_m"]) == 24
+    assert abs(report["origin"]["latitude"] - FRAME.latitude) < 1e-3
+    assert np.hypot(*report["residuals_m"]["IMG_0003.jpg"][:2]) > 45
+    assert "EPSG:32632" in str(fit) and "without IMG_0003.jpg" in str(fit)
+
+
+@pytest.mark.parametrize("poses", [oblique(), street()])
+def test_without_gps_level_cameras_make_the_model_upright(poses):
+    fit, model = fit_gps(poses, None)
+    assert (fit.units, fit.up.by) == ("arbitrary", "cameras")
+    assert errors(fit, model, poses)[1] < 0.5
+    assert "upright" in str(fit)
+
+
+def test_a_few_cameras_on_their_side_do_not_change_up():
+    poses = oblique(30)
+    poses[::10, :3, :3] = poses[::10, :3, :3] @ np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    fit, model = fit_gps(poses, None)
+    assert errors(fit, model, poses)[1] < 0.1
+
+
+def test_up_is_undetermined_without_level_cameras():
+    flight = nadir()
+    fit, _ = fit_gps(flight, None)
+    assert fit.up.direction is None and "have one orientation" in fit.up.warnings[0]
+    np.testing.assert_array_equal(fit.T_world_model, np.eye(4))
+    rng = np.random.default_rng(0)
+    tumbling = oblique()
+    for T in tumbling:
+        q = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        T[:3, :3] = q * np.sign(np.linalg.det(q))
+    fit, _ = fit_gps(tumbling, None)
+    assert fit.up.direction is None and "not held level" in fit.up.warnings[0]
+
+
+def test_attitudes_that_contradict_the_model_are_rejected():
+    poses = oblique()
+    rng = np.random.default_rng(0)
+    wrong = {name: (0.0, *rng.uniform(-90, 90, 2)) for name in attitudes_of(poses)}
+    fit, model = fit_gps(poses, PicturePlaces((), wrong, {}, len(poses)))
+    assert fit.up.by == "cameras"
+    assert errors(fit, model, poses)[1] < 0.5
+
+
+def test_attitudes_make_a_nadir_flight_upright_without_gps():
+    poses = nadir()
+    fit, model = fit_gps(poses, PicturePlaces((), attitudes_of(poses), {}, len(poses)))
+    assert fit.up.by == "attitudes"
+    assert errors(fit, model, poses)[1] < 0.01

@@ -12,7 +12,8 @@ from pointloom.photogrammetry.video.outputs import Outputs
 from pointloom.photogrammetry.video.settings import Settings
 
 from ...cli.commands import names_in
-from ...hostile import faults_of, missing_from, public_arguments, read_table
+from ...hostile import missing_from, public_arguments, read_table
+from ..argument_tests import argument_tests
 
 PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
 MAPS = 'ortho="ortho.tif", dem="dem.tif", cell=0.1'
@@ -55,21 +56,7 @@ def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
     return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
 
 
-@pytest.mark.parametrize("name", TABLE)
-def test_the_good_arguments_are_taken(name, things):
-    function, expressions = TABLE[name]
-    eval(function, things)(**{key: eval(value, dict(things)) for key, value in expressions.items()})
-
-
-CASES = [(name, argument) for name, (_, arguments) in TABLE.items() for argument in arguments]
-
-
-@pytest.mark.parametrize(("name", "argument"), CASES)
-def test_a_hostile_value_is_refused_by_name(name, argument, things):
-    function, expressions = TABLE[name]
-    good = {key: eval(value, dict(things)) for key, value in expressions.items()}
-    faults = faults_of(lambda **given: eval(function, dict(things))(**given), good, argument)
-    assert not faults, "\n".join(faults)
+test_good_arguments_are_accepted, test_hostile_values_are_rejected_by_name = argument_tests(TABLE)
 
 
 def test_frame_counts_and_sizes_below_the_minimum_are_rejected():

@@ -1,4 +1,4 @@
-"""`pointloom video`: stages that run again, rejected calls, and messages of poor results."""
+"""`pointloom video` and `loom.video.reconstruct`: stages that run again, rejected calls, results, control and maps."""
 
 import json
 
@@ -8,10 +8,12 @@ import pytest
 import pointloom as loom
 from pointloom.core.work_folder import locked
 from pointloom.io.pictures.image_files import write_png
+from pointloom.photogrammetry.sfm.image_positions import PicturePlace, PicturePlaces
 from pointloom.photogrammetry.video import chain, motion
 
 from ...cli.commands import answer, names_in, refusal, run, unreliable
 from .conftest import COUNT
+from .made_flights import FRAME
 
 STAGES = ["frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh"]
 
@@ -102,32 +104,6 @@ def test_only_what_changed_runs_again(quick, film, output, tmp_path, monkeypatch
     assert files_of(tmp_path / "work") == files_of(tmp_path / "whole")
 
 
-def test_another_film_is_another_run(quick, film, output, tmp_path):
-    answer("video", film, "-o", output, "--work", tmp_path / "work")
-    quick.ran.clear()
-    film.write_bytes(b"another film")
-    answer("video", film, "-o", output, "--work", tmp_path / "work", "--resume", "--force")
-    assert quick.ran[0] == "frames"
-
-
-@pytest.mark.parametrize("stage", STAGES[::3] + STAGES[-1:])
-def test_an_interrupted_run_resumes_to_bitwise_identical_files(quick, film, output, tmp_path, stage):
-    answer("video", film, "-o", output, "--work", tmp_path / "whole")
-    complete, mesh = files_of(tmp_path / "whole"), output.read_bytes()
-    output.unlink()
-    quick.ran.clear()
-    quick.fail = stage
-    assert run("video", film, "-o", output, "--work", tmp_path / "work").exit_code == 130
-    assert not output.exists()
-    finished = [name for name in names_in(tmp_path / "work") if name not in ("records", "video.json")]
-    assert finished == sorted(STAGES[: STAGES.index(stage)])
-    quick.ran.clear()
-    quick.fail = None
-    answer("video", film, "-o", output, "--work", tmp_path / "work", "--resume")
-    assert quick.ran == STAGES[STAGES.index(stage) :]
-    assert (files_of(tmp_path / "work"), output.read_bytes()) == (complete, mesh)
-
-
 def test_an_interrupted_run_without_a_work_folder_leaves_nothing(quick, film, output, tmp_path):
     quick.fail = "depth"
     assert run("video", film, "-o", output).exit_code == 130
@@ -187,6 +163,9 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
         (["--max-size", "10"], "--max-size"),
         (["--resume"], "--resume requires --work"),
         (["--cloud", "room.ply"], "--cloud is the same file as --output"),
+        (["--ortho", "o.tif"], "--cell"),
+        (["--dem", "d.tif", "--cell", "0"], "--cell"),
+        (["--ortho", "o.tif", "--dem", "o.tif", "--cell", "1"], "o.tif"),
     ],
 )
 def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, message):
@@ -205,6 +184,7 @@ def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, mess
         (["-o", "old.ply"], "exists already. Give another name, or --force"),
         (["-o", "room.ply", "--picture", "room.jpg"], "expected .png or .webp"),
         (["-o", "room.ply", "--cloud", "room.mp3"], "clouds are not written to .mp3"),
+        (["-o", "room.ply", "--dem", "d.png", "--cell", "1"], "d.png: is not a GeoTIFF file name"),
         (["-o", "room.ply", "--trajectory", "room.csv"], "poses are not written to .csv"),
         (["-o", "room.ply", "--align", "nowhere.txt"], "nowhere.txt: cannot be read: No such file"),
         (["-o", "room.ply", "--intrinsic", "nowhere.json"], "nowhere.json"),
@@ -249,3 +229,226 @@ def test_a_missing_known_picture_is_an_error_after_the_frames(quick, film, outpu
     quick.registered = 3
     assert "'70' matches no image in the model" in refusal("video", film, "-o", output, "--known", "0,70,1")
     assert quick.ran[-1] == "model"
+
+
+def in_json(result):
+    report = json.loads(json.dumps(result.to_dict()))
+    return {name: value for name, value in report.items() if name not in ("stages", "peak_bytes")}
+
+
+def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result = loom.video.reconstruct(film)
+    assert names_in(tmp_path) == ["walk.mp4"]
+    assert (len(result.mesh), len(result.cloud), len(result.model)) == (2, 3, COUNT)
+    assert (result.files, result.work, result.reliable, result.units) == ((), None, True, "arbitrary")
+    figures = result.figures
+    assert (figures.frame_count, figures.picture_count, figures.quality.registered_count) == (80, COUNT, COUNT)
+    assert (figures.picture_size, figures.confirmed_share, figures.triangle_count) == ((64, 48), 0.6, 2)
+
+
+def test_mesh_cloud_and_model_share_one_frame_and_unit(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    arbitrary = loom.video.reconstruct(film)
+    meters = loom.video.reconstruct(film, loom.video.Settings(units=loom.video.Units(scale=3.0)))
+    assert (meters.units, meters.fit.scale) == ("meters", 3.0)
+    np.testing.assert_allclose(meters.mesh.vertices, 3 * arbitrary.mesh.vertices, atol=1e-6)
+    np.testing.assert_allclose(meters.cloud.points, 3 * arbitrary.cloud.points, atol=1e-6)
+    np.testing.assert_allclose(meters.model.centers, 3 * arbitrary.model.centers, atol=1e-6)
+
+
+def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    shown = run("video", film, "-o", "room.ply", "--cloud", "cloud.ply", "--work", "work", "--device", "cpu")
+    settings = {"work": "work", "resume": True, "overwrite": True, "device": "cpu"}
+    result = loom.video.reconstruct(film, outputs=loom.video.Outputs("room.ply", cloud="cloud.ply"), **settings)
+    same = [line for line in shown.stdout.splitlines() if not line.startswith(("  seconds", "  memory"))]
+    assert same == [line for line in str(result).splitlines() if not line.startswith(("  seconds", "  memory"))]
+    assert json.loads((tmp_path / "work" / "report.json").read_text()) == json.loads(json.dumps(result.to_dict()))
+    assert all(stage.is_reused for stage in result.stages.values())
+
+
+def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, tmp_path):
+    quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
+    first = loom.video.reconstruct(film, work=tmp_path / "work")
+    quick.ran.clear()
+    again = loom.video.reconstruct(film, work=tmp_path / "work", resume=True)
+    assert quick.ran == []
+    assert again.figures == first.figures
+    assert again.warnings == first.warnings and len(first.warnings) == 2
+    assert in_json(again) == in_json(first)
+
+
+def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
+    camera = loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
+    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", camera)
+    work = tmp_path / "work"
+    loom.video.reconstruct(film, loom.video.Settings(intrinsic=tmp_path / "camera.json"), work=work)
+    quick.ran.clear()
+    loom.video.reconstruct(film, loom.video.Settings(intrinsic=camera), work=work, resume=True)
+    assert quick.ran == []
+
+
+POSITIONS = np.array(
+    [[0.5, 0.2, 4.0], [1.5, -1.1, 5.0], [2.5, 0.2, 4.5], [3.0, -0.8, 6.0], [1.0, -0.5, 3.5], [2, 0, 3]]
+)
+
+
+@pytest.fixture
+def pictured(quick, film, tmp_path, monkeypatch):
+    """The fast stages with pictures of the size of the lens, and control in a frame twice as large."""
+    from PIL import Image
+
+    from pointloom.photogrammetry.video import chain
+
+    make = chain.STAGES["frames"]
+
+    def take_frames(folder, report, *, source, max_frames):
+        contents = make(folder, report, source=source, max_frames=max_frames)
+        for path in (folder / motion.PICTURES).iterdir():
+            Image.new("RGB", (64, 48)).save(path)
+        return contents
+
+    monkeypatch.setitem(chain.STAGES, "frames", take_frames)
+    camera = loom.CameraModel("PINHOLE", 64, 48, [50, 50, 32, 24])
+    lines = ["local"]
+    for name, position in zip("ABCDEF", POSITIONS, strict=True):
+        for k in range(8):
+            center = np.array([0.5 * k, -(1.0 - k % 2), 0.0])  # of the poses of the fast stage `model`
+            pixel = camera.project((position - center)[None])[0] + 0.5
+            if (pixel > 0).all() and (pixel < (64, 48)).all():
+                lines.append(" ".join(f"{value:.6f}" for value in (*(2 * position), *pixel)) + f" {10 * k} {name}")
+    path = tmp_path / "gcp.txt"
+    path.write_text("\n".join(lines))
+    return path
+
+
+def test_control_is_reported_and_remakes_only_the_mesh(pictured, quick, film, output, tmp_path):
+    args = ("video", film, "-o", output, "--work", tmp_path / "work", "--force")
+    answer(*args)
+    quick.ran.clear()
+    report = answer(*args[:-1], "--force", "--resume", "--control", pictured)
+    assert quick.ran == ["mesh"]
+    assert (report["fit"]["by"], report["units"], report["reliable"]) == ("control", "meters", True)
+    assert abs(report["fit"]["scale"] - 2) < 1e-4 and len(report["fit"]["control"]["points"]) == 6
+    assert report["fit"]["control"]["control_rms_m"] < 1e-4
+    quick.ran.clear()
+    pictured.write_text(pictured.read_text().replace(" E", " CHK-E"))
+    result = run(*args[:-1], "--force", "--resume", "--control", pictured)
+    assert quick.ran == ["mesh"] and "5 control points" in result.stdout and "1 check point" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda text: text.replace(" 10 A", " 11 A"), "'11' matches no image"),
+        (lambda text: text + "\n1 2 9 70 20 30 G", "outside of 30 of 64 x 48"),
+    ],
+)
+def test_impossible_marks_are_rejected_early(pictured, quick, film, output, change, reason):
+    pictured.write_text(change(pictured.read_text()))
+    message = refusal("video", film, "-o", output, "--control", pictured)
+    assert reason in message and "gcp.txt (line " in message
+    assert quick.ran == ["frames"]
+
+
+def test_a_blunder_has_exit_code_3_and_its_name(pictured, film, output):
+    text = pictured.read_text()
+    first = next(line for line in text.splitlines() if line.endswith(" C"))
+    coordinates = " ".join(first.split()[:3])
+    pictured.write_text(text.replace(coordinates, f"{float(first.split()[0]) + 40} {' '.join(first.split()[1:3])}"))
+    assert "C by 40" in str(unreliable("video", film, "-o", output, "--control", pictured)["warnings"])
+
+
+def test_scale_bars_alone_set_the_size(pictured, film, output, tmp_path):
+    bars = tmp_path / "bars.txt"
+    marks = [line.split() for line in pictured.read_text().splitlines()[1:]]
+    length = 2 * np.linalg.norm(POSITIONS[0] - POSITIONS[3])
+    bars.write_text("\n".join([*(f"mark {w[6]} {w[5]} {w[3]} {w[4]}" for w in marks), f"bar A D {length}"]))
+    report = answer("video", film, "-o", output, "--scale-bars", bars)
+    assert report["fit"]["by"] == "scale_bars" and abs(report["fit"]["scale"] - 2) < 1e-3
+
+
+def gps_positions(count=COUNT, size=20.0, level=True):
+    """GPS of the fast stages' pictures for a unit of `size` meters, with x east and y north as in their poses."""
+    k = np.arange(count)
+    enu = size * np.column_stack([0.5 * k, np.where(k % 2 == 0, -1.0, 0.0), np.zeros(count)])
+    enu[:, 1] *= level
+    rows = FRAME.to_geodetic(enu).tolist()
+    positions = [
+        PicturePlace(f"frame_{10 * k:06d}.png", *row, horizontal_sigma=0.02, vertical_sigma=0.02)
+        for k, row in enumerate(rows)
+    ]
+    return PicturePlaces(tuple(positions), {}, {}, COUNT)
+
+
+def settings_with(positions, **units):
+    return loom.video.Settings(units=loom.video.Units(places=positions, **units))
+
+
+def outputs(folder, cell=0.5):
+    return loom.video.Outputs(folder / "m.ply", ortho=folder / "ortho.tif", dem=folder / "dem.tif", cell=cell)
+
+
+def test_maps_are_georeferenced_by_gps(quick, film, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    result = loom.video.reconstruct(film, settings_with(gps_positions()), outputs=outputs(tmp_path), device="cpu")
+    assert result.fit is not None and result.fit.by == "exif" and result.mesh is not None
+    assert [name.rsplit("/", 1)[1] for name in result.files] == ["m.ply", "ortho.tif", "dem.tif"]
+    vertices = result.fit.frame.to_utm(result.mesh.vertices)
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    first_camera = FRAME.to_utm([[0.0, 0, 0]])[0]
+    assert np.abs(first_camera[:2] - low[:2]).max() < 1 and np.abs(high[:2] - low[:2] - 20).max() < 1
+    with rasterio.open(tmp_path / "ortho.tif") as ortho, rasterio.open(tmp_path / "dem.tif") as dem:
+        assert ortho.crs.to_epsg() == dem.crs.to_epsg() == result.fit.frame.epsg == 32632
+        assert (ortho.bounds, ortho.res) == (dem.bounds, (0.5, 0.5))
+        assert np.abs(np.array(ortho.bounds) - (*low[:2], *high[:2])).max() <= 0.5
+        colors, heights = ortho.read(), dem.read(1, masked=True)
+    assert (colors[:3, colors[3] == 255] == 255).all()
+    assert (colors[3] == 255).sum() * 0.25 == pytest.approx(400, rel=0.1)
+    assert heights.min() >= low[2] - 1e-3 and heights.max() <= high[2] + 1e-3
+    np.testing.assert_array_equal(heights.mask, colors[3] == 0)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        loom.video.Settings(),  # a film
+        loom.video.Settings(units=loom.video.Units(scale=2.0)),
+        settings_with(gps_positions(2)),
+        settings_with(gps_positions(), align="none"),
+    ],
+)
+def test_maps_without_georeference_are_rejected_early(quick, film, tmp_path, settings):
+    pytest.importorskip("rasterio")
+    with pytest.raises(loom.FileError, match=r"ortho\.tif"):
+        loom.video.reconstruct(film, settings, outputs=outputs(tmp_path))
+    assert (quick.ran, names_in(tmp_path)) == ([], ["walk.mp4"])
+
+
+def test_maps_with_collinear_gps_are_rejected_before_depth(quick, film, tmp_path):
+    pytest.importorskip("rasterio")
+    with pytest.raises(loom.FileError, match=r"ortho\.tif"):
+        loom.video.reconstruct(film, settings_with(gps_positions(level=False)), outputs=outputs(tmp_path))  # on a line
+    assert (quick.ran, names_in(tmp_path)) == (STAGES[:4], ["walk.mp4"])
+
+
+def test_too_many_cells_are_rejected_early(quick, film, tmp_path, monkeypatch):
+    pytest.importorskip("rasterio")
+    read = motion.read_model
+
+    def with_points(made):
+        model = read(made)
+        points = np.random.default_rng(0).uniform(0, 1, (50, 3))
+        return loom.SfmModel(model.names, model.cameras, model.T_camera_world, points)
+
+    monkeypatch.setattr(motion, "read_model", with_points)
+    with pytest.raises(ValueError, match="cell:"):
+        loom.video.reconstruct(film, settings_with(gps_positions()), outputs=outputs(tmp_path, 1e-5))
+    assert quick.ran == STAGES[:4]
+
+
+@pytest.mark.parametrize("given", [{"ortho": "o.tif"}, {"cell": 1.0}, {"dem": "d.tif", "cell": -1.0}])
+def test_maps_and_cells_go_together(given):
+    with pytest.raises(ValueError, match="cell: "):
+        loom.video.Outputs("m.ply", **given)

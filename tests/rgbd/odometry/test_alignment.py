@@ -1,9 +1,12 @@
-"""The motion between two frames is accurate, reproducible and independent of the exposure."""
+"""The motion between two frames is accurate and reproducible, its covariance fits, and invalid input is rejected."""
 
 import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.rgbd import check_rows as at
+from pointloom.registration.rigid import rotation_vector
+from pointloom.rgbd.odometry.motion_checks import frame_noise, model_noise
 
 from .made_frames import CAMERA, errors_of, frame, picture, pose_of
 
@@ -57,19 +60,6 @@ def test_the_information_counts_the_pixels_of_the_full_picture(device):
     assert np.allclose(information, information.T) and np.linalg.eigvalsh(information)[0] > 0
 
 
-def test_a_frame_of_device_images_equals_one_of_host_images(device, tolerances):
-    from pointloom.kernels.lang import float32
-    from pointloom.kernels.memory import upload
-
-    depth, color = picture(SECOND)
-    picture_frame = od.OdometryFrame(depth, CAMERA, color, device=device)
-    shade = (color @ np.array([0.299, 0.587, 0.114]) / 255).astype(np.float32)
-    maps = [upload(values.reshape(-1), float32, picture_frame.device) for values in (depth, shade)]
-    made = od.OdometryFrame._from_device_maps(maps[0], maps[1], CAMERA)
-    results = [od.align_frames(frame(FIRST, device), target).transformation for target in (picture_frame, made)]
-    assert np.abs(results[0] - results[1]).max() < tolerances.odometry_maps
-
-
 def test_frames_of_different_cameras_compare_at_levels_of_like_size(device):
     wide_camera = loom.PinholeCameraIntrinsic(320, 240, 280.0, 280.0, 159.5, 119.5)
     result = od.align_frames(frame(FIRST, device), frame(SECOND, device, wide_camera))
@@ -81,3 +71,105 @@ def test_a_result_unpacks_as_open3ds(device):
     one = frame(FIRST, device)
     success, transformation, information = od.align_frames(one, one)
     assert success and transformation.shape == (4, 4) and information.shape == (6, 6)
+
+
+Method = loom.odometry.Method
+MOVED = pose_of((0.02, -0.03, 0.01), (0.02, -0.01, 0.03))
+
+
+def aligned(device, seed, noise=1.0, method=Method.PointToPlane):
+    source = frame(MOVED, device, noise=noise, seed=2 * seed)
+    target = frame(np.eye(4), device, noise=noise, seed=2 * seed + 1)
+    return loom.odometry.align_frames(source, target, method=method)
+
+
+def components(result):
+    """The error along the eigenvectors of the covariance, in standard deviations [6]."""
+    error = MOVED @ np.linalg.inv(result.transformation)
+    motion = np.concatenate([rotation_vector(error[:3, :3]), error[:3, 3]])
+    scale = np.sqrt(np.diag(result.covariance))
+    values, vectors = np.linalg.eigh(result.covariance / np.outer(scale, scale))
+    return vectors.T @ (motion / scale) / np.sqrt(values)
+
+
+@pytest.mark.parametrize("method", [Method.PointToPlane, Method.Hybrid])
+def test_errors_of_noisy_frames_are_of_the_size_of_the_standard_deviations(device, method):
+    found = np.concatenate([components(aligned(device, seed, method=method)) for seed in range(6)])
+    assert 0.25 < np.sqrt(np.mean(found**2)) < 1.5  # below 1: coarse pixels round the surfaces, which is no noise
+
+
+def test_more_noise_gives_larger_standard_deviations(device):
+    less, more = (np.sqrt(np.diag(aligned(device, 0, noise).covariance)) for noise in (0.5, 2.0))
+    assert (more > 1.2 * less).all()
+
+
+def test_checks_assume_larger_errors_than_those_of_frames(device):
+    result = aligned(device, 0)
+    assert np.linalg.eigvalsh(result.check_covariance - result.covariance).min() > 0
+
+
+def test_the_unit_covariance_is_that_of_a_shift_in_the_middle_of_the_pixels(device):
+    result = aligned(device, 0)
+    middle = np.linalg.inv(result.unit_covariance)  # information, which adds at the center of the inliers
+    assert np.allclose(middle[3:, 3:], np.eye(3), atol=1e-6)
+
+
+def test_frames_without_noise_have_a_positive_covariance(device):
+    same = frame(np.eye(4), device)
+    assert np.linalg.eigvalsh(loom.odometry.align_frames(same, same).covariance).min() > 0
+
+
+def sums(excess):
+    values = np.zeros(28)
+    values[[at.PLANES, at.EXCESS]] = 100.0, 100.0 * excess
+    return values
+
+
+def test_large_residuals_count_as_errors_of_parts_of_the_image():
+    small, large = (frame_noise(sums(excess), False) / excess for excess in (0.03, 0.3))
+    assert large > 4 * small
+    assert frame_noise(sums(0.3), True) > 1.5 * frame_noise(sums(0.3), False)
+
+
+def test_residuals_do_not_contain_the_errors_of_a_model():
+    assert model_noise(sums(0.01)) == model_noise(sums(0.1)) < model_noise(sums(0.2))
+
+
+def test_frames_without_depth_have_no_finite_covariance(device):
+    blank = loom.odometry.OdometryFrame(
+        np.zeros((48, 64), np.float32), loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), device=device
+    )
+    result = loom.odometry.align_frames(blank, blank)
+    assert np.isinf(result.covariance).all() and np.isinf(result.check_covariance).all()
+
+
+DEPTH, COLOR = picture(pose_of([0, 0, 0], [0, 0, 0]))
+IMAGE, SMALL = loom.RGBDImage(COLOR, DEPTH), loom.RGBDImage(COLOR[:60, :80], DEPTH[:60, :80])
+
+
+@pytest.mark.parametrize(
+    ("error", "words", "call"),
+    [
+        (ValueError, "160 x 120", lambda: od.OdometryFrame(DEPTH, CAMERA, COLOR[:50])),
+        (ValueError, "160 x 120", lambda: od.OdometryFrame(DEPTH[:100], CAMERA)),
+        (ValueError, "80 x 60", lambda: od.compute_rgbd_odometry(IMAGE, SMALL, CAMERA)),
+        (ValueError, "got 'huber'", lambda: od.compute_rgbd_odometry(IMAGE, IMAGE, CAMERA, weights="huber")),
+        (TypeError, "depth: .*uint8", lambda: od.OdometryFrame((10 * DEPTH).astype(np.uint8), CAMERA)),
+        (ValueError, "pinhole_camera_intrinsic: ", lambda: od.compute_rgbd_odometry(IMAGE, IMAGE, np.eye(3))),
+    ],
+)
+def test_wrong_pictures_cameras_and_weights_are_refused(error, words, call):
+    with pytest.raises(error, match=words):
+        call()
+
+
+def test_a_matrix_is_a_camera():
+    result = od.compute_rgbd_odometry(IMAGE, IMAGE, CAMERA.matrix)
+    assert result.reliable and repr(result).startswith("OdometryResult(reliable, fitness 0.9")
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 3), (5, 200)])
+def test_tiny_frames_are_no_success_and_no_error(device, size):
+    camera = loom.PinholeCameraIntrinsic(size[1], size[0], 50.0, 50.0, size[1] / 2, size[0] / 2)
+    one = od.OdometryFrame(np.ones(size, np.float32), camera, device=device)
+    assert not od.align_frames(one, one).reliable

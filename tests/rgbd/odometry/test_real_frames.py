@@ -1,12 +1,14 @@
-"""Odometry of real frames: the kitchen's poses, and failures for frames of different locations."""
+"""Odometry of real frames: the poses of a kitchen, failures, and the results of Open3D's two odometries."""
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
+from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix, rgbd_odometry_multi_scale
 
-from .made_frames import errors_of
+from .made_frames import CAMERA, errors_of, picture, pose_of
 
 od = loom.odometry
 
@@ -49,3 +51,106 @@ def test_a_desk_is_no_kitchen(kitchen, real_file):
         desks.append(od.OdometryFrame(depth, camera, color[..., :3], depth_scale=5000.0))
     assert od.align_frames(*desks).reliable
     assert not od.align_frames(desks[0], kitchen(0)[0]).reliable
+
+
+POSES = pose_of([0, 0, 0], [0, 0, 0]), pose_of([0.01, -0.02, 0.005], [0.02, -0.01, 0.01])
+STEPS = [(0, 0, 1), (0, 1, 0), (1, 0, 0), (6, 4, 2)]
+LEGACY = [(with_depth, steps) for with_depth in (True, False) for steps in STEPS]
+TENSOR = [(method, steps) for method in od.Method for steps in STEPS[:3]]  # with more, runs of Open3D differ in float32
+MATRIX = [[CAMERA.fx, 0, CAMERA.cx], [0, CAMERA.fy, CAMERA.cy], [0, 0, 1]]
+
+
+def made_pictures():
+    """Two synthetic images with holes, depth in whole millimeters."""
+    pictures = []
+    for k, pose in enumerate(POSES):
+        depth, color = picture(pose, noise=0.3, seed=k)
+        raw = np.round(1000 * depth).astype(np.uint16)
+        raw[20:24, 30:37] = raw[60, 100] = 0
+        pictures.append((color, raw))
+    return pictures, CAMERA
+
+
+def legacy(o3d, pictures, camera, with_depth, steps):
+    """(success, pose, information) of Open3D."""
+    pipeline, images = o3d.pipelines.odometry, []
+    for color, raw in pictures:
+        both = o3d.geometry.Image(np.ascontiguousarray(color)), o3d.geometry.Image(raw)
+        images.append(o3d.geometry.RGBDImage.create_from_color_and_depth(*both, 1000.0, 4.0, True))
+    term = pipeline.RGBDOdometryJacobianFromHybridTerm() if with_depth else pipeline.RGBDOdometryJacobianFromColorTerm()
+    numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
+    intrinsic = o3d.camera.PinholeCameraIntrinsic(*numbers)
+    option = pipeline.OdometryOption(o3d.utility.IntVector(steps))
+    return pipeline.compute_rgbd_odometry(*images, intrinsic, np.eye(4), term, option)
+
+
+def tensor(o3d, pictures, camera, method, steps):
+    """(pose, fitness) of Open3D's tensor API."""
+    pipeline, images = o3d.t.pipelines.odometry, []
+    for color, raw in pictures:
+        parts = (o3d.t.geometry.Image(o3d.core.Tensor(np.ascontiguousarray(part))) for part in (color, raw))
+        images.append(o3d.t.geometry.RGBDImage(*parts))
+    criteria = [pipeline.OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
+    matrix, start = o3d.core.Tensor(camera.matrix), o3d.core.Tensor(np.eye(4))
+    kind = getattr(pipeline.Method, method.name)
+    result = pipeline.rgbd_odometry_multi_scale(*images, matrix, start, 1000.0, 3.0, criteria, kind)
+    return result.transformation.numpy(), result.fitness
+
+
+def to_rgbd_images(pictures, device):
+    return [loom.RGBDImage.create_from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pictures]
+
+
+def check_legacy(expected, pictures, camera, device, with_depth, steps, tolerances):
+    success, pose, information = expected
+    term = od.RGBDOdometryJacobianFromHybridTerm() if with_depth else od.RGBDOdometryJacobianFromColorTerm()
+    option = od.OdometryOption(steps)
+    result = od.compute_rgbd_odometry(*to_rgbd_images(pictures, device), camera, None, term, option, weights="open3d")
+    assert result.reliable == success
+    assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_legacy
+    assert abs(result.information[5, 5] - information[5, 5]) <= 1e-4 * information[5, 5]
+    assert not np.allclose(pose, np.eye(4), atol=1e-5)
+
+
+def check_tensor(expected, pictures, camera, device, method, steps, tolerances):
+    pose, fitness = expected
+    criteria = [OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
+    images = to_rgbd_images(pictures, device)
+    result = rgbd_odometry_multi_scale(*images, camera.matrix, None, 1000.0, 3.0, criteria, method, weights="open3d")
+    assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_tensor
+    assert abs(result.fitness - fitness) < 2e-4
+
+
+def of_made_pictures(o3d):
+    """Open3D's results of all cases of the synthetic images."""
+    made = made_pictures()
+    of_legacy = [legacy(o3d, *made, with_depth, steps) for with_depth, steps in LEGACY]
+    return of_legacy, [tensor(o3d, *made, method, steps) for method, steps in TENSOR]
+
+
+def test_the_odometries_of_made_pictures(device, oracle, tolerances):
+    of_legacy, of_tensor = oracle("rgbd/odometry", of_made_pictures)
+    for expected, case in zip(of_legacy, LEGACY, strict=True):
+        check_legacy(expected, *made_pictures(), device, *case, tolerances)
+    for expected, case in zip(of_tensor, TENSOR, strict=True):
+        check_tensor(expected, *made_pictures(), device, *case, tolerances)
+
+
+def information_of(o3d, raws, camera, pose):
+    images = [o3d.t.geometry.Image(o3d.core.Tensor(raw)) for raw in raws]
+    numbers = (o3d.core.Tensor(camera.matrix), o3d.core.Tensor(pose), 0.07, 1000.0, 3.0)
+    return o3d.t.pipelines.odometry.compute_odometry_information_matrix(*images, *numbers).numpy()
+
+
+def test_the_information_of_two_depths(oracle):
+    (first, second), camera = made_pictures()
+    raws, pose = [np.ascontiguousarray(pair[1]) for pair in (first, second)], np.linalg.inv(POSES[1]) @ POSES[0]
+    expected = oracle("rgbd/odometry_information", information_of, raws, camera, pose)
+    information = compute_odometry_information_matrix(*raws, camera, pose, 0.07)
+    assert np.abs(information - expected).max() < 2e-3 * np.abs(expected).max()
+
+
+def test_a_blank_pair_fails_where_open3d_reports_success(device):
+    image = loom.RGBDImage(np.zeros((120, 160, 3), np.uint8), np.zeros((120, 160), np.uint16), device=device)
+    result = od.compute_rgbd_odometry(image, image, CAMERA, weights="open3d")
+    assert not result.reliable and "no pixels correspond" in result.warnings[0]

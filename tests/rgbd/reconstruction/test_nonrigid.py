@@ -170,32 +170,10 @@ def test_a_damaged_file_is_recomputed(completed_run, job, name):
     assert digest_of(job) == content
 
 
-@pytest.mark.slow
-def test_a_changed_stiffness_reruns_the_stage(completed_run, job):
-    _, report, content = completed_run
-    softer = dataclasses.replace(SETTINGS, regularizer_weight=0.1)
-    result = refine_with_slac(softer, job, resume=True)
-    assert result.figures["bent_m"] > report.slac["bent_m"]
-    assert refine_with_slac(SETTINGS, job, resume=True).figures == report.slac
-    SETTINGS.write(job / "config.json")
-    assert digest_of(job) == content
-
-
 def test_newly_registered_fragments_are_aligned_again(job):
     rec.register_fragments(dataclasses.replace(SETTINGS, seed=1), job)
     with pytest.raises(FileError, match=r"/job:.*refine_with_slac"):
         rec.integrate_scene(deformed_sequence(), SETTINGS, job, slac=True)
-
-
-def test_the_stage_requires_the_earlier_stages(tmp_path):
-    with pytest.raises(FileError, match="make_fragments"):
-        refine_with_slac(SETTINGS, tmp_path)
-    rec.make_fragments(ShortSequence([0, 1]), SETTINGS, tmp_path)
-    with pytest.raises(FileError, match="register_fragments"):
-        refine_with_slac(SETTINGS, tmp_path)
-    rec.register_fragments(SETTINGS, tmp_path)
-    with pytest.raises(FileError, match="refine_with_slac"):
-        rec.integrate_scene(ShortSequence([0, 1]), SETTINGS, tmp_path, slac=True)
 
 
 def test_unsupported_slac_options_are_reported_first(tmp_path):

@@ -1,4 +1,4 @@
-"""Uncertainty accumulates along a path until the camera sees better-known parts again; all results include it."""
+"""Uncertainty accumulates along a path; a wrong focal length is detected; moving foreground is excluded."""
 
 import dataclasses
 
@@ -6,12 +6,20 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.cameras.camera import PinholeCameraIntrinsic
+from pointloom.cameras.trajectory import Trajectory
+from pointloom.core.errors import FileError
+from pointloom.datasets.scenes.room import room_loop_sequence
+from pointloom.rgbd.odometry.results import OdometryResult
+from pointloom.rgbd.slam.focal_check import MIN_ROTATION, check_focal, rotated_pairs
+from pointloom.rgbd.slam.foreground import Fit, Layers, depth_between
 from pointloom.rgbd.slam.frame_checks import MAX_DEVIATION, judge_drift
 from pointloom.rgbd.slam.keyframes import Keyframes
 from pointloom.rgbd.slam.results import TrackingResult, rotated_covariance
 from pointloom.rgbd.slam.tracker import Drift, join_covariance
 
-from .slam_walks import begun, blank, frame, frames
+from ..sequences import Part
+from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, fit, frame, frames, statuses
 
 
 def deviated(deviation: float, status="tracked") -> TrackingResult:
@@ -24,15 +32,14 @@ def test_the_deviation_of_a_position_is_that_of_its_least_constrained_direction(
     assert np.isclose(deviated(0.02).position_deviation, 0.02)
 
 
-@pytest.mark.parametrize(("share", "status"), [(0.9, "tracked"), (1.1, "uncertain")])
-def test_a_poorly_constrained_pose_is_uncertain_even_if_its_frame_fits(share, status):
-    result = judge_drift(deviated(share * MAX_DEVIATION), 0.04)
+@pytest.mark.parametrize(
+    ("share", "voxel_size", "status"), [(0.9, 0.04, "tracked"), (1.1, 0.04, "uncertain"), (1.5, 0.16, "tracked")]
+)
+def test_a_poorly_constrained_pose_is_uncertain_even_if_its_frame_fits(share, voxel_size, status):
+    """A coarser model allows more drift."""
+    result = judge_drift(deviated(share * MAX_DEVIATION), voxel_size)
     assert (result.status, result.has_drifted) == (status, status == "uncertain")
     assert result.reliable == (status != "uncertain")
-
-
-def test_a_coarser_model_allows_more_drift():
-    assert judge_drift(deviated(1.5 * MAX_DEVIATION), 0.16).status == "tracked"
 
 
 def test_a_lost_frame_stays_lost():
@@ -62,11 +69,16 @@ def test_covariances_are_symmetric_and_positive(device):
         assert np.linalg.eigvalsh(result.covariance).min() > 0
 
 
-def test_a_path_with_large_deviation_is_unreliable_and_reports_it():
+@pytest.fixture(scope="module")
+def path():
+    """The path of three equal frames."""
     camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
     v, u = np.mgrid[:48, :64]
     depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-    path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
+    return loom.track(loom.frames_from([(None, depth)] * 3, camera))
+
+
+def test_a_path_with_large_deviation_is_unreliable_and_reports_it(path):
     assert path.reliable and path.to_dict()["position_deviation_m"] == max(path.deviations) < MAX_DEVIATION
     drifted = dataclasses.replace(path, deviations=(0.0, 0.02, 0.12), drifted=(2,), uncertain=(2,))
     assert not drifted.reliable and "0.12 m" in str(drifted.warnings) and drifted.to_dict()["drifted"] == [2]
@@ -93,11 +105,7 @@ def test_each_pose_of_a_path_has_a_covariance_relative_to_the_first(device):
     assert listed[-1]["sigma_rotation"] == path.pose_covariances[-1].sigmas[:3].tolist()
 
 
-def test_covariances_rotate_with_corrected_poses():
-    camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-    v, u = np.mgrid[:48, :64]
-    depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-    path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
+def test_covariances_rotate_with_corrected_poses(path):
     quarter = np.eye(4)
     quarter[:3, :3], quarter[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], [5, 6, 7]
     moved = path.with_poses(quarter @ path.trajectory.poses)
@@ -134,3 +142,173 @@ def test_errors_of_keyframes_persist_in_later_frames(device):
     again = drift.of(pyramid, pose, ((own, own), (own, kept)))
     assert np.allclose(first[0], first[1])
     assert np.trace(again[1]) > np.trace(again[0]) > np.trace(first[0])
+
+
+class Stretched(Part):
+    """Frames with a wrong focal length."""
+
+    def __init__(self, part: Part, factor: float):
+        super().__init__(part.sequence, part.count, part.every)
+        K = part.intrinsic
+        self.intrinsic = PinholeCameraIntrinsic(K.width, K.height, K.fx * factor, K.fy * factor, K.cx, K.cy)
+
+
+@pytest.fixture(scope="module")
+def turning() -> Part:
+    """10 frames, 4 to 7 degrees apart."""
+    return Part(room_loop_sequence(120, width=80, height=60), 10, every=1)
+
+
+@pytest.fixture(scope="module")
+def short_sequence() -> Part:
+    """8 frames, 1 cm apart."""
+    return Part(room_loop_sequence(600, width=80, height=60), 8)
+
+
+def path_of(part: Part) -> Trajectory:
+    order = np.arange(len(part))[:, None]
+    return Trajectory(part.poses, ids=np.hstack([order, order, order + 1]))
+
+
+def test_the_right_focal_length_is_not_reported(turning, device):
+    check = check_focal(turning, path_of(turning), depth_max=4.0, device=device)
+    assert check is not None and check.factor == 1.0
+    assert check.reliable and "no other focal length fits better" in str(check)
+
+
+@pytest.mark.parametrize(
+    ("factor", "better"),
+    [(1.25, 0.8), pytest.param(0.8, 1.25, marks=pytest.mark.slow), pytest.param(0.9, 1.1, marks=pytest.mark.slow)],
+)
+def test_a_wrong_focal_length_is_reported_with_a_better_one(turning, factor, better):
+    check = check_focal(Stretched(turning, factor), path_of(turning), depth_max=4.0)
+    assert check is not None and check.factor == better
+    assert f"about {better:g} times as long" in str(check.warnings)
+
+
+def test_a_camera_with_little_rotation_gives_no_focal_check(short_sequence):
+    assert check_focal(short_sequence, path_of(short_sequence), depth_max=4.0) is None
+
+
+def test_uncertain_poses_and_unreadable_frames_give_no_focal_check(turning, monkeypatch):
+    path = path_of(turning)
+    assert check_focal(turning, path, depth_max=4.0, uncertain=range(2, 10)) is None
+
+    def break_off(index):
+        raise FileError("frame.png", "damaged")
+
+    monkeypatch.setattr(turning, "read", break_off)
+    assert check_focal(turning, path, depth_max=4.0) is None
+
+
+def test_pairs_are_rotated_enough_and_end_at_different_frames(turning):
+    path = path_of(turning)
+    pairs = rotated_pairs(path)
+    assert len(pairs) >= 3
+    assert len({second for _, second in pairs}) == len(pairs)
+    for first, second in pairs:
+        cosine = path.poses[first, :3, 2] @ path.poses[second, :3, 2]
+        assert cosine < np.cos(np.radians(MIN_ROTATION))
+
+
+V, U = np.mgrid[:HEIGHT, :WIDTH]
+
+
+def with_object(original, left, width, depth=600, seed=0):
+    """A frame with a near object in some of its columns, whose pattern moves with the camera."""
+    rng = np.random.default_rng([seed, original.timestamp is not None, int(1000 * (original.timestamp or 0))])
+    mask = (left <= U) & (left + width > U)
+    z = depth + 40 * np.sin((U - left) / 6) + 20 * np.cos(V / 8) + rng.normal(0, 1.5, U.shape)
+    shade = 120 + 60 * np.sin((U - left) / 3) * np.cos(V / 4)
+    picture, color = original.depth.copy(), original.color.copy()
+    picture[mask] = np.rint(z[mask]).astype(picture.dtype)
+    color[mask] = shade[mask][:, None].astype(np.uint8)
+    return changed(original, depth=picture, color=color)
+
+
+def off(results, true):
+    pairs = zip(results, true, strict=True)
+    return max(error_of(result, shown)[0] for result, shown in pairs if result.pose is not None)
+
+
+def test_foreground_fixed_to_the_camera_is_excluded(device):
+    source, slam = frames(*range(14)), begun(device)
+    results = slam.run([with_object(f, 54, 26) for f in source])
+    assert all(fit(results)) and len(results) == 14
+    assert off(results, source) < VOXEL and slam.fixed_parts.hidden[:, 56:].mean() > 0.8
+    assert not slam.fixed_parts.hidden[:, :50].any()
+    assert slam.fixed_parts.note.startswith("an object that moves with the camera, 0.6")
+    assert np.asarray(slam.render(results[-1].pose).depth)[:, 54:].max() > 1.0, "behind it the room is seen"
+
+
+@pytest.mark.slow
+def test_tracking_fails_without_foreground_exclusion():
+    source, slam = frames(*range(14)), begun("cpu", leave_out_moving=False)
+    results = slam.run([with_object(f, 54, 26) for f in source])
+    assert "lost" in statuses(results) or off(results, source) > 0.06
+
+
+def test_foreground_moving_before_the_camera_is_excluded(device):
+    source, slam = frames(*range(14)), begun(device)
+    results = slam.run([with_object(f, 20 + int(14 * np.sin(k / 3)), 30) for k, f in enumerate(source)])
+    assert all(fit(results[2:])), "detection takes a frame or two"
+    assert off(results[2:], source[2:]) < VOXEL / 2
+
+
+def test_nothing_is_excluded_in_a_static_scene(device):
+    source, slam = frames(*range(14)), begun(device)
+    slam.run(source)
+    assert slam.foreground.frames == 0 and slam.status_counts["tracked"] == 14 and not slam.fixed_parts.note
+
+
+def test_a_stationary_camera_excludes_nothing():
+    slam = begun("cpu")
+    slam.run([with_object(changed(frame(0), timestamp=k / 30), 54, 26) for k in range(10)])
+    assert slam.foreground.frames == 0 and not slam.fixed_parts.note
+
+
+def test_exclusion_ends_after_the_foreground_disappears():
+    source, slam = frames(*range(36)), begun("cpu")
+    slam.run([with_object(f, 54, 26) if k < 4 else f for k, f in enumerate(source)])
+    assert slam.fixed_parts.note and slam.fixed_parts.hidden is None and not slam.foreground.is_apart
+
+
+def test_a_model_of_few_frames_finds_no_camera_that_was_lost_for_long():
+    source, slam = frames(0, 1, 2), begun("cpu")
+    dark = changed(source[2], depth=np.zeros_like(source[2].depth), timestamp=None)
+    results = slam.run([source[0], source[1], *[dark] * 6, source[2]])
+    assert statuses(results) == ["tracked", "tracked", *["lost"] * 7]
+    assert results[-1].warnings == ("the model has only 2 frames, too few for relocalization",)
+
+
+def test_the_depth_limit_is_between_the_two_classes():
+    near, far = np.full(300, 1 / 0.8, np.float32), np.full(700, 1 / 2.5, np.float32)
+    assert 0.8 < depth_between(np.concatenate([near, far, np.zeros(500, np.float32)])) < 2.5
+    assert depth_between(np.concatenate([near[:30], far])) == 0.0, "too little is near"
+    assert depth_between(np.zeros(100, np.float32)) == 0.0
+
+
+def layers(full, far, agreement=0.95, **changes):
+    T = np.eye(4)
+    T[0, 3] = 0.05
+    values = {"transformation": T, "information": np.eye(6), "overlap": 0.8, "fitness": 0.75}
+    result = OdometryResult(**{**values, "smallest_eigenvalue": 0.1, **changes})
+    return Layers(Fit(full, agreement, result), Fit(far, agreement, result), np.eye(4))
+
+
+def test_layers_are_separate_where_the_background_fits_better_than_all():
+    assert layers(2.0, 0.2).are_apart and not layers(2.0, 0.2).are_one
+    assert not layers(0.5, 0.3).are_apart and layers(0.5, 0.3).are_one
+    assert not layers(2.0, 0.2, agreement=0.8).are_apart, "what lies behind is not found either"
+    assert not layers(2.0, 0.2, overlap=0.5).are_apart
+    far = np.eye(4)
+    far[0, 3] = 0.4
+    assert not layers(2.0, 0.2, transformation=far).are_apart, "views so far apart differ by themselves"
+    assert not layers(2.0, 0.2, contradiction="the brightness does not agree").are_apart
+    assert not layers(4.0, 4.0).are_one, "both fit badly"
+    assert not layers(0.5, 0.3, transformation=np.eye(4)).are_one, "a camera that stands still tells nothing"
+
+
+def test_the_background_must_constrain_the_pose():
+    assert np.allclose(layers(2.0, 0.2).pose[:3, 3], [0.05, 0, 0])
+    assert layers(2.0, 0.2, smallest_eigenvalue=0.01).pose is None

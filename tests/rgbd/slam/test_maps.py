@@ -1,6 +1,7 @@
 """A camera that is lost for long begins a new map, which is joined once both maps show the same location."""
 
 import json
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -88,8 +89,6 @@ def test_maps_are_joined_by_their_submaps_too(device):
 
 def renumbered(other, slam):
     """The only map of another run as the second map of a run."""
-    from dataclasses import replace
-
     first, second_map = len(slam.results), other._maps.here
     slam.results += [replace(result, index=first + result.index, map=1) for result in other.results]
     second_map.number, second_map.keyframes.numbers = 1, [first + number for number in second_map.keyframes.numbers]

@@ -39,22 +39,6 @@ def test_a_frame_that_is_repeated_now_and_then_is_accepted():
     assert all(fit(results)) and len(results) == 8
 
 
-def test_repeated_frames_are_a_stationary_camera(device):
-    slam = begun(device)
-    first = changed(frames(0)[0], timestamp=None)
-    assert statuses(slam.run([first] * 5)) == ["tracked"] * 5
-
-
-def test_colors_that_are_only_noisy_do_not_move(device):
-    slam, first = begun(device), changed(frames(0)[0], timestamp=None)
-    rng = np.random.default_rng(1)
-
-    def noisy(f):
-        return changed(f, color=np.clip(f.color + rng.normal(0, 3, f.color.shape), 0, 255).astype(np.uint8))
-
-    assert statuses(slam.run([noisy(first) for _ in range(5)])) == ["tracked"] * 5
-
-
 def test_a_covered_lens_is_blank_and_no_stalled_stream(device):
     source, slam = frames(*range(6)), begun(device)
     moving = [source[0], *(changed(f, depth=blank(f).depth) for f in source[1:])]
@@ -103,20 +87,13 @@ def test_late_depth_in_a_stretch_of_two_seconds_is_reported_for_that_stretch():
     assert abs(lag.apart[0].seconds - 1.0) < 0.02 and str(lag.apart[0]).startswith("depth is 1.00 s late")
 
 
-def test_unrelated_images_and_a_steady_rotation_give_no_delay():
+@pytest.mark.parametrize(("steady", "spread"), [(0, 0.01), (0.01, 0.0003), (0, 1e-5)], ids=["any", "steady", "none"])
+def test_unrelated_images_a_steady_rotation_and_a_stationary_camera_give_no_delay(steady, spread):
     for seed in range(10):
-        rng, lag, steady = np.random.default_rng(seed), StreamLag(), StreamLag()
+        rng, lag = np.random.default_rng(seed), StreamLag()
         for _ in range(150):
-            lag.add_rotations(rotations(*(0.01 * rng.normal(size=(2, 3)))), None)
-            steady.add_rotations(rotations(*(0.01 + 0.0003 * rng.normal(size=(2, 3)))), None)
-        assert not lag.apart and not steady.apart
-
-
-def test_a_stationary_camera_gives_no_delay():
-    rng, lag = np.random.default_rng(0), StreamLag()
-    for _ in range(60):
-        lag.add_rotations(rotations(*(1e-5 * rng.normal(size=(2, 3)))), None)
-    assert not lag.apart
+            lag.add_rotations(rotations(*(steady + spread * rng.normal(size=(2, 3)))), None)
+        assert not lag.apart
 
 
 def test_frames_without_rotations_are_left_out():
@@ -141,9 +118,15 @@ def test_repeated_depth_with_sensor_noise_is_rejected(device):
     assert slam.stream.problems is None
 
 
-def test_repeated_depth_with_noise_of_a_stationary_camera_is_tracked():
-    slam, first = begun("cpu"), changed(frames(0)[0], timestamp=None)
-    assert statuses(slam.run([noisy(first, first, k) for k in range(12)])) == ["tracked"] * 12
+def noisy_color(f, _, seed):
+    color = f.color + np.random.default_rng(seed).normal(0, 3, f.color.shape)
+    return changed(f, color=np.clip(color, 0, 255).astype(np.uint8))
+
+
+@pytest.mark.parametrize("noise", [lambda f, *_: f, noisy_color, noisy], ids=["none", "color", "depth"])
+def test_repeated_frames_with_or_without_noise_are_a_stationary_camera(device, noise):
+    slam, first = begun(device), changed(frames(0)[0], timestamp=None)
+    assert statuses(slam.run([noise(first, first, k) for k in range(12)])) == ["tracked"] * 12
 
 
 def test_depth_two_frames_late_is_uncertain_from_the_first_frame():
@@ -167,10 +150,14 @@ def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
     assert str(Apart(1, 3, -30.0, np.nan)).startswith("depth is 30.0 frames early")
 
 
-def test_a_path_with_unsynchronized_streams_is_unreliable():
-    path = loom.track(
-        loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], sequence().intrinsic), voxel_size=0.04
-    )
+@pytest.fixture(scope="module")
+def path():
+    """The path of two frames."""
+    pictures = [(f.color, f.depth) for f in frames(0, 1)]
+    return loom.track(loom.frames_from(pictures, sequence().intrinsic), voxel_size=0.04)
+
+
+def test_a_path_with_unsynchronized_streams_is_unreliable(path):
     assert path.stream is None and path.reliable
     message = "color and depth appear to be 1.0 s apart in time"
     apart = dataclasses.replace(path, stream=message, uncertain=(0, 1), uncertain_warning=message)
@@ -194,10 +181,7 @@ def test_a_short_gap_of_blank_frames_is_no_failure_if_tracking_resumes():
     assert covered(10, [dataclasses.replace(tracked, map=1)]) == []
 
 
-def test_covered_frames_and_fixed_objects_are_notes():
-    path = loom.track(
-        loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], sequence().intrinsic), voxel_size=0.04
-    )
+def test_covered_frames_and_fixed_objects_are_notes(path):
     noted = dataclasses.replace(path, lost={1: BLANK}, covered=(1,), notes=("1 frames are blank",))
     assert noted.reliable and noted.to_dict()["notes"] == ["1 frames are blank"]
     assert not dataclasses.replace(path, lost={1: BLANK}).reliable

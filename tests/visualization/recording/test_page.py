@@ -214,49 +214,6 @@ def test_an_existing_file_is_replaced_atomically_and_only_on_request(timeline, t
     assert path.read_text() == "mine" and list(tmp_path.iterdir()) == [path]
 
 
-def shape(**changes):
-    """The timeline with a shape that was changed."""
-    return lambda timeline: dataclasses.replace(
-        timeline, shapes=[timeline.shapes[0], dataclasses.replace(timeline.shapes[1], **changes), timeline.shapes[2]]
-    )
-
-
-def with_placement(*given):
-    """The timeline with one frame that shows this placement."""
-    return lambda timeline: dataclasses.replace(timeline, frames=[Frame({"a": Placement(*given)})])
-
-
-@pytest.mark.parametrize(
-    ("change", "options", "message"),
-    [
-        (shape(kind="planes"), {}, r"shapes\[1\]\.kind: expected one of points, lines, triangles, got 'planes'"),
-        (shape(positions=SQUARE[:, :2]), {}, r"shapes\[1\]\.positions: expected shape \[n, 3\]"),
-        (shape(positions=SQUARE * np.float32(np.nan)), {}, r"shapes\[1\]\.positions: expected finite numbers"),
-        (shape(indices=None), {}, r"shapes\[1\]\.indices: expected shape \[m, 3\], got None"),
-        (shape(indices=np.int32([[0, 1, 4]])), {}, r"shapes\[1\]\.indices: expected 0 to 3, got 0 to 4"),
-        (shape(indices=np.int32([[-1, 1, 2]])), {}, r"shapes\[1\]\.indices: expected 0 to 3, got -1 to 2"),
-        (shape(colors=np.zeros((3, 3), np.uint8)), {}, r"shapes\[1\]\.colors: expected shape \[4, 3\]"),
-        (shape(colors=np.zeros((4, 3))), {}, r"shapes\[1\]\.colors: expected uint8, got float64"),
-        (shape(normals=np.zeros((3, 3))), {}, r"shapes\[1\]\.normals: expected shape \[4, 3\]"),
-        (shape(size=0), {}, r"shapes\[1\]\.size: expected a finite number > 0, got 0"),
-        (shape(plain=(0, 0, 300)), {}, r"shapes\[1\]\.plain: expected three whole numbers from 0 to 255"),
-        (with_placement((3,)), {}, r"frames\[0\]\.shown\['a'\]\.shapes: expected numbers of 3 shapes, got 3"),
-        (with_placement((0,), np.eye(3)), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected shape \[4, 4\]"),
-        (with_placement((0,), np.eye(4) * np.nan), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected finite numbers"),
-        (with_placement((0,), np.ones((4, 4))), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected a last row"),
-        (lambda timeline: dataclasses.replace(timeline, fps=math.nan), {}, r"timeline\.fps: expected a finite number"),
-        (lambda timeline: [], {}, "timeline: expected a Timeline, got list"),
-        (lambda timeline: timeline, {"view": np.eye(4)}, "view: expected a View, got ndarray"),
-        (lambda timeline: timeline, {"background": (0, 0, 2)}, "background: expected numbers from 0 to 1"),
-        (lambda timeline: timeline, {"point_size": 0}, "point_size: expected a finite number > 0"),
-    ],
-)
-def test_unsupported_content_is_rejected_by_name(timeline, tmp_path, change, options, message):
-    with pytest.raises((ValueError, TypeError), match=message):
-        write_page(tmp_path / "p.html", change(timeline), **options)
-    assert list(tmp_path.iterdir()) == []
-
-
 @pytest.fixture
 def recorded(tmp_path, rng):
     shape = Shape("points", rng.random((100, 3)).astype(np.float32))

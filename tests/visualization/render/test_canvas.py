@@ -27,29 +27,12 @@ def written(device, text, x=100, y=40, **options):
     return canvas
 
 
-@pytest.mark.parametrize("size", [12, 20, 32])
-def test_a_capital_letter_is_centered_on_its_height(device, size):
-    _, top, _, bottom = ink_box(written(device, "H", size=size))
-    assert abs((top + bottom) / 2 - 40) <= 0.5 and bottom - top + 1 == lettering().cap_height(size)
-
-
 def test_the_anchor_aligns_the_text(device):
     for anchor, share in (("left", 0.0), ("center", 0.5), ("right", 1.0)):
         left, _, right, _ = ink_box(written(device, "HHHH", anchor=anchor, size=16))
         assert left + share * (right - left) == pytest.approx(100, abs=2)
     for anchor, edge in (("upper left", 1), ("lower left", 3)):
         assert ink_box(written(device, "HHHH", anchor=anchor, size=16))[edge] == 40
-
-
-def test_a_text_has_its_reported_width(device):
-    canvas = written(device, "Hamburgefonstiv", x=0, size=16)
-    left, _, right, _ = ink_box(canvas)
-    assert right - left + 1 == pytest.approx(canvas.text_width("Hamburgefonstiv", 16), abs=3)
-
-
-def test_stems_of_letters_are_crisp(device):
-    shades = np.unique(darkness(written(device, "IIII HHH", size=16, x=20)))
-    assert shades[-1] > 230 and (darkness(written(device, "H", size=16)) > 200).sum() > 12
 
 
 def test_sizes_take_the_nearest_one():
@@ -78,28 +61,6 @@ def test_missing_characters_are_drawn_as_a_box(device):
     np.testing.assert_array_equal(written(device, "a\nb").to_numpy(), written(device, "a b").to_numpy())
 
 
-@pytest.mark.parametrize("text", ["", "   ", 12.5])
-def test_anything_can_be_written(device, text):
-    canvas = written(device, text)
-    assert bool(darkness(canvas).any()) == bool(str(text).strip())
-
-
-def test_later_drawings_cover_earlier_ones(device):
-    canvas = Canvas.blank(40, 40, device=device)
-    canvas.rectangle(5, 5, 20, 20, fill=BLACK)
-    canvas.rectangle(10, 10, 20, 20, fill=RED)
-    picture = canvas.to_numpy()
-    assert picture[12, 12].tolist() == [255, 0, 0] and picture[6, 6].tolist() == [0, 0, 0]
-    assert (darkness(canvas) == 255).sum() == 400 + 400 - 15 * 15
-
-
-def test_an_outline_is_inside_and_corners_are_no_darker(device):
-    canvas = Canvas.blank(40, 40, device=device)
-    canvas.rectangle(5, 6, 20, 10, outline=BLACK, line_width=2, opacity=0.5)
-    assert ink_box(canvas) == (5, 6, 24, 15)
-    assert (darkness(canvas) == 128).sum() == 200 - 16 * 6 and set(np.unique(darkness(canvas))) == {0, 128}
-
-
 def test_a_polyline_is_broken_at_non_finite_points(device):
     canvas = Canvas.blank(60, 20, device=device)
     canvas.polyline([[5, 10], [20, 10], [np.nan, 3], [30, np.inf], [40, 10], [55, 10]], color=BLACK)
@@ -126,31 +87,6 @@ def test_everything_outside_the_picture_is_left_out(device):
     canvas.image(np.zeros((5, 5, 3), np.uint8), 100, -100)
     canvas.segments(np.empty((0, 4)))
     assert not darkness(canvas).any()
-
-
-@pytest.mark.parametrize(
-    ("name", "words", "options", "error", "message"),
-    [
-        ("text", ("a", 1, 2), {"anchor": "middle"}, ValueError, "anchor: expected left, center or right"),
-        ("text", ("a", 1, 2), {"size": 0}, ValueError, "size"),
-        ("text", ("a", 1, 2), {"color": (1, 1)}, ValueError, "color"),
-        ("rectangle", (1, 2, -3, 4), {"fill": RED}, ValueError, "width"),
-        ("rectangle", (np.nan, 2, 3, 4), {"fill": RED}, ValueError, "x: expected a finite number"),
-        ("line", (1, 2, 3, 4), {"width": -1}, ValueError, "width"),
-        ("line", (1, 2, 3, 4), {"opacity": 2}, ValueError, "opacity"),
-        ("polyline", ([[1, 2, 3]],), {}, ValueError, r"points: expected shape \[n, 2\]"),
-        ("image", (np.zeros((5, 5)), 0, 0), {}, ValueError, "image: expected uint8"),
-    ],
-)
-def test_bad_arguments_are_refused(name, words, options, error, message):
-    canvas = Canvas.blank(20, 20)
-    with pytest.raises(error, match=message):
-        getattr(canvas, name)(*words, **options)
-
-
-def test_a_picture_of_another_size_is_refused():
-    with pytest.raises(ValueError, match="picture:"):
-        Canvas(Canvas.blank(20, 20).sheet.picture, 10, 10)
 
 
 LOW, HIGH = (-1.0, 0.5), (2.0, 3.0)

@@ -1,7 +1,8 @@
-"""Geometries before they are sent to pages: coordinates, colors, surfaces, cameras, fractions."""
+"""Geometries before they are sent to pages: coordinates, colors, cameras; and rejected arguments of the viewer."""
 
 import dataclasses
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,6 +20,9 @@ from pointloom.visualization.viewer.link import CameraState
 from pointloom.visualization.viewer.sessions import counts_text
 from pointloom.visualization.viewer.surfaces import line_arrays, surface_arrays
 
+from ...hostile import faults_of, hostile_clouds, read_table, warnings_of
+from .stand_in import page_in
+
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
 SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
 FACES = [[0, 1, 2], [0, 2, 3]]
@@ -30,27 +34,6 @@ def rotation_about(angle, axis=2):
     T[[a, b], [a, b]] = math.cos(angle)
     T[a, b], T[b, a] = -math.sin(angle), math.sin(angle)
     return T
-
-
-@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e9])
-def test_a_scene_of_any_size_is_some_units_wide_in_the_page(scale):
-    low, high = UTM * scale, UTM * scale + scale
-    frame = Frame.around((low, high))
-    ends = [frame.pose_in_page(end, None)[1] for end in (low, high)]
-    width = np.linalg.norm(ends[1] - ends[0])
-    assert 0.05 <= width <= 1e5
-    assert np.allclose(ends[0], -ends[1], rtol=1e-3)
-    if scale == 1:
-        assert frame.unit == 1
-
-
-def test_a_pose_is_applied_about_the_world_s_zero_not_the_cloud_s():
-    frame, T = Frame(UTM), rotation_about(0.5)
-    T[:3, 3] = [1, 2, 3]
-    origin, local = UTM + np.array([10, 20, 30]), np.array([0.1, 0.2, 0.3])
-    R, t = frame.pose_in_page(origin, T)
-    transformed = R @ local + t
-    assert np.allclose(transformed, T[:3, :3] @ (origin + local) + T[:3, 3] - UTM, atol=1e-9)
 
 
 def test_poses_of_style_and_of_the_program_follow_each_other(rng):
@@ -83,16 +66,6 @@ def test_a_cloud_can_be_colored_by_its_attributes(rng):
     cloud = loom.PointCloud(points, normals=points, colors=points, intensity=points[:, 0], flow=points)
     assert choices_of(cloud) == ["rgb", "normal", "height", "x", "y", "intensity"]
     assert choices_of(loom.PointCloud(points)) == ["height", "x", "y"]
-
-
-def test_an_unknown_attribute_is_rejected_with_the_existing_ones(rng):
-    items = [make_item("cloud", 0, loom.PointCloud(rng.random((5, 3)), ring=np.arange(5)), Style())]
-    with pytest.raises(ValueError, match=r"^by:"):
-        ColoringChoice().checked("rings", None, None, items)
-    with pytest.raises(ValueError, match="colormap"):
-        ColoringChoice().checked("ring", "rainbow", None, items)
-    with pytest.raises(ValueError, match="limits"):
-        ColoringChoice().checked("height", None, (1, 0), items)
 
 
 @pytest.mark.parametrize(
@@ -192,19 +165,6 @@ def test_a_narrow_page_sees_as_much_as_a_wide_one(rng):
         assert np.abs(seen_from(camera, Frame.around(bounds), points, aspect)).max() < 1
 
 
-def state_of(camera, size=(800, 600), **changed):
-    return CameraState(camera.position, camera.rotation, camera.fov, size, camera.pivot, **changed)
-
-
-def test_a_view_comes_back_from_the_page_s_camera(rng):
-    points = 3e-4 * rng.random((40, 3)) + UTM
-    bounds = points.min(axis=0), points.max(axis=0)
-    frame, view = Frame.around(bounds), fit_view(points, width=800, height=600)
-    back = view_of(state_of(camera_of(view, frame, bounds)), frame, bounds, (800, 600))
-    assert np.allclose(back.T_world_camera, view.T_world_camera, atol=1e-9)
-    assert back.intrinsic.fx == pytest.approx(view.intrinsic.fx)
-
-
 @pytest.mark.parametrize("zoom", [1.0, 0.01])
 def test_an_orthographic_camera_matches_a_very_distant_view(rng, zoom):
     points = rng.random((40, 3)) + UTM
@@ -257,3 +217,69 @@ def test_the_union_is_that_of_all_boxes_after_each_of_many_changes(rng):
     corners = extents.corners()
     assert corners.shape == (8 * len(boxes), 3)
     assert {tuple(corner) for corner in corners} >= {tuple(low) for low, _ in boxes.values()}
+
+
+CALLS = """
+viewer.add(name="cloud", geometry=cloud)
+viewer.add(name="cloud", geometry=cloud, color=(1, 0, 0), color_by="height", colormap="jet", limits=(0, 1), point_size=2.0, line_width=1.0, pose=pose)
+viewer.add_all(geometries=[cloud])
+viewer.update(name="cloud", geometry=cloud)
+viewer.remove(name="cloud")
+viewer.set_pose(name="cloud", T=pose)
+viewer.set_visible(name="cloud", visible=True)
+viewer.set_view(view=None)
+viewer.set_view(zoom=0.5, front=(0, 0, 1), lookat=(0, 0, 0), up=(0, 1, 0), field_of_view=60.0)
+viewer.get_view(client=None)
+viewer.color_by(by="height", colormap="jet", limits=(0, 1))
+loom.Viewer(port=0, max_points=10, point_size=3.0, background=(1, 1, 1))
+"""  # noqa: E501
+CASES = []
+
+
+for line in CALLS.strip().splitlines():
+    ((function, expressions),) = read_table(line, {}).values()
+    CASES += [(function, expressions, name) for name in expressions if name not in ("visible", "port")]
+
+
+# Accepted names in messages.
+WORDS = {"name": "geometries", "geometries": "points", "geometry": "geometries|points", "color_by": "by"}
+
+
+@pytest.fixture(scope="module")
+def viewer():
+    with loom.Viewer(port=0) as viewer:
+        yield viewer
+
+
+@pytest.mark.parametrize(("function", "expressions", "argument"), CASES, ids=lambda value: str(value)[:24])
+def test_a_hostile_value_is_refused_by_name(viewer, function, expressions, argument):
+    cloud = loom.PointCloud(np.random.default_rng(0).random((60, 3)))
+    things: dict[str, Any] = {"viewer": viewer, "loom": loom, "cloud": cloud, "pose": np.eye(4)}
+
+    def call(**given: Any) -> None:
+        viewer.clear()
+        viewer.add("cloud", cloud)
+        made = eval(function, things)(**given)
+        if isinstance(made, loom.Viewer):
+            made.close()
+
+    good = {name: eval(value, things) for name, value in expressions.items()}
+    call(**good)
+    faults = faults_of(call, good, argument, also=WORDS.get(argument, ""))
+    assert not faults, "\n".join(faults)
+
+
+def test_clouds_of_all_kinds_are_shown_without_a_warning(viewer):
+    with page_in(viewer):
+        for title, cloud in hostile_clouds().items():
+
+            def show(cloud=cloud):
+                viewer.clear()
+                viewer.add("cloud", cloud)
+                viewer.show_normals(True)
+                viewer.color_by("height")
+                viewer.update("cloud", cloud)
+                viewer.color_by(None)
+                viewer.show_normals(False)
+
+            assert warnings_of(show) == [], title

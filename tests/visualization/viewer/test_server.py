@@ -1,9 +1,10 @@
-"""The viewer's server: accepted requests, valid messages, and a clean shutdown."""
+"""The viewer's server: accepted requests, foreign origins, forked processes, absent clients, and a clean shutdown."""
 
 import base64
 import gc
 import gzip
 import hashlib
+import math
 import os
 import re
 import socket
@@ -11,17 +12,26 @@ import subprocess
 import sys
 import textwrap
 import threading
+import time
+import types
 import weakref
+from pathlib import Path
 
 import numpy as np
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
+import pointloom as loom
 from pointloom.core.errors import PointloomError
+from pointloom.visualization.viewer import client_presence, scene
+from pointloom.visualization.viewer.client_presence import KEEP_ALIVE, Presence
+from pointloom.visualization.viewer.guard import RequestGuard, response_headers, split_host
 from pointloom.visualization.viewer.link import hub
-from pointloom.visualization.viewer.server import MAX_PORTS, ViewerError, ViewerServer
+from pointloom.visualization.viewer.server import ViewerError, ViewerServer
 
+from ...sigint import sigint_enabled
+from . import events
 from .events import join_threads, wait_until
 from .pages import (
     HELLO,
@@ -35,14 +45,9 @@ from .pages import (
     send,
     send_raw,
     silent_line,
+    visitor_of,
     with_token,
 )
-
-
-@pytest.fixture
-def free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as line:
-        return line.getsockname()[1]
 
 
 def test_the_server_listens_on_loopback_only(server):
@@ -52,19 +57,6 @@ def test_the_server_listens_on_loopback_only(server):
     assert server.url == f"http://127.0.0.1:{server.port}/?token={server.pages.token}"
     assert not server.exposed
     assert server.moved_from is None
-
-
-def test_the_line_for_ssh_names_both_ports(server, monkeypatch):
-    monkeypatch.setenv("SSH_CONNECTION", "10.0.0.9 50000 10.0.0.2 2222")
-    with ViewerServer(port=0) as remote:
-        assert remote.ssh_line.startswith(f"ssh -p 2222 -L {remote.port}:127.0.0.1:{remote.port} ")
-        assert remote.ssh_line.endswith("@10.0.0.2")
-
-
-def test_a_port_in_use_gives_the_next_one_with_a_message(server):
-    with ViewerServer(port=server.port) as second:
-        assert server.port < second.port < server.port + MAX_PORTS
-        assert second.moved_from == server.port
 
 
 def test_no_free_port_is_an_error_with_a_remedy(monkeypatch):
@@ -215,33 +207,20 @@ def test_an_outdated_page_gets_a_reload_message(server):
         assert ended.value.rcvd.code == 4001
 
 
-def test_only_get_is_answered(server):
-    for method in ("POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "PATCH"):
-        assert b" 200 " not in send_raw(server, f"{method} / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode()), method
+OTHER_METHODS = ("POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "PATCH")
 
 
-def test_invalid_requests_are_rejected(server):
+def test_invalid_requests_and_other_methods_than_get_are_rejected(server):
     for data in (
         b"\x00" * 100, b"GET / HTTP/1.1\r\n\r\n", b"GET /\r\n\r\n",
         b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nHost: evil\r\n\r\n",
         b"GET / HTTP/1.1\r\n" + b"A: b\r\n" * 1000 + b"\r\n", b"GET /" + b"a" * 100_000,
         b"\x16\x03\x01\x02\x00" + b"x" * 600, b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 5\r\n\r\nhello",
         b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nOrigin: http://127.0.0.1\r\n\r\n",
+        *(f"{method} / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode() for method in OTHER_METHODS),
     ):  # fmt: skip
         assert b" 200 " not in send_raw(server, data), data[:40]
     assert is_well(server)
-
-
-def test_closing_frees_the_port_at_once(free_port):
-    for _ in range(3):
-        with ViewerServer(port=free_port) as server:
-            assert server.port == free_port
-            with page_of(server) as line:
-                hear(line)
-                server.close()
-                with pytest.raises(ConnectionClosed):
-                    while True:
-                        line.recv(timeout=60)
 
 
 def test_closing_frees_the_memory(quick_collection):
@@ -294,7 +273,8 @@ SRC = os.pathsep.join(path for path in sys.path if path)
     [
         "",
         *(pytest.param(end, marks=pytest.mark.slow) for end in (
-            "import os, signal; os.kill(os.getpid(), signal.SIGINT)", "server.close()", "import sys; sys.exit(0)",
+            "import signal, sys; signal.raise_signal(signal.SIGINT); sys.exit(2)", "server.close()",
+            "import sys; sys.exit(0)",
             "import asyncio\nasync def cell():\n    ViewerServer(port=0).close()\nasyncio.run(cell())",
         )),
     ],
@@ -310,5 +290,272 @@ try:
 except KeyboardInterrupt:
     pass
 """
-    done = run_python(script, env=os.environ | {"PYTHONPATH": SRC})
+    with sigint_enabled():
+        done = run_python(script, env=os.environ | {"PYTHONPATH": SRC})
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+ROOT = Path(__file__).resolve().parents[3]
+PARENT = """
+import os, signal, socket, warnings
+from pointloom.visualization.viewer.server import ViewerServer
+warnings.simplefilter("ignore", DeprecationWarning)  # of forks beside threads
+server, other = ViewerServer(port=0), socket.create_server(("127.0.0.1", 0))
+line = socket.create_connection(("127.0.0.1", server.port))
+line.sendall(b"GET / HTTP/1.1\\r\\nHost: ")  # a page that still asks
+with socket.create_connection(("127.0.0.1", server.port)) as next_one:  # is accepted after that one
+    next_one.sendall(b"GET / HTTP/1.1\\r\\nHost: 127.0.0.1\\r\\n\\r\\n")
+    next_one.recv(1)
+read, write = os.pipe()
+child = os.fork()
+if child == 0:
+    server.close()
+    os.write(write, f"{server.closed} {other.getsockname()[1]}".encode())
+    signal.pause()
+    os._exit(0)
+try:
+    print(os.read(read, 1000).decode() == f"True {other.getsockname()[1]}")
+    with socket.create_connection(("127.0.0.1", server.port)) as one:
+        one.sendall(b"GET /none HTTP/1.1\\r\\nHost: 127.0.0.1\\r\\n\\r\\n")
+        print(one.recv(12))
+    server.close()
+    line.settimeout(60)
+    print(line.recv(1))
+    with ViewerServer(port=server.port) as again:
+        print(again.port == server.port, os.waitpid(child, os.WNOHANG))
+finally:
+    os.kill(child, signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no forks here")
+def test_a_surviving_child_inherits_neither_port_nor_pages():
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
+    completed = subprocess.run(
+        [sys.executable, "-c", PARENT], capture_output=True, text=True, env=environment, timeout=300
+    )
+    assert (completed.stdout.splitlines(), completed.stderr) == (["True", "b'HTTP/1.1 404'", "b''", "True (0, 0)"], "")
+
+
+def test_a_closed_port_does_not_respond_though_another_process_has_its_socket():
+    server = ViewerServer(port=0)
+    duplicate = server.pages._hub._bound.dup()  # as in a child without Python's fork hooks
+    server.close()
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection(("127.0.0.1", server.port), timeout=60)
+    with ViewerServer(port=server.port) as again:
+        assert again.port == server.port
+    duplicate.close()
+
+
+LOCAL = RequestGuard()
+OPEN = RequestGuard(frozenset({"scanner.lab", "scanner"}), any_address=True)
+
+
+def request_headers(host: str, **others: str) -> dict[str, list[str]]:
+    return {"host": [host]} | {name.replace("_", "-"): [value] for name, value in others.items()}
+
+
+@pytest.mark.parametrize(
+    "host", ["127.0.0.1:8080", "localhost:9000", "LOCALHOST", "[::1]:8080", "127.0.1.1", "localhost.:8080"]
+)
+def test_loopback_is_answered_under_any_port(host):
+    assert LOCAL.refusal(request_headers(host), websocket=False) == ""
+    assert LOCAL.refusal(request_headers(host, origin=f"http://{host}"), websocket=True) == ""
+
+
+@pytest.mark.parametrize(
+    "host",
+    [
+        "evil.example:8080", "127.0.0.1.evil.example", "localhost.evil.example", "evil-localhost", "192.168.1.5:8080",
+        "", "127.0.0.1:8080:80", "127.0.0.1@evil.example", "[::1", "127.0.0.1:8080/", "0x7f.1", "127.0.0.1 ", "a" * 300,
+    ],
+)  # fmt: skip
+def test_a_name_that_only_points_here_is_refused(host):
+    assert LOCAL.refusal(request_headers(host), websocket=False)
+    assert LOCAL.refusal(request_headers(host, origin=f"http://{host}"), websocket=True)
+
+
+def test_two_hosts_or_none_are_refused():
+    assert LOCAL.refusal({}, websocket=False)
+    assert LOCAL.refusal({"host": ["127.0.0.1", "127.0.0.1"]}, websocket=False)
+
+
+@pytest.mark.parametrize(
+    "origin",
+    [
+        "http://evil.example", "http://127.0.0.1:8081", "http://localhost:8080", "null", "file://", "",
+        "127.0.0.1:8080", "http://127.0.0.1:8080.evil.example", "http://127.0.0.1", "ftp://127.0.0.1:8080",
+        "http://127.0.0.1:8080/",
+    ],
+)  # fmt: skip
+def test_a_page_from_elsewhere_is_refused(origin):
+    for websocket in (False, True):
+        assert LOCAL.refusal(request_headers("127.0.0.1:8080", origin=origin), websocket=websocket)
+
+
+def test_a_websocket_without_an_origin_is_refused_and_a_page_is_not():
+    assert LOCAL.refusal(request_headers("127.0.0.1:8080"), websocket=True)
+    assert not LOCAL.refusal(request_headers("127.0.0.1:8080"), websocket=False)
+    assert LOCAL.refusal({"host": ["127.0.0.1"], "origin": ["http://127.0.0.1"] * 2}, websocket=True)
+
+
+def test_default_ports_are_the_same_as_none():
+    assert not LOCAL.refusal(request_headers("localhost", origin="http://localhost:80"), websocket=True)
+    assert not LOCAL.refusal(request_headers("localhost:443", origin="https://localhost"), websocket=True)
+    assert LOCAL.refusal(request_headers("localhost:80", origin="https://localhost"), websocket=True)
+
+
+@pytest.mark.parametrize("site", ["cross-site", "same-site"])
+def test_fetching_and_embedding_from_elsewhere_is_refused_even_without_an_origin(site):
+    for mode in ("no-cors", "cors", "same-origin"):
+        assert LOCAL.refusal(request_headers("127.0.0.1", sec_fetch_site=site, sec_fetch_mode=mode), websocket=False)
+    assert not LOCAL.refusal(
+        request_headers("127.0.0.1", sec_fetch_site=site, sec_fetch_mode="navigate"), websocket=False
+    )
+    assert not LOCAL.refusal(
+        request_headers("127.0.0.1", sec_fetch_site="same-origin", sec_fetch_mode="cors"), websocket=False
+    )
+
+
+def test_a_server_for_others_answers_under_its_addresses_and_its_own_names():
+    for host in ("192.168.1.5:8080", "scanner.lab:8080", "Scanner:8080", "[fe80::1]:8080", "localhost:8080"):
+        assert not OPEN.refusal(request_headers(host), websocket=False)
+    assert OPEN.refusal(request_headers("evil.example:8080"), websocket=False)
+    assert OPEN.refusal(request_headers("192.168.1.5:8080", origin="http://192.168.1.6:8080"), websocket=True)
+
+
+def test_no_header_can_be_smuggled_in_by_a_host():
+    for host in ("127.0.0.1\r\nX: y", "127.0.0.1; script-src *", "127.0.0.1 *", "*"):
+        assert split_host(host) is None
+
+
+def test_the_page_may_connect_only_to_its_server_and_run_only_its_scripts():
+    headers = response_headers("127.0.0.1:8080", {"script": ["sha256-abc="], "style": []})
+    rules = dict(rule.split(" ", 1) for rule in headers["Content-Security-Policy"].split("; "))
+    assert rules["default-src"] == "'none'"
+    assert rules["connect-src"].split() == ["ws://127.0.0.1:8080", "wss://127.0.0.1:8080"]
+    assert (rules["script-src"], rules["style-src"]) == ("'sha256-abc='", "'none'")
+    assert "unsafe" not in headers["Content-Security-Policy"]
+    assert "*" not in rules["frame-ancestors"].replace(":*", "")
+
+
+@pytest.fixture
+def shown():
+    with loom.Viewer(port=0) as viewer:
+        yield viewer
+
+
+class Waiting:
+    """A thread that waits for the last page of a viewer, by a clock that the test sets forward.
+
+    Attributes:
+        clock_offset: Offset of the clock [s].
+        polls: Number of checks for the end of the wait.
+    """
+
+    def __init__(self, viewer, keep_alive, monkeypatch):
+        self.clock_offset, self.polls, self.over = 0.0, 0, threading.Event()
+        clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.clock_offset)
+        for module in (client_presence, scene, hub):
+            monkeypatch.setattr(module, "time", clock)
+        monkeypatch.setattr(client_presence, "LOOK", 0.001)
+        is_over = Presence._is_over
+
+        def look(*args):
+            over = is_over(*args)
+            self.polls += 1
+            return over
+
+        monkeypatch.setattr(Presence, "_is_over", look)
+        events.announce(monkeypatch, Presence, "_is_over")
+        threading.Thread(target=lambda: (viewer.wait(keep_alive=keep_alive), self.over.set()), daemon=True).start()
+
+    def goes_on(self):
+        """True if it still waits after another poll."""
+        looks = self.polls
+        wait_until(lambda: self.polls > looks + 1 or self.over.is_set())
+        return not self.over.is_set()
+
+
+def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd, monkeypatch):
+    with pytest.raises(ValueError, match="seconds"):
+        shown.wait(-1)
+    waiting = Waiting(shown, 100, monkeypatch)
+    waiting.clock_offset = 1000.0
+    assert waiting.goes_on()  # there was no page yet
+    with visitor_of(shown.server):
+        wait_until(lambda: shown.sessions)
+        waiting.clock_offset = 2000.0
+        assert waiting.goes_on()
+    wait_until(lambda: not shown.sessions)
+    assert waiting.goes_on()
+    waiting.clock_offset += 101
+    assert waiting.over.wait(60)
+    ending = f"ending in 100 s (open {shown.url} again to stay, Ctrl-C ends now)"
+    assert capfd.readouterr() == ("", f"the last page has closed; {ending}\n")
+
+
+def test_a_reloaded_page_extends_the_wait_on_slow_connections(shown, capfd, monkeypatch):
+    with visitor_of(shown.server):
+        wait_until(lambda: shown.sessions)
+    wait_until(lambda: not shown.sessions)
+    waiting = Waiting(shown, 100, monkeypatch)
+    for _ in range(2):  # the page is requested, but its websocket is late
+        waiting.clock_offset += 70
+        assert waiting.goes_on()
+        assert get(shown.server)[0] == 200
+    with visitor_of(shown.server):
+        wait_until(lambda: "a page is open again" in stderr_of(capfd))
+        waiting.clock_offset += 130
+        assert waiting.goes_on()
+    wait_until(lambda: not shown.sessions)
+    waiting.clock_offset += 101
+    assert waiting.over.wait(60)
+
+
+def test_rejected_requests_count_as_no_page(shown):
+    before = shown.server.last_request
+    assert get(shown.server, Host="evil.example")[0] == 403
+    assert get(shown.server, "/favicon.ico")[0] == 404
+    assert shown.server.last_request == before
+    get(shown.server)
+    assert shown.server.last_request > before and time.monotonic() - shown.server.last_request < 60
+
+
+NOW = 1e10  # [s]
+
+
+def viewer_stub(seconds):
+    """A viewer whose last page left `seconds` ago, or that had no page yet."""
+    last_seen = None if seconds is None else NOW - seconds
+    server = types.SimpleNamespace(last_request=-math.inf)
+    return types.SimpleNamespace(
+        url="http://u", sessions={}, _last_seen=last_seen, server=server, _ended=threading.Event()
+    )
+
+
+@pytest.mark.parametrize(
+    ("seconds", "keep_alive", "over", "words"),
+    [
+        (None, 0, False, ""),
+        (61, KEEP_ALIVE, True, ""),
+        (59, KEEP_ALIVE, False, "ending in 60 s"),
+        (1e9, math.inf, False, "waiting for another"),
+        (0, 0, True, ""),
+    ],
+)
+def test_polling_reports_once_that_the_last_page_has_gone(capfd, monkeypatch, seconds, keep_alive, over, words):
+    monkeypatch.setattr(client_presence, "time", types.SimpleNamespace(monotonic=lambda: NOW))
+    one = Presence(viewer_stub(seconds))
+    assert [one.wait(0, keep_alive) for _ in range(3)] == [over] * 3
+    with pytest.raises(ValueError, match="keep_alive"):
+        one.wait(0, -1)
+    lines = stderr_of(capfd).splitlines()
+    assert len(lines) == bool(words) and words in "".join(lines)
+
+
+def stderr_of(capfd):
+    out, err = capfd.readouterr()
+    assert out == ""
+    return err

@@ -1,17 +1,23 @@
-"""Fast first image: clouds arrive in steps at the pace of the page, and levels during viewing."""
+"""Fast first image: clouds arrive in steps at the pace of the page; and the timeline of a live recording."""
 
+import logging
 import os
 import subprocess
 import sys
 import threading
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.visualization.viewer import point_transfer, scene, sessions
+from pointloom.core.errors import PointloomError
+from pointloom.visualization.viewer import live_timeline, point_transfer, scene, sessions
 from pointloom.visualization.viewer.detail_tree import DetailTree
+from pointloom.visualization.viewer.live_recording import Drawn, moments_of
+from pointloom.visualization.viewer.live_timeline import ENTRY
 from pointloom.visualization.viewer.point_transfer import in_steps
+from pointloom.visualization.viewer.timed_calls import requested_by_page
 from pointloom.visualization.viewer.tools.clip_planes import Clip
 from pointloom.visualization.viewer.tools.picking import project
 from pointloom.visualization.viewer.viewer import Viewer
@@ -241,3 +247,276 @@ def test_the_first_picture_of_a_cloud_waits_for_no_compiler():
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=True, env=environment
     )
     assert done.stdout.strip() == "[]"
+
+
+POSE = np.eye(4)
+POSE[:3, 3] = 1, 2, 3
+
+
+@pytest.fixture
+def viewer():
+    with Viewer(port=0) as viewer:
+        yield viewer
+
+
+def cloud_of(number, count=4):
+    """A cloud whose first point contains its number."""
+    points = np.zeros((count, 3))
+    points[:, 0] = number
+    points[-1] = 10
+    return loom.PointCloud(points)
+
+
+def shown(viewer):
+    """The state that pages show: the number of each cloud, its position, and its visibility."""
+    items = {}
+    for name, item in viewer.shown.items():
+        position = np.zeros(3) if item.pose is None else item.pose[:3, 3]
+        items[name] = (int(item.cloud.points[0][0]), position.tolist(), item.visible)
+    return items
+
+
+HERE = [0.0, 0.0, 0.0]
+
+
+def run_example(viewer):
+    """A program that adds, updates, moves, hides, shows and removes, one moment each."""
+    viewer.add("old", cloud_of(9))
+    viewer.set_time(0)
+    viewer.add("a", cloud_of(1))
+    viewer.set_time(1)
+    viewer.update("a", cloud_of(2))
+    viewer.set_time(2)
+    viewer.set_pose("a", POSE)
+    viewer.set_visible("old", False)
+    viewer.set_time(3)
+    viewer.remove("old")
+    viewer.add("b", cloud_of(3))
+
+
+STORY = [
+    {"old": (9, HERE, True), "a": (1, HERE, True)},
+    {"old": (9, HERE, True), "a": (2, HERE, True)},
+    {"old": (9, HERE, False), "a": (2, [1.0, 2.0, 3.0], True)},
+    {"a": (2, [1.0, 2.0, 3.0], True), "b": (3, HERE, True)},
+]
+
+
+def test_each_moment_shows_what_was_then_in_any_order(viewer):
+    run_example(viewer)
+    for number in (3, 0, 2, 1, 3, 1, 0):
+        viewer.show_time(number)
+        assert shown(viewer) == STORY[number]
+    viewer.show_time(1.99)
+    assert shown(viewer) == STORY[1]
+    viewer.show_time(-5)
+    assert shown(viewer) == STORY[0]
+    viewer.show_time()
+    assert shown(viewer) == STORY[3] and viewer.timeline.is_live
+
+
+def test_without_set_time_nothing_is_recorded(viewer):
+    viewer.add("a", cloud_of(1))
+    viewer.update("a", cloud_of(2))
+    assert viewer.timeline is None
+    with pytest.raises(ValueError, match=r"^t:"):
+        viewer.show_time()
+
+
+def test_a_program_goes_on_while_pages_look_at_what_was(viewer):
+    run_example(viewer)
+    viewer.show_time(1)
+    before = list(viewer.shown.values())
+    viewer.set_time(4)
+    viewer.update("b", cloud_of(7))
+    viewer.add("c", cloud_of(8))
+    viewer.set_pose("c", POSE)
+    viewer.set_visible("b", False)
+    viewer.remove("a")
+    assert shown(viewer) == STORY[1] and list(viewer.shown.values()) == before
+    newest = {name: (int(item.cloud.points[0][0]), item.visible) for name, item in viewer.items.items()}
+    assert newest == {"b": (7, False), "c": (8, True)} and viewer.items["c"].pose[0, 3] == 1
+    with pytest.raises(KeyError, match="no geometry 'old'; there are 'b', 'c'"):
+        viewer.update("old", cloud_of(1))
+    viewer.set_time(5)
+    viewer.clear()
+    viewer.show_time(4)
+    assert shown(viewer) == {"b": (7, HERE, False), "c": (8, [1.0, 2.0, 3.0], True)}
+    viewer.show_time()
+    assert shown(viewer) == {}
+    viewer.add("d", cloud_of(1))
+    assert shown(viewer) == {"d": (1, HERE, True)}
+
+
+def test_later_changes_of_a_pose_array_do_not_affect_recorded_moments(viewer):
+    viewer.add("a", cloud_of(1))
+    T = np.eye(4)
+    for frame in range(3):
+        viewer.set_time(frame)
+        T[0, 3] = frame
+        viewer.set_pose("a", T)
+    viewer.show_time(1)
+    assert shown(viewer)["a"] == (1, [1.0, 0.0, 0.0], True)
+
+
+def test_viewing_the_past_does_not_change_the_present(viewer):
+    run_example(viewer)
+    viewer.show_time(1)
+    with requested_by_page():
+        viewer.set_visible("old", False)
+        assert not viewer.shown["old"].visible and viewer.items.keys() == {"a", "b"}
+        with pytest.raises(PointloomError, match="go to its end to change the scene"):
+            viewer.update("a", cloud_of(5))
+    viewer.show_time(0)
+    viewer.show_time(1)
+    assert shown(viewer) == STORY[1]
+    viewer.show_time()
+    assert shown(viewer) == STORY[3]
+
+
+def test_a_moment_of_the_same_time_goes_on_and_an_earlier_one_is_refused(viewer):
+    viewer.set_time(1.5)
+    viewer.add("a", cloud_of(1))
+    viewer.set_time(1.5)
+    viewer.update("a", cloud_of(2))
+    assert viewer.timeline.times == [1.5] and len(viewer.timeline.scene_at(0)) == 1
+    for wrong, error in ((1, ValueError), (np.nan, ValueError), ("2", TypeError), (None, TypeError), (True, TypeError)):
+        with pytest.raises(error, match=r"^t: "):
+            viewer.set_time(wrong)
+    with pytest.raises(TypeError, match=r"^t: "):
+        viewer.show_time("1")
+    assert viewer.timeline.times == [1.5]
+
+
+def drag(viewer, value):
+    control = viewer.timeline._control
+    control.value = value
+    for callback in control._callbacks:
+        callback(SimpleNamespace(client_id=7, value=value, target=control))
+
+
+def test_the_time_line_comes_with_the_second_moment_and_follows_the_newest(viewer):
+    viewer.set_time(0)
+    assert viewer.timeline._control is None
+    viewer.add("a", cloud_of(0))
+    for frame in (1, 2):
+        viewer.set_time(frame)
+        viewer.update("a", cloud_of(frame))
+    control = viewer.timeline._control
+    assert (control.min, control.max, control.step, control.value) == (0, 2, 1, 2)
+    with page_in(viewer) as page:
+        page.send("value", id=control.id, value=1)
+        assert shown(viewer)["a"][0] == 1
+        for wrong in ("1", None, True):  # invalid numbers are ignored
+            page.send("value", id=control.id, value=wrong)
+    viewer.set_time(3)
+    viewer.update("a", cloud_of(3))
+    assert (control.max, control.value) == (3, 1) and shown(viewer)["a"][0] == 1
+    drag(viewer, 3)
+    assert shown(viewer)["a"][0] == 3
+    viewer.set_time(4)
+    assert control.value == 4
+
+
+def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):
+    times = [0.1 * frame for frame in range(30)]
+    for frame, time in enumerate(times):
+        viewer.set_time(time)
+        viewer.add("a", cloud_of(frame))
+    control = viewer.timeline._control
+    assert control.step == pytest.approx(0.1)
+    steps = np.linspace(0, control.max, round(control.max / control.step) + 1)
+    for step, value in enumerate(steps):
+        drag(viewer, float(value))
+        assert shown(viewer)["a"][0] == step
+    assert viewer.timeline.is_live
+
+
+def test_unchanged_geometries_are_stored_once_and_a_pose_is_small(viewer):
+    viewer.add("big", cloud_of(1, 100_000))
+    viewer.add("other", cloud_of(2, 100_000))
+    viewer.set_time(0)
+    start = viewer.timeline.bytes
+    assert 2 * 100_000 * 12 <= start < 2 * 100_000 * 16
+    for frame in range(1, 1001):
+        viewer.set_time(frame)
+        viewer.set_pose("big", POSE)
+    assert viewer.timeline.bytes - start == 1000 * ENTRY
+    assert len(viewer.timeline._tracks["other"]) == 1
+
+
+def test_the_oldest_moments_are_removed_beyond_the_byte_limit_with_one_warning(viewer, caplog):
+    viewer.history_bytes = 20 * 12_000 + 30 * ENTRY
+    with caplog.at_level(logging.WARNING, "pointloom.viewer"):
+        for frame in range(200):
+            viewer.set_time(frame)
+            viewer.add("a", cloud_of(frame, 1000))
+            assert viewer.timeline.bytes <= viewer.history_bytes
+    timeline = viewer.timeline
+    assert caplog.text.count(live_timeline.FULL) == 1
+    assert 10 <= len(timeline.times) <= 21 and timeline.times[-1] == 199
+    for time in timeline.times:
+        viewer.show_time(time)
+        assert shown(viewer)["a"][0] == time
+    viewer.show_time(0)
+    assert shown(viewer)["a"][0] == timeline.times[0]
+    n_bytes = sum(size for _, size in timeline._arrays.values()) + ENTRY * sum(map(len, timeline._tracks.values()))
+    assert timeline.bytes == n_bytes
+
+
+def test_what_never_changed_outlives_the_moment_it_came_in(viewer):
+    viewer.history_bytes = 30 * ENTRY + 10_000
+    viewer.set_time(0)
+    viewer.add("still", cloud_of(5))
+    viewer.add("gone", cloud_of(6))
+    viewer.set_time(1)
+    viewer.remove("gone")
+    for frame in range(2, 300):
+        viewer.set_time(frame)
+        viewer.set_pose("still", POSE)
+    assert viewer.timeline.times[0] > 1 and {*viewer.timeline._tracks} == {"still"}
+    viewer.show_time(0)
+    assert shown(viewer) == {"still": (5, [1.0, 2.0, 3.0], True)}
+
+
+def test_pages_that_look_at_a_moment_that_goes_see_the_oldest_that_is_left(viewer):
+    viewer.history_bytes = 20 * 12_000
+    for frame in range(5):
+        viewer.set_time(frame)
+        viewer.add("a", cloud_of(frame, 1000))
+    viewer.show_time(0)
+    for frame in range(5, 60):
+        viewer.set_time(frame)
+        viewer.update("a", cloud_of(frame, 1000))
+    oldest = viewer.timeline.times[0]
+    assert oldest > 0 and shown(viewer)["a"][0] == oldest == viewer.timeline.time
+    assert not viewer.timeline.is_live
+
+
+def test_a_recording_has_a_frame_for_each_moment(viewer, tmp_path):
+    run_example(viewer)
+    viewer.show_time(0)
+    drawn = Drawn(viewer, 1000).timeline(moments_of(viewer.timeline, 600))
+    assert [[*frame.shown] for frame in drawn.frames] == [["old", "a"], ["old", "a"], ["a"], ["a", "b"]]
+    assert [frame.label for frame in drawn.frames] == ["0", "1", "2", "3"]
+    assert len(drawn.shapes) == 4  # each once
+    moved = drawn.frames[2].shown["a"]
+    position = drawn.shapes[moved.shapes[0]].positions[0] + moved.pose[:3, 3] + drawn.origin
+    assert np.allclose(position, [2 + 1, 2, 3])
+    viewer.save_recording(tmp_path / "story.html")
+    assert (tmp_path / "story.html").stat().st_size > 1000
+
+
+def test_of_many_moments_the_recording_has_some_and_the_newest(viewer, tmp_path):
+    viewer.add("a", cloud_of(1))
+    for frame in range(100):
+        viewer.set_time(frame / 10)
+        viewer.set_pose("a", POSE)
+    moments = moments_of(viewer.timeline, 10)
+    assert len(moments) == 10 and moments[-1][0] == "9.9 s"
+    viewer.save_recording(tmp_path / "run.html", max_frames=10, title="run")
+    assert "run, 10 of 100 time steps" in (tmp_path / "run.html").read_text()
+    for wrong in ({"fps": 0}, {"max_points": 0}, {"max_frames": 1}, {"color": 1}):
+        with pytest.raises((ValueError, TypeError), match=next(iter(wrong))):
+            viewer.save_recording(tmp_path / "a.html", **wrong)
+    assert [path.name for path in tmp_path.iterdir()] == ["run.html"]

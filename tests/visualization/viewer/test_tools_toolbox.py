@@ -1,5 +1,8 @@
 """The tools in a simulated page: clicks, keys, buttons, and complete cleanup."""
 
+import json
+import threading
+
 import numpy as np
 import pytest
 
@@ -207,6 +210,9 @@ def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
     page.press("Save pairs and pose")
     assert files_of(page, tmp_path) == ["pairs.json", "pairs.txt"]
     np.testing.assert_allclose(np.loadtxt(tmp_path / "pairs.txt"), page.items["source"].pose, atol=1e-12)
+    content = json.loads((tmp_path / "pairs.json").read_text())
+    assert content["correspondences"] == [[index] * 2 for index in (500, 1033, 390)] and content["source"] == "source"
+    np.testing.assert_allclose(content["T_target_source"], page.items["source"].pose, atol=1e-12)
     page.press("Back to the old pose")
     np.testing.assert_array_equal(page.items["source"].pose, np.eye(4))
     page.box.close()
@@ -314,8 +320,6 @@ def test_a_thousand_clicks_are_stored(page):
 
 
 def test_requests_beyond_the_queue_limit_are_dropped(page):
-    import threading
-
     gate, done = threading.Event(), []
     page.box.run(lambda: gate.wait(30))
     for number in range(500):

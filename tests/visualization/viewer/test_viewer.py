@@ -115,20 +115,6 @@ def test_more_points_than_the_budget_are_shared_among_the_clouds(rng):
         assert session_of(shown).streams["small"].drawn == 500
 
 
-def test_a_large_cloud_comes_in_levels_of_detail(rng):
-    with Viewer(port=0, max_points=20_000) as shown, page_in(shown) as page:
-        shown.add("large", cloud_of(rng.random((60_000, 3)), colors=rng.random((60_000, 3))))
-        wait_until(lambda: shown.items["large"].tree is not None)
-        stream = session_of(shown).streams["large"]
-        wait_until(lambda: 10_000 < stream.drawn <= 20_000)
-        wait_until(lambda: words_of(page).endswith("of 60,000 points"))
-        wait_until(lambda: not session_of(shown)._leaving)
-        clouds = lambda: [node for node in page.nodes.values() if node.kind == "points"]  # noqa: E731
-        assert all(node.metric for node in clouds())  # of sizes that close gaps
-        shown.point_size = 6.0
-        assert {(node.size, node.metric) for node in clouds() if node.visible} == {(6.0, False)}
-
-
 def test_a_mesh_box_and_path_are_in_every_page(shown, page, rng):
     poses = np.tile(np.eye(4), (5, 1, 1))
     poses[:, :3, 3] = rng.random((5, 3))
@@ -509,9 +495,7 @@ def test_colors_follow_the_attributes_of_the_points(shown, page, rng):
     assert page.of_kind("legend") == []
     (bar,) = page.of_kind("colorbar")
     assert bar.title == "height [m]" and bar.colors.tolist() == [[k, k, k] for k in range(256)]
-    assert (bar.ticks[0], bar.ticks[-1]) == ((0.0, "0.25"), (1.0, "0.75")) or (
-        bar.ticks[0] == [0.0, "0.25"] and bar.ticks[-1] == [1.0, "0.75"]
-    )
+    assert [tuple(bar.ticks[k]) for k in (0, -1)] == [(0.0, "0.25"), (1.0, "0.75")]
     shown.update("cloud", cloud_of(points + 1))
     assert (node_of(shown, page, "cloud").colors == 255).all()  # the range is unchanged
     shown.color_by(None)

@@ -1,0 +1,600 @@
+"""Ellipsoids, voxel grids, octrees, TetraMesh and HalfEdgeTriangleMesh of pointloom.open3d."""
+
+import copy
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+import pointloom.open3d as bridge
+import pointloom.open3d as o3d
+from pointloom.open3d.visualization.shown import bounds_of
+
+POINTS = np.random.default_rng(0).normal(size=(50, 3)) * [1, 2, 3]
+CUBE = np.array(np.meshgrid(*[[0.0, 1]] * 3)).reshape(3, -1).T
+CLOUDS = {"random": POINTS, "few": POINTS[:4], "cube": CUBE, "one missing": np.r_[POINTS[:20], [[np.nan] * 3]]}
+MOTIONS = {
+    "none": lambda shape, R: shape,
+    "moved": lambda shape, R: shape.translate([1, 2, 3]),
+    "placed": lambda shape, R: shape.translate([1, 2, 5], relative=False),
+    "scaled": lambda shape, R: shape.scale(2, [1, 0, 0]),
+    "reflected": lambda shape, R: shape.scale(-2, [1, 0, 0]),
+    "rotated": lambda shape, R: shape.rotate(R, [1, 0, 0]),
+    "rotated about its center": lambda shape, R: shape.rotate(R),
+    "cleared": lambda shape, R: shape.clear(),
+}  # fmt: skip
+
+
+def rotation(o3d):
+    return o3d.geometry.get_rotation_matrix_from_xyz([0.1, 0.2, 0.3])
+
+
+def made(o3d, radii=(1, 2, 0.5)):
+    return o3d.geometry.OrientedBoundingEllipsoid([1, 2, 3], rotation(o3d), radii)
+
+
+def parts(shape):
+    values = shape.center, shape.radii, shape.R, shape.get_center(), shape.get_min_bound(), shape.get_max_bound()
+    return [*map(np.array, values), shape.volume(), np.array(shape.color), shape.is_empty() * 1, repr(shape)]
+
+
+def same(actual, expected, tolerance=1e-8):
+    assert len(actual) == len(expected)
+    for one, other in zip(actual, expected, strict=True):
+        if isinstance(other, str):
+            assert one == other
+        else:
+            np.testing.assert_allclose(one, other, atol=tolerance)
+
+
+def fitted(o3d):
+    kind, vector = o3d.geometry.OrientedBoundingEllipsoid, o3d.utility.Vector3dVector
+    return [parts(kind.create_from_points(vector(points))) for points in CLOUDS.values()]
+
+
+def moved(o3d):
+    found = []
+    for motion in MOTIONS.values():
+        shape = made(o3d)
+        shape.color = [1, 0, 0.5]
+        assert motion(shape, rotation(o3d)) is shape
+        found.append(parts(shape))
+    return found
+
+
+def meshes(o3d):
+    mesh = o3d.geometry.TriangleMesh.create_from_oriented_bounding_ellipsoid(made(o3d), [1, 2, 1], 5, True)
+    lines = o3d.geometry.LineSet.create_from_oriented_bounding_ellipsoid(made(o3d))
+    box = made(o3d).get_oriented_bounding_box()
+    arrays = mesh.vertices, mesh.triangles, mesh.triangle_uvs, box.center, box.extent, lines.colors[:2]
+    return [*map(np.array, arrays), np.sum(lines.points, axis=0), np.array(lines.lines)[::50], np.abs(box.R)]
+
+
+def test_attributes_can_be_assigned_and_copies_are_independent():
+    shape = made(bridge)
+    shape.center, shape.radii, shape.R = [0, 0, 0], [[1], [1], [2]], np.eye(3)
+    other = copy.deepcopy(shape)
+    other.center[0] = 7
+    assert shape.center[0] == 0 and pickle.loads(pickle.dumps(shape)).get_max_bound().tolist() == [1, 1, 2]
+    assert bridge.geometry.OrientedBoundingEllipsoid(other).center[0] == 7
+
+
+def test_ellipsoids_reject_flat_points_and_matrices():
+    flat = POINTS * [1, 1, 0]
+    for points, message in ((flat, "not on one plane"), (POINTS[:3], "at least 4 finite points, got 3")):
+        for robust in (False, True):
+            with pytest.raises(ValueError, match=message):
+                bridge.geometry.OrientedBoundingEllipsoid.create_from_points(points, robust)
+    with pytest.raises(RuntimeError, match="translate"):
+        made(bridge).transform(np.eye(4))
+    with pytest.raises(ValueError, match="R"):
+        bridge.geometry.OrientedBoundingEllipsoid([0, 0, 0], 2 * np.eye(3), [1, 1, 1])
+
+
+def test_clouds_and_meshes_have_ellipsoids_of_their_points(device):
+    g, Tensor = bridge.t.geometry, bridge.core.Tensor
+    legacy = bridge.geometry.OrientedBoundingEllipsoid.create_from_points(POINTS)
+    cloud = bridge.geometry.PointCloud(bridge.utility.Vector3dVector(POINTS))
+    same(parts(cloud.get_oriented_bounding_ellipsoid()), parts(legacy))
+    where = bridge.core.Device(device.upper())
+    shape = g.PointCloud(Tensor(POINTS, device=where)).get_oriented_bounding_ellipsoid()
+    assert shape.device == where and str(shape.radii.dtype) == "Float64"
+    same([shape.center.numpy(), shape.rotation.numpy(), shape.volume()], [legacy.center, legacy.R, legacy.volume()])
+    ball = g.TriangleMesh.create_sphere(2.0, device=where).get_oriented_bounding_ellipsoid()
+    np.testing.assert_allclose(ball.radii.numpy(), 2, atol=1e-4)
+
+
+def test_ellipsoids_of_tensors_move_and_convert():
+    kind, R = bridge.t.geometry.OrientedBoundingEllipsoid, rotation(bridge)
+    shape = kind.from_legacy(made(bridge), bridge.core.float64)
+    before = shape.clone()
+    shape.set_color([1.0, 0, 0])
+    assert shape.translate([1.0, 0, 0]).scale(2.0).rotate(R, [0.0, 0, 0]) is shape
+    expected = made(bridge).translate([1, 0, 0]).scale(2, [2, 2, 3]).rotate(R, [0, 0, 0])
+    expected.color = [1, 0, 0]
+    same(parts(shape.to_legacy()), parts(expected))
+    same(parts(before.to_legacy()), parts(made(bridge)))
+    ends = before.get_ellipsoid_points()
+    assert ends.shape == (6, 3)
+    inside = before.get_point_indices_within_bounding_ellipsoid(np.r_[[[9.0, 9, 9], [1, 2, 3]], 0.99 * ends.numpy()
+                                                                     + 0.01 * np.array([1, 2, 3])])  # fmt: skip
+    assert inside.numpy().tolist() == [1, 2, 3, 4, 5, 6, 7]
+    before.set_radii([1.0, 1, 1])
+    before.set_center([0.0, 0, 0])
+    before.set_rotation(np.eye(3))
+    assert before.get_axis_aligned_bounding_box().max_bound.numpy().tolist() == [1, 1, 1]
+    assert before.get_oriented_bounding_box().extent.numpy().tolist() == [2, 2, 2]
+    mesh = bridge.t.geometry.TriangleMesh.create_from_oriented_bounding_ellipsoid(before, resolution=6)
+    lines = bridge.t.geometry.LineSet.create_from_oriented_bounding_ellipsoid(before, resolution=6)
+    np.testing.assert_allclose(np.linalg.norm(mesh.vertex.positions.numpy(), axis=1), 1, atol=1e-6)
+    assert lines.point.positions.shape == mesh.vertex.positions.shape
+    with pytest.raises(TypeError, match="ellipsoid"):
+        kind.from_legacy(bridge.geometry.AxisAlignedBoundingBox())
+
+
+def alpha_shape(o3d):
+    """Alpha shape of some of the tetrahedra of a cloud at twice their size."""
+    random, vector = np.random.default_rng(0), o3d.utility.Vector3dVector
+    cloud = o3d.geometry.PointCloud(vector(random.random((12, 3))))
+    cloud.normals, cloud.colors = vector(random.normal(size=(12, 3))), vector(random.random((12, 3)))
+    tetras = [[i, i + 1, i + 2, i + 4] for i in range(8)]
+    shape = o3d.geometry.TetraMesh(vector(2 * np.asarray(cloud.points)), o3d.utility.Vector4iVector(tetras))
+    rows = list(range(11, -1, -1))
+    mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, 1.5, shape, rows)
+    triangles = np.sort(np.array(mesh.triangles), axis=1)
+    arrays = mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, triangles[np.lexsort(triangles.T)]
+    return [*map(np.array, arrays)]
+
+
+@pytest.mark.parametrize(("name", "results", "tolerance"), [
+    ("ellipsoids", fitted, 1e-8), ("moved_ellipsoids", moved, 1e-8), ("ellipsoid_meshes", meshes, 1e-6),
+    ("alpha_shape_of_tetrahedra", alpha_shape, 1e-6),
+])  # fmt: skip
+def test_ellipsoids_and_alpha_shapes_of_tetrahedra_agree_with_open3d(name, results, tolerance, oracle):
+    actual, expected = results(bridge), oracle(f"open3d/{name}", results)
+    for one, other in zip(actual, expected, strict=True) if isinstance(actual[0], list) else [(actual, expected)]:
+        same(one, other, tolerance)
+    assert results is not alpha_shape or 4 < len(expected[3]) < 32
+
+
+def test_the_alpha_shape_of_given_tetrahedra_faces_outward():
+    cloud = bridge.geometry.PointCloud(bridge.utility.Vector3dVector(POINTS))
+    tetrahedra, rows = bridge.geometry.TetraMesh.create_from_point_cloud(cloud)
+    mesh = bridge.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, 1e6, tetrahedra, rows)
+    assert mesh.get_volume() == pytest.approx(cloud.compute_convex_hull()[0].get_volume(), rel=1e-6)
+
+
+def test_the_flags_of_the_build_and_the_compiled_module_have_open3ds_names():
+    assert bridge._build_config["BUILD_CUDA_MODULE"] is True and bridge._build_config["BUILD_GUI"] is False
+    assert bridge._build_config["GLIBCXX_USE_CXX11_ABI"] == bridge.pybind._GLIBCXX_USE_CXX11_ABI
+    assert bridge.pybind.geometry.PointCloud is bridge.geometry.PointCloud
+    with pytest.raises(AttributeError, match="nothing"):
+        bridge.pybind.nothing  # noqa: B018
+
+
+def test_there_are_no_sycl_devices(capsys):
+    sycl = bridge.core.sycl
+    assert (sycl.device_count(), sycl.is_available(), sycl.get_available_devices()) == (0, False, [])
+    sycl.enable_persistent_jit_cache()
+    sycl.print_sycl_devices()
+    assert capsys.readouterr().out == "No SYCL devices.\n"
+
+
+V, Voxel, VoxelGrid = o3d.utility.Vector3dVector, o3d.geometry.Voxel, o3d.geometry.VoxelGrid
+Modes = VoxelGrid.VoxelPoolingMode
+SIZE = 0.5
+
+
+@pytest.fixture
+def cloud(rng):
+    made = o3d.geometry.PointCloud(V(rng.normal(size=(400, 3))))
+    made.colors = V(rng.random((400, 3)))
+    return made
+
+
+def voxels_of(grid):
+    return {tuple(voxel.grid_index.tolist()): voxel.color for voxel in grid.get_voxels()}
+
+
+@pytest.mark.parametrize(("mode", "pool"), [("AVG", np.mean), ("MIN", np.min), ("MAX", np.max), ("SUM", np.sum)])
+def test_a_voxel_has_the_pooled_color_of_its_points(cloud, mode, pool):
+    points, colors = np.asarray(cloud.points), np.asarray(cloud.colors)
+    grid = VoxelGrid.create_from_point_cloud_within_bounds(cloud, SIZE, [-1] * 3, [1] * 3, Modes[mode])
+    cells = np.floor((points + 1) / SIZE).astype(int)
+    voxels = voxels_of(grid)
+    assert set(voxels) == set(map(tuple, cells.tolist()))
+    for cell, color in voxels.items():
+        np.testing.assert_allclose(color, pool(colors[(cells == cell).all(axis=1)], axis=0), atol=1e-6)
+    assert all(grid.check_if_included(V(points))) and not any(grid.check_if_included(V(points + 100)))
+    other = VoxelGrid.create_from_point_cloud(cloud, SIZE, Modes[mode])
+    np.testing.assert_allclose(other.origin, points.min(axis=0) - SIZE / 2, atol=1e-6)
+    assert all(other.check_if_included(V(points)))
+
+
+def test_points_that_are_not_finite_have_no_voxel(cloud):
+    count = len(VoxelGrid.create_from_point_cloud(cloud, SIZE).get_voxels())
+    cloud.points.append([np.nan, 0, 0])
+    cloud.colors.append([0, 0, 0])
+    assert len(VoxelGrid.create_from_point_cloud(cloud, SIZE).get_voxels()) == count
+
+
+def test_a_dense_grid_has_all_voxels_of_its_box():
+    grid = VoxelGrid.create_dense([1, 2, 3], [0, 0.5, 1], 0.1, 0.3, 0.2, 0.4)
+    assert voxels_of(grid).keys() == {(i, j, k) for i in range(3) for j in range(2) for k in range(4)}
+    np.testing.assert_allclose([grid.get_min_bound(), grid.get_max_bound()], [[1, 2, 3], [1.3, 2.2, 3.4]])
+    np.testing.assert_allclose(grid.get_voxel_center_coordinate([2, 0, 1]), [1.25, 2.05, 3.15])
+    assert not grid.get_voxel_center_coordinate([3, 0, 0]).any()
+    corners = np.asarray(grid.get_voxel_bounding_points([0, 0, 0]))
+    np.testing.assert_allclose(corners[[1, 2, 4]] - corners[0], [[0, 0, 0.1], [0.1, 0, 0], [0, 0.1, 0]], atol=1e-12)
+
+
+def test_voxels_are_added_recolored_and_removed():
+    grid = VoxelGrid.create_dense([0, 0, 0], [1, 0, 0], 1, 2, 1, 1)
+    for index in ([5, -1, 0], [0, 0, 0]):
+        grid.add_voxel(Voxel(index, [0, 1, 0]))
+    grid.remove_voxel([1, 0, 0])
+    assert {k: v.tolist() for k, v in voxels_of(grid).items()} == {(0, 0, 0): [0, 1, 0], (5, -1, 0): [0, 1, 0]}
+    other = VoxelGrid.create_dense([0, 0, 0], [1, 0, 0], 1, 1, 1, 1)
+    assert voxels_of(grid + other)[0, 0, 0].tolist() == [0.5, 0.5, 0]
+    for again in (VoxelGrid(grid), copy.deepcopy(grid), pickle.loads(pickle.dumps(grid))):
+        again.clear()
+        assert not again.has_voxels() and len(grid.get_voxels()) == 2
+    with pytest.raises(ValueError, match="other:"):
+        grid += VoxelGrid()
+
+
+def test_a_moved_grid_contains_the_moved_points(cloud):
+    points = np.asarray(cloud.points)
+    grid = VoxelGrid.create_from_point_cloud(cloud, SIZE)
+    voxels, center = voxels_of(grid), grid.get_center()
+    R = o3d.geometry.get_rotation_matrix_from_xyz([0.3, -0.2, 0.9])
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R.T, [4, 5, 6]
+    grid.rotate(R, [1, 2, 3]).translate([1, 0, 0]).scale(2, [0, 0, 1]).transform(T)
+
+    def move(x):
+        x = 2 * ((x - [1, 2, 3]) @ R.T + [2, 2, 3] - [0, 0, 1]) + [0, 0, 1]
+        return x @ R + [4, 5, 6]
+
+    assert all(grid.check_if_included(V(move(points)))) and voxels_of(grid).keys() == voxels.keys()
+    np.testing.assert_allclose(grid.get_center(), move(center), atol=1e-9)
+    np.testing.assert_allclose(grid.rotation, np.eye(3), atol=1e-12)
+    assert grid.voxel_size == 2 * SIZE
+    np.testing.assert_allclose(grid.translate([0, 0, 0], relative=False).get_center(), 0, atol=1e-9)
+    grid.rotation = R
+    assert len(grid._native.triangles) == 12 * len(voxels)  # drawn as cubes
+
+
+def camera(shift=0.0):
+    made = o3d.camera.PinholeCameraParameters()
+    made.intrinsic.set_intrinsics(40, 30, 30, 30, 19.5, 14.5)
+    pose = np.eye(4)
+    pose[0, 3] = shift
+    made.extrinsic = pose
+    return made
+
+
+def corners_of(cells):
+    steps = np.stack(np.meshgrid(*[[0, 1]] * 3), axis=-1).reshape(-1, 3)
+    return [-1, -1, -1] + (np.array(cells)[:, None] + steps) * 0.25
+
+
+@pytest.mark.parametrize("keep", [False, True])
+@pytest.mark.parametrize("by_depth", [False, True])
+def test_carving_keeps_voxels_with_a_corner_in_the_mask_or_behind_the_depth(keep, by_depth):
+    grid = VoxelGrid.create_dense([-1, -1, -1], [1, 0, 0], 0.25, 2, 2, 4)
+    cells = sorted(voxels_of(grid))
+    image = np.zeros((30, 40), np.float32)
+    image[:, :20] = 1.6
+    carve = grid.carve_depth_map if by_depth else grid.carve_silhouette
+    assert carve(o3d.geometry.Image(image), camera(0.1), keep) is grid
+    x, y, z = np.moveaxis(corners_of(cells) + np.array([0.1, 0, 0]), -1, 0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        u, v = 30 * x / z + 19.5, 30 * y / z + 14.5
+        inside = (z > 0) & (u >= 0) & (u <= 39) & (v >= 0) & (v <= 29)
+        values = 1.6 * np.clip(20 - u, 0, 1)  # bilinear between columns 19 and 20
+    hit = inside & (values > 0) & ((z >= values) | (not by_depth))
+    expected = (hit | (~inside & keep)).any(axis=1)
+    assert 0 < expected.sum() < len(cells)
+    assert sorted(voxels_of(grid)) == [cell for cell, kept in zip(cells, expected, strict=True) if kept]
+
+
+def test_images_for_carving_are_float32_of_the_cameras_size():
+    grid = VoxelGrid.create_dense([0, 0, 0], [1, 0, 0], 1, 1, 1, 1)
+    with pytest.raises(TypeError, match="silhouette_mask:"):
+        grid.carve_silhouette(o3d.geometry.Image(np.ones((30, 40), np.uint8)), camera())
+    with pytest.raises(ValueError, match="depth_map:"):
+        grid.carve_depth_map(o3d.geometry.Image(np.ones((30, 41), np.float32)), camera())
+    with pytest.raises(TypeError, match="camera_params:"):
+        grid.carve_depth_map(o3d.geometry.Image(np.ones((30, 40), np.float32)), None)
+
+
+@pytest.mark.parametrize("is_text", [False, True])
+def test_a_grid_is_read_as_written(cloud, tmp_path, is_text):
+    grid = VoxelGrid.create_from_point_cloud(cloud, SIZE)
+    grid.rotate(o3d.geometry.get_rotation_matrix_from_xyz([0.3, -0.2, 0.9]), [1, 2, 3])
+    path = tmp_path / "grid.ply"
+    assert o3d.io.write_voxel_grid(path, grid, write_ascii=is_text)
+    again = o3d.io.read_voxel_grid(path)
+    np.testing.assert_array_equal(again.origin, grid.origin)
+    np.testing.assert_array_equal(again.rotation, grid.rotation)
+    colors = voxels_of(again)
+    assert (again.voxel_size, colors.keys()) == (SIZE, voxels_of(grid).keys())
+    np.testing.assert_allclose(list(colors.values()), list(voxels_of(grid).values()), atol=0.5 / 255 + 1e-9)
+
+
+def test_a_window_shows_the_bounds_of_voxels_and_octrees(cloud):
+    grid, octree = VoxelGrid.create_from_point_cloud(cloud, SIZE), o3d.geometry.Octree(3)
+    octree.convert_from_point_cloud(cloud)
+    for geometry in (grid, octree):
+        low, high = bounds_of([geometry])
+        np.testing.assert_allclose([low, high], [geometry.get_min_bound(), geometry.get_max_bound()])
+
+
+G = o3d.geometry
+DEPTH = 4
+
+
+@pytest.fixture
+def scattered(rng):
+    made = G.PointCloud(o3d.utility.Vector3dVector(rng.random((300, 3)) * [1, 2, 0.5] + 10))
+    made.colors = o3d.utility.Vector3dVector(rng.random((300, 3)))
+    return made
+
+
+@pytest.fixture
+def octree(scattered):
+    made = G.Octree(DEPTH)
+    made.convert_from_point_cloud(scattered, 0.05)
+    return made
+
+
+def nodes_of(octree):
+    visited = []
+    octree.traverse(lambda node, info: visited.append((node, info)))
+    return visited
+
+
+def leaves_of(octree):
+    return [(node, info) for node, info in nodes_of(octree) if isinstance(node, G.OctreeLeafNode)]
+
+
+def test_leaves_are_the_cells_of_a_grid_and_hold_their_points(scattered, octree):
+    points, colors = np.asarray(scattered.points), np.asarray(scattered.colors)
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = (high - low).max()
+    np.testing.assert_allclose(octree.size, size * 1.05)
+    np.testing.assert_allclose(octree.origin, np.minimum(low, (low + high) / 2 - size / 2))
+    cells = np.floor((points - octree.origin) / octree.size * 2**DEPTH).astype(int)
+    leaves = leaves_of(octree)
+    assert len(leaves) == len(np.unique(cells, axis=0))
+    assert sorted(i for leaf, _ in leaves for i in leaf.indices) == list(range(300))
+    for leaf, info in leaves:
+        cell = np.rint((info.origin - octree.origin) / info.size).astype(int)
+        assert (info.depth, info.size) == (DEPTH, octree.size / 2**DEPTH)
+        assert leaf.indices == np.flatnonzero((cells == cell).all(axis=1)).tolist()
+        np.testing.assert_allclose(leaf.color, colors[leaf.indices[-1]], atol=1e-6)
+        assert info.child_index == (cell % 2) @ [1, 2, 4]
+
+
+def test_internal_nodes_hold_the_points_below_them(octree):
+    for node, _ in nodes_of(octree):
+        if isinstance(node, G.OctreeInternalPointNode):
+            below = [index for child in node.children if child is not None for index in child.indices]
+            assert node.indices == sorted(below)
+    assert octree.root_node.indices == list(range(300))
+
+
+def test_a_point_is_located_in_its_leaf(scattered, octree):
+    for index in (0, 17, 299):
+        point = np.asarray(scattered.points)[index]
+        node, info = octree.locate_leaf_node(point)
+        assert index in node.indices and octree.is_point_in_bound(point, info.origin, info.size)
+    assert octree.locate_leaf_node([0, 0, 0]) == (None, None)
+    assert octree.locate_leaf_node(octree.origin + octree.size * 0.99) == (None, None)
+    assert not octree.is_point_in_bound(octree.origin + octree.size, octree.origin, octree.size)
+
+
+def test_inserted_points_make_the_same_nodes_as_a_cloud(scattered, octree):
+    made = G.Octree(DEPTH, octree.origin, octree.size)
+    leaf, internal = G.OctreePointColorLeafNode, G.OctreeInternalPointNode
+    for index, (point, color) in enumerate(zip(scattered.points, scattered.colors, strict=True)):
+        functions = leaf.get_init_function(), leaf.get_update_function(index, color)
+        made.insert_point(point, *functions, internal.get_init_function(), internal.get_update_function(index))
+    made.insert_point([0, 0, 0], leaf, leaf.get_update_function(300, [0, 0, 0]))  # outside
+    pairs = list(zip(nodes_of(made), nodes_of(octree), strict=True))
+    assert all(a.indices == b.indices and str(info) == str(other) for (a, info), (b, other) in pairs)
+    with pytest.raises(TypeError, match="f_init:"):
+        made.insert_point(scattered.points[0] * 0 + octree.origin + octree.size * 0.99, internal, lambda node: None)
+
+
+def test_a_true_result_of_the_callback_skips_children(octree):
+    depths = []
+
+    def visit(node, info):
+        depths.append(info.depth)
+        return info.depth == 1
+
+    octree.traverse(visit)
+    assert depths == [0] + [1] * sum(child is not None for child in octree.root_node.children)
+
+
+def test_voxels_of_an_octree_make_its_leaves_again(octree):
+    grid = octree.to_voxel_grid()
+    assert grid.voxel_size == octree.size / 2**DEPTH
+    again = grid.to_octree(DEPTH + 1)
+    assert isinstance(again.root_node, G.OctreeInternalNode)
+    voxels = {tuple(voxel.grid_index): voxel.color for voxel in grid.get_voxels()}
+    assert len(leaves_of(again)) == len(leaves_of(octree)) == len(voxels)
+    for leaf, info in leaves_of(again):
+        np.testing.assert_array_equal(leaf.color, voxels[tuple(grid.get_voxel(info.origin + info.size / 2))])
+    other = G.VoxelGrid()
+    other.create_from_octree(octree)
+    assert other.get_voxel(grid.get_center()).tolist() == grid.get_voxel(grid.get_center()).tolist()
+
+
+def test_copies_and_files_have_the_same_nodes(octree, tmp_path):
+    path = tmp_path / "tree.json"
+    assert o3d.io.write_octree(path, octree)
+    for again in (
+        G.Octree(octree),
+        copy.deepcopy(octree),
+        pickle.loads(pickle.dumps(octree)),
+        o3d.io.read_octree(path),
+    ):
+        assert (again.size, again.max_depth, again.origin.tolist()) == (octree.size, DEPTH, octree.origin.tolist())
+        pairs = list(zip(leaves_of(again), leaves_of(octree), strict=True))
+        assert all(a == b and a is not b for (a, _), (b, _) in pairs)
+
+
+def test_damaged_files_are_reported(octree, tmp_path):
+    path = tmp_path / "tree.json"
+    o3d.io.write_octree(path, G.Octree(2, [0, 0, 0], 1))
+    assert o3d.io.read_octree(path).is_empty()
+    good = json.loads(path.read_text())
+    for wrong in ({"tree": {"class_name": "Node"}}, {"tree": {"class_name": "OctreeInternalNode"}}, {"size": -1}):
+        path.write_text(json.dumps(good | wrong))
+        with pytest.raises(loom.FileError, match=r"tree\.json"):
+            o3d.io.read_octree(path)
+
+
+def test_bounds_are_those_of_the_cube_and_motions_raise(octree):
+    np.testing.assert_allclose(octree.get_max_bound() - octree.get_min_bound(), octree.size)
+    np.testing.assert_allclose(octree.get_center(), octree.origin + octree.size / 2)
+    np.testing.assert_allclose(octree.get_oriented_bounding_box().volume(), octree.size**3)
+    with pytest.raises(RuntimeError):
+        octree.translate([1, 0, 0])
+    assert octree.clear().is_empty() and not octree.get_max_bound().any()
+    with pytest.raises(ValueError, match="size_expand:"):
+        octree.convert_from_point_cloud(G.PointCloud(), 2)
+
+
+def test_equal_points_have_a_leaf_in_a_cube_of_the_expansion():
+    tree = G.Octree(3)
+    points = np.r_[np.ones((4, 3)), np.full((1, 3), np.nan)]
+    tree.convert_from_point_cloud(G.PointCloud(o3d.utility.Vector3dVector(points)), 0.5)
+    assert [leaf.indices for leaf, _ in leaves_of(tree)] == [[0, 1, 2, 3]] and tree.size == 0.5
+    root = G.Octree(0, [0, 0, 0], 1)
+    root.insert_point([0.5] * 3, G.OctreeColorLeafNode, G.OctreeColorLeafNode.get_update_function([1, 0, 0]))
+    assert root.root_node.clone() == root.root_node and root.root_node.color.tolist() == [1, 0, 0]
+
+
+def volumes(mesh):
+    corners = np.asarray(mesh.vertices)[np.asarray(mesh.tetras)]
+    return np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])) / 6
+
+
+def test_tetrahedra_of_a_cloud_fill_its_hull_without_points_inside_their_spheres(rng):
+    points = rng.normal(size=(60, 3))
+    points[7] = np.nan
+    mesh, rows = G.TetraMesh.create_from_point_cloud(G.PointCloud(V(np.r_[points, points[:1]])))
+    assert len(rows) == 59 and 7 not in rows and {0, 60} - set(rows) != set()
+    vertices = np.asarray(mesh.vertices)
+    np.testing.assert_array_equal(vertices, np.r_[points, points[:1]][rows])
+    np.testing.assert_allclose(volumes(mesh).sum(), mesh.compute_convex_hull()[0].get_volume(), rtol=1e-5)
+    a, *others = np.moveaxis(vertices[np.asarray(mesh.tetras)], 1, 0)
+    edges = np.stack([other - a for other in others], axis=1)
+    centers = a + np.linalg.solve(2 * edges, (edges**2).sum(axis=2)[..., None])[..., 0]
+    radii = np.linalg.norm(centers - a, axis=1)
+    distances = np.linalg.norm(vertices - centers[:, None], axis=2)
+    assert (distances >= radii[:, None] * (1 - 1e-6)).all()
+
+
+@pytest.mark.parametrize("points", [np.zeros((0, 3)), np.eye(3), np.c_[np.eye(5)[:, :2], np.zeros(5)]])
+def test_points_on_a_plane_have_no_tetrahedra(points):
+    with pytest.raises(ValueError, match="point_cloud:"):
+        G.TetraMesh.create_from_point_cloud(G.PointCloud(V(points)))
+
+
+def test_an_isosurface_of_distances_is_a_closed_sphere(rng):
+    mesh, _ = G.TetraMesh.create_from_point_cloud(G.PointCloud(V(rng.uniform(-1, 1, (4000, 3)))))
+    values = np.linalg.norm(mesh.vertices, axis=1)
+    surface = mesh.extract_triangle_mesh(o3d.utility.DoubleVector(values), 0.6)
+    assert surface.is_watertight()
+    # linear interpolation between values across edges of about 0.1
+    np.testing.assert_allclose(np.linalg.norm(surface.vertices, axis=1), 0.6, atol=0.03)
+    np.testing.assert_allclose(surface.get_volume(), 4 / 3 * np.pi * 0.6**3, rtol=0.03)  # positive: faces outward
+    assert len(mesh.extract_triangle_mesh(values, 5).triangles) == 0
+    with pytest.raises(ValueError, match="values:"):
+        mesh.extract_triangle_mesh(values[:-1], 0.6)
+
+
+def small():
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0], [9, 9, 9]]
+    tetras = [[0, 1, 2, 3], [3, 2, 1, 0], [4, 1, 2, 3], [0, 0, 1, 2], [0, 4, 1, 2]]
+    return G.TetraMesh(V(points), o3d.utility.Vector4iVector(tetras))
+
+
+def test_removals_keep_the_first_and_rename_vertices():
+    mesh = small()
+    mesh.vertex_colors = V(np.arange(18).reshape(6, 3) / 18)
+    assert mesh.remove_duplicated_vertices() is mesh
+    assert np.asarray(mesh.tetras).tolist() == [[0, 1, 2, 3], [3, 2, 1, 0], [0, 1, 2, 3], [0, 0, 1, 2], [0, 0, 1, 2]]
+    assert np.asarray(mesh.remove_duplicated_tetras().tetras).tolist() == [[0, 1, 2, 3], [0, 0, 1, 2]]
+    assert np.asarray(mesh.remove_degenerate_tetras().tetras).tolist() == [[0, 1, 2, 3]]
+    assert np.asarray(mesh.remove_unreferenced_vertices().vertices).tolist() == [*np.eye(4, 3, -1).tolist()]
+    np.testing.assert_allclose(mesh.vertex_colors, np.arange(12).reshape(4, 3) / 18, atol=1e-7)
+
+
+def test_meshes_of_tetrahedra_are_joined_moved_and_copied():
+    mesh = small().remove_duplicated_vertices().remove_unreferenced_vertices().remove_duplicated_tetras()
+    mesh.remove_degenerate_tetras()
+    both = mesh + mesh
+    assert np.asarray(both.tetras).tolist() == [[0, 1, 2, 3], [4, 5, 6, 7]] and both.has_tetras()
+    both.translate([1, 0, 0]).paint_uniform_color([1, 0, 0])
+    np.testing.assert_allclose(both.get_center(), [1.25, 0.25, 0.25])
+    assert both.has_vertex_colors() and not (both + mesh).has_vertex_colors()
+    for again in (copy.deepcopy(both), G.TetraMesh(both), pickle.loads(pickle.dumps(both))):
+        assert str(again) == "TetraMesh with 8 points and 2 tetrahedra."
+        assert str(again.clear()) == "TetraMesh with 0 points and 0 tetrahedra."
+    assert len(both.tetras) == 2 and both.get_geometry_type() == G.Geometry.TetraMesh
+
+
+def open_sphere():
+    mesh = G.TriangleMesh.create_sphere(1.0, 8)
+    return G.TriangleMesh(mesh.vertices, o3d.utility.Vector3iVector(np.asarray(mesh.triangles)[20:]))
+
+
+@pytest.mark.parametrize("make", [open_sphere, G.TriangleMesh.create_box, G.TriangleMesh.create_torus])
+def test_half_edges_follow_their_triangles_and_meet_their_twins(make):
+    mesh = G.HalfEdgeTriangleMesh.create_from_triangle_mesh(make())
+    edges, triangles = mesh.half_edges, np.asarray(mesh.triangles)
+    assert mesh.has_half_edges() and len(edges) == 3 * len(triangles)
+    boundary = 0
+    for index, edge in enumerate(edges):
+        start, end = edge.vertex_indices
+        following = edges[edge.next]
+        assert following.vertex_indices[0] == end and following.triangle_index == edge.triangle_index == index // 3
+        assert edges[following.next].next == index and start in triangles[edge.triangle_index]
+        boundary += edge.is_boundary()
+        if not edge.is_boundary():
+            assert edges[edge.twin].vertex_indices.tolist() == [end, start] and edges[edge.twin].twin == index
+    fans = mesh.ordered_half_edge_from_vertex
+    assert sorted(edge for fan in fans for edge in fan) == list(range(len(edges)))
+    assert all(edges[edge].vertex_indices[0] == vertex for vertex, fan in enumerate(fans) for edge in fan)
+    assert sum(map(len, mesh.get_boundaries())) == boundary
+    for again in (copy.deepcopy(mesh), G.HalfEdgeTriangleMesh(mesh), pickle.loads(pickle.dumps(mesh))):
+        assert str(again) == str(mesh) and again.ordered_half_edge_from_vertex == fans
+
+
+def test_boundaries_are_loops_from_their_lowest_vertex():
+    mesh = G.HalfEdgeTriangleMesh.create_from_triangle_mesh(open_sphere())
+    directed = {tuple(edge.vertex_indices.tolist()) for edge in mesh.half_edges if edge.is_boundary()}
+    for loop in mesh.get_boundaries():
+        assert loop[0] == min(loop) and mesh.boundary_vertices_from_vertex(loop[0]) == loop
+        assert set(zip(loop, loop[1:] + loop[:1], strict=True)) <= directed
+        starts = [mesh.half_edges[i].vertex_indices[0] for i in mesh.boundary_half_edges_from_vertex(loop[0])]
+        assert starts == loop
+    inner = next(v for v in range(len(mesh.vertices)) if all(v not in loop for loop in mesh.get_boundaries()))
+    with pytest.raises(ValueError, match="vertex_index:"):
+        mesh.boundary_vertices_from_vertex(inner)
+
+
+@pytest.mark.parametrize("triangles", [[[0, 1, 2], [0, 1, 3]], [[0, 1, 2], [0, 3, 4]]])
+def test_half_edges_need_an_oriented_manifold(triangles):
+    points = V([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
+    mesh = G.TriangleMesh(points, o3d.utility.Vector3iVector(triangles))
+    with pytest.raises(ValueError, match="mesh:"):
+        G.HalfEdgeTriangleMesh.create_from_triangle_mesh(mesh)
