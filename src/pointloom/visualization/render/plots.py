@@ -89,7 +89,7 @@ def trajectory_plot(
     for name, marker, at in (("start", "o", ends[:1]), ("end", "s", ends[-1:])):
         upper.plot(*at.T, marker, color="black", markerfacecolor="white", zorder=3, label=name)
     _set_plan(upper, "xyz"[across], "xyz"[along])
-    upper.legend()
+    upper.legend(loc="upper right")  # "best" is slow for long paths, and Matplotlib then warns
     figure.colorbar(color_of, ax=upper, label=ERROR)
     if len(finite):
         rmse, median, highest = np.sqrt((finite**2).mean()), np.median(finite), finite.max()
@@ -121,7 +121,7 @@ def error_histogram(
     if len(finite):
         for name, value, color in (("median", np.median(finite), "C1"), ("largest", finite.max(), "C3")):
             axes.axvline(value, color=color, label=f"{name} {value:.3g}")
-        axes.legend()
+        axes.legend(loc="upper right")
     beyond, missing = len(finite) - int(counts.sum()), distances.size - len(finite)
     title += f"\n{len(finite):,} values" + f", {beyond:,} beyond the axis" * bool(beyond)
     axes.set_title(title + f", {missing:,} not finite" * bool(missing), parse_math=False)
@@ -159,7 +159,7 @@ def station_plan(result: StationsResult) -> Picture:
         if is_used:
             axes.plot([], [], "-" if color == WRONG else "^", color=color, fillstyle="none", label=name)
     if any(used):
-        axes.legend()
+        axes.legend(loc="upper right")
     axes.set_title(title)
     axes.margins(MARGIN)
     _set_plan(axes, "x", "y")
