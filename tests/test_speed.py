@@ -1,0 +1,472 @@
+"""The speed check on operations with given times: pairs of rounds, second tries, records, messages. No real time."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+FOLDER = Path(__file__).resolve().parent.parent / "benchmarks"
+PROCESSOR = "Maker Model, family 1, model 2, 2 cores"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def harness() -> Iterator[None]:
+    """The folder of the benchmarks on the path. Its modules are removed afterward."""
+    before = set(sys.modules)
+    for path in FOLDER.glob("*.py"):
+        sys.modules.pop(path.stem, None)  # another test's module may have the name
+    sys.path.insert(0, str(FOLDER))
+    yield
+    sys.path[:] = [path for path in sys.path if path != str(FOLDER)]
+    for name in set(sys.modules) - before:
+        if str(getattr(sys.modules[name], "__file__", "")).startswith(str(FOLDER)):
+            del sys.modules[name]
+
+
+# ------------------------------------------------------------------------------------------------ fakes
+
+
+@dataclass
+class Times:
+    """A clock that only calls advance, and the log of these calls.
+
+    Attributes:
+        other_load: Cores that other processes use.
+    """
+
+    now: float = 0.0
+    used: float = 0.0
+    other_load: float = 0.0
+    log: list[str] = field(default_factory=list)
+
+    def spend(self, seconds: float, cpu: float | None = None) -> None:
+        """Advance by wall seconds, and by CPU seconds of this process (default: the same)."""
+        self.now += seconds
+        self.used += seconds if cpu is None else cpu
+
+    def clock(self) -> Any:
+        import speed
+
+        return speed.Clock(
+            wall=lambda: self.now,
+            cpu=lambda: self.used,
+            cores=lambda: self.used + self.other_load * self.now,
+            sleep=lambda seconds: None,
+        )
+
+
+Spending = Callable[[int], tuple[float, float]]  # number of the call -> wall and CPU seconds
+
+
+def constant(seconds: float) -> Spending:
+    return lambda number: (seconds, seconds)
+
+
+def fake_operation(times: Times, ours: Spending, theirs: Spending, *, name: str = "fake", agree: bool = True) -> Any:
+    """An operation whose calls only advance the clock; with `agree=False` the results differ."""
+    import contest
+
+    def prepare(label: str, spending: Spending) -> Callable[[Any, str], Any]:
+        calls = iter(range(10**6))
+
+        def call() -> str:
+            times.log.append(label)
+            times.spend(*spending(next(calls)))
+            return "result" if agree else label
+
+        return lambda scene, device: call
+
+    def check(actual: str, reference: str, peer: str) -> None:
+        assert actual == reference, f"{actual} is not {reference}"
+
+    return contest.Operation(
+        name=name,
+        scenes={"small": lambda: None},
+        quick={},
+        contestants=(
+            contest.Contestant(contest.POINTLOOM, prepare("pointloom", ours), lambda result: result),
+            contest.Contestant("other", prepare("other", theirs), lambda result: result),
+        ),
+        check=check,
+    )
+
+
+def row_of(name: str = "fake") -> Any:
+    import speed
+
+    return speed.Row(name, "small", "other")
+
+
+def record_of(ratio: float, *, processor: str = PROCESSOR, date: str = "2026-02-01", names: Any = ("fake",)) -> Any:
+    rows = [{**row_of(name)._asdict(), "ratio": ratio, "cpu_ratio": ratio} for name in names]
+    return {"processor": processor, "commit": "0123456789ab", "date": date, "versions": {}, "rows": rows}
+
+
+@pytest.fixture
+def run(monkeypatch, tmp_path, capsys) -> Callable[..., SimpleNamespace]:
+    """Run the command on fake operations: `run(times, operations, records, *arguments)`."""
+    import speed
+
+    def run_command(times: Times, operations: list[Any], records: list[Any], *arguments: str) -> SimpleNamespace:
+        path = tmp_path / "speed.json"
+        path.write_text(json.dumps({"records": records}))
+        monkeypatch.setattr(speed, "ROWS", tuple(row_of(operation.name) for operation in operations))
+        monkeypatch.setattr(speed, "operations", lambda: {o.name: ("bench_fake", o) for o in operations})
+        monkeypatch.setattr(speed, "PACKAGES", {"other": "json"})
+        monkeypatch.setattr(speed, "BENCH_RESULTS", tmp_path / "none.json")
+        monkeypatch.setattr(speed, "limit_threads", lambda device: None)
+        monkeypatch.setattr(speed, "processor", lambda: PROCESSOR)
+        code = speed.main([*arguments, "--records", str(path)], times.clock())
+        text = capsys.readouterr()
+        return SimpleNamespace(code=code, out=text.out, err=text.err, path=path)
+
+    return run_command
+
+
+# ------------------------------------------------------------------------------------------------ tries
+
+
+def test_a_row_at_its_recorded_ratio_passes_after_three_alternating_pairs(run):
+    times = Times()
+    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], [record_of(2.0)])
+    assert result.code == 0 and "1 row: 1 passed, 0 failed" in result.out
+    first_calls = ["pointloom", "other"]
+    assert times.log == first_calls + first_calls + 3 * first_calls
+
+
+@pytest.mark.parametrize(("factor", "pairs"), [(1.01, 3), (0.95, 5), (0.85, 25), (0.7, 2 * 25)])
+def test_a_row_closer_to_the_limit_has_more_pairs(run, factor, pairs):
+    import speed
+
+    assert (speed.MIN_PAIRS, speed.CLEAR_PAIRS, speed.MAX_PAIRS) == (3, 5, 25)
+    times = Times()
+    result = run(times, [fake_operation(times, constant(0.01), constant(0.01 * factor))], [record_of(1.0)])
+    assert times.log.count("pointloom") == times.log.count("other") == 2 + pairs
+    assert result.code == (factor < speed.LIMIT)
+
+
+def test_a_row_below_the_limit_fails_after_a_second_and_longer_try(run):
+    times = Times()
+    result = run(times, [fake_operation(times, constant(0.02), constant(0.02))], [record_of(1.3)])
+    assert result.code == 1 and result.out.count("BELOW 0.8") == 2 and result.out.count("second try") == 1
+    assert "FAILED fake small: expected a ratio of at least 1.04 to other (0.8 of 1.30" in result.out
+    assert "measured 1.00 and 1.00" in result.out and 'make bench ARGS="--only fake"' in result.out
+    assert "git bisect start HEAD 01234567 " in result.out
+
+
+def test_the_second_try_has_more_rounds_than_the_first(monkeypatch):
+    import speed
+
+    monkeypatch.setattr(speed, "operations", lambda: {"fake": ("bench_fake", operation)})
+    times, row = Times(), row_of()
+    operation = fake_operation(times, constant(0.2), constant(0.2))
+    check = speed.Check([row], {row: speed.Expected(2.0, None, 0.8)}, times.clock(), 0.0)
+    counts = []
+    monkeypatch.setattr(speed, "line_of", lambda row, rounds, *rest: counts.append(len(rounds.pairs)))
+    check.run()
+    assert len(counts) == 2 and counts[1] > counts[0] >= speed.MIN_PAIRS
+    assert check.failed == [row]
+
+
+def test_second_tries_share_the_remaining_time_within_bounds(monkeypatch):
+    import speed
+
+    times, names = Times(), ("a", "b")
+    known = {n: ("bench_fake", fake_operation(times, constant(0.2), constant(0.2), name=n)) for n in names}
+    monkeypatch.setattr(speed, "operations", lambda: known)
+    rows = [row_of(name) for name in names]
+    expected = dict.fromkeys(rows, speed.Expected(2.0, None, 0.8))
+    counts = []
+    monkeypatch.setattr(speed, "line_of", lambda row, rounds, *rest: counts.append(len(rounds.pairs)))
+    short, long = speed.RETRY_SECONDS
+    for begin, seconds in ((0.0, long), (-2 * speed.TOTAL_SECONDS, short)):
+        counts.clear()
+        speed.Check(rows, expected, times.clock(), times.now + begin).run()
+        assert all(seconds - 0.8 < 0.4 * count <= seconds for count in counts[2:])
+
+
+def test_a_row_that_is_slow_in_its_first_try_only_passes(run):
+    times = Times()
+
+    def ours(number: int) -> tuple[float, float]:
+        return (0.4, 0.4) if times.now < 3 else (0.2, 0.2)
+
+    result = run(times, [fake_operation(times, ours, constant(0.2))], [record_of(1.0)])
+    assert result.code == 0 and result.out.count("BELOW") == 1 and "1 passed, 0 failed" in result.out
+
+
+def test_rounds_that_another_process_delays_do_not_change_the_ratio(run):
+    times = Times()
+
+    def delayed(number: int) -> tuple[float, float]:
+        return (0.05, 0.01) if number % 3 else (0.01, 0.01)
+
+    result = run(times, [fake_operation(times, delayed, constant(0.02))], [record_of(2.0)])
+    assert result.code == 0 and "BELOW" not in result.out
+
+
+def test_a_slower_row_does_not_hide_behind_the_others(run):
+    times = Times()
+    operations = [
+        fake_operation(times, constant(seconds), constant(0.02), name=name)
+        for name, seconds in (("a", 0.01), ("b", 0.02), ("c", 0.005))
+    ]
+    result = run(times, operations, [record_of(2.0, names=("a", "b", "c"))])
+    assert result.code == 1 and "3 rows: 2 passed, 1 failed" in result.out
+    assert "FAILED b small" in result.out and "FAILED a" not in result.out and "--only b" in result.out
+
+
+def test_a_faster_contestant_has_more_rounds_in_a_pair_than_a_slow_one(run):
+    import speed
+
+    times = Times()
+    run(times, [fake_operation(times, constant(0.001), constant(0.5))], [record_of(500.0)])
+    assert times.log.count("pointloom") == 2 + 3 * speed.MAX_REPEATS and times.log.count("other") == 2 + 3
+
+
+# ------------------------------------------------------------------------------------------------ busy machines
+
+
+def delayed(seconds: float, cpu: float) -> Spending:
+    """Every round takes longer than its CPU time, as two threads do beside a busy process."""
+    return lambda number: (seconds, cpu)
+
+
+@pytest.mark.parametrize(("other_load", "code"), [(1.0, 0), (0.0, 1)])
+def test_cpu_times_count_on_a_busy_machine_only(run, other_load, code):
+    times = Times(other_load=other_load)
+    operation = fake_operation(times, delayed(0.02, 0.01), delayed(0.02, 0.02))
+    result = run(times, [operation], [record_of(2.0)])
+    assert result.code == code and ("passed by CPU times" in result.out) == (code == 0)
+    assert ("Other processes used 1.0 cores on average" in result.out) == (code == 0)
+
+
+def test_more_work_fails_on_a_busy_machine_too(run):
+    times = Times(other_load=1.0)
+    operation = fake_operation(times, delayed(0.04, 0.02), delayed(0.02, 0.02))
+    assert run(times, [operation], [record_of(2.0)]).code == 1
+
+
+# ------------------------------------------------------------------------------------------------ records
+
+
+@pytest.mark.parametrize(("ours", "code"), [(0.01, 0), (0.0125, 0), (0.02, 1)])
+def test_a_record_of_another_processor_has_a_lower_limit_and_a_note(run, ours, code):
+    times = Times()
+    operation = fake_operation(times, constant(ours), constant(0.014))
+    result = run(times, [operation], [record_of(1.8, processor="Other Chip, 2 cores")])
+    assert result.code == code and "note: No record for this processor" in result.out and "Other Chip" in result.out
+    assert ("BELOW 0.6" in result.out) == bool(code)
+
+
+def test_the_record_of_this_processor_goes_before_newer_records_of_others(run):
+    times = Times()
+    records = [record_of(2.0), record_of(9.0, processor="Maker Model, family 7, 2 cores", date="2026-03-01")]
+    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], records)
+    assert result.code == 0 and "note" not in result.out
+
+
+def test_the_nearest_record_has_the_model_name_then_the_vendor_then_the_latest_date():
+    import speed
+
+    same = record_of(1.0, processor="Maker Model, family 9, 2 cores")
+    vendor = record_of(1.0, processor="Maker Other, 2 cores")
+    old, new = record_of(1.0, processor="Chip A"), record_of(1.0, processor="Chip B", date="2026-05-01")
+    bench = {**record_of(1.0, processor="Maker Model", date="2026-06-01"), "is_bench": True}
+    assert speed.nearest_first([bench, old, new, vendor, same], PROCESSOR) == [same, vendor, new, old, bench]
+
+
+def test_a_row_without_a_record_is_counted_separately(run):
+    times = Times()
+    operations = [fake_operation(times, constant(0.01), constant(0.02), name=name) for name in ("a", "b")]
+    result = run(times, operations, [record_of(2.0, names=("a",))])
+    assert result.code == 0 and "2 rows: 1 passed, 0 failed, 1 without a record (b small)" in result.out
+
+
+def test_a_check_without_any_record_is_a_usage_error(run):
+    times = Times()
+    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], [])
+    assert result.code == 2 and "make speed ARGS=--record" in result.err and not times.log
+
+
+def test_the_last_benchmark_is_a_record_of_each_baseline(tmp_path):
+    import speed
+
+    bench = tmp_path / "bench.json"
+    contestants = {"pointloom": {"min_s": 0.01}, "other": {"min_s": 0.02}, "third": {"min_s": 0.03}}
+    result = {"operation": "fake", "size": "small", "contestants": contestants}
+    about = {"machine": {"cpu": "Maker Model"}, "commit": "0123456789ab", "date": "2026-01-01"}
+    bench.write_text(json.dumps({**about, "results": [result, {**result, "contestants": {"other": {"min_s": 1.0}}}]}))
+    records = speed.saved_records(tmp_path / "none.json", bench)
+    rows = [row_of(), row_of()._replace(baseline="third"), row_of("unknown")]
+    expected = speed.expected_ratios(records, PROCESSOR, rows)
+    assert [expected[row].ratio for row in rows[:2]] == [2.0, 3.0] and rows[2] not in expected
+    assert {entry.limit for entry in expected.values()} == {speed.OTHER_PROCESSOR_LIMIT}
+
+
+def test_other_versions_of_a_baseline_are_noted(run):
+    times = Times()
+    record = {**record_of(2.0), "versions": {"numpy": "0.1"}}
+    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], [record])
+    assert result.code == 0 and "note: The record was measured with other versions: numpy 0.1 (now " in result.out
+
+
+@pytest.fixture
+def measured(monkeypatch) -> list[float]:
+    """The ratios of the runs of `--record`, which start no process."""
+    import speed
+
+    ratios: list[float] = []
+    left = iter(ratios)
+
+    def measure(command: list[str], **options: Any) -> SimpleNamespace:
+        if command[0] == "git":
+            return SimpleNamespace(returncode=0, stdout="0123456789ab")
+        ratio = next(left, None)
+        if ratio is None:
+            return SimpleNamespace(returncode=130)
+        row = {**row_of()._asdict(), "ratio": ratio, "cpu_ratio": ratio, "other_load": 0.0}
+        Path(command[command.index("--measure") + 1]).write_text(json.dumps([row]))
+        return SimpleNamespace(returncode=0)
+
+    monkeypatch.setattr(speed, "subprocess", SimpleNamespace(run=measure))
+    return ratios
+
+
+def test_a_record_has_the_median_of_five_runs_and_replaces_that_of_this_processor_only(run, measured):
+    measured += [1.0, 5.0, 2.0, 1.1, 3.0]
+    other = record_of(7.0, processor="Other Chip, 2 cores")
+    result = run(Times(), [fake_operation(Times(), constant(1), constant(1))], [record_of(4.0), other], "--record")
+    saved = json.loads(result.path.read_text())["records"]
+    assert result.code == 0 and saved[0] == other and len(saved) == 2
+    new = saved[1]
+    assert new["processor"] == PROCESSOR and new["commit"] == "0123456789ab" and new["runs"] == 5
+    assert (new["rows"][0]["ratio"], new["rows"][0]["lowest"], new["rows"][0]["highest"]) == (2.0, 1.0, 5.0)
+    assert "SLOWER than the previous record: fake small, 4.00 to 2.00" in result.out
+
+
+def test_an_interrupted_recording_saves_nothing(run, measured):
+    measured += [1.0, 2.0]  # the third run is interrupted
+    result = run(Times(), [fake_operation(Times(), constant(1), constant(1))], [record_of(4.0)], "--record")
+    assert result.code == 130 and json.loads(result.path.read_text())["records"] == [record_of(4.0)]
+
+
+def test_measurements_of_a_record_have_both_ratios(run, tmp_path):
+    times, path = Times(), tmp_path / "run.json"
+    operation = fake_operation(times, delayed(0.01, 0.02), delayed(0.03, 0.03))
+    result = run(times, [operation], [], "--measure", str(path))
+    (row,) = json.loads(path.read_text())
+    assert result.code == 0 and row["ratio"] == pytest.approx(3) and row["cpu_ratio"] == pytest.approx(1.5)
+    assert (row["operation"], row["size"], row["baseline"]) == row_of()
+
+
+# ------------------------------------------------------------------------------------------------ errors
+
+
+def test_an_interrupt_ends_without_a_traceback(run):
+    def interrupted(number: int) -> tuple[float, float]:
+        if number == 3:
+            raise KeyboardInterrupt
+        return 0.01, 0.01
+
+    times = Times()
+    result = run(times, [fake_operation(times, interrupted, constant(0.01))], [record_of(1.0)])
+    assert result.code == 130 and "Interrupted" in result.err
+
+
+def test_results_that_disagree_fail_and_the_other_rows_are_measured(run):
+    times = Times()
+    operations = [
+        fake_operation(times, constant(0.01), constant(0.02), name="a", agree=False),
+        fake_operation(times, constant(0.01), constant(0.02), name="b"),
+    ]
+    result = run(times, operations, [record_of(2.0, names=("a", "b"))])
+    assert result.code == 1 and "2 rows: 1 passed, 1 failed" in result.out
+    assert "FAILED a small: the results differ from other's: pointloom is not other" in result.out
+
+
+def test_a_missing_baseline_is_reported_before_any_measurement(monkeypatch, capsys):
+    import speed
+
+    row = row_of()
+    monkeypatch.setattr(speed, "ROWS", (row,))
+    monkeypatch.setattr(speed, "PACKAGES", {"other": "no-package-of-this-name"})
+    monkeypatch.setattr(speed, "limit_threads", lambda device: None)
+    assert speed.main([]) == 2
+    message = capsys.readouterr().err
+    assert "missing: no-package-of-this-name." in message and "`make speed` installs" in message
+
+
+def test_a_damaged_file_of_records_is_a_usage_error_that_names_the_file(tmp_path):
+    import speed
+
+    path = tmp_path / "speed.json"
+    for text in ("", "[]", "{}"):
+        path.write_text(text)
+        with pytest.raises(ValueError, match=r"speed\.json: expected a JSON document with records"):
+            speed.records_in(path)
+
+
+def test_an_unknown_name_is_a_usage_error_with_the_known_names(run):
+    times = Times()
+    result = run(times, [fake_operation(times, constant(1), constant(1))], [record_of(1.0)], "--only", "fraud")
+    assert result.code == 2 and "--only fraud: expected a prefix of one of fake" in result.err
+
+
+def test_a_record_of_single_rows_is_a_usage_error():
+    import speed
+
+    with pytest.raises(SystemExit) as ended:
+        speed.main(["--record", "--only", "odometry"])
+    assert ended.value.code == 2
+
+
+# ------------------------------------------------------------------------------------------------ rows
+
+
+def test_each_of_the_24_rows_has_data_both_contestants_and_a_package():
+    import contest
+    import speed
+
+    known = contest.operations()
+    assert len(set(speed.ROWS)) == len({row.key for row in speed.ROWS}) == 24
+    assert {row.baseline for row in speed.ROWS} == set(speed.PACKAGES)
+    for row in speed.ROWS:
+        operation = known[row.operation][1]
+        assert callable(speed.scene_of(row, operation))
+        assert operation.contestant(row.baseline, "cpu")[0].name == row.baseline
+    assert {row.size.split(",")[0] for row in speed.ROWS if row.operation == "odometry"} == {"64 beams", "16 beams"}
+
+
+def test_each_baseline_is_about_the_best_of_the_saved_benchmark_at_some_size():
+    import speed
+
+    results = json.loads((FOLDER / "results" / "operations-cpu.json").read_text())["results"]
+    for row in speed.ROWS:
+        times = [
+            (found["contestants"][row.baseline]["min_s"], found["contestants"][found["best_peer"]]["min_s"])
+            for found in results
+            if found["operation"] == row.operation and row.baseline in found["contestants"]
+        ]
+        assert min(theirs / best for theirs, best in times) < 1.25, f"{row}: choose another baseline"
+
+
+def test_the_processor_and_the_used_time_of_this_machine_are_readable():
+    import speed
+
+    assert speed.processor().endswith(" cores")
+    before = speed.used_core_seconds()
+    assert before != before or 0 <= before <= speed.used_core_seconds()
+
+
+def test_the_command_lists_its_options():
+    done = subprocess.run([sys.executable, FOLDER / "speed.py", "--help"], capture_output=True, text=True, check=True)
+    assert "--record" in done.stdout and "--only NAME" in done.stdout
