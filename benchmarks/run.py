@@ -31,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         return measure(_options(arguments))
     except KeyboardInterrupt:
-        print("Interrupted: no table is printed, and nothing is saved.", file=sys.stderr)
+        print("Interrupted: what was not written before is not saved.", file=sys.stderr)
         return 130
 
 
@@ -67,7 +67,11 @@ def measure(options: argparse.Namespace) -> int:
         print(f"FAILED {line}", file=sys.stderr)
     for line in problems["skipped"]:
         print(f"left out {line}", file=sys.stderr)
-    save(options, about, document(rows.values(), about, problems, with_targets=with_targets))
+    is_saved = save(options, about, document(rows.values(), about, problems, with_targets=with_targets))
+    if is_saved and options.device == "cpu" and not options.output:
+        import speed
+
+        speed.record()  # the ratios that `make speed` expects, from the same machine and code
     return 1 if problems["failed"] or not rows else 0
 
 
@@ -249,12 +253,16 @@ def _git(*arguments: str) -> str:
     return done.stdout.strip() if done.returncode == 0 else ""
 
 
-def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, Any]) -> None:
-    """Write the document atomically to `--output`; without it, replace the device's results after a complete run."""
+def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, Any]) -> bool:
+    """Write the document atomically to `--output`; without it, replace the device's results after a complete run.
+
+    Returns:
+        True if it was written.
+    """
     path = options.output
     if path is None:
         if options.quick or options.only:
-            return
+            return False
         device = about["device"].replace(":", "")
         path = FOLDER / "results" / f"operations-{device}.json"
         path.parent.mkdir(exist_ok=True)
@@ -263,6 +271,7 @@ def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, 
     with atomic_write(path) as file:
         file.write((json.dumps(content, indent=1) + "\n").encode())
     print(f"Wrote {os.path.relpath(path)}", file=sys.stderr)
+    return True
 
 
 if __name__ == "__main__":
