@@ -38,7 +38,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench docs docs-clean demo clean distclean
+.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime setup-bench setup-browser test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage emulated-set rest-set test-browser oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench speed docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -46,6 +46,8 @@ help: ## Print the targets
 setup: $(FULL) ## Make .venv with everything that tests, lint, types and the site need
 setup-test: $(TEST) ## Make .venv with what `make test` needs
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
+setup-bench: $(BENCH) ## ... with what the benchmarks need, too
+setup-browser: $(BROWSER) ## ... and Chromium
 
 test: $(TEST) ## Run the quick tests (some 5 minutes; no data, no network, no Open3D)
 	@$(PYTEST) $(QUICK) $(ARGS)
@@ -61,21 +63,44 @@ test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (ne
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@$(PYTEST) --emulated-cuda $(ON_DEVICE) $(ARGS)
 
-test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved
+# Of processes on the emulated device: counts of launches, marks of branches, marks by test.
+REPORTS := $(CURDIR)/build/emulated-cuda/reports
+MARKS := $(CURDIR)/build/emulated-cuda/marks
+CONTEXTS := $(CURDIR)/build/emulated-cuda/contexts
+EMULATED_QUICK = EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} EMULATED_CUDA_REPORT=$(REPORTS)/%p.json $(PYTEST)
+QUICK_SET := $(BIN)/python tests/emulated_cuda/quick_set.py $(REPORTS)
+
+test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved; each kernel must be launched
+	@rm -rf $(REPORTS) && mkdir -p $(REPORTS)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
-	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
+	@$(EMULATED_QUICK) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
+	@$(if $(filter tests%,$(ARGS)),,$(QUICK_SET))
 
 # TESTS=full takes all tests of the emulated device. The tests' exit code is that of the target. Kernels that are
 # compiled ahead have no marks, so their tests are left out.
 TESTS ?= quick
-MARKS := $(CURDIR)/build/kernel-coverage/marks
+WITH_MARKS = --emulated-cuda$(if $(filter quick,$(TESTS)),-quick) --ignore tests/emulated_cuda/test_compiled_ahead.py
 kernel-coverage: export EMULATED_CUDA_COVERAGE = $(MARKS)
 kernel-coverage: $(EMULATION) ## Lines and branches of kernels that no test takes on the emulated device (TESTS=full for all tests)
-	@rm -f $(MARKS)
+	@rm -rf $(MARKS)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
-	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) --emulated-cuda$(if $(filter quick,$(TESTS)),-quick) \
-		--ignore tests/emulated_cuda/test_compiled_ahead.py $(ON_DEVICE) $(ARGS); status=$$?; \
+	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) $(WITH_MARKS) $(ON_DEVICE) $(ARGS); status=$$?; \
 	PYTHONPATH=tests $(BIN)/python -m emulated_cuda.kernel_coverage $(MARKS) --missed $(dir $(MARKS))missed.txt; exit $$status
+
+emulated-set: export EMULATED_CUDA_COVERAGE = $(MARKS)/%p
+emulated-set: export EMULATED_CUDA_CONTEXTS = $(CONTEXTS)
+emulated-set: $(EMULATION) ## Choose the tests of test-cuda-emulated-quick by the branches that each takes (TESTS=full: of all tests)
+	@rm -rf $(MARKS) $(CONTEXTS) $(REPORTS) && mkdir -p $(REPORTS)
+	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
+	@$(EMULATED_QUICK) $(WITH_MARKS) $(ON_DEVICE)
+	@$(QUICK_SET) --write $(CONTEXTS)
+
+LINES := build/lines
+rest-set: $(FULL) ## Choose the tests that CI runs after the quick ones, by the lines that each takes (an hour)
+	@rm -rf $(LINES) tests/nightly_tests.txt  # all are candidates
+	@$(PYTEST) --quick --lines $(LINES)/quick --lines-together
+	@$(PYTEST) --rest -m "not real_data" --lines $(LINES)/rest
+	@$(BIN)/python -m tests.rest_set $(LINES)
 
 oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 	@$(BIN)/python -m pytest -n 0 -q --oracle write $(ARGS)
@@ -148,6 +173,9 @@ trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejecte
 
 bench: $(BENCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)
+
+speed: $(BENCH) ## Compare 24 operations with recorded ratios to their baselines (90 s; ARGS=--record stores the ratios)
+	@$(BIN)/python benchmarks/speed.py $(ARGS)
 
 # One thread a kernel: scripts of the gallery run side by side, and again only when their text changes.
 # POINTLOOM_GALLERY=False make docs    runs none of them

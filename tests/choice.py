@@ -1,10 +1,11 @@
 """The tests of `make test`, the compilers that tests run on, and the tests that share a process.
 
 `make test` is `pytest --quick`, `make test-all` is pytest without it. `--quick` leaves out the tests that are marked
-`slow` or `nightly`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. `--rest`
-runs those but the `nightly` ones and Taichi's, and the tests that use stored answers of Open3D once more with Open3D.
-`--taichi` runs Taichi's alone, as `make nightly` does. Without an option the tests of tests/kernels that take `device`,
-and others marked `both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations on both.
+`slow` or `nightly`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. CI runs
+`--rest`, too: those but Taichi's, the `nightly` ones, and the ones in nightly_tests.txt (tests/rest_set.py). `make
+nightly` runs all others with `--nightly`, the tests that use stored answers of Open3D among them, with Open3D, and
+Taichi's with `--taichi`. Without an option the tests of tests/kernels that take `device`, and others marked
+`both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations on both.
 """
 
 from __future__ import annotations
@@ -16,9 +17,9 @@ from typing import Any
 
 import pytest
 
-from . import oracle
+from . import oracle, rest_set
 
-OPTION, REST, TAICHI = "--quick", "--rest", "--taichi"
+OPTION, REST, NIGHTLY, TAICHI = "--quick", "--rest", "--nightly", "--taichi"
 COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
 HAS_TAICHI = importlib.util.find_spec("taichi") is not None
 TESTS = Path(__file__).parent
@@ -26,6 +27,7 @@ TESTS = Path(__file__).parent
 # Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By the
 # seconds of `make test`: only the order counts, and folders that are not named come behind these.
 DEAREST = (
+    "emulated_cuda/test_orders.py", "emulated_cuda/test_host_calls.py",
     "registration", "pcd", "test_compilers.py", "tiling", "meshing", "visualization/viewer", "io", "cli",
     "kernels/language", "photogrammetry/sfm", "photogrammetry/depth", "rgbd/slam", "test_doctests.py",
     "kernels/reconstruction", "test_blocks.py", "rgbd/reconstruction", "visualization/render", "open3d",
@@ -35,7 +37,8 @@ DEAREST = (
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(OPTION, action="store_true", help="the tests of `make test`: no slow ones, no Open3D, no Taichi")
-    parser.addoption(REST, action="store_true", help="the tests that --quick leaves out, and Open3D's stored answers")
+    parser.addoption(REST, action="store_true", help="the tests that CI runs after those of --quick")
+    parser.addoption(NIGHTLY, action="store_true", help="the tests that neither --quick nor --rest runs")
     parser.addoption(TAICHI, action="store_true", help="the tests that run on Taichi")
 
 
@@ -47,15 +50,17 @@ def cpu_devices_of(definition: pytest.Item) -> list[str]:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out tests, and begin with the groups that take longest in processes of pytest-xdist."""
-    quick, rest, mode = config.getoption(OPTION), config.getoption(REST), oracle.mode_of(config)
-    taichi = config.getoption(TAICHI)
+    quick, rest, nightly = (config.getoption(option) for option in (OPTION, REST, NIGHTLY))
+    taichi, mode = config.getoption(TAICHI), oracle.mode_of(config)
+    left_out = rest_set.left_out() if rest or nightly else frozenset()
     selected = [
         item
         for item in items
         if (HAS_TAICHI or not needs_taichi(item))
         and oracle.is_selected(mode, fixtures_of(item))
         and not (quick and is_left_out(item))
-        and (not rest or is_in_rest(item))
+        and (not rest or is_in_rest(item, left_out))
+        and (not nightly or is_in_nightly(item, left_out))
         and (not taichi or needs_taichi(item))
     ]
     if len(selected) < len(items):
@@ -72,11 +77,17 @@ def is_left_out(item: pytest.Item) -> bool:
     return bool(marks & {"slow", "nightly"}) or needs_taichi(item) or "o3d" in fixtures_of(item)
 
 
-def is_in_rest(item: pytest.Item) -> bool:
+def is_in_rest(item: pytest.Item, left_out: frozenset[str]) -> bool:
     """True if CI runs a test after `make test`."""
-    if item.get_closest_marker("nightly") is not None or needs_taichi(item):
+    is_nightly = item.get_closest_marker("nightly") is not None or rest_set.is_named(item.nodeid, left_out)
+    return is_left_out(item) and not is_nightly and not needs_taichi(item)
+
+
+def is_in_nightly(item: pytest.Item, left_out: frozenset[str]) -> bool:
+    """True if only `make nightly` runs a test, or runs it with Open3D instead of a stored answer."""
+    if needs_taichi(item):
         return False
-    return is_left_out(item) or "oracle" in fixtures_of(item)
+    return "oracle" in fixtures_of(item) or (is_left_out(item) and not is_in_rest(item, left_out))
 
 
 def fixtures_of(item: pytest.Item) -> Sequence[str]:
@@ -106,9 +117,9 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 
 def group_of(path: Path) -> str:
-    """The package or subpackage of a test file; for a file directly in tests/, the file itself."""
+    """The package or subpackage of a test file; for a file directly in tests/ or in tests/emulated_cuda, the file."""
     package, *rest = path.relative_to(TESTS).parts
-    return "/".join([package, *rest[:-1][:1]])
+    return "/".join([package, *(rest if package == "emulated_cuda" else rest[:-1])[:1]])
 
 
 def rank_of(group: str, slowest: Sequence[str]) -> int:

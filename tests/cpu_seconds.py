@@ -16,10 +16,11 @@ SHOWN, MIN_SECONDS = 20, 0.3  # tests, and the CPU seconds [s] below which a tes
 SLOW = 1.0  # [s] from which on a test is marked `slow`
 
 
-def cpu_seconds() -> float:
-    """CPU seconds of this process so far and of its children that have ended."""
-    own, children = resource.getrusage(resource.RUSAGE_SELF), resource.getrusage(resource.RUSAGE_CHILDREN)
-    return own.ru_utime + own.ru_stime + children.ru_utime + children.ru_stime
+def cpu_seconds() -> tuple[float, float]:
+    """CPU seconds of this process so far, and of its children that have ended."""
+    usage = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    own, children = (each.ru_utime + each.ru_stime for each in usage)
+    return own, children
 
 
 class CpuSeconds:
@@ -30,12 +31,12 @@ class CpuSeconds:
         self.seconds: Counter[str] = Counter()
 
     def pytest_runtest_logstart(self) -> None:
-        self.before = cpu_seconds()
+        self.before = sum(cpu_seconds())
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(self) -> Iterator[None]:
         report: Any = yield
-        now = cpu_seconds()
+        now = sum(cpu_seconds())
         report.cpu_seconds, self.before = now - self.before, now
         return report
 

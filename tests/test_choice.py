@@ -14,10 +14,11 @@ import pytest
 
 import pointloom as loom
 
-from . import choice
+from . import choice, rest_set
 from .cpu_seconds import CpuSeconds
 from .mutants.run import QUICK, check_list, read_mutants
 from .products import each_pair
+from .smallest_set import Taken
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -67,6 +68,7 @@ from tests import choice
 from tests import oracle as answers
 
 choice.HAS_TAICHI, answers.HAS_OPEN3D = {installed}, {installed}
+choice.rest_set.left_out = lambda: {left_out}
 pytest_collection_modifyitems = choice.pytest_collection_modifyitems
 
 def pytest_addoption(parser):
@@ -131,9 +133,9 @@ NOT_COMPARED = {
 def run_suite(tmp_path):
     """A function that gives the tests that ran, in order of name."""
 
-    def run(*options, installed=True):
+    def run(*options, installed=True, left_out=()):
         (tmp_path / "test_suite.py").write_text(SUITE)
-        (tmp_path / "conftest.py").write_text(CONFTEST.format(installed=installed))
+        (tmp_path / "conftest.py").write_text(CONFTEST.format(installed=installed, left_out=left_out))
         markers = ["slow", "nightly", "both_compilers", "taichi"]
         (tmp_path / "pyproject.toml").write_text(
             f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = {markers}\n' + PLAIN
@@ -154,7 +156,11 @@ def test_make_test_leaves_out_slow_tests_open3d_and_taichi(run_suite):
 def test_all_tests_include_those_left_out(run_suite):
     nightly = "test_a_nightly_claim"
     assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *ON_TAICHI, "test_of_open3d", nightly])
-    assert run_suite("--rest") == sorted([*SLOW_TESTS, "test_of_open3d", "test_of_a_stored_answer"])
+    assert run_suite("--rest") == sorted([*SLOW_TESTS, "test_of_open3d"])
+    assert run_suite("--rest", left_out={f"test_suite.py::{SLOW_TESTS[1]}"}) == [SLOW_TESTS[0], "test_of_open3d"]
+    assert run_suite("--nightly", left_out={f"test_suite.py::{SLOW_TESTS[1]}"}) == sorted(
+        [SLOW_TESTS[1], "test_of_a_stored_answer", nightly]
+    )
     assert run_suite("--taichi") == ON_TAICHI
     assert run_suite(installed=False) == sorted([*QUICK_TESTS, *SLOW_TESTS, nightly])
 
@@ -229,3 +235,22 @@ def test_the_slowest_tests_are_listed_in_order(capsys):
 
 def test_mutants_name_present_code_and_tests():
     check_list(ROOT, read_mutants(ROOT / "tests" / "mutants"))
+
+
+def test_tests_left_to_nightly_exist():
+    """The names in nightly_tests.txt; a name that is gone would stand for a test that CI runs."""
+    for name in rest_set.left_out():
+        path, _, function = name.partition("::")
+        assert f"\ndef {function.partition('[')[0]}(" in (ROOT / path).read_text(), name
+
+
+def test_mutants_and_processes_keep_their_tests():
+    function = "tests/kernels/test_memory.py::test_named"
+    tests = {
+        "processes": Taken(2.0, of_children=1.5, items={1}),
+        f"{function}[1]": Taken(2.0, items={1}),
+        "another": Taken(0.1, items={1}),
+    }
+    mutants = {function}
+    assert rest_set.required_tests(tests, mutants) == {"processes", f"{function}[1]"}
+    assert rest_set.names_of({f"{function}[1]", "a[1]"}, [f"{function}[1]", "a[1]", "a[2]"]) == ["a[1]", function]

@@ -3,6 +3,7 @@
 import ctypes
 import hashlib
 import json
+import os
 import re
 import time
 from dataclasses import asdict
@@ -84,7 +85,7 @@ class Launches:
         self.state.bytes, self.state.valid = memory.bytes, memory.valid
         self.state.written = memory.written
         self.state.tracks, self.state.byte_tracks = memory.tracks, memory.byte_tracks
-        self.marks = Marks(Path(settings.coverage)) if settings.coverage else None
+        self.marks = Marks(Path(settings.coverage.replace("%p", str(os.getpid())))) if settings.coverage else None
         self.state.covered = self.marks.address if self.marks else None
 
     def _compile(self, text: str) -> tuple[ctypes.CDLL, ptx.Translation]:

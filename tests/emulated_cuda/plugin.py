@@ -1,18 +1,22 @@
 """pytest --emulated-cuda: the tests on the emulated device. tests/conftest.py takes it in."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
+from ..smallest_set import Recorder
 from . import quick_set
 from .gcc import EmulationError
 from .install import Device, install, installed
-from .settings import settings
+from .kernel_coverage import BYTES_OF_MARK, TRUE
+from .settings import PREFIX, settings
 
 OPTION, QUICK, STRICT = "--emulated-cuda", "--emulated-cuda-quick", "--emulated-cuda-strict"
-FOLDER = "tests/emulated_cuda/"
+FOLDER = quick_set.FOLDER
 # Processes of pytest -n have no options when their conftest.py is imported; the first process passes them on.
 WORKER, REQUESTED = "PYTEST_XDIST_WORKER", "EMULATED_CUDA_ASKED"
 
@@ -20,7 +24,9 @@ WORKER, REQUESTED = "PYTEST_XDIST_WORKER", "EMULATED_CUDA_ASKED"
 def add_options(parser: pytest.Parser) -> None:
     group = parser.getgroup("emulated CUDA", "an emulated CUDA device: tests/emulated_cuda/README.md")
     group.addoption(OPTION, action="store_true", help="run on an emulated cuda:0, without the runs of CPU compilers")
-    group.addoption(QUICK, action="store_true", help="of these, the set that CI runs: tests/emulated_cuda/quick_set.py")
+    group.addoption(
+        QUICK, action="store_true", help="of these, the set that CI runs: tests/emulated_cuda/quick_set.txt"
+    )
     group.addoption(STRICT, action="store_true", help="fail a test that makes a new note, such as an unwritten read")
 
 
@@ -40,6 +46,11 @@ def install_if_requested(config: pytest.Config) -> None:
         except EmulationError as error:
             raise pytest.UsageError(str(error)) from None
         config.pluginmanager.register(EmulatedCudaPlugin())
+        if settings.contexts and WORKER in os.environ:
+            settings.coverage = settings.coverage.replace("%p", str(os.getpid()))
+            os.environ[PREFIX + "COVERAGE"] = settings.coverage  # processes that tests start set marks in the same file
+            del os.environ[PREFIX + "CONTEXTS"]
+            config.pluginmanager.register(KernelContexts(Path(settings.contexts)))
 
 
 class EmulatedCudaPlugin:
@@ -47,14 +58,19 @@ class EmulatedCudaPlugin:
 
     def __init__(self) -> None:
         self.known_faults, self.known_notes = 0, set()
-        self.quick = self.strict = False
+        self.strict, self.set = False, None
         self.summaries: dict[str, list[str]] = {}  # of the processes of pytest -n
 
     def pytest_configure(self, config: pytest.Config) -> None:
-        self.quick, self.strict = config.getoption(QUICK), config.getoption(STRICT)
+        self.strict = config.getoption(STRICT)
+        self.set = quick_set.read_set() if config.getoption(QUICK) else None
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:
+        if self.set is not None:
+            named = self.set.tests | self.set.left_out
+            if missing := quick_set.missing_tests(named, (item.nodeid for item in items)):
+                raise pytest.UsageError(f"quick_set.txt names tests that do not exist; make emulated-set: {missing}")
         chosen = [item for item in items if self._is_chosen(item)]
         config.hook.pytest_deselected(items=[item for item in items if item not in set(chosen)])
         items[:] = chosen
@@ -67,8 +83,10 @@ class EmulatedCudaPlugin:
         parameters = item.callspec.params if hasattr(item, "callspec") else {}
         if str(parameters.get("device", "")).startswith("cpu"):
             return False
+        if self.set is None or item.nodeid in self.set.tests:
+            return True
         is_device_test = item.nodeid.startswith(FOLDER) and item.get_closest_marker("slow") is None
-        return not self.quick or is_device_test or quick_set.is_in_quick_set(item.nodeid)
+        return is_device_test and item.nodeid not in self.set.left_out
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Iterator[None]:
@@ -99,6 +117,8 @@ class EmulatedCudaPlugin:
         device = installed()
         if device is not None and hasattr(session.config, "workeroutput"):
             session.config.workeroutput[FOLDER] = summary(device)
+            if settings.report:
+                device.write_report()  # a process of pytest -n ends without atexit
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any) -> None:
@@ -112,6 +132,27 @@ class EmulatedCudaPlugin:
             terminalreporter.section(f"emulated CUDA {process}".strip())
             for line in lines:
                 terminalreporter.write_line(line)
+
+
+class KernelContexts(Recorder):
+    """Records the marks of kernels that each test sets: quick_set.py."""
+
+    def _outcomes(self) -> np.ndarray | None:
+        """The bytes `false` and `true` of each mark; None before Warp starts."""
+        device = installed()
+        if device is None:
+            return None
+        device.synchronize()
+        return np.frombuffer(device.launches.marks.bytes, np.uint8).reshape(-1, BYTES_OF_MARK)[:, : TRUE + 1]
+
+    def begin(self, node: str) -> None:
+        outcomes = self._outcomes()
+        if outcomes is not None:
+            outcomes[:] = 0
+
+    def end(self) -> Iterable[int]:
+        outcomes = self._outcomes()
+        return [] if outcomes is None else np.flatnonzero(outcomes).tolist()
 
 
 def summary(device: Device) -> list[str]:

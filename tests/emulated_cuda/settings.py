@@ -24,7 +24,8 @@ class Settings:
     memory: int = 8 << 30  # bytes of the device
     devices: int = 1  # the number of devices; they share the memory, and none can access another's
     compiler: bool = True  # 0: a kernel of pointloom's that would be compiled is a fault
-    coverage: str = ""  # a file of marks that kernels set: kernel_coverage.py
+    coverage: str = ""  # a file of marks that kernels set, %p is the process: kernel_coverage.py
+    contexts: str = ""  # a folder for the marks that each test sets: plugin.py, with `coverage`
     report: str = ""  # a file for faults, notes and launches as JSON; %p is the process
     cache: str = ""  # where compiled modules are kept, if not in the user's cache folder
 

@@ -12,8 +12,8 @@ import sys
 
 import pytest
 
-sys.path.insert(0, {str(Path(__file__).parents[1])!r})
-from emulated_cuda import plugin
+sys.path.insert(0, {str(Path(__file__).parents[2])!r})
+from tests.emulated_cuda import plugin
 
 def pytest_addoption(parser, pluginmanager):
     plugin.add_options(parser)

@@ -8,6 +8,7 @@ from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.search import hilbert_order as hilbert
 from pointloom.kernels.search.hilbert_order import hilbert_codes, lanes
+from pointloom.kernels.search.neighbor_keys import thin_keys
 from pointloom.kernels.search.point_forest import HEIGHTS, PointForest
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
 from pointloom.kernels.search.tree_search import squared_radius
@@ -18,6 +19,12 @@ def encode_cells_kernel(cells: array(dtype=int32), levels: int, codes: array(dty
     i = tid()
     lane_codes = hilbert_codes(lanes(cells[3 * i]), lanes(cells[3 * i + 1]), lanes(cells[3 * i + 2]), levels)
     codes[i] = lane_codes[i % 8]
+
+
+@kernel
+def thin_kernel(keys: array(dtype=int64), count: int, k: int, max_sqdist: float, counts: array(dtype=int32)):
+    i = tid()
+    counts[i] = thin_keys(keys, 0, 1, count, k, max_sqdist) + i
 
 
 def codes_of(device, cells, levels):
@@ -53,6 +60,21 @@ def test_the_order_contains_every_point_once_and_the_rest_at_the_end(device, cou
     np.testing.assert_array_equal(np.sort(order), np.arange(count))
     assert finite[order[: curve.finite_count]].all() and not finite[order[curve.finite_count :]].any()
     assert (np.diff(codes) >= 0).all()
+
+
+@pytest.mark.parametrize("spread", ["surface", "all at the reach", "all at zero"])
+def test_thinning_never_loses_one_of_the_nearest(device, spread, rng):
+    count, k, max_sqdist = 200, 20, 2.0
+    squares = {"surface": rng.random(count), "all at the reach": np.ones(count), "all at zero": np.zeros(count)}[spread]
+    bits = (max_sqdist * squares).astype(np.float32).view(np.int32).astype(np.int64)
+    keys = (bits << 32) | rng.permutation(count)
+    array_, counts = upload(keys, int64, device), empty(1, int32, device)
+    launch(thin_kernel, 1, [array_, count, k, max_sqdist, counts])
+    left = int(counts.numpy()[0])
+    assert k <= left <= count
+    np.testing.assert_array_equal(np.sort(array_.numpy()[:left])[:k], np.sort(keys)[:k])
+    if spread == "surface":
+        assert left < count / 2, "it does thin"
 
 
 @pytest.mark.parametrize("radius", [1e-18, 0.1, 0.25, 1 / 3, 1.0, 2.0, 7e5, 1e18])

@@ -138,3 +138,19 @@ def test_far_from_seams_nothing_changes(device):
     for row in range(3):
         outer = np.where(np.asarray(mesh.triangles)[row] == 0, 0.2, 0.4)
         assert np.array_equal(sampled(result.mesh, row, outer), sampled(plain.mesh, row, outer))
+
+
+@pytest.mark.parametrize("price", [0.1, 0.4])
+def test_after_no_messages_no_single_change_lowers_the_energy(device, rng, price):
+    """The start is the cheapest view of each triangle; changes of single triangles lead to a local minimum."""
+    triangles = grid(7, 5)
+    costs = rng.integers(0, UNIT, (len(triangles), 3))
+    graph = make_graph(triangles, costs, round(price * UNIT), device)
+    views = download(graph.views)[download(choose_labels(graph, iterations=0))]
+    start, _ = energy_by_hand(triangles, costs, graph.price, costs.argmin(axis=1))
+    energy, _ = energy_by_hand(triangles, costs, graph.price, views)
+    assert energy < start
+    for triangle, view in itertools.product(range(len(triangles)), range(3)):
+        changed = views.copy()
+        changed[triangle] = view
+        assert energy_by_hand(triangles, costs, graph.price, changed)[0] >= energy

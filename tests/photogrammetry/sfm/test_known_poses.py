@@ -8,6 +8,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
 from pointloom.photogrammetry.sfm import triangulation
 from pointloom.photogrammetry.sfm.guided_matches import (
     essential_of,
@@ -43,6 +44,31 @@ def features(model):
 
 def checked(model, features):
     return check_poses(rays_as(model, features), model, pairs_in_view(model.cameras, model.T_camera_world))
+
+
+def test_a_match_is_the_nearest_descriptor_on_both_epipolar_lines(model, features, device):
+    pairs = np.array([[0, 1], [1, 0], [2, 5]])
+    essential = essential_of(model.T_camera_world, pairs)
+    counts = np.diff(features.firsts)[pairs[:, 0]]
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    limits = np.full((3, 2), (2.0 / FOCAL) ** 2)
+    searches = LineSearches(starts, pairs, essential.reshape(-1, 9), limits, device)
+    on_device = LineFeatures(features.firsts, features.rays, features.descriptors, device)
+    nearest = match_along_lines(searches, on_device, int(starts[-1]))
+    for k, (a, b) in enumerate(pairs):
+        x, y = (np.pad(features.rays[features.of(i)], ((0, 0), (0, 1)), constant_values=1.0) for i in (a, b))
+        off = np.abs(x @ essential[k].T @ y.T)
+        there = off / np.linalg.norm((x @ essential[k].T)[:, :2], axis=1)[:, None]
+        back = off / np.linalg.norm((y @ essential[k])[:, :2], axis=1)
+        p, q = (features.descriptors[features.of(i)].astype(np.int64) for i in (a, b))
+        sqdists = ((p[:, None] - q[None]) ** 2).sum(axis=2)
+        sqdists[np.maximum(there, back) > 2.0 / FOCAL] = 0x7FFFFFFF
+        mine = nearest[starts[k] : starts[k + 1]]
+        np.testing.assert_array_equal(mine[:, 1], sqdists.min(axis=1))
+        np.testing.assert_array_equal(mine[:, 2], np.sort(sqdists, axis=1)[:, 1])
+        some = mine[:, 0] >= 0
+        np.testing.assert_array_equal(mine[some, 0], sqdists.argmin(axis=1)[some])
+        assert (mine[~some, 1] == 0x7FFFFFFF).all()
 
 
 def test_guided_matches_are_points_visible_in_both(model, features, tmp_path):

@@ -1,0 +1,138 @@
+"""The tests that CI leaves to `make nightly` because other tests take the same lines: nightly_tests.txt.
+
+    make rest-set    measures the lines that each test takes, and writes the file
+
+CI runs the quick tests (`make test`) and then the rest (`--rest`). Of the rest it needs the least expensive tests that
+take each line of the product that no quick test takes, the tests that start processes (their lines are not measured),
+and the tests that alone detect a mutant. All others are in the file. A new test is not in the file, so CI runs it.
+"""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from collections.abc import Collection, Iterable
+from pathlib import Path
+
+import pytest
+
+from .smallest_set import Recorder, Taken, recorded, smallest_set
+
+OPTION, TOGETHER = "--lines", "--lines-together"
+TESTS = Path(__file__).parent
+ROOT = TESTS.parent
+FILE = TESTS / "nightly_tests.txt"
+PACKAGES = ("kernels", "pcd", "registration", "meshing", "src")
+LINES_OF_FILE = 100_000  # number of a line: number of its file times this, plus the line
+CHILD_SECONDS = 0.5  # CPU [s] of child processes from which on a test is one of processes
+HEAD = """\
+# Tests that CI leaves to `make nightly`: other tests take the same lines. Written by `make rest-set` (rest_set.py).
+# A name without parameters stands for all of them.
+"""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(OPTION, metavar="FOLDER", help="write the lines that each test takes into this folder")
+    parser.addoption(TOGETHER, action="store_true", help="with --lines: the lines of all tests together")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if folder := config.getoption(OPTION):
+        config.pluginmanager.register(LineContexts(Path(folder).resolve(), together=config.getoption(TOGETHER)))
+
+
+def left_out() -> frozenset[str]:
+    """The names in the file."""
+    lines = FILE.read_text().splitlines() if FILE.exists() else ()
+    return frozenset(line for line in lines if line and not line.startswith("#"))
+
+
+def is_named(node: str, names: frozenset[str]) -> bool:
+    """True if a test, or its function, is named."""
+    return node in names or node.partition("[")[0] in names
+
+
+class LineContexts(Recorder):
+    """Records the lines of the product that each test takes in its process, with the package coverage."""
+
+    def __init__(self, folder: Path, *, together: bool) -> None:
+        import coverage
+
+        super().__init__(folder)
+        self.together = together
+        folders = [str(ROOT / name) for name in PACKAGES]
+        self.coverage = coverage.Coverage(data_file=None, config_file=False, source=folders)
+        self.coverage.start()
+
+    def begin(self, node: str) -> None:
+        if not self.together:
+            self.coverage.switch_context(node)
+
+    def end(self) -> Iterable[int]:
+        return ()
+
+    def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        if not self.tests:
+            return
+        self.coverage.stop()
+        data, files = self.coverage.get_data(), {str(path): k for k, path in enumerate(product_files())}
+        taken: dict[str, set[int]] = {}
+        for file in data.measured_files():
+            first = LINES_OF_FILE * files[str(Path(file).resolve())]
+            if self.together:
+                taken.setdefault("", set()).update(first + line for line in data.lines(file) or ())
+                continue
+            for line, contexts in data.contexts_by_lineno(file).items():
+                for node in contexts:
+                    taken.setdefault(node, set()).add(first + line)
+        for node, items in taken.items():
+            self.tests.setdefault(node, [0.0, 0.0, ()])[2] = sorted(items)
+        super().pytest_sessionfinish(session)
+
+
+def product_files() -> list[Path]:
+    """All modules of the product, in the order of their names."""
+    return sorted({path.resolve() for name in PACKAGES for path in (ROOT / name).rglob("*.py")})
+
+
+def tests_of_mutants() -> set[str]:
+    """The functions that the lists of mutants name."""
+    lists = (tomllib.loads(path.read_text(encoding="utf-8"))["mutant"] for path in (TESTS / "mutants").glob("*.toml"))
+    names = (name for mutants in lists for mutant in mutants for name in mutant["tests"])
+    return {name.partition("[")[0] for name in names if "::" in name}
+
+
+def required_tests(tests: dict[str, Taken], of_mutants: Collection[str]) -> set[str]:
+    """The tests that CI keeps in any case: those of processes, and those that mutants name."""
+    return {
+        name
+        for name, taken in tests.items()
+        if taken.of_children > CHILD_SECONDS or name.partition("[")[0] in of_mutants
+    }
+
+
+def names_of(left: set[str], every: Iterable[str]) -> list[str]:
+    """The names of tests, with the name of the function for all of its tests."""
+    cases: dict[str, set[str]] = {}
+    for node in every:
+        cases.setdefault(node.partition("[")[0], set()).add(node)
+    whole = {function for function, nodes in cases.items() if nodes <= left}
+    return sorted({node.partition("[")[0] if node.partition("[")[0] in whole else node for node in left})
+
+
+def main(folder: Path) -> int:
+    """Write the file by the records of `folder`/quick and `folder`/rest, and print what was chosen."""
+    quick = set().union(*(taken.items for taken in recorded(folder / "quick").values()))
+    tests = recorded(folder / "rest")
+    for taken in tests.values():
+        taken.items -= quick
+    chosen = smallest_set(tests, required_tests(tests, tests_of_mutants()))
+    left = tests.keys() - chosen
+    FILE.write_text(HEAD + "".join(f"{name}\n" for name in names_of(left, tests)))
+    for title, names in (("run by CI", chosen), ("left to nightly", left)):
+        print(f"{title}: {len(names)} tests, {sum(tests[name].seconds for name in names):.0f} CPU s")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1])))
