@@ -16,7 +16,7 @@ from pointloom.datasets.scenes.room import room_sequence, write_room_sequence
 
 from .io.sfm_models import ring_model
 from .io.test_bags import file_of
-from .io.test_recorded_transforms import robot as recorded_robot
+from .io.test_recordings import robot as recorded_robot
 from .registration.bent_fragments import BentRoom
 
 SLOW = {

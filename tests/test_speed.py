@@ -24,6 +24,10 @@ def harness() -> Iterator[None]:
     for path in FOLDER.glob("*.py"):
         sys.modules.pop(path.stem, None)  # another test's module may have the name
     sys.path.insert(0, str(FOLDER))
+    import speed
+
+    # Collections take long among the objects of so many tests.
+    speed.gc = SimpleNamespace(**dict.fromkeys(("collect", "freeze", "unfreeze", "enable", "disable"), int))
     yield
     sys.path[:] = [path for path in sys.path if path != str(FOLDER)]
     for name in set(sys.modules) - before:
