@@ -63,18 +63,14 @@ test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (ne
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@$(PYTEST) --emulated-cuda $(ON_DEVICE) $(ARGS)
 
-# Of processes on the emulated device: counts of launches, marks of branches, marks by test.
-REPORTS := $(CURDIR)/build/emulated-cuda/reports
+# Of processes on the emulated device: marks of branches, marks by test.
 MARKS := $(CURDIR)/build/emulated-cuda/marks
 CONTEXTS := $(CURDIR)/build/emulated-cuda/contexts
-EMULATED_QUICK = EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} EMULATED_CUDA_REPORT=$(REPORTS)/%p.json $(PYTEST)
-QUICK_SET := $(BIN)/python tests/emulated_cuda/quick_set.py $(REPORTS)
+INTERLEAVED := EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST)
 
 test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved; each kernel must be launched
-	@rm -rf $(REPORTS) && mkdir -p $(REPORTS)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
-	@$(EMULATED_QUICK) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
-	@$(if $(filter tests%,$(ARGS)),,$(QUICK_SET))
+	@$(INTERLEAVED) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
 
 # TESTS=full takes all tests of the emulated device. The tests' exit code is that of the target. Kernels that are
 # compiled ahead have no marks, so their tests are left out.
@@ -84,16 +80,16 @@ kernel-coverage: export EMULATED_CUDA_COVERAGE = $(MARKS)
 kernel-coverage: $(EMULATION) ## Lines and branches of kernels that no test takes on the emulated device (TESTS=full for all tests)
 	@rm -rf $(MARKS)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
-	@EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST) $(WITH_MARKS) $(ON_DEVICE) $(ARGS); status=$$?; \
+	@$(INTERLEAVED) $(WITH_MARKS) $(ON_DEVICE) $(ARGS); status=$$?; \
 	PYTHONPATH=tests $(BIN)/python -m emulated_cuda.kernel_coverage $(MARKS) --missed $(dir $(MARKS))missed.txt; exit $$status
 
 emulated-set: export EMULATED_CUDA_COVERAGE = $(MARKS)/%p
 emulated-set: export EMULATED_CUDA_CONTEXTS = $(CONTEXTS)
 emulated-set: $(EMULATION) ## Choose the tests of test-cuda-emulated-quick by the branches that each takes (TESTS=full: of all tests)
-	@rm -rf $(MARKS) $(CONTEXTS) $(REPORTS) && mkdir -p $(REPORTS)
+	@rm -rf $(MARKS) $(CONTEXTS)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
-	@$(EMULATED_QUICK) $(WITH_MARKS) $(ON_DEVICE)
-	@$(QUICK_SET) --write $(CONTEXTS)
+	@$(INTERLEAVED) $(WITH_MARKS) $(ON_DEVICE)
+	@$(BIN)/python tests/emulated_cuda/quick_set.py $(CONTEXTS)
 
 LINES := build/lines
 rest-set: $(FULL) ## Choose the tests that CI runs after the quick ones, by the lines that each takes (an hour)

@@ -60,6 +60,9 @@ class EmulatedCudaPlugin:
         self.known_faults, self.known_notes = 0, set()
         self.strict, self.set = False, None
         self.summaries: dict[str, list[str]] = {}  # of the processes of pytest -n
+        self.ran: set[str] = set()  # tests
+        self.launched: set[str] = set()  # kernels, of all processes
+        self.missing: list[str] = []  # kernels that the whole set did not launch
 
     def pytest_configure(self, config: pytest.Config) -> None:
         self.strict = config.getoption(STRICT)
@@ -113,16 +116,24 @@ class EmulatedCudaPlugin:
         elif passed and new and self.strict and not item.nodeid.startswith(FOLDER):
             pytest.fail("new notes of the emulated device:\n" + "\n".join(new))
 
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        self.ran.add(report.nodeid)
+
+    @pytest.hookimpl(trylast=True)
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         device = installed()
         if device is not None and hasattr(session.config, "workeroutput"):
-            session.config.workeroutput[FOLDER] = summary(device)
-            if settings.report:
-                device.write_report()  # a process of pytest -n ends without atexit
+            session.config.workeroutput[FOLDER] = summary(device), sorted(device.findings.launches)
+        elif self.set is not None and self.set.tests <= self.ran:
+            launched = self.launched | (device.findings.launches.keys() if device else set())
+            self.missing = quick_set.unlisted_kernels(launched, self.set.kernels)
+            if self.missing:
+                session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any) -> None:
-        self.summaries[node.gateway.id] = getattr(node, "workeroutput", {}).get(FOLDER, [])
+        self.summaries[node.gateway.id], launched = getattr(node, "workeroutput", {}).get(FOLDER, ([], []))
+        self.launched.update(launched)
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
         device = installed()
@@ -132,6 +143,9 @@ class EmulatedCudaPlugin:
             terminalreporter.section(f"emulated CUDA {process}".strip())
             for line in lines:
                 terminalreporter.write_line(line)
+        if self.missing:
+            names = ", ".join(self.missing)
+            terminalreporter.write_line(f"FAILED: no test launches {names}. Write a test, then run make emulated-set.")
 
 
 class KernelContexts(Recorder):

@@ -4,17 +4,16 @@
     make emulated-set TESTS=full   with all tests of cuda:0 as candidates (hours)
 
 The set consists of the tests of tests/emulated_cuda (host calls, streams, memory, orders of threads) that take at most
-MAX_SECONDS, and of the least expensive others that take the same branches of kernels as all candidates together. `make
-test-cuda-emulated-quick` fails if a kernel is neither launched nor named in the file, so that a new kernel gets a test.
+MAX_SECONDS, and of the least expensive others that take the same branches of kernels as all candidates together. A run
+of the whole set fails if a kernel is neither launched nor named in the file, so that a new kernel gets a test.
 """
 
 from __future__ import annotations
 
-import argparse
 import ast
-import json
+import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -88,51 +87,40 @@ def _is_kernel(function: ast.FunctionDef) -> bool:
     return any(isinstance(each, ast.Name) and each.id in KERNELS for each in decorators)
 
 
-def launched_kernels(reports: Iterable[Path]) -> set[str]:
-    """The names of the kernels that the processes of a run launched, from their reports (EMULATED_CUDA_REPORT)."""
-    return {name for path in reports for name in json.loads(path.read_text())["kernels"]}
+def started_functions(items: Collection[int]) -> set[str]:
+    """The names of the device functions that tests started, by the marks that they took (plugin.py)."""
+    functions = (f for path in kernel_coverage.files() for f in kernel_coverage.functions_of(path))
+    return {f.name for f in functions if hasattr(f, "mark") and 2 * f.mark + kernel_coverage.TRUE in items}
 
 
-def write(contexts: Path, reports: Path) -> str:
-    """Choose the tests and write the file; returns its head."""
+def unlisted_kernels(launched: Collection[str], listed: Collection[str]) -> list[str]:
+    """Kernels that a run did not launch and that are not listed.
+
+    A reduction is several kernels whose names begin with its name.
+    """
+    starts = {name[: match.end()] for name in launched for match in re.finditer(r"[^_](?=_|$)", name)}
+    return sorted(kernel_names() - starts - set(listed))
+
+
+def write(contexts: Path) -> str:
+    """Choose the tests by what each took, and write the file; returns its head."""
     tests = recorded(contexts)
     of_device = {name for name in tests if name.startswith(FOLDER)}
     chosen = smallest_set(tests, {name for name in of_device if tests[name].seconds <= MAX_SECONDS})
-    launched = launched_kernels(reports.glob("*.json"))
+    items = set().union(*(taken.items for taken in tests.values()))
     head = HEAD.format(
         chosen=len(chosen),
         candidates=len(tests),
         seconds=sum(tests[name].seconds for name in chosen),
         all_seconds=sum(taken.seconds for taken in tests.values()),
-        items=len(set().union(*(taken.items for taken in tests.values()))),
+        items=len(items),
     )
     lines = sorted(chosen - of_device)
     lines += [LEFT_OUT + name for name in sorted(of_device - chosen)]
-    lines += [NOT_LAUNCHED + kernel for kernel in sorted(kernel_names() - launched)]
+    lines += [NOT_LAUNCHED + kernel for kernel in sorted(kernel_names() - started_functions(items))]
     FILE.write_text(head + "".join(f"{line}\n" for line in lines))
     return head
 
 
-def unlisted_kernels(reports: Iterable[Path]) -> list[str]:
-    """Kernels that a run of the set did not launch although the file does not name them."""
-    return sorted(kernel_names() - launched_kernels(reports) - read_set().kernels)
-
-
-def main() -> int:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("reports", type=Path, help="the folder of the reports of all processes")
-    parser.add_argument("--write", type=Path, metavar="CONTEXTS", help="choose the tests by what each took")
-    options = parser.parse_args()
-    if options.write:
-        print(write(options.write, options.reports), end="")
-        return 0
-    missing = unlisted_kernels(options.reports.glob("*.json"))
-    if missing:
-        print(
-            f"expected a launch of each kernel, got none of {', '.join(missing)}: write a test, then make emulated-set"
-        )
-    return 1 if missing else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    print(write(Path(sys.argv[1])), end="")
