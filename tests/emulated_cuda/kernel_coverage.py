@@ -41,7 +41,7 @@ DECORATORS = {"kernel", "func", "loop", "reduction", "segment_reduction", "cuda_
 
 
 @functools.cache
-def files() -> list[Path]:
+def kernel_files() -> list[Path]:
     return sorted(path for path in KERNELS.rglob("*.py") if path.parent.name != "language")
 
 
@@ -56,7 +56,7 @@ def functions_of(path: Path) -> list[ast.FunctionDef]:
     functions = [node for node in ast.parse(path.read_text()).body if _is_device_code(node)]
     marked = [node for function in functions for node in ast.walk(function) if isinstance(node, MARKED)]
     assert len(marked) <= MARKS_OF_FILE, f"{path}: more than {MARKS_OF_FILE} marks"
-    for k, node in enumerate(marked, MARKS_OF_FILE * files().index(path)):
+    for k, node in enumerate(marked, MARKS_OF_FILE * kernel_files().index(path)):
         node.mark = k  # type: ignore[union-attr]
     return functions  # type: ignore[return-value]
 
@@ -153,7 +153,7 @@ class _Marker(ast.NodeTransformer):
 def _number_nodes(source: Any) -> None:
     """Give the nodes of a function of `kernels/` their numbers, which its copies keep."""
     path = Path(source.filename).resolve()
-    if path not in files():
+    if path not in kernel_files():
         return
     numbers = _numbers(path)
     for node in ast.walk(source.definition):
@@ -205,7 +205,7 @@ def mark_kernels() -> None:
 
 class Marks:
     def __init__(self, path: Path) -> None:
-        size = BYTES_OF_MARK * MARKS_OF_FILE * len(files())
+        size = BYTES_OF_MARK * MARKS_OF_FILE * len(kernel_files())
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("a+b") as file:
             file.truncate(size)
@@ -298,7 +298,7 @@ _OUTCOMES: dict[type, tuple[str, str]] = {
 def coverage_of(marks: bytes) -> list[FileCoverage]:
     """What the tests took of each file with device functions that CUDA runs."""
     files = []
-    for path in files():
+    for path in kernel_files():
         coverage = FileCoverage(path)
         for function in functions_of(path):
             _Reader(marks, coverage).read(function)

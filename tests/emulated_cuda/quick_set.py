@@ -89,7 +89,7 @@ def _is_kernel(function: ast.FunctionDef) -> bool:
 
 def started_functions(items: Collection[int]) -> set[str]:
     """The names of the device functions that tests started, by the marks that they took (plugin.py)."""
-    functions = (f for path in kernel_coverage.files() for f in kernel_coverage.functions_of(path))
+    functions = (f for path in kernel_coverage.kernel_files() for f in kernel_coverage.functions_of(path))
     return {f.name for f in functions if hasattr(f, "mark") and 2 * f.mark + kernel_coverage.TRUE in items}
 
 
