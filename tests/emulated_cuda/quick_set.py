@@ -75,10 +75,7 @@ def missing_tests(names: Iterable[str], collected: Iterable[str]) -> list[str]:
 
 def kernel_names() -> set[str]:
     """The names of all kernels of kernels/."""
-    paths = (path for path in kernel_coverage.KERNELS.rglob("*.py") if path.parent.name != "language")
-    functions = (
-        node for path in paths for node in ast.parse(path.read_text()).body if isinstance(node, ast.FunctionDef)
-    )
+    functions = (f for path in kernel_coverage.kernel_files() for f in kernel_coverage.functions_of(path))
     return {function.name for function in functions if _is_kernel(function)}
 
 
