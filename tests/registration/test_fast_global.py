@@ -91,6 +91,18 @@ def test_errors_are_at_most_those_of_open3d(device, rng, outliers, angle_between
 
 
 @pytest.fixture(scope="module")
+def featured(room_pair):
+    """The scans of the room in voxels, with features and estimated normals."""
+    pair = SimpleNamespace(T=room_pair.T)
+    for name in ("source", "target"):
+        cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(VOXEL)
+        cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
+        feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
+        setattr(pair, name, SimpleNamespace(points=cloud.points, feature=feature.copy()))
+    return pair
+
+
+@pytest.fixture(scope="module")
 def best_of_open3d(featured, o3d, to_open3d):
     """The best fitness of Open3D over three seeds, from the same points and features."""
     r = o3d.pipelines.registration
