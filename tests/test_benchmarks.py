@@ -518,6 +518,7 @@ def test_a_run_records_the_modules_that_each_operation_runs(tmp_path, monkeypatc
     monkeypatch.syspath_prepend(str(tmp_path))
     monkeypatch.setattr(contest, "bench_modules", lambda: {"bench_tiny": tmp_path / "bench_tiny.py"})
     monkeypatch.setattr(run, "FOLDER", tmp_path)
+    monkeypatch.delenv("PYTEST_XDIST_WORKER", raising=False)  # pytest-benchmark measures nothing in such a process
     output = tmp_path / "run.json"
     assert run.main(["--quick", "--output", str(output)]) == 0
     document = json.loads(output.read_text())
