@@ -455,7 +455,6 @@ class Check:
     def __init__(self, rows: Sequence[Row], expected: Mapping[Row, Expected], clock: Clock, begin: float):
         self.rows, self.expected, self.clock, self.begin = rows, expected, clock, begin
         self.tries: dict[Row, list[Outcome]] = {}
-        self.rounds: dict[Row, Rounds] = {}  # of the first tries
         self.disagreeing: dict[Row, str] = {}
         self.loads: list[float] = []
 
@@ -474,17 +473,11 @@ class Check:
             self._try(contest, min(max(left, RETRY_SECONDS[0]), RETRY_SECONDS[1]), "second try")
 
     def _try(self, contest: Contest, seconds: float, remark: str) -> bool:
-        """Measure a row, print its line, and return True if it passed.
-
-        A second try also passes by the rounds of both tries: a first try of few rounds may have missed a fast one.
-        """
+        """Measure a row, print its line, and return True if it passed."""
         row = contest.row
         expected = self.expected.get(row)
         rounds = contest.run(seconds, lambda rounds: is_clear(rounds, expected))
         outcome = outcome_of(rounds, expected)
-        if not outcome.passed and row in self.rounds:
-            outcome = outcome_of(Rounds(self.rounds[row].pairs + rounds.pairs, rounds.other_load), expected)
-        self.rounds.setdefault(row, rounds)
         self.tries.setdefault(row, []).append(outcome)
         self.loads.append(rounds.other_load)
         print(line_of(row, rounds, expected, outcome, remark), flush=True)
