@@ -205,12 +205,12 @@ def print_profiles(chosen: dict[str, tuple[str, Operation]], options: argparse.N
 
 def describe(options: argparse.Namespace) -> dict[str, Any]:
     """The machine, versions and commit, without names of hosts or folders."""
-    commit = _git("rev-parse", "--short=12", "HEAD")
+    commit = git("rev-parse", "--short=12", "HEAD")
     return {
         "device": options.device,
         "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         "commit": commit or "unknown",
-        "dirty": bool(_git("status", "--porcelain")) if commit else None,
+        "dirty": bool(git("status", "--porcelain")) if commit else None,
         "quick": options.quick,
         "long": options.long,
         "kernel_caches": "empty" if options.cold else "as found",
@@ -245,7 +245,8 @@ def machine(device: str) -> dict[str, Any]:
     return facts
 
 
-def _git(*arguments: str) -> str:
+def git(*arguments: str) -> str:
+    """The output of a git command; empty if it fails."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, text=True, cwd=FOLDER, check=False)
     except OSError:

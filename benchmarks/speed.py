@@ -33,6 +33,7 @@ FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))
 
 from contest import POINTLOOM, Operation, Trial, limit_threads, operations, thread_count, versions  # noqa: E402
+from run import git  # noqa: E402
 
 RECORDS = FOLDER / "results" / "speed-cpu.json"
 BENCH_RESULTS = FOLDER / "results" / "operations-cpu.json"
@@ -394,15 +395,6 @@ def notes(records: list[dict[str, Any]], name: str, expected: Mapping[Row, Expec
     if changed:
         lines.append(f"The record was measured with other versions: {', '.join(changed)}.")
     return lines
-
-
-def git(*arguments: str) -> str:
-    """The output of a git command; empty if it fails."""
-    try:
-        done = subprocess.run(["git", *arguments], capture_output=True, text=True, cwd=FOLDER, check=False)
-    except OSError:
-        return ""
-    return done.stdout.strip() if done.returncode == 0 else ""
 
 
 # ------------------------------------------------------------------------------------------------ check

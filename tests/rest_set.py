@@ -83,7 +83,7 @@ class LineContexts(Recorder):
                 taken.setdefault("", set()).update(first + line for line in data.lines(file) or ())
                 continue
             for line, contexts in data.contexts_by_lineno(file).items():
-                for node in contexts:
+                for node in filter(None, contexts):  # lines of imports belong to no test
                     taken.setdefault(node, set()).add(first + line)
         for node, items in taken.items():
             self.tests.setdefault(node, [0.0, 0.0, ()])[2] = sorted(items)

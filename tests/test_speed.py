@@ -332,8 +332,6 @@ def measured(monkeypatch) -> list[float]:
     left = iter(ratios)
 
     def measure(command: list[str], **options: Any) -> SimpleNamespace:
-        if command[0] == "git":
-            return SimpleNamespace(returncode=0, stdout="0123456789ab")
         ratio = next(left, None)
         if ratio is None:
             return SimpleNamespace(returncode=130)
@@ -341,6 +339,7 @@ def measured(monkeypatch) -> list[float]:
         Path(command[command.index("--measure") + 1]).write_text(json.dumps([row]))
         return SimpleNamespace(returncode=0)
 
+    monkeypatch.setattr(speed, "git", lambda *words: "0123456789ab")
     monkeypatch.setattr(speed, "subprocess", SimpleNamespace(run=measure))
     return ratios
 

@@ -9,16 +9,10 @@ import pytest
 import pointloom as loom
 from pointloom.kernels.rgbd.alignment import MAX_CACHED, _descents, clear_descents
 
+from ..host_work import room_seen_from
+
 DEVICE = "cuda:0"
 COUNT = 20000  # points of a room: each voxel has a plane
-
-
-def room_seen_from(x: float) -> np.ndarray:
-    """Points of a room's walls about a position in it, the same ones for each position."""
-    rng = np.random.default_rng(0)
-    room = rng.uniform(-8, 8, (COUNT, 3)) * [1, 1, 0.3]
-    room[np.arange(COUNT), np.arange(COUNT) % 3] = np.where(rng.random(COUNT) < 0.5, -1, 1) * 8.0
-    return room - [x, 0, 0]
 
 
 @pytest.mark.parametrize("is_straightened", [False, True])
@@ -27,7 +21,7 @@ def test_a_scan_waits_for_its_sizes_and_for_its_pose(emulated, is_straightened):
     times = np.arange(COUNT) / COUNT if is_straightened else None
     counts = {}
     for k, x in enumerate((0.0, 0.1, 0.2, 0.4, 0.6)):  # the fourth deviates from the prediction
-        scan = loom.PointCloud(room_seen_from(x), device=DEVICE)
+        scan = loom.PointCloud(room_seen_from(x, COUNT), device=DEVICE)
         counts = emulated.count_requests(lambda: odometry.register(scan, times))  # noqa: B023  runs at once
         if k == 3:
             fourth = counts
