@@ -102,11 +102,13 @@ def test_undescribed_extra_bytes_are_preserved(tmp_path, rng):
     assert table.attributes["ExtraBytes"].shape == (7, 4) and table.attributes["ExtraBytes"].dtype == np.uint8
 
 
-def test_the_coordinate_system_is_named(shipped_file):
+def test_the_coordinate_system_and_its_unit_are_named(shipped_file):
     names = {name: crs_name(open_las(shipped_file(f"lidar-pdal/{name}")).header) for name in FILES}
     assert names["autzen/autzen-utm.las"] == "NAD83 / UTM zone 10N"
     assert names["laz/autzen_trim.laz"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
     assert names["las/1.2-with-color.las"] is None
+    units = {name: loom.read_point_cloud(shipped_file(f"lidar-pdal/{name}")).unit for name in FILES}
+    assert units == dict(zip(FILES, ("metre", "foot", None, "foot"), strict=True))
 
 
 @pytest.mark.slow

@@ -363,17 +363,24 @@ def test_defaults_match_open3d(oracle):
 
 
 def graph_of(count=4, seed=0) -> reg.PoseGraph:
+    """A graph whose numbers have the same bits with any version of NumPy and SciPy, as stored answers need them."""
     rng = np.random.default_rng(seed)
 
     def pose():
+        w, x, y, z = (int(number) for number in rng.integers(1, 100, 4))
         T = np.eye(4)
-        T[:3, :3] = Rotation.from_rotvec(rng.normal(size=3)).as_matrix()
+        T[:3, :3] = [
+            [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+        ]
+        T[:3, :3] /= w * w + x * x + y * y + z * z
         T[:3, 3] = rng.normal(0, 1e3, 3)
         return T
 
     def information():
         root = rng.normal(size=(6, 6))
-        return root @ root.T
+        return sum(column[:, None] * column for column in root.T)
 
     pairs = [(i, i + 1) for i in range(count - 1)] + [(count - 1, 0)]
     edges = [reg.PoseGraphEdge(i, j, pose(), information(), bool(i % 2), 0.3 if i % 2 else 1.0) for i, j in pairs]

@@ -113,6 +113,11 @@ def test_the_rigid_method_moves_fragments_without_deformation(completed_run, job
     assert report.slac["rmse"] < result.figures["rmse"] <= report.slac["rmse_before"] * 1.0001
 
 
+def test_a_softer_grid_deforms_more(completed_run, job):
+    softer = dataclasses.replace(SETTINGS, regularizer_weight=0.1)
+    assert refine_with_slac(softer, job, resume=True).figures["bent_m"] > completed_run[1].slac["bent_m"]
+
+
 def test_a_single_fragment_is_unchanged(tmp_path):
     plain = rec.run_system(ShortSequence([0, 1]), config(), tmp_path / "plain")
     report = rec.run_system(ShortSequence([0, 1]), config(), tmp_path / "slac", slac=True)
