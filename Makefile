@@ -123,7 +123,7 @@ lint: $(FULL) ## Check style, format, sizes, prose and docs/api.txt
 	@$(BIN)/python scripts/check_sizes.py
 	@$(BIN)/python scripts/check_prose.py
 	@$(BIN)/python scripts/write_api.py --check
-	@$(BIN)/python benchmarks/write_pages.py --check --allow-old  # without the option after the next whole make bench
+	@$(BIN)/python benchmarks/write_pages.py --check
 	@$(BIN)/python benchmarks/gpu_kit/page.py --check
 
 api: $(FULL) ## Write docs/api.txt, the list of public names

@@ -232,7 +232,6 @@ def too_old(run: dict[str, Any]) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="only check the pages, and the number of old rows")
-    parser.add_argument("--allow-old", action="store_true", help="with --check: only report too many old rows")
     options = parser.parse_args()
     problems = []
     for path, text in pages().items():
@@ -246,10 +245,7 @@ def main() -> int:
             )
         else:
             path.write_text(text)
-    old = too_old(load(OPERATIONS)) if options.check else ""
-    if old and options.allow_old:
-        print(f"WARNING: {old}", file=sys.stderr)
-    elif old:
+    if options.check and (old := too_old(load(OPERATIONS))):
         problems.append(old)
     for problem in problems:
         print(problem, file=sys.stderr)
