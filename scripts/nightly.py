@@ -38,6 +38,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
 NO_TESTS = re.compile(r"^make(\[\d+\])?: \*\*\* .*\] Error 5$", re.MULTILINE)  # pytest's exit code
+STOPS = (signal.SIGINT, signal.SIGTERM)
 STOP_SECONDS = 10.0  # from SIGTERM to SIGKILL for the processes of an interrupted step
 # Set by make for its own targets; a step is to run as on its own.
 DROPPED = {"ARGS", "RUNS", "LOADED_RUNS", "TESTS", "MAKEFLAGS", "MFLAGS", "MAKEOVERRIDES", "MAKELEVEL"}
@@ -308,17 +309,25 @@ class Results:
 def run_command(step: Step, root: Path, log: Path) -> int:
     """Run the command of a step with its output in `log`; returns its exit code. An interruption ends its processes."""
     environment = {name: value for name, value in os.environ.items() if name not in DROPPED} | step.variables
+    arrived: list[int] = []  # an exception inside of Popen would lose the process
+    before = {number: signal.signal(number, lambda *words: arrived.append(words[0])) for number in STOPS}
     with log.open("wb") as output:
-        process = subprocess.Popen(
-            step.command,
-            cwd=root,
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            stdout=output,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
         try:
+            process = subprocess.Popen(
+                step.command,
+                cwd=root,
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+        finally:
+            for number, handler in before.items():
+                signal.signal(number, handler)
+        try:
+            if arrived:
+                raise KeyboardInterrupt
             return process.wait()
         finally:
             end_processes(process)

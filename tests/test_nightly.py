@@ -28,6 +28,7 @@ def git(tree, *words):
 def tree(tmp_path, monkeypatch):
     """A repository with one commit; results are stored beside it."""
     monkeypatch.setenv("POINTLOOM_NIGHTLY", str(tmp_path / "results"))
+    monkeypatch.delenv("POINTLOOM_DATA", raising=False)
     folder = tmp_path / "tree"
     (folder / "src").mkdir(parents=True)
     (folder / "docs").mkdir()
