@@ -23,16 +23,7 @@ from typing import Any
 
 import pytest
 from _pytest.runner import runtestprotocol
-from playwright.sync_api import (
-    Browser,
-    BrowserContext,
-    ConsoleMessage,
-    Error,
-    Page,
-    Playwright,
-    expect,
-    sync_playwright,
-)
+from playwright.sync_api import Browser, BrowserContext, Error, Page, Playwright, expect, sync_playwright
 
 import pointloom as loom
 
@@ -120,9 +111,8 @@ def browser() -> Iterator[Browser]:
 def launch(playwright: Playwright, path: str) -> Browser:
     """Chromium with the first renderer that works."""
     for name, flags in RENDERERS.items():
-        environment = {**os.environ, **MESA}
         chromium = playwright.chromium.launch(
-            executable_path=path, args=[*FLAGS, *flags], chromium_sandbox=False, env=environment
+            executable_path=path, args=[*FLAGS, *flags], chromium_sandbox=False, env={**os.environ, **MESA}
         )
         page = chromium.new_page()
         renderer = page.evaluate(RENDERER)
@@ -147,7 +137,7 @@ class Visit:
         page.on("request", lambda request: self.requests.append(request.url))
         page.on("websocket", lambda websocket: self.requests.append(websocket.url))
 
-    def _note_console(self, message: ConsoleMessage) -> None:
+    def _note_console(self, message: Any) -> None:
         if message.type in ("error", "warning") and not any(expected in message.text for expected in EXPECTED):
             self.faults.append(f"{message.type}: {message.text}")
 

@@ -52,10 +52,8 @@ def pack(arrays: Mapping[str, np.ndarray]) -> dict[str, list[str]]:
 
 def add(page: Any, number: int, kind: str, *, parent: int = 0, arrays: Any = None, **props: Any) -> None:
     """A node of the engine."""
-    arguments = [number, parent, kind, props, pack(arrays or {})]
-    page.evaluate(
-        "([id, parent, kind, props, arrays]) => engine.add(id, parent, kind, props, unpack(arrays))", arguments
-    )
+    given = [number, parent, kind, props, pack(arrays or {})]
+    page.evaluate("([id, parent, kind, props, arrays]) => engine.add(id, parent, kind, props, unpack(arrays))", given)
 
 
 def set_node(page: Any, number: int, *, arrays: Any = None, **props: Any) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -69,6 +69,14 @@ def picture(page: Page, *, panels: bool = False) -> np.ndarray:
     if not panels:
         page.evaluate(CANVAS_ALONE, False)
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
+
+
+def drag(page: Page, start: Sequence[float], end: Sequence[float], steps: int = 1, button: Any = "left") -> None:
+    """Drag the mouse from one position of the window to another."""
+    page.mouse.move(*start)
+    page.mouse.down(button=button)
+    page.mouse.move(*end, steps=steps)
+    page.mouse.up(button=button)
 
 
 def see(page: Page, claim: Callable[[np.ndarray], object] = lambda _: True) -> np.ndarray:

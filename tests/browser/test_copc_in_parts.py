@@ -17,9 +17,8 @@ AT = UTM + np.array([190.0, 190.0, 0.0])
 def test_coarse_points_come_first_and_finer_nodes_after_zooming(open_page, tmp_path):
     rng = np.random.default_rng(3)
     points = np.column_stack([rng.random((COUNT, 2)) * 500, rng.random(COUNT)]) + UTM
-    colors = np.tile(np.array(RED, np.uint8), (COUNT, 1))
     path = tmp_path / "city.copc.laz"
-    loom.write_point_cloud(path, loom.PointCloud(points, colors=colors))
+    loom.write_point_cloud(path, loom.PointCloud(points, colors=np.tile(np.array(RED, np.uint8), (COUNT, 1))))
     with loom.Viewer(port=0, max_points=BUDGET, point_size=1.0) as viewer:
         viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=AT, zoom=0.7)
         viewer.add_copc("city", path)

@@ -4,9 +4,8 @@ import numpy as np
 
 import pointloom as loom
 
-from .pixels import count_pixels, ready, wait_in_page
-
-BRICK = (204, 64, 51)
+from .pixels import count_pixels, drag, picture, ready, wait_in_page
+from .viewer_scenes import BRICK
 
 
 def test_an_embedded_notebook_page_draws_without_a_server_or_requests(open_page, tmp_path):
@@ -18,14 +17,11 @@ def test_an_embedded_notebook_page_draws_without_a_server_or_requests(open_page,
     inside = page.wait_for_selector("iframe").content_frame()
     ready(inside)
     assert inside.text_content("#count") == "20,000 points drawn"
-    before = picture_of(page)
+    before = picture(page, panels=True)
     assert count_pixels(before, BRICK, 60) > 3000
-    page.mouse.move(200, 200)
-    page.mouse.down()
-    page.mouse.move(320, 240, steps=4)
-    page.mouse.up()
+    drag(page, (200, 200), (320, 240), steps=4)
     ready(inside)
-    assert (np.abs(picture_of(page).astype(int) - before) > 40).any(axis=-1).sum() > 1000
+    assert (np.abs(picture(page, panels=True).astype(int) - before) > 40).any(axis=-1).sum() > 1000
     assert [url for url in page.visit.requests if not url.startswith(("file:", "data:", "about:"))] == []
 
 
@@ -50,19 +46,9 @@ def test_a_live_frame_covers_its_screenshot_while_the_viewer_is_open(open_page, 
         page = open_page(foreign_page, width=700, height=800, faults=False)
         page.evaluate(SHOW, cell)
         wait_in_page(page, IS_LIVE)
-        inside = page.query_selector("iframe").content_frame()
-        ready(inside)
+        ready(page.query_selector("iframe").content_frame())
     page = open_page(foreign_page, width=700, height=800, faults=False)
     with page.expect_event("requestfailed"):  # of a closed server
         page.evaluate(SHOW, cell)
-    assert count_pixels(picture_of(page), BRICK, 60) > 3000
+    assert count_pixels(picture(page, panels=True), BRICK, 60) > 3000
     assert not page.evaluate(IS_LIVE)
-
-
-def picture_of(page):
-    """The window's pixels, uint8 [h, w, 3]."""
-    import io
-
-    from PIL import Image
-
-    return np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"))

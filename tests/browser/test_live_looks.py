@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import io
+import itertools
 
 import numpy as np
 from PIL import Image
 from playwright.sync_api import Page, expect
 
 from .live_pages import RAMP, control
-from .pixels import count_pixels, picture, ready, see
+from .pixels import count_pixels, drag, picture, ready, see
 
 RED, BLUE, WHITE = (255, 0, 0), (0, 0, 255), (255, 255, 255)
 
@@ -23,9 +24,8 @@ def boxes(page: Page, *selectors: str) -> list[dict[str, float]]:
 
 def overlap(a: dict[str, float], b: dict[str, float]) -> bool:
     """True if two boxes share more than half a pixel."""
-    return all(
-        a[k] + 0.5 < b[k] + b[size] and b[k] + 0.5 < a[k] + a[size] for k, size in (("x", "width"), ("y", "height"))
-    )
+    sides = (("x", "width"), ("y", "height"))
+    return all(a[k] + 0.5 < b[k] + b[size] and b[k] + 0.5 < a[k] + a[size] for k, size in sides)
 
 
 def test_on_a_phone_the_panel_is_a_sheet_below_the_picture(program, visit):
@@ -49,10 +49,7 @@ def test_on_a_phone_the_panel_is_a_sheet_below_the_picture(program, visit):
     assert not overlap(opened, sheet)
     assert control(page, check).bounding_box()["height"] >= 44
     assert all(box.bounding_box()["width"] >= 44 for box in page.locator("#tools button:visible").all())
-    page.mouse.move(195, sheet["y"] + 20)
-    page.mouse.down()
-    page.mouse.move(195, 830, steps=5)
-    page.mouse.up()
+    drag(page, (195, sheet["y"] + 20), (195, 830), steps=5)
     expect(grip).to_have_attribute("aria-expanded", "false")
 
 
@@ -62,9 +59,7 @@ def test_the_panel_and_the_legend_are_beside_the_image(program, visit):
     program.pages.gui.add_legend([("ground", (10, 20, 30), "12")])
     page = visit()
     elements = boxes(page, "#picture", "#keys", "#side")
-    assert not any(
-        overlap(a, b) for a, b in ((elements[0], elements[1]), (elements[0], elements[2]), (elements[1], elements[2]))
-    )
+    assert not any(overlap(a, b) for a, b in itertools.combinations(elements, 2))
     top = page.locator(".colorbar canvas.upright").bounding_box()
     image = picture(page, panels=True)
     x, y = round(top["x"] + 7), round(top["y"])

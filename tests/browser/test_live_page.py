@@ -144,17 +144,14 @@ def test_ten_thousand_rows_have_the_elements_of_those_in_sight(program, visit):
 
 def test_the_palette_finds_each_command_once_with_all_its_keys(program, visit):
     for key in ("plus", "=", "pageup"):
-        program.pages.gui.add_command("Larger points", key).on_trigger(
-            lambda _: program.events.append(("command", "+"))
-        )
+        command = program.pages.gui.add_command("Larger points", key)
+        command.on_trigger(lambda _: program.events.append(("command", "+")))
     program.hear(program.pages.gui.add_button("Measure (M)"))
     page = visit()
     page.keyboard.press("Control+k")
     offered = page.locator("#palette li .label")
-    for label in ("Larger points", "Measure", "Keys and commands"):
-        expect(offered.get_by_text(label, exact=True)).to_have_count(
-            1
-        )  # commands added while it is open are offered as well
+    for label in ("Larger points", "Measure", "Keys and commands"):  # those added while it is open are offered as well
+        expect(offered.get_by_text(label, exact=True)).to_have_count(1)
     labels = offered.all_inner_texts()
     assert len({label.lower() for label in labels}) == len(labels)
     row = page.locator("#palette li", has_text="Larger points")
@@ -199,8 +196,7 @@ def test_keys_are_the_programs_first_and_none_while_one_types(program, visit):
     page.keyboard.press("Escape")
     expect(help_).to_be_hidden()
     command.remove()
-    last = program.pages.gui.add_words("it has gone")
-    expect(control(page, last)).to_be_visible()
+    expect(control(page, program.pages.gui.add_words("it has gone"))).to_be_visible()
     page.keyboard.press("h")
     expect(help_).to_be_visible()
     assert program.events == [("command", 0)]

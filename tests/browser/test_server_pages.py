@@ -85,9 +85,8 @@ def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, 
     assert (read, read_blind) == ("failed", "failed")
     # A notebook on this machine may show the viewer in a frame: the page around it cannot look inside.
     wait_until(page, lambda: len(server.pages.get_clients()) == 1)
-    assert page.evaluate("() => { try { return frames[0].document.title } catch (error) { return error.name } }") == (
-        "SecurityError"
-    )
+    title = "() => { try { return frames[0].document.title } catch (error) { return error.name } }"
+    assert page.evaluate(title) == "SecurityError"
 
 
 def test_a_rebound_host_name_is_rejected(server, open_page):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from .pixels import count_pixels, middle_of, picture, see, wait_until
+from .pixels import count_pixels, drag, middle_of, picture, see, wait_until
 from .viewer_scenes import BLUE, BRICK, RED, at, brick, changed, grid_cloud, press, sphere
 
 
@@ -23,8 +23,7 @@ def test_keys_and_slider_change_the_size_of_points(show):
         for _ in range(count):
             press(page, key)
         wait_for_size(first * size)
-    slider = page.get_by_role("slider").first
-    slider.focus()
+    page.get_by_role("slider").first.focus()
     for _ in range(20):
         page.keyboard.press("ArrowRight")
     wait_for_size(first * 1.25**4 + 2)  # its steps are 0.1
@@ -57,10 +56,7 @@ def test_n_and_w_show_and_hide_normals_and_edges(show):
 def test_r_returns_to_the_initial_view(show):
     _, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
     before = see(page, lambda image: count_pixels(image, RED) > 700)
-    page.mouse.move(150, 300)
-    page.mouse.down()
-    page.mouse.move(250, 330, steps=5)
-    page.mouse.up()
+    drag(page, (150, 300), (250, 330), steps=5)
     page.mouse.wheel(0, 400)
     see(page, lambda image: changed(image, before) > 700)
     press(page, "r")

@@ -39,15 +39,10 @@ def test_two_pages_of_one_viewer_look_elsewhere_at_once(show, open_page):
 
 GARBAGE = ("", "no JSON", "[1, 2]", "[" * 60_000, '{"say":"camera","fov":NaN}', "x" * 70_000, b"\x00bytes")
 NONSENSE = (
-    {"say": "no such thing"},
-    {"say": "clear"},
-    {"say": "download", "name": "/etc/passwd"},
-    {"say": "value", "id": 1, "value": {"a": []}},
-    {"say": "value", "id": 10**9, "value": 1},
-    CAMERA | {"position": [1e300] * 3},
-    CAMERA | {"fov": -1e308},
-    CAMERA | {"size": [70_000, 0]},
-)
+    {"say": "no such thing"}, {"say": "clear"}, {"say": "download", "name": "/etc/passwd"},
+    {"say": "value", "id": 1, "value": {"a": []}}, {"say": "value", "id": 10**9, "value": 1},
+    CAMERA | {"position": [1e300] * 3}, CAMERA | {"fov": -1e308}, CAMERA | {"size": [70_000, 0]},
+)  # fmt: skip
 
 
 def test_invalid_requests_do_not_disturb_pages(show):

@@ -75,9 +75,7 @@ def test_a_hostile_value_is_refused_by_name(call, argument):
     good = {name: eval(expression, dict(things())) for name, expression in expressions.items()}
     also = {"geometries": "points", "bounds": "zoom"}.get(argument, "")
     clouds = argument == "cloud"
-    faults = faults_of(
-        lambda **given: eval(function, dict(things()))(**given), good, argument, also=also, clouds=clouds
-    )
+    faults = faults_of(lambda **more: eval(function, dict(things()))(**more), good, argument, also=also, clouds=clouds)
     assert not faults, "\n".join(faults)
 
 

@@ -1,5 +1,7 @@
 """Images of change: red is up, blue is down, gray is noise, and the legend explains it."""
 
+from unittest.mock import Mock
+
 import numpy as np
 import pytest
 
@@ -23,9 +25,8 @@ def row_of(count, device="cpu"):
 
 
 def test_noise_is_gray_and_changes_use_a_diverging_map(device):
-    change = result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])
     cloud = row_of(5, device)
-    colors = paint(cloud, change).colors
+    colors = paint(cloud, result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])).colors
     assert colors[0, 0] > 0.6 > 0.3 > colors[0, 2] and colors[1, 2] > 0.6 > 0.3 > colors[1, 0]
     np.testing.assert_allclose(colors[2:4], [MISSING] * 2, atol=1e-6)
     assert colors[4, 0] > colors[4, 2] and colors[4, 0] > 0.8
@@ -37,33 +38,24 @@ def test_limits_cover_nearly_all_changes(device):
     values = np.linspace(-1, 1, 1000)
     values[0] = 300.0
     far = paint(cloud, values)
-    given = paint(cloud, values, limit=0.99)
-    np.testing.assert_array_equal(far.colors, given.colors)
-    still = paint(cloud, np.zeros(1000))
-    assert np.ptp(still.colors) < 0.01
+    np.testing.assert_array_equal(far.colors, paint(cloud, values, limit=0.99).colors)
+    assert np.ptp(paint(cloud, np.zeros(1000)).colors) < 0.01
 
 
 @pytest.fixture
-def legends(monkeypatch):
-    """The arguments of the calls of `render`."""
-    calls, render = [], pictures.render
-
-    def noted(*args, **kwargs):
-        calls.append(kwargs)
-        return render(*args, **kwargs)
-
-    monkeypatch.setattr(pictures, "render", noted)
-    return calls
+def calls(monkeypatch):
+    """The calls of `render`."""
+    monkeypatch.setattr(pictures, "render", Mock(wraps=pictures.render))
+    return pictures.render.call_args_list
 
 
-def test_an_image_has_a_legend_of_its_colors(device, tmp_path, rng, legends):
+def test_an_image_has_a_legend_of_its_colors(device, tmp_path, rng, calls):
     cloud = loom.PointCloud(rng.random((4000, 3)) * (20, 10, 0.1), device=device)
-    values = cloud.points[:, 0] - 10
-    change = result(values, np.full(4000, 2.0))
+    change = result(cloud.points[:, 0] - 10, np.full(4000, 2.0))
     picture = loom.change.draw(cloud, change, tmp_path / "change.png", size=(640, 480))
     assert picture.shape == (480, 640, 3)
     np.testing.assert_array_equal(loom.read_color(tmp_path / "change.png"), picture)
-    call = legends[0]
+    call = calls[0].kwargs
     assert [name for name, _ in call["legend"]] == ["not significant"]
     assert call["color_bar"].limits == (-9.9, 9.9)
     assert call["color_bar"].title == "change [m]" and call["scale_bar"]
@@ -74,12 +66,12 @@ def test_an_image_has_a_legend_of_its_colors(device, tmp_path, rng, legends):
     assert np.ptp(middle.astype(int)) == 0 and 140 < middle[0] < 165
 
 
-def test_the_legend_explains_gray(legends):
+def test_the_legend_explains_gray(calls):
     cloud = row_of(3)
     loom.change.draw(cloud, result([1, np.nan, 1], [0.1, np.nan, 0.1]), size=(64, 48))
     loom.change.draw(cloud, result([1, np.nan, 0], [0.1, np.nan, 0.1]), size=(64, 48))
     loom.change.draw(cloud, [1.0, -1, 0], size=(64, 48))
-    entries = [[name for name, _ in call["legend"] or ()] for call in legends]
+    entries = [[name for name, _ in call.kwargs["legend"] or ()] for call in calls]
     assert entries == [["no distance"], ["not significant, no distance"], []]
 
 

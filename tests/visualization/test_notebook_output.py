@@ -1,21 +1,13 @@
 """Outputs of notebook cells: a bounded screenshot that is always visible, and the page over it."""
 
 import base64
-import html
 import io
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from pointloom.visualization.notebook_output import (
-    MAX_BYTES,
-    live_output,
-    media_output,
-    page_output,
-    still_jpeg,
-    still_output,
-)
+from pointloom.visualization.notebook_output import live_output, media_output, page_output, still_jpeg, still_output
 
 GRAY = np.full((30, 40, 3), 128, np.uint8)
 HOSTILE = '"><script>alert(1)</script>'
@@ -28,22 +20,14 @@ OUTPUTS = {
 }
 
 
-@pytest.mark.parametrize("shown", OUTPUTS.values(), ids=OUTPUTS)
-def test_all_outputs_contain_an_escaped_screenshot_and_text(shown):
+@pytest.mark.parametrize("kind", OUTPUTS)
+def test_all_outputs_contain_an_escaped_screenshot_and_text(kind):
+    shown = OUTPUTS[kind]
     assert set(shown) == {"text/plain", "text/html", "image/jpeg"} and shown["text/plain"] == "words"
     assert Image.open(io.BytesIO(base64.b64decode(shown["image/jpeg"]))).size == (40, 30)
     assert "<script>alert" not in shown["text/html"] and "<details" not in shown["text/html"]
-
-
-@pytest.mark.parametrize("kind", ["live", "page", "still"])
-def test_the_still_is_in_sight_in_the_html_too(kind):
-    assert f'src="data:image/jpeg;base64,{OUTPUTS[kind]["image/jpeg"]}"' in OUTPUTS[kind]["text/html"]
-
-
-def test_an_embedded_page_is_sandboxed_and_complete():
-    inner = OUTPUTS["page"]["text/html"].partition('srcdoc="')[2].partition('"')[0]
-    assert html.unescape(inner) == HOSTILE
-    assert 'sandbox="allow-scripts"' in OUTPUTS["page"]["text/html"]
+    if kind in ("live", "page", "still"):  # the others play
+        assert f'src="data:image/jpeg;base64,{shown["image/jpeg"]}"' in shown["text/html"]
 
 
 def test_each_live_frame_has_a_name_of_its_own():
@@ -63,7 +47,7 @@ def test_transparent_pixels_are_blended_with_white():
 def test_stills_of_any_size_and_content_are_bounded(shape):
     noise = np.random.default_rng(0).integers(0, 256, (*shape, 3), np.uint8)
     data = still_jpeg(noise)
-    assert len(data) <= MAX_BYTES == 200_000
+    assert len(data) <= 200_000
     still = Image.open(io.BytesIO(data))
     assert still.format == "JPEG" and still.width <= 960
     assert still.width / still.height == pytest.approx(shape[1] / shape[0], rel=0.01) or min(shape) < 10

@@ -13,9 +13,8 @@ HOSTILE = "</script ><img src=x onerror=\"document.title='taken'\"><b>bold"
 
 
 def test_hostile_names_are_shown_as_text(open_recording):
-    cloud = Shape("points", grid(5))
     frames = [Frame({HOSTILE: Placement((0,))}, HOSTILE, {HOSTILE: float(k)}) for k in range(2)]
-    page = open_recording(Timeline(np.zeros(3), [cloud], frames, title=HOSTILE))
+    page = open_recording(Timeline(np.zeros(3), [Shape("points", grid(5))], frames, title=HOSTILE))
     assert page.title().startswith("</script >")
     assert page.text_content("#items label") == page.text_content("#label") == page.text_content("h1") == HOSTILE
     assert page.text_content("#plots span") == HOSTILE

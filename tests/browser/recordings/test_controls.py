@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
+from pointloom.visualization.recording.timeline import Shape
 
-from ..pixels import count_pixels, ready, wait_in_page
-from .scenes import BLUE, GREEN, RED, from_above, grid, is_reddish, stage, two_clouds
+from ..pixels import count_pixels, drag, ready, wait_in_page
+from .scenes import BLUE, GREEN, RED, from_above, grid, is_reddish, one_frame, stage, two_clouds
 
 
 def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
@@ -15,27 +15,21 @@ def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
     project = "recording.project([0.5, 0.2, 0])"
     first, initial_image = page.evaluate(project), stage(page)
 
-    def drag(dx, dy, button="left", shift=False):
-        if shift:
-            page.keyboard.down("Shift")
-        page.mouse.move(300, 180)
-        page.mouse.down(button=button)
-        page.mouse.move(300 + dx, 180 + dy, steps=4)
-        page.mouse.up(button=button)
-        if shift:
-            page.keyboard.up("Shift")
-
     def reset():
         page.keyboard.press("r")
         np.testing.assert_allclose(page.evaluate(project), first)
 
-    drag(80, 30)
+    drag(page, (300, 180), (380, 210), steps=4)
     rotated = page.evaluate(project)
     assert math.dist(rotated[:2], first[:2]) > 5
     assert (stage(page) != initial_image).any(axis=-1).mean() > 0.02
     reset()
-    for options in ({"button": "right"}, {"shift": True}):
-        drag(50, -20, **options)
+    for button, shift in (("right", False), ("left", True)):
+        if shift:
+            page.keyboard.down("Shift")
+        drag(page, (300, 180), (350, 160), steps=4, button=button)
+        if shift:
+            page.keyboard.up("Shift")
         x, y, _ = page.evaluate(project)
         assert x - first[0] > 30 and y - first[1] < -10
         reset()
@@ -63,10 +57,7 @@ def test_a_double_click_sets_the_center_of_rotation(open_recording):
     centered = page.evaluate(f"recording.project({position})")
     assert math.dist(centered[:2], middle) < 4 and abs(centered[2] - depth) < 0.01
     other = page.evaluate("recording.project([0, 0, 0])")
-    page.mouse.move(300, 180)
-    page.mouse.down()
-    page.mouse.move(360, 160)
-    page.mouse.up()
+    drag(page, (300, 180), (360, 160))
     assert math.dist(page.evaluate("recording.project([0, 0, 0])")[:2], other[:2]) > 5
     rotated = page.evaluate(f"recording.project({position})")
     assert math.dist(rotated[:2], middle) < 4 and abs(rotated[2] - depth) < 0.05
@@ -81,9 +72,7 @@ def test_keys_change_sizes_normals_edges_and_light(open_recording):
         Shape("triangles", square, indices=faces, plain=GREEN),
         Shape("points", dots, None, tilted, size=5.0, plain=RED),
     ]
-    page = open_recording(
-        Timeline(np.zeros(3), shapes, [Frame({"mesh": Placement((0,)), "dots": Placement((1,))})]), view=from_above()
-    )
+    page = open_recording(one_frame(*shapes), view=from_above())
     first = stage(page)
     large = [is_reddish(first).sum()]
     for key in ("+", "+", "-", "-", "-"):

@@ -31,8 +31,7 @@ def test_the_live_page_is_small_and_makes_no_external_requests():
 
 def test_the_live_page_shows_its_title_as_text():
     served = ServedPage(sources.live_page('<script>alert("1")</script> {{script}}'))
-    text = served.text.decode()
-    assert text.count("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; {{script}}") == 2
+    assert served.text.decode().count("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; {{script}}") == 2
 
 
 @pytest.mark.parametrize("names", [sources.PLAYER, sources.LIVE])

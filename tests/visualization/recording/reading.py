@@ -1,4 +1,4 @@
-"""Reads a page as its player does: `read_page`."""
+"""Reads a page as its player does: `Page`."""
 
 import base64
 import json
@@ -84,10 +84,6 @@ def _join(data: bytes, described: dict, block: int) -> np.ndarray:
         start += count * stride
     assert start == len(data)
     return np.concatenate(parts)
-
-
-def read_page(path: Path) -> Page:
-    return Page(path)
 
 
 def outside_addresses(text: str) -> list[str]:

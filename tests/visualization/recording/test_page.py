@@ -15,7 +15,8 @@ from pointloom.visualization.recording.page import write_page
 from pointloom.visualization.recording.shared_player import PLAYER, share_player, write_player
 from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 from pointloom.visualization.render.view import View, fit_view
-from tests.visualization.recording.reading import outside_addresses, read_page
+
+from .reading import Page, outside_addresses
 
 SQUARE = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 HOSTILE = '</script ><img src=x onerror="alert(1)">{{script}}<!--\u2028&lt;'
@@ -29,6 +30,21 @@ def moved(x: float) -> np.ndarray:
     T = np.eye(4)
     T[0, 3] = x
     return T
+
+
+def one_frame(*shapes: Shape) -> Timeline:
+    return Timeline(np.zeros(3), list(shapes), [Frame({"a": Placement(tuple(range(len(shapes))))})])
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Write the page of a timeline and read it as its player does."""
+
+    def write_one(timeline: Timeline, **options) -> Page:
+        write_page(tmp_path / "p.html", timeline, **options)
+        return Page(tmp_path / "p.html")
+
+    return write_one
 
 
 @pytest.fixture
@@ -48,9 +64,8 @@ def timeline(rng) -> Timeline:
 
 
 @pytest.fixture
-def written(timeline, tmp_path):
-    write_page(tmp_path / "page.html", timeline)
-    return read_page(tmp_path / "page.html")
+def written(timeline, write):
+    return write(timeline)
 
 
 def test_positions_colors_and_indices_are_bitwise_identical(written, timeline):
@@ -58,8 +73,7 @@ def test_positions_colors_and_indices_are_bitwise_identical(written, timeline):
         assert described["kind"] == shape.kind
         assert written.array(described["positions"]).tobytes() == shape.positions.tobytes()
         for name in ("colors", "indices"):
-            values = written.array(described.get(name))
-            np.testing.assert_array_equal(values, getattr(shape, name))
+            np.testing.assert_array_equal(written.array(described.get(name)), getattr(shape, name))
 
 
 def test_normals_keep_their_direction_to_a_hundredth_of_a_degree(written, timeline):
@@ -69,11 +83,9 @@ def test_normals_keep_their_direction_to_a_hundredth_of_a_degree(written, timeli
     assert np.degrees(np.linalg.norm(np.cross(units, normals), axis=1)).max() < 0.01
 
 
-def test_normals_of_no_length_or_of_nan_are_none(rng, tmp_path):
+def test_normals_of_no_length_or_of_nan_are_none(rng, write):
     normals = np.float32([[0, 0, 0], [np.nan, 0, 1], [np.inf, 0, 0], [0, 0, 1e-30], [0, 3, 0]])
-    shape = points(rng, 5, normals=normals)
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})]))
-    page = read_page(tmp_path / "p.html")
+    page = write(one_frame(points(rng, 5, normals=normals)))
     written_normals = page.array(page.description["shapes"][0]["normals"])
     assert written_normals.tolist() == [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 32767], [0, 32767, 0]]
 
@@ -88,16 +100,12 @@ def test_frames_list_the_displayed_shapes_and_poses(written):
         assert written.description["frames"][k]["label"] == f"step {k}"
 
 
-def test_a_shape_or_pose_that_stays_is_stored_once(rng, tmp_path):
-    shape, still = points(rng), Placement((0,), moved(1))
-    one = Timeline(np.zeros(3), [shape], [Frame({"cloud": still})])
-    many = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placement((0,), moved(1))}) for _ in range(200)])
-    for name, each in (("one", one), ("many", many)):
-        write_page(tmp_path / f"{name}.html", each)
-    page = read_page(tmp_path / "many.html")
-    assert len(page.arrays) == 2 and len(page.description["placements"]) == 1
-    sizes = [(tmp_path / f"{name}.html").stat().st_size for name in ("one", "many")]
-    assert sizes[1] - sizes[0] < 200 * 30
+def test_a_shape_or_pose_that_stays_is_stored_once(rng, write):
+    shape = points(rng)
+    frames = [Frame({"cloud": Placement((0,), moved(1))}) for _ in range(200)]
+    one, many = (write(Timeline(np.zeros(3), [shape], frames[:count])) for count in (1, 200))
+    assert len(many.arrays) == 2 and len(many.description["placements"]) == 1
+    assert len(many.text) - len(one.text) < 200 * 30
 
 
 def test_numbers_of_plots_have_gaps_where_there_are_none(written):
@@ -119,10 +127,9 @@ def test_a_page_refers_to_nothing_external_and_runs_only_its_scripts(written):
     assert "eval(" not in written.scripts[0] and "innerHTML" not in written.scripts[0]
 
 
-def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
+def test_hostile_titles_labels_and_names_stay_text(rng, write):
     frame = Frame({HOSTILE: Placement((0,))}, HOSTILE, {HOSTILE: 1.0})
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [points(rng)], [frame], title=HOSTILE))
-    page = read_page(tmp_path / "p.html")
+    page = write(Timeline(np.zeros(3), [points(rng)], [frame], title=HOSTILE))
     assert "img" not in {tag for tag, _ in page.elements}
     assert page.description["items"] == [HOSTILE]
     assert page.title == HOSTILE.replace("\u2028", "\\u2028")
@@ -132,43 +139,38 @@ def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
     assert page.text.lower().count("</script") == 2 + len(page.arrays)  # of the description, the player and the arrays
 
 
-def test_without_frames_or_points_there_is_still_a_page(tmp_path):
+def test_without_frames_or_points_there_is_still_a_page(write):
     nothing = Shape("points", np.empty((0, 3), np.float32))
     no_lines = Shape("lines", np.empty((0, 3), np.float32), indices=np.empty((0, 2), np.int32))
     frame = Frame({"a": Placement((0, 1)), "b": Placement(())})
     for each in (Timeline(np.zeros(3)), Timeline(np.zeros(3), [nothing, no_lines], [frame])):
-        write_page(tmp_path / "p.html", each)
-        page = read_page(tmp_path / "p.html")
-        assert np.isfinite(page.description["camera"]["eye"]).all()
-        assert page.description["bounds"] == [[0, 0, 0], [0, 0, 0]]
+        described = write(each).description
+        assert np.isfinite(described["camera"]["eye"]).all() and described["bounds"] == [[0, 0, 0], [0, 0, 0]]
 
 
 @pytest.mark.parametrize("count", [1, 100, 101, 307])
-def test_arrays_of_any_length_come_back(rng, tmp_path, count, monkeypatch):
+def test_arrays_of_any_length_come_back(rng, write, count, monkeypatch):
     monkeypatch.setattr(page_module, "BLOCK", 100)
     shape = points(rng, count, colors=rng.integers(0, 256, (count, 3)).astype(np.uint8))
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})]))
-    page = read_page(tmp_path / "p.html")
-    np.testing.assert_array_equal(page.arrays[page.description["shapes"][0]["positions"]], shape.positions)
-    np.testing.assert_array_equal(page.arrays[page.description["shapes"][0]["colors"]], shape.colors)
+    page = write(one_frame(shape))
+    for name in ("positions", "colors"):
+        np.testing.assert_array_equal(page.arrays[page.description["shapes"][0][name]], getattr(shape, name))
 
 
-def test_the_view_is_counted_from_the_timelines_origin(timeline, tmp_path):
+def test_the_view_is_counted_from_the_timelines_origin(timeline, write):
     view = fit_view(SQUARE + timeline.origin, width=320, height=200)
     lens = dataclasses.replace(view.intrinsic, fx=300.0, fy=400.0, cx=-5.0)
     view = View(lens, view.T_world_camera)
-    write_page(tmp_path / "p.html", timeline, view=view)
-    camera = read_page(tmp_path / "p.html").description["camera"]
+    camera = write(timeline, view=view).description["camera"]
     np.testing.assert_allclose(camera["eye"], view.T_world_camera[:3, 3] - timeline.origin, atol=1e-8)
     np.testing.assert_array_equal(np.reshape(camera["rotation"], (3, 3)), view.T_world_camera[:3, :3])
     assert [camera[name] for name in ("width", "height", "fx", "fy", "cx")] == [320, 200, 300, 400, -5]
 
 
-def test_without_a_view_all_frames_fit_the_window(rng, tmp_path):
+def test_without_a_view_all_frames_fit_the_window(rng, write):
     shape = points(rng, 50_000)
     frames = [Frame({"a": Placement((0,), moved(20 * k))}) for k in range(3)]
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], frames))
-    described = read_page(tmp_path / "p.html").description
+    described = write(Timeline(np.zeros(3), [shape], frames)).description
     camera, R = described["camera"], np.reshape(described["camera"]["rotation"], (3, 3))
     everything = np.concatenate([shape.positions + np.array([20 * k, 0, 0]) for k in range(3)])
     x, y, z = ((everything - camera["eye"]) @ R).T
@@ -178,24 +180,21 @@ def test_without_a_view_all_frames_fit_the_window(rng, tmp_path):
     np.testing.assert_allclose(described["bounds"], [everything.min(0), everything.max(0)], rtol=1e-6)
 
 
-def test_vertices_that_no_triangle_uses_do_not_count_for_the_view(tmp_path):
+def test_vertices_that_no_triangle_uses_do_not_count_for_the_view(write):
     stray = np.vstack([SQUARE, np.float32([[1000, 0, 0]])])
-    shape = Shape("triangles", stray, indices=np.int32([[0, 1, 2]]))
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})]))
-    assert read_page(tmp_path / "p.html").description["bounds"] == [[0, 0, 0], [1, 1, 0]]
+    page = write(one_frame(Shape("triangles", stray, indices=np.int32([[0, 1, 2]]))))
+    assert page.description["bounds"] == [[0, 0, 0], [1, 1, 0]]
 
 
-def test_a_size_of_points_given_is_that_of_all_points(timeline, tmp_path):
-    write_page(tmp_path / "p.html", timeline, point_size=7)
-    assert [each["size"] for each in read_page(tmp_path / "p.html").description["shapes"]] == [7.0, 2.0, 3.0]
+def test_a_size_of_points_given_is_that_of_all_points(timeline, write):
+    assert [each["size"] for each in write(timeline, point_size=7).description["shapes"]] == [7.0, 2.0, 3.0]
 
 
 @pytest.mark.slow
 def test_writing_takes_little_memory_beside_the_points(rng, tmp_path):
     shape = points(rng, 500_000)
-    each = Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})])
     tracemalloc.start()
-    write_page(tmp_path / "p.html", each)
+    write_page(tmp_path / "p.html", one_frame(shape))
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 1.5 * shape.positions.nbytes + 2**24
@@ -216,8 +215,7 @@ def test_an_existing_file_is_replaced_atomically_and_only_on_request(timeline, t
 
 @pytest.fixture
 def recorded(tmp_path, rng):
-    shape = Shape("points", rng.random((100, 3)).astype(np.float32))
-    write_page(tmp_path / "whole.html", Timeline(np.zeros(3), [shape], [Frame({"cloud": Placement((0,))})]))
+    write_page(tmp_path / "whole.html", one_frame(Shape("points", rng.random((100, 3)).astype(np.float32))))
     return tmp_path / "whole.html"
 
 

@@ -132,9 +132,7 @@ def test_ticks_are_inside_the_range_and_distinct_and_have_their_texts(a, b, max_
         assert number == pytest.approx(value, abs=step / 50)
 
 
-@pytest.mark.parametrize(
-    "ends", [(0, 0), (7, 7), (-1e-300, 1e-300), (1e15, 1e15 + 0.125), (-math.inf, 3), (3, math.nan)]
-)
+@pytest.mark.parametrize("ends", [(0, 0), (7, 7), (-1e-300, 1e-300), (1e15, 1e15 + 0.125), (-np.inf, 3), (3, np.nan)])
 def test_an_axis_without_extent_is_widened(ends):
     low, high = widen(*ends)
     assert low < high and math.isfinite(high - low)
@@ -191,11 +189,9 @@ def test_numbers_are_at_both_ends_of_a_bar():
     assert len(with_ends(choose_ticks(5e6, 5e6 + 0.001, 4), 0.1).values) >= 3
 
 
-@pytest.mark.parametrize(
-    ("max_length", "length"), [(1, 1), (1.99, 1), (2, 2), (4.9, 2), (7, 5), (0.3, 0.2), (1234, 1000)]
-)
-def test_a_scale_bar_has_a_round_length(max_length, length):
-    assert round_length(max_length) == length
+def test_a_scale_bar_has_a_round_length():
+    for max_length, length in ((1, 1), (1.99, 1), (2, 2), (4.9, 2), (7, 5), (0.3, 0.2), (1234, 1000)):
+        assert round_length(max_length) == length
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 250.0])
@@ -221,8 +217,7 @@ def test_a_scale_bar_shows_the_unit_and_is_omitted_behind_the_camera(device):
     pictures = [loom.render(c, size=(320, 240), scale_bar=True, device=device) for c in (cloud, feet)]
     assert not np.array_equal(*pictures) and np.array_equal(pictures[0][:190], pictures[1][:190])
     away = loom.View(loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), np.eye(4))
-    behind = loom.PointCloud([[0, 0, -5.0], [0, 1, -6]])
-    assert (loom.render(behind, away, scale_bar=True) == 255).all()
+    assert (loom.render(loom.PointCloud([[0, 0, -5.0], [0, 1, -6]]), away, scale_bar=True) == 255).all()
 
 
 def test_the_up_axis_is_vertical_in_a_fitted_view(device):
@@ -233,5 +228,4 @@ def test_the_up_axis_is_vertical_in_a_fitted_view(device):
         assert np.ptp(rows) > 1.8 * np.ptp(columns), up
     given = loom.render(pillar, None, (200, 200), up=(0, 2, 0), device=device)
     assert np.array_equal(given, loom.render(pillar, None, (200, 200), up="y", device=device))
-    upside = loom.render(tall["z"], None, (200, 200), up=(0, 0, -1), device=device)
-    assert is_drawn(upside).any()
+    assert is_drawn(loom.render(tall["z"], None, (200, 200), up=(0, 0, -1), device=device)).any()

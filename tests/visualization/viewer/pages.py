@@ -38,9 +38,8 @@ def get(
     """
     line = http.client.HTTPConnection("127.0.0.1", server.port, timeout=TIMEOUT)
     try:
-        line.putrequest(
-            method, with_token(server) if path is None else path, skip_host="Host" in headers, skip_accept_encoding=True
-        )
+        path = with_token(server) if path is None else path
+        line.putrequest(method, path, skip_host="Host" in headers, skip_accept_encoding=True)
         for name, value in headers.items():
             line.putheader(name.replace("_", "-"), value)
         line.endheaders()
@@ -122,9 +121,14 @@ def send(line: ClientConnection, message: dict[str, Any]) -> None:
 
 
 def hear(line: ClientConnection, seconds: float = TIMEOUT) -> list[dict[str, Any]]:
-    """The operations of the next message, arrays in place of their numbers."""
+    """The operations of the next message."""
     raw = line.recv(timeout=seconds)
     assert isinstance(raw, bytes)
+    return unpack(raw)
+
+
+def unpack(raw: bytes) -> list[dict[str, Any]]:
+    """The operations of a message, arrays in place of their numbers."""
     (length,) = struct.unpack("<I", raw[:4])
     assert (4 + length) % 8 == 0
     content = json.loads(raw[4 : 4 + length])
@@ -154,7 +158,3 @@ def is_well(server: ViewerServer) -> bool:
     """True if a page gets the scene and the server receives its messages."""
     with page_of(server) as line:
         return hear_until(line, "clear")["op"] == "clear"
-
-
-def count(server: ViewerServer) -> int:
-    return server.pages.client_count

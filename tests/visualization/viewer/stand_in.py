@@ -18,6 +18,14 @@ from pointloom.visualization.viewer.link.delivery import Channel, Delivery
 from pointloom.visualization.viewer.link.wire import read
 from pointloom.visualization.viewer.tools.toolbox import Toolbox
 
+from .events import wait_until
+
+
+def waves(side: int = 40) -> np.ndarray:
+    """A surface with points some ten pixels apart."""
+    x, y = (a.ravel() / side * 4 - 2 for a in np.mgrid[:side, :side].astype(float))
+    return np.column_stack([x, y, 0.2 * np.sin(2 * x) * np.cos(3 * y) + 0.05 * x * y])
+
 
 class Seen(dict):
     """A node, a control or another object of the page, its fields by name."""
@@ -171,6 +179,15 @@ def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
             worker._thread.join(60)
 
 
+def toolbox_of(viewer: Any) -> Toolbox:
+    """The idle tools of the first page."""
+    wait_until(lambda: viewer.sessions)
+    session = next(iter(viewer.sessions.values()))
+    wait_until(lambda: session._toolbox is not None)
+    session._toolbox._worker.submit(lambda: None).result(60)
+    return session._toolbox
+
+
 def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
     delivery = Delivery()
     shared, private = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
@@ -274,8 +291,7 @@ class StandIn:
 
     def click(self, x: float, y: float) -> None:
         camera = self.now.intrinsic
-        share = {"x": (x + 0.5) / camera.width, "y": (y + 0.5) / camera.height}
-        self.page.send("click", **share)
+        self.page.send("click", x=(x + 0.5) / camera.width, y=(y + 0.5) / camera.height)
         self.wait()
 
     @property

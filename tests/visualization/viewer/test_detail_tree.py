@@ -47,9 +47,8 @@ def test_nodes_are_the_same_on_every_device_and_in_every_run(device, rng):
     points = hills(rng, 30_000, UTM)
     tree = DetailTree.from_cloud(loom.PointCloud(points, device=device))
     plain = DetailTree.from_cloud(loom.PointCloud(points, device="cpu"))
-    assert np.array_equal(tree._order, plain._order)
-    assert np.array_equal(tree.counts, plain.counts)
-    assert np.array_equal(tree.middles, plain.middles)
+    for name in ("_order", "counts", "middles"):
+        assert np.array_equal(getattr(tree, name), getattr(plain, name)), name
 
 
 @pytest.mark.slow
@@ -64,8 +63,7 @@ def test_points_down_to_a_level_are_evenly_spaced(rng):
         voxels = np.unique(np.floor((drawn - tree._corner - tree.origin) / spacing), axis=0)
         every = np.unique(np.floor((points - tree._corner - tree.origin) / spacing), axis=0)
         assert len(drawn) - len(voxels) <= len(nodes) * MIN_POINTS + len(drawn) / SHARE
-        open_cells = tree.levels.max() > level
-        assert len(voxels) >= (0.8 if open_cells else 1.0) * len(every)
+        assert len(voxels) >= (0.8 if tree.levels.max() > level else 1.0) * len(every)
 
 
 @pytest.mark.slow
@@ -96,8 +94,7 @@ def test_large_nodes_are_cut_and_stay_within_their_cubes(rng, monkeypatch):
 )  # fmt: skip
 def test_odd_clouds_have_trees(points):
     points = np.asarray(points, np.float64)
-    cloud = loom.PointCloud(points, origin=np.zeros(3))
-    tree = DetailTree.from_cloud(cloud)
+    tree = DetailTree.from_cloud(loom.PointCloud(points, origin=np.zeros(3)))
     check_nodes(tree, points)
     if len(tree):
         assert tree.select(fit_view(points), 10**6)
@@ -160,8 +157,7 @@ def test_the_tree_of_a_file_is_that_of_its_cloud(tmp_path, suffix, rng, monkeypa
         pytest.importorskip("laspy")
     monkeypatch.setattr("pointloom.visualization.viewer.detail_tree._PART", 7_001)
     path = tmp_path / f"cloud{suffix}"
-    points = np.round(hills(rng, 25_000, UTM), 3)
-    cloud = loom.PointCloud(points)
+    cloud = loom.PointCloud(np.round(hills(rng, 25_000, UTM), 3))
     if suffix != ".xyz":
         cloud.colors = rng.integers(0, 256, (25_000, 3)) / 255
         cloud["intensity"] = np.arange(25_000, dtype=np.uint16) % 999
@@ -178,8 +174,7 @@ def test_the_tree_of_a_file_is_that_of_its_cloud(tmp_path, suffix, rng, monkeypa
         if suffix == ".xyz":
             assert node.colors is None
             continue
-        expected = np.rint(read.colors[node.indices] * 255)
-        assert np.array_equal(node.colors, expected)
+        assert np.array_equal(node.colors, np.rint(read.colors[node.indices] * 255))
         assert np.array_equal(tree.attributes["intensity"], read["intensity"])
 
 

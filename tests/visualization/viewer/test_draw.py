@@ -30,10 +30,9 @@ from pointloom.visualization.viewer.tools.picking import Pick, project
 from ...sigint import sigint_enabled
 from .events import announce, join_threads, wait_until
 from .pages import visitor_of
-from .stand_in import page_in
+from .stand_in import page_in, toolbox_of
 
 ROOT = Path(__file__).resolve().parents[3]
-UTM = np.array([500_000.0, 5_600_000.0, 300.0])
 
 
 @pytest.fixture
@@ -86,22 +85,29 @@ def test_without_a_display_a_numbered_image_is_written(cloud, capfd, monkeypatch
 
 
 @pytest.mark.parametrize(
-    ("environment", "mode"),
+    ("system", "environment", "mode", "is_opened"),
     [
-        ({}, "file"),
-        ({"DISPLAY": ":0"}, "page"),
-        ({"BROWSER": "open-there"}, "page"),
-        ({"SSH_CONNECTION": "1 2 3 4"}, "page"),
-        ({"DISPLAY": ":0", "CI": "true"}, "file"),
-        ({"POINTLOOM_DRAW": "page"}, "page"),
-        ({"DISPLAY": ":0", "POINTLOOM_DRAW": "picture"}, "picture"),
+        ("linux", {}, "file", False),
+        ("linux", {"DISPLAY": ":0"}, "page", True),
+        ("linux", {"WAYLAND_DISPLAY": "wayland-0"}, "page", True),
+        ("linux", {"BROWSER": "open-there"}, "page", True),
+        ("linux", {"SSH_CONNECTION": "1 2 3 4"}, "page", False),
+        ("linux", {"DISPLAY": ":0", "SSH_CONNECTION": "x"}, "page", False),
+        ("linux", {"DISPLAY": ":0", "CI": "true"}, "file", False),
+        ("linux", {"POINTLOOM_DRAW": "page"}, "page", False),
+        ("linux", {"DISPLAY": ":0", "POINTLOOM_DRAW": "picture"}, "picture", True),
+        ("darwin", {}, "page", True),
+        ("darwin", {"SSH_CONNECTION": "x"}, "page", False),
+        ("win32", {}, "page", True),
     ],
 )
-def test_a_page_is_served_where_a_browser_can_show_it(monkeypatch, environment, mode):
+def test_a_page_is_served_and_opened_where_a_browser_can_show_it(monkeypatch, system, environment, mode, is_opened):
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
-    monkeypatch.setattr(drawing, "sys", SimpleNamespace(platform="linux"))
+    monkeypatch.setattr(drawing, "sys", SimpleNamespace(platform=system))
+    monkeypatch.setattr(drawing.webbrowser, "open", lambda url: url == "http://page")
     assert drawing.draw_mode() == mode
+    assert drawing.open_page(SimpleNamespace(url="http://page")) is is_opened
 
 
 def test_a_display_without_a_browser_is_none(monkeypatch):
@@ -232,51 +238,11 @@ def test_a_browser_opens_where_there_is_a_display(cloud, monkeypatch):
         assert len(opened) == 1
 
 
-@pytest.mark.parametrize(
-    ("system", "environment", "is_opened"),
-    [
-        ("linux", {}, False),
-        ("linux", {"DISPLAY": ":0"}, True),
-        ("linux", {"WAYLAND_DISPLAY": "wayland-0"}, True),
-        ("linux", {"DISPLAY": ":0", "SSH_CONNECTION": "x"}, False),
-        ("darwin", {}, True),
-        ("darwin", {"SSH_CONNECTION": "x"}, False),
-        ("win32", {}, True),
-    ],
-)
-def test_a_browser_is_started_where_there_is_a_screen(system, environment, is_opened, monkeypatch):
-    for name, value in environment.items():
-        monkeypatch.setenv(name, value)
-    monkeypatch.setattr(drawing, "sys", SimpleNamespace(platform=system))
-    monkeypatch.setattr(drawing.webbrowser, "open", lambda url: url == "http://page")
-    assert drawing.open_page(SimpleNamespace(url="http://page")) is is_opened
-
-
-@pytest.fixture
-def viewer():
-    with loom.Viewer(port=0) as viewer:
-        yield viewer
-
-
-@pytest.fixture
-def page(viewer):
-    with page_in(viewer) as page:
-        yield page
-
-
 def idle(viewer):
     """Wait until the program's functions have been called."""
     done = threading.Event()
     viewer._calls().call(None, done.set)
     assert done.wait(60)
-
-
-def toolbox_of(viewer):
-    """The idle tools of the only page."""
-    (session,) = viewer.sessions.values()
-    wait_until(lambda: session._toolbox is not None)
-    session._toolbox._worker.submit(lambda: None).result(60)
-    return session._toolbox
 
 
 def test_a_button_calls_with_the_number_of_the_page_in_a_thread_of_its_own(viewer, page):
@@ -424,8 +390,7 @@ def test_clicks_are_reported_while_a_callback_is_registered(viewer, page):
 def test_a_pick_has_the_attributes_of_its_point():
     cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], colors=[[0, 0, 0], [1, 0, 0]])
     cloud["intensity"] = np.array([5, 9], np.uint16)
-    item = make_item("cloud", 0, cloud, Style())
-    pick = with_attributes(Pick("cloud", 1, cloud.points[1]), item)
+    pick = with_attributes(Pick("cloud", 1, cloud.points[1]), make_item("cloud", 0, cloud, Style()))
     assert pick.attributes["intensity"] == 9 and pick.attributes["color"].tolist() == [1, 0, 0]
     assert {*pick.attributes} == {"intensity", "color"}
     surface = Pick("mesh", None, np.zeros(3), 4)

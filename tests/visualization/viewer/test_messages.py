@@ -3,7 +3,6 @@
 import json
 import os
 import socket
-import struct
 import threading
 from contextlib import ExitStack
 
@@ -21,7 +20,7 @@ from pointloom.visualization.viewer.link.scene import Scene
 
 from .events import announce, wait_until
 from .hostile_pages import HOSTILE_VALUES, hostile_messages, near_messages
-from .pages import CAMERA, client_of, count, hear, hear_until, is_well, line_of, page_of, send, silent_line
+from .pages import CAMERA, client_of, hear, hear_until, is_well, line_of, page_of, send, silent_line, unpack
 
 
 def move_to(line, fov: float) -> None:
@@ -281,7 +280,7 @@ def test_two_hundred_connections_are_limited_without_affecting_others(server):
         assert refused == 200 - (hub.MAX_CLIENTS - 1)
         server.pages.scene.add_group()
         assert hear_until(first, "node")["kind"] == "group"
-    wait_until(lambda: count(server) == 0)
+    wait_until(lambda: server.pages.client_count == 0)
     assert is_well(server)
     for line in silent:
         line.close()
@@ -298,9 +297,9 @@ def test_a_page_that_does_not_read_is_dropped_and_others_are_served(server, impa
     server.pages.scene.add_points(np.zeros((500_000, 3), np.float32), plain=(255, 0, 0))
     line = silent_line(server)
     with page_of(server) as good:
-        wait_until(lambda: count(server) == 2)
+        wait_until(lambda: server.pages.client_count == 2)
         assert len(hear_until(good, "node")["positions"]) == 500_000
-        wait_until(lambda: count(server) == 1)
+        wait_until(lambda: server.pages.client_count == 1)
         server.pages.scene.add_group()
         assert hear_until(good, "node")["kind"] == "group"
     line.close()
@@ -312,20 +311,20 @@ def test_a_slow_page_stays_connected(server, impatient, monkeypatch):
     announce(monkeypatch, hub, "_unsent_bytes")
     server.pages.scene.add_points(np.zeros((3_000_000, 3), np.float32), plain=(255, 0, 0))
     with silent_line(server, buffer=1 << 20) as line:
-        wait_until(lambda: count(server) == 1)
+        wait_until(lambda: server.pages.client_count == 1)
         read = 0
         for look in range(1, 2 * round(hub.STALL_SECONDS / hub.WATCH_SECONDS)):
-            wait_until(lambda look=look: len(looks) > look or count(server) == 0)
+            wait_until(lambda look=look: len(looks) > look or server.pages.client_count == 0)
             for _ in range(5):
                 read += len(line.recv(100_000))
-        assert count(server) == 1
+        assert server.pages.client_count == 1
         assert 500_000 < read < 35_000_000  # the page was never idle
 
 
 def test_a_page_that_answers_no_ping_is_dropped(server, impatient):
     with silent_line(server):
-        wait_until(lambda: count(server) == 1)
-        wait_until(lambda: count(server) == 0)
+        wait_until(lambda: server.pages.client_count == 1)
+        wait_until(lambda: server.pages.client_count == 0)
 
 
 def test_the_queue_of_a_page_is_bounded(server, monkeypatch):
@@ -337,7 +336,7 @@ def test_the_queue_of_a_page_is_bounded(server, monkeypatch):
 
         def is_dropped_as_more_comes() -> bool:
             client.scene.add_points(points)
-            return count(server) == 0
+            return server.pages.client_count == 0
 
         wait_until(is_dropped_as_more_comes)
         wait_until(lambda: not client.is_open)
@@ -348,11 +347,7 @@ class Page:
 
     def __init__(self, delivery: Delivery):
         self.channel = Channel(delivery, is_shared=False)
-        self.delivery, self.woken = delivery, 0
-        self.outbox = delivery.join(self.channel, self._wake)
-
-    def _wake(self) -> None:
-        self.woken += 1
+        self.delivery, self.outbox = delivery, delivery.join(self.channel, lambda: None)
 
     def read(self) -> list[dict]:
         return self.delivery.take(self.outbox)[0]
@@ -386,26 +381,18 @@ POINTS = np.arange(15, dtype=np.float32).reshape(5, 3)
 @pytest.mark.parametrize("rows", [0, 1, 5, SLICE // 12 * 3 + 1])
 def test_arrays_are_at_their_declared_offsets_without_copies(rows):
     positions, colors = np.full((rows, 3), 0.5, np.float32), np.full((rows, 3), 7, np.uint8)
-    pieces = list(pack([{"op": "node", "id": 1, "positions": positions, "label": "ä\ud800"}, {"op": "x", "c": colors}]))
+    operations = [{"op": "node", "id": 1, "positions": positions, "label": "ä\ud800"}, {"op": "x", "colors": colors}]
+    pieces = list(pack(operations))
     assert max(map(len, pieces)) <= SLICE
-    assert rows < 5 or any(
-        np.shares_memory(np.frombuffer(piece, np.uint8), positions) for piece in pieces if len(piece)
-    )
-    message = b"".join(pieces)
-    (length,) = struct.unpack("<I", message[:4])
-    content = json.loads(message[4 : 4 + length])
-    assert (4 + length) % 8 == 0
-    for number, values in enumerate((positions, colors)):
-        kind, count, width, offset = content["arrays"][number]
-        assert offset % 8 == 0
-        assert np.array_equal(np.frombuffer(message, f"<{kind}", count * width, offset).reshape(count, width), values)
+    assert rows < 5 or any(np.shares_memory(np.frombuffer(part, np.uint8), positions) for part in pieces if len(part))
+    node, other = unpack(b"".join(pieces))
+    for sent, values in ((node["positions"], positions), (other["colors"], colors)):
+        assert sent.dtype == values.dtype and np.array_equal(sent, values)
 
 
 def test_only_values_unsupported_by_json_are_omitted(caplog):
-    message = b"".join(
-        pack([{"op": "a", "x": float("nan")}, {"op": "b", "x": np.float32(0.5)}, {"op": "c", "x": POINTS}])
-    )
-    assert [op["op"] for op in json.loads(message[4 : 4 + struct.unpack("<I", message[:4])[0]])["do"]] == ["b", "c"]
+    pieces = pack([{"op": "a", "x": float("nan")}, {"op": "b", "x": np.float32(0.5)}, {"op": "c", "x": POINTS}])
+    assert [op["op"] for op in unpack(b"".join(pieces))] == ["b", "c"]
     assert "could not be sent" in caplog.text
 
 

@@ -15,17 +15,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.visualization.viewer import draw as cells
-from pointloom.visualization.viewer import draw as drawing
-from pointloom.visualization.viewer.draw import (
-    HOSTED_NOTEBOOKS,
-    MAX_BYTES,
-    MAX_OPEN,
-    VARIABLE,
-    InlinePage,
-    keep,
-    make_room,
-    wants_inline,
-)
+from pointloom.visualization.viewer.draw import HOSTED_NOTEBOOKS, MAX_OPEN, VARIABLE, InlinePage, wants_inline
 from pointloom.visualization.viewer.server import ViewerError, ViewerExtraError
 
 from .events import wait_until
@@ -49,9 +39,7 @@ def notebook(monkeypatch):
 @pytest.fixture
 def without_extra(monkeypatch):
     """Simulate a missing optional package."""
-    for name in [
-        name for name in sys.modules if name.split(".")[0] == "websockets" or ".visualization.viewer.link" in name
-    ]:
+    for name in [n for n in sys.modules if n.split(".")[0] == "websockets" or ".visualization.viewer.link" in n]:
         monkeypatch.delitem(sys.modules, name)
     import_module = builtins.__import__
 
@@ -86,8 +74,7 @@ def test_a_notebook_goes_on_at_once_and_shows_the_page(notebook, cloud, capfd):
 
 
 def page_in(shown):
-    inner = shown.partition('srcdoc="')[2].partition('"')[0]
-    return html.unescape(inner)
+    return html.unescape(shown.partition('srcdoc="')[2].partition('"')[0])
 
 
 def test_the_page_is_embedded_if_the_extra_is_missing(notebook, without_extra, cloud):
@@ -122,15 +109,15 @@ def test_colab_and_the_environment_variable_embed_the_page(notebook, monkeypatch
 
 
 def test_an_embedded_page_is_bounded_and_reports_omissions(cloud, monkeypatch, rng):
-    monkeypatch.setattr(drawing, "MAX_BYTES", 250_000)
+    assert cells.MAX_BYTES == 4 * 2**20
+    monkeypatch.setattr(cells, "MAX_BYTES", 250_000)
     many = loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3)))
     page = loom.draw({"many": many, "few": cloud}, inline=True, width=160, height=120)
     assert page.html is not None and 100_000 < len(page.html) <= 250_000
     assert "of 60,000 points" in repr(page) and "MB of this notebook" in repr(page)
-    monkeypatch.setattr(drawing, "MAX_BYTES", 10_000)  # less than the player
+    monkeypatch.setattr(cells, "MAX_BYTES", 10_000)  # less than the player
     page = loom.draw(many, inline=True, width=160, height=120)
     assert page.html is None and "<iframe" not in page._repr_mimebundle_()["text/html"]
-    assert MAX_BYTES == 4 * 2**20
 
 
 def test_a_script_gets_an_install_hint(without_extra, cloud):
@@ -143,7 +130,7 @@ def test_the_page_is_embedded_if_no_port_is_free(notebook, cloud, monkeypatch):
     def refuse(**_):
         raise ViewerError("ports 8080 to 8099: all in use")
 
-    monkeypatch.setattr(drawing, "Viewer", refuse)
+    monkeypatch.setattr(cells, "Viewer", refuse)
     assert "all in use" in repr(loom.draw([cloud], width=160, height=120))
 
 
@@ -155,8 +142,7 @@ def test_printing_costs_a_small_table_and_no_picture(monkeypatch, cloud):
     mesh = loom.TriangleMesh.create_box()
     lines = loom.LineSet.create_from_triangle_mesh(mesh)
     box = mesh.get_axis_aligned_bounding_box()
-    summary = loom.compare_meshes(mesh, mesh)
-    for shown in (cloud, mesh, lines, box, mesh.get_oriented_bounding_box(), summary):
+    for shown in (cloud, mesh, lines, box, mesh.get_oriented_bounding_box(), loom.compare_meshes(mesh, mesh)):
         text = shown._repr_html_()
         assert text.startswith("<table><caption>" + type(shown).__name__) and len(text) < 3000
     assert "<td>triangles</td><td>int32 [12, 3]</td>" in mesh._repr_html_()
@@ -199,9 +185,9 @@ def kernel(monkeypatch):
 
 
 def opened():
-    make_room()
+    cells.make_room()
     viewer = StandIn()
-    keep(viewer)
+    cells.keep(viewer)
     return viewer
 
 

@@ -11,29 +11,19 @@ from pointloom.visualization.viewer.sessions import SIGNS, Pace
 from .events import wait_until
 
 
-def test_a_step_waits_for_a_number_of_acknowledgements():
+@pytest.mark.parametrize("leaves", [False, True], ids=["stays", "leaves"])
+def test_a_step_waits_for_a_number_of_acknowledgements_and_not_for_a_page_that_leaves(leaves):
     requests = []
 
     def request_sign():
         requests.append(len(requests))
         pace.answer()
-
-    pace = Pace(request_sign)
-    assert pace.wait() and len(requests) == SIGNS
-
-
-def test_a_page_that_leaves_ends_the_wait_and_gets_no_more_requests():
-    requests = []
-
-    def request_sign():
-        requests.append(len(requests))
-        pace.answer()
-        if len(requests) == SIGNS:
+        if leaves and len(requests) == SIGNS:
             pace.close()
 
     pace = Pace(request_sign)
-    assert not pace.wait()
-    assert not pace.wait() and len(requests) == SIGNS
+    assert pace.wait() != leaves and len(requests) == SIGNS
+    assert not leaves or (not pace.wait() and len(requests) == SIGNS)  # it gets no more requests
 
 
 def test_an_unresponsive_page_gets_the_next_step_after_one_request(monkeypatch):

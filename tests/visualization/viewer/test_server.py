@@ -10,19 +10,16 @@ import re
 import socket
 import subprocess
 import sys
-import textwrap
 import threading
 import time
 import types
 import weakref
-from pathlib import Path
 
 import numpy as np
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-import pointloom as loom
 from pointloom.core.errors import PointloomError
 from pointloom.visualization.viewer import client_presence, scene
 from pointloom.visualization.viewer.client_presence import KEEP_ALIVE, Presence
@@ -33,21 +30,7 @@ from pointloom.visualization.viewer.server import ViewerError, ViewerServer
 from ...sigint import sigint_enabled
 from . import events
 from .events import join_threads, wait_until
-from .pages import (
-    HELLO,
-    count,
-    get,
-    hear,
-    hear_until,
-    is_well,
-    line_of,
-    page_of,
-    send,
-    send_raw,
-    silent_line,
-    visitor_of,
-    with_token,
-)
+from .pages import HELLO, get, hear, hear_until, is_well, line_of, page_of, send, send_raw, silent_line, visitor_of
 
 
 def test_the_server_listens_on_loopback_only(server):
@@ -164,9 +147,8 @@ def test_the_policy_names_the_scripts_and_styles_that_the_page_has(server):
     inside = re.findall(rb"<(script|style)\b[^>]*>(.*?)</\1>", body, re.DOTALL)
     assert inside
     for _, text in inside:
-        assert (
-            f"'sha256-{base64.b64encode(hashlib.sha256(text).digest()).decode()}'" in headers["content-security-policy"]
-        )
+        digest = base64.b64encode(hashlib.sha256(text).digest()).decode()
+        assert f"'sha256-{digest}'" in headers["content-security-policy"]
 
 
 def test_only_the_page_is_served(server):
@@ -174,7 +156,7 @@ def test_only_the_page_is_served(server):
         "/etc/passwd", "/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%5c..%5cetc", "//etc/passwd", "/.",
         "/index.html", "/%00", "/live", "/LIVE", "/live/", "http://127.0.0.1/", "*",
     ):  # fmt: skip
-        status, _, body = get(server, with_token(server, path))
+        status, _, body = get(server, f"{path}?token={server.pages.token}")
         assert status == 404 and b"root:" not in body, path
 
 
@@ -241,7 +223,7 @@ def test_closing_does_not_wait_for_a_page_that_does_not_read(monkeypatch):
     with ViewerServer(port=0) as server:
         server.pages.scene.add_points(np.zeros((200_000, 3), np.float32), plain=(255, 0, 0))
         with silent_line(server):
-            wait_until(lambda: count(server) == 1)
+            wait_until(lambda: server.pages.client_count == 1)
             thread = server.pages._hub._thread
             server.close()
             thread.join(60)
@@ -258,14 +240,15 @@ def test_pages_receive_the_last_message_before_they_are_closed():
         assert ended.value.rcvd.code == 1001
 
 
-def run_python(script: str, **settings) -> subprocess.CompletedProcess[str]:
-    source = textwrap.dedent(script)
-    return subprocess.run(
-        [sys.executable, "-W", "error", "-c", source], capture_output=True, text=True, timeout=300, **settings
-    )
-
-
 SRC = os.pathsep.join(path for path in sys.path if path)
+
+
+def run_python(script: str, *options: str) -> tuple[int, str, str]:
+    """The exit status, stdout and stderr of a script."""
+    environment = os.environ | {"PYTHONPATH": SRC}
+    line = [sys.executable, *options, "-c", script]
+    done = subprocess.run(line, capture_output=True, text=True, timeout=300, env=environment)
+    return done.returncode, done.stdout, done.stderr
 
 
 @pytest.mark.parametrize(
@@ -291,11 +274,9 @@ except KeyboardInterrupt:
     pass
 """
     with sigint_enabled():
-        done = run_python(script, env=os.environ | {"PYTHONPATH": SRC})
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+        assert run_python(script, "-W", "error") == (0, "", "")
 
 
-ROOT = Path(__file__).resolve().parents[3]
 PARENT = """
 import os, signal, socket, warnings
 from pointloom.visualization.viewer.server import ViewerServer
@@ -330,11 +311,7 @@ finally:
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no forks here")
 def test_a_surviving_child_inherits_neither_port_nor_pages():
-    environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
-    completed = subprocess.run(
-        [sys.executable, "-c", PARENT], capture_output=True, text=True, env=environment, timeout=300
-    )
-    assert (completed.stdout.splitlines(), completed.stderr) == (["True", "b'HTTP/1.1 404'", "b''", "True (0, 0)"], "")
+    assert run_python(PARENT) == (0, "True\nb'HTTP/1.1 404'\nb''\nTrue (0, 0)\n", "")
 
 
 def test_a_closed_port_does_not_respond_though_another_process_has_its_socket():
@@ -352,28 +329,22 @@ LOCAL = RequestGuard()
 OPEN = RequestGuard(frozenset({"scanner.lab", "scanner"}), any_address=True)
 
 
-def request_headers(host: str, **others: str) -> dict[str, list[str]]:
-    return {"host": [host]} | {name.replace("_", "-"): [value] for name, value in others.items()}
+def is_refused(guard: RequestGuard, host: str, websocket: bool = False, **others: str) -> bool:
+    headers = {"host": [host]} | {name.replace("_", "-"): [value] for name, value in others.items()}
+    return bool(guard.refusal(headers, websocket=websocket))
 
 
-@pytest.mark.parametrize(
-    "host", ["127.0.0.1:8080", "localhost:9000", "LOCALHOST", "[::1]:8080", "127.0.1.1", "localhost.:8080"]
-)
-def test_loopback_is_answered_under_any_port(host):
-    assert LOCAL.refusal(request_headers(host), websocket=False) == ""
-    assert LOCAL.refusal(request_headers(host, origin=f"http://{host}"), websocket=True) == ""
+LOOPBACK = ["127.0.0.1:8080", "localhost:9000", "LOCALHOST", "[::1]:8080", "127.0.1.1", "localhost.:8080"]
+NO_LOOPBACK = [
+    "evil.example:8080", "127.0.0.1.evil.example", "localhost.evil.example", "evil-localhost", "192.168.1.5:8080",
+    "", "127.0.0.1:8080:80", "127.0.0.1@evil.example", "[::1", "127.0.0.1:8080/", "0x7f.1", "127.0.0.1 ", "a" * 300,
+]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "host",
-    [
-        "evil.example:8080", "127.0.0.1.evil.example", "localhost.evil.example", "evil-localhost", "192.168.1.5:8080",
-        "", "127.0.0.1:8080:80", "127.0.0.1@evil.example", "[::1", "127.0.0.1:8080/", "0x7f.1", "127.0.0.1 ", "a" * 300,
-    ],
-)  # fmt: skip
-def test_a_name_that_only_points_here_is_refused(host):
-    assert LOCAL.refusal(request_headers(host), websocket=False)
-    assert LOCAL.refusal(request_headers(host, origin=f"http://{host}"), websocket=True)
+@pytest.mark.parametrize("host", LOOPBACK + NO_LOOPBACK)
+def test_loopback_is_answered_under_any_port_and_a_name_that_only_points_here_is_refused(host):
+    for more in ({}, {"websocket": True, "origin": f"http://{host}"}):
+        assert is_refused(LOCAL, host, **more) == (host in NO_LOOPBACK)
 
 
 def test_two_hosts_or_none_are_refused():
@@ -390,39 +361,32 @@ def test_two_hosts_or_none_are_refused():
     ],
 )  # fmt: skip
 def test_a_page_from_elsewhere_is_refused(origin):
-    for websocket in (False, True):
-        assert LOCAL.refusal(request_headers("127.0.0.1:8080", origin=origin), websocket=websocket)
+    assert all(is_refused(LOCAL, "127.0.0.1:8080", websocket, origin=origin) for websocket in (False, True))
 
 
 def test_a_websocket_without_an_origin_is_refused_and_a_page_is_not():
-    assert LOCAL.refusal(request_headers("127.0.0.1:8080"), websocket=True)
-    assert not LOCAL.refusal(request_headers("127.0.0.1:8080"), websocket=False)
+    assert is_refused(LOCAL, "127.0.0.1:8080", websocket=True) and not is_refused(LOCAL, "127.0.0.1:8080")
     assert LOCAL.refusal({"host": ["127.0.0.1"], "origin": ["http://127.0.0.1"] * 2}, websocket=True)
 
 
 def test_default_ports_are_the_same_as_none():
-    assert not LOCAL.refusal(request_headers("localhost", origin="http://localhost:80"), websocket=True)
-    assert not LOCAL.refusal(request_headers("localhost:443", origin="https://localhost"), websocket=True)
-    assert LOCAL.refusal(request_headers("localhost:80", origin="https://localhost"), websocket=True)
+    for host, origin in (("localhost", "http://localhost:80"), ("localhost:443", "https://localhost")):
+        assert not is_refused(LOCAL, host, websocket=True, origin=origin)
+    assert is_refused(LOCAL, "localhost:80", websocket=True, origin="https://localhost")
 
 
-@pytest.mark.parametrize("site", ["cross-site", "same-site"])
+@pytest.mark.parametrize("site", ["cross-site", "same-site", "same-origin"])
 def test_fetching_and_embedding_from_elsewhere_is_refused_even_without_an_origin(site):
-    for mode in ("no-cors", "cors", "same-origin"):
-        assert LOCAL.refusal(request_headers("127.0.0.1", sec_fetch_site=site, sec_fetch_mode=mode), websocket=False)
-    assert not LOCAL.refusal(
-        request_headers("127.0.0.1", sec_fetch_site=site, sec_fetch_mode="navigate"), websocket=False
-    )
-    assert not LOCAL.refusal(
-        request_headers("127.0.0.1", sec_fetch_site="same-origin", sec_fetch_mode="cors"), websocket=False
-    )
+    for mode in ("no-cors", "cors", "same-origin", "navigate"):
+        refused = site != "same-origin" and mode != "navigate"
+        assert is_refused(LOCAL, "127.0.0.1", sec_fetch_site=site, sec_fetch_mode=mode) == refused
 
 
 def test_a_server_for_others_answers_under_its_addresses_and_its_own_names():
     for host in ("192.168.1.5:8080", "scanner.lab:8080", "Scanner:8080", "[fe80::1]:8080", "localhost:8080"):
-        assert not OPEN.refusal(request_headers(host), websocket=False)
-    assert OPEN.refusal(request_headers("evil.example:8080"), websocket=False)
-    assert OPEN.refusal(request_headers("192.168.1.5:8080", origin="http://192.168.1.6:8080"), websocket=True)
+        assert not is_refused(OPEN, host)
+    assert is_refused(OPEN, "evil.example:8080")
+    assert is_refused(OPEN, "192.168.1.5:8080", websocket=True, origin="http://192.168.1.6:8080")
 
 
 def test_no_header_can_be_smuggled_in_by_a_host():
@@ -438,12 +402,6 @@ def test_the_page_may_connect_only_to_its_server_and_run_only_its_scripts():
     assert (rules["script-src"], rules["style-src"]) == ("'sha256-abc='", "'none'")
     assert "unsafe" not in headers["Content-Security-Policy"]
     assert "*" not in rules["frame-ancestors"].replace(":*", "")
-
-
-@pytest.fixture
-def shown():
-    with loom.Viewer(port=0) as viewer:
-        yield viewer
 
 
 class Waiting:
@@ -478,49 +436,49 @@ class Waiting:
         return not self.over.is_set()
 
 
-def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd, monkeypatch):
+def test_wait_ends_a_while_after_the_last_page_has_gone(viewer, capfd, monkeypatch):
     with pytest.raises(ValueError, match="seconds"):
-        shown.wait(-1)
-    waiting = Waiting(shown, 100, monkeypatch)
+        viewer.wait(-1)
+    waiting = Waiting(viewer, 100, monkeypatch)
     waiting.clock_offset = 1000.0
     assert waiting.goes_on()  # there was no page yet
-    with visitor_of(shown.server):
-        wait_until(lambda: shown.sessions)
+    with visitor_of(viewer.server):
+        wait_until(lambda: viewer.sessions)
         waiting.clock_offset = 2000.0
         assert waiting.goes_on()
-    wait_until(lambda: not shown.sessions)
+    wait_until(lambda: not viewer.sessions)
     assert waiting.goes_on()
     waiting.clock_offset += 101
     assert waiting.over.wait(60)
-    ending = f"ending in 100 s (open {shown.url} again to stay, Ctrl-C ends now)"
+    ending = f"ending in 100 s (open {viewer.url} again to stay, Ctrl-C ends now)"
     assert capfd.readouterr() == ("", f"the last page has closed; {ending}\n")
 
 
-def test_a_reloaded_page_extends_the_wait_on_slow_connections(shown, capfd, monkeypatch):
-    with visitor_of(shown.server):
-        wait_until(lambda: shown.sessions)
-    wait_until(lambda: not shown.sessions)
-    waiting = Waiting(shown, 100, monkeypatch)
+def test_a_reloaded_page_extends_the_wait_on_slow_connections(viewer, capfd, monkeypatch):
+    with visitor_of(viewer.server):
+        wait_until(lambda: viewer.sessions)
+    wait_until(lambda: not viewer.sessions)
+    waiting = Waiting(viewer, 100, monkeypatch)
     for _ in range(2):  # the page is requested, but its websocket is late
         waiting.clock_offset += 70
         assert waiting.goes_on()
-        assert get(shown.server)[0] == 200
-    with visitor_of(shown.server):
+        assert get(viewer.server)[0] == 200
+    with visitor_of(viewer.server):
         wait_until(lambda: "a page is open again" in stderr_of(capfd))
         waiting.clock_offset += 130
         assert waiting.goes_on()
-    wait_until(lambda: not shown.sessions)
+    wait_until(lambda: not viewer.sessions)
     waiting.clock_offset += 101
     assert waiting.over.wait(60)
 
 
-def test_rejected_requests_count_as_no_page(shown):
-    before = shown.server.last_request
-    assert get(shown.server, Host="evil.example")[0] == 403
-    assert get(shown.server, "/favicon.ico")[0] == 404
-    assert shown.server.last_request == before
-    get(shown.server)
-    assert shown.server.last_request > before and time.monotonic() - shown.server.last_request < 60
+def test_rejected_requests_count_as_no_page(viewer):
+    before = viewer.server.last_request
+    assert get(viewer.server, Host="evil.example")[0] == 403
+    assert get(viewer.server, "/favicon.ico")[0] == 404
+    assert viewer.server.last_request == before
+    get(viewer.server)
+    assert viewer.server.last_request > before and time.monotonic() - viewer.server.last_request < 60
 
 
 NOW = 1e10  # [s]
@@ -528,11 +486,9 @@ NOW = 1e10  # [s]
 
 def viewer_stub(seconds):
     """A viewer whose last page left `seconds` ago, or that had no page yet."""
-    last_seen = None if seconds is None else NOW - seconds
+    seen = None if seconds is None else NOW - seconds
     server = types.SimpleNamespace(last_request=-math.inf)
-    return types.SimpleNamespace(
-        url="http://u", sessions={}, _last_seen=last_seen, server=server, _ended=threading.Event()
-    )
+    return types.SimpleNamespace(url="http://u", sessions={}, _last_seen=seen, server=server, _ended=threading.Event())
 
 
 @pytest.mark.parametrize(

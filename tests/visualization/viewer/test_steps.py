@@ -1,9 +1,6 @@
 """Fast first image: clouds arrive in steps at the pace of the page; and the timeline of a live recording."""
 
 import logging
-import os
-import subprocess
-import sys
 import threading
 from types import SimpleNamespace
 
@@ -23,7 +20,8 @@ from pointloom.visualization.viewer.tools.picking import project
 from pointloom.visualization.viewer.viewer import Viewer
 
 from .events import TIMEOUT, join_threads, wait_until
-from .stand_in import StandIn, page_in
+from .stand_in import StandIn, page_in, toolbox_of
+from .test_server import run_python
 
 RED = (1.0, 0.0, 0.0)
 
@@ -70,70 +68,66 @@ def test_each_point_is_in_one_step_and_each_step_everywhere():
     assert [len(rows) for rows in in_steps(0)] == [0]
 
 
-def test_a_part_comes_at_once_and_the_rest_in_steps(small_steps, rng):
-    with Viewer(port=0) as shown, page_in(shown):
-        wait_until(lambda: bool(shown.sessions))
-        with shown.lock:
-            shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
-            stream = stream_of(shown)
-            assert stream.drawn == 100
-            assert line_of(shown) == "100 of 1,000 points"
-        wait_until(lambda: stream.drawn == 1000)
-        assert line_of(shown) == "1,000 points"
-        assert (np.sort(np.concatenate(stream._sent)) == np.arange(1000)).all()
-        join_threads(lambda thread: is_feeder(thread) and thread.name != "pointloom-tools_0")
+def test_a_part_comes_at_once_and_the_rest_in_steps(small_steps, rng, viewer, page):
+    wait_until(lambda: bool(viewer.sessions))
+    with viewer.lock:
+        viewer.add("cloud", loom.PointCloud(rng.random((1000, 3))))
+        stream = stream_of(viewer)
+        assert stream.drawn == 100
+        assert line_of(viewer) == "100 of 1,000 points"
+    wait_until(lambda: stream.drawn == 1000)
+    assert line_of(viewer) == "1,000 points"
+    assert (np.sort(np.concatenate(stream._sent)) == np.arange(1000)).all()
+    join_threads(lambda thread: is_feeder(thread) and thread.name != "pointloom-tools_0")
 
 
-def test_existing_points_are_replaced_at_once(small_steps, rng):
-    with Viewer(port=0) as shown, page_in(shown) as page:
-        shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
-        stream = stream_of(shown)
-        wait_until(lambda: stream.drawn == 1000)
-        for count in (1500, 150, 900, 0):
-            with shown.lock:
-                shown.update("cloud", loom.PointCloud(rng.random((count, 3))))
-                assert stream.drawn == count
-            wait_until(lambda count=count: stream.drawn == count)
-            assert sum(len(node.positions) for node in nodes_of(page, stream)) == count
+def test_existing_points_are_replaced_at_once(small_steps, rng, viewer, page):
+    viewer.add("cloud", loom.PointCloud(rng.random((1000, 3))))
+    stream = stream_of(viewer)
+    wait_until(lambda: stream.drawn == 1000)
+    for count in (1500, 150, 900, 0):
+        with viewer.lock:
+            viewer.update("cloud", loom.PointCloud(rng.random((count, 3))))
+            assert stream.drawn == count
+        wait_until(lambda count=count: stream.drawn == count)
+        assert sum(len(node.positions) for node in nodes_of(page, stream)) == count
 
 
 def nodes_of(page, stream):
     return [page.nodes[node.id] for node in stream._nodes]
 
 
-def test_colors_size_pose_and_visibility_apply_to_all_steps(small_steps, rng):
-    with Viewer(port=0) as shown, page_in(shown) as page:
-        shown.add("cloud", loom.PointCloud(rng.random((1000, 3)), colors=rng.random((1000, 3))))
-        stream = stream_of(shown)
-        wait_until(lambda: stream.drawn == 1000)
-        shown.color_by("height")
-        colors = np.concatenate([node.colors for node in nodes_of(page, stream)])
-        assert (colors == shown.items["cloud"].colors_of(np.concatenate(stream._sent))).all()
-        shown.point_size = 9.0
-        assert {node.size for node in nodes_of(page, stream)} == {9.0}
-        T = np.eye(4)
-        T[:3, 3] = 5.0
-        shown.set_pose("cloud", T)
-        assert len({tuple(np.round(node.pose, 6)) for node in nodes_of(page, stream)}) == 1
-        shown.set_visible("cloud", False)
-        assert not any(node.visible for node in nodes_of(page, stream))
-        limit = np.sort(shown.items["cloud"].cloud.points[:, 0])[10]
-        stream.set_keep(lambda points: points[:, 0] < limit)
-        assert sum(len(node.positions) for node in nodes_of(page, stream)) == 10
-        shown.remove("cloud")
-        assert stream._nodes == [] and page.nodes == {}
+def test_colors_size_pose_and_visibility_apply_to_all_steps(small_steps, rng, viewer, page):
+    viewer.add("cloud", loom.PointCloud(rng.random((1000, 3)), colors=rng.random((1000, 3))))
+    stream = stream_of(viewer)
+    wait_until(lambda: stream.drawn == 1000)
+    viewer.color_by("height")
+    colors = np.concatenate([node.colors for node in nodes_of(page, stream)])
+    assert (colors == viewer.items["cloud"].colors_of(np.concatenate(stream._sent))).all()
+    viewer.point_size = 9.0
+    assert {node.size for node in nodes_of(page, stream)} == {9.0}
+    T = np.eye(4)
+    T[:3, 3] = 5.0
+    viewer.set_pose("cloud", T)
+    assert len({tuple(np.round(node.pose, 6)) for node in nodes_of(page, stream)}) == 1
+    viewer.set_visible("cloud", False)
+    assert not any(node.visible for node in nodes_of(page, stream))
+    limit = np.sort(viewer.items["cloud"].cloud.points[:, 0])[10]
+    stream.set_keep(lambda points: points[:, 0] < limit)
+    assert sum(len(node.positions) for node in nodes_of(page, stream)) == 10
+    viewer.remove("cloud")
+    assert stream._nodes == [] and page.nodes == {}
 
 
-def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
+def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch, viewer, page):
     monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 60.0)
-    with Viewer(port=0) as shown, page_in(shown) as page:
-        shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
-        stream = stream_of(shown)
-        wait_until(lambda: "pointloom-feed" in feeders())
-        wait_until(lambda: any(op["op"] == "sign" for op in page.look()))
-        assert stream.drawn == 100
-        page.send("sign", n=1)
-        wait_until(lambda: page.answer() and stream.drawn == 1000)
+    viewer.add("cloud", loom.PointCloud(rng.random((1000, 3))))
+    stream = stream_of(viewer)
+    wait_until(lambda: "pointloom-feed" in feeders())
+    wait_until(lambda: any(op["op"] == "sign" for op in page.look()))
+    assert stream.drawn == 100
+    page.send("sign", n=1)
+    wait_until(lambda: page.answer() and stream.drawn == 1000)
 
 
 def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypatch):
@@ -174,42 +168,33 @@ def test_levels_of_a_replaced_cloud_are_freed(small_steps, rng, monkeypatch):
         wait_until(lambda: stream_of(shown).drawn == 50)
 
 
-def test_tools_learn_of_each_change_of_the_scene(rng):
-    with Viewer(port=0) as shown, page_in(shown):
-        shown.add("cloud", loom.PointCloud(rng.random((10, 3))))
-        stream_of(shown)
-        (session,) = shown.sessions.values()
-        wait_until(lambda: session._toolbox is not None)
-        refreshes = []
-        session._toolbox.refresh = lambda: refreshes.append(True)
-        for change in (
-            lambda: shown.set_visible("cloud", False),
-            lambda: shown.set_pose("cloud", np.eye(4)),
-            lambda: shown.update("cloud", loom.PointCloud(rng.random((20, 3)))),
-            lambda: shown.add("other", loom.PointCloud(rng.random((20, 3)))),
-            lambda: shown.remove("other"),
-        ):
-            refreshes.clear()
-            change()
-            shown.catch_up()
-            assert refreshes
+def test_tools_learn_of_each_change_of_the_scene(rng, viewer, page):
+    viewer.add("cloud", loom.PointCloud(rng.random((10, 3))))
+    stream_of(viewer)
+    refreshes = []
+    toolbox_of(viewer).refresh = lambda: refreshes.append(True)
+    other = loom.PointCloud(rng.random((20, 3)))
+    changes = [("set_visible", "cloud", False), ("set_pose", "cloud", np.eye(4)), ("update", "cloud", other)]
+    for method, *given in (*changes, ("add", "other", other), ("remove", "other")):
+        refreshes.clear()
+        getattr(viewer, method)(*given)
+        viewer.catch_up()
+        assert refreshes
 
 
-def test_pictures_show_what_clip_planes_and_crops_leave(rng):
+def test_pictures_show_what_clip_planes_and_crops_leave(rng, viewer, page):
     points = rng.random((4000, 3))
-    with Viewer(port=0) as shown, page_in(shown):
-        shown.add("cloud", loom.PointCloud(points, colors=np.tile(RED, (4000, 1))))
-        stream_of(shown)
-        (session,) = shown.sessions.values()
-        wait_until(lambda: session._toolbox is not None)
-        full = red(shown.screenshot())
-        session._toolbox.stage.clip = Clip(low=[0.8, -9, -9], high=[9, 9, 9])
-        assert 0 < red(shown.screenshot()) < 0.6 * full
-        session._toolbox.stage.clip = Clip()
-        assert red(shown.screenshot()) == full
-        shown.add("part", loom.PointCloud(points[:5], colors=np.tile(RED, (5, 1))))
-        shown.set_visible("cloud", False)  # as a crop does
-        assert 0 < red(shown.screenshot()) < 0.1 * full
+    viewer.add("cloud", loom.PointCloud(points, colors=np.tile(RED, (4000, 1))))
+    stream_of(viewer)
+    toolbox = toolbox_of(viewer)
+    full = red(viewer.screenshot())
+    toolbox.stage.clip = Clip(low=[0.8, -9, -9], high=[9, 9, 9])
+    assert 0 < red(viewer.screenshot()) < 0.6 * full
+    toolbox.stage.clip = Clip()
+    assert red(viewer.screenshot()) == full
+    viewer.add("part", loom.PointCloud(points[:5], colors=np.tile(RED, (5, 1))))
+    viewer.set_visible("cloud", False)  # as a crop does
+    assert 0 < red(viewer.screenshot()) < 0.1 * full
 
 
 def red(picture):
@@ -242,21 +227,11 @@ def test_the_first_picture_of_a_cloud_waits_for_no_compiler():
         "loom.draw(loom.PointCloud([[0, 0, 0], [1, 1, 1]]), port=0, block=False, open_browser=False).close()\n"
         "print(sorted({'taichi', 'scipy.sparse', 'click'} & set(sys.modules)))"
     )
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
-    done = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=True, env=environment
-    )
-    assert done.stdout.strip() == "[]"
+    assert run_python(script)[:2] == (0, "[]\n")
 
 
 POSE = np.eye(4)
 POSE[:3, 3] = 1, 2, 3
-
-
-@pytest.fixture
-def viewer():
-    with Viewer(port=0) as viewer:
-        yield viewer
 
 
 def cloud_of(number, count=4):

@@ -22,7 +22,8 @@ from pointloom.visualization.viewer.detail_tree import DetailTree
 from pointloom.visualization.viewer.items import make_item
 from pointloom.visualization.viewer.streaming import CloudStream
 
-UTM = np.array([512_345.0, 5_402_111.0, 240.0])
+from .test_detail_tree import UTM, hills
+
 BUDGET = 90_000
 
 
@@ -128,14 +129,7 @@ def numbers_of(stream):
     return {sent.node.id: i for i, sent in stream._sent.items() if sent.node is not None}
 
 
-def hills(count, seed=3):
-    rng = np.random.default_rng(seed)
-    points = rng.random((count, 3)) * [80, 60, 0]
-    points[:, 2] = 3 * np.sin(points[:, 0] / 7) * np.cos(points[:, 1] / 9)
-    return points + UTM
-
-
-POINTS = hills(200_000)
+POINTS = hills(np.random.default_rng(3), 200_000, UTM)
 FAR = fit_view(POINTS, width=1000, height=750)
 
 
@@ -167,8 +161,7 @@ def distances_to(points, among):
 
 def test_a_view_is_filled_up_to_the_budget(client, stream):
     stream.look(FAR)
-    assert 0.7 * BUDGET < stream.drawn <= BUDGET
-    assert stream.drawn == len(client.world())
+    assert 0.7 * BUDGET < stream.drawn == len(client.world()) <= BUDGET
     assert stream.total == len(POINTS)
     before = len(client.messages)
     stream.look(FAR)  # again, and nothing is sent
@@ -253,9 +246,7 @@ def test_no_swap_leaves_a_hole_or_doubles_the_points(client, stream):
     stream.look(FAR)
     del client.swaps[:]
     stream.look(moved(FAR, 120.0, 20.0))
-    assert client.swaps
-    assert min(client.swaps) > 0.3 * BUDGET
-    assert max(client.swaps) <= BUDGET
+    assert 0.3 * BUDGET < min(client.swaps) <= max(client.swaps) <= BUDGET
 
 
 def test_an_overtaken_look_stops(client, stream, monkeypatch):
@@ -332,8 +323,7 @@ def test_coarse_ends_of_what_is_drawn_have_larger_points(client, stream, tree):
     refined = dict(zip(nodes, tree._are_refined(nodes), strict=True))
     assert any(refined.values())
     for i in nodes:
-        width = 1.5 * tree.spacings[i]
-        assert sizes[i] == (stream.point_size if refined[i] else max(stream.point_size, width))
+        assert sizes[i] == (stream.point_size if refined[i] else max(stream.point_size, 1.5 * tree.spacings[i]))
     assert max(sizes.values()) > stream.point_size
 
 
@@ -344,8 +334,7 @@ def test_a_pose_moves_sent_and_selected_points(client, stream):
     T[:2, :2], T[:3, 3] = [[0.8, -0.6], [0.6, 0.8]], [5.0, -2.0, 1.0]
     T[:3, 3] += UTM - T[:3, :3] @ UTM
     stream.set_pose(T)
-    moved_view = View(FAR.intrinsic, T @ FAR.T_world_camera)
-    stream.look(moved_view)
+    stream.look(View(FAR.intrinsic, T @ FAR.T_world_camera))
     after = client.world() + UTM
     assert np.abs(np.sort(after, axis=0) - np.sort(before @ T[:3, :3].T + T[:3, 3], axis=0)).max() < 1e-6
 
@@ -451,9 +440,8 @@ def test_all_nodes_are_the_file_to_its_own_precision(city):
     for i in range(len(tree)):
         node, node_rows = tree.node(i), [rows[tuple(point)] for point in tree.points_of(i).tolist()]
         assert np.abs(node.positions + node.middle - file_cloud.points[node_rows]).max() < 1e-4
-        assert np.array_equal(node.colors, colors[node_rows]) and np.array_equal(
-            tree.colors_of(node.indices), colors[node_rows]
-        )
+        for sent in (node.colors, tree.colors_of(node.indices)):
+            assert np.array_equal(sent, colors[node_rows])
         all_rows += node_rows
     assert sorted(all_rows) == list(range(COUNT))
 
@@ -492,8 +480,7 @@ def test_nodes_have_the_colors_of_the_complete_cloud(city, by):
     limits = (245.0, 255.0) if by == "height" else None
     choice = ColoringChoice(by, None, limits)
     item.recolor(choice.of(item))
-    cloud = loom.read_point_cloud(city)
-    plain = make_item("city", 0, cloud, Style())
+    plain = make_item("city", 0, loom.read_point_cloud(city), Style())
     plain.recolor(choice.of(plain))
     rows = rows_of(read_las(city).points)
     for i in (0, len(tree) - 1):
@@ -525,8 +512,7 @@ def test_a_node_that_is_no_chunk_is_left_out(city, tmp_path):
     path = spoil(city, tmp_path, at + ENTRY.fields["begin"][1], b"\x01\x02\0\0\0\0\0\0")
     with pytest.raises(FileError, match=r"/spoiled\.copc\.laz:"):
         open_copc(path)
-    tree = CopcTree(path, first=1)
-    assert tree.count == COUNT - int(node["count"])
+    assert CopcTree(path, first=1).count == COUNT - int(node["count"])
 
 
 def test_a_coarse_node_that_is_damaged_leaves_those_below(city, tmp_path, caplog):

@@ -39,6 +39,7 @@ from pointloom.visualization.viewer.tools.polygon_crop import (
 )
 
 UTM = np.array([412_345.0, 5_412_345.0, 300.0])
+POSE = np.array([[0, -1, 0, 5], [1, 0, 0, -3], [0, 0, 1, 2], [0, 0, 0, 1.0]])
 
 
 def rotation(axis, angle):
@@ -116,9 +117,7 @@ def test_a_mesh_is_cut_through_its_triangles(device):
     mesh = loom.TriangleMesh.create_box(2, 2, 2).to(device)
     cut = clip_mesh(mesh, Clip(low=[0.5, 0.5, 0.5], high=[9, 9, 9]))
     np.testing.assert_allclose(cut.vertices.min(0), 0.5, atol=1e-6)
-    assert cut.get_surface_area() == pytest.approx(
-        3 * 1.5**2, rel=1e-5
-    )  # three sides of the box are whole squares less
+    assert cut.get_surface_area() == pytest.approx(3 * 1.5**2, rel=1e-5)  # three whole squares less
     assert clip_mesh(mesh, Clip()) is mesh and clip_mesh(mesh, Clip(low=[-1, -1, -1])) is mesh
     assert len(clip_mesh(mesh, Clip(low=[3, 0, 0]))) == 0
     shifted = clip_mesh(mesh, Clip(low=[10.5, -9, -9]), pose=pose_of([0, 0, 1], 0, [10, 0, 0]))
@@ -144,16 +143,14 @@ def test_rough_pairs_and_icp_bring_two_clouds_together(device, rng, shift):
     source = loom.PointCloud((points - T[:3, 3]) @ T[:3, :3] + shift, device=device)
     rows = [130, 1770, 3480, 3550]
     poses = []
-    missed = rng.normal(scale=0.03, size=(len(rows), 3))
-    result = register_from_pairs(
-        source, target, source.points[rows], target.points[rows] + missed, on_pose=poses.append
-    )
+    noise = rng.normal(scale=0.03, size=(len(rows), 3))
+    result = register_from_pairs(source, target, source.points[rows], target.points[rows] + noise, on_pose=poses.append)
     moved = source.points @ result.transformation[:3, :3].T + result.transformation[:3, 3]
     assert np.abs(moved - target.points).max() < 1e-3 < result.fit.rms
     assert result.refined and result.fitness > 0.99 and result.inlier_rmse < 1e-3
     assert len(poses) > 2 and np.array_equal(poses[0], result.fit.transformation)
     assert np.array_equal(poses[-1], result.transformation)
-    rough = register_from_pairs(source, target, source.points[rows], target.points[rows] + missed, refine=False)
+    rough = register_from_pairs(source, target, source.points[rows], target.points[rows] + noise, refine=False)
     assert not rough.refined and np.array_equal(rough.transformation, result.fit.transformation)
 
 
@@ -181,23 +178,19 @@ def sphere(count=3000):
 
 def oracle(points, view, x, y, radius, hidden=None):
     """The same rule in NumPy, for one point at a time in float64."""
-    q = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
-    camera = view.intrinsic
     with np.errstate(all="ignore"):
-        u, v = (camera.fx * q[:, 0] / q[:, 2] + camera.cx, camera.fy * q[:, 1] / q[:, 2] + camera.cy)
+        u, v, depth = seen_at(view, points)
         square = (u - x) ** 2 + (v - y) ** 2
-    near = np.isfinite(points).all(axis=1) & (q[:, 2] > 0) & (square <= radius**2)
+    near = np.isfinite(points).all(axis=1) & (depth > 0) & (square <= radius**2)
     near &= np.ones(len(points), bool) if hidden is None else ~hidden
     if not near.any():
         return None
-    foremost = q[near, 2].min()
-    cost = square + ((q[:, 2] - foremost) * camera.fx / foremost / 10) ** 2
+    foremost = depth[near].min()
+    cost = square + ((depth - foremost) * view.intrinsic.fx / foremost / 10) ** 2
     return int(np.flatnonzero(near)[cost[near].argmin()])
 
 
-@pytest.mark.parametrize(
-    ("shift", "scale"), [(UTM, 1.0), (np.zeros(3), 1e-4), (UTM, 1e4)], ids=["UTM", "small", "large"]
-)
+@pytest.mark.parametrize(("shift", "scale"), [(UTM, 1.0), (0, 1e-4), (UTM, 1e4)], ids=["UTM", "small", "large"])
 def test_a_click_on_a_point_picks_that_point(device, shift, scale):
     points = grid() * scale + shift
     cloud, view = loom.PointCloud(points, device=device), fit_view(points, width=640, height=480)
@@ -244,13 +237,12 @@ def test_of_coincident_points_the_first_is_picked(device):
 
 def test_a_pose_moves_the_picked_point(device):
     points = grid()
-    pose = np.array([[0, -1, 0, 5], [1, 0, 0, -3], [0, 0, 1, 2], [0, 0, 0, 1.0]])
-    moved = points @ pose[:3, :3].T + pose[:3, 3]
+    moved = points @ POSE[:3, :3].T + POSE[:3, 3]
     cloud, view = loom.PointCloud(points, device=device), fit_view(moved, width=640, height=480)
     for index in (0, 777, 1599):
         x, y, _ = project(view, moved[index])
-        assert pick_point(cloud, view, x, y, pose=pose) == index
-        hit = pick([Target("cloud", cloud, pose=pose)], view, x, y)
+        assert pick_point(cloud, view, x, y, pose=POSE) == index
+        hit = pick([Target("cloud", cloud, pose=POSE)], view, x, y)
         np.testing.assert_allclose(hit.point, moved[index], atol=1e-6)
 
 
@@ -362,10 +354,8 @@ def test_the_saved_file_crops_the_same_points_in_open3d(device, rng, tmp_path, a
     volume.to_json(tmp_path / "cropped.json")
     selected = indices_in_volume(cloud, volume)
     saved = (tmp_path / "cropped.json").read_text()
-    expected = oracle(
-        f"visualization/polygon_crop/{axis.lower()}_{location.lower()}", open3ds_crop, saved, cloud.points
-    )
-    assert expected.tolist() == selected.tolist() and len(selected) > 300
+    name = f"visualization/polygon_crop/{axis.lower()}_{location.lower()}"
+    assert oracle(name, open3ds_crop, saved, cloud.points).tolist() == selected.tolist() and len(selected) > 300
     read = loom.SelectionPolygonVolume.from_json(tmp_path / "cropped.json")
     np.testing.assert_array_equal(indices_in_volume(cloud, read), selected)
 
@@ -409,9 +399,8 @@ def test_in_a_free_view_the_points_seen_inside_are_taken(device, rng):
     u, v, depth = seen_at(view, cloud.points)
     expected = np.flatnonzero(contains(star, u, v) & (depth > 0))
     assert seen_inside(cloud, view, star).tolist() == expected.tolist() and len(expected) > 300
-    pose = np.array([[0, -1, 0, 5], [1, 0, 0, -3], [0, 0, 1, 2], [0, 0, 0, 1.0]])
-    moved = View(view.intrinsic, pose @ view.T_world_camera)
-    assert seen_inside(cloud, moved, star, pose=pose).tolist() == expected.tolist()
+    moved = View(view.intrinsic, POSE @ view.T_world_camera)
+    assert seen_inside(cloud, moved, star, pose=POSE).tolist() == expected.tolist()
 
 
 def test_nothing_behind_the_camera_is_seen_inside(device):
@@ -434,9 +423,8 @@ def test_a_pose_puts_the_cloud_where_the_polygon_is(rng):
 
 
 def test_the_prism_is_exact_halfway_between_the_first_and_the_last_point_seen_inside():
-    view = fit_view(
-        [[-3, -3, 0], [3, 3, 6]], direction=(0, 0, -1), up=(0, 1, 0), width=640, height=480
-    )  # only near the camera
+    bounds = [[-3, -3, 0], [3, 3, 6]]  # only near the camera
+    view = fit_view(bounds, direction=(0, 0, -1), up=(0, 1, 0), width=640, height=480)
     points = np.array([[0, 0, 1], [0.1, 0, 2], [0, 0.1, 4], [2.9, 2.9, 0], [-2.9, -2.9, 6]])
     polygon = [[200, 120], [440, 130], [430, 350], [210, 360]]
     assert seen_inside(loom.PointCloud(points), view, polygon).tolist() == [0, 1, 2]

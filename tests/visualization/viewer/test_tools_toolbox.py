@@ -10,25 +10,41 @@ import pointloom as loom
 from pointloom.visualization.viewer.tools.picking import project
 from pointloom.visualization.viewer.tools.polygon_crop import looks_along_axis
 
-from .stand_in import StandIn
-
-
-def waves(side=40):
-    x, y = (a.ravel() / side * 4 - 2 for a in np.mgrid[:side, :side].astype(float))
-    return np.column_stack([x, y, 0.2 * np.sin(2 * x) * np.cos(3 * y) + 0.05 * x * y])
+from .stand_in import StandIn, waves
 
 
 @pytest.fixture
-def page():
-    page = StandIn(waves=loom.PointCloud(waves(), level=np.arange(1600, dtype=np.int32)))
-    yield page
-    page.box.close()
+def stand_in():
+    """Open a page of these geometries; it is closed after the test."""
+    pages = []
+
+    def open_one(**geometries):
+        pages.append(StandIn(**geometries))
+        return pages[-1]
+
+    yield open_one
+    for page in pages:
+        page.box.close()
 
 
-def draw_triangle(page):
-    for corner in ((300, 200), (700, 220), (640, 600)):
+@pytest.fixture
+def page(stand_in):
+    return stand_in(waves=loom.PointCloud(waves(), level=np.arange(1600, dtype=np.int32)))
+
+
+TRIANGLE = ((300, 200), (700, 220), (640, 600))
+
+
+def draw(page, *corners):
+    for corner in corners:
         page.click(*corner)
     page.key("enter")
+
+
+def pick_pairs(page, rows, source, target):
+    for row in rows:
+        click_on(page, source[row])
+        click_on(page, target[row])
 
 
 def click_on(page, position):
@@ -61,22 +77,20 @@ def test_a_picked_point_is_reported_and_marked(page):
     assert "Nothing there" in page.status and page.table == "" and page.page.nodes == {}
 
 
-def test_names_from_files_are_shown_as_they_are_in_controls_of_plain_text():
+def test_names_from_files_are_shown_as_they_are_in_controls_of_plain_text(stand_in):
     name = "<img src=x onerror=alert(1)>|[a](javascript:b) *c* `d`"
-    page = StandIn(**{name: loom.PointCloud(waves())})
+    page = stand_in(**{name: loom.PointCloud(waves())})
     page.press("Pick a point")
     click_on(page, waves()[777])
     kinds = {control.kind for control in page.page.controls.values() if name in str(control.get("value"))}
     assert kinds == {"table"} and f"| in | {name} |" in page.table
-    page.box.close()
 
 
-def test_a_surface_is_picked_where_it_is_met():
-    page = StandIn(box=loom.TriangleMesh.create_box(1, 1, 1))
+def test_a_surface_is_picked_where_it_is_met(stand_in):
+    page = stand_in(box=loom.TriangleMesh.create_box(1, 1, 1))
     page.press("Pick a point")
     click_on(page, [0.5, 0.25, 1.0])
     assert "| triangle |" in page.table and "| z | 1 |" in page.table
-    page.box.close()
 
 
 def test_clicks_measure_and_backspace_takes_one_back(page):
@@ -91,10 +105,9 @@ def test_clicks_measure_and_backspace_takes_one_back(page):
     assert page.table == "" and page.page.nodes == {}
 
 
-def test_lengths_are_measured_in_the_unit_of_the_clicked_cloud():
-    cloud = loom.PointCloud(waves(), unit="foot")
+def test_lengths_are_measured_in_the_unit_of_the_clicked_cloud(stand_in):
     other = loom.PointCloud(waves() + np.array([10, 0, 0]))
-    page = StandIn(waves=cloud, other=other)
+    page = stand_in(waves=loom.PointCloud(waves(), unit="foot"), other=other)
     page.press("Measure")
     for index in (500, 820):
         click_on(page, waves()[index])
@@ -104,7 +117,6 @@ def test_lengths_are_measured_in_the_unit_of_the_clicked_cloud():
     click_on(page, waves()[500] + np.array([10, 0, 0]))
     assert "one is in foot, the other in metre: expected equal units to measure a length" in page.status
     assert page.table == ""
-    page.box.close()
 
 
 def files_of(page, folder):
@@ -140,9 +152,7 @@ def test_points_hidden_by_clip_planes_are_not_in_a_crop(page):
     page.set("clip", True)
     page.set("x", [0.0, page.page.control("x").max])
     page.press("Crop by polygon")
-    for corner in ((1, 1), (998, 1), (998, 798), (1, 798)):
-        page.click(*corner)
-    page.key("enter")
+    draw(page, (1, 1), (998, 1), (998, 798), (1, 798))
     assert len(page.items["waves (cropped)"].cloud) == (waves()[:, 0] >= 0).sum()
     assert "hidden by clip planes" in page.status
 
@@ -150,7 +160,7 @@ def test_points_hidden_by_clip_planes_are_not_in_a_crop(page):
 def test_a_download_has_a_limit(page, monkeypatch):
     monkeypatch.setattr("pointloom.visualization.viewer.tools.stage.MAX_BYTES", 100)
     page.press("Crop by polygon")
-    draw_triangle(page)
+    draw(page, *TRIANGLE)
     assert "pages download at most" in page.status and list(page.items) == ["waves"]
     assert page.page.others("download") == []
 
@@ -178,7 +188,7 @@ def test_a_free_view_crops_the_visible_points_into_a_cloud(page, tmp_path):
     page.press("Crop by polygon")
     page.set("view", "free view")
     assert not looks_along_axis(page.now)
-    draw_triangle(page)
+    draw(page, *TRIANGLE)
     assert files_of(page, tmp_path) == ["cropped.ply"]
     saved = loom.read_point_cloud(tmp_path / "cropped.ply")
     np.testing.assert_allclose(saved.points, page.items["waves (cropped)"].cloud.points)
@@ -188,22 +198,18 @@ def test_a_free_view_crops_the_visible_points_into_a_cloud(page, tmp_path):
 @pytest.mark.parametrize("corners", [[], [(300, 200), (700, 220)], [(1, 1), (2, 1), (2, 3)]])
 def test_a_polygon_without_corners_or_points_crops_nothing(page, corners):
     page.press("Crop by polygon")
-    for corner in corners:
-        page.click(*corner)
-    page.key("enter")
+    draw(page, *corners)
     assert list(page.items) == ["waves"] and page.page.others("download") == []
     assert "at least three corners" in page.status or "contains no points" in page.status
 
 
-def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
+def test_pairs_register_and_the_old_pose_comes_back(stand_in, tmp_path):
     points = waves()
-    page = StandIn(source=loom.PointCloud(points + np.array([0.3, -0.2, 1.2])), target=loom.PointCloud(points))
+    page = stand_in(source=loom.PointCloud(points + np.array([0.3, -0.2, 1.2])), target=loom.PointCloud(points))
     page.press("Register by pairs")
     page.key("enter")
     assert "at least three pairs" in page.status
-    for index in (500, 1033, 390):
-        click_on(page, points[index] + [0.3, -0.2, 1.2])
-        click_on(page, points[index])
+    pick_pairs(page, (500, 1033, 390), points + np.array([0.3, -0.2, 1.2]), points)
     page.key("enter")
     np.testing.assert_allclose(page.items["source"].pose[:3, 3], [-0.3, 0.2, -1.2], atol=1e-4)
     assert "is registered to target" in page.status and "| fitness | 100" in page.table.replace("&#46;", ".")
@@ -215,12 +221,11 @@ def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
     np.testing.assert_allclose(content["T_target_source"], page.items["source"].pose, atol=1e-12)
     page.press("Back to the old pose")
     np.testing.assert_array_equal(page.items["source"].pose, np.eye(4))
-    page.box.close()
 
 
-def test_posed_clouds_are_registered_at_their_poses():
+def test_posed_clouds_are_registered_at_their_poses(stand_in):
     points = waves()
-    page = StandIn(source=loom.PointCloud(points), target=loom.PointCloud(points))
+    page = stand_in(source=loom.PointCloud(points), target=loom.PointCloud(points))
     for name, shift in (("source", [0, 0, 2.0]), ("target", [5.0, 0, 0])):
         pose = np.eye(4)
         pose[:3, 3] = shift
@@ -228,26 +233,20 @@ def test_posed_clouds_are_registered_at_their_poses():
     page.now = type(page.now)(page.now.intrinsic, page.now.T_world_camera.copy())
     page.now.T_world_camera[:3, 3] -= 15 * page.now.T_world_camera[:3, 2]
     page.press("Register by pairs")
-    for index in (500, 1033, 390):
-        click_on(page, points[index] + [0, 0, 2])
-        click_on(page, points[index] + [5, 0, 0])
+    pick_pairs(page, (500, 1033, 390), points + np.array([0, 0, 2]), points + np.array([5, 0, 0]))
     assert [pick.index for pick in page.box.tool._picks] == [500, 500, 1033, 1033, 390, 390]
     page.key("enter")
     np.testing.assert_allclose(page.items["source"].pose, page.items["target"].pose, atol=1e-4)
-    page.box.close()
 
 
-def test_collinear_pairs_are_reported_and_move_nothing():
+def test_collinear_pairs_are_reported_and_move_nothing(stand_in):
     points = waves()
     points[:, 2] = 0
-    page = StandIn(source=loom.PointCloud(points + np.array([0, 0, 1.0])), target=loom.PointCloud(points))
+    page = stand_in(source=loom.PointCloud(points + np.array([0, 0, 1.0])), target=loom.PointCloud(points))
     page.press("Register by pairs")
-    for index in (410, 420, 430):
-        click_on(page, points[index] + [0, 0, 1.0])
-        click_on(page, points[index])
+    pick_pairs(page, (410, 420, 430), points + np.array([0, 0, 1.0]), points)
     page.key("enter")
     assert "are collinear" in page.status and page.items["source"].pose is None
-    page.box.close()
 
 
 def test_tools_report_missing_input(page):
@@ -278,15 +277,15 @@ def test_clip_planes_hide_points_and_spare_them_from_picking(page):
 
 def test_a_cloud_removed_during_a_crop_is_reported(page):
     page.press("Crop by polygon")
-    for corner in ((300, 200), (700, 220), (640, 600)):
+    for corner in TRIANGLE:
         page.click(*corner)
     page.items["other"] = page.items.pop("waves")
     page.key("enter")
     assert "no longer in the scene" in page.status.replace("&#46;", ".")
 
 
-def test_clouds_that_come_meanwhile_are_offered():
-    page = StandIn(source=loom.PointCloud(waves()), target=loom.PointCloud(waves() + np.array([0, 0, 1.0])))
+def test_clouds_that_come_meanwhile_are_offered(stand_in):
+    page = stand_in(source=loom.PointCloud(waves()), target=loom.PointCloud(waves() + np.array([0, 0, 1.0])))
     for label, control in (("Crop by polygon", "cloud"), ("Register by pairs", "target")):
         page.press(label)
         page.add(f"for {control}", loom.PointCloud(waves()))
@@ -294,7 +293,6 @@ def test_clouds_that_come_meanwhile_are_offered():
         page.wait()
         assert f"for {control}" in page.page.control(control).options
     assert [page.page.control(name).value for name in ("source", "target")] == ["source", "target"]
-    page.box.close()
 
 
 def test_a_page_that_has_gone_is_left_alone(page):
