@@ -31,8 +31,7 @@ def test_matrix_is_a_copy_of_the_intrinsics():
     assert CAMERA.matrix.dtype == np.float64
     assert PinholeCameraIntrinsic.from_matrix(CAMERA.matrix, 640, 480) == CAMERA
     CAMERA.matrix[0, 0] = 1.0
-    assert CAMERA.matrix[0, 0] == 525.1
-    assert PinholeCameraIntrinsic(64, 48, 525, 525, -20.5, 100).cx == -20.5
+    assert CAMERA.matrix[0, 0] == 525.1 and PinholeCameraIntrinsic(64, 48, 525, 525, -20.5, 100).cx == -20.5
 
 
 def test_numpy_numbers_are_taken_as_plain_ones():

@@ -58,8 +58,7 @@ def colmap():
 @pytest.mark.parametrize("model", LENSES)
 def test_points_and_pixels_are_where_colmap_has_them(colmap, model):
     points, pixels, rays = colmap[model]
-    assert np.isfinite(points).all()
-    assert np.abs(camera_of(model).project(points) - pixels).max() < 1e-9
+    assert np.isfinite(points).all() and np.abs(camera_of(model).project(points) - pixels).max() < 1e-9
     off = np.abs(camera_of(model).unproject(GRID)[:, :2] - rays)
     assert (off / (1 + (rays**2).sum(axis=1, keepdims=True)) * LENSES[model][0]).max() < EARLY
 
@@ -68,8 +67,7 @@ def test_points_and_pixels_are_where_colmap_has_them(colmap, model):
 def test_pixels_round_trip_through_their_rays(model):
     camera = camera_of(model)
     rays = camera.unproject(GRID)
-    assert np.isfinite(rays).all()
-    assert (rays[:, 2] == 1).all()
+    assert np.isfinite(rays).all() and (rays[:, 2] == 1).all()
     assert np.abs(camera.project(rays * 7.5) - GRID).max() < 1e-9
 
 
@@ -119,8 +117,7 @@ def test_nothing_is_visible_beyond_the_maximum_of_the_distortion(model):
     tangents = radii if angles is None else np.tan(np.minimum(angles, 1.55))
     columns = camera.project(np.stack([tangents, 0 * tangents, np.ones_like(tangents)], axis=1))[:, 0]
     inside = radii < turning * 0.98
-    assert np.isfinite(columns[inside]).all()
-    assert (np.diff(columns[inside]) > 0).all()
+    assert np.isfinite(columns[inside]).all() and (np.diff(columns[inside]) > 0).all()
     assert np.isnan(columns[radii > turning * 1.001]).all()
     assert np.isnan(camera.unproject([[319.5 + 200, 239.5]])).all()
 
@@ -134,8 +131,7 @@ def test_a_solution_beyond_the_fold_is_no_ray(model):
     pixels = np.stack(np.meshgrid(np.linspace(-2000, 3000, 60), np.linspace(-2000, 3000, 60)), -1).reshape(-1, 2)
     rays = camera.unproject(pixels)
     known = np.isfinite(rays[:, 0])
-    assert 0 < known.sum() < 16
-    assert np.abs(camera.project(rays[known]) - pixels[known]).max() < 1e-9
+    assert 0 < known.sum() < 16 and np.abs(camera.project(rays[known]) - pixels[known]).max() < 1e-9
     assert np.hypot(*rays[known, :2].T).max() < 1.2  # r - 0.3 r^3 + 0.02 r^5 has its maximum at 1.12
 
 
@@ -177,8 +173,7 @@ def test_the_undistorted_camera_matches_colmap():
 
 def test_a_pinhole_stays_as_it_is():
     camera = camera_of("PINHOLE")
-    assert camera.is_pinhole
-    assert camera.undistorted() == camera.intrinsic
+    assert camera.is_pinhole and camera.undistorted() == camera.intrinsic
     assert loom.CameraModel.from_intrinsic(camera.intrinsic) == camera
     assert camera_of("OPENCV", [500, 510, 322.5, 238, 0, 0, 0, 0]).intrinsic == camera.intrinsic
 

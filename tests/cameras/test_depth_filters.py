@@ -90,8 +90,7 @@ def test_erosion_takes_the_radius_on_each_side_and_no_border(device):
     depth = np.where(np.arange(20) < 10, 1.0, 2.0) * np.ones((7, 1))
     result = loom.erode_depth_edges(depth, 3, 0.5, device=device)
     np.testing.assert_array_equal(result[0] == 0, (np.arange(20) >= 7) & (np.arange(20) < 13))
-    assert (result == result[0]).all()
-    assert (loom.erode_depth_edges(depth, 3, 1.5, device=device) == depth).all()
+    assert (result == result[0]).all() and (loom.erode_depth_edges(depth, 3, 1.5, device=device) == depth).all()
 
 
 def open3d_pyramid(o3d, depth, matrix):
@@ -123,8 +122,7 @@ def test_normals_and_halved_depth_match_open3d(device, rng, oracle, tolerances):
     assert lengths.min() < 0.7
     np.testing.assert_allclose(np.linalg.norm(result, axis=2)[~empty], 1, atol=tolerances.unit_length)
     np.testing.assert_allclose(result[~empty], normals[~empty] / lengths[:, None], atol=tolerances.normal_map)
-    holes = create_normal_map(depth, camera, np.nan, device=device)
-    np.testing.assert_array_equal(np.isnan(holes).all(axis=2), empty)
+    np.testing.assert_array_equal(np.isnan(create_normal_map(depth, camera, np.nan, device=device)).all(axis=2), empty)
     for stride, points, expected in zip((2, 4), levels[::2], levels[1::2], strict=True):
         halved = create_depth_pyramid(depth, stride.bit_length(), device=device)[-1]
         assert halved.shape == (24 // stride, 40 // stride)
@@ -192,10 +190,9 @@ def test_a_filter_takes_integers_metres_and_images_alike(device, run, rng):
     raw[rng.random(raw.shape) < 0.1] = 0
     image = loom.RGBDImage(color, raw, depth_trunc=np.inf, device=device)
     from_integers = run(raw, device=device)
-    from_metres = run(raw.astype(np.float32) / np.float32(1000), device=device)
     from_image = run(image)
     assert from_integers.dtype == np.float32
-    np.testing.assert_array_equal(from_integers, from_metres)
+    np.testing.assert_array_equal(from_integers, run(raw.astype(np.float32) / np.float32(1000), device=device))
     np.testing.assert_array_equal(from_integers, from_image.depth)
     assert isinstance(from_image, loom.RGBDImage) and str(from_image.device) == device
     if from_image.width == image.width:
@@ -213,5 +210,4 @@ def test_images_without_depth_stay_so(device, run):
 
 @pytest.mark.parametrize("run", FILTERS.values(), ids=FILTERS)
 def test_flat_depth_stays_to_the_bit(device, run):
-    result = run(np.full((9, 12), 1.234), device=device)
-    assert (result == np.float32(1.234)).all()
+    assert (run(np.full((9, 12), 1.234), device=device) == np.float32(1.234)).all()

@@ -9,8 +9,7 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
-PRIME_SENSE = (640, 480, 525.0, 525.0, 319.5, 239.5)
-INTRINSIC = loom.PinholeCameraIntrinsic(*PRIME_SENSE)
+INTRINSIC = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
 POSE = np.eye(4)
 POSE[:3, :3], POSE[:3, 3] = Rotation.from_euler("XYZ", (0.2, -0.7, 1.3)).as_matrix(), [0.3, -1.2, 2.5]
 EXTRINSIC = np.linalg.inv(POSE)
@@ -40,10 +39,6 @@ def open3d_points(o3d, depth, color, stride):
     return points, np.asarray(clouds[3].colors).astype(np.float32), np.asarray(rgbd.depth)
 
 
-def assert_points(result, expected, tolerances):
-    np.testing.assert_allclose(result, expected, rtol=tolerances.image_relative, atol=tolerances.image_absolute)
-
-
 @pytest.mark.parametrize("stride", [1, 3])
 def test_points_of_depth_and_rgbd_images_match_open3d(device, stride, frame, oracle, tolerances):
     depth, color = frame.depth[::20, ::20], frame.color[::20, ::20]
@@ -58,7 +53,7 @@ def test_points_of_depth_and_rgbd_images_match_open3d(device, stride, frame, ora
         loom.PointCloud.create_from_rgbd_image(image, camera, EXTRINSIC),
     ]
     for cloud, points in zip(clouds, expected, strict=True):
-        assert_points(cloud.points, points, tolerances)
+        np.testing.assert_allclose(cloud.points, points, rtol=tolerances.image_relative, atol=tolerances.image_absolute)
     assert 0 < len(clouds[0]) < len(clouds[2]) == 768 and clouds[2].grid == (24, 32)
     np.testing.assert_allclose(clouds[3].colors, colors, rtol=tolerances.float32_relative)
     np.testing.assert_array_equal(image.color, color)
@@ -121,8 +116,7 @@ def test_depth_of_any_type_is_taken(device, dtype):
     is_float = np.dtype(dtype).kind == "f"
     for given, scale in ((10.0, 10.0), (None, 1.0 if is_float else 1000.0)):
         cloud = loom.PointCloud.create_from_depth_image(**small(depth=depth, depth_scale=given), device=device)
-        expected = depth[depth > 0].astype(np.float32) / np.float32(scale)
-        np.testing.assert_array_equal(cloud.points[:, 2], expected)
+        np.testing.assert_array_equal(cloud.points[:, 2], depth[depth > 0].astype(np.float32) / np.float32(scale))
 
 
 def test_gray_is_repeated_to_colors(device):

@@ -12,15 +12,10 @@ from .colmap_oracle import query_colmap
 from .test_camera_models import PARAMETERS
 
 WIDTH, HEIGHT = 96, 72
-STRONG = {  # the numbers that have no unit are those of the larger camera, the rest is scaled
-    model: loom.CameraModel(
-        model,
-        WIDTH,
-        HEIGHT,
-        [x * 0.15 if abs(x) > 100 or (model.startswith("META") and i > 8) else x for i, x in enumerate(p)],
-    )
-    for model, p in PARAMETERS.items()
-}
+STRONG = {}
+for model, params in PARAMETERS.items():  # the numbers that have no unit are those of the larger camera
+    scaled = [x * 0.15 if abs(x) > 100 or (model.startswith("META") and i > 8) else x for i, x in enumerate(params)]
+    STRONG[model] = loom.CameraModel(model, WIDTH, HEIGHT, scaled)
 
 
 def ramp(size=(WIDTH, HEIGHT)) -> np.ndarray:
@@ -46,8 +41,7 @@ def bilinear(picture: np.ndarray, positions: np.ndarray) -> np.ndarray:
     a, b = (x - left)[..., None], (y - top)[..., None]
     p = picture.astype(float)
     upper, lower = (p[row, left] * (1 - a) + p[row, right] * a for row in (top, bottom))
-    value = upper * (1 - b) + lower * b
-    return np.where(inside[..., None], value, np.nan)
+    return np.where(inside[..., None], upper * (1 - b) + lower * b, np.nan)
 
 
 MADE = {  # lenses, and the share of blank pixels
@@ -66,8 +60,7 @@ def test_each_pixel_shows_its_original_position(device, model):
     expected = bilinear(ramp(), source_pixels(camera, undistortion.intrinsic))
     straight = undistortion.apply(ramp())
     visible = ~np.isnan(expected[..., 0])
-    assert np.array_equal(undistortion.seen, visible)
-    assert visible.any()
+    assert np.array_equal(undistortion.seen, visible) and visible.any()
     assert np.abs(straight - expected)[visible].max() <= 0.501
     assert np.array_equal(undistortion.apply(ramp()[..., 1]), straight[..., 1])
     assert (straight[~visible] == 0).all()
@@ -95,8 +88,7 @@ def test_a_pinhole_camera_does_not_change_the_image(device):
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [80, 81, 47.3, 36.9])
     for picture in (ramp(), ramp()[..., 0]):
         straight, intrinsic = loom.undistort_picture(picture, camera, device=device)
-        assert np.array_equal(straight, picture)
-        assert intrinsic == camera.intrinsic
+        assert np.array_equal(straight, picture) and intrinsic == camera.intrinsic
 
 
 @pytest.mark.slow
@@ -175,8 +167,7 @@ def test_each_face_shows_its_directions(device):
     v, u = np.mgrid[:81, :81]
     rays = np.stack([(u - 40) / 40.5, (v - 40) / 40.5, np.ones(u.shape)], axis=-1)
     for face, rotation in zip(faces, panorama.turns, strict=True):
-        expected = colors(rays @ rotation.T)
-        assert np.abs(face - expected).max() < 2.5
+        assert np.abs(face - colors(rays @ rotation.T)).max() < 2.5
 
 
 def test_faces_are_named_by_where_they_look():
@@ -184,5 +175,4 @@ def test_faces_are_named_by_where_they_look():
     forward = dict(zip(panorama.names, panorama.turns[:, :, 2].tolist(), strict=True))
     assert forward["right"] == [1, 0, 0] and forward["up"] == [0, -1, 0] and forward["back"] == [0, 0, -1]
     assert np.allclose(np.linalg.det(panorama.turns), 1)
-    gray = panorama.apply(sphere()[..., 0])
-    assert np.array_equal(gray, panorama.apply(sphere())[..., 0])
+    assert np.array_equal(panorama.apply(sphere()[..., 0]), panorama.apply(sphere())[..., 0])

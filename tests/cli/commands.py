@@ -9,15 +9,21 @@ from pointloom.cli.shell.cli import cli
 from pointloom.core.devices import resolve_device
 
 
-def run(*words: object) -> Result:
-    return CliRunner().invoke(cli, [str(word) for word in words])
+def run(*words: object, content: bytes | None = None) -> Result:
+    """Run a command, with this standard input, and return its exit code and output."""
+    return CliRunner().invoke(cli, [str(word) for word in words], input=content)
+
+
+def output_of(*words: object) -> str:
+    """Run a command, which must succeed, and return what it prints."""
+    result = run(*words)
+    assert result.exit_code == 0, result.stderr
+    return result.stdout
 
 
 def answer(*words: object) -> dict:
     """Run a command with --json, which must succeed, and return its report."""
-    result = run(*words, "--json")
-    assert result.exit_code == 0, result.stderr
-    return json.loads(result.stdout)
+    return json.loads(output_of(*words, "--json"))
 
 
 def unreliable(*words: object) -> dict:

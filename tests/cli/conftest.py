@@ -58,15 +58,10 @@ def frames(made_frames, tmp_path) -> Path:
 
 
 @pytest.fixture(scope="session")
-def sequence() -> Part:
+def recorded_sequence(tmp_path_factory) -> Path:
     """The first 8 small frames of a camera moving through the room, 1 cm apart, with timestamps."""
-    return Part(room_loop_sequence(600, width=160, height=120), 8)
-
-
-@pytest.fixture(scope="session")
-def recorded_sequence(sequence, tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("walk") / "walk"
-    record_frames(sequence, folder)
+    record_frames(Part(room_loop_sequence(600, width=160, height=120), 8), folder)
     return folder
 
 

@@ -25,7 +25,7 @@ from pointloom.io.pictures.image_files import write_png
 from pointloom.io.points import ply
 
 from ..sigint import sigint_enabled
-from .commands import answer, names_in, refusal, run, unreliable
+from .commands import answer, names_in, output_of, refusal, run, unreliable
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
@@ -133,8 +133,7 @@ def test_existing_outputs_are_not_overwritten_without_force(scene, mesh, frames,
         refused = refusal(*words, "-o", output)
         assert "out.ply: exists already" in refused and "overwrite" not in refused
         assert "Give another name, or --force to replace it" in refused and output.read_bytes() == b"kept"
-        forced = run(*words, "-o", output, "--force")
-        assert forced.exit_code == 0, forced.stderr
+        output_of(*words, "-o", output, "--force")
         assert output.read_bytes().startswith(b"ply")
 
 
@@ -186,8 +185,7 @@ def test_the_traceback_is_printed_on_request(monkeypatch):
 
 def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
     def warn(*_args, **_options):
-        with warnings.catch_warnings():
-            warnings.simplefilter("always")
+        with warnings.catch_warnings(action="always"):
             warnings.warn("one core only", RuntimeWarning, stacklevel=1)
         return ConvertReport(Done("convert", "a.ply", {}, (), (), ()), "mesh", 0, 0)
 
@@ -257,17 +255,15 @@ cli.main()
 
 def test_fuse_reports_the_camera(frames, tmp_path):
     words = ["fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--force"]
-    given = json.loads((frames / "camera-intrinsics.json").read_text())
     report = answer(*words)["camera"]
-    K = np.reshape(given["intrinsic_matrix"], (3, 3)).T
+    K = np.reshape(json.loads((frames / "camera-intrinsics.json").read_text())["intrinsic_matrix"], (3, 3)).T
     assert [report[name] for name in ("fx", "fy", "cx", "cy")] == [K[0, 0], K[1, 1], K[0, 2], K[1, 2]]
     assert report["source"] == "camera-intrinsics.json"
     other = tmp_path / "other.json"
     (frames / "camera-intrinsics.json").rename(other)
     assert answer(*words, "--intrinsic", other)["camera"]["source"] == str(other)
     np.savetxt(frames / "intrinsics.K.txt", K)
-    result = run(*words)
-    assert result.exit_code == 0 and f"from {frames / 'intrinsics.K.txt'}" in result.stdout
+    assert f"from {frames / 'intrinsics.K.txt'}" in output_of(*words)
 
 
 def test_a_camera_that_contradicts_the_images_is_unreliable(frames, tmp_path):
@@ -285,9 +281,8 @@ def test_fuse_reports_unmatched_frames(tmp_path):
         write_png(folder / "depth" / f"{time}.png", np.full((480, 640), 5000, np.uint16))
     (folder / "depth.txt").write_text("".join(f"{time} depth/{time}.png\n" for time in (1, 2, 3)))
     (folder / "groundtruth.txt").write_text("".join(f"{time} 0 0 0 0 0 0 1\n" for time in (1, 3)))
-    result = run("fuse", folder, "-o", tmp_path / "out.ply", "--voxel", "0.05")
-    assert result.exit_code == 0, result.stderr
-    assert "1 left out, the first depth/2.png: no pose within 0.02 s" in result.stdout
+    shown = output_of("fuse", folder, "-o", tmp_path / "out.ply", "--voxel", "0.05")
+    assert "1 left out, the first depth/2.png: no pose within 0.02 s" in shown
 
 
 def test_doctor_runs_a_kernel_and_reports_the_number_of_threads(monkeypatch):
@@ -324,8 +319,7 @@ def test_doctor_names_packages_newer_than_the_tested_ones(monkeypatch):
     versions = {"pointloom": "0.1.0", "numpy": "2.99.1", "scipy": "1.11.0", "warp-lang": "2.0.0rc1"}
     monkeypatch.setattr(doctor, "_versions", lambda: versions)
     assert answer("doctor")["untested"] == ["numpy 2.99.1", "warp-lang 2.0.0rc1"]
-    result = run("doctor")
-    assert result.exit_code == 0 and "numpy 2.99.1, warp-lang 2.0.0rc1: newer than the tested versions" in result.stdout
+    assert "numpy 2.99.1, warp-lang 2.0.0rc1: newer than the tested versions" in output_of("doctor")
 
 
 def test_doctor_reports_an_outdated_driver(monkeypatch, tmp_path):
@@ -344,8 +338,7 @@ def test_memory_sizes_use_binary_units(count, shown):
 
 def test_doctor_reports_the_memory_of_the_machine_on_windows(monkeypatch):
     """MEMORYSTATUSEX has 64 bytes, the first 4 its size; the memory is at byte 8."""
-    pages = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    assert doctor._memory_bytes() == pages
+    assert doctor._memory_bytes() == os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
 
     def fill(status):
         assert bytes(status._obj)[:8] == b"\x40" + bytes(7)

@@ -4,16 +4,14 @@ import json
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from PIL import Image
 
 from pointloom.cli.jobs.demo import LARGEST_RMSE, SurfaceErrors, _problem, run_demo
-from pointloom.cli.shell.cli import cli
 from pointloom.core.errors import DeviceError, FileError
 from pointloom.datasets.scenes.room import surface_errors
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 
-from .commands import names_in
+from .commands import answer, names_in, output_of
 
 OUTPUTS = ["report.json", "room.ply", "room.png"]
 SMALL = {"frame_count": 6, "voxel_size": 0.08}
@@ -31,11 +29,9 @@ def test_the_demo_writes_a_mesh_with_its_errors_a_picture_and_a_report(device, t
     assert json.loads((tmp_path / "demo" / "report.json").read_text()) == json.loads(json.dumps(report))
     mesh = read_triangle_mesh(tmp_path / "demo" / "room.ply")
     assert len(mesh) == report["triangles"] > 1000 and mesh.vertex_colors is not None
-    picture = np.asarray(Image.open(tmp_path / "demo" / "room.png"))
-    assert picture.std() > 20
-    stages = "build", "render", "integrate", "extract", "check", "measure", "picture"
-    assert tuple(report["seconds"]) == stages
-    errors = surface_errors(read_triangle_mesh(tmp_path / "demo" / "room.ply").vertices)
+    assert np.asarray(Image.open(tmp_path / "demo" / "room.png")).std() > 20
+    assert [*report["seconds"]] == ["build", "render", "integrate", "extract", "check", "measure", "picture"]
+    errors = surface_errors(mesh.vertices)
     assert report["errors"]["rmse"] == pytest.approx(np.sqrt(np.mean(errors**2)), rel=1e-6)
     assert report["errors"]["median_voxels"] == pytest.approx(np.median(errors) / 0.08, rel=1e-6)
     assert report["errors"]["within_half_voxel"] == pytest.approx(np.mean(errors <= 0.04), abs=1e-3)
@@ -97,14 +93,11 @@ def test_a_folder_that_cannot_be_made_is_named(tmp_path):
 
 @pytest.mark.slow
 def test_the_command_prints_a_table_or_one_json_object(tmp_path):
-    words = ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"]
-    result = CliRunner().invoke(cli, words)
-    assert result.exit_code == 0, result.stderr
+    words = ["demo", "-o", tmp_path / "demo", "--frames", "6", "--voxel", "0.08"]
+    shown = output_of(*words)
     for label in ("frames", "mesh", "seconds", "median", "root mean square", "95 % below", "within half a voxel"):
-        assert label in result.stdout
-    again = CliRunner().invoke(cli, [*words, "--force", "--json"])
-    assert again.exit_code == 0, again.stderr
-    assert json.loads(again.stdout) == json.loads((tmp_path / "demo" / "report.json").read_text())
+        assert label in shown
+    assert answer(*words, "--force") == json.loads((tmp_path / "demo" / "report.json").read_text())
 
 
 @pytest.mark.parametrize(("noise", "limit"), [(True, 1.0), (False, 0.3)])

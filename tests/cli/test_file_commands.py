@@ -9,12 +9,10 @@ from pathlib import Path
 import laspy
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
 import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
 from pointloom.cli.shell import pipes
-from pointloom.cli.shell.cli import cli
 from pointloom.io.bags import recording
 from pointloom.io.meshes import tables
 from pointloom.io.pictures.image_files import write_png
@@ -23,7 +21,7 @@ from pointloom.io.points.formats import READERS, WRITTEN
 from ..io.las_files import write_raw
 from ..io.sfm_models import ring_model
 from ..io.test_camera_files import camera, document
-from .commands import answer, names_in, refusal, run
+from .commands import answer, names_in, output_of, refusal, run
 
 
 def test_info_reports_the_contents_of_a_cloud(tmp_path):
@@ -61,9 +59,8 @@ def test_info_reports_every_kind_of_file(mesh, frames, tmp_path):
     assert [report["kind"] for report in reports] == [*kinds, "picture", "depth map"] and reports[0]["triangles"] == 2
     assert reports[1]["frames"] == 6 and reports[1]["layout"] == "7scenes"
     assert 0.3 < reports[1]["first_frame_depth_m"]["median"] < 5 and reports[9]["depth"] == {}
-    result = run("info", *paths)
-    assert result.exit_code == 0, result.stderr
-    assert all(str(path) in result.stdout for path in paths)
+    shown = output_of("info", *paths)
+    assert all(str(path) in shown for path in paths)
 
 
 def test_info_counts_frames_with_poses(frames):
@@ -98,8 +95,7 @@ def test_commands_read_meshes_and_scans_of_other_formats(mesh, tmp_path):
     assert answer("convert", tmp_path / "a.bin", tmp_path / "c.ply")["points"] == 5
     (report,) = answer("info", tmp_path / "a.bin")["files"]
     assert report["attributes"] == {"intensity": "float32"}
-    refused = run("convert", mesh, tmp_path / "a.csv")
-    assert "clouds and meshes are not written to .csv" in refused.stderr
+    assert "clouds and meshes are not written to .csv" in run("convert", mesh, tmp_path / "a.csv").stderr
 
 
 def test_up_rotates_formats_with_an_up_axis(mesh, tmp_path):
@@ -110,8 +106,7 @@ def test_up_rotates_formats_with_an_up_axis(mesh, tmp_path):
     rotated = loom.read_triangle_mesh(tmp_path / "as_it_is.gltf").vertices
     np.testing.assert_allclose(rotated, np.stack([x, z, -y], axis=1), atol=1e-6)
     np.testing.assert_allclose(loom.read_triangle_mesh(tmp_path / "again.ply").vertices.T, [x, y, z], atol=1e-6)
-    report = answer("compare-meshes", mesh, tmp_path / "turned.glb", "--up", "z", "--samples", "100")
-    assert report["hausdorff"] < 1e-6
+    assert answer("compare-meshes", mesh, tmp_path / "turned.glb", "--up", "z", "--samples", "100")["hausdorff"] < 1e-6
 
 
 def test_textures_are_converted_or_reported_as_left_out(tmp_path):
@@ -152,8 +147,7 @@ def test_info_continues_after_a_broken_file(cloud, tmp_path):
         assert name in result.stderr
     result = run("info", broken, cloud, "--json")
     assert result.exit_code == 1
-    reports = json.loads(result.stdout)["files"]
-    assert ["error" in report for report in reports] == [True, False]
+    assert ["error" in report for report in json.loads(result.stdout)["files"]] == [True, False]
 
 
 @pytest.mark.parametrize("name", ["odd.docx", "odd.obj", "odd.json", "odd.txt", "odd.png", "odd.npy"])
@@ -196,8 +190,7 @@ def test_convert_rejects_unsupported_outputs(cloud, tmp_path):
 
 @pytest.mark.parametrize(("options", "side"), [(["--direction", 0, 0, -1], -1), (["--toward", 0.5, 0.5, 9], 1)])
 def test_normals_are_oriented_as_requested(tmp_path, rng, device, options, side):
-    flat = np.column_stack([rng.random((200, 2)), np.zeros(200)])
-    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(flat))
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.column_stack([rng.random((200, 2)), np.zeros(200)])))
     words = ["normals", tmp_path / "a.ply", tmp_path / "b.ply", "--radius", "0.3", "--device", device, *options]
     assert answer(*words)["points"] == 200
     normals = loom.read_point_cloud(tmp_path / "b.ply").normals
@@ -261,8 +254,7 @@ def autzen(scan_file):
 def test_info_reports_the_header(autzen, shipped_file):
     header = laspy.read(autzen).header
     count, low, high = header.point_count, header.mins, header.maxs
-    small = shipped_file("lidar-pdal/autzen/autzen-utm.las")
-    first, second = answer("info", autzen, small)["files"]
+    first, second = answer("info", autzen, shipped_file("lidar-pdal/autzen/autzen-utm.las"))["files"]
     assert (first["kind"], first["points"], first["point_format"]) == ("point cloud", count, 3)
     assert first["version"] == "LAS 1.2, compressed" and first["scale"] == [0.01, 0.01, 0.01]
     assert first["offset"] == [0, 0, 0] and first["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
@@ -275,8 +267,7 @@ def test_info_reports_the_header(autzen, shipped_file):
 
 
 def test_info_lists_the_scans_of_an_e57_file(tmp_path, rng):
-    cloud = loom.PointCloud(rng.random((9, 3)), scan_index=np.arange(9) % 2)
-    loom.write_point_cloud(tmp_path / "a.e57", cloud)
+    loom.write_point_cloud(tmp_path / "a.e57", loom.PointCloud(rng.random((9, 3)), scan_index=np.arange(9) % 2))
     (report,) = answer("info", tmp_path / "a.e57")["files"]
     assert report["points"] == 9
     assert report["scans"] == [f"Scan 0: 5 points, at {[0.0] * 3}".replace("0.0", "0.0000"), report["scans"][1]]
@@ -361,10 +352,6 @@ def test_convert_warns_about_rounded_colors(tmp_path, suffix, is_rounded):
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def feed(content: bytes, *words: object) -> Result:
-    return CliRunner().invoke(cli, [str(word) for word in words], input=content)
-
-
 def start(*words: object, **streams) -> subprocess.Popen:
     environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
     words = [sys.executable, "-m", "pointloom", *map(str, words)]
@@ -382,7 +369,8 @@ def test_pipes_support_the_extensions_of_files():
 def test_pipes_carry_the_same_bytes_as_files(cloud, tmp_path, extension):
     out = tmp_path / f"out.{extension}"
     assert run("downsample", cloud, out, "--every", "3").exit_code == 0
-    piped = feed(cloud.read_bytes(), "downsample", "-", "-", "--every", "3", "--from", "ply", "--to", extension)
+    words = ["downsample", "-", "-", "--every", "3", "--from", "ply", "--to", extension]
+    piped = run(*words, content=cloud.read_bytes())
     assert piped.exit_code == 0, piped.stderr
     assert piped.stdout_bytes == out.read_bytes() and "standard input" in piped.stderr
     assert "files    standard output" in piped.stderr
@@ -390,14 +378,14 @@ def test_pipes_carry_the_same_bytes_as_files(cloud, tmp_path, extension):
 
 
 def test_info_reads_standard_input_among_files(cloud):
-    result = feed(cloud.read_bytes(), "info", cloud, "-", "--from", "ply", "--json")
+    result = run("info", cloud, "-", "--from", "ply", "--json", content=cloud.read_bytes())
     first, second = json.loads(result.stdout)["files"]
     assert second == first | {"path": "standard input"}
 
 
 def test_register_reads_one_of_its_clouds_from_a_pipe(cloud):
     words = ["--from", "ply", "--init", "identity", "--method", "point-to-point", "--voxel", "0.1", "--json"]
-    piped = feed(cloud.read_bytes(), "register", "-", cloud, *words)
+    piped = run("register", "-", cloud, *words, content=cloud.read_bytes())
     assert piped.exit_code == 0, piped.stderr
     report = json.loads(piped.stdout)
     assert (report["source"], report["target"]) == ("standard input", str(cloud))
@@ -406,10 +394,10 @@ def test_register_reads_one_of_its_clouds_from_a_pipe(cloud):
 
 def test_a_damaged_cloud_in_a_pipe_is_named(cloud):
     for words in (["convert", "-", "-", "--from", "ply", "--to", "pcd"], ["info", "-", "--from", "ply"]):
-        result = feed(cloud.read_bytes()[:-1], *words)
+        result = run(*words, content=cloud.read_bytes()[:-1])
         assert result.exit_code == 1 and result.stdout == ""
         assert result.stderr.startswith("error: standard input (byte ")
-    assert "standard input (byte 0): is empty" in feed(b"", "info", "-", "--from", "ply").stderr
+    assert "standard input (byte 0): is empty" in run("info", "-", "--from", "ply", content=b"").stderr
 
 
 def test_an_unreliable_result_writes_nothing_to_the_pipe_and_json_excludes_the_cloud(cloud, tmp_path):
@@ -466,8 +454,8 @@ def test_separate_texture_files_are_rejected_for_a_pipe(tmp_path):
     mesh.textures = [np.full((4, 4, 3), 200, np.uint8)]
     loom.write_triangle_mesh(tmp_path / "plane.glb", mesh)
     words = ("clean-mesh", tmp_path / "plane.glb", "-", "--to")
-    refused = feed(b"", *words, "obj")
+    refused = run(*words, "obj", content=b"")
     assert refused.exit_code == 2 and "pass --to glb" in refused.stderr
-    piped = feed(b"", *words, "glb")
+    piped = run(*words, "glb", content=b"")
     (tmp_path / "piped.glb").write_bytes(piped.stdout_bytes)
     assert loom.read_triangle_mesh(tmp_path / "piped.glb").textures[0].shape == (4, 4, 3)

@@ -30,7 +30,7 @@ from pointloom.visualization.render.scene_view import level_up, view_scene
 
 from ..rgbd.fusion.walls import Wall
 from ..scan_cases import on_sets
-from .commands import answer, names_in, refusal, run, unreliable
+from .commands import answer, names_in, output_of, refusal, run, unreliable
 
 
 @pytest.fixture(scope="module")
@@ -51,9 +51,7 @@ class Still(Wall):
 def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     outputs = ModelOutputs(tmp_path / "mesh.ply", picture=tmp_path / "mesh.png")
     report = fuse_folder(folder, outputs, voxel_size=0.05, device=device).to_dict()
-    assert report["reliable"]
-    assert report["layout"] == "7scenes"
-    assert report["frames"] == 12
+    assert (report["reliable"], report["layout"], report["frames"]) == (True, "7scenes", 12)
     assert report["triangles"] > 1000
     assert report["files"] == [str(tmp_path / "mesh.ply"), str(tmp_path / "mesh.png")]
     assert names_in(tmp_path) == ["mesh.ply", "mesh.png"]
@@ -61,16 +59,10 @@ def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     json.dumps(report, allow_nan=False)
 
 
-def test_stl_is_written_without_colors(folder, tmp_path):
-    report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.stl"), voxel_size=0.1).to_dict()
-    assert (tmp_path / "mesh.stl").stat().st_size == 84 + 50 * report["triangles"]
-
-
 @pytest.mark.parametrize("depth_max", [0.05, 0.3])
 def test_frames_beyond_depth_max_are_unreliable(folder, tmp_path, depth_max):
     report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.02, depth_max=depth_max).to_dict()
-    assert "depth_max" in str(report["warnings"])
-    assert report["files"] == [] == names_in(tmp_path)
+    assert "depth_max" in str(report["warnings"]) and report["files"] == [] == names_in(tmp_path)
 
 
 def test_outputs_are_checked_before_the_frames_are_read(tmp_path):
@@ -85,13 +77,10 @@ def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     kitchen, options = real_file("rgbd-7scenes-redkitchen"), FolderOptions(every=50)
     outputs = ModelOutputs(tmp_path / "kitchen.ply")
     report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_dict()
-    assert report["reliable"]
-    assert report["frames"] == 6
-    assert report["used_share"] > 0.8
-    assert report["triangles"] > 10_000
-    low, high = np.array(report["bounds"]["min"]), np.array(report["bounds"]["max"])
-    assert (low > [-3, -2, 0]).all()
-    assert (high < [2, 2, 4.5]).all()
+    assert (report["reliable"], report["frames"]) == (True, 6)
+    assert report["used_share"] > 0.8 and report["triangles"] > 10_000
+    assert (np.array(report["bounds"]["min"]) > [-3, -2, 0]).all()
+    assert (np.array(report["bounds"]["max"]) < [2, 2, 4.5]).all()
 
 
 def test_the_up_axis_is_estimated_from_a_floor(rng):
@@ -110,29 +99,21 @@ def test_without_level_surfaces_the_initial_up_axis_is_used(rng):
     np.testing.assert_array_equal(level_up(np.empty((0, 3)), guess), guess)
 
 
-def cameras_that_look(way):
-    """Two poses: ahead, all round, straight down, or upside down the second time."""
-    T = np.tile(np.eye(4), (2, 1, 1))
-    if way == "all round":
-        T[1, :3, :3] = np.diag([-1, 1, -1])
-    elif way == "down":
-        T[:, :3, :3] = [[1, 0, 0], [0, 0, 1], [0, -1, 0]]
-    elif way == "upside down":
-        T[1, :3, :3] = np.diag([-1, -1, 1])
-    return T
+DOWN = [[1, 0, 0], [0, 0, 1], [0, -1, 0]]
+CAMERAS = {"ahead": (np.eye(3), np.eye(3)), "all round": (np.eye(3), np.diag([-1, 1, -1])), "down": (DOWN, DOWN)}
+CAMERAS |= {"upside down": (np.eye(3), np.diag([-1, -1, 1]))}
 
 
-@pytest.mark.parametrize("way", ["ahead", "all round", "down", "upside down"])
-def test_a_view_shows_the_complete_scene_for_any_camera_poses(way):
-    mesh = loom.fuse(Wall(), voxel_size=0.05).mesh
-    view = view_scene(mesh, cameras_that_look(way), width=160, height=120)
+@pytest.mark.parametrize("rotations", CAMERAS.values(), ids=CAMERAS)
+def test_a_view_shows_the_complete_scene_for_any_camera_poses(rotations):
+    mesh, poses = loom.fuse(Wall(), voxel_size=0.05).mesh, np.tile(np.eye(4), (2, 1, 1))
+    poses[:, :3, :3] = rotations
+    view = view_scene(mesh, poses, width=160, height=120)
     T = np.linalg.inv(view.T_world_camera)
     local = mesh.vertices @ T[:3, :3].T + T[:3, 3]
     pixels = local @ view.intrinsic.matrix.T
     pixels = pixels[:, :2] / pixels[:, 2:]
-    assert (local[:, 2] > 0).all()
-    assert (pixels >= -0.5).all()
-    assert (pixels <= [159.5, 119.5]).all()
+    assert (local[:, 2] > 0).all() and ((pixels >= -0.5) & (pixels <= [159.5, 119.5])).all()
 
 
 def test_frames_without_depth_are_unreliable_and_the_warning_names_the_depth_maps(tmp_path, monkeypatch):
@@ -156,17 +137,13 @@ def shift_poses(folder: Path, shifts) -> None:
         np.savetxt(path, T, fmt="%.17g")
 
 
-def shifts_from(truth: np.ndarray, path: Path) -> np.ndarray:
-    return np.linalg.norm(read_trajectory(path).poses[:, :3, 3] - truth[:, :3, 3], axis=1)
-
-
 def test_inaccurate_poses_are_corrected(sequence_folder, tmp_path, rng, device):
     truth = true_poses(sequence_folder)
     shift_poses(sequence_folder, np.vstack([np.zeros(3), rng.normal(0, 0.015, (7, 3))]))
     given = np.linalg.norm(true_poses(sequence_folder)[1:, :3, 3] - truth[1:, :3, 3], axis=1)
     words = ["--refine", "--trajectory", tmp_path / "poses.log", "--device", device]
     report = answer("fuse", sequence_folder, "-o", tmp_path / "mesh.ply", "--voxel", 0.03, *words)
-    refined = shifts_from(truth, tmp_path / "poses.log")
+    refined = np.linalg.norm(read_trajectory(tmp_path / "poses.log").poses[:, :3, 3] - truth[:, :3, 3], axis=1)
     assert refined[0] == 0 and np.median(refined[1:]) < 0.3 * np.median(given)
     figures = report["refinement"]
     assert (figures["refined"], figures["kept"]) == (7, [])
@@ -193,8 +170,7 @@ def test_poses_that_all_disagree_are_unreliable(sequence_folder, tmp_path):
 
 def test_without_refine_poses_are_unchanged_and_missing_poses_are_an_error(sequence_folder, tmp_path):
     words = ["-o", tmp_path / "mesh.ply", "--trajectory", tmp_path / "poses.log"]
-    report = answer("fuse", sequence_folder, *COARSE, *words)
-    assert report["refinement"] is None
+    assert answer("fuse", sequence_folder, *COARSE, *words)["refinement"] is None
     np.testing.assert_array_equal(read_trajectory(tmp_path / "poses.log").poses, true_poses(sequence_folder))
     for path in sequence_folder.glob("*.pose.txt"):
         path.unlink()
@@ -258,7 +234,7 @@ def test_track_writes_the_trajectory_and_its_errors(guided, frames, tmp_path):
     tracker = guided()
     report = answer("track", frames, "-o", tmp_path / "poses.log")
     trajectory = read_trajectory(tmp_path / "poses.log")
-    truth = np.array([np.loadtxt(path) for path in sorted(frames.glob("*.pose.txt"))])
+    truth = true_poses(frames)
     np.testing.assert_allclose(trajectory.poses, np.linalg.inv(truth[0]) @ truth, atol=1e-12)
     assert trajectory.ids[:, 0].tolist() == [0, 1, 2, 3, 4, 5]
     assert (report["frames"], report["tracked"], report["lost"], report["uncertain"]) == (6, 6, [], [])
@@ -332,22 +308,17 @@ def test_a_camera_of_another_size_is_an_error_that_names_the_option(guided, fram
 
 
 @pytest.fixture(scope="module")
-def scan(tmp_path_factory):
-    """Frames of the room and their mesh without colors."""
-    folder = tmp_path_factory.mktemp("texture")
-    write_room_sequence(folder / "room", frame_count=12, width=160, height=120)
-    fused = loom.fuse(open_dataset(folder / "room"), voxel_size=0.06).mesh
+def scan(folder):
+    """A folder of the frames, in `room`, and their mesh without colors."""
+    fused = loom.fuse(open_dataset(folder), voxel_size=0.06).mesh
     bare = loom.TriangleMesh(fused.vertices, fused.triangles)
-    loom.write_triangle_mesh(folder / "bare.ply", bare)
-    uvs = np.zeros((len(bare), 3, 2))
+    loom.write_triangle_mesh(folder.parent / "bare.ply", bare)
     side = int(np.ceil(np.sqrt(len(bare))))  # a trivial atlas: a small square for each triangle
-    row, column = np.divmod(np.arange(len(bare)), side)
-    for k, (x, y) in enumerate(((0.1, 0.1), (0.9, 0.1), (0.1, 0.9))):
-        uvs[:, k] = np.stack([column + x, row + y], 1) / side
-    bare.triangle_uvs = uvs.reshape(-1, 2)
-    bare.textures = [np.zeros((4, 4, 3), np.uint8)]
-    loom.write_triangle_mesh(folder / "mapped.obj", bare)
-    return folder
+    row, column = np.divmod(np.arange(len(bare))[:, None], side)
+    uvs = (np.stack([column, row], axis=2) + np.array([[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]])) / side
+    bare.triangle_uvs, bare.textures = uvs.reshape(-1, 2), [np.zeros((4, 4, 3), np.uint8)]
+    loom.write_triangle_mesh(folder.parent / "mapped.obj", bare)
+    return folder.parent
 
 
 @pytest.mark.slow
@@ -384,12 +355,11 @@ def test_poses_are_unchanged_without_a_method(scan, tmp_path):
 
 
 def test_the_summary_matches_the_library(scan, tmp_path):
-    result = run("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "2")
-    assert result.exit_code == 0, result.stderr
+    shown = output_of("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--every", "2")
     for word in ("of the vertices", "residual", "moved", "out.ply"):
-        assert word in result.stdout
+        assert word in shown
     bare, frames = loom.read_triangle_mesh(scan / "bare.ply"), loom.open_dataset(scan / "room", every=2)
-    assert "\n".join(result.stdout.splitlines()[1:-3]) == str(loom.color_map.texture_mesh(bare, frames))
+    assert "\n".join(shown.splitlines()[1:-3]) == str(loom.color_map.texture_mesh(bare, frames))
 
 
 def test_frames_that_do_not_show_the_mesh_or_little_of_it_are_unreliable(scan, tmp_path):
@@ -480,10 +450,9 @@ def test_lost_frames_give_an_unreliable_result_with_a_mesh(sequence_folder, tmp_
 
 def test_a_short_blank_gap_is_a_note(sequence_folder, tmp_path):
     cover(sequence_folder, 5, 6)
-    result = run("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE)
-    assert result.exit_code == 0, result.stderr
-    assert re.search(r"lost +2: frame 5-6", result.stdout)
-    assert re.search(r"note +2 frames are blank and were left out \(frame 5-6\)", result.stdout)
+    shown = output_of("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE)
+    assert re.search(r"lost +2: frame 5-6", shown)
+    assert re.search(r"note +2 frames are blank and were left out \(frame 5-6\)", shown)
 
 
 class Closure:
@@ -569,9 +538,8 @@ def test_slac_resumes_the_stages_and_deforms_the_frames(sequence_folder, tmp_pat
     assert (plain["slac"], report["resumed"]["fragments"]) == (None, 2)
     assert report["slac"]["edges"] == report["edges"] >= 1 and report["slac"]["anchors"] > 50
     assert (tmp_path / "plain.ply").read_bytes() != (tmp_path / "bent.ply").read_bytes()
-    result = run(*words, "-o", tmp_path / "again.ply", "--slac", "--resume")
-    assert result.exit_code == 0
-    assert f"mm apart on {report['slac']['used']} of {report['edges']} overlaps, " in result.stdout
+    shown = output_of(*words, "-o", tmp_path / "again.ply", "--slac", "--resume")
+    assert f"mm apart on {report['slac']['used']} of {report['edges']} overlaps, " in shown
     assert (tmp_path / "again.ply").read_bytes() == (tmp_path / "bent.ply").read_bytes()
 
 
@@ -582,8 +550,7 @@ def test_an_earlier_run_is_resumed_or_replaced_only_on_request(sequence_folder, 
     answer(*words, "-o", tmp_path / "a.ply")
     message = refusal(*words, "-o", tmp_path / "b.ply")
     assert "contains an earlier run. Give --resume to continue it, --force to start over" in message
-    report = answer(*words, "-o", tmp_path / "b.ply", "--resume")
-    assert report["resumed"]["fragments"] == 2
+    assert answer(*words, "-o", tmp_path / "b.ply", "--resume")["resumed"]["fragments"] == 2
     assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
     assert answer(*words, "-o", tmp_path / "b.ply", "--force")["resumed"]["fragments"] == 0
     result = run(*words, "-o", tmp_path / "c.ply", "--resume")

@@ -15,7 +15,7 @@ from pointloom.meshing.mesh.mesh_summary import describe_surface
 from pointloom.meshing.mesh.surface_result import MadeUp, NormalsUsed, PointsOff, SurfaceResult
 from pointloom.visualization.render.surface_picture import looks_inwards
 
-from .commands import answer, names_in, refusal, run, unreliable
+from .commands import answer, names_in, output_of, refusal, run, unreliable
 
 
 @pytest.fixture
@@ -44,8 +44,7 @@ def closed(inwards: bool = False) -> TriangleMesh:
 
 
 def test_the_surface_matches_the_library_with_estimated_normals_and_trimming(ball, tmp_path, device):
-    sparsest = ["--density-quantile", 0.01]
-    words = ["--depth", 5, *sparsest, "--picture", tmp_path / "out.png", "--device", device]
+    words = ["--depth", 5, "--density-quantile", 0.01, "--picture", tmp_path / "out.png", "--device", device]
     report = answer("mesh", ball, tmp_path / "out.ply", *words)
     cloud = loom.read_point_cloud(ball, device=device).remove_non_finite_points()
     cloud = cloud.estimate_normals(max_nn=30).orient_normals_consistent_tangent_plane(30)
@@ -87,8 +86,7 @@ def test_an_open_scan_is_unreliable_until_trimmed_at_the_proposed_quantile(tmp_p
     better = "; ".join(report["warnings"]).split("use density_quantile ")[1].split(";")[0]
     trimmed = answer(*words, better, "--force")
     assert trimmed["made_up"] <= 0.05 and 2 * np.pi < trimmed["area"] < report["area"]
-    printed = run(*words, better, "--force").stdout
-    assert ("extrapolated" in printed) == (trimmed["made_up"] > 0)
+    assert ("extrapolated" in run(*words, better, "--force").stdout) == (trimmed["made_up"] > 0)
 
 
 def test_normals_of_the_input_are_used_and_disagreement_is_reported(ball, tmp_path):
@@ -104,11 +102,10 @@ def test_normals_of_the_input_are_used_and_disagreement_is_reported(ball, tmp_pa
 
 
 def test_stl_omits_normals_and_colors_and_reports_it(ball, tmp_path):
-    result = run("mesh", ball, tmp_path / "out.stl", "--depth", 4)
-    assert result.exit_code == 0, result.stderr
+    shown = output_of("mesh", ball, tmp_path / "out.stl", "--depth", 4)
     for words in ("poisson, depth 4, density quantile 0.0", "3,000, 1 non-finite ignored", "normals, colors (the"):
-        assert words in result.stdout
-    assert "not carried  intensity of the points" in result.stdout
+        assert words in shown
+    assert "not carried  intensity of the points" in shown
     assert len(loom.read_triangle_mesh(tmp_path / "out.stl")) > 100
 
 
@@ -180,8 +177,7 @@ def warnings_of(method, made_up=0.05, **figures):
     """Warnings for a surface at all limits, except for some figures."""
     summary = dataclasses.replace(describe_surface(TriangleMesh()), **LIMITS | figures)
     extrapolated = MadeUp(made_up, far=0.2, better_quantile=0.1)
-    result = SurfaceResult(TriangleMesh(), method, {}, NEEDLESS, 5, 5, (), summary, extrapolated)
-    return result.warnings
+    return SurfaceResult(TriangleMesh(), method, {}, NEEDLESS, 5, 5, (), summary, extrapolated).warnings
 
 
 def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it():
@@ -305,8 +301,7 @@ def test_a_mesh_is_simplified_to_its_target(sphere, tmp_path, device, option, ta
     report = answer("simplify", sphere, tmp_path / "out.ply", *option.split(), "--device", device)
     mesh = loom.read_triangle_mesh(sphere, device=device)
     expected = mesh.simplify_quadric_decimation(target) if target else mesh.simplify_vertex_clustering(0.1, "quadric")
-    written = loom.read_triangle_mesh(tmp_path / "out.ply")
-    np.testing.assert_array_equal(written.triangles, expected.triangles)
+    np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "out.ply").triangles, expected.triangles)
     assert (report["target"], report["triangles"]) == (target, len(expected))
     assert 0 < report["errors"]["rms"] <= report["errors"]["max"] and (target is None or report["errors"]["max"] < 0.03)
 

@@ -33,14 +33,13 @@ def test_clean_removes_non_finite_points_and_statistical_outliers(scene, tmp_pat
 
 
 def test_clean_runs_the_requested_filters(scene, points, tmp_path):
+    all_filters = {"non_finite": 1, "duplicate": 1, "statistical": 1, "radius": 0}
+    radius = ["--radius", 0.3, "--min-neighbors", 1]
     for options, filters, removed_rows in (
         (["--non-finite"], {"non_finite": 1}, {NOT_FINITE}),
         (["--duplicates"], {"non_finite": 1, "duplicate": 1}, {NOT_FINITE, REPEATED}),
-        (["--radius", "0.3", "--min-neighbors", "1"], {"non_finite": 1, "radius": 1}, {NOT_FINITE, STRAY}),
-        (
-            ["--duplicates", "--radius", 0.3, "--min-neighbors", 1, "--deviations", 20],
-            *({"non_finite": 1, "duplicate": 1, "statistical": 1, "radius": 0}, {NOT_FINITE, REPEATED, STRAY}),
-        ),
+        (radius, {"non_finite": 1, "radius": 1}, {NOT_FINITE, STRAY}),
+        (["--duplicates", *radius, "--deviations", 20], all_filters, {NOT_FINITE, REPEATED, STRAY}),
     ):
         output, removed_file = tmp_path / "out.npz", tmp_path / "removed.npz"
         report = answer("clean", scene, output, *options, "--removed", removed_file, "--force")
@@ -76,15 +75,13 @@ def test_cluster_labels_match_the_library(scene, points, tmp_path, device):
     np.testing.assert_array_equal(labels, loom.PointCloud(points).cluster_dbscan(0.2, 10))
     assert [np.unique(labels[part]).tolist() for part in (FLOOR, FIRST_BLOB, SECOND_BLOB)] == [[0], [1], [2]]
     assert (report["clusters"], report["noise"], report["replaced"]) == (3, 2, [])
-    sizes = [(cluster["label"], cluster["points"]) for cluster in report["largest"]]
-    assert sizes == [(0, 601), (1, 150), (2, 100)]
+    assert [(cluster["label"], cluster["points"]) for cluster in report["largest"]] == [(0, 601), (1, 150), (2, 100)]
     printed = run("cluster", scene, output, "--radius", "0.2", "--force").stdout
     assert "601 (label 0), 150 (label 1), 100 (label 2)" in printed and "2 of 853 points, 0.2%" in printed
 
 
 def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
-    report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--largest", "2")
-    assert report["points"] == 751
+    assert answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--largest", "2")["points"] == 751
     clusters = loom.read_point_cloud(tmp_path / "out.npz")
     assert np.unique(clusters["label"]).tolist() == [0, 1]
     assert clusters["row"].tolist() == [*FLOOR, *FIRST_BLOB, REPEATED]
@@ -98,8 +95,7 @@ def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
 
 
 def test_cluster_paints_labels_and_noise(scene, tmp_path):
-    report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--paint")
-    assert report["replaced"] == ["colors"]
+    assert answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--paint")["replaced"] == ["colors"]
     painted = loom.read_point_cloud(tmp_path / "out.npz")
     expected = np.vstack([TAB20 / 255, np.zeros(3)]).astype(np.float32)[painted["label"]]
     np.testing.assert_array_equal(painted.colors, expected)
@@ -170,8 +166,7 @@ def test_plane_writes_its_inliers(scene, points, tmp_path, device):
     assert (report["points"], plane["points"], plane["share"]) == (601, 601, 601 / 852)
     answer(*words, "--invert", "--force")
     assert rows_of(tmp_path / "out.npz") == [*FIRST_BLOB, *SECOND_BLOB, STRAY, NOT_FINITE]
-    printed = run(*words, "--force").stdout
-    assert "0.000000000 0.000000000 1.000000000 0.000000: 601 points, 70.5%" in printed
+    assert "0.000000000 0.000000000 1.000000000 0.000000: 601 points, 70.5%" in run(*words, "--force").stdout
 
 
 def test_plane_labels_several_planes(tmp_path, rng):
@@ -298,14 +293,10 @@ def test_the_summary_lists_omitted_attributes(scene, tmp_path, command):
 
 
 @each_command
-def test_the_output_is_checked_before_the_input_is_read(tmp_path, command):
+def test_the_output_is_checked_first_and_a_broken_file_is_an_error(cloud, tmp_path, command):
     words = command, tmp_path / "missing.ply", *CALLS[command]
     assert "not written to .docx" in refusal(*words, "-o", tmp_path / "out.docx")
     assert "Leave out --ascii" in refusal(*words, "-o", tmp_path / "out.npz", "--ascii")
-
-
-@each_command
-def test_a_broken_file_is_an_error_and_nothing_is_written(cloud, tmp_path, command):
     cloud.write_bytes(cloud.read_bytes()[:-1])
     assert refusal(command, cloud, tmp_path / "out.ply", *CALLS[command]).startswith(f"error: {cloud}")
     assert names_in(tmp_path) == ["cloud.ply"]
@@ -328,8 +319,7 @@ def test_a_cloud_without_finite_points_is_unreliable(tmp_path, command):
 @each_command
 def test_commands_accept_the_vertices_of_a_mesh(mesh, tmp_path, command):
     options = ["--radius", "2", "--neighbors", "5", "--largest", "1"] if command == "cluster" else CALLS[command]
-    result = run(command, mesh, tmp_path / "out.ply", *options, "--json")
-    report = json.loads(result.stdout)
+    report = json.loads(run(command, mesh, tmp_path / "out.ply", *options, "--json").stdout)
     assert report["points_in"] == 4 and report["left_out"] == ["triangles"]
 
 
@@ -376,8 +366,7 @@ def test_json_contains_the_unit_and_meters_or_an_unknown_unit_are_reported_as_me
 @pytest.mark.filterwarnings("always::pointloom.UnitWarning")
 def test_files_in_different_units_cause_a_warning(feet, tmp_path):
     other = tmp_path / "meters.ply"
-    cloud = loom.read_point_cloud(feet)
-    loom.write_point_cloud(other, cloud.to_unit("metre"))
+    loom.write_point_cloud(other, loom.read_point_cloud(feet).to_unit("metre"))
     result = run("register", feet, other, "--init", "identity", "--voxel", 1, "--device", "cpu")
     assert "warning: source, target: expected one unit of length, got foot and metre" in result.stderr
     result = run("register", feet, feet, "--init", "identity", "--voxel", 1, "--device", "cpu")
@@ -437,8 +426,7 @@ def test_default_lengths_are_derived_from_the_points(files):
     words = ["--cores", "1", "--painted", files / "p.ply", "--picture", files / "c.png"]
     report = answer("change", files / "before.npz", files / "after.npz", *words)
     radius = report["lengths"]["cylinder_radius"]
-    within = survey().compute_nearest_neighbor_distance()
-    assert 2 * np.median(within) < radius < 1
+    assert 2 * np.median(survey().compute_nearest_neighbor_distance()) < radius < 1
     assert report["lengths"]["normal_radii"] == pytest.approx([radius, 2 * radius, 4 * radius])
     painted = loom.read_point_cloud(files / "p.ply")
     assert len(painted) == report["cores"] and 400 <= len(painted) < 500

@@ -11,14 +11,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import pointloom as loom
-from pointloom.cli.shell.cli import cli
 from pointloom.visualization.viewer.detail_tree import DetailTree
 
 from ..sigint import sigint_enabled
-from .commands import answer, names_in, refusal, run
+from .commands import answer, names_in, output_of, refusal, run
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -65,8 +63,7 @@ def test_screenshots_and_pages_need_no_browser(cloud, mesh, trajectory, tmp_path
     assert kinds == {"cloud.ply": "PointCloud", "mesh.ply": "TriangleMesh", "poses.log": "Trajectory"}
     picture = loom.read_color(tmp_path / "out.png")
     assert picture.shape == (960, 1280, 3) and (picture < 250).any(axis=2).sum() > 10_000
-    result = run("view", cloud, "--save-html", tmp_path / "out.html")
-    assert result.exit_code == 0 and f"files    {tmp_path / 'out.html'}" in result.stdout
+    assert f"files    {tmp_path / 'out.html'}" in output_of("view", cloud, "--save-html", tmp_path / "out.html")
     assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
 
 
@@ -94,14 +91,13 @@ def test_color_and_view_options_change_the_image(cloud, tmp_path):
 def test_a_cloud_is_read_from_a_pipe(cloud, tmp_path):
     words = ["view", "-", "--from", "ply", "--color-by", "height", "--save-html", tmp_path / "a.html"]
     words += ["--screenshot", tmp_path / "a.png"]
-    result = CliRunner().invoke(cli, [*map(str, words), "--json"], input=cloud.read_bytes())
-    report = json.loads(result.stdout)
+    report = json.loads(run(*words, "--json", content=cloud.read_bytes()).stdout)
     assert report["inputs"] == ["standard input"]
     assert report["geometries"] == [{"name": "standard input", "kind": "PointCloud", "points": 500}]
     assert "standard input" in (tmp_path / "a.html").read_text()
     answer("view", cloud, "--color-by", "height", "--screenshot", tmp_path / "b.png")
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
-    result = CliRunner().invoke(cli, [*map(str, words), "--force"], input=cloud.read_bytes()[:500])
+    result = run(*words, "--force", content=cloud.read_bytes()[:500])
     assert "error: standard input" in result.stderr and "truncated" in result.stderr
 
 

@@ -81,7 +81,7 @@ def masked(shape, dtype=float, row=1, value=100):
 
 
 @pytest.mark.parametrize("kind", [np.ma.asarray, list], ids=["array", "list of rows"])
-def test_masked_floats_are_nan(kind):
+def test_masked_floats_are_nan_and_arrays_with_an_empty_mask_are_plain(kind):
     points = masked((5, 3))
     cloud = loom.PointCloud(kind(points), normals=kind(points), weight=masked(5))
     for values in (cloud.points, cloud.normals):
@@ -89,9 +89,6 @@ def test_masked_floats_are_nan(kind):
     np.testing.assert_array_equal(np.isnan(cloud["weight"]), masked(5).mask)
     assert cloud.get_max_bound().max() == 1
     np.testing.assert_array_equal(Vector3dVector(points), np.ma.filled(points, np.nan))
-
-
-def test_arrays_with_an_empty_mask_are_plain():
     unmasked = np.ma.masked_array(np.arange(9).reshape(3, 3), mask=False)
     np.testing.assert_array_equal(loom.PointCloud(unmasked).points, unmasked.data)
 
@@ -117,8 +114,7 @@ def test_masked_entries_without_a_missing_value_are_refused(name, call):
 def test_masked_depth_is_no_measurement(dtype):
     depth = masked((3, 4), dtype)
     for scale in (None, 1.0):
-        cloud = loom.PointCloud.create_from_depth_image(depth, CAMERA, depth_scale=scale)
-        assert len(cloud) == 8
+        assert len(loom.PointCloud.create_from_depth_image(depth, CAMERA, depth_scale=scale)) == 8
     volume = loom.TSDFVolume(voxel_size=0.1)
     volume.integrate(depth, CAMERA, np.eye(4), depth_scale=1.0, depth_max=1000.0)
     assert volume.extract_point_cloud(weight_threshold=0).get_max_bound()[2] < 2

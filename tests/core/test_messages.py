@@ -46,27 +46,22 @@ logging.getLogger("pointloom").debug("details")
 """
 
 
-def output_of(begin):
-    command = [sys.executable, "-c", SCRIPT.format(begin=begin)]
-    settings = {name: value for name, value in os.environ.items() if name != "POINTLOOM_VERBOSITY"}
-    run = subprocess.run(command, capture_output=True, text=True, check=True, env=settings)
-    assert run.stdout == ""
-    return run.stderr
+PAIRS = "pointloom: pairs 3 of 10, after 0 s\n"
 
 
 @pytest.mark.parametrize(
     ("begin", "output"),
     [
-        pytest.param("", "pointloom: pairs 3 of 10, after 0 s\n", marks=pytest.mark.slow),
-        (
-            "loom.set_verbosity_level(loom.VerbosityLevel.Debug)",
-            "pointloom: pairs 3 of 10, after 0 s\npointloom: details\n",
-        ),
+        pytest.param("", PAIRS, marks=pytest.mark.slow),
+        ("loom.set_verbosity_level(loom.VerbosityLevel.Debug)", f"{PAIRS}pointloom: details\n"),
         ("logging.basicConfig(format='mine %(message)s')", "mine pairs 3 of 10, after 0 s\n"),
     ],
 )
 def test_a_long_call_prints_its_progress(begin, output):
-    assert output_of(begin) == output
+    command = [sys.executable, "-c", SCRIPT.format(begin=begin)]
+    settings = {name: value for name, value in os.environ.items() if name != "POINTLOOM_VERBOSITY"}
+    run = subprocess.run(command, capture_output=True, text=True, check=True, env=settings)
+    assert (run.stdout, run.stderr) == ("", output)
 
 
 def test_a_short_call_prints_nothing(caplog):
@@ -108,8 +103,7 @@ def test_requested_progress_is_printed(capsys):
     filtered, _ = cloud.remove_radius_outlier(1, 2.0, print_progress=True)
     lines = capsys.readouterr().err.splitlines()
     assert lines[0] == "pointloom: clusters of 4 points ..."
-    assert lines[1].startswith("pointloom: clusters of 4 points: ")
-    assert len(lines) == 4 and len(filtered) == 4
+    assert lines[1].startswith("pointloom: clusters of 4 points: ") and len(lines) == 4 and len(filtered) == 4
     cloud.cluster_dbscan(2.0, 2)
     assert capsys.readouterr().err == ""
 
@@ -175,10 +169,7 @@ MESSAGES = [
     ("loom.PointCloud(cloud.points, cloud.points)", r"write PointCloud\(points, normals=\.\.\.\)"),
     ("loom.render(cloud, zoom=0.5)", r"a view is the second argument of render: loom\.render\(cloud, \{\"zoom\": 0\.5"),
     ("loom.draw(cloud, foo=1)", "has no argument 'foo'; it takes geometries, width, height"),
-    (
-        "loom.registration.registration_icp(cloud, cloud, 0.1, max_iteration=9)",
-        "ICPConvergenceCriteria.max_iteration=30",
-    ),
+    ("loom.registration.registration_icp(cloud, cloud, 1, max_iteration=9)", "ICPConvergenceCriteria.max_iteration=30"),
 ]
 
 
@@ -246,8 +237,7 @@ TEXTS = {
 @pytest.mark.parametrize("text_of", TEXTS.values(), ids=TEXTS)
 def test_control_characters_are_shown(text_of, capsys):
     text = text_of(EVIL, capsys)
-    assert r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d" in text
-    assert escaped(text, lines=True) == text
+    assert r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d" in text and escaped(text, lines=True) == text
 
 
 def test_one_line_stays_one(capsys):
@@ -324,8 +314,7 @@ def warnings_of(line, *, in_a_function):
     if in_a_function:
         body = source.replace("\n", "\n  ")
         source = f"def user(box, boxes, save, nowhere, factor):\n  {body}\nuser(**given)"
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings(record=True, action="always") as caught:
         exec(compile(source, "<user>", "exec"), {**names, "given": names, "Box": Box, "optimize": optimize})
     return [str(warning.message) for warning in caught]
 
@@ -343,8 +332,7 @@ def test_only_a_call_that_is_a_statement_warns(in_a_function):
 
 def test_code_without_positions_warns_of_nothing():
     bare = compile("box.scale()", "<user>", "exec").replace(co_linetable=b"")
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         exec(bare, {"box": Box()})
 
 

@@ -38,8 +38,7 @@ def test_events_are_delivered_outermost_first():
             report("inside", number=1)
         report("one")
     report("after")
-    assert events == [("inside", {"number": 1}), ("inner", {"number": 1}), ("one", {})]
-    assert not watched()
+    assert events == [("inside", {"number": 1}), ("inner", {"number": 1}), ("one", {})] and not watched()
     with pytest.raises(TypeError, match="callback"), watch(3):  # pyright: ignore[reportArgumentType]
         pass
 
@@ -95,8 +94,7 @@ def test_icp_reports_its_start_and_every_iteration_as_its_callback(device):
     assert np.array_equal(steps[0]["transformation"], np.eye(4))
     for step, state in zip(steps[1:], states, strict=True):
         assert np.array_equal(step["transformation"], state["transformation"])
-        assert step["fitness"] == state["fitness"]
-        assert step["source"] is source and step["target"] is target
+        assert step["fitness"] == state["fitness"] and step["source"] is source and step["target"] is target
     assert events[-1][0] == "registration" and events[-1][1]["result"] is result
 
 
@@ -159,8 +157,7 @@ def test_a_repeated_stage_adds_to_its_seconds(now):
     for stage, seconds in (("read", 2.0), ("fuse", 1.0), ("read", 0.5)):
         now[0] += seconds
         clock.stop(stage)
-    assert clock.seconds == {"read": 2.5, "fuse": 1.0}
-    assert list(clock.cpu_seconds) == ["read", "fuse"]
+    assert clock.seconds == {"read": 2.5, "fuse": 1.0} and list(clock.cpu_seconds) == ["read", "fuse"]
 
 
 def test_time_between_stages_is_not_counted(now):
@@ -199,13 +196,9 @@ def test_seconds_of_the_cpu_are_those_of_processes_too():
     assert clock.cpu_seconds["count"] > time.process_time() - start
 
 
-def test_memory_is_counted_in_bytes():
-    peak = peak_bytes()
-    assert 1 << 20 < peak <= peak_bytes_of_all() < 1 << 45
-
-
 @pytest.mark.parametrize(("system", "unit"), [("linux", 1024), ("darwin", 1)])
-def test_the_unit_of_peak_memory_follows_the_system(system, unit, monkeypatch):
+def test_peak_memory_is_counted_in_bytes_from_the_unit_of_the_system(system, unit, monkeypatch):
+    assert 1 << 20 < peak_bytes() <= peak_bytes_of_all() < 1 << 45
     peaks = {"of this process": 7, "of children": 9}
     usage = SimpleNamespace(RUSAGE_SELF="of this process", RUSAGE_CHILDREN="of children")
     usage.getrusage = lambda who: SimpleNamespace(ru_maxrss=peaks[who])

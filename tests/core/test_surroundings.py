@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import warp as wp
@@ -55,21 +56,12 @@ def test_programs_without_standard_streams_import_and_run(tmp_path, begin):
     assert path.read_text() == "1"
 
 
-class Console:
-    """A stream with write() alone."""
-
-    def __init__(self):
-        self.text = ""
-
-    def write(self, text):
-        self.text += text
-
-
 def test_a_stream_with_write_alone_gets_the_line_and_is_no_terminal(monkeypatch):
-    console = Console()
-    monkeypatch.setattr(sys, "stderr", console)
+    written: list[str] = []
+    stream = SimpleNamespace(write=written.append)
+    monkeypatch.setattr(sys, "stderr", stream)
     write_to_stderr("a line")
-    assert console.text == "a line\n" and not is_terminal(console) and not is_terminal(None)
+    assert "".join(written) == "a line\n" and not is_terminal(stream) and not is_terminal(None)
 
 
 def test_output_of_other_libraries_is_written_to_stderr(capfd):

@@ -76,8 +76,7 @@ def test_other_text_is_no_unit(text):
 
 
 def test_one_unit_is_common_and_two_are_a_warning_at_the_users_line():
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         assert common_unit("clouds", [None, FOOT, None, FOOT]) is FOOT
         assert common_unit("clouds", [None, None]) is None
     with pytest.warns(loom.UnitWarning, match=r"^clouds:.*to_unit") as caught:
@@ -104,8 +103,7 @@ def test_a_radius_without_neighbors_warns(ball):
     with pytest.warns(loom.UnitWarning, match=r"^radius:.*0\.0001.*0.*2") as caught:
         result = ball.estimate_normals(radius=1e-4)
     assert caught[0].filename == __file__ and (result.normals[:, 2] ** 2 == 1).all()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         assert ball.estimate_normals(radius=0.2).has_normals
         crowded = loom.PointCloud(np.repeat(ball.points, 3, axis=0), device=ball.device)
         assert crowded.estimate_normals(radius=1e-4).has_normals  # of few points at one place
@@ -131,8 +129,7 @@ def test_a_depth_scale_that_removes_all_points_warns(depth, options, message):
         loom.RGBDImage.create_from_color_and_depth(color, depth, **options)
     assert caught[0].filename == __file__
     depth[5, 5] = 1 if depth.min() > 100 else 100  # a pixel that the first look does not see
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         loom.RGBDImage.create_from_color_and_depth(color, depth, **options)
         loom.RGBDImage.create_from_color_and_depth(color, 0 * depth, **options)
 
@@ -163,8 +160,7 @@ def test_icp_without_correspondences_reports_both_positions(ball):
         moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
     assert "their centers 100 m apart, within 0.05 m)" in repr(moved)
     assert loom.registration.registration_icp(ball, ball, 0.05).warnings == ()
-    empty = loom.PointCloud(device=ball.device)
-    result = loom.registration.registration_icp(empty, ball, 0.05)
+    result = loom.registration.registration_icp(loom.PointCloud(device=ball.device), ball, 0.05)
     assert result.warnings == ("no correspondences: the source has no points",)
 
 
@@ -173,14 +169,12 @@ def test_lengths_that_suit_few_points_do_not_warn(ball):
     few = ball.select_by_index(range(60))
     loose = loom.PointCloud(ball.points * [40, 40, 0.1], device=ball.device)
     tile = loom.AxisAlignedBoundingBox([900, 0, 0], [910, 10, 10])
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"):
         assert len(few.voxel_down_sample(9.0)) <= 8 and set(few.cluster_dbscan(9.0, 5)) == {0}
         assert len(few.segment_plane(9.0)[1]) == 60
         assert set(loose.cluster_dbscan(3.0, 200)) == {-1} and len(loose.remove_radius_outlier(200, 3.0)[0]) == 0
         assert len(ball.crop(tile)) == 0
-        near = ball.translate([3.0, 0, 0])
-        assert loom.registration.registration_icp(near, ball, 0.05).fitness == 0
+        assert loom.registration.registration_icp(ball.translate([3.0, 0, 0]), ball, 0.05).fitness == 0
         small = ball.scale(0.01)
         assert loom.registration.registration_icp(small, loom.PointCloud(ball.points[:1]), 9.0).fitness == 1
         loom.registration.registration_icp_batch(ball.translate([100, 0, 0]), ball, 0.05)

@@ -10,7 +10,6 @@ from PIL import Image
 import pointloom as loom
 import pointloom.open3d as o3d
 
-FRAMES = (0, 1, 2)
 COUNT = 3
 EVERY = 7  # keep every 7th point of the two clouds
 FARTHEST = 4.0  # [m]
@@ -26,16 +25,21 @@ def write_images(folder: Path, number: int, frame) -> np.ndarray:
     return depth
 
 
+@pytest.fixture
+def where(device):
+    """The device of a test, as Open3D names it."""
+    return o3d.core.Device(device.upper())
+
+
 @pytest.fixture(scope="session")
 def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with synthetic clouds, frames, a mesh, cameras and a polygon, named as in the tutorials."""
     folder = tmp_path_factory.mktemp("tutorials")
     loom.write_point_cloud(folder / "street.pcd", loom.PointCloud(street(np.random.default_rng(1))))
-    figure = loom.datasets.object_mesh().simplify_quadric_decimation(2500)
-    loom.write_triangle_mesh(folder / "bunny.ply", figure)
+    loom.write_triangle_mesh(folder / "bunny.ply", loom.datasets.object_mesh().simplify_quadric_decimation(2500))
     frames = loom.datasets.room_frames(24, width=640, height=480)
     poses = []
-    for i, frame in enumerate(frames[k] for k in FRAMES):
+    for i, frame in enumerate(frames[:COUNT]):
         write_images(folder, i, frame)
         poses.append(frame.T_world_camera)
         if i < 2:

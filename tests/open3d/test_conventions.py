@@ -216,8 +216,7 @@ def edited_vertices(o3d):
 
 
 def joined(o3d, pairs):
-    lines = o3d.geometry.LineSet
-    return lines.create_from_point_cloud_correspondences(cloud(o3d, 5, 1), cloud(o3d, 6, 2), pairs)
+    return o3d.geometry.LineSet.create_from_point_cloud_correspondences(cloud(o3d, 5, 1), cloud(o3d, 6, 2), pairs)
 
 
 def corners(box):
@@ -266,13 +265,9 @@ def poisson_height(o3d, **options):
     return np.round(surface.get_max_bound(), 1)
 
 
-def answers(o3d):
-    return {name: claim(o3d) for name, claim in CLAIMS.items()}
-
-
 @pytest.fixture(scope="module")
 def expected(oracle):
-    return oracle("open3d/conventions", answers)
+    return oracle("open3d/conventions", lambda o3d: {name: claim(o3d) for name, claim in CLAIMS.items()})
 
 
 @pytest.mark.parametrize("name", CLAIMS)
@@ -288,10 +283,9 @@ def test_conventions_agree_with_open3d(name, expected):
 def files(o3d, folder):
     """What writers return for incomplete shapes, and the vertices and normals of meshes that are read."""
     box, empty = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.PointCloud()
-    returned = [o3d.io.write_point_cloud(str(folder / f"a.{kind}"), empty) for kind in ("ply", "pcd", "xyzrgb")]
-    returned += [
-        o3d.io.write_triangle_mesh(str(folder / f"a.{k}"), o3d.geometry.TriangleMesh()) for k in ("ply", "off")
-    ]
+    returned, bare = [], o3d.geometry.TriangleMesh()
+    returned += [o3d.io.write_point_cloud(str(folder / f"a.{kind}"), empty) for kind in ("ply", "pcd", "xyzrgb")]
+    returned += [o3d.io.write_triangle_mesh(str(folder / f"a.{kind}"), bare) for kind in ("ply", "off")]
     shapes = [box.compute_vertex_normals(), o3d.geometry.TriangleMesh.create_sphere(1, 4).compute_vertex_normals()]
     paths = [str(folder / name) for name in ("b.stl", "c.stl", "d.ply")]
     for path, shape in zip(paths[:2], shapes, strict=True):
@@ -303,8 +297,7 @@ def files(o3d, folder):
 @pytest.mark.filterwarnings("ignore:.*(not written|contains no faces)")
 def test_files_agree_with_those_of_open3d(oracle, tmp_path):
     (stored, expected), (returned, actual) = oracle("open3d/files", files, tmp_path), files(bridge, tmp_path)
-    assert returned == stored == [False] * 5
-    assert [len(shape["vertices"]) for shape in actual] == [24, 112, 5]
+    assert returned == stored == [False] * 5 and [len(shape["vertices"]) for shape in actual] == [24, 112, 5]
     for shape, theirs in zip(actual, expected, strict=True):
         for name, values in theirs.items():
             np.testing.assert_allclose(shape[name], values, atol=2e-6, err_msg=name)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-import pointloom.open3d as bridge
 import pointloom.open3d as o3d
 from pointloom.open3d.visualization.shown import bounds_of
 
@@ -73,12 +72,12 @@ def meshes(o3d):
 
 
 def test_attributes_can_be_assigned_and_copies_are_independent():
-    shape = made(bridge)
+    shape = made(o3d)
     shape.center, shape.radii, shape.R = [0, 0, 0], [[1], [1], [2]], np.eye(3)
     other = copy.deepcopy(shape)
     other.center[0] = 7
     assert shape.center[0] == 0 and pickle.loads(pickle.dumps(shape)).get_max_bound().tolist() == [1, 1, 2]
-    assert bridge.geometry.OrientedBoundingEllipsoid(other).center[0] == 7
+    assert o3d.geometry.OrientedBoundingEllipsoid(other).center[0] == 7
 
 
 def test_ellipsoids_reject_flat_points_and_matrices():
@@ -86,19 +85,19 @@ def test_ellipsoids_reject_flat_points_and_matrices():
     for points, message in ((flat, "not on one plane"), (POINTS[:3], "at least 4 finite points, got 3")):
         for robust in (False, True):
             with pytest.raises(ValueError, match=message):
-                bridge.geometry.OrientedBoundingEllipsoid.create_from_points(points, robust)
+                o3d.geometry.OrientedBoundingEllipsoid.create_from_points(points, robust)
     with pytest.raises(RuntimeError, match="translate"):
-        made(bridge).transform(np.eye(4))
+        made(o3d).transform(np.eye(4))
     with pytest.raises(ValueError, match="R"):
-        bridge.geometry.OrientedBoundingEllipsoid([0, 0, 0], 2 * np.eye(3), [1, 1, 1])
+        o3d.geometry.OrientedBoundingEllipsoid([0, 0, 0], 2 * np.eye(3), [1, 1, 1])
 
 
 def test_clouds_and_meshes_have_ellipsoids_of_their_points(device):
-    g, Tensor = bridge.t.geometry, bridge.core.Tensor
-    legacy = bridge.geometry.OrientedBoundingEllipsoid.create_from_points(POINTS)
-    cloud = bridge.geometry.PointCloud(bridge.utility.Vector3dVector(POINTS))
+    g, Tensor = o3d.t.geometry, o3d.core.Tensor
+    legacy = o3d.geometry.OrientedBoundingEllipsoid.create_from_points(POINTS)
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(POINTS))
     same(parts(cloud.get_oriented_bounding_ellipsoid()), parts(legacy))
-    where = bridge.core.Device(device.upper())
+    where = o3d.core.Device(device.upper())
     shape = g.PointCloud(Tensor(POINTS, device=where)).get_oriented_bounding_ellipsoid()
     assert shape.device == where and str(shape.radii.dtype) == "Float64"
     same([shape.center.numpy(), shape.rotation.numpy(), shape.volume()], [legacy.center, legacy.R, legacy.volume()])
@@ -107,31 +106,30 @@ def test_clouds_and_meshes_have_ellipsoids_of_their_points(device):
 
 
 def test_ellipsoids_of_tensors_move_and_convert():
-    kind, R = bridge.t.geometry.OrientedBoundingEllipsoid, rotation(bridge)
-    shape = kind.from_legacy(made(bridge), bridge.core.float64)
+    kind, R = o3d.t.geometry.OrientedBoundingEllipsoid, rotation(o3d)
+    shape = kind.from_legacy(made(o3d), o3d.core.float64)
     before = shape.clone()
     shape.set_color([1.0, 0, 0])
     assert shape.translate([1.0, 0, 0]).scale(2.0).rotate(R, [0.0, 0, 0]) is shape
-    expected = made(bridge).translate([1, 0, 0]).scale(2, [2, 2, 3]).rotate(R, [0, 0, 0])
+    expected = made(o3d).translate([1, 0, 0]).scale(2, [2, 2, 3]).rotate(R, [0, 0, 0])
     expected.color = [1, 0, 0]
     same(parts(shape.to_legacy()), parts(expected))
-    same(parts(before.to_legacy()), parts(made(bridge)))
+    same(parts(before.to_legacy()), parts(made(o3d)))
     ends = before.get_ellipsoid_points()
     assert ends.shape == (6, 3)
-    inside = before.get_point_indices_within_bounding_ellipsoid(np.r_[[[9.0, 9, 9], [1, 2, 3]], 0.99 * ends.numpy()
-                                                                     + 0.01 * np.array([1, 2, 3])])  # fmt: skip
-    assert inside.numpy().tolist() == [1, 2, 3, 4, 5, 6, 7]
+    points = np.r_[[[9.0, 9, 9], [1, 2, 3]], 0.99 * ends.numpy() + 0.01 * np.array([1, 2, 3])]
+    assert before.get_point_indices_within_bounding_ellipsoid(points).numpy().tolist() == [1, 2, 3, 4, 5, 6, 7]
     before.set_radii([1.0, 1, 1])
     before.set_center([0.0, 0, 0])
     before.set_rotation(np.eye(3))
     assert before.get_axis_aligned_bounding_box().max_bound.numpy().tolist() == [1, 1, 1]
     assert before.get_oriented_bounding_box().extent.numpy().tolist() == [2, 2, 2]
-    mesh = bridge.t.geometry.TriangleMesh.create_from_oriented_bounding_ellipsoid(before, resolution=6)
-    lines = bridge.t.geometry.LineSet.create_from_oriented_bounding_ellipsoid(before, resolution=6)
+    mesh = o3d.t.geometry.TriangleMesh.create_from_oriented_bounding_ellipsoid(before, resolution=6)
+    lines = o3d.t.geometry.LineSet.create_from_oriented_bounding_ellipsoid(before, resolution=6)
     np.testing.assert_allclose(np.linalg.norm(mesh.vertex.positions.numpy(), axis=1), 1, atol=1e-6)
     assert lines.point.positions.shape == mesh.vertex.positions.shape
     with pytest.raises(TypeError, match="ellipsoid"):
-        kind.from_legacy(bridge.geometry.AxisAlignedBoundingBox())
+        kind.from_legacy(o3d.geometry.AxisAlignedBoundingBox())
 
 
 def alpha_shape(o3d):
@@ -141,8 +139,7 @@ def alpha_shape(o3d):
     cloud.normals, cloud.colors = vector(random.normal(size=(12, 3))), vector(random.random((12, 3)))
     tetras = [[i, i + 1, i + 2, i + 4] for i in range(8)]
     shape = o3d.geometry.TetraMesh(vector(2 * np.asarray(cloud.points)), o3d.utility.Vector4iVector(tetras))
-    rows = list(range(11, -1, -1))
-    mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, 1.5, shape, rows)
+    mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, 1.5, shape, list(range(11, -1, -1)))
     triangles = np.sort(np.array(mesh.triangles), axis=1)
     arrays = mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, triangles[np.lexsort(triangles.T)]
     return [*map(np.array, arrays)]
@@ -153,29 +150,29 @@ def alpha_shape(o3d):
     ("alpha_shape_of_tetrahedra", alpha_shape, 1e-6),
 ])  # fmt: skip
 def test_ellipsoids_and_alpha_shapes_of_tetrahedra_agree_with_open3d(name, results, tolerance, oracle):
-    actual, expected = results(bridge), oracle(f"open3d/{name}", results)
+    actual, expected = results(o3d), oracle(f"open3d/{name}", results)
     for one, other in zip(actual, expected, strict=True) if isinstance(actual[0], list) else [(actual, expected)]:
         same(one, other, tolerance)
     assert results is not alpha_shape or 4 < len(expected[3]) < 32
 
 
 def test_the_alpha_shape_of_given_tetrahedra_faces_outward():
-    cloud = bridge.geometry.PointCloud(bridge.utility.Vector3dVector(POINTS))
-    tetrahedra, rows = bridge.geometry.TetraMesh.create_from_point_cloud(cloud)
-    mesh = bridge.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, 1e6, tetrahedra, rows)
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(POINTS))
+    tetrahedra, rows = o3d.geometry.TetraMesh.create_from_point_cloud(cloud)
+    mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, 1e6, tetrahedra, rows)
     assert mesh.get_volume() == pytest.approx(cloud.compute_convex_hull()[0].get_volume(), rel=1e-6)
 
 
 def test_the_flags_of_the_build_and_the_compiled_module_have_open3ds_names():
-    assert bridge._build_config["BUILD_CUDA_MODULE"] is True and bridge._build_config["BUILD_GUI"] is False
-    assert bridge._build_config["GLIBCXX_USE_CXX11_ABI"] == bridge.pybind._GLIBCXX_USE_CXX11_ABI
-    assert bridge.pybind.geometry.PointCloud is bridge.geometry.PointCloud
+    assert o3d._build_config["BUILD_CUDA_MODULE"] is True and o3d._build_config["BUILD_GUI"] is False
+    assert o3d._build_config["GLIBCXX_USE_CXX11_ABI"] == o3d.pybind._GLIBCXX_USE_CXX11_ABI
+    assert o3d.pybind.geometry.PointCloud is o3d.geometry.PointCloud
     with pytest.raises(AttributeError, match="nothing"):
-        bridge.pybind.nothing  # noqa: B018
+        o3d.pybind.nothing  # noqa: B018
 
 
 def test_there_are_no_sycl_devices(capsys):
-    sycl = bridge.core.sycl
+    sycl = o3d.core.sycl
     assert (sycl.device_count(), sycl.is_available(), sycl.get_available_devices()) == (0, False, [])
     sycl.enable_persistent_jit_cache()
     sycl.print_sycl_devices()
@@ -276,11 +273,6 @@ def camera(shift=0.0):
     return made
 
 
-def corners_of(cells):
-    steps = np.stack(np.meshgrid(*[[0, 1]] * 3), axis=-1).reshape(-1, 3)
-    return [-1, -1, -1] + (np.array(cells)[:, None] + steps) * 0.25
-
-
 @pytest.mark.parametrize("keep", [False, True])
 @pytest.mark.parametrize("by_depth", [False, True])
 def test_carving_keeps_voxels_with_a_corner_in_the_mask_or_behind_the_depth(keep, by_depth):
@@ -290,7 +282,7 @@ def test_carving_keeps_voxels_with_a_corner_in_the_mask_or_behind_the_depth(keep
     image[:, :20] = 1.6
     carve = grid.carve_depth_map if by_depth else grid.carve_silhouette
     assert carve(o3d.geometry.Image(image), camera(0.1), keep) is grid
-    x, y, z = np.moveaxis(corners_of(cells) + np.array([0.1, 0, 0]), -1, 0)
+    x, y, z = np.moveaxis(0.25 * (np.array(cells)[:, None] + CUBE) + np.array([-0.9, -1, -1]), -1, 0)
     with np.errstate(divide="ignore", invalid="ignore"):
         u, v = 30 * x / z + 19.5, 30 * y / z + 14.5
         inside = (z > 0) & (u >= 0) & (u <= 39) & (v >= 0) & (v <= 29)
@@ -438,12 +430,8 @@ def test_voxels_of_an_octree_make_its_leaves_again(octree):
 def test_copies_and_files_have_the_same_nodes(octree, tmp_path):
     path = tmp_path / "tree.json"
     assert o3d.io.write_octree(path, octree)
-    for again in (
-        G.Octree(octree),
-        copy.deepcopy(octree),
-        pickle.loads(pickle.dumps(octree)),
-        o3d.io.read_octree(path),
-    ):
+    copies = G.Octree(octree), copy.deepcopy(octree), pickle.loads(pickle.dumps(octree))
+    for again in (*copies, o3d.io.read_octree(path)):
         assert (again.size, again.max_depth, again.origin.tolist()) == (octree.size, DEPTH, octree.origin.tolist())
         pairs = list(zip(leaves_of(again), leaves_of(octree), strict=True))
         assert all(a == b and a is not b for (a, _), (b, _) in pairs)
@@ -481,11 +469,6 @@ def test_equal_points_have_a_leaf_in_a_cube_of_the_expansion():
     assert root.root_node.clone() == root.root_node and root.root_node.color.tolist() == [1, 0, 0]
 
 
-def volumes(mesh):
-    corners = np.asarray(mesh.vertices)[np.asarray(mesh.tetras)]
-    return np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])) / 6
-
-
 def test_tetrahedra_of_a_cloud_fill_its_hull_without_points_inside_their_spheres(rng):
     points = rng.normal(size=(60, 3))
     points[7] = np.nan
@@ -493,13 +476,13 @@ def test_tetrahedra_of_a_cloud_fill_its_hull_without_points_inside_their_spheres
     assert len(rows) == 59 and 7 not in rows and {0, 60} - set(rows) != set()
     vertices = np.asarray(mesh.vertices)
     np.testing.assert_array_equal(vertices, np.r_[points, points[:1]][rows])
-    np.testing.assert_allclose(volumes(mesh).sum(), mesh.compute_convex_hull()[0].get_volume(), rtol=1e-5)
-    a, *others = np.moveaxis(vertices[np.asarray(mesh.tetras)], 1, 0)
-    edges = np.stack([other - a for other in others], axis=1)
+    corners = vertices[np.asarray(mesh.tetras)]
+    a, edges = corners[:, 0], corners[:, 1:] - corners[:, :1]
+    volume = np.abs(np.linalg.det(edges)).sum() / 6
+    np.testing.assert_allclose(volume, mesh.compute_convex_hull()[0].get_volume(), rtol=1e-5)
     centers = a + np.linalg.solve(2 * edges, (edges**2).sum(axis=2)[..., None])[..., 0]
     radii = np.linalg.norm(centers - a, axis=1)
-    distances = np.linalg.norm(vertices - centers[:, None], axis=2)
-    assert (distances >= radii[:, None] * (1 - 1e-6)).all()
+    assert (np.linalg.norm(vertices - centers[:, None], axis=2) >= radii[:, None] * (1 - 1e-6)).all()
 
 
 @pytest.mark.parametrize("points", [np.zeros((0, 3)), np.eye(3), np.c_[np.eye(5)[:, :2], np.zeros(5)]])
@@ -585,8 +568,7 @@ def test_boundaries_are_loops_from_their_lowest_vertex():
     for loop in mesh.get_boundaries():
         assert loop[0] == min(loop) and mesh.boundary_vertices_from_vertex(loop[0]) == loop
         assert set(zip(loop, loop[1:] + loop[:1], strict=True)) <= directed
-        starts = [mesh.half_edges[i].vertex_indices[0] for i in mesh.boundary_half_edges_from_vertex(loop[0])]
-        assert starts == loop
+        assert [mesh.half_edges[i].vertex_indices[0] for i in mesh.boundary_half_edges_from_vertex(loop[0])] == loop
     inner = next(v for v in range(len(mesh.vertices)) if all(v not in loop for loop in mesh.get_boundaries()))
     with pytest.raises(ValueError, match="vertex_index:"):
         mesh.boundary_vertices_from_vertex(inner)

@@ -58,8 +58,7 @@ def test_a_volume_has_the_same_surface(both):
     for surface, points in (*pairs, (surfaces[1], surfaces[0].vertices), (surfaces[1], clouds[0])):
         scene = loom.RaycastingScene()
         scene.add_triangles(surface)
-        distances = np.quantile(scene.compute_distance(points), [0.5, 0.9])
-        assert (distances < np.array([0.2, 0.6]) * VOXEL).all()
+        assert (np.quantile(scene.compute_distance(points), [0.5, 0.9]) < np.array([0.2, 0.6]) * VOXEL).all()
 
 
 def test_color_maps_give_the_same_colors(both):
@@ -171,8 +170,7 @@ def test_repeated_steps_of_given_pairs_reach_the_least_squares_pose(rng):
     target = Rotation.from_rotvec([0.05, -0.1, 0.08]).apply(points) + rng.normal(0, 0.01, (40, 3))
 
     def gaps(x):
-        moved = Rotation.from_rotvec(x[:3]).apply(points) + x[3:]
-        return ((moved - target) * normals).sum(axis=1)[pairs[:, 1]]
+        return ((Rotation.from_rotvec(x[:3]).apply(points) + x[3:] - target) * normals).sum(axis=1)[pairs[:, 1]]
 
     for loss, kernel in (("linear", reg.L2Loss()), ("huber", reg.HuberLoss(0.01)), ("cauchy", reg.CauchyLoss(0.02))):
         method = reg.TransformationEstimationPointToPlane(kernel)
@@ -197,11 +195,10 @@ def test_residuals_of_given_pairs_are_those_of_each_estimator(rng):
     gap, n, m = points[pairs[:, 0]] - target[pairs[:, 1]], right[pairs[:, 1]], left[pairs[:, 0]]
     both = n + m * np.where((m * n).sum(axis=1, keepdims=True) < 0, -1, 1)
     C = [np.eye(3) - (1 - 0.001) * v[:, :, None] * v[:, None, :] for v in (n, m)]  # flat along each normal
+    weighted = np.einsum("ni,nij,nj->n", gap, np.linalg.inv(C[0] + C[1]), gap)
     squares = {
         reg.TransformationEstimationSymmetric(): (gap * both).sum(axis=1) ** 2,
-        reg.TransformationEstimationForGeneralizedICP(): np.einsum(
-            "ni,nij,nj->n", gap, np.linalg.inv(C[0] + C[1]), gap
-        ),
+        reg.TransformationEstimationForGeneralizedICP(): weighted,
         reg.TransformationEstimationForColoredICP(1.0): (gap * n).sum(axis=1) ** 2,
     }
     for method, square in squares.items():
@@ -214,10 +211,8 @@ def test_residuals_of_given_pairs_are_those_of_each_estimator(rng):
     gray = np.repeat(0.2 + 0.5 * plane[:, :1], 3, axis=1)
     flat = cloud_of(plane, normals=np.tile([0, 0, 1.0], (200, 1)), colors=gray)
     shifted = cloud_of(plane + np.array([0.02, 0.1, 0.01]), colors=gray)
-    method, same = (
-        reg.TransformationEstimationForColoredICP(0.6),
-        bridge.utility.Vector2iVector([[i, i] for i in range(200)]),
-    )
+    method = reg.TransformationEstimationForColoredICP(0.6)
+    same = bridge.utility.Vector2iVector([[i, i] for i in range(200)])
     expected = np.sqrt(0.6 * 0.01**2 + 0.4 * (0.5 * 0.02) ** 2)
     assert method.compute_rmse(shifted, flat, same) == pytest.approx(expected, rel=1e-4)
     assert np.allclose(method.compute_transformation(shifted, flat, same)[:3, 3], (-0.02, 0, -0.01), atol=1e-4)
@@ -250,16 +245,9 @@ reg = bridge.pipelines.registration
 SHIFT = np.array([0.0625, -0.03125, 0.0625])
 
 
-def wavy_clouds(package, points):
-    """A wavy surface and itself, shifted."""
-    vectors = [package.utility.Vector3dVector(p) for p in (points, points + SHIFT)]
-    return [package.geometry.PointCloud(vector) for vector in vectors]
-
-
 def ndt_results(package, points):
-    theirs = package.pipelines.registration
-    clouds = wavy_clouds(package, points)
-    results = []
+    theirs, results = package.pipelines.registration, []
+    clouds = [package.geometry.PointCloud(package.utility.Vector3dVector(p)) for p in (points, points + SHIFT)]
     for option in ({"voxel_size": 0.5}, {"voxel_size": 0.5, "neighbor_search_type": 0}):
         found = theirs.registration_ndt(*clouds, theirs.NormalDistributionsTransformOption(**option), np.eye(4))
         pairs = np.asarray(found.correspondence_set)

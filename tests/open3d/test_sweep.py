@@ -4,7 +4,6 @@ import inspect
 import re
 from ast import literal_eval
 from collections.abc import Callable, Iterator
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -141,13 +140,8 @@ ARGUMENTS: dict[str, Any] = {
 }  # fmt: skip
 
 # Results that are compared as sums of rows: those of hash tables have no defined order.
-UNORDERED = {
-    "voxel_down_sample",
-    "voxel_down_sample_and_trace",
-    "get_non_manifold_edges",
-    "simplify_vertex_clustering",
-    "get_oriented_bounding_box",
-}
+UNORDERED = {"voxel_down_sample", "voxel_down_sample_and_trace", "simplify_vertex_clustering"}
+UNORDERED |= {"get_non_manifold_edges", "get_oriented_bounding_box"}
 
 # Methods with documented differences.
 DIFFERENT = {
@@ -254,9 +248,8 @@ def test_results_agree_with_open3d(oracle):
     stored, actual = oracle("open3d/results", lambda o3d: compact(results(o3d))), results(bridge)
     begin = 0
     assert len(actual) == len(stored["texts"]) > 450
-    for (method, make, chosen), numbers_of_call, text in zip(
-        [*calls(), *creations()], actual, stored["texts"], strict=True
-    ):
+    rows = zip([*calls(), *creations()], actual, stored["texts"], strict=True)
+    for (method, make, chosen), numbers_of_call, text in rows:
         expected = stored["values"][begin : begin + text.count(" ") + 1]
         begin += len(expected)
         case = f"{method} of {make.__name__} with {chosen}"
@@ -365,11 +358,7 @@ def cases() -> dict[str, Callable[[Any], Any]]:
     calls += [(parameters, f"{name}Default") for name in ("PrimeSense", "Kinect2DepthCamera", "Kinect2ColorCamera")]
     calls += [(registered, distance) for distance in (0.001, 0.1, 0.5)]
     calls += [(called, method, finite) for method in METHODS for finite in (True, method not in MISSING)]
-    return {f"{call.__name__} {given}": partial(_call, call, given) for call, *given in calls}
-
-
-def _call(function, given, o3d):
-    return function(o3d, *given)
+    return {f"{call.__name__} {given}": lambda o3d, c=call, g=given: c(o3d, *g) for call, *given in calls}
 
 
 def arrays_of(value) -> list[np.ndarray]:
@@ -412,11 +401,8 @@ def test_results_of_other_classes_agree_with_open3d(oracle):
 
 def test_searches_find_all_finite_points_and_no_others():
     tree, finite = (bridge.geometry.KDTreeFlann(normal_cloud(bridge, False)), [i for i in range(40) if i not in (3, 7)])
-    for found in (
-        tree.search_knn_vector_3d([0.5, 0.5, 0.5], 60),
-        tree.search_radius_vector_3d([0.5, 0.5, 0.5], 20.0),
-        tree.search_hybrid_vector_3d([0.5, 0.5, 0.5], 20.0, 60),
-    ):
+    for search, *limits in (("knn", 60), ("radius", 20.0), ("hybrid", 20.0, 60)):
+        found = getattr(tree, f"search_{search}_vector_3d")([0.5, 0.5, 0.5], *limits)
         assert found[0] == 38 and sorted(found[1]) == finite and np.isfinite(found[2]).all()
     none = bridge.geometry.KDTreeFlann(np.full((3, 2), np.nan))
     assert none.search_knn_vector_3d([0, 0, 0], 1)[0] == none.search_radius_vector_3d([0, 0, 0], 1.0)[0] == 0

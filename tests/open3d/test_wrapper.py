@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-import pointloom.open3d as bridge
 import pointloom.open3d as o3d
 
 V = o3d.utility.Vector3dVector
@@ -222,15 +221,8 @@ NUMPY = [call.strip() for call in NUMPY.replace("\n", ";").split(";")]
 COMPARED = ["v == new(a)", "v != new(a + 1)", "not v == new(a[1:])", "v != None", "v[1:] == new(a[1:])", "not v == 2"]
 REFUSED = ["v - v", "v + 1", "2 * v", "-v", "abs(v)", "v < v", "v < 2", "hash(v)", "v.shape", "v.sum()", "v @ v"]
 REFUSED += ["np.add(v, 1, out=v)", "new(a.T[:, None])", "new(['a'])", "new(3)", "v[9]", "v['a']"]
-MADE = [
-    "list(a)",
-    "tuple(a)",
-    "(row for row in a)",
-    "iter(a)",
-    "map(list, a) if a.ndim > 1 else map(type(a[0]), a)",
-    "v",
-]
-MADE += ["dict.fromkeys(range(4), 0) and a", "a[::-1][::-1]", "np.asfortranarray(a)", "new(a)[:]"]
+MADE = ["list(a)", "tuple(a)", "(row for row in a)", "iter(a)", "map(list, a) if a.ndim > 1 else map(type(a[0]), a)"]
+MADE += ["v", "dict.fromkeys(range(4), 0) and a", "a[::-1][::-1]", "np.asfortranarray(a)", "new(a)[:]"]
 
 
 def behavior(o3d, kind):
@@ -239,9 +231,7 @@ def behavior(o3d, kind):
     array = array.astype(np.int32) if "iVector" in kind or kind == "IntVector" else array / 4
     new = getattr(o3d.utility, kind)
     names = {"np": np, "v": new(array), "a": np.asarray(new(array)), "new": new}
-    found = [
-        not is_refused(call, names) and equals(*(eval(call, names | {"v": names[v]}) for v in "va")) for call in NUMPY
-    ]
+    found = [not is_refused(c, names) and equals(*(eval(c, names | {"v": names[v]}) for v in "va")) for c in NUMPY]
     found += [eval(call, names) for call in COMPARED] + [is_refused(call, names) for call in REFUSED]
     return np.array(found + [equals(np.asarray(new(eval(call, names))), array) for call in MADE], bool)
 
@@ -265,20 +255,20 @@ def of_open3d(oracle):
 
 @pytest.mark.parametrize("kind", SHAPES)
 def test_vectors_behave_as_those_of_open3d(kind, of_open3d):
-    stored, actual = of_open3d[kind], behavior(bridge, kind)
+    stored, actual = of_open3d[kind], behavior(o3d, kind)
     calls = [*NUMPY, *COMPARED, *REFUSED, *MADE]
     assert [call for call, one, other in zip(calls, stored, actual, strict=True) if one != other] == []
     assert stored.sum() > 0.95 * len(stored)
 
 
 def test_sets_and_dictionaries_become_vectors():
-    assert list(bridge.utility.IntVector({3, 1})) == [1, 3]
-    assert list(bridge.utility.IntVector({3: 0, 1: 0})) == [3, 1]
-    numbers = bridge.utility.DoubleVector(x / 2 for x in range(3))
+    assert list(o3d.utility.IntVector({3, 1})) == [1, 3]
+    assert list(o3d.utility.IntVector({3: 0, 1: 0})) == [3, 1]
+    numbers = o3d.utility.DoubleVector(x / 2 for x in range(3))
     numbers.extend(x for x in (5, 6))
     assert list(numbers) == [0, 0.5, 1, 5, 6]
     with pytest.raises(TypeError, match="Vector3dVector"):
-        bridge.utility.Vector3dVector("abc")
+        o3d.utility.Vector3dVector("abc")
 
 
 @pytest.fixture

@@ -98,21 +98,15 @@ LEFT_OUT = {  # records, and methods of the model that tracking calls
     "odometry": {
         "Method", "RGBDOdometryJacobianFromColorTerm", "RGBDOdometryJacobianFromHybridTerm", "OdometryFrame.from_image",
     },
-    "slam": {
-        "Model.seen_from", "Model.fuse", "Model.begin_anew", "SubmapRecorder.take_over",
-    },
+    "slam": {"Model.seen_from", "Model.fuse", "Model.begin_anew", "SubmapRecorder.take_over"},
     "reconstruction": set(),
 }  # fmt: skip
 MAY_BE_INFINITE = {("OdometryOption", "depth_max"), ("OdometryFrame", "depth_max")}
 ALSO = {"source": "frame", "depth": "intrinsic"}  # the names in messages of slam
 TABLES = {package: read_table(lines, HOMES) for package, lines in CALLS.items()}
+SLOW = [("check_focal", "depth_max"), *(("run_system", name) for name in TABLES["reconstruction"]["run_system"][1])]
 CASES = [
-    pytest.param(
-        package,
-        call,
-        name,
-        marks=pytest.mark.slow if call == "run_system" or (call, name) == ("check_focal", "depth_max") else (),
-    )
+    pytest.param(package, call, name, marks=pytest.mark.slow if (call, name) in SLOW else ())
     for package, table in TABLES.items()
     for call, (_, names) in table.items()
     for name in names

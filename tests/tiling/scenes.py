@@ -118,12 +118,18 @@ def plan_of(folder):
         return manifest.plan
 
 
-def tiled(paths, steps, folder, device="cpu", **options):
-    """Plan, run and finish a job; return the result relative to the origin of the plan, and the plan."""
+def written(paths, steps, folder, *target, device="cpu", **options):
+    """Plan, run and finish a job; return the path of the result."""
     loom.tiling.plan_tiles(paths, steps, folder, **options)
     status = loom.tiling.run_tiles(folder, device=device)
     assert status.is_finished, status
-    return finished(folder), plan_of(folder)
+    return loom.tiling.finish_tiles(folder, *target)
+
+
+def tiled(paths, steps, folder, device="cpu", **options):
+    """Plan, run and finish a job; return the result relative to the origin of the plan, and the plan."""
+    path, plan = written(paths, steps, folder, device=device, **options), plan_of(folder)
+    return read_cloud([path], np.array(plan["origin"])), plan
 
 
 def finished(folder):

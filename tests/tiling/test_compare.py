@@ -38,8 +38,7 @@ def assert_same(result, expected, *names):
 def test_features_of_tiles_match_one_machine(files, tmp_path, size, search):
     names = ["linearity", "planarity", "sphericity", "curvature", "verticality", "density"]
     result, plan = tiled(files, [{"step": "features", "names": names} | search], tmp_path / "job", size=size)
-    expected = loom.compute_eigen_features(read_cloud(files, np.array(plan["origin"])), **search)
-    assert_same(result, expected, *names)
+    assert_same(result, loom.compute_eigen_features(read_cloud(files, np.array(plan["origin"])), **search), *names)
     assert "omnivariance" not in result.attributes
 
 
@@ -64,8 +63,7 @@ def test_names_of_features_are_checked(files, tmp_path):
 def second_epoch(tmp_path_factory):
     """A second epoch of the survey, shifted, in files of another order."""
     folder = tmp_path_factory.mktemp("second_epoch")
-    paths = survey(folder, files=3, seed=5)
-    table = read_las(paths[0])
+    table = read_las(survey(folder, files=3, seed=5)[0])
     table.points = np.round((table.points + np.array([7.0, 1.0, 0.3])) / 0.05) * 0.05
     write_las(folder / "part9.laz", table, scale=1e-7, offset=CORNER)
     (folder / "part0.laz").unlink()
@@ -128,8 +126,7 @@ def test_epochs_in_copc_files_are_read_by_windows(files, second_epoch, tmp_path)
     steps = [{"step": "distance", "other": other, "max_distance": 2.0}]
     result, plan = tiled(files, steps, tmp_path / "job", size=30.0)
     expected = read_cloud(files, np.array(plan["origin"]))
-    target = read_cloud([other], np.array(plan["origin"]))
-    distances = np.asarray(expected.compute_point_cloud_distance(target))
+    distances = np.asarray(expected.compute_point_cloud_distance(read_cloud([other], np.array(plan["origin"]))))
     expected["distance"] = np.where(distances <= 2.0, distances, np.nan).astype(np.float32)
     assert_same(result, expected, "distance")
 

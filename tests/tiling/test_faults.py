@@ -84,8 +84,7 @@ def test_incompatible_files_are_named(files, tmp_path, what):
     if what == "unit":
         cloud.unit = "foot"
     other = tmp_path / "other.laz"
-    cloud_scale = 0.001 if what == "scale" else STEP
-    loom.write_point_cloud(other, cloud, scale=cloud_scale)
+    loom.write_point_cloud(other, cloud, scale=0.001 if what == "scale" else STEP)
     with pytest.raises(FileError, match=r"other\.laz"):
         loom.tiling.plan_tiles([*files, other], RADIUS, tmp_path / "job")
 
@@ -168,8 +167,7 @@ def test_claims_of_dead_workers_are_released_and_of_live_ones_are_not(job):
         manifest.claim("sources", "dead")
         with worker_lock(job) as alive:
             manifest.claim("sources", alive)
-            assert manifest.release_claims() == 1
-            assert manifest.counts("sources")["running"] == 1
+            assert manifest.release_claims() == 1 and manifest.counts("sources")["running"] == 1
         manifest.claim("sources", "dead again")
     assert loom.tiling.run_tiles(job).is_finished
 
@@ -180,8 +178,7 @@ def test_a_task_that_kills_its_workers_is_quarantined(job):
             assert manifest.claim("tiles", f"dead {death}")["id"] == 0
             manifest.release_claims()
     status = loom.tiling.run_tiles(job)
-    assert (status.aside, status.waiting) == (1, 0)
-    assert "died 3 times" in status.troubles["0_0"]
+    assert (status.aside, status.waiting) == (1, 0) and "died 3 times" in status.troubles["0_0"]
     with pytest.raises(FileError, match="/job:"):
         loom.tiling.finish_tiles(job)
     retry_tiles(job)
@@ -207,8 +204,7 @@ def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
     monkeypatch.setenv("POINTLOOM_TEST_FAILS", "1")
     loom.tiling.plan_tiles(files, [{"step": "function", "call": fails_in_the_east, "reach": 0}], job, size=20.0)
     status = loom.tiling.run_tiles(job)
-    assert status.failed and status.done
-    assert "no points in the east" in str(status)
+    assert status.failed and status.done and "no points in the east" in str(status)
     monkeypatch.delenv("POINTLOOM_TEST_FAILS")
     retry_tiles(job)
     assert loom.tiling.run_tiles(job).is_finished
@@ -301,5 +297,4 @@ def test_an_interrupted_run_does_not_count_as_a_failure_of_its_tile(job, monkeyp
                 loom.tiling.run_tiles(job)
     with Manifest(job) as manifest:
         (row,) = manifest.rows("SELECT sum(attempts) AS deaths, sum(state = 'waiting') AS waiting FROM tiles")
-    assert (row["deaths"], row["waiting"]) == (0, 4)
-    assert loom.tiling.run_tiles(job).is_finished
+    assert (row["deaths"], row["waiting"]) == (0, 4) and loom.tiling.run_tiles(job).is_finished

@@ -134,8 +134,7 @@ def test_a_missing_tile_without_buckets_is_recomputed_from_the_sources(job, expe
 
 
 def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
-    cloud = loom.read_point_cloud(files[0])
-    loom.write_point_cloud(tmp_path / "whole.copc.laz", cloud, scale=1e-4)
+    loom.write_point_cloud(tmp_path / "whole.copc.laz", loom.read_point_cloud(files[0]), scale=1e-4)
     content = (tmp_path / "whole.copc.laz").read_bytes()
     rng = np.random.default_rng(0)
     begin = sources.open_las(tmp_path / "whole.copc.laz").header.begin

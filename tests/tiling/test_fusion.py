@@ -81,8 +81,7 @@ def moved(frames, shift):
 
 @pytest.mark.parametrize("size", SIZES)
 def test_cubes_of_any_size_match_one_volume(device, frames, expected, tmp_path, size):
-    mesh = by_cubes(frames, tmp_path / "job", device=device, size=size)
-    np.testing.assert_array_equal(triangles_of(mesh), expected)
+    np.testing.assert_array_equal(triangles_of(by_cubes(frames, tmp_path / "job", device=device, size=size)), expected)
 
 
 @pytest.mark.slow
@@ -103,8 +102,7 @@ def test_a_wall_on_the_sides_of_cubes_is_neither_lost_nor_duplicated(tmp_path):
     how = {"voxel_size": 0.08, "truncation": 0.32, "weight_threshold": 0}
     one = fused(folder, intrinsic=camera, **how)
     mesh = by_cubes(folder, tmp_path / "job", size=0.64, intrinsic=camera, **how)
-    assert mesh.vertex_colors is None
-    assert (np.asarray(one.vertices)[:, 2] == np.float32(1.28)).all()
+    assert mesh.vertex_colors is None and (np.asarray(one.vertices)[:, 2] == np.float32(1.28)).all()
     np.testing.assert_array_equal(triangles_of(mesh), triangles_of(one))
     assert len(mesh.vertices) == len(one.vertices)
 
@@ -137,8 +135,7 @@ def test_a_cube_contains_its_blocks_and_one_layer_around_them(frames, tmp_path, 
     watch_calls(monkeypatch, fusion.FusionJob, "_integrate", count)
     by_cubes(frames, tmp_path / "job", size=3 * 8 * VOXEL)
     cubes = job_status(tmp_path / "job").done - 1
-    assert max(block_counts) <= 4**3 and len(block_counts) == cubes
-    assert read["BlockFinder"] == 14
+    assert max(block_counts) <= 4**3 and len(block_counts) == cubes and read["BlockFinder"] == 14
     assert 14 <= read["VolumePart"] < 14 * cubes / 3
 
 
@@ -154,8 +151,7 @@ def test_a_damaged_frame_is_named_and_can_be_replaced(frames_copy, expected, tmp
     with pytest.raises(FileError, match=r"(?s)is not finished: .*frame-000007"):
         loom.tiling.finish_fusion(job)
     path.write_bytes(content)
-    assert retry_job(job).waiting == 1
-    assert loom.tiling.run_job(job).is_finished
+    assert retry_job(job).waiting == 1 and loom.tiling.run_job(job).is_finished
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), expected)
 
 
@@ -175,8 +171,7 @@ def test_frames_without_a_pose_are_named_or_left_out(frames_copy, tmp_path):
         for frame_file in frames_copy.glob(f"frame-00000{number}.*"):
             frame_file.unlink()
     threshold = 1  # of 12 frames that could be planned with, and of the 11 that can be read
-    one = fused(frames_copy, weight_threshold=threshold)
-    np.testing.assert_array_equal(triangles_of(mesh), triangles_of(one))
+    np.testing.assert_array_equal(triangles_of(mesh), triangles_of(fused(frames_copy, weight_threshold=threshold)))
 
 
 def test_a_missing_pose_is_an_error_that_names_leave_out(frames_copy, tmp_path):
@@ -276,5 +271,4 @@ def test_progress_is_reported_for_frames_and_cubes(frames, tmp_path, monkeypatch
     loom.tiling.plan_fusion(frames, tmp_path / "job", voxel_size=VOXEL, size=20.0)
     loom.tiling.run_job(tmp_path / "job", progress=lambda *words: events.append(words))
     assert list(dict.fromkeys(stage for stage, _, _ in events)) == ["frames", "cubes"]
-    assert events[0] == ("frames", 0, 4) and ("frames", 4, 4) in events
-    assert events[-1][1] == events[-1][2] > 0
+    assert events[0] == ("frames", 0, 4) and ("frames", 4, 4) in events and events[-1][1] == events[-1][2] > 0

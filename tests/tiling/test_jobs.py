@@ -63,6 +63,11 @@ def by_tasks(paths, job, device="cpu", **options):
     return loom.tiling.finish_registration(job)
 
 
+def tasks_of(job, stage):
+    with Manifest(job, is_job=True) as manifest:
+        return [row["name"] for row in manifest.rows("SELECT name FROM tasks WHERE stage = ? ORDER BY id", stage)]
+
+
 @pytest.fixture(scope="module")
 def expected(surveyed):
     return in_memory(surveyed[0])
@@ -120,21 +125,14 @@ def test_given_and_known_pairs_match_registration_in_memory(surveyed, expected, 
     known = [FragmentPair(first.source, first.target, first.transformation, 0.0, 1.0)]
     how = {"pairs": [(2, 1), (0, 2)], "known": known}
     assert_same(by_tasks(surveyed[0], tmp_path / "job", alike=0, **how), in_memory(surveyed[0], **how))
-    with Manifest(tmp_path / "job", is_job=True) as manifest:
-        names = [row["name"] for row in manifest.rows("SELECT name FROM tasks WHERE stage = 1 ORDER BY id")]
-    assert names == ["pair 0 1", "pair 0 2", "pair 1 2"]
+    assert tasks_of(tmp_path / "job", 1) == ["pair 0 1", "pair 0 2", "pair 1 2"]
 
 
 def test_pairs_are_chosen_by_known_poses_and_by_similarity(surveyed, expected, tmp_path):
     paths, poses = surveyed
     result = by_tasks(paths, tmp_path / "job", places=[poses[0], poses[1], poses[2][:3, 3], None], place_error=0.05)
-    with Manifest(tmp_path / "job", is_job=True) as manifest:
-        near, alike = (
-            [row["name"] for row in manifest.rows("SELECT name FROM tasks WHERE stage = ? ORDER BY id", stage)]
-            for stage in (1, 2)
-        )
-    assert set(near) == {"pair 0 1", "pair 0 2", "pair 1 2"}
-    assert alike == ["pair 0 3", "pair 1 3", "pair 2 3"]
+    assert set(tasks_of(tmp_path / "job", 1)) == {"pair 0 1", "pair 0 2", "pair 1 2"}
+    assert tasks_of(tmp_path / "job", 2) == ["pair 0 3", "pair 1 3", "pair 2 3"]
     assert_same(result, expected)
 
 
@@ -154,8 +152,7 @@ def test_boxes_at_given_poses_intersect():
     ball = box_at_pose(low, high, np.array([0.0, 0, 10]), 0.25)
     np.testing.assert_allclose(ball[1] - ball[0], 2 * (np.sqrt(1 + 4 + 1) + 0.25))
     np.testing.assert_array_equal(groups_of(5, [(3, 1), (4, 3)]), [0, 1, 2, 1, 1])
-    descriptors = np.array([[0.0, 5], [1, 5], [0.1, 5], [9, 5]])
-    assert most_similar(descriptors, 0, np.array([1, 2, 3]), 2) == [2, 1]
+    assert most_similar(np.array([[0.0, 5], [1, 5], [0.1, 5], [9, 5]]), 0, np.array([1, 2, 3]), 2) == [2, 1]
 
 
 def test_an_unreadable_scan_is_named_and_can_be_replaced(surveyed, expected, tmp_path):
@@ -218,16 +215,14 @@ def test_an_interrupted_run_repeats_no_pair(surveyed, expected, tmp_path, monkey
         loom.tiling.run_job(job)
     assert job_status(job).done == 7
     last = None
-    assert loom.tiling.run_job(job).is_finished
-    assert set(tried.values()) == {1} and len(tried) == 6
+    assert loom.tiling.run_job(job).is_finished and set(tried.values()) == {1} and len(tried) == 6
     assert_same(loom.tiling.finish_registration(job), expected)
 
 
 def test_a_scan_without_a_surface_is_reported_and_left_out(surveyed, tmp_path):
     loom.write_point_cloud(tmp_path / "few.ply", loom.PointCloud(np.random.default_rng(0).random((3, 3)) * 100))
     paths = [surveyed[0][0], tmp_path / "few.ply", surveyed[0][1]]
-    result = by_tasks(paths, tmp_path / "job")
-    assert result.placed.tolist() == [True, False, True]
+    assert by_tasks(paths, tmp_path / "job").placed.tolist() == [True, False, True]
     assert "few.ply: has no surface" in str(job_status(tmp_path / "job"))
 
 
@@ -303,8 +298,7 @@ def test_an_unreadable_sequence_fails_alone_and_can_be_replaced(broken, tmp_path
     assert "camera-intrinsics.json" in status.troubles["b"]
     shutil.copy(broken[0] / "camera-intrinsics.json", broken[1] / "camera-intrinsics.json")
     retry_job(job)
-    assert loom.tiling.run_job(job).is_finished
-    assert started == ["a", "b"]
+    assert loom.tiling.run_job(job).is_finished and started == ["a", "b"]
     path = next(broken[0].glob("*.depth.png"))
     path.write_bytes(path.read_bytes()[:-10])
     with pytest.raises(FileError, match="a:"):

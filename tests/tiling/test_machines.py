@@ -37,14 +37,11 @@ def mounts(tmp_path, monkeypatch):
     monkeypatch.setattr(manifest, "MOUNTS", tmp_path / "mountinfo")
 
 
-def test_the_mount_of_a_folder_determines_whether_it_is_shared(tmp_path, mounts):
+def test_a_folder_is_shared_if_its_mount_is_and_local_without_a_table_of_mounts(tmp_path, mounts, monkeypatch):
     assert all(is_shared(tmp_path / folder) for folder in ("far", "far/job", "two words/job", "over"))
     assert not any(is_shared(tmp_path / folder) for folder in ("far/near/job", "farther", ""))
-
-
-def test_without_a_table_of_mounts_folders_are_local(tmp_path, monkeypatch):
     monkeypatch.setattr(manifest, "MOUNTS", tmp_path / "nowhere")
-    assert not is_shared(tmp_path)
+    assert not is_shared(tmp_path / "far")
 
 
 def mode_of(job):
@@ -79,8 +76,7 @@ def test_a_job_planned_on_a_local_disk_drops_the_log_where_it_is_shared(tmp_path
             Manifest(job)
     assert mode_of(job) == "wal"
     monkeypatch.setattr(manifest, "is_shared", lambda _: True)
-    assert loom.tiling.run_tiles(job).is_finished
-    assert mode_of(job) == "delete"
+    assert loom.tiling.run_tiles(job).is_finished and mode_of(job) == "delete"
 
 
 def test_locks_of_workers_on_windows_end_with_their_block(tmp_path, monkeypatch):

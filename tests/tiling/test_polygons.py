@@ -38,10 +38,8 @@ def test_points_in_polygons_match_one_machine(files, tmp_path, size):
         step = {"step": "crop", "polygon": polygons, "invert": invert}
         result, plan = tiled(files, [step], tmp_path / f"job{invert}", size=size)
         cloud = read_cloud(files, np.array(plan["origin"]))
-        volumes = [
-            loom.SelectionPolygonVolume(np.pad(ring, ((0, 0), (0, 1))), "Z", -1e9, 1e9)
-            for ring in moved(OUTER, HOLE, OTHER)
-        ]
+        rings = [np.pad(ring, ((0, 0), (0, 1))) for ring in moved(OUTER, HOLE, OTHER)]
+        volumes = [loom.SelectionPolygonVolume(ring, "Z", -1e9, 1e9) for ring in rings]
         inside = [np.isin(np.arange(len(cloud)), volume.crop_in_polygon(cloud)) for volume in volumes]
         keep = (inside[0] ^ inside[1]) | inside[2]
         np.testing.assert_array_equal(rows_of(result), rows_of(cloud.select_by_mask(keep != invert)))
@@ -124,8 +122,7 @@ def test_areas_in_degrees_are_transformed_to_the_survey_if_their_crs_is_given(tm
     from pointloom.io.points.las_writer import write_las
     from pointloom.io.table import PointTable
 
-    rng = np.random.default_rng(0)
-    points = rng.random((2000, 3)) * (SIDE, SIDE, 1) + CORNER
+    points = np.random.default_rng(0).random((2000, 3)) * (SIDE, SIDE, 1) + CORNER
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = [1e-3] * 3, CORNER
     header.add_crs(pyproj.CRS("EPSG:25832"))

@@ -9,6 +9,8 @@ from pointloom.io.points.las_crs import find_text
 from pointloom.tiling.sources import describe
 from pointloom.tiling.steps.parse import parse_steps
 
+from .scenes import written
+
 laspy = pytest.importorskip("laspy")
 pyproj = pytest.importorskip("pyproj")
 CORNER = np.array([455_000.0, 5_420_000.0, 100.0])
@@ -27,21 +29,13 @@ def survey(tmp_path):
     return tmp_path / "a.laz"
 
 
-def made(survey, steps, folder, name="out.laz", **options):
-    loom.tiling.plan_tiles(survey, steps, folder, **options)
-    status = loom.tiling.run_tiles(folder)
-    assert status.is_finished, status
-    return loom.tiling.finish_tiles(folder, folder.parent / name)
-
-
 @pytest.mark.parametrize("name", ["out.laz", pytest.param("out.copc.laz", marks=pytest.mark.slow)])
 def test_points_match_proj_for_any_tile_size(survey, tmp_path, name):
     results = []
     for size in (15.0, 100.0):
-        path = made(survey, [STEP], tmp_path / f"job{size:g}", name, size=size)
+        path = written(survey, [STEP], tmp_path / f"job{size:g}", tmp_path / name, size=size)
         cloud = loom.read_point_cloud(path)
-        order = np.argsort(np.asarray(cloud["intensity"]), kind="stable")
-        results.append(cloud.points[order])
+        results.append(cloud.points[np.argsort(np.asarray(cloud["intensity"]), kind="stable")])
         header = open_las(path).header
         assert pyproj.CRS.from_wkt(find_text(header)).equals(pyproj.CRS("EPSG:25833"), ignore_axis_order=True)
     np.testing.assert_array_equal(*results)
@@ -53,17 +47,15 @@ def test_points_match_proj_for_any_tile_size(survey, tmp_path, name):
 
 def test_steps_before_reprojection_use_source_coordinates(survey, tmp_path):
     thin = {"step": "thin", "spacing": 2.0}
-    thinned = loom.read_point_cloud(made(survey, [thin], tmp_path / "b", "b.laz", size=21.0))
-    path = made(survey, [thin, STEP | {"to_crs": "EPSG:2056"}], tmp_path / "c", "c.laz", size=21.0)
+    thinned = loom.read_point_cloud(written(survey, [thin], tmp_path / "b", size=21.0))
+    path = written(survey, [thin, STEP | {"to_crs": "EPSG:2056"}], tmp_path / "c", size=21.0)
     assert len(loom.read_point_cloud(path)) == len(thinned) < 1500
 
 
 def test_heights_keep_their_system_or_are_rejected(survey, tmp_path):
     """The vertical system is kept if the target has none; systems that mix feet and meters are rejected."""
-    how = {"from_crs": "EPSG:25832+5783"}
-    header = open_las(made(survey, [STEP | how], tmp_path / "a", "b.laz", size=50.0)).header
-    parts = pyproj.CRS.from_wkt(find_text(header)).sub_crs_list
-    assert [part.to_epsg() for part in parts][1] == 5783
+    header = open_las(written(survey, [STEP | {"from_crs": "EPSG:25832+5783"}], tmp_path / "a", size=50.0)).header
+    assert [part.to_epsg() for part in pyproj.CRS.from_wkt(find_text(header)).sub_crs_list][1] == 5783
     with pytest.raises(ValueError, match=r"^steps:"):
         loom.tiling.plan_tiles(survey, [STEP | {"to_crs": "EPSG:2994"}], tmp_path / "job")
 
@@ -95,8 +87,7 @@ def test_reprojection_errors_are_named(survey, tmp_path):
     loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3))))
     with pytest.raises(loom.FileError, match=r"/plain\.laz:.*from_crs"):
         loom.tiling.plan_tiles(plain, [STEP], tmp_path / "job")
-    far = np.random.default_rng(0).random((100, 3)) + np.array([1e9, 1e9, 0])
-    loom.write_point_cloud(plain, loom.PointCloud(far))
+    loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3)) + np.array([1e9, 1e9, 0])))
     with pytest.raises(ValueError, match=r"^steps:.*1.*25833"):
         loom.tiling.plan_tiles(plain, [STEP | {"from_crs": "EPSG:25832"}], tmp_path / "job")
     loom.tiling.plan_tiles(survey, [STEP], tmp_path / "again")

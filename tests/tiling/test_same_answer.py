@@ -138,8 +138,7 @@ def brighter(cloud, by):
 def test_a_function_with_its_radius_is_a_step(files, tmp_path):
     steps = [{"step": "function", "call": brighter, "reach": 0, "arguments": {"by": 2}}]
     result, plan = tiled(files, steps, tmp_path / "job", size=30.0)
-    expected = brighter(read_cloud(files, np.array(plan["origin"])), 2)
-    np.testing.assert_array_equal(rows_of(result), rows_of(expected))
+    np.testing.assert_array_equal(rows_of(result), rows_of(brighter(read_cloud(files, np.array(plan["origin"])), 2)))
 
 
 def test_only_the_given_area_is_computed(files, tmp_path):

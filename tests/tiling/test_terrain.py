@@ -8,7 +8,7 @@ from pointloom.core.errors import FileError
 from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
 
-from .scenes import CORNER, plan_of, read_cloud
+from .scenes import CORNER, plan_of, read_cloud, written
 
 EXTENT = np.array([180.0, 130.0])
 GROUND = {"step": "classify_ground", "cell_size": 1.0, "max_window": 3.0}  # has a radius of 63 m
@@ -66,10 +66,7 @@ def rows_of(cloud, *names):
 
 
 def run(paths, steps, folder, **options):
-    loom.tiling.plan_tiles(paths, steps, folder, **options)
-    status = loom.tiling.run_tiles(folder)
-    assert status.is_finished, status
-    return loom.tiling.finish_tiles(folder), plan_of(folder)
+    return written(paths, steps, folder, **options), plan_of(folder)
 
 
 @pytest.mark.parametrize("size", [60.0, pytest.param(61.3, marks=pytest.mark.slow)])
@@ -77,8 +74,7 @@ def test_ground_and_heights_match_one_machine_for_any_tile_size(files, tmp_path,
     result, plan = run(files, [GROUND, ABOVE], tmp_path / "job", size=size)
     cloud = classified(read_cloud(files, plan["origin"]))
     cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9.0)
-    labels = np.asarray(cloud["classification"])
-    assert 0.5 < (labels == 2).mean() < 0.95
+    assert 0.5 < (np.asarray(cloud["classification"]) == 2).mean() < 0.95
     assert np.isfinite(cloud["height_above_ground"]).mean() > 0.9
     names = ("intensity", "classification", "height_above_ground")
     np.testing.assert_array_equal(rows_of(loom.read_point_cloud(result), *names), rows_of(cloud, *names))
@@ -136,10 +132,8 @@ def test_a_job_without_remaining_points_writes_its_rasters(files, tmp_path):
     rasters, _ = run(files, [*steps, away], tmp_path / "without", size=60.0)
     assert result.name == "result.laz" and rasters.name == "result.lowest.tif" and not result.with_name("x").exists()
     for kind in ("lowest", "density"):
-        with (
-            rasterio.open(result.with_name(f"result.{kind}.tif")) as file,
-            rasterio.open(rasters.with_name(f"result.{kind}.tif")) as other,
-        ):
+        paths = [path.with_name(f"result.{kind}.tif") for path in (result, rasters)]
+        with rasterio.open(paths[0]) as file, rasterio.open(paths[1]) as other:
             np.testing.assert_array_equal(file.read(), other.read())
     with pytest.raises(FileError, match=r"result\.lowest\.tif"):
         loom.tiling.finish_tiles(tmp_path / "without", overwrite=False)

@@ -84,11 +84,8 @@ def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job,
         assert (levels[node.level][-1] <= low + tree.side / 2**node.level + 1e-9).all()
     coarse = np.concatenate(levels[0])
     everything = np.concatenate([points for level_points in levels.values() for points in level_points])
-    cells, every = (
-        np.unique(np.minimum((points - tree.corner) // (tree.side / 128), 127), axis=0)
-        for points in (coarse, everything)
-    )
-    assert len(coarse) == len(cells) == len(every) and len(everything) == sum(counts)
+    cells = [np.minimum((points - tree.corner) // (tree.side / 128), 127) for points in (coarse, everything)]
+    assert {len(np.unique(each, axis=0)) for each in cells} == {len(coarse)} and len(everything) == sum(counts)
 
 
 def test_laspy_reads_all_points_and_windows(job, tmp_path, monkeypatch):
@@ -108,8 +105,7 @@ def test_laspy_reads_all_points_and_windows(job, tmp_path, monkeypatch):
     ids=["coincident", "a line", "one point"],
 )
 def test_coincident_and_collinear_points(tmp_path, points):
-    job = job_of(loom.PointCloud(points), tmp_path, 7.0)
-    path = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    path = loom.tiling.finish_tiles(job_of(loom.PointCloud(points), tmp_path, 7.0), tmp_path / "a.copc.laz")
     stored = [np.sort(read_las(each).points, axis=0) for each in (path, tmp_path / "cloud.laz")]
     np.testing.assert_array_equal(*stored)
 

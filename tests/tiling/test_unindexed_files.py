@@ -14,7 +14,7 @@ from pointloom.tiling import plan as plan_module
 from pointloom.tiling import unindexed_files
 from pointloom.tiling.status import tile_status
 
-from .scenes import plan_of
+from .scenes import plan_of, written
 
 STEPS = [{"step": "remove_radius_outlier", "nb_points": 2, "radius": 3.0}]
 
@@ -47,9 +47,7 @@ def write(cloud, path):
 def of_las(tmp_path_factory):
     folder = tmp_path_factory.mktemp("las")
     write(cloud(), folder / "a.laz")
-    loom.tiling.plan_tiles(folder / "a.laz", STEPS, folder / "job", size=20.0)
-    assert loom.tiling.run_tiles(folder / "job").is_finished
-    return loom.read_point_cloud(loom.tiling.finish_tiles(folder / "job"))
+    return loom.read_point_cloud(written(folder / "a.laz", STEPS, folder / "job", size=20.0))
 
 
 SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in ("a.pcd", "a.pts", "a.xyzrgb", "a.e57")]
@@ -61,10 +59,8 @@ def test_points_of_every_format_match_las(tmp_path, name, monkeypatch, of_las):
     monkeypatch.setattr(unindexed_files, "ROWS", 1500)
     path, job = tmp_path / name, tmp_path / "job"
     write(cloud(), path)
-    loom.tiling.plan_tiles(path, STEPS, job, size=20.0)
-    assert loom.tiling.run_tiles(job).is_finished
+    result = loom.read_point_cloud(written(path, STEPS, job, size=20.0))
     assert loom.tiling.plan_tiles(path, STEPS, job, size=20.0).is_finished  # the same plan
-    result = loom.read_point_cloud(loom.tiling.finish_tiles(job))
     np.testing.assert_array_equal(rows(result), rows(of_las))
     assert len(result) > 3500
     if name != "a.xyzrgb":
@@ -152,7 +148,8 @@ def test_an_index_gives_the_points_of_its_files(tmp_path):
     index = tmp_path / "made" / "index.vpc"
     index.write_text(json.dumps(items))
     assert loom.tiling.plan_tiles(index, STEPS, tmp_path / "job").points == len(full_cloud)
-    assert plan_files(tmp_path / "job") == [str(tmp_path / "made" / f"{k}.laz") for k in range(2)]
+    sources = [source["path"] for source in plan_of(tmp_path / "job")["sources"]]
+    assert sources == [str(tmp_path / "made" / f"{k}.laz") for k in range(2)]
     for change, message in [
         (lambda one: one["properties"].update({"pc:count": 7}), "lists 7 points of"),
         (lambda one: one["properties"]["proj:bbox"].__setitem__(0, 0.0), "lists the bounds"),
@@ -175,17 +172,11 @@ def test_an_index_gives_the_points_of_its_files(tmp_path):
             loom.tiling.plan_tiles(tmp_path / "made" / "other.vpc", STEPS, tmp_path / "x")
 
 
-def plan_files(folder):
-    return [source["path"] for source in plan_of(folder)["sources"]]
-
-
 def test_an_index_may_use_other_asset_names(tmp_path):
     points = np.random.default_rng(0).random((50, 3))
     loom.write_point_cloud(tmp_path / "a b.laz", loom.PointCloud(points))
-    assets = {
-        "overview": {"href": "a%20b.laz", "roles": ["overview"]},
-        "points": {"href": "a%20b.laz", "roles": ["data"]},
-    }
+    roles = {"overview": "overview", "points": "data"}
+    assets = {name: {"href": "a%20b.laz", "roles": [role]} for name, role in roles.items()}
     (tmp_path / "one.vpc").write_text(json.dumps({"features": [{"assets": assets}]}))
     assert loom.tiling.plan_tiles(tmp_path / "one.vpc", STEPS, tmp_path / "job").points == 50
     del assets["points"]["roles"], assets["overview"]["roles"]
@@ -208,9 +199,7 @@ def test_names_and_values_invalid_in_las_get_another_name(tmp_path):
     columns = {"a" * 33: points[:, 0], "intensity": points[:, 1], "intensity_value": points[:, 2]}
     columns["label"] = np.arange(50, dtype=np.int32)
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, **columns))
-    loom.tiling.plan_tiles(tmp_path / "a.ply", [], tmp_path / "job")
-    loom.tiling.run_tiles(tmp_path / "job")
-    result = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / "a.laz"))
+    result = loom.read_point_cloud(written(tmp_path / "a.ply", [], tmp_path / "job", tmp_path / "a.laz"))
     for name, axis in {"a" * 32: 0, "intensity_value_2": 1, "intensity_value": 2}.items():
         np.testing.assert_allclose(result[name], result.points[:, axis], atol=1e-4)
     assert sorted(np.asarray(result["label"]).tolist()) == list(range(50))

@@ -10,7 +10,6 @@ import pytest
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
-import pointloom.open3d
 import pointloom.open3d as bridge
 from pointloom.core.open3d_names import SHAPES, row_of
 
@@ -22,15 +21,11 @@ POSE[:3, :3], POSE[:3, 3] = Rotation.from_rotvec([0.02, -0.01, 0.03]).as_matrix(
 def wave():
     """Points, normals and colors of a surface."""
     x, y = (axis.ravel() for axis in np.meshgrid(*[np.linspace(0, 1, SIDE)] * 2))
-    slopes = np.column_stack(
-        [-0.6 * np.cos(6 * x + 2 * y), -0.2 * np.cos(6 * x + 2 * y) + 0.3 * np.sin(5 * y), 1 + 0 * x]
-    )
+    slope = np.cos(6 * x + 2 * y)
+    slopes = np.column_stack([-0.6 * slope, -0.2 * slope + 0.3 * np.sin(5 * y), 1 + 0 * x])
     points = np.column_stack([x, y, 0.1 * np.sin(6 * x + 2 * y) + 0.06 * np.cos(5 * y)])
-    return (
-        points,
-        slopes / np.linalg.norm(slopes, axis=1, keepdims=True),
-        0.5 + 0.4 * np.sin(np.array([3, 5, 7]) * x[:, None]),
-    )
+    colors = 0.5 + 0.4 * np.sin(np.array([3, 5, 7]) * x[:, None])
+    return points, slopes / np.linalg.norm(slopes, axis=1, keepdims=True), colors
 
 
 def clouds_of(package, dtype=np.float64, device="CPU:0", **attributes):
@@ -74,9 +69,8 @@ def test_icp_finds_the_motion_and_its_results_are_tensors(device, dtype):
     assert np.array_equal(pairs.numpy()[:, 0], np.arange(0, SIDE * SIDE, 2))
     assert [int(state["iteration_index"].numpy()) for state in states] == [*range(len(states))]
     assert np.allclose(states[-1]["transformation"].numpy(), POSE, atol=1e-5)
-    assert {*states[0]} == {
-        *("iteration_index", "scale_index", "scale_iteration_index", "inlier_rmse", "fitness", "transformation")
-    }
+    names = "iteration_index", "scale_index", "scale_iteration_index", "inlier_rmse", "fitness", "transformation"
+    assert {*states[0]} == {*names}
 
 
 def registrations_of(package):
@@ -125,9 +119,8 @@ def test_correspondences_are_the_nearest_points_or_minus_one():
         assert plane.compute_rmse(source, target, pairs) == pytest.approx(rmse, rel=1e-5)
         T = point.compute_transformation(source, target, pairs).numpy()
         best = Rotation.align_vectors(q - q.mean(axis=0), p - p.mean(axis=0))[0].as_matrix()
-        assert np.allclose(T[:3, :3], best, atol=1e-9) and np.allclose(
-            T[:3, :3] @ p.mean(axis=0) + T[:3, 3], q.mean(axis=0)
-        )
+        assert np.allclose(T[:3, :3], best, atol=1e-9)
+        assert np.allclose(T[:3, :3] @ p.mean(axis=0) + T[:3, 3], q.mean(axis=0))
         moved = source.clone().transform(plane.compute_transformation(source, target, pairs))
         assert plane.compute_rmse(moved, target, pairs) < 0.5 * rmse
     with pytest.raises(ValueError, match="correspondences:"):
@@ -148,8 +141,7 @@ def test_doppler_icp_finds_a_motion_along_a_wall(rng):
     target.point.normals = bridge.core.Tensor(np.tile([0.0, -1, 0], (900, 1)))
     method = reg.TransformationEstimationForDopplerICP(0.1)
     assert (method.lambda_doppler, method.period) == (0.1, period)
-    rules = reg.ICPConvergenceCriteria(1e-9, 1e-9, 60)
-    found = reg.icp(source, target, 1.0, np.eye(4), method, rules)
+    found = reg.icp(source, target, 1.0, np.eye(4), method, reg.ICPConvergenceCriteria(1e-9, 1e-9, 60))
     assert np.allclose(found.transformation.numpy()[:3, 3], shift, atol=2e-3)
     same = bridge.core.Tensor(np.arange(900))
     step = method.compute_transformation(source, target, same, bridge.core.Tensor(np.eye(4)), 0)
@@ -188,10 +180,8 @@ def test_options_and_results_have_the_repr_of_open3d(oracle):
 
 
 def test_kernels_weigh_as_their_formulas():
-    names, kernel = (
-        bridge.t.pipelines.registration.robust_kernel,
-        bridge.t.pipelines.registration.robust_kernel.RobustKernel,
-    )
+    names = bridge.t.pipelines.registration.robust_kernel
+    kernel = names.RobustKernel
     r, k, shape = np.linspace(0.01, 0.5, 20), 0.1, -2.0
     expected = {
         "L2Loss": np.ones(20),
@@ -214,21 +204,20 @@ def test_kernels_weigh_as_their_formulas():
 
 def test_arguments_are_checked():
     reg, (source, target) = bridge.t.pipelines.registration, clouds_of(bridge)
+    plane, rules = reg.TransformationEstimationPointToPlane, [reg.ICPConvergenceCriteria()] * 2
     with pytest.raises(TypeError, match="source:"):
         reg.icp(source.to_legacy(), target, DISTANCE)
     with pytest.raises(ValueError, match="max_correspondence_distances:"):
         reg.icp(source, target, -1.0)
     with pytest.raises(ValueError, match="voxel_sizes"):
-        reg.multi_scale_icp(source, target, [0.1, 0.2], [reg.ICPConvergenceCriteria()] * 2, [0.1, 0.1])
+        reg.multi_scale_icp(source, target, [0.1, 0.2], rules, [0.1, 0.1])
     with pytest.raises(TypeError, match="estimation_method:"):
-        reg.registration_symmetric_icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimationPointToPlane())
+        reg.registration_symmetric_icp(source, target, DISTANCE, np.eye(4), plane())
     with pytest.raises(TypeError, match="type:"):
-        reg.icp(
-            source, target, 0.1, np.eye(4), reg.TransformationEstimationPointToPlane(reg.robust_kernel.RobustKernel(5))
-        )
+        reg.icp(source, target, 0.1, np.eye(4), plane(reg.robust_kernel.RobustKernel(5)))
     del target.point["normals"]
     with pytest.raises(ValueError, match="target:"):
-        reg.icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimationPointToPlane())
+        reg.icp(source, target, DISTANCE, np.eye(4), plane())
 
 
 CLASSES = ("TensorMap", "PointCloud", "LineSet", "Image", "RGBDImage", "AxisAlignedBoundingBox", "OrientedBoundingBox")
@@ -252,7 +241,7 @@ def signatures(o3d, owner):
 
 @pytest.mark.parametrize("owner", [*CLASSES, "io"])
 def test_arguments_have_their_names(oracle, owner):
-    parent = pointloom.open3d.t.io if owner == "io" else getattr(pointloom.open3d.t.geometry, owner)
+    parent = bridge.t.io if owner == "io" else getattr(bridge.t.geometry, owner)
     for name, overloads in oracle(f"open3d/t/signatures_{owner}", signatures, owner).items():
         made = inspect.getattr_static(parent, name, None) if owner != "io" else getattr(parent, name)
         is_field = any(name in getattr(base, "__annotations__", {}) for base in getattr(parent, "__mro__", ()))

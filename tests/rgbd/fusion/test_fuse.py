@@ -44,8 +44,7 @@ def test_exact_frames_of_the_room_fuse_to_its_surface(device):
     frames = room_sequence(12, width=200, height=150, noise=False, device=device)
     mesh = loom.fuse(frames, voxel_size=VOXEL, device=device, read_ahead=0).mesh
     errors = surface_errors(mesh.vertices, device=device)
-    assert np.median(errors) < 0.05 * VOXEL
-    assert np.mean(errors < VOXEL / 2) > 0.9
+    assert np.median(errors) < 0.05 * VOXEL and np.mean(errors < VOXEL / 2) > 0.9
 
 
 class Posed:
@@ -89,8 +88,7 @@ def test_frames_spread_over_a_long_sequence_are_checked_against_the_surface(sequ
     check = PoseCheck(sequence.intrinsic, 1000.0, 4.0)
     for k in range(200):
         check.add(np.full((120, 160), k, np.uint16), np.eye(4))
-    sampled = [int(depth[0, 0]) for depth, _ in check._samples]
-    assert sampled == list(range(0, 200, 16))
+    assert [int(depth[0, 0]) for depth, _ in check._samples] == list(range(0, 200, 16))
     assert check._samples[0][0].shape == (60, 80)
 
 
@@ -110,16 +108,13 @@ def test_the_wall_keeps_its_position_and_color(device):
 
 def test_frames_without_color_give_a_mesh_without():
     result = loom.fuse(Wall(color=False), voxel_size=0.02)
-    assert len(result.mesh) > 0
-    assert result.mesh.vertex_colors is None
+    assert len(result.mesh) > 0 and result.mesh.vertex_colors is None
 
 
 @pytest.mark.parametrize(("frame_count", "threshold"), [(1, 0), (10, 1), (30, 3)])
 def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, threshold):
     result = loom.fuse(Wall(frame_count), voxel_size=0.05)
-    assert result.weight_threshold == threshold
-    assert result.frame_count == frame_count
-    assert len(result.mesh) > 0
+    assert result.weight_threshold == threshold and result.frame_count == frame_count and len(result.mesh) > 0
     assert [frames for frames, _ in WEIGHTS] == sorted((frames for frames, _ in WEIGHTS), reverse=True)
 
 
@@ -129,8 +124,7 @@ def test_shares_distinguish_missing_depth_from_depth_out_of_range():
     assert (far.depth_share, far.used_share) == (1.0, 0.0)
     none = loom.fuse(Wall(depth=0), voxel_size=0.05)
     assert "have a depth" in str(none.warnings) and "pointloom info" not in str(none.warnings)
-    assert (none.depth_share, none.used_share) == (0.0, 0.0)
-    assert len(far.mesh) == len(none.mesh) == 0
+    assert (none.depth_share, none.used_share) == (0.0, 0.0) and len(far.mesh) == len(none.mesh) == 0
 
 
 @pytest.mark.parametrize(
@@ -142,8 +136,7 @@ def test_a_voxel_too_large_for_the_scene_is_reported(voxel_size, message):
     assert f"voxel_size: {message}" in str(result.warnings) and "--" not in str(result.warnings)
     assert str(result).splitlines()[-1].split(maxsplit=1) == ["warning", result.warnings[0]]
     fine = loom.fuse(Wall(), voxel_size=0.02)
-    assert fine.reliable and "poor" not in str(fine)
-    assert fine.seen_extent == pytest.approx(31 / 30)
+    assert fine.reliable and "poor" not in str(fine) and fine.seen_extent == pytest.approx(31 / 30)
 
 
 @pytest.mark.parametrize("read_ahead", [0, READ_AHEAD])
@@ -186,5 +179,4 @@ def test_options_out_of_range_are_named(options, name):
 @pytest.mark.parametrize(("depth_max", "used"), [(0.999, 0.0), (1.0, 1.0), (1.001, 1.0)])
 def test_a_depth_at_the_limit_counts_as_used_and_is_fused(depth_max, used):
     result = loom.fuse(Wall(depth=1000), voxel_size=0.05, depth_max=depth_max)
-    assert (result.depth_share, result.used_share) == (1.0, used)
-    assert (len(result.mesh) > 0) == bool(used)
+    assert (result.depth_share, result.used_share) == (1.0, used) and (len(result.mesh) > 0) == bool(used)

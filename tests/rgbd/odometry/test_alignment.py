@@ -46,8 +46,7 @@ def test_another_exposure_changes_little(device, gain, offset):
     depth, color = picture(SECOND)
     other = np.clip(gain * color.astype(float) + offset, 0, 255).astype(np.uint8)
     source = frame(FIRST, device)
-    target = od.OdometryFrame(depth, CAMERA, other, device=device)
-    result = od.align_frames(source, target, method=od.Method.Intensity)
+    result = od.align_frames(source, od.OdometryFrame(depth, CAMERA, other, device=device), method=od.Method.Intensity)
     angle, distance = errors_of(result.transformation, MOTION)
     assert result.reliable, result.warnings
     assert angle < 0.2 and distance < 8
@@ -73,14 +72,12 @@ def test_a_result_unpacks_as_open3ds(device):
     assert success and transformation.shape == (4, 4) and information.shape == (6, 6)
 
 
-Method = loom.odometry.Method
 MOVED = pose_of((0.02, -0.03, 0.01), (0.02, -0.01, 0.03))
 
 
-def aligned(device, seed, noise=1.0, method=Method.PointToPlane):
+def aligned(device, seed, noise=1.0, method=od.Method.PointToPlane):
     source = frame(MOVED, device, noise=noise, seed=2 * seed)
-    target = frame(np.eye(4), device, noise=noise, seed=2 * seed + 1)
-    return loom.odometry.align_frames(source, target, method=method)
+    return loom.odometry.align_frames(source, frame(np.eye(4), device, noise=noise, seed=2 * seed + 1), method=method)
 
 
 def components(result):
@@ -92,7 +89,7 @@ def components(result):
     return vectors.T @ (motion / scale) / np.sqrt(values)
 
 
-@pytest.mark.parametrize("method", [Method.PointToPlane, Method.Hybrid])
+@pytest.mark.parametrize("method", [od.Method.PointToPlane, od.Method.Hybrid])
 def test_errors_of_noisy_frames_are_of_the_size_of_the_standard_deviations(device, method):
     found = np.concatenate([components(aligned(device, seed, method=method)) for seed in range(6)])
     assert 0.25 < np.sqrt(np.mean(found**2)) < 1.5  # below 1: coarse pixels round the surfaces, which is no noise
@@ -109,8 +106,7 @@ def test_checks_assume_larger_errors_than_those_of_frames(device):
 
 
 def test_the_unit_covariance_is_that_of_a_shift_in_the_middle_of_the_pixels(device):
-    result = aligned(device, 0)
-    middle = np.linalg.inv(result.unit_covariance)  # information, which adds at the center of the inliers
+    middle = np.linalg.inv(aligned(device, 0).unit_covariance)  # information, which adds at the center of the inliers
     assert np.allclose(middle[3:, 3:], np.eye(3), atol=1e-6)
 
 
@@ -127,8 +123,7 @@ def sums(excess):
 
 def test_large_residuals_count_as_errors_of_parts_of_the_image():
     small, large = (frame_noise(sums(excess), False) / excess for excess in (0.03, 0.3))
-    assert large > 4 * small
-    assert frame_noise(sums(0.3), True) > 1.5 * frame_noise(sums(0.3), False)
+    assert large > 4 * small and frame_noise(sums(0.3), True) > 1.5 * frame_noise(sums(0.3), False)
 
 
 def test_residuals_do_not_contain_the_errors_of_a_model():
@@ -136,9 +131,8 @@ def test_residuals_do_not_contain_the_errors_of_a_model():
 
 
 def test_frames_without_depth_have_no_finite_covariance(device):
-    blank = loom.odometry.OdometryFrame(
-        np.zeros((48, 64), np.float32), loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), device=device
-    )
+    camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+    blank = od.OdometryFrame(np.zeros((48, 64), np.float32), camera, device=device)
     result = loom.odometry.align_frames(blank, blank)
     assert np.isinf(result.covariance).all() and np.isinf(result.check_covariance).all()
 

@@ -36,8 +36,7 @@ def test_a_blank_frame_is_no_success(device, blank):
     depth, color = picture(HERE)
     empty = od.OdometryFrame(np.zeros_like(depth), CAMERA, np.zeros_like(color), device=device)
     full = od.OdometryFrame(depth, CAMERA, color, device=device)
-    pair = {"source": (empty, full), "target": (full, empty), "both": (empty, empty)}[blank]
-    result = od.align_frames(*pair)
+    result = od.align_frames(*{"source": (empty, full), "target": (full, empty), "both": (empty, empty)}[blank])
     assert not result.reliable and result.warnings
 
 
@@ -91,8 +90,7 @@ def test_a_wrong_camera_is_detected_by_the_residual(device):
 
 def test_a_moving_object_does_not_affect_the_camera_pose(device):
     pictures = [picture(HERE, ball=BALL + shift) for shift in ([0, 0, 0], [0.15, 0, 0])]
-    frames = [od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures]
-    result = od.align_frames(*frames)
+    result = od.align_frames(*[od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures])
     angle, distance = errors_of(result.transformation, np.eye(4))
     assert result.reliable and angle < 0.3 and distance < 8
 
@@ -127,6 +125,5 @@ def test_each_sum_counts(sums, fault):
 def test_target_blur_counts_as_noise():
     """Surface distances 4 times noise of 2 mm: a target blurred by 4 mm increases them by the root of 5."""
     sums = {"EXCESS": 12_800.0, "SQUARES": 12_800.0 * 0.002**2}
-    assert "4.0 times the depth noise" in fault_of(**sums)
-    assert fault_of(**sums, blur=0.004) == ""
+    assert "4.0 times the depth noise" in fault_of(**sums) and fault_of(**sums, blur=0.004) == ""
     assert "3.6 times the depth noise" in fault_of(**sums, blur=0.001)

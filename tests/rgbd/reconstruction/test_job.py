@@ -17,7 +17,6 @@ from pointloom.core import atomic
 from pointloom.core.errors import FileError
 from pointloom.core.wording import json_text
 from pointloom.datasets.scenes.room import surface_errors
-from pointloom.io.frames.datasets import Frame
 from pointloom.rgbd.reconstruction.fragments import fragments_in
 from pointloom.rgbd.reconstruction.job_files import JobFiles
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
@@ -46,8 +45,7 @@ def on_the_truth(report, sequence, folder):
 def room(tmp_path_factory):
     """A sequence of nine frames in three fragments, and its reconstruction."""
     folder, sequence = tmp_path_factory.mktemp("job"), ShortSequence(range(9), width=160)
-    report = run_system(sequence, config(n_frames_per_fragment=3), folder)
-    return sequence, folder, report
+    return sequence, folder, run_system(sequence, config(n_frames_per_fragment=3), folder)
 
 
 @pytest.mark.slow
@@ -55,11 +53,9 @@ def test_frames_without_poses_are_reconstructed_to_the_room(room):
     sequence, folder, report = room
     assert (report.used, report.lost, report.warnings) == (9, (), ())
     assert [fragment.frames for fragment in report.fragments] == [3, 3, 3]
-    assert all(fragment.placed for fragment in report.fragments)
-    assert report.trajectory_error["rmse"] < 0.01
+    assert all(fragment.placed for fragment in report.fragments) and report.trajectory_error["rmse"] < 0.01
     errors = surface_errors(on_the_truth(report, sequence, folder))
-    assert np.median(errors) < 0.01
-    assert len(errors) == report.mesh["vertices"] > 3000
+    assert np.median(errors) < 0.01 and len(errors) == report.mesh["vertices"] > 3000
 
 
 @pytest.mark.slow
@@ -124,8 +120,7 @@ def test_parts_that_cannot_be_joined_are_listed(tmp_path):
 
 @pytest.mark.slow
 def test_overlapping_parts_are_joined_without_odometry(tmp_path):
-    sequence = ShortSequence([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160)
-    report = run_system(sequence, config(), tmp_path)
+    report = run_system(ShortSequence([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160), config(), tmp_path)
     assert [fragment.placed for fragment in report.fragments] == [True, False, True]
     assert [fragment.joined for fragment in report.fragments] == [False, False, False]
     assert report.trajectory_error["rmse"] < 0.01
@@ -133,38 +128,28 @@ def test_overlapping_parts_are_joined_without_odometry(tmp_path):
 
 def test_one_frame_is_a_model(tmp_path):
     report = run_system(ShortSequence([0]), config(), tmp_path)
-    assert (report.used, report.reliable) == (1, True)
-    assert report.mesh["vertices"] > 1000
+    assert (report.used, report.reliable) == (1, True) and report.mesh["vertices"] > 1000
 
 
 def test_blank_frames_leave_no_model_and_are_reported(tmp_path):
     report = run_system(ShortSequence([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path)
-    assert (report.used, report.files, report.mesh) == (0, (), None)
-    assert report.lost[0].count == 2
+    assert (report.used, report.files, report.mesh) == (0, (), None) and report.lost[0].count == 2
     assert "frames overlap" in str(report.warnings)
 
 
-class Stream:
-    depth_scale = 1000.0
-
-    def __init__(self, sequence):
-        self.intrinsic, self.frames = sequence.intrinsic, [sequence.read(i) for i in range(len(sequence))]
-
-    def __iter__(self):
-        while self.frames:
-            frame = self.frames.pop(0)
-            yield Frame(frame.depth, frame.color, None, frame.name)
+def stream(count):
+    sequence = ShortSequence(range(count))
+    frames = (sequence.read(i) for i in range(count))
+    return loom.frames_from(((frame.color, frame.depth) for frame in frames), sequence.intrinsic)
 
 
 def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
-    sequence = ShortSequence(range(4))
-    report = run_system(Stream(sequence), config(), tmp_path)
+    report = run_system(stream(4), config(), tmp_path)
     assert (report.used, report.trajectory_error) == (4, None)
     assert len(loom.open_frames(tmp_path / "frames")) == 4
-    again = run_system(Stream(ShortSequence([])), config(), tmp_path, resume=True)
-    assert again.resumed == 1
+    assert run_system(stream(0), config(), tmp_path, resume=True).resumed == 1
     with pytest.raises(FileError, match="frames"):
-        run_system(Stream(sequence), config(), tmp_path)
+        run_system(stream(4), config(), tmp_path)
 
 
 def test_frames_are_released_after_use(tmp_path):
@@ -184,9 +169,8 @@ def test_frames_are_released_after_use(tmp_path):
     assert max(alive_counts) <= 6  # frames that are decoded ahead
 
 
-FILES = tuple(
-    f"rgbd/reconstruction/{name}.py" for name in ("fragments", "walk", "placement", "refinement", "scene", "job")
-)
+STAGES = "fragments", "walk", "placement", "refinement", "scene", "job"
+FILES = tuple(f"rgbd/reconstruction/{name}.py" for name in STAGES)
 SETTINGS = config(n_frames_per_fragment=3)
 
 
@@ -217,8 +201,7 @@ def job(done, tmp_path):
 def test_a_completed_run_is_unchanged(done, job):
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")}
     again = run_system(short_sequence(), SETTINGS, job, resume=True)
-    assert again.resumed == 2
-    assert {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")} == times
+    assert again.resumed == 2 and {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")} == times
     for name in ("lost", "fragments", "mesh", "trajectory_error", "warnings"):
         assert getattr(again, name) == getattr(done[1], name)
     assert digest_of(job) == done[2]
@@ -283,14 +266,12 @@ def test_a_damaged_file_is_recomputed(job, complete_digest, name):
 
 def test_a_changed_configuration_starts_a_new_run(job):
     report = run_system(short_sequence(), config(n_frames_per_fragment=2), job, resume=True)
-    assert report.resumed == 0
-    assert [fragment.frames for fragment in report.fragments] == [2, 2]
+    assert report.resumed == 0 and [fragment.frames for fragment in report.fragments] == [2, 2]
 
 
 def test_a_stage_is_rerun_if_its_own_settings_change(done, job):
     report = run_system(short_sequence(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), job, resume=True)
-    assert report.resumed == 2
-    assert report.mesh["vertices"] < done[1].mesh["vertices"]
+    assert report.resumed == 2 and report.mesh["vertices"] < done[1].mesh["vertices"]
 
 
 def test_a_changed_frame_reruns_its_fragment_and_later_ones(job):
@@ -302,14 +283,12 @@ def test_a_changed_frame_reruns_its_fragment_and_later_ones(job):
 def test_a_longer_sequence_reuses_complete_fragments(tmp_path):
     run_system(ShortSequence(range(5)), SETTINGS, tmp_path)
     report = run_system(ShortSequence(range(8)), SETTINGS, tmp_path, resume=True)
-    assert report.resumed == 1
-    assert [fragment.frames for fragment in report.fragments] == [3, 3, 2]
+    assert report.resumed == 1 and [fragment.frames for fragment in report.fragments] == [3, 3, 2]
 
 
 def test_a_shorter_sequence_leaves_no_old_fragment(job):
     report = run_system(ShortSequence(range(3)), SETTINGS, job, resume=True)
-    assert [fragment.frames for fragment in report.fragments] == [3]
-    assert report.used == 3
+    assert [fragment.frames for fragment in report.fragments] == [3] and report.used == 3
     assert not list(job.rglob("*_001.*"))
 
 
@@ -317,8 +296,7 @@ def test_a_shorter_sequence_leaves_no_old_fragment(job):
 def test_old_fragments_are_removed_even_after_an_interruption(tmp_path):
     run_system(ShortSequence(range(8)), config(n_frames_per_fragment=2), tmp_path)
     (tmp_path / "records" / "fragment_001.json").unlink()
-    report = run_system(ShortSequence(range(4)), config(n_frames_per_fragment=2), tmp_path, resume=True)
-    assert report.used == 4
+    assert run_system(ShortSequence(range(4)), config(n_frames_per_fragment=2), tmp_path, resume=True).used == 4
     assert not list(tmp_path.rglob("*_003.*"))
 
 
@@ -357,22 +335,17 @@ def test_open3ds_configuration_is_accepted_unchanged(tmp_path):
     names = Config.read(path).to_names()
     understood = {name: value for name, value in TUTORIAL.items() if name in names}
     assert {name: names[name] for name in understood} == understood
-    ignored = set(TUTORIAL) - set(names)
-    assert ignored == {
-        *("name", "python_multi_threading", "depth_map_type", "block_count", "device", "subfolder_slac", "debug_mode")
-    }
+    other = "name", "python_multi_threading", "depth_map_type", "block_count", "device", "subfolder_slac", "debug_mode"
+    assert set(TUTORIAL) - set(names) == {*other}
 
 
 def test_the_defaults_are_open3ds_except_data_dependent_ones():
-    default = Config().to_names()
-    assert {name for name, value in default.items() if name in TUTORIAL and value != TUTORIAL[name]} == {
-        *("path_dataset", "depth_scale", "sdf_trunc", "global_registration")
-    }
+    different = {name for name, value in Config().to_names().items() if name in TUTORIAL and value != TUTORIAL[name]}
+    assert different == {"path_dataset", "depth_scale", "sdf_trunc", "global_registration"}
 
 
 def test_older_names_mean_the_same():
-    config = Config.from_names({"max_depth": 2.5, "max_depth_diff": 0.05})
-    assert config == Config(depth_max=2.5, depth_diff_max=0.05)
+    assert Config.from_names({"max_depth": 2.5, "max_depth_diff": 0.05}) == Config(depth_max=2.5, depth_diff_max=0.05)
 
 
 def test_names_of_the_tensor_system_are_accepted_with_or_without_groups():
@@ -386,8 +359,7 @@ def test_names_of_the_tensor_system_are_accepted_with_or_without_groups():
     fragments = {"n_frames_per_fragment": 50, "depth_max": 2.0, "n_keyframes_per_n_frame": 10, "depth_diff_max": 0.05}
     methods = {"odometry_method": "point_to_plane", "icp_method": "color", "preference_loop_closure_registration": 0.1}
     surface = {"voxel_size": 0.04, "tsdf_voxel_size": 0.01, "sdf_trunc": 0.08, "surface_weight_threshold": 3.0}
-    expected = Config(**fragments, **methods, **surface)
-    assert Config.from_names(grouped) == Config.from_names(flat) == expected
+    assert Config.from_names(grouped) == Config.from_names(flat) == Config(**fragments, **methods, **surface)
 
 
 def test_a_written_configuration_is_read_again(tmp_path):
@@ -462,15 +434,13 @@ def test_a_pair_without_poses_gives_a_model(tmp_path, real_file):
     camera = loom.PinholeCameraIntrinsic(640, 480, 481.2, 480.0, 319.5, 239.5)
     frames = loom.open_frames(real_file("rgbd-slambook-ch7"), intrinsic=camera, depth_scale=5000.0)
     report = run_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
-    assert (report.used, report.trajectory_error) == (2, None)
-    assert report.mesh["vertices"] > 5000
+    assert (report.used, report.trajectory_error) == (2, None) and report.mesh["vertices"] > 5000
 
 
 @pytest.mark.slow
 def test_every_sixth_frame_of_the_kitchen_is_registered(tmp_path, real_file):
     frames = loom.open_dataset(real_file("rgbd-7scenes-redkitchen"), every=6)
-    names = {"n_frames_per_fragment": 25, "tsdf_voxel_size": 0.02}
-    report = run_system(frames, Config(**names), tmp_path)
+    report = run_system(frames, Config(n_frames_per_fragment=25, tsdf_voxel_size=0.02), tmp_path)
     assert (report.used, report.frames) == (50, 50)
     assert report.trajectory_error["rmse"] < 0.06  # the true poses are accurate to centimeters
 
@@ -488,32 +458,27 @@ def test_frames_that_follow_each_other_become_fragments(tmp_path, device):
     assert (frames_of(result), result.lost) == ([[0, 1, 2, 3, 4], [5, 6, 7]], [])
     assert max(drift_of(fragment, sequence) for fragment in result.fragments) < 0.015
     first, second = result.fragments
-    assert first.joint is None
-    assert second.joint.fragment == 0
+    assert first.joint is None and second.joint.fragment == 0
     truth = np.linalg.inv(frame_at(0).T_world_camera) @ frame_at(5).T_world_camera
     assert np.abs(second.T_earlier(first) - truth).max() < 0.02
     cloud = first.read_cloud(device)
-    assert cloud.has_normals
-    assert cloud.has_colors
+    assert cloud.has_normals and cloud.has_colors
 
 
 def test_loops_are_detected_where_keyframes_overlap(tmp_path):
     there_and_back = ShortSequence([0, 1, 2, 3, 4, 3, 2, 1, 0])
-    result = make_fragments(there_and_back, config(n_keyframes_per_n_frame=2), tmp_path)
-    (fragment,) = result.fragments
+    (fragment,) = make_fragments(there_and_back, config(n_keyframes_per_n_frame=2), tmp_path).fragments
     tried, aligned, accepted = fragment.loops
     assert tried >= aligned >= accepted >= 4
     graph = loom.registration.read_pose_graph(tmp_path / "fragments" / "fragment_000.json")
     before, after = (np.linalg.norm(pose[:3, 3]) for pose in (graph.nodes[-1].pose, fragment.poses[-1]))
     assert after < 0.75 * before
     ends = [(edge.source_node_id, edge.target_node_id) for edge in graph.edges if edge.uncertain]
-    assert len(ends) == aligned
-    assert (8, 0) in ends
+    assert len(ends) == aligned and (8, 0) in ends
 
 
 def test_a_covered_lens_breaks_the_fragment_and_odometry_bridges_it(tmp_path):
-    sequence = ShortSequence(range(7), changed={3: blank(frame_at(3))})
-    result = make_fragments(sequence, config(), tmp_path)
+    result = make_fragments(ShortSequence(range(7), changed={3: blank(frame_at(3))}), config(), tmp_path)
     assert frames_of(result) == [[0, 1, 2], [4, 5, 6]]
     assert [(frame.index, frame.name) for frame in result.lost] == [(3, "frame-3")]
     assert "0.0% of its pixels have a depth" in result.lost[0].reason
@@ -522,10 +487,8 @@ def test_a_covered_lens_breaks_the_fragment_and_odometry_bridges_it(tmp_path):
 
 
 def test_a_pair_that_does_not_align_breaks_the_fragment(tmp_path):
-    sequence = ShortSequence([0, 1, 2, 40, 41, 42])
-    result = make_fragments(sequence, config(), tmp_path)
-    assert frames_of(result) == [[0, 1, 2], [3, 4, 5]]
-    assert result.fragments[1].joint is None
+    result = make_fragments(ShortSequence([0, 1, 2, 40, 41, 42]), config(), tmp_path)
+    assert frames_of(result) == [[0, 1, 2], [3, 4, 5]] and result.fragments[1].joint is None
     assert result.fragments[1].broke
     for number, fragment in enumerate(result.fragments):
         graph = loom.registration.read_pose_graph(tmp_path / "fragments" / f"fragment_{number:03d}.json")
@@ -537,20 +500,17 @@ def test_isolated_frames_are_excluded_and_reported(tmp_path):
     result = make_fragments(ShortSequence([0, 1, 2, 40, 80, 81]), config(), tmp_path)
     assert frames_of(result) == [[0, 1, 2], [4, 5]]
     (lost,) = result.lost
-    assert lost.index == 3
-    assert "1 frame unconnected, 2 needed" in lost.reason
+    assert lost.index == 3 and "1 frame unconnected, 2 needed" in lost.reason
 
 
 def test_one_frame_remains_where_no_two_frames_overlap(tmp_path):
     result = make_fragments(ShortSequence([0, 40, 80]), config(), tmp_path)
-    assert frames_of(result) == [[0]]
-    assert [frame.index for frame in result.lost] == [1, 2]
+    assert frames_of(result) == [[0]] and [frame.index for frame in result.lost] == [1, 2]
 
 
 def test_a_missing_frame_breaks_the_fragment(tmp_path):
     result = make_fragments(ShortSequence(range(5), missing=(2,)), config(), tmp_path)
-    assert frames_of(result) == [[0, 1], [3, 4]]
-    assert "does not exist" in result.lost[0].reason
+    assert frames_of(result) == [[0, 1], [3, 4]] and "does not exist" in result.lost[0].reason
 
 
 @pytest.mark.parametrize(
@@ -565,8 +525,7 @@ def test_a_missing_frame_breaks_the_fragment(tmp_path):
 )
 def test_an_unsuitable_frame_is_excluded_with_a_reason(tmp_path, change, message):
     result = make_fragments(ShortSequence(range(3), changed={2: change(frame_at(2))}), config(), tmp_path)
-    assert frames_of(result) == [[0, 1]]
-    assert message in result.lost[0].reason
+    assert frames_of(result) == [[0, 1]] and message in result.lost[0].reason
 
 
 @pytest.mark.parametrize("shade", [128, None], ids=["one shade of gray", "no color"])
@@ -582,10 +541,8 @@ def test_a_room_without_texture_is_tracked_where_its_shape_constrains_the_pose(t
 
 
 def test_a_frame_without_color_gives_a_cloud_without_colors(tmp_path):
-    sequence = ShortSequence(range(4), changed={2: {"color": None}})
-    (fragment,) = make_fragments(sequence, config(), tmp_path).fragments
-    assert len(fragment) == 4
-    assert not fragment.read_cloud().has_colors
+    (fragment,) = make_fragments(ShortSequence(range(4), changed={2: {"color": None}}), config(), tmp_path).fragments
+    assert len(fragment) == 4 and not fragment.read_cloud().has_colors
 
 
 def test_depth_in_meters_is_supported(tmp_path):
@@ -597,15 +554,13 @@ def test_depth_in_meters_is_supported(tmp_path):
 
 def test_depth_out_of_range_is_not_used(tmp_path):
     near = make_fragments(ShortSequence([0, 1]), config(depth_min=0.1, depth_max=0.2), tmp_path)
-    assert [frame.index for frame in near.lost] == [0, 1]
-    assert "from 0.1 to 0.2 m" in near.lost[0].reason
+    assert [frame.index for frame in near.lost] == [0, 1] and "from 0.1 to 0.2 m" in near.lost[0].reason
 
 
 def test_written_fragments_match_the_returned_ones(tmp_path):
     settings = config(n_frames_per_fragment=3)
     result = make_fragments(ShortSequence(range(5)), settings, tmp_path)
-    again = fragments_in(JobFiles.make(tmp_path, settings))
-    for one, other in zip(result.fragments, again, strict=True):
+    for one, other in zip(result.fragments, fragments_in(JobFiles.make(tmp_path, settings)), strict=True):
         assert np.array_equal(one.poses, other.poses)
         for name in ("names", "broke", "loops", "made_from"):
             assert getattr(one, name) == getattr(other, name)

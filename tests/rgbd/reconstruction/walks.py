@@ -28,13 +28,11 @@ class ShortSequence:
     def __init__(self, indices, *, changed=None, missing=(), width=80):
         self.indices, self.changed, self.missing, self.width = list(indices), changed or {}, missing, width
         self.intrinsic = frame_at(0, width).intrinsic
-        self.reads = 0
 
     def __len__(self):
         return len(self.indices)
 
     def read(self, index):
-        self.reads += 1
         if index in self.missing:
             raise FileError(f"frame-{index}.depth.png", "does not exist")
         frame = frame_at(self.indices[index], self.width)

@@ -41,8 +41,7 @@ def test_closing_loops_removes_drift_from_the_trajectory(closed):
     numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
     assert (numbers == np.arange(len(true))).all()
     before, after = trajectory_error(tracked, true), trajectory_error(poses, true)
-    assert before > 0.015
-    assert after < 0.01 and after < before / 2
+    assert before > 0.015 and after < 0.01 and after < before / 2
     assert len(closure.loops) >= len(submaps) and (closure.groups == 0).all()
 
 
@@ -78,8 +77,7 @@ def test_correct_poses_are_unchanged():
     submaps, _, true = room_run(drift=0.0)
     closure = close_loops(submaps)
     _, poses = corrected_trajectory(submaps, closure.T_world_submap)
-    assert closure.loops
-    assert trajectory_error(poses, true) < 0.004
+    assert closure.loops and trajectory_error(poses, true) < 0.004
 
 
 @pytest.mark.slow
@@ -98,8 +96,7 @@ def test_a_symmetric_hall_is_not_rotated(device):
     """Its two ends fit each other as well as themselves, and any three planes match."""
     parts = [hall_run(device, 4, (0.0, 1.2)), hall_run(device, 4, (np.pi, np.pi + 1.2), first=10)]
     closure = close_loops(parts, voxel_size=0.1, drift=2.0)
-    assert closure.loops == []
-    assert farthest_shift(closure.T_world_submap, parts) == 0.0
+    assert closure.loops == [] and farthest_shift(closure.T_world_submap, parts) == 0.0
 
 
 @pytest.mark.slow
@@ -125,10 +122,8 @@ def test_a_loop_that_contradicts_the_others_is_dropped(closed, monkeypatch):
     monkeypatch.setattr(loops_module, "refine", unrefined)
     misled = close_loops(submaps)
     _, poses = corrected_trajectory(submaps, misled.T_world_submap)
-    accepted = {(p.source, p.target) for p in misled.loops}
-    assert (wrong.source, wrong.target) in true_loops - accepted
-    reasons = {(p.source, p.target): p.refused for p in misled.refused}
-    assert "contradicts" in reasons[wrong.source, wrong.target]
+    assert (wrong.source, wrong.target) in true_loops - {(p.source, p.target) for p in misled.loops}
+    assert "contradicts" in {(p.source, p.target): p.refused for p in misled.refused}[wrong.source, wrong.target]
     assert trajectory_error(poses, true) < 0.012
 
 
@@ -137,8 +132,7 @@ def test_submaps_after_a_tracking_loss_are_relocalized():
     """Two submaps that tracking placed meters away and rotated after a tracking loss."""
     submaps, _, _ = room_run(drift=0.0)
     wrong_pose = pose_of(np.array([0.0, 0.0, 2.5, 9.0, 4.0, 1.0]))
-    run = [*submaps[:2], moved(submaps[5], wrong_pose, follows=False), moved(submaps[6], wrong_pose)]
-    closure = close_loops(run)
+    closure = close_loops([*submaps[:2], moved(submaps[5], wrong_pose, follows=False), moved(submaps[6], wrong_pose)])
     assert (closure.groups == 0).all()
     for T, k in zip(closure.T_world_submap[2:], (5, 6), strict=True):
         angle, shift = pose_error(T, submaps[k].T_world_submap)
@@ -226,8 +220,7 @@ def test_a_loop_of_600_frames_is_closed_and_as_slow_as_a_hand(path):
     steps = np.linalg.norm(np.diff(around[:, :3, 3], axis=0), axis=1)
     rotations = np.einsum("nji,njk->nik", around[:-1, :3, :3], around[1:, :3, :3])
     angles = np.degrees(np.arccos(np.clip((np.trace(rotations, axis1=1, axis2=2) - 1) / 2, -1, 1)))
-    assert steps.min() > 0.003 and steps.max() < 0.02
-    assert angles.max() < 1.5 and angles.sum() > 360
+    assert steps.min() > 0.003 and steps.max() < 0.02 and angles.max() < 1.5 and angles.sum() > 360
     assert surface_errors(poses[:, :3, 3]).min() > 0.4
 
 
@@ -248,8 +241,7 @@ def test_a_loop_sees_all_sides_of_the_room(path):
         for wall in (points[:, axis] < 0.1, points[:, axis] > size - 0.1):
             along = np.delete(points[wall], axis, axis=1)
             extent = np.delete(sizes, axis)
-            cells = np.unique((along / extent * 4).clip(0, 3).astype(int), axis=0)
-            assert len(cells) >= 14
+            assert len(np.unique((along / extent * 4).clip(0, 3).astype(int), axis=0)) >= 14
 
 
 def test_a_covered_lens_sees_nothing_and_the_pose_stays_true():
@@ -266,8 +258,7 @@ def test_blur_takes_detail_from_color_and_leaves_depth(device):
     sharp, blurred = (room_loop_sequence(300, **SMALL, blur=blur, device=device).read(10) for blur in (0.0, 2.0))
     assert np.array_equal(sharp.depth, blurred.depth)
     detail = [np.abs(np.diff(frame.color.astype(float), axis=1)).mean() for frame in (sharp, blurred)]
-    assert detail[1] < 0.9 * detail[0]
-    assert abs(sharp.color.mean() - blurred.color.mean()) < 2
+    assert detail[1] < 0.9 * detail[0] and abs(sharp.color.mean() - blurred.color.mean()) < 2
 
 
 def test_exposure_changes_brightness_within_its_bounds_and_along_the_rows():

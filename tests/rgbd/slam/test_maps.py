@@ -47,15 +47,13 @@ def test_a_camera_lost_for_long_begins_a_map_with_its_own_coordinates(device):
     np.testing.assert_array_equal(slam.trajectory.poses[0], np.eye(4))
     steps = invert_pose(slam.trajectory.poses[0]) @ slam.trajectory.poses[-1]
     true = invert_pose(frame(154).T_world_camera) @ frame(165).T_world_camera
-    assert np.linalg.norm(steps[:3, 3] - true[:3, 3]) < NEAR
-    assert slam.volume is slam.model.volume
+    assert np.linalg.norm(steps[:3, 3] - true[:3, 3]) < NEAR and slam.volume is slam.model.volume
 
 
 @pytest.mark.slow
 def test_maps_that_share_nothing_are_not_joined(device):
     slam = away(device)
-    assert all(join.refused for join in slam.join_maps())
-    assert len(slam.map_sizes) == 2
+    assert all(join.refused for join in slam.join_maps()) and len(slam.map_sizes) == 2
     assert slam.join_maps() == []  # nothing new to look at
 
 
@@ -83,8 +81,7 @@ def test_maps_are_joined_by_their_submaps_too(device):
     (join,) = slam.join_maps()
     assert not join.refused and len(slam.trajectory) == 25
     errors = [error(r.pose, k) for r, k in zip(slam.results, [*range(0, 24, 2), *range(30, 4, -2)], strict=True)]
-    assert max(errors) < NEAR
-    assert len(slam.close_loops().T_world_submap) >= 4
+    assert max(errors) < NEAR and len(slam.close_loops().T_world_submap) >= 4
 
 
 def renumbered(other, slam):
@@ -108,9 +105,7 @@ def test_a_join_must_be_confirmed_by_the_maps(device):
     assert not join.refused
     assert np.linalg.norm((join.T_target_source @ poses - poses)[:, :3, 3], axis=1).max() < 0.02
     for shift in ((0.2, 0, 0), (0, -0.3, 0.1)):
-        T = np.eye(4)
-        T[:3, 3] = shift
-        assert judge_join(first._maps.here, second._maps.here, T).refused
+        assert judge_join(first._maps.here, second._maps.here, moved(*shift)).refused
 
 
 @pytest.mark.parametrize(
@@ -125,15 +120,12 @@ def test_a_join_must_be_confirmed_by_the_maps(device):
 )
 def test_each_kind_of_evidence_is_required(monkeypatch, given, refused):
     views, gap = given.get("views", 2), given.get("apart", 1.0)
-    poses = [np.eye(4) for _ in range(views)]
-    for k, pose in enumerate(poses):
-        pose[0, 3] = gap * k
+    poses = [moved(gap * k) for k in range(views)]
     answers = iter([(poses, [np.eye(4)] * views, given.get("against", 0)), ([], [], 0)])
     monkeypatch.setattr(map_joins, "_views", lambda *_: next(answers))
     monkeypatch.setattr(map_joins, "_rate", lambda *_: given.get("score", 0.9))
     target, source = SimpleNamespace(number=0), SimpleNamespace(number=1)
-    assert judge_join(target, source, np.eye(4)).refused.startswith(refused)
-    assert bool(refused) is bool(given)
+    assert judge_join(target, source, np.eye(4)).refused.startswith(refused) and bool(refused) is bool(given)
 
 
 def test_a_proposal_needs_confirming_frames_and_is_dropped_by_a_few_contradicting_ones():
@@ -147,9 +139,9 @@ def test_a_proposal_needs_confirming_frames_and_is_dropped_by_a_few_contradictin
     assert not any(fresh.check(None, moved(0.1 * k)) for k in range(3)) and fresh.is_refuted
 
 
-def moved(x: float):
+def moved(*shift: float):
     T = np.eye(4)
-    T[0, 3] = x
+    T[: len(shift), 3] = shift
     return T
 
 
@@ -197,8 +189,7 @@ def test_a_path_reports_poses_in_a_separate_map():
     assert path.trajectory.ids[:, 0].tolist() == list(range(8, 13))
     assert len(path.true_poses) == 5 and path.error.absolute_translation.rmse < NEAR
     (other,) = path.other_maps
-    assert other.ids[:, 0].tolist() == list(range(4))
-    assert sorted(path.lost) == [4, 5, 6, 7]
+    assert other.ids[:, 0].tolist() == list(range(4)) and sorted(path.lost) == [4, 5, 6, 7]
     assert "2 maps without known relative poses: frame 0-3 are in a separate map" in str(path.warnings)
     report = json.loads(json.dumps(path.to_dict()))
     assert report["other_maps"] == [{"first": 0, "last": 3, "tracked": 4}] and report["tracked"] == 5

@@ -42,13 +42,9 @@ def wall_frame(number: int, has_texture: bool):
 def covered_sequence(device: str, has_texture: bool):
     """The results of a sequence in which the camera moves by one pillar while it is covered."""
     shown = [wall_frame(number, has_texture) for number in range(24)]
-    source = [blank(frame) if 12 <= frame_number(frame) < 21 else frame for frame in shown]
+    source = [blank(frame) if 12 <= int(frame.name) < 21 else frame for frame in shown]
     slam = loom.slam.DenseSLAM(CAMERA, voxel_size=0.03, device=device)
     return slam.run(source), slam
-
-
-def frame_number(frame) -> int:
-    return int(frame.name)
 
 
 @pytest.mark.slow
