@@ -36,10 +36,8 @@ def gpu(architecture, output="ptx"):
 @pytest.mark.parametrize(
     ("binaries", "architecture", "chosen"),
     [
-        (ALL, gpu(90), "sm90.cubin"),
-        (ALL, gpu(75), "sm75.cubin"),
-        (ALL, gpu(103), "sm100.cubin"),  # a later one of the same generation
-        (ALL, gpu(121), "sm120.cubin"),
+        (ALL, gpu(90), "sm90.cubin"), (ALL, gpu(75), "sm75.cubin"),
+        (ALL, gpu(103), "sm100.cubin"), (ALL, gpu(121), "sm120.cubin"),  # a later one of the same generation
         (["sm80.cubin", "sm86.cubin"], gpu(89), "sm86.cubin"),
         (["sm89.cubin"], gpu(86), None),  # an earlier one
         (ALL, gpu(70), None),
@@ -48,12 +46,10 @@ def gpu(architecture, output="ptx"):
         (["sm87.cubin"], gpu(87), "sm87.cubin"),
         (["sm75.cubin", "sm75.ptx"], gpu(110), "sm75.ptx"),
         (["sm75.cubin", "sm75.ptx"], gpu(110, "cubin"), None),  # a driver older than the compiler of the PTX
-        (["sm120.ptx"], gpu(90), None),
-        (["sm75.ptx", "sm90.ptx"], gpu(100), "sm90.ptx"),
-        (["sm90.ptx", "sm90.cubin"], gpu(90), "sm90.cubin"),
-        ([], gpu(90), None),
+        (["sm120.ptx"], gpu(90), None), (["sm75.ptx", "sm90.ptx"], gpu(100), "sm90.ptx"),
+        (["sm90.ptx", "sm90.cubin"], gpu(90), "sm90.cubin"), ([], gpu(90), None),
     ],
-)
+)  # fmt: skip
 def test_a_gpu_gets_code_that_it_runs_or_none(binaries, architecture, chosen):
     assert choose(binaries, architecture) == chosen
 

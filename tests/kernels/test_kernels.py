@@ -1,4 +1,4 @@
-"""Conventions for every kernel: it is exported by its package, has few parameters, and has a name of a kernel."""
+"""Every kernel, function, reduction and loop of the package is in the kernel language."""
 
 import importlib
 import pkgutil
@@ -13,12 +13,7 @@ from pointloom.kernels.lang import Func, Kernel, Loop, Reduction
 @cache
 def modules():
     names = [module.name for module in pkgutil.walk_packages(kernels.__path__, "pointloom.kernels.")]
-    return {name: importlib.import_module(name) for name in names}
-
-
-def device_code(kind):
-    for module, content in modules().items():
-        yield from ((f"{module}.{name}", value) for name, value in vars(content).items() if isinstance(value, kind))
+    return [importlib.import_module(name) for name in names]
 
 
 # Each kernel and function is checked at its first use, too, and by `make check-cuda`.
@@ -26,5 +21,5 @@ def device_code(kind):
     "kind", [*(pytest.param(kind, marks=pytest.mark.slow) for kind in (Kernel, Func)), Reduction, Loop]
 )
 def test_everything_is_in_the_language(kind):
-    for _, value in device_code(kind):
+    for value in (value for module in modules() for value in vars(module).values() if isinstance(value, kind)):
         value.resolve()

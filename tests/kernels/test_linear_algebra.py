@@ -67,10 +67,16 @@ def test_solutions_and_inverses_leave_no_residual(n, seed):
     np.testing.assert_array_equal(la.solve(A[0], b[0, :, 0]), la.solve(A[0], b[0, :, :1])[:, 0])
 
 
-@pytest.mark.parametrize("matrix", [np.zeros((1, 1)), np.ones((3, 3)), np.diag([1.0, 0.0, 2.0])])
-def test_a_singular_matrix_is_refused(matrix):
+SINGULAR = [np.zeros((1, 1)), np.ones((3, 3)), np.diag([1.0, 0.0, 2.0])]
+NOT_FINITE = [[[np.nan]], [[1.0, np.inf], [np.inf, 1.0]]]
+
+
+@pytest.mark.parametrize(
+    ("function", "matrix"), [*((la.inv, each) for each in SINGULAR), *((la.eigh, each) for each in NOT_FINITE)]
+)
+def test_inverses_of_singular_matrices_and_eigenvalues_of_non_finite_ones_are_refused(function, matrix):
     with pytest.raises(np.linalg.LinAlgError):
-        la.inv(matrix)
+        function(np.array(matrix))
 
 
 @settings(deadline=None)
@@ -103,12 +109,6 @@ def test_eigenvalues_of_a_stack_are_those_of_each(rng):
     values, vectors = la.eigh(A)
     np.testing.assert_array_equal(values[1, 2], la.eigh(A[1, 2])[0])
     np.testing.assert_array_equal(vectors[1, 2], la.eigh(A[1, 2])[1])
-
-
-@pytest.mark.parametrize("values", [[[np.nan]], [[1.0, np.inf], [np.inf, 1.0]]])
-def test_eigenvalues_of_numbers_that_are_not_finite_are_refused(values):
-    with pytest.raises(np.linalg.LinAlgError):
-        la.eigh(np.array(values))
 
 
 def test_a_pseudoinverse_ignores_zero_singular_values():

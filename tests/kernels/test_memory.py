@@ -37,15 +37,11 @@ CAST_SOURCES = {  # by the operations: to each type from these
 }
 
 
-def numbers_of(dtype, rng):
-    values = rng.integers(0, 100, 300)
-    return (values + (rng.random(300) if np.dtype(dtype).kind == "f" else 0)).astype(dtype)
-
-
 @pytest.mark.parametrize("target", CAST_SOURCES)
 def test_a_cast_gives_the_result_of_numpy(device, target, rng):
     for source in CAST_SOURCES[target]:
-        values = numbers_of(source, rng)
+        values, fractions = rng.integers(0, 100, 300), rng.random(300) if np.dtype(source).kind == "f" else 0
+        values = (values + fractions).astype(source)
         array = upload(values, wp.dtype_from_numpy(np.dtype(source)), resolve_device(device))
         result = download(cast(array, wp.dtype_from_numpy(np.dtype(target))))
         expected = (values.astype(np.float32) if target == np.float16 else values).astype(target)
@@ -221,36 +217,21 @@ class Shelf:
         return self.cache.get(key, size, lambda: self.made.append(key) or key, beside=beside)
 
 
-def test_the_least_recently_used_value_is_evicted():
-    shelf = Shelf(20)
-    for key in (1, 2, 1, 3, 1, 2):
-        shelf.take(key)
-    assert shelf.made == [1, 2, 3, 2] and shelf.dropped == [2, 3]
-
-
-def test_the_budget_is_filled_to_its_last_byte():
-    shelf = Shelf(20)
-    for key, size in ((1, 10), (2, 10), (3, 1)):
-        shelf.take(key, size)
-    assert shelf.dropped == [1]
-
-
-def test_values_in_use_are_not_evicted():
-    shelf = Shelf(20)
-    shelf.take("own")
-    for key in (1, 2, 3):
-        shelf.take(key, beside="own")
-    assert shelf.take("own") == "own"
-    assert shelf.made == ["own", 1, 2, 3] and shelf.dropped == [1, 2]
-
-
-def test_a_value_larger_than_the_budget_is_cached_alone():
-    shelf = Shelf(5)
-    for key in (1, 1, 2):
-        shelf.take(key)
-    assert shelf.made == [1, 2] and shelf.dropped == [1]
-    shelf.take(3, beside=2)
-    assert shelf.dropped == [1]
+@pytest.mark.parametrize(
+    ("room", "requests", "made", "dropped"),
+    [
+        (20, [(key,) for key in (1, 2, 1, 3, 1, 2)], [1, 2, 3, 2], [2, 3]),
+        (20, [(1, 10), (2, 10), (3, 1)], [1, 2, 3], [1]),
+        (20, [("own",), *((key, 10, "own") for key in (1, 2, 3)), ("own",)], ["own", 1, 2, 3], [1, 2]),
+        (5, [(1,), (1,), (2,)], [1, 2], [1]),
+        (5, [(1,), (2,), (3, 10, 2)], [1, 2, 3], [1]),
+    ],
+    ids=["least recently used", "up to the last byte", "not if in use", "larger than the budget", "larger and in use"],
+)
+def test_the_least_recently_used_values_beyond_the_budget_are_evicted(room, requests, made, dropped):
+    shelf = Shelf(room)
+    assert [shelf.take(*request) for request in requests] == [key for key, *_ in requests]
+    assert (shelf.made, shelf.dropped) == (made, dropped)
 
 
 def test_a_value_that_cannot_be_made_is_not_cached():

@@ -12,26 +12,19 @@ ROOT = Path(__file__).resolve().parents[2]
 # (a planted mistake, its correct twin)
 PAIRS = [
     ('gather_rows("rows", rows)', "gather_rows(points, rows)"),
-    ("gather_rows(points, 3.5)", "gather_rows(table, rows)"),
-    ("gather_rows(rows, points)", "gather_rows(keys, rows)"),
-    ("gather_rows(points)", "gather_rows(values=points, rows=rows)"),
-    ("positions_of(rows)", "positions_of(mask)"),
-    ("positions_of(table)", "positions_of(invert_mask(mask))"),
-    ("positions_of(points[:2])", "positions_of(mask[:2])"),
-    ("invert_mask(host)", "invert_mask(mask)"),
-    ("bound_points(positions)", "bound_points(points)"),
+    ("gather_rows(points, 3.5)", "gather_rows(table, rows)"), ("gather_rows(rows, points)", "gather_rows(keys, rows)"),
+    ("gather_rows(points)", "gather_rows(values=points, rows=rows)"), ("positions_of(rows)", "positions_of(mask)"),
+    ("positions_of(table)", "positions_of(invert_mask(mask))"), ("positions_of(points[:2])", "positions_of(mask[:2])"),
+    ("invert_mask(host)", "invert_mask(mask)"), ("bound_points(positions)", "bound_points(points)"),
     ("bound_points(empty((3, 2), vec3, device))", "bound_points(empty(3, vec3, device))"),
     ("bound_points(upload(host, vec3d, device))", "bound_points(upload(host, vec3, device))"),
     ("subtract_origin(points, host)", "subtract_origin(positions, host)"),
     ("transform_points(host, host, host)", "transform_points(points, host, host)"),
-    ("find_key_starts(rows, keys)", "find_key_starts(keys, rows)"),
-    ("argsort_keys(doubles)", "argsort_keys(keys)"),
-    ("PointTree(table)", "PointTree(points)"),
-    ("find_nearest(points, tree)", "find_nearest(tree, points)"),
-    ("average_vec3(points, rows)", "average_vec3(points, rows, rows)"),
-    ("numbered(device, 3)", "numbered(3, device)"),
+    ("find_key_starts(rows, keys)", "find_key_starts(keys, rows)"), ("argsort_keys(doubles)", "argsort_keys(keys)"),
+    ("PointTree(table)", "PointTree(points)"), ("find_nearest(points, tree)", "find_nearest(tree, points)"),
+    ("average_vec3(points, rows)", "average_vec3(points, rows, rows)"), ("numbered(device, 3)", "numbered(3, device)"),
     ("HashTable(8)", "HashTable(device)"),
-]
+]  # fmt: skip
 HEAD = """
 import numpy as np
 from pointloom.kernels.algebra.transform import transform_points

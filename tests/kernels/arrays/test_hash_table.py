@@ -28,12 +28,6 @@ def decode_blocks_kernel(keys: array(dtype=int64), blocks: array(dtype=vec3i)):
     blocks[i] = key_block(keys[i])
 
 
-def encode(blocks, device):
-    keys = empty(len(blocks), int64, device)
-    launch(encode_blocks_kernel, len(blocks), [upload(np.asarray(blocks), vec3i, device), keys])
-    return keys.numpy()
-
-
 def random_keys(rng, count):
     near = rng.integers(0, 1 << 20, count) | (1 << 62)
     far = rng.integers(0, (1 << 63) - 2, count)
@@ -124,10 +118,11 @@ def test_asking_again_for_keys_that_are_there_changes_nothing(device, rng):
 def test_blocks_survive_their_keys_and_keys_ascend_with_x_then_y_then_z(device, rng):
     corners = [[-BIAS] * 3, [BIAS - 1, BIAS - 1, -BIAS]]
     blocks = np.concatenate([rng.integers(-BIAS, BIAS, (1000, 3)), rng.integers(-3, 3, (1000, 3)), corners])
-    keys = encode(blocks, device)
-    out = empty(len(blocks), vec3i, device)
-    launch(decode_blocks_kernel, len(blocks), [upload(keys, int64, device), out])
+    encoded, out = empty(len(blocks), int64, device), empty(len(blocks), vec3i, device)
+    launch(encode_blocks_kernel, len(blocks), [upload(blocks, vec3i, device), encoded])
+    launch(decode_blocks_kernel, len(blocks), [encoded, out])
     np.testing.assert_array_equal(out.numpy(), blocks)
+    keys = encoded.numpy()
     np.testing.assert_array_equal(keys, (blocks + BIAS) @ [1 << 42, 1 << 21, 1])
     np.testing.assert_array_equal(block_box(keys), blocks)
 
@@ -197,8 +192,7 @@ def test_sets_are_the_connected_components_with_their_lowest_number_as_root(devi
 
 def test_numbers_with_a_negative_parent_stay_outside(device, pairs_kernels):
     parents = upload(np.array([-1, 1, 2, -1, 4, 5]), int32, device)
-    pairs = np.array([[5, 2], [4, 5]])
-    first, second = (upload(side, int32, device) for side in (pairs[:, 0], pairs[:, 1]))
+    first, second = (upload(np.array(side), int32, device) for side in ([5, 4], [2, 5]))
     launch(pairs_kernels.unite_pairs_kernel, 2, [first, second, parents, upload(np.zeros(2), int32, device)])
     launch(flatten_sets_kernel, 6, [parents])
     assert download(parents).tolist() == [-1, 1, 2, -1, 2, 2]

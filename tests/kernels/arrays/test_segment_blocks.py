@@ -31,8 +31,7 @@ def test_each_element_is_taken_once(device, count):
     runs = Runs(count, warp_device, LENGTH)
     visits, taken = zeros(count, int32, warp_device), zeros(runs.rows, int32, warp_device)
     launch(visit_elements_kernel, runs.threads, [runs, visits, taken])
-    assert (download(visits) == 1).all()
-    assert download(taken).sum() == count
+    assert (download(visits) == 1).all() and download(taken).sum() == count
 
 
 class Gpu:
@@ -41,22 +40,20 @@ class Gpu:
 
 def test_gpu_launches_use_full_warps_up_to_the_device_limit():
     assert Runs(200_000, Gpu(), 4096).threads == 50_016
-    assert Runs(1, Gpu(), 4096).threads == 32
-    assert Runs(50_000_000, Gpu(), 4096).threads == CUDA_THREADS
+    assert Runs(1, Gpu(), 4096).threads == 32 and Runs(50_000_000, Gpu(), 4096).threads == CUDA_THREADS
 
 
 @pytest.mark.parametrize("count", [1, 2**31 - 1])
 def test_all_numbers_of_the_largest_arrays_fit_in_32_bits(count):
     runs = Runs(count, Gpu(), 4096)
     last = runs.threads - 1
-    assert last * runs.stride < 2**31
-    assert max((count - 1 - last) // runs.step + 1, runs.length) < 2**31
-    assert last + ((count - 1 - last) // runs.step) * runs.step <= count - 1
-    assert np.int64(runs.rows) <= 256
+    assert last * runs.stride < 2**31 and max((count - 1 - last) // runs.step + 1, runs.length) < 2**31
+    assert last + ((count - 1 - last) // runs.step) * runs.step <= count - 1 and np.int64(runs.rows) <= 256
 
 
 pair = lang.vector(2, float64)
 SIZES = [0, 1, 2, 7, BLOCK - 1, BLOCK, BLOCK + 1, 0, 3 * BLOCK + 5, 0]
+FIRSTS = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
 
 
 @lang.segment_reduction
@@ -90,8 +87,7 @@ def test_blocks_part_the_segments(counts, gap):
     blocks = SegmentBlocks(firsts, counts, "cpu")
     begin, end, owners = (a.numpy() for a in (blocks.firsts, blocks.lasts, blocks.owners))
     starts = blocks.starts.numpy()
-    assert blocks.count == len(begin) == starts[-1]
-    assert ((end - begin > 0) & (end - begin <= BLOCK)).all()
+    assert blocks.count == len(begin) == starts[-1] and ((end - begin > 0) & (end - begin <= BLOCK)).all()
     for segment, (first, count) in enumerate(zip(firsts, counts, strict=True)):
         rows = slice(starts[segment], starts[segment + 1])
         assert (owners[rows] == segment).all()
@@ -112,30 +108,28 @@ def test_each_segment_has_its_sum(device, rng, tolerances):
 
 def test_a_segment_alone_is_bitwise_identical(device, rng):
     values = rng.normal(size=sum(SIZES))
-    firsts = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
-    together = sums_of(device, values, firsts, SIZES)
-    for first, count, sums in zip(firsts, SIZES, together, strict=True):
+    together = sums_of(device, values, FIRSTS, SIZES)
+    for first, count, sums in zip(FIRSTS, SIZES, together, strict=True):
         np.testing.assert_array_equal(sums_of(device, values[first : first + count], [0], [count])[0], sums)
 
 
 def test_inactive_segments_are_skipped_and_change_no_others(device, rng):
     values, live = rng.normal(size=sum(SIZES)), [1, 0, 1, 0, 1, 0, 1, 0, 1, 1]
-    firsts = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
-    all_sums = sums_of(device, values, firsts, SIZES)
+    all_sums = sums_of(device, values, FIRSTS, SIZES)
     spoiled = values.copy()
-    for first, count, alive in zip(firsts, SIZES, live, strict=True):
+    for first, count, alive in zip(FIRSTS, SIZES, live, strict=True):
         spoiled[first : first + count] = spoiled[first : first + count] if alive else np.nan
-    result = sums_of(device, spoiled, firsts, SIZES, live)
+    result = sums_of(device, spoiled, FIRSTS, SIZES, live)
     alive = np.array(live) == 1
     np.testing.assert_array_equal(result[alive], all_sums[alive])
 
 
 def test_sums_in_several_launches_are_those_of_one(device, rng, monkeypatch):
-    values, firsts = rng.normal(size=sum(SIZES)), np.concatenate([[0], np.cumsum(SIZES)[:-1]])
+    values = rng.normal(size=sum(SIZES))
     assert segment_launches.MAX_THREADS < 2**31
-    at_once = sums_of(device, values, firsts, SIZES)
+    at_once = sums_of(device, values, FIRSTS, SIZES)
     monkeypatch.setattr(segment_launches, "MAX_THREADS", 3 * 256 + 255)
-    np.testing.assert_array_equal(sums_of(device, values, firsts, SIZES), at_once)
+    np.testing.assert_array_equal(sums_of(device, values, FIRSTS, SIZES), at_once)
 
 
 @pytest.mark.parametrize("runs", [2, 5])

@@ -75,8 +75,7 @@ def test_letters_are_drawn_at_their_position_and_clipped_at_the_edge(sheet):
     cells = np.arange(1, 13, dtype=np.uint8) * 20
     atlas = memory.upload(cells, uint8, sheet.picture.device)
     strokes.cover_glyphs(sheet, np.array([[0, 4, 3, 5, 6], [0, 4, 3, 46, 35]], np.int32), atlas)
-    assert (coverage(sheet)[6:9, 5:9] == cells.reshape(3, 4)).all()
-    assert (coverage(sheet)[35, 46:] == cells[:2]).all()
+    assert (coverage(sheet)[6:9, 5:9] == cells.reshape(3, 4)).all() and (coverage(sheet)[35, 46:] == cells[:2]).all()
     assert coverage(sheet).sum() == cells.sum(dtype=int) + cells[:2].sum(dtype=int)
 
 
@@ -93,8 +92,7 @@ def test_an_image_is_copied_into_a_box(sheet):
     image = np.arange(3 * 5 * 4, dtype=np.uint8)
     table = memory.upload(image, uint8, sheet.picture.device)
     strokes.copy_image(sheet, clip_box(sheet, 45, -2, 49, 1), table, 5, 45, -2)
-    assert (picture(sheet)[:2, 45:] == image.reshape(4, 5, 3)[2:, :3]).all()
-    assert (picture(sheet)[2:] == 200).all()
+    assert (picture(sheet)[:2, 45:] == image.reshape(4, 5, 3)[2:, :3]).all() and (picture(sheet)[2:] == 200).all()
 
 
 def test_a_box_outside_the_image_is_empty(sheet):
@@ -113,17 +111,13 @@ def colors_of(device, values, limits, dtype=float32):
 
 
 @pytest.mark.parametrize("dtype", [float32, float64])
-def test_values_are_mixed_between_entries_and_clamped_beyond_the_limits(device, dtype):
+def test_values_are_mixed_between_entries_clamped_beyond_the_limits_and_gray_if_not_finite(device, dtype):
     colors, flag = colors_of(device, [10, 15, 17.5, 20, 30, 31, -1e30], (10.0, 30.0), dtype)
     expected = [[0, 0, 1], [0, 0.5, 0.5], [0, 0.75, 0.25], [0, 1, 0], [1, 0, 0], [1, 0, 0], [0, 0, 1]]
     np.testing.assert_allclose(colors, expected, atol=1e-6)
     assert flag == 0
-
-
-@pytest.mark.parametrize("dtype", [float32, float64])
-def test_non_finite_values_are_gray_and_reported(device, dtype):
     colors, flag = colors_of(device, [1.0, np.nan, np.inf, -np.inf], (0.0, 1.0), dtype)
-    assert colors[1:].tolist() == [list(GRAY)] * 3 and flag == 1
+    assert colors[1:].tolist() == [list(GRAY)] * 3 and flag == 1, "values that are not finite are reported"
 
 
 def test_limits_beyond_half_of_float64_do_not_overflow(device):

@@ -10,39 +10,33 @@ from pointloom.kernels.drawing import triangles as tri
 from pointloom.kernels.drawing.lines import Pen, draw_lines
 from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_points, gather_middles, spread_middles_kernel
 from pointloom.kernels.drawing.z_buffer import DepthBuffer, View
-from pointloom.kernels.lang import int32, int64, launch, vec3
+from pointloom.kernels.lang import int32, int64, launch
+
+from ..vectors import vectors
 
 WIDTH, HEIGHT = 64, 48
 CAMERA = Camera(WIDTH, HEIGHT, 50.0, 50.0, 31.5, 23.5)
 VIEW = View(CAMERA, np.eye(3), np.zeros(3))
 
 
-def upload_points(points, device):
-    return memory.upload(np.asarray(points, np.float32).reshape(-1, 3), vec3, device)
-
-
-def new_buffer(device):
-    return DepthBuffer(WIDTH, HEIGHT, device)
-
-
 def draw(device, vertices, triangles, *, cull=False):
     """Depth [h, w] (0 where empty) and triangle [h, w] (-1 where empty)."""
     indices = memory.upload(np.asarray(triangles, np.int32).ravel(), int32, device)
-    buffer = new_buffer(device)
-    tri.draw_triangles(upload_points(vertices, device), indices, VIEW, buffer, cull=cull)
+    buffer = DepthBuffer(WIDTH, HEIGHT, device)
+    tri.draw_triangles(vectors(device, vertices), indices, VIEW, buffer, cull=cull)
     return unpack(buffer)
 
 
 def splat(device, points, size, *, radius=0.0, start=0):
-    buffer = new_buffer(device)
-    draw_points(upload_points(points, device), VIEW, buffer, splat=Splat(size, radius), start=start)
+    buffer = DepthBuffer(WIDTH, HEIGHT, device)
+    draw_points(vectors(device, points), VIEW, buffer, splat=Splat(size, radius), start=start)
     return unpack(buffer)
 
 
 def stroke(device, points, lines, radius):
-    buffer = new_buffer(device)
+    buffer = DepthBuffer(WIDTH, HEIGHT, device)
     indices = memory.upload(np.asarray(lines, np.int32).ravel(), int32, device)
-    draw_lines(upload_points(points, device), indices, VIEW, buffer, pen=Pen(radius, CAMERA))
+    draw_lines(vectors(device, points), indices, VIEW, buffer, pen=Pen(radius, CAMERA))
     return unpack(buffer)
 
 
@@ -86,8 +80,7 @@ def test_the_nearer_of_two_triangles_is_visible_in_any_order(device):
         depth, drawn = draw(device, vertices, [*TWO, *(np.array(TWO) + 4)])
         inner = depth[20:28, 28:36]
         assert np.allclose(inner, 2.0, atol=1e-6)
-        assert set(np.unique(drawn[20:28, 28:36])) == nearer
-        assert depth.max() == pytest.approx(3.0, abs=1e-6)
+        assert set(np.unique(drawn[20:28, 28:36])) == nearer and depth.max() == pytest.approx(3.0, abs=1e-6)
 
 
 def test_equal_depths_go_to_the_smaller_index(device):
@@ -169,7 +162,7 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
     middles = rng.normal(size=(80, 1, 3)) * [0.5, 0.4, 0.6] + [0, 0, 1.5]
     vertices = (middles + sizes * rng.normal(size=(80, 3, 3))).reshape(-1, 3)  # some extend behind the camera
     triangles = memory.upload(np.arange(240, dtype=np.int32), int32, device)
-    points, behind = upload_points(vertices, device), None
+    points, behind = vectors(device, vertices), None
     for _ in range(3):  # layer behind layer
         words = []
         in_tiles = ((tri.draw_in_tiles, {"threads": 3 * tri.SIDE}), (tri.draw_in_tiles, {}))
@@ -177,8 +170,7 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
             buffer = DepthBuffer(WIDTH, HEIGHT, device, behind=behind)
             draw_them(points, triangles, VIEW, buffer, cull=cull, start=7, **options)
             words.append(memory.download(buffer.words))
-        assert np.unique(words[0]).size > 20
-        assert (words[0] == words[1]).all() and (words[0] == words[2]).all()
+        assert np.unique(words[0]).size > 20 and (words[0] == words[1]).all() and (words[0] == words[2]).all()
         behind = buffer.words
 
 
@@ -237,7 +229,7 @@ def test_cells_that_gather_discs_show_what_discs_that_are_spread_show(device, wi
 
 
 def test_points_are_counted_where_they_are_visible(device):
-    points = upload_points([[0.1, 0, 2]] * 7 + [[0.1, 0, 3]] * 5 + [[-0.5, 0, 1]] * 3 + [[0, 0, -2]], device)
+    points = vectors(device, [[0.1, 0, 2]] * 7 + [[0.1, 0, 3]] * 5 + [[-0.5, 0, 1]] * 3 + [[0, 0, -2]])
     counts, depths = count_in_squares(points, VIEW)
     assert counts.tolist() == [3.0, 7.0] and depths.tolist() == [1.0, 2.0]  # those behind others do not count
 

@@ -42,8 +42,7 @@ def test_the_first_of_equal_points_is_the_vertex(rng):
 
 def test_four_points_in_a_facet_have_no_certain_triangles():
     cube = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
-    assert find_central_hull(cube) is None
-    assert find_central_hull(np.zeros((0, 3))) is None
+    assert find_central_hull(cube) is None and find_central_hull(np.zeros((0, 3))) is None
 
 
 def test_an_uncertain_point_is_inserted_after_the_others(rng):
@@ -79,8 +78,7 @@ def test_only_interior_and_non_finite_points_are_dropped(device, rng, is_full):
     mask = download(mask_outer(upload(points + center, vec3d, device), center, corners + center, planes, 8))
     inside = np.abs(points[2:]).sum(axis=1) < 1
     is_covered = np.ones(501, bool) if is_full else points[2:, 2] > 0.2
-    assert mask[:2].tolist() == [0, 0]
-    assert (mask[2:][~inside] == 1).all()
+    assert mask[:2].tolist() == [0, 0] and (mask[2:][~inside] == 1).all()
     assert (mask[2:][inside & (points[2:, 2] < -0.2)] == (0 if is_full else 1)).mean() > 0.8
     assert (mask[2:][inside & is_covered] == 0).mean() > 0.8
 

@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
-from scipy.spatial.transform import Rotation
 
 from pointloom.kernels.algebra.rigid_solve import triangle, vec6d
 from pointloom.kernels.icp.determined_steps import constrained_step
@@ -20,15 +19,10 @@ from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_forest import PointForest
 from pointloom.kernels.search.tree_search import squared_radius
 
+from ...registration.poses import as_pose as pose
 from ..vectors import vectors
 
 ALONE = pytest.mark.parametrize("alone", [False, True], ids=["lanes", "alone"])
-
-
-def pose(vector=(0, 0, 0), shift=(0, 0, 0)):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(vector).as_matrix(), shift
-    return T
 
 
 def make_loop(device, sources, targets, source_of=None, target_of=None, *, distance, alone=None, poses=None):
@@ -49,14 +43,11 @@ def iterate(loop, poses, margin):
 
 
 def pairs_of(loop, job=0):
-    jobs = loop.jobs
-    cloud = jobs.source_of[job]
-    count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[cloud]
-    matches = download(loop.matches.pairs)[first : first + count]
-    rows = download(jobs.sources.order)[base : base + count]
-    order = download(jobs.targets.clouds.order)
-    total = np.full(rows.max(initial=-1) + 1, -1)
-    total[rows] = np.where(matches >= 0, order[np.maximum(matches, 0)], -1)
+    """The target row of each source row, or -1."""
+    base = loop.jobs.sources.bases[loop.jobs.source_of[job]]
+    total = np.full(download(loop.jobs.sources.order)[base : base + loop.jobs.counts[job]].max(initial=-1) + 1, -1)
+    rows, columns, _ = selected_pairs(loop, job)
+    total[rows] = columns
     return total
 
 
@@ -219,8 +210,7 @@ def test_a_pair_changed_only_by_rounding_is_matched(device, alone):
     T = pose(shift=[2.6e-4, 0, 0])
     iterate(loop, T, 1.0)
     squares = np.square(moved(source, T).astype(np.float64) - np.float32(target)).sum(axis=1)
-    assert squares[1] < 0.999 * squares[0]
-    assert pairs_of(loop).tolist() == [1]
+    assert squares[1] < 0.999 * squares[0] and pairs_of(loop).tolist() == [1]
 
 
 def matched(device, *clouds_and_jobs, distance=1e3, poses=None):
@@ -383,8 +373,7 @@ def test_pairs_with_a_larger_normal_angle_are_dropped(device, degrees, rng):
     a, b = rng.normal(size=(2, 500, 3))
     b[:50] = a[:50]  # some agree
     a, b = ((n / np.linalg.norm(n, axis=1, keepdims=True)).astype(np.float32) for n in (a, b))
-    T = np.eye(4)
-    T[:3, :3] = Rotation.from_rotvec([0.2, -0.3, 0.1]).as_matrix()
+    T = pose([0.2, -0.3, 0.1])
     loop = matched(device, [points], [points @ T[:3, :3].T], poses=T[None])
     rows, columns, _ = selected_pairs(loop)
     np.testing.assert_array_equal(rows, columns)
@@ -404,9 +393,8 @@ def test_pairs_at_exactly_the_maximum_normal_angle_stay(device, rng, min_cosine,
     normals = np.tile([0.0, 0, 1], (90, 1)), np.tile([[0.0, 0, 1], [1, 0, 0], [0, 0, -1]], (30, 1))
     loop = matched(device, [points], [points])
     PairRejection(loop.matches, normals=(*in_tree_order(loop, *normals), min_cosine)).run()
-    np.testing.assert_array_equal(
-        np.sort(selected_pairs(loop)[0]), np.flatnonzero(np.isin(np.arange(90) % 3, selected))
-    )
+    expected = np.flatnonzero(np.isin(np.arange(90) % 3, selected))
+    np.testing.assert_array_equal(np.sort(selected_pairs(loop)[0]), expected)
 
 
 def test_pairs_without_normals_are_dropped(device, rng):

@@ -72,9 +72,8 @@ def digest(device: str) -> str:
     points = np.random.default_rng(0).random((300, 3))
     cloud = loom.PointCloud(points, normals=np.ones((300, 3)), device=device)
     moved = cloud.translate([1, 2, 3]).rotate(np.eye(3))
-    return hashlib.sha256(
-        moved.points.tobytes() + moved.normals.tobytes() + moved.get_max_bound().tobytes()
-    ).hexdigest()
+    parts = (moved.points, moved.normals, moved.get_max_bound())
+    return hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
 
 
 def main(owner: str, name: str, device: str) -> None:

@@ -144,8 +144,7 @@ def test_a_sum_is_bitwise_identical_for_any_number_of_threads(kernels, rng, coun
     for threads in (1, 2, 3, 8):
         loom.set_num_threads(threads)
         results.add(lang.reduce(kernels.sums, count, [values]).numpy().tobytes())
-    assert len(results) == 1
-    assert np.frombuffer(results.pop())[2] == count
+    assert len(results) == 1 and np.frombuffer(results.pop())[2] == count
 
 
 def test_sums_of_segments_are_bitwise_identical_for_any_number_of_threads(kernels, rng):

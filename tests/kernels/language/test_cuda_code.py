@@ -15,12 +15,9 @@ from pointloom.kernels.memory import download, full, upload
 
 @kernel
 def touch_elements_kernel(
-    row: array(dtype=float32),
-    table: array(dtype=float32, ndim=2),
-    block: array(dtype=int64, ndim=3),
-    counts: array(dtype=int32, ndim=2),
-    ends: array(dtype=int32),
-):
+    row: array(dtype=float32), table: array(dtype=float32, ndim=2), block: array(dtype=int64, ndim=3),
+    counts: array(dtype=int32, ndim=2), ends: array(dtype=int32),
+):  # fmt: skip
     """Loads, stores and atomics of one, two and three axes."""
     i = tid()
     for j in range(table.shape[1]):

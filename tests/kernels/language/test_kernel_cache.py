@@ -45,32 +45,28 @@ def run(cache: Path, program: str = WORK) -> str:
     return done.stdout
 
 
-def files_of(cache: Path) -> list[Path]:
-    return sorted(cache.glob(f"*/{kernel_cache.FOLDER}/*/*.json"))
-
-
 @pytest.mark.slow
 def test_the_second_process_compiles_nothing_and_is_bitwise_identical(cache):
     first, second = run(cache).split(), run(cache).split()
     assert int(first[0]) >= int(first[1]) > 5 and (int(second[0]), second[1:]) == (0, first[1:])
 
 
+HARMS = {
+    "machine code is gone": lambda entries: {name: [*e[:-1], f"{e[-1]}.gone"] for name, e in entries.items()},
+    "broken": None,
+    "of other making": lambda entries: {name: [1, "a"] for name in entries},
+    "other places": lambda entries: [1, 2],
+}
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("harm", ["machine code is gone", "broken", "of other making", "other places"])
+@pytest.mark.parametrize("harm", HARMS)
 def test_damaged_entries_are_not_used(cache, harm):
     before = run(cache).split()
-    for path in files_of(cache):
-        entries = json.loads(path.read_text())
-        if harm == "broken":
-            path.write_text(path.read_text()[:-9])
-        elif harm == "of other making":
-            path.write_text(json.dumps({name: [1, "a"] for name in entries}))
-        elif harm == "machine code is gone":
-            path.write_text(json.dumps({name: [*e[:-1], f"{e[-1]}.gone"] for name, e in entries.items()}))
-        else:
-            path.write_text(json.dumps([1, 2]))
-    after = run(cache).split()
-    assert after == before
+    for path in cache.glob(f"*/{kernel_cache.FOLDER}/*/*.json"):
+        text = path.read_text()
+        path.write_text(json.dumps(HARMS[harm](json.loads(text))) if HARMS[harm] else text[:-9])
+    assert run(cache).split() == before
     assert run(cache).split()[0] == "0"  # and kept again
 
 

@@ -35,27 +35,17 @@ def scalar_cases(kind: str) -> list[Case]:
     x = X.astype(kind)
     one = np.dtype(kind).type
     same = [
-        (f"a[i] + {c}(1.5)", x + one(1.5)),
-        (f"a[i] - {c}(0.1)", x - one(0.1)),
-        (f"a[i] * {c}(0.1)", x * one(0.1)),
-        (f"a[i] / {c}(0.3)", x / one(0.3)),
-        ("-a[i]", -x),
-        ("abs(a[i])", np.abs(x)),
-        ("floor(a[i])", np.floor(x)),
-        ("ceil(a[i])", np.ceil(x)),
-        ("sqrt(abs(a[i]))", np.sqrt(np.abs(x))),
-        (f"min(a[i], {c}(0.5))", np.minimum(x, one(0.5))),
-        (f"max(a[i], {c}(0.5))", np.maximum(x, one(0.5))),
-        (f"a[i] if a[i] > {c}(0.5) else -a[i]", np.where(x > 0.5, x, -x)),
-        (f"{c}(THIRD) * a[i]", one(1 / 3) * x),
+        (f"a[i] + {c}(1.5)", x + one(1.5)), (f"a[i] - {c}(0.1)", x - one(0.1)),
+        (f"a[i] * {c}(0.1)", x * one(0.1)), (f"a[i] / {c}(0.3)", x / one(0.3)),
+        ("-a[i]", -x), ("abs(a[i])", np.abs(x)), ("floor(a[i])", np.floor(x)), ("ceil(a[i])", np.ceil(x)),
+        ("sqrt(abs(a[i]))", np.sqrt(np.abs(x))), (f"a[i] if a[i] > {c}(0.5) else -a[i]", np.where(x > 0.5, x, -x)),
+        (f"min(a[i], {c}(0.5))", np.minimum(x, one(0.5))), (f"max(a[i], {c}(0.5))", np.maximum(x, one(0.5))),
+        (f"{c}(THIRD) * a[i]", one(1 / 3) * x), (f"{c}(1.0) / {c}(3.0) * a[i]", one(1) / one(3) * x),
         (f"min(a[i], {c}(INFINITY))", x),
-        (f"{c}(1.0) / {c}(3.0) * a[i]", one(1) / one(3) * x),
-    ]
+    ]  # fmt: skip
     rounded = [(f"{f}(a[i])", getattr(np, f)(x)) for f in ("sin", "cos", "tan")]
-    rounded += [
-        (f"{word}(a[i] / {c}(101.0))", numpy(x / one(101.0)))
-        for word, numpy in (("exp", np.exp), ("acos", np.arccos), ("asin", np.arcsin))
-    ]
+    inverses = {"exp": np.exp, "acos": np.arccos, "asin": np.arcsin}
+    rounded += [(f"{word}(a[i] / {c}(101.0))", numpy(x / one(101.0))) for word, numpy in inverses.items()]
     rounded += [
         (f"log(abs(a[i]) + {c}(1.0))", np.log(np.abs(x) + one(1))),
         (f"atan2(a[i], {c}(2.0))", np.arctan2(x, one(2))),
@@ -70,17 +60,12 @@ def integer_cases(kind: str) -> list[Case]:
     integers, signed = INTEGERS.astype(kind), (SIGNED if kind[0] == "i" else INTEGERS).astype(kind)
     mask = (1 << (20 if kind.endswith("32") else 40)) - 1
     pairs = [
-        (f"a[i] * {c}(3) + {c}(5)", signed * 3 + 5),
-        (f"a[i] // {c}(3)", signed // 3),
-        (f"a[i] % {c}(3)", np.fmod(signed, 3)),
-        (f"a[i] & {c}({mask & 0x55555})", signed & (mask & 0x55555)),
-        (f"(a[i] | {c}(8)) ^ {c}(3)", (signed | 8) ^ 3),
-        ("~a[i]", ~signed),
-        (f"a[i] << {c}(3)", signed << 3),
-        (f"a[i] >> {c}(1)", signed >> 1),
-        (f"min(a[i], {c}(5))", np.minimum(signed, 5)),
-        (f"max(a[i], {c}(5))", np.maximum(signed, 5)),
-    ]
+        (f"a[i] * {c}(3) + {c}(5)", signed * 3 + 5), (f"a[i] // {c}(3)", signed // 3),
+        (f"a[i] % {c}(3)", np.fmod(signed, 3)), (f"a[i] & {c}({mask & 0x55555})", signed & (mask & 0x55555)),
+        (f"(a[i] | {c}(8)) ^ {c}(3)", (signed | 8) ^ 3), ("~a[i]", ~signed),
+        (f"a[i] << {c}(3)", signed << 3), (f"a[i] >> {c}(1)", signed >> 1),
+        (f"min(a[i], {c}(5))", np.minimum(signed, 5)), (f"max(a[i], {c}(5))", np.maximum(signed, 5)),
+    ]  # fmt: skip
     cases = [Case(body, signed, kind, kind, e) for body, e in pairs]
     cases += [Case("bit_count(a[i])", integers, kind, "int32", [int(v).bit_count() for v in integers])]
     cases += [Case(f"{c or 'int'}(1) << a[i]", integers % 31, kind, kind, 1 << (integers % 31))]
@@ -99,20 +84,16 @@ def vector_cases(kind: str) -> list[Case]:
     w = np.array([0.5, 2.0, -1.0], kind)
     w_text = f"vec3{d}(0.5, 2.0, -1.0)"
     vectors = [
-        (f"a[i] + {w_text}", f"vec3{d}", v + w),
-        (f"-(a[i] - {w_text})", f"vec3{d}", -(v - w)),
+        (f"a[i] + {w_text}", f"vec3{d}", v + w), (f"-(a[i] - {w_text})", f"vec3{d}", -(v - w)),
+        (f"cross(a[i], {w_text})", f"vec3{d}", np.cross(v, w)), ("length(a[i])", kind, lengths),
+        (f"outer(a[i], {w_text})", f"mat33{d}", v[:, :, None] * w), ("normalize(a[i])", f"vec3{d}", units),
         (f"{c}(2.0) * a[i] / {c}(3.0)", f"vec3{d}", one(2) * v / one(3)),
-        (f"cross(a[i], {w_text})", f"vec3{d}", np.cross(v, w)),
         (f"min(a[i], {w_text})", f"vec3{d}", np.minimum(v, w)),
         (f"max(a[i], vec3{d}(0.1))", f"vec3{d}", np.maximum(v, one(0.1))),
-        (f"outer(a[i], {w_text})", f"mat33{d}", v[:, :, None] * w),
-        ("a[i][i % 3]", kind, v[np.arange(4), np.arange(4) % 3]),
-        (f"dot(a[i], {w_text})", kind, (v * w).sum(1)),
-        ("length(a[i])", kind, lengths),
-        ("normalize(a[i])", f"vec3{d}", units),
+        ("a[i][i % 3]", kind, v[np.arange(4), np.arange(4) % 3]), (f"dot(a[i], {w_text})", kind, (v * w).sum(1)),
         (f"mat33{d}({', '.join(f'{x}.0' for x in range(9))}) @ a[i]", f"vec3{d}", v @ m[0].T),
         (f"a[i] @ mat33{d}({', '.join(f'{x}.0' for x in range(9))})", f"vec3{d}", v @ m[0]),
-    ]
+    ]  # fmt: skip
     matrices = [
         ("transpose(a[i])", f"mat33{d}", m.transpose(0, 2, 1)),
         (f"{c}(0.5) * a[i] + a[i]", f"mat33{d}", one(0.5) * m + m),
@@ -348,22 +329,20 @@ def test_loops_break_continue_and_nest(statements, device):
     assert out.numpy().tolist() == expected
 
 
-def test_a_return_ends_its_thread_alone(statements, device):
-    out = wp.zeros(5, dtype=wp.int32, device=device)
-    lang.launch(statements.returns_kernel, 5, [put([1, 3, 60, 50, 0], wp.int32, device), out])
-    assert out.numpy().tolist() == [-1, 1, 0, 25, -1]
-
-
-def test_functions_return_tuples(statements, device):
-    out = wp.zeros(3, dtype=wp.float32, device=device)
-    lang.launch(statements.tuples_kernel, 3, [put([7, 42, 99], wp.int32, device), out])
-    assert out.numpy().tolist() == [7.0, 10.0, 27.0]
-
-
-def test_and_or_and_if_read_no_more_than_they_need(statements, device):
-    out = wp.zeros(3, dtype=wp.int32, device=device)
-    lang.launch(statements.guards_kernel, 3, [put([0, 5, 2], wp.int32, device), out])
-    assert out.numpy().tolist() == [2 - 10, 2 + 0, 1 + 2 + 0]
+@pytest.mark.parametrize(
+    ("name", "given", "kind", "expected"),
+    [
+        ("returns_kernel", [1, 3, 60, 50, 0], wp.int32, [-1, 1, 0, 25, -1]),
+        ("tuples_kernel", [7, 42, 99], wp.float32, [7.0, 10.0, 27.0]),
+        ("guards_kernel", [0, 5, 2], wp.int32, [2 - 10, 2 + 0, 1 + 2 + 0]),
+        ("idle_kernel", None, wp.int32, [0, 0, 0]),
+    ],
+    ids=["return ends its thread", "tuples", "and, or and if read no more than they need", "a kernel may do nothing"],
+)
+def test_statements_do_what_python_does(statements, device, name, given, kind, expected):
+    out = wp.zeros(len(expected), dtype=kind, device=device)
+    lang.launch(getattr(statements, name), len(expected), [*([put(given, wp.int32, device)] if given else []), out])
+    assert out.numpy().tolist() == expected
 
 
 def test_components_rows_and_local_vectors_can_be_set(statements, device):
@@ -387,8 +366,7 @@ def test_arrays_may_have_two_axes_and_small_integers(statements, device, rng):
     a = rng.integers(0, 5, (6, 4))
     out, flags = wp.zeros(6, dtype=wp.int32, device=device), wp.zeros((6, 4), dtype=wp.uint8, device=device)
     lang.launch(statements.planes_kernel, 6, [put(a, wp.int32, device), out, flags])
-    assert out.numpy().tolist() == a.sum(1).tolist()
-    assert (flags.numpy() == a + 250).all()
+    assert out.numpy().tolist() == a.sum(1).tolist() and (flags.numpy() == a + 250).all()
 
 
 def test_atomics_resolve_races(statements, device, rng):
@@ -412,7 +390,3 @@ def test_vectors_matrices_and_numbers_are_taken_as_arguments(statements, device,
     out = wp.zeros(3, dtype=wp.float64, device=device)
     lang.launch(statements.arguments_kernel, 3, [*given, out])
     assert out.numpy().tolist() == (m @ v + 0.1 + 2**40 + (2**32 - 1) + 0.5).tolist()
-
-
-def test_a_kernel_may_do_nothing(statements, device):
-    lang.launch(statements.idle_kernel, 3, [wp.zeros(3, dtype=wp.int32, device=device)])

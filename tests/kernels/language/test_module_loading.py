@@ -59,6 +59,13 @@ def finished(process):
     return json.loads(out)
 
 
+def run(program, *arguments):
+    command = [sys.executable, "-c", program, *arguments]
+    done = subprocess.run(command, env=os.environ | {"PYTHONPATH": SRC}, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[-2000:]
+    return done.stdout
+
+
 @pytest.mark.slow
 def test_four_processes_at_once_compile_each_module_once_between_them(tmp_path):
     reports = [finished(process) for process in [start(PROGRAM, tmp_path) for _ in range(4)]]
@@ -131,12 +138,7 @@ print(json.dumps(dict(sorted(hashes.items()))))
 @pytest.mark.nightly
 def test_module_contents_do_not_depend_on_the_order_of_use():
     """Else a cache would have as many of it as there are programs."""
-    reports = []
-    for order in ("forward", "backward"):
-        command = [sys.executable, "-c", ORDERS, order]
-        done = subprocess.run(command, env=os.environ | {"PYTHONPATH": SRC}, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr[-2000:]
-        reports.append(json.loads(done.stdout))
+    reports = [json.loads(run(ORDERS, order)) for order in ("forward", "backward")]
     assert len(reports[0]) > 100
     assert reports[0] == reports[1]
 
@@ -157,13 +159,7 @@ assert of_first == set(kernels) and len(kernels) == 5, (of_first, set(kernels))
 @pytest.mark.parametrize("first", ["average_distances_kernel", "sum_finite"])
 def test_the_first_launch_prepares_all_kernels_of_its_module_for_gpus(first):
     """Else the module is compiled again for the next one, and code that was compiled ahead does not match."""
-    done = subprocess.run(
-        [sys.executable, "-c", FIRST.format(first=first)],
-        env=os.environ | {"PYTHONPATH": SRC},
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr[-2000:]
+    run(FIRST.format(first=first))
 
 
 SMALL = """
@@ -209,15 +205,22 @@ def loaded(monkeypatch, write_kernels, tmp_path):
 
 @pytest.mark.parametrize(
     ("file", "harm", "has_digest"),
-    [(0, "cut off", True), (0, "zeros", True), (0, "gone", True), (0, "cut off", False), (1, "cut off", True)],
+    [(0, "cut off", True), (0, "zeros", True), (0, "gone", True), (0, "cut off", False), (1, "cut off", True)]
+    + [(0, mode, True) for mode in (0o666, 0o664)],
 )
-def test_a_file_that_is_not_intact_is_compiled_again(loaded, file, harm, has_digest):
+def test_a_file_that_is_not_intact_or_that_others_can_write_is_compiled_again(
+    loaded, file, harm, has_digest, monkeypatch
+):
+    monkeypatch.setattr(cache_folders, "_is_own_group", lambda group: False)
     load, files = loaded
     path = files[file]
     content = path.read_bytes()
-    path.write_bytes(content[:-8] if harm == "cut off" else content[:9] + bytes(len(content) - 9))
-    if harm == "gone":
+    if isinstance(harm, int):
+        path.chmod(harm)
+    elif harm == "gone":
         path.unlink()
+    else:
+        path.write_bytes(content[:-8] if harm == "cut off" else content[:9] + bytes(len(content) - 9))
     if not has_digest:
         path.with_name(f"{path.name}.sha256").unlink()
     assert (load(), load()) == (1, 0)
@@ -229,14 +232,6 @@ def test_files_of_an_earlier_version_are_used_and_get_their_digests(loaded):
     for path in files[0].parent.glob("*.sha256"):
         path.unlink()
     assert load() == 0
-
-
-@pytest.mark.parametrize("mode", [0o666, 0o664])
-def test_a_file_that_others_can_write_is_compiled_again(loaded, mode, monkeypatch):
-    monkeypatch.setattr(cache_folders, "_is_own_group", lambda group: False)
-    load, files = loaded
-    files[0].chmod(mode)
-    assert (load(), load()) == (1, 0)
 
 
 def test_a_full_cache_folder_is_replaced_by_a_temporary_one(loaded, monkeypatch):

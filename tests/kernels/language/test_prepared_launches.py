@@ -57,12 +57,12 @@ FIRST = dict(shape=(2, 3), z=5.0, small=7, limit=0.5, wide=0.1, count=3, far=-5,
 FIRST |= dict(shift=(1, 2, 3), cell=(4, 5, 6))
 
 
-def noted(kernels, device, **changed):
+def noted(kernels, device, given_rows=None, **changed):
     given = {**FIRST, **changed}
     R = given["R"] * np.arange(9.0).reshape(3, 3)
     out, integers = memory.zeros(16, lang.float64, device), memory.zeros(5, lang.int64, device)
     arguments = [
-        memory.zeros(given["shape"], lang.float32, device),
+        memory.zeros(given["shape"], lang.float32, device) if given_rows is None else given_rows,
         memory.upload(np.array([[0, 0, given["z"]]]), lang.vec3d, device),
         memory.upload(np.array([given["small"]], np.uint8), lang.uint8, device),
         *(given[name] for name in ("limit", "wide", "count", "far", "key", "shift", "cell")),
@@ -94,15 +94,8 @@ def test_a_launch_brings_each_argument_that_changed(kernels, device, changed):
 
 
 def test_an_array_of_another_shape_at_the_same_address_is_set_again(kernels, device):
-    memory_of_both = memory.zeros(6, lang.float32, device)
-    results = []
-    for shape in ((2, 3), (3, 2)):
-        out, integers = memory.zeros(16, lang.float64, device), memory.zeros(5, lang.int64, device)
-        points, small = memory.zeros(1, lang.vec3d, device), memory.zeros(1, lang.uint8, device)
-        others = [*(FIRST[name] for name in ("limit", "wide", "count", "far", "key", "shift", "cell")), np.eye(3)]
-        arguments = [memory_of_both.reshape(shape), points, small, *others, out, integers]
-        lang.launch(kernels.note_arguments_kernel, 1, arguments)
-        results.append(memory.download(out)[0])
+    shared = memory.zeros(6, lang.float32, device)
+    results = [noted(kernels, device, shared.reshape(shape), shape=shape)[0][0] for shape in ((2, 3), (3, 2))]
     assert results == [2003.0, 3002.0]
 
 

@@ -95,6 +95,19 @@ REFUSED = [
     ("p[i] = p[i - 1] if i > 0 else p[i]", 0, "both vectors would be evaluated: choose with an `if` statement"),
     ("x, w = helper(y[i]), 1, 2", 0, "2 names for 3 values"),
     ("x, w = n, 1\nx, w = w, x", 0, "one variable a line: Warp copies nothing here"),
+    # numbers beside other types
+    ("z[i] = z[i] * 2", 0, "`*` between float64 and int32: convert with float64(...)"),
+    ("k[i] = k[i] * 0.5", 0, "`*` between int64 and float32"),
+    ("y[i] = y[i] * 2", 0, "`*` between float32 and int32"),
+    ("z[i] = z[i] * (0.5 + 0.25)", 0, "`*` between float64 and float32"),
+    ("z[i] = z[i] * THIRD", 0, "`*` between float64 and float32"),
+    ("x = 0.0\nx = z[i]", 1, "x was float32 and becomes float64"),
+    ("x = 0.0\nfor j in range(n):\n    x += z[j]", 2, "`+` between float32 and float64"),
+    ("a[i] = 1\nk[i] = k[i] + 9223372036854775808", 1, "9223372036854775808 does not fit into int64"),
+    ("c[i] = c[i] - -1", 0, "-1 does not fit into uint32"),
+    ("atomic_add()", 0, "atomic_add(array, index, value), with an index for each axis"),
+    ("u[i] = 256", 0, "256 does not fit into uint8"),
+    ("a[i] = int(u[i] == -1)", 0, "-1 does not fit into uint8"),
     # vectors and matrices
     ("m = mat33(0.0)\nq = m * m", 1, "`*` between matrices means two things: write `@`"),
     ("m = mat33(0.0)\np[i] = m * p[i]", 1, "write `@` for the product"),
@@ -121,6 +134,7 @@ import numpy
 
 TABLE = (1, 2)
 THREE = 3
+THIRD = 1.0 / 3.0
 WIDE = 0xFFFF_FFFF
 NUMPY = numpy.int64(3)
 
@@ -135,7 +149,8 @@ def first(a: array(dtype=float32)) -> float:
 @kernel
 def faulty_kernel(
     a: array(dtype=int32), k: array(dtype=int64), u: array(dtype=uint8), y: array(dtype=float32),
-    z: array(dtype=float64), p: array(dtype=vec3), g: array(dtype=float32, ndim=2), n: int, o: array(dtype=int32),
+    z: array(dtype=float64), c: array(dtype=uint32), p: array(dtype=vec3), g: array(dtype=float32, ndim=2), n: int,
+    o: array(dtype=int32),
 ):
     i = tid()
 """
@@ -172,6 +187,17 @@ INVALID_KERNELS = {
     "@reduction\ndef r(a: array(dtype=vec3)) -> vec3:\n    i = tid()\n": "a reduction returns its vector",
     "@reduction\ndef r(a: array(dtype=vec3)) -> vec4:\n    i = tid()\n    return a[i]\n": "returns vector of 3 float32",
     "def make():\n    n = 3\n    @func\n    def f(x: int) -> int:\n        return x + n\nmake()\n": "closes over n",
+    "@loop\ndef w(n: int):\n    for j in range(n):\n        x = j\n": "a loop hands out its variable with `yield`",
+    "@loop\ndef w(n: int):\n    for j in range(n):\n        x = yield j\n": "`yield` stands on a line of its own",
+    "@loop\ndef w(n: int):\n    for j in range(n):\n        yield\n": "`yield` hands out a value",
+    "@loop\ndef w(n: int):\n    yield n\n    return\n": "a loop has no `return`",
+    "@loop\ndef w(n: int):\n    n = n + 1\n    yield n\n": "n is a parameter: change a copy",
+    "@loop\ndef w(n: int):\n    yield n\n    yield n, n\n": "every `yield` of a loop hands out as many values",
+    "@loop\ndef w(n: int) -> float:\n    yield n\n": "hands out (int32), declared (float32)",
+    "@loop\ndef w(n: int):\n    yield n + 1.5\n": "`+` between int32 and float32",
+    "@loop\ndef w(n: int):\n    yield unknown\n": "unknown is not known here",
+    "@loop\ndef w(n):\n    yield n\n": "parameter n needs a type",
+    "@kernel\ndef w(a: array(dtype=int32), f: callback):\n    i = tid()\n": "a kernel takes no function",
 }
 
 
@@ -179,7 +205,7 @@ INVALID_KERNELS = {
 def test_a_function_outside_the_language_is_refused(write_kernels, source):
     with pytest.raises(KernelLanguageError) as caught:
         write_kernels("faulty", source)
-    assert INVALID_KERNELS[source] in caught.value.msg
+    assert INVALID_KERNELS[source] in caught.value.msg and caught.value.filename.endswith("faulty.py")
 
 
 def test_the_error_is_printed_with_file_and_line(write_kernels):

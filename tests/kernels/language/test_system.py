@@ -58,8 +58,7 @@ def test_large_arrays_ask_and_small_ones_do_not(asked):
     large = memory.zeros(huge_pages.MAPPED, wp.uint8, where)
     memory.zeros(huge_pages.MAPPED - 1, wp.uint8, where)
     ((begin, length, _),) = asked
-    assert large.ptr <= begin < begin + length <= large.ptr + large.capacity
-    assert not large.numpy().any()
+    assert large.ptr <= begin < begin + length <= large.ptr + large.capacity and not large.numpy().any()
 
 
 def test_a_system_without_huge_pages_changes_nothing(monkeypatch):

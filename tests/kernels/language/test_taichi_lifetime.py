@@ -62,19 +62,30 @@ def test_files_of_a_killed_process_do_not_block_the_folder(cache, run):
     assert kernels(cache)
 
 
-@pytest.mark.slow
-def test_a_program_with_a_deleted_folder_ends_normally(run):
-    """Taichi's destructor would throw, and the process abort."""
-    done = run(
-        """
+PROGRAMS = {
+    # Taichi's destructor would throw, and the process abort
+    "a deleted folder": """
         import pathlib, shutil, taichi
         folder = pathlib.Path(taichi.cfg.offline_cache_file_path)
         shutil.rmtree(folder, ignore_errors=True)
         folder.touch()  # no folder can be made there
-        """
-    )
-    assert done.returncode == 0, done.stderr
-    assert "terminate" not in done.stderr
+    """,
+    # Taichi's destructor would wait for threads that a fork does not have
+    "a fork": """
+        import os, sys
+        child = os.fork()
+        if child == 0:
+            sys.exit(3)
+        assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 3
+    """,
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_program_with_a_deleted_folder_and_a_fork_end_normally(run, name):
+    done = run(PROGRAMS[name])
+    assert done.returncode == 0 and "terminate" not in done.stderr, done.stderr
 
 
 def is_free(folder: Path) -> bool:
@@ -101,18 +112,15 @@ def test_a_lock_that_is_never_released_is_skipped_and_a_folder_that_cannot_be_ma
                 locks.enter_context(KernelFolder(str(tmp_path / folder)).locked())
 
 
-def refuse_a_second_thread() -> None:
-    """Let thread stacks be of half the address space."""
-    resource.setrlimit(resource.RLIMIT_STACK, (1 << 46, resource.getrlimit(resource.RLIMIT_STACK)[1]))
-
-
 @pytest.mark.slow
 @pytest.mark.skipif(
     resource.getrlimit(resource.RLIMIT_STACK)[1] != resource.RLIM_INFINITY, reason="the size of stacks is limited"
 )
 def test_refused_threads_are_reported_with_the_reason(run):
     """Taichi would abort: "terminate called without an active exception"."""
-    done = run(preexec=refuse_a_second_thread, POINTLOOM_CPU_THREADS="4", OPENBLAS_NUM_THREADS="1")
+    limits = (1 << 46, resource.RLIM_INFINITY)  # thread stacks of half the address space
+    threads = {"POINTLOOM_CPU_THREADS": "4", "OPENBLAS_NUM_THREADS": "1"}
+    done = run(preexec=lambda: resource.setrlimit(resource.RLIMIT_STACK, limits), **threads)
     assert done.returncode == 1
     assert "TaichiUnavailableError: the system refuses this process 5 threads" in done.stderr  # one of them compiles
 
@@ -120,8 +128,7 @@ def test_refused_threads_are_reported_with_the_reason(run):
 @pytest.mark.slow
 def test_kernels_compile_in_any_thread(run):
     """LLVM would abort: "Opaque pointers are only supported in -opaque-pointers mode"."""
-    done = run(
-        """
+    program = """
         import threading
         import numpy as np
         import pointloom as loom
@@ -139,8 +146,8 @@ def test_kernels_compile_in_any_thread(run):
         for thread in threads:
             thread.join()
         assert len(done) == 4
-        """
-    )
+    """
+    done = run(program)
     lines = [line for line in done.stderr.splitlines() if not line.startswith("pointloom: compil")]
     assert (done.returncode, lines) == (0, [])
 
@@ -152,25 +159,9 @@ def test_no_thread_checks_the_internet_for_a_newer_taichi(cache, run):
 
 
 @pytest.mark.slow
-def test_a_fork_that_comes_to_its_end_ends(run):
-    """Taichi's destructor would wait for threads that a fork does not have."""
-    done = run(
-        """
-        import os, sys
-        child = os.fork()
-        if child == 0:
-            sys.exit(3)
-        assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 3
-        """
-    )
-    assert done.returncode == 0, done.stderr
-
-
-@pytest.mark.slow
 def test_a_handler_at_exit_can_still_work(run):
     """Handlers run in the reverse order of their registration: this one after Taichi's shutdown."""
-    done = run(
-        before="""
+    program = """
         import atexit
 
         def work():
@@ -178,8 +169,8 @@ def test_a_handler_at_exit_can_still_work(run):
             print("done")
 
         atexit.register(work)
-        """
-    )
+    """
+    done = run(before=program)
     assert (done.stdout, done.stderr, done.returncode) == ("done\n", "", 0)
 
 

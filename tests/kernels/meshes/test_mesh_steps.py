@@ -135,31 +135,23 @@ def by_heap(points: np.ndarray, count: int, widest: float) -> np.ndarray:
     return rows[left]
 
 
-def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
-    if name == "square":
-        return np.column_stack([rng.random((500, 2)), np.zeros(500)]), 1.0
-    if name == "ball":
-        points = rng.normal(size=(500, 3))
-        return points / np.linalg.norm(points, axis=1, keepdims=True), 4 * np.pi
-    if name == "grid":  # every distance many times over, so that many samples weigh the same
-        return np.stack(np.meshgrid(np.arange(21), np.arange(21), [0]), -1).reshape(-1, 3) / 21.0, 1.0
-    if name == "copies":
-        return np.repeat(rng.random((60, 3)), 10, axis=0), 1.0
-    if name == "strays":  # no two within the radius
-        return rng.random((400, 3)) * 1e4, 1.0
-    if name == "nowhere":
-        points = rng.random((400, 3)) * [1, 1, 0]
-        points[::7] = np.nan
-        return points, 1.0
-    points = np.concatenate([rng.random((400, 3)) * [0.02, 0.02, 0], rng.random((60, 3)) * 50])
-    return points, 1.0
+SCENES = {
+    "square": lambda rng: np.column_stack([rng.random((500, 2)), np.zeros(500)]),
+    "ball": lambda rng: (points := rng.normal(size=(500, 3))) / np.linalg.norm(points, axis=1, keepdims=True),
+    # every distance many times over, so that many samples weigh the same
+    "grid": lambda rng: np.stack(np.meshgrid(np.arange(21), np.arange(21), [0]), -1).reshape(-1, 3) / 21.0,
+    "copies": lambda rng: np.repeat(rng.random((60, 3)), 10, axis=0),
+    "strays": lambda rng: rng.random((400, 3)) * 1e4,  # no two within the radius
+    "nowhere": lambda rng: np.where(np.arange(400)[:, None] % 7, rng.random((400, 3)) * [1, 1, 0], np.nan),
+    "crowd and strays": lambda rng: np.concatenate([rng.random((400, 3)) * [0.02, 0.02, 0], rng.random((60, 3)) * 50]),
+}
 
 
 @pytest.mark.parametrize(("count", "in_rounds"), [(57, False), (300, True)])
-@pytest.mark.parametrize("name", ["square", "ball", "grid", "copies", "strays", "nowhere", "crowd and strays"])
+@pytest.mark.parametrize("name", SCENES)
 def test_the_samples_equal_those_of_a_heap(device, rng, monkeypatch, name, count, in_rounds):
     monkeypatch.setattr(poisson_disk, "MAX_SEQUENTIAL", 0 if in_rounds else 2**16)
-    points, area = scene(name, rng)
+    points, area = SCENES[name](rng), 4 * np.pi if name == "ball" else 1.0
     widest = 2 * np.sqrt(area / count / (2 * np.sqrt(3)))
     np.testing.assert_array_equal(by_rounds(points, count, widest, device), by_heap(points, count, widest))
 

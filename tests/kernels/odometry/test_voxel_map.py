@@ -5,12 +5,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
-from scipy.spatial.transform import Rotation
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import launch, vec3, vec3d, vec4
 from pointloom.kernels.memory import empty, upload
 from pointloom.kernels.odometry.voxel_map import VoxelMap
+
+from ...registration.poses import as_pose
 
 ROOM = 4
 SEARCH = """
@@ -82,8 +83,7 @@ def lattice_or_any(count):
 def test_a_voxel_keeps_the_first_points_that_are_apart(device, first, second, size):
     voxel_map, expected = make_map(device, size), {}
     for points in (first, second, first):
-        pose = np.eye(4)
-        pose[:3, 3] = len(points) * 0.25
+        pose = as_pose(shift=[len(points) * 0.25] * 3)
         add(voxel_map, points, pose)
         keep(expected, points, pose, size, ROOM)
     assert content(voxel_map) == expected
@@ -92,8 +92,7 @@ def test_a_voxel_keeps_the_first_points_that_are_apart(device, first, second, si
 def test_a_cloud_and_a_pose_are_stored_by_the_rule(device, rng):
     voxel_map, expected = make_map(device, 1.0, 20), {}
     for _ in range(3):
-        pose = np.eye(4)
-        pose[:3, :3], pose[:3, 3] = Rotation.from_rotvec(rng.normal(0, 1, 3)).as_matrix(), rng.normal(0, 5, 3)
+        pose = as_pose(rng.normal(0, 1, 3), rng.normal(0, 5, 3))
         points = rng.normal(0, 6, (3000, 3)).astype(np.float32)
         add(voxel_map, points, pose)
         keep(expected, points, pose, 1.0, 20)
@@ -126,10 +125,9 @@ def test_far_from_the_start_it_is_the_same_to_the_bit(device, search, rng):
     points, queries = rng.uniform(-8, 8, (2000, 3)).astype(np.float32), rng.uniform(-8, 8, (300, 3))
     shift = np.array([2.0**19, -(2.0**18), 4096.0])
     points, queries = np.round(points * 2**10) / 2**10, np.round(queries * 2**10) / 2**10  # exact at both positions
-    near, far, pose = make_map(device), make_map(device), np.eye(4)
-    pose[:3, 3] = shift
+    near, far = make_map(device), make_map(device)
     add(near, points)
-    add(far, points, pose)
+    add(far, points, as_pose(shift=shift))
     np.testing.assert_array_equal(search(near, queries, 9.0), search(far, queries + shift, 9.0))
     points, origin = far.points(shift)
     np.testing.assert_array_equal(origin, shift)
@@ -144,8 +142,7 @@ def test_far_voxels_are_removed_and_near_ones_stay(device, search, rng):
     center = np.array([3.0, -2.0, 1.0])
     voxel_map = voxel_map.without_far(center, 12.0)
     remaining = {c: p for c, p in before.items() if np.linalg.norm(np.array(c) + 0.5 - center) <= 12}
-    assert 0 < len(remaining) < len(before)
-    assert content(voxel_map) == remaining
+    assert 0 < len(remaining) < len(before) and content(voxel_map) == remaining
     queries = np.array([np.add(c, p[0]) for c, p in before.items()])
     assert ((search(voxel_map, queries, 1e-6)[:, 3] < 1e-6) == [c in remaining for c in before]).all()
     add(voxel_map, points)  # what was dropped comes back, what stayed is full already
@@ -164,7 +161,5 @@ def test_an_empty_map_finds_nothing(device, search):
 
 
 def test_a_path_beyond_its_keys_is_refused(device):
-    pose = np.eye(4)
-    pose[0, 3] = 2e6
     with pytest.raises(ValueError, match="voxel_size:"):
-        add(make_map(device), np.zeros((1, 3), np.float32), pose)
+        add(make_map(device), np.zeros((1, 3), np.float32), as_pose(shift=[2e6, 0, 0]))

@@ -13,6 +13,8 @@ from pointloom.kernels.poses.main_planes import VOTERS, MainPlanes, find_main_pl
 from pointloom.kernels.poses.point_sums import count_agreeing, position_moments
 from pointloom.kernels.search.nearest_point import NO_POINT
 
+from ...registration.poses import as_pose
+
 LIMITS = (0.02, 0.05, 0.9)  # tight, slab, cosine
 
 
@@ -39,13 +41,19 @@ def planes_of(arrays, max_planes):
     return find_main_planes(*arrays, max_planes, *LIMITS).read()
 
 
-def test_planes_are_ordered_by_their_number_of_points(device, rng):
-    points, normals = sheets(rng, (500, 2000, 1000, 200))
-    middles, directions = planes_of(on_device(points, normals, device), 3)
-    assert np.abs(directions).argmax(axis=1).tolist() == [1, 2, 0]
-    assert np.abs(directions).max(axis=1).min() > 0.9999
-    heights = [middle[axis] for middle, axis in zip(middles, (1, 2, 0), strict=True)]
-    np.testing.assert_allclose(heights, 1.5, atol=0.003)
+@pytest.mark.parametrize(
+    ("counts", "axes", "heights"),
+    [
+        ((500, 2000, 1000, 200), [1, 2, 0], [1.5, 1.5, 1.5]),
+        ((1500, 20, 20, 1000), [0, 0], [1.5, 3.5]),
+        ((6 * VOTERS, 3 * VOTERS), [0, 1], [1.5, 1.5]),
+    ],
+    ids=["planes", "parallel ones are two", "a large cloud is subsampled"],
+)
+def test_planes_are_ordered_by_their_number_of_points(device, rng, counts, axes, heights):
+    middles, directions = planes_of(on_device(*sheets(rng, counts), device), len(axes))
+    assert np.abs(directions).argmax(axis=1).tolist() == axes and np.abs(directions).max(axis=1).min() > 0.9999
+    np.testing.assert_allclose(middles[range(len(axes)), axes], heights, atol=0.003)
 
 
 def test_points_that_are_not_chosen_do_not_count(device, rng):
@@ -55,30 +63,14 @@ def test_points_that_are_not_chosen_do_not_count(device, rng):
     assert np.abs(directions).argmax(axis=1).tolist()[:2] == [2, 0]
 
 
-def test_parallel_planes_are_two(device, rng):
-    points, normals = sheets(rng, (1500, 20, 20, 1000))
-    middles, directions = planes_of(on_device(points, normals, device), 2)
-    assert np.abs(directions).argmax(axis=1).tolist() == [0, 0]
-    np.testing.assert_allclose(middles[:, 0], [1.5, 3.5], atol=0.003)
+@pytest.mark.parametrize(("count", "planes"), [(0, 0), (1, 0), (4, 0), (5, 1)])
+def test_five_points_make_a_plane_and_fewer_do_not(device, rng, count, planes):
+    result = planes_of(on_device(*sheets(rng, (count,)), device), 3)
+    assert [values.shape for values in result] == [(planes, 3)] * 2
 
 
-def test_large_clouds_are_subsampled(device, rng):
-    points, normals = sheets(rng, (6 * VOTERS, 3 * VOTERS))
-    _, directions = planes_of(on_device(points, normals, device), 2)
-    assert np.abs(directions).argmax(axis=1).tolist() == [0, 1]
-
-
-@pytest.mark.parametrize("count", [0, 1, 4])
-def test_fewer_than_five_points_make_no_plane(device, rng, count):
-    points, normals = sheets(rng, (count,))
-    planes = planes_of(on_device(points, normals, device), 3)
-    assert [values.shape for values in planes] == [(0, 3), (0, 3)]
-
-
-def test_five_points_make_a_plane_even_if_they_coincide(device, rng):
-    points, normals = sheets(rng, (5,))
-    assert len(planes_of(on_device(points, normals, device), 3)[0]) == 1
-    points, normals = np.tile(points[:1], (6, 1)), np.tile(normals[:1], (6, 1))
+def test_points_that_coincide_make_a_plane(device, rng):
+    points, normals = (np.tile(rows[:1], (6, 1)) for rows in sheets(rng, (5,)))
     middles, directions = planes_of(on_device(points, normals, device), 3)
     assert np.isfinite(middles).all() and np.isfinite(directions).all()
 
@@ -115,10 +107,6 @@ def plate(x, y=(-1.0, 1.0), z=(-1.0, 1.0), step=0.03):
     return np.stack(np.meshgrid([x], u, v, indexing="ij"), -1).reshape(-1, 3)
 
 
-def points_of(rows, device):
-    return loom.PointCloud(rows, device=device).array("points")
-
-
 def shifted(rows, device):
     cloud = loom.PointCloud(rows, device=device)
     return cloud.array("points"), np.asarray(cloud.origin, float)
@@ -132,9 +120,7 @@ def shifted(rows, device):
 def test_an_object_before_a_wall_is_in_the_way(device, x, y, share):
     wall, there = shifted(plate(2.0), device)
     screen, origin = shifted(plate(x, y, (-0.4, 0.4)), device)
-    pose = np.eye(4)
-    pose[:3, 3] = origin - there
-    counts = Sight(wall, EYE - there, 0.1).count_occluding(screen, pose)
+    counts = Sight(wall, EYE - there, 0.1).count_occluding(screen, as_pose(shift=origin - there))
     assert counts.numpy().tolist() == [share * screen.size]
 
 
@@ -147,7 +133,7 @@ def test_a_surface_behind_another_plate_is_hidden(device):
 
 
 def test_viewpoints_with_minimal_occlusion_are_selected(device):
-    points = points_of(np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0), plate(-2.0)], device)
+    points, _ = shifted(np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0), plate(-2.0)], device)
     sight = find_sight(points, 0.1)
     assert sight is not None and 0 < sight.viewpoint_count <= MAX_VIEWPOINTS
     x = np.asarray(sight.viewpoints.numpy())[:, 0]
@@ -158,11 +144,10 @@ def test_a_cloud_invisible_from_every_viewpoint_has_no_sight(device, rng, monkey
     ways = rng.normal(size=(8000, 3))
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)
     ways[:3000] *= 0.6  # a ball in a ball
-    points = points_of(ways, device)
+    points, _ = shifted(ways, device)
     assert find_sight(points, 0.1) is not None
     monkeypatch.setattr(line_of_sight, "HIDDEN", 0.01)
-    assert find_sight(points, 0.1) is None
-    assert find_sight(points_of(np.empty((0, 3)), device), 0.1) is None
+    assert find_sight(points, 0.1) is None and find_sight(shifted(np.empty((0, 3)), device)[0], 0.1) is None
 
 
 def test_moments_are_the_sums_of_coordinates_and_their_products(device, rng):

@@ -17,6 +17,8 @@ from pointloom.kernels.poses.pose_search import MAX_DISTINCT, RANKED, PoseSearch
 from pointloom.kernels.poses.similar_tuples import similar_tuples
 from pointloom.kernels.search.point_tree import PointTree
 
+from ...registration.poses import as_pose, moved
+
 
 def random_poses(rng, count, size=0.5, scale=1.0):
     poses = np.tile(np.eye(4), (count, 1, 1))
@@ -29,10 +31,6 @@ def near_poses(rng, count, angle=0.3, size=0.1):
     poses = random_poses(rng, count, size)
     poses[:, :3, :3] = Rotation.from_rotvec(rng.normal(size=(count, 3)) * angle).as_matrix()
     return poses
-
-
-def moved(points, pose):
-    return points @ pose[:3, :3].T + pose[:3, 3]
 
 
 def search_over(source, target, pairs, device):
@@ -219,8 +217,7 @@ def test_scores_are_the_correspondences_that_agree(device, rng, count):
 
 def test_a_correspondence_at_the_distance_does_not_agree_as_in_open3d(device):
     points = np.array([[x, y, z] for x in (-4, 4) for y in (-2, 2) for z in (-1, 1)], np.float32)
-    search, shifted = search_over(points, points, identity_pairs(8), device), np.eye(4)
-    shifted[0, 3] = 0.5
+    search, shifted = search_over(points, points, identity_pairs(8), device), as_pose(shift=[0.5, 0, 0])
     for distance, count in ((0.5, 0), (0.51, 8)):
         scores = upload(np.zeros(1), int32, device)
         score_poses(search.ranking, upload(shifted[None], mat44d, device), distance, scores)
@@ -328,9 +325,8 @@ def test_triples_are_listed_in_the_order_of_their_numbers(device, clutter):
 
 
 def make_pairs(p, q, device="cpu"):
-    rows = np.repeat(np.arange(len(p), dtype=np.int32)[:, None], 2, axis=1)
     points = [upload(np.asarray(a, np.float32), vec3, device) for a in (p, q)]
-    return PairCoordinates(*points, upload(rows, int32, device), np.zeros(3, np.float32), np.zeros(3, np.float32))
+    return PairCoordinates(*points, upload(identity_pairs(len(p)), int32, device), *np.zeros((2, 3), np.float32))
 
 
 def edges_of(graph):
@@ -399,8 +395,7 @@ def test_peaks_are_local_maxima(device, rng):
     stronger = (values[None] > values[:, None]) | ((values[None] == values[:, None]) & (index[None] < index[:, None]))
     expected = np.flatnonzero(~(near & stronger).any(axis=1) & (values > 0))
     expected = expected[np.argsort(-values[expected], kind="stable")]
-    assert 10 < len(expected) < 140
-    assert graph.peaks(sums, radius, 1000).numpy().tolist() == expected.tolist()
+    assert 10 < len(expected) < 140 and graph.peaks(sums, radius, 1000).numpy().tolist() == expected.tolist()
     assert graph.peaks(sums, radius, 7).numpy().tolist() == expected[:7].tolist()
 
 

@@ -71,8 +71,7 @@ def test_the_triangles_are_those_of_brute_force(device, rng, count, thickness, r
     points, normals = bumpy(rng, count, thickness)
     faces, _ = faces_of(points, normals, radius, device)
     expected = brute_faces(points, normals, radius)
-    assert len(faces) == len(expected) > 0
-    assert as_set(faces) == expected
+    assert len(faces) == len(expected) > 0 and as_set(faces) == expected
 
 
 def test_a_ball_nearly_as_large_as_a_sphere_of_points_finds_the_triangles_of_brute_force(device, rng):
@@ -81,8 +80,7 @@ def test_a_ball_nearly_as_large_as_a_sphere_of_points_finds_the_triangles_of_bru
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     points = points.astype(np.float32).astype(np.float64)
     faces, _ = faces_of(points, points, 0.98, device)
-    assert len(faces) == 2 * 90 - 4
-    assert as_set(faces) == brute_faces(points, points, 0.98)
+    assert len(faces) == 2 * 90 - 4 and as_set(faces) == brute_faces(points, points, 0.98)
 
 
 def test_circle_widths_are_fractions_of_the_ball(device, rng):
@@ -102,14 +100,7 @@ def test_points_with_too_many_neighbors_are_processed_again(device, rng, monkeyp
     monkeypatch.setattr(ball_faces, "FIRST_SLOTS", 1)
     monkeypatch.setattr(ball_faces, "PART", 70)
     faces, _ = faces_of(points, normals, 0.3, device)
-    assert len(faces) == len(expected)
-    assert as_set(faces) == as_set(expected)
-
-
-def grid(count, spacing=1.0):
-    x, y = np.meshgrid(np.arange(count), np.arange(count), indexing="ij")
-    points = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1) * spacing
-    return points, np.tile([0.0, 0, 1], (len(points), 1))
+    assert len(faces) == len(expected) and as_set(faces) == as_set(expected)
 
 
 def area_of(points, triangles):
@@ -121,8 +112,8 @@ def area_of(points, triangles):
     ("spacing", "radius"), [(1.0, 0.75), (0.1, 1.0), (3e-5, 3.0), (1e-10, 1.0), (1e8, 0.75), (1.0, 3.0)]
 )
 def test_a_grid_has_two_triangles_a_cell_and_none_overlap(device, spacing, radius):
-    points, normals = grid(20, spacing)
-    faces, _ = faces_of(points, normals, radius * spacing, device)
+    points = np.array([(x, y, 0) for x in range(20) for y in range(20)]) * spacing
+    faces, _ = faces_of(points, np.tile([0.0, 0, 1], (400, 1)), radius * spacing, device)
     areas = area_of(points / spacing, faces)
     assert len(faces) == 2 * 19 * 19
     np.testing.assert_allclose(areas, 0.5, rtol=1e-5)  # rounding to float32
@@ -135,9 +126,7 @@ def test_points_on_one_circle_are_a_fan_about_the_first(device, seed):
     circle = {(x, y) for x in range(-5, 6) for y in range(-5, 6) if x * x + y * y == 25}
     points = np.random.default_rng(seed).permutation([(x, y, 7.0) for x, y in sorted(circle)])
     faces, _ = faces_of(points, np.tile([0.0, 0, 2], (12, 1)), 6.0, device)
-    assert len(faces) == 10
-    assert (faces[:, 0] == 0).all()
-    assert (area_of(points, faces) > 0).all()
+    assert len(faces) == 10 and (faces[:, 0] == 0).all() and (area_of(points, faces) > 0).all()
 
 
 CORNERS = itertools.product((-1, 1), repeat=2)
@@ -157,8 +146,7 @@ def test_the_corners_of_a_solid_make_its_closed_surface_from_outside_and_from_in
     radius = 0.9 * np.linalg.norm(points[0])  # from inside the ball through all corners is the first that does not fit
     faces, _ = faces_of(points, side * points, radius, device)
     mesh = loom.TriangleMesh(points, faces)
-    assert len(faces) == count
-    assert mesh.is_watertight()
+    assert len(faces) == count and mesh.is_watertight()
     volume = np.einsum("ij,ij->i", points[faces[:, 0]], np.cross(points[faces[:, 1]], points[faces[:, 2]])).sum()
     assert np.sign(volume) == side
 
@@ -190,5 +178,4 @@ def test_a_power_of_two_as_scale_changes_no_triangle(device, rng, power):
     points, normals = bumpy(rng, 200, 0.2)
     expected, widths = faces_of(points, normals, 0.2, device)
     scaled, scaled_widths = faces_of(np.ldexp(points, power), normals, 0.2 * 2.0**power, device)
-    assert len(scaled) == len(expected) > 100
-    assert by_corners(scaled, scaled_widths) == by_corners(expected, widths)
+    assert len(scaled) == len(expected) > 100 and by_corners(scaled, scaled_widths) == by_corners(expected, widths)

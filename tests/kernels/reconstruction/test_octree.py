@@ -28,7 +28,6 @@ def ball_samples(count: int, share: float = 1.0):
 
 def tree_of(points, depth, device, normals=None, samples_per_cell=1.5):
     """A DensityPyramid over points, by default of the unit sphere, in a cube of edge 2.2."""
-
     points, normals = (upload(a, vec3, device) for a in (points, points if normals is None else normals))
     rows = sample_rows(points, normals)
     cells = gather_samples(points, normals, rows, Cube(CORNER, SIDE), depth)
@@ -67,7 +66,6 @@ def spline(t):
 
 @pytest.mark.parametrize("by_length", [False, True])
 def test_cells_contain_the_sums_of_their_points(device, by_length):
-
     rng = np.random.default_rng(1)
     points = ball_samples(500)
     normals = (points * rng.uniform(0.5, 2, (500, 1))).astype(np.float32)
@@ -117,6 +115,7 @@ def test_the_density_is_that_of_splines_by_brute_force(device):
 
 
 TREES = [(3, 400, 1.0), (8, 4000, 0.002)]
+STEPS = np.array(list(np.ndindex(3, 3, 3))) - 1  # to a cell's neighbors
 
 
 @pytest.fixture(params=TREES, ids=["full", "clustered"])
@@ -139,9 +138,8 @@ def test_leaves_that_touch_differ_by_one_level(pyramid):
     cells, depths = leaves_of(pyramid)
     last = int(depths.max())
     assert last - depths.min() >= (0 if last == 3 else 2)
-    steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
     for fine in range(int(depths.min()) + 2, last + 1):
-        neighbors = (cells[depths == fine][:, None] + steps).reshape(-1, 3)
+        neighbors = (cells[depths == fine][:, None] + STEPS).reshape(-1, 3)
         for coarse in range(1, fine - 1):
             leaves = cells[depths == coarse]
             assert not np.isin(keys_of(neighbors >> (fine - coarse)), keys_of(leaves)).any()
@@ -156,18 +154,17 @@ def test_cells_around_a_divided_cell_exist(pyramid):
     for level in pyramid.levels[1:]:
         cells = {tuple(p) for p in slot_cells(level)[is_cell(level)]}
         divided = slot_cells(level)[download(level.divided) == 1]
-        for step in np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3):
+        for step in STEPS:
             neighbors = divided + step
             neighbors = neighbors[((neighbors >= 0) & (neighbors < 1 << level.depth)).all(axis=1)]
             assert {tuple(p) for p in neighbors} <= cells
 
 
 def test_neighbors_of_a_block_match_its_positions(pyramid):
-    steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     for level in pyramid.levels[1:]:
         positions = download(level.positions).reshape(-1, 3)
         at = {tuple(p): i for i, p in enumerate(positions)}
-        expected = [[at.get(tuple(p), -1) for p in position + steps] for position in positions]
+        expected = [[at.get(tuple(p), -1) for p in position + STEPS] for position in positions]
         np.testing.assert_array_equal(download(level.around).reshape(-1, 27), expected)
 
 
@@ -195,11 +192,6 @@ DEPTH = 3  # all cells of all levels exist, so arrays [n, n, n] represent them
 def one_face(device):
     """Samples for one face of the cube, which give a known pull."""
     return upload(np.ones((1, 2)), vec2d, device)
-
-
-def mean_of(pyramid, solutions):
-    total, weight = download(mean_at_samples(pyramid, solutions))[0]
-    return total / weight
 
 
 def scene(device):
@@ -253,11 +245,6 @@ def hats(n, positions):
     return np.maximum(1 - np.abs(positions[:, None] - np.arange(n + 1)), 0)
 
 
-def slopes(n, positions):
-    away = positions[:, None] - np.arange(n + 1)
-    return np.where(np.abs(away) < 1, -np.sign(away), 0)
-
-
 def gauss(n):
     """(positions in the cube, weights): three Gauss points in each of n cells, exact for degree five."""
     at = np.array([-np.sqrt(0.6), 0, np.sqrt(0.6)]) / 2 + 0.5
@@ -292,7 +279,9 @@ def test_right_hand_sides_are_integrals_over_the_cube(device, tolerances, depth)
             at_corners = spline_field(pyramid, k, [corners] * 3) * 2.0**k
             own = np.einsum("ai,bj,ck,ijkd->abcd", lines, lines, lines, at_corners)
         field += own  # V itself, in cubes
-    values, derivatives = hats(n, x * n) * weight[:, None], slopes(n, x * n) * n * weight[:, None]
+    away = x[:, None] * n - np.arange(n + 1)
+    slopes = np.where(np.abs(away) < 1, -np.sign(away), 0)
+    values, derivatives = hats(n, x * n) * weight[:, None], slopes * n * weight[:, None]
     expected = sum(
         np.einsum("ai,bj,ck,abc->ijk", *[derivatives if a == axis else values for a in range(3)], field[..., axis])
         for axis in range(3)
@@ -350,4 +339,5 @@ def test_the_value_on_the_surface_is_the_mean_at_the_samples_where_levels_differ
             total += weight * np.array([value, 1])
         below |= {tuple(c // 2 for c in position) for position in existing}
     assert missed > 100
-    assert abs(mean_of(pyramid, solutions) - total[0] / total[1]) < 1e-5 * abs(total[0] / total[1])
+    sums = download(mean_at_samples(pyramid, solutions))[0]
+    assert abs(sums[0] / sums[1] - total[0] / total[1]) < 1e-5 * abs(total[0] / total[1])

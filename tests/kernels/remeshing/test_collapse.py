@@ -29,12 +29,6 @@ def note(mesh: cm.CollapseMesh, index: int, value: int) -> None:
     write(mesh.numbers[index : index + 1], np.array([value], np.int32))
 
 
-def chosen_of(job: CollapseRounds, edges, rounds: int) -> np.ndarray:
-    note(job.mesh, cm.EDGES, edges.size)
-    job.choice.run(job.mesh, job.twin, edges, rounds)
-    return download(job.choice.chosen)[: edges.size] == 1
-
-
 def owners(job: CollapseRounds):
     """The half-edges that have a price."""
     rows = np.flatnonzero(download(job.mesh.keys) < 2**63 - 3).astype(np.int32)
@@ -44,14 +38,6 @@ def owners(job: CollapseRounds):
 def ends_of(job: CollapseRounds, edges) -> np.ndarray:
     triangles, h = download(job.mesh.triangles).reshape(-1, 3), download(edges)
     return np.stack([triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3]], axis=1)
-
-
-def rings_of(triangles: np.ndarray, count: int) -> list[set[int]]:
-    rings = [{v} for v in range(count)]
-    for t in triangles:
-        for v in t:
-            rings[v] |= set(map(int, t))
-    return rings
 
 
 def test_vertices_are_free_on_a_line_or_corners(device):
@@ -70,9 +56,14 @@ def test_vertices_are_free_on_a_line_or_corners(device):
 @pytest.mark.parametrize("rounds", [1, 3, 40])
 def test_chosen_edges_are_apart_and_in_the_end_no_other_is(device, rounds):
     vertices, triangles = bumpy_torus(24, 16)
-    job, rings = started(vertices, triangles, device), rings_of(triangles, 24 * 16)
+    job, rings = started(vertices, triangles, device), [{v} for v in range(24 * 16)]
+    for t in triangles:
+        for v in t:
+            rings[v] |= set(map(int, t))
     edges = owners(job)
-    chosen, ends = chosen_of(job, edges, rounds), ends_of(job, edges)
+    note(job.mesh, cm.EDGES, edges.size)
+    job.choice.run(job.mesh, job.twin, edges, rounds)
+    chosen, ends = download(job.choice.chosen)[: edges.size] == 1, ends_of(job, edges)
     near = [rings[a] | rings[b] for a, b in ends]
     taken = np.flatnonzero(chosen)
     assert len(taken) > 5

@@ -11,6 +11,8 @@ from pointloom.kernels.rgbd.moved_pixels import FreeSpace, hide_moved
 from pointloom.kernels.rgbd.pyramid import NO_COLOR, level_sizes, make_levels
 from pointloom.rgbd.odometry.frames import OdometryFrame
 
+from ...registration.poses import as_pose
+
 
 def levels_of(depth, device, *, shade=None, normals=None, max_pixels=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
     height, width = depth.shape
@@ -60,8 +62,7 @@ def test_planes_are_those_of_the_surface(device):
     levels = levels_of(depth, device)
     for k in range(2):
         planes = image(levels, levels.planes, k)[2:-2, 2:-2]  # whole windows
-        assert np.abs(planes[..., :3] - normal).max() < 2e-3
-        assert np.abs(planes[..., 3] + 1.5).max() < 3e-3
+        assert np.abs(planes[..., :3] - normal).max() < 2e-3 and np.abs(planes[..., 3] + 1.5).max() < 3e-3
 
 
 def test_a_plane_does_not_bridge_two_surfaces(device):
@@ -120,12 +121,12 @@ CAMERA = PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 WALL = 2.0  # [m]
 
 
-def hidden(device, before, now, T=None):
-    """Which pixels of `now` are hidden by the frame `before`."""
-    earlier = OdometryFrame(before.astype(np.float32), CAMERA, device=device)
+def hidden(device, before, now, T=None, *more, camera=CAMERA):
+    """Which pixels of `now` are hidden by the frame `before`, and by more of them."""
+    frames = [OdometryFrame(frame.astype(np.float32), CAMERA, device=device) for frame in (before, *more)]
     depth = upload(now.astype(np.float32).reshape(-1), float32, device)
-    views = [(FreeSpace(earlier.levels), np.eye(4) if T is None else T)]
-    filtered = download(hide_moved(depth, CAMERA, views)).reshape(now.shape)
+    views = [(FreeSpace(frame.levels), np.eye(4) if T is None else T) for frame in frames]
+    filtered = download(hide_moved(depth, camera, views)).reshape(now.shape)
     assert ((filtered == now.astype(np.float32)) | (filtered == 0)).all()
     return (filtered == 0) & (now > 0)
 
@@ -164,28 +165,20 @@ def test_where_the_earlier_frame_saw_nothing_nothing_is_known(device):
 @pytest.mark.parametrize("shift", [-0.2, 0.2])
 def test_the_earlier_camera_may_have_another_pose(device, shift):
     """A box that stays where it is falls on itself; one that came falls on the wall."""
-    T = np.eye(4)
-    T[0, 3] = shift
+    T = as_pose(shift=[shift, 0, 0])
     pixels = round(60 * shift / 1.2)
     assert not hidden(device, with_box(20 + pixels), with_box(20), T).any()
     assert hidden(device, wall(), with_box(20), T)[12:38, 22:30].all()
 
 
 def test_pixels_outside_the_earlier_view_are_not_hidden(device):
-    T = np.eye(4)
-    T[0, 3] = 50.0
-    assert not hidden(device, wall(), with_box(20), T).any()
-    T[:3, 3] = 0, 0, -5
-    assert not hidden(device, wall(), with_box(20), T).any()
+    for shift in ([50.0, 0, 0], [0, 0, -5.0]):
+        assert not hidden(device, wall(), with_box(20), as_pose(shift=shift)).any()
 
 
 def test_either_of_two_earlier_frames_is_enough(device):
     """One saw the box, the other the wall behind it; pixels of an image of twice the size are tested in fours."""
     wide_camera = PinholeCameraIntrinsic(128, 96, 120.0, 120.0, 63.5, 47.5)
     now = np.kron(with_box(20), np.ones((2, 2)))
-    frames = [OdometryFrame(f.astype(np.float32), CAMERA, device=device) for f in (with_box(20), wall())]
-    depth = upload(now.astype(np.float32).reshape(-1), float32, device)
-    for order in ([0, 1], [1, 0]):
-        views = [(FreeSpace(frames[k].levels), np.eye(4)) for k in order]
-        filtered = download(hide_moved(depth, wide_camera, views)).reshape(now.shape)
-        assert np.array_equal(filtered == 0, now < WALL)
+    for first, second in ((with_box(20), wall()), (wall(), with_box(20))):
+        assert np.array_equal(hidden(device, first, now, None, second, camera=wide_camera), now < WALL)

@@ -119,12 +119,6 @@ def noise_kernel(seed: int, points: array(dtype=vec3), values: array(dtype=float
     values[i] = value_noise(points[i], seed)
 
 
-def noise_of(points, seed, device):
-    values = empty(len(points), float32, device)
-    launch(noise_kernel, len(points), [seed, upload(points.astype(np.float32), vec3, device), values])
-    return np.array(download(values))
-
-
 def reference_noise(points, seed):
     """Value noise in float32, one operation after the other, written over whole arrays."""
     base = np.floor(points)
@@ -163,7 +157,9 @@ def reference_grain(camera, T, depth, colors, seed=1):
 def test_noise_is_bitwise_identical_to_numpy(device, seed):
     rng = np.random.default_rng(5)
     points = np.concatenate([rng.uniform(-400, 400, (3000, 3)), rng.integers(-9, 9, (200, 3))]).astype(np.float32)
-    assert np.array_equal(noise_of(points, seed, device), reference_noise(points, seed))
+    values = empty(len(points), float32, device)
+    launch(noise_kernel, len(points), [seed, upload(points, vec3, device), values])
+    assert np.array_equal(download(values), reference_noise(points, seed))
 
 
 def test_an_image_has_the_grain_of_its_surface_points(device):
@@ -175,15 +171,13 @@ def test_an_image_has_the_grain_of_its_surface_points(device):
     arrays = upload(depth, float32, device), upload(colors, uint8, device)
     made = np.array(download(grain_pixels(CAMERA, POSE, *arrays)))
     assert np.array_equal(made, reference_grain(CAMERA, POSE, depth, colors))
-    assert np.array_equal(made.reshape(-1, 3)[::17], colors.reshape(-1, 3)[::17])
-    assert (made != colors).mean() > 0.8
+    assert np.array_equal(made.reshape(-1, 3)[::17], colors.reshape(-1, 3)[::17]) and (made != colors).mean() > 0.8
 
 
 def test_sensor_noise_is_normal_with_the_given_deviation(device):
     colors = upload(np.full(60_000, 128, np.uint8), uint8, device)
     noise = np.array(download(measure_colors(colors, sigma=8.0, seed=1, frame=0))).astype(float) - 128
-    assert abs(noise.mean()) < 0.1
-    assert abs(noise.std() - 8.0) < 0.1
+    assert abs(noise.mean()) < 0.1 and abs(noise.std() - 8.0) < 0.1
     for limit in (4, 8, 16, 20):  # values are rounded: what was below the limit and a half
         assert abs((np.abs(noise) <= limit).mean() - math.erf((limit + 0.5) / 8 / math.sqrt(2))) < 0.006
     assert abs(np.corrcoef(noise[::3], noise[1::3])[0, 1]) < 0.02
@@ -196,6 +190,5 @@ def test_sensor_noise_is_bitwise_identical_on_all_devices_and_stays_in_range(dev
         for sigma, seed, frame in [(2.0, 0, 0), (2.0, 0, 0), (2.0, 1, 0), (2.0, 0, 1), (0.0, 0, 0), (200.0, 0, 0)]
     ]
     assert made[0] == made[1] == [3, 4, 0, 255, 255, 253, 100, 101]
-    assert made[0] != made[2] and made[0] != made[3]
-    assert made[4] == [0, 0, 0, 255, 255, 255, 100, 100]
+    assert made[0] != made[2] and made[0] != made[3] and made[4] == [0, 0, 0, 255, 255, 255, 100, 100]
     assert 0 in made[5] or 255 in made[5]

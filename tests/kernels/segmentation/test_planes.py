@@ -95,8 +95,7 @@ def test_plane_of_a_larger_sample_is_its_least_squares_plane(device, rng):
     plane = drawn_planes(search, 5, 1, 0)[0]
     local = points.astype(float) - search.center
     normal = np.linalg.svd(local - local.mean(axis=0))[2][2]
-    assert abs(abs(normal @ plane[:3]) - 1) < 1e-9
-    assert abs(plane[:3] @ local.mean(axis=0) + plane[3]) < 1e-12
+    assert abs(abs(normal @ plane[:3]) - 1) < 1e-9 and abs(plane[:3] @ local.mean(axis=0) + plane[3]) < 1e-12
 
 
 def test_a_sample_does_not_depend_on_its_batch(device, rng):

@@ -74,8 +74,7 @@ def test_fits_from_several_starts_match_scipy_least_squares(device, rng, kind):
     fits = fitter.fit_all([kind] * 3, starts, rows, EXACT)
     best = least_squares(lambda x: distances(kind, x, points.astype(float)), starts[0], xtol=1e-14, ftol=1e-14).fun
     for fit in fits:
-        assert not fit.reason
-        assert fit.rms == pytest.approx(np.sqrt((best**2).mean()), rel=1e-7)
+        assert not fit.reason and fit.rms == pytest.approx(np.sqrt((best**2).mean()), rel=1e-7)
         assert fit.rms == pytest.approx(np.sqrt((distances(kind, fit.shape, points) ** 2).mean()), rel=1e-6)
 
 

@@ -104,8 +104,7 @@ def test_a_plane_is_the_same_plane_in_a_larger_image(device):
 def test_the_true_plane_costs_nothing_and_others_do(device):
     inside = (slice(6, -6), slice(SHIFT + 6, -6))
     true, wrong = costs_of(SHIFT / STEREO, device), costs_of(0.25, device)
-    assert true[inside].max() < 1e-4
-    assert np.median(wrong[inside]) > 0.7
+    assert true[inside].max() < 1e-4 and np.median(wrong[inside]) > 0.7
     assert (true[:, :SHIFT] == np.float32(BAD)).all()  # seen left of the source
 
 
@@ -212,8 +211,7 @@ def test_a_gray_wall_is_plain_in_spite_of_noise_and_a_textured_one_is_not(device
     reference, sources = half_plain(device)
     planes = upload(table(TRUE, 0.1), vec4, device)
     plain = np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WALL_WIDTH, 2)[..., 0]
-    assert plain[INNER].mean() > 0.95
-    assert not plain[TEXTURED].any()
+    assert plain[INNER].mean() > 0.95 and not plain[TEXTURED].any()
 
 
 def test_depth_is_sure_where_it_fits_and_the_source_agrees(device):

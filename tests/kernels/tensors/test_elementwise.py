@@ -13,14 +13,8 @@ BINARY = {
     **{"MAXIMUM": np.maximum, "MINIMUM": np.minimum, "GT": np.greater, "LT": np.less},
     **{"GE": np.greater_equal, "LE": np.less_equal, "EQ": np.equal, "NE": np.not_equal},
 }
-SHAPES = [
-    ((10,), (10, 1)),
-    ((10,), (1,)),
-    ((2, 5), (2, 5)),
-    ((2, 1, 5), (3, 1)),
-    ((5, 1, 2, 1), (2, 1, 5)),
-    ((1,), (7,)),
-]
+SHAPES = [((10,), (10, 1)), ((10,), (1,)), ((2, 5), (2, 5)), ((2, 1, 5), (3, 1)), ((5, 1, 2, 1), (2, 1, 5))]
+SHAPES += [((1,), (7,))]
 
 
 @pytest.mark.parametrize(("left", "right"), SHAPES)
@@ -31,13 +25,8 @@ def test_functions_of_two_arrays_broadcast_as_numpy(device, left, right, rng):
         for name, function in BINARY.items():
             if dtype == np.int64 and name == "DIV":
                 continue
-            out, shape = kernels.combine(
-                upload(a.ravel(), element, device),
-                left,
-                upload(b.ravel(), element, device),
-                right,
-                getattr(kernels, name),
-            )
+            on_device = [upload(values.ravel(), element, device) for values in (a, b)]
+            out, shape = kernels.combine(on_device[0], left, on_device[1], right, getattr(kernels, name))
             with np.errstate(all="ignore"):
                 expected = function(a, b)
             assert shape == expected.shape

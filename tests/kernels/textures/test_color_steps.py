@@ -193,16 +193,11 @@ def test_slopes_are_those_of_the_residuals(device, rng):
             copy(pictures.poses, upload(motion @ poses, pictures.poses.dtype, device), count=2)
             tried.measure()
             copy(tried.proxies, proxies, count=vertices.size)  # held
-            errors.append(squares_with(tried))
+            given = [tried.vertices, tried.sightings, tried.proxies, tried.samples, tried.pictures, tried.warps]
+            reduce_segments(sum_pair_rows, tried.blocks, tried.live, given, tried.partials, tried.sums)
+            errors.append(download(tried.sums)[:, SQUARES].copy())
         copy(pictures.poses, upload(poses, pictures.poses.dtype, device), count=2)
         slope = (errors[0] - errors[1]) / (4 * h)  # of half the squares
         scale = np.abs(sums[:, 21:27]).max()
         # brightness is float32 in 0..1: 6e-8 over 2 h
         assert np.abs(slope - sums[:, 21 + unknown]).max() < 2e-2 * scale
-
-
-def squares_with(search):
-    shared = [search.pictures, search.warps]
-    given = [search.vertices, search.sightings, search.proxies, search.samples, *shared]
-    reduce_segments(sum_pair_rows, search.blocks, search.live, given, search.partials, search.sums)
-    return download(search.sums)[:, SQUARES].copy()

@@ -46,8 +46,7 @@ def test_the_triangles_of_a_case_use_all_its_crossing_edges_and_no_others():
 def test_inner_sides_of_a_case_have_opposites_and_the_rest_are_on_faces():
     for case in CASES:
         sides, outer = directed_sides(case), boundary(case)
-        assert len(set(sides)) == len(sides)
-        assert all(len(faces_of(a) & faces_of(b)) == 1 for a, b in outer)
+        assert len(set(sides)) == len(sides) and all(len(faces_of(a) & faces_of(b)) == 1 for a, b in outer)
         for a, b in set(sides) - outer:
             assert not faces_of(a) & faces_of(b), "a diagonal in a face could be the neighbor's too"
 
@@ -90,17 +89,12 @@ def test_normals_point_from_inside_to_outside():
 def test_an_ambiguous_face_cuts_off_each_inside_corner():
     for case in CASES:
         for f, face in enumerate(FACES):
-            if is_ambiguous(case, face):
+            if [case >> c & 1 for c in face] in ([0, 1, 0, 1], [1, 0, 1, 0]):
                 on_face = [(a, b) for a, b in boundary(case) if faces_of(a) & faces_of(b) == {f}]
                 assert len(on_face) == 2
                 for a, b in on_face:
                     (shared,) = set(EDGE_ENDS[a]) & set(EDGE_ENDS[b])
                     assert case >> int(shared) & 1
-
-
-def is_ambiguous(case: int, face: list[int]) -> bool:
-    signs = [case >> c & 1 for c in face]
-    return signs in ([0, 1, 0, 1], [1, 0, 1, 0])
 
 
 def test_the_tables_are_uploaded_once_a_device():
