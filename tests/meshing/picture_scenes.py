@@ -48,11 +48,14 @@ def sampled(mesh: Any, row: int, share: Any) -> NDArray[np.float64]:
     """The bilinear texture value at barycentric coordinates of a triangle, 0..255."""
     picture = mesh.textures[0].astype(np.float64)
     u, v = np.asarray(share) @ np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[row]
-    x, y = u * picture.shape[1] - 0.5, (1 - v) * picture.shape[0] - 0.5
+    return bilinear(picture, u * picture.shape[1] - 0.5, (1 - v) * picture.shape[0] - 0.5)
+
+
+def bilinear(values: NDArray[Any], x: float, y: float) -> NDArray[np.float64]:
+    """The value at column x and row y of an image, interpolated between four pixels."""
     i, j = int(x), int(y)
-    s, t = x - i, y - j
-    above = picture[j, i] * (1 - s) + picture[j, i + 1] * s
-    return above * (1 - t) + (picture[j + 1, i] * (1 - s) + picture[j + 1, i + 1] * s) * t
+    above, below = (row[i] * (1 - (x - i)) + row[i + 1] * (x - i) for row in values[j : j + 2])
+    return above * (1 - (y - j)) + below * (y - j)
 
 
 def steps_of(mesh: Any, views: NDArray[np.int32]) -> NDArray[np.float64]:

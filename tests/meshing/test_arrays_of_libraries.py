@@ -13,12 +13,6 @@ def library(request, device, monkeypatch):
     return fake_library(request.param, device, monkeypatch)
 
 
-def moved(mesh, shift):
-    T = np.eye(4)
-    T[:3, 3] = shift
-    return mesh.transform(T)
-
-
 @pytest.fixture
 def ball(device):
     return loom.TriangleMesh.create_sphere(1.0, 8, device=device)
@@ -27,17 +21,14 @@ def ball(device):
 @pytest.fixture
 def meshes(library, ball, device):
     vertices, triangles = ball.vertices.astype(np.float32), ball.triangles
-    return (
-        loom.TriangleMesh(library.make(vertices), library.make(triangles)),
-        loom.TriangleMesh(vertices, triangles, device=device),
-    )
+    theirs = loom.TriangleMesh(library.make(vertices), library.make(triangles))
+    return theirs, loom.TriangleMesh(vertices, triangles, device=device)
 
 
 def test_a_mesh_shares_its_input_arrays(library, device, ball):
     vertices, triangles = library.make(ball.vertices.astype(np.float32)), library.make(ball.triangles)
     mesh = loom.TriangleMesh(vertices, triangles)
-    assert str(mesh.device) == device
-    assert mesh.array("vertices").ptr == library.address(vertices)
+    assert str(mesh.device) == device and mesh.array("vertices").ptr == library.address(vertices)
     assert mesh.array("triangles").ptr == library.address(triangles)
     np.testing.assert_array_equal(mesh.triangles, ball.triangles)
 
@@ -56,7 +47,7 @@ def test_mesh_operations_return_arrays_of_its_library(library, meshes):
         "curvature": lambda m: m.compute_vertex_curvature().gaussian,
         "geodesic": lambda m: m.compute_geodesic_distances([0]),
         "meeting": lambda m: m.get_self_intersecting_triangles(),
-        "error": lambda m: m.compute_error_map(moved(m, [0.1, 0, 0]))[1],
+        "error": lambda m: m.compute_error_map(m.translate([0.1, 0, 0]))[1],
         "samples": lambda m: m.sample_points_uniformly(50, seed=1).compute_nearest_neighbor_distance(),
     }
     theirs, reference = meshes
@@ -96,7 +87,7 @@ def test_triangles_without_their_vertices_are_rejected(library, ball):
 def test_scene_returns_the_array_type_of_its_queries(library, ball, device, rng):
     for shift in ([0, 0, 0], [5e5, 5.4e6, 0]):
         scene, empty = loom.RaycastingScene(device), loom.RaycastingScene(device)
-        scene.add_triangles(moved(ball, shift))
+        scene.add_triangles(ball.translate(shift))
         rays = np.hstack([rng.normal(size=(4, 30, 3)) * 3 + shift, rng.normal(size=(4, 30, 3))]).reshape(2, 60, 6)
         points = rng.normal(size=(5, 7, 3)) + shift
         if library.name == "jax":

@@ -52,8 +52,7 @@ def test_the_remedy_names_the_python_argument(recwarn):
     result = loom.create_surface(mixed, depth=4)
     assert str(result).splitlines()[-1].split(maxsplit=1) == ["warning", result.warnings[-1]]
     assert result.normals.given and "new_normals" in str(result.warnings)
-    assert not recwarn.list
-    assert loom.create_surface(mixed, depth=4, new_normals=True).reliable
+    assert not recwarn.list and loom.create_surface(mixed, depth=4, new_normals=True).reliable
 
 
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
@@ -112,9 +111,8 @@ def test_two_objects_are_reliable_and_many_small_pieces_are_not():
     objects = [torus(1500).points + np.array([3.0 * k, 0, 0]) for k in range(2)]
     assert loom.create_surface(loom.PointCloud(np.vstack(objects)), "ball").reliable
     specks = [objects[0][:300] * 0.01 + [0.2 * k, 3, 0] for k in range(40)]
-    result = loom.create_surface(
-        loom.PointCloud(np.vstack([objects[0], *specks])), "ball", radii=[0.0005, 0.001, 0.002]
-    )
+    cloud = loom.PointCloud(np.vstack([objects[0], *specks]))
+    result = loom.create_surface(cloud, "ball", radii=[0.0005, 0.001, 0.002])
     assert "islands" in str(result.warnings) or "holes" in str(result.warnings)
 
 
@@ -137,15 +135,13 @@ def torn() -> TriangleMesh:
     return ball.remove_triangles_by_mask(ball.vertices[ball.triangles].mean(axis=1)[:, 2] > 0.9)
 
 
+SHARPEN = {"method": "sharpen", "iterations": 1}
 CALLS = {
     "clean": (clean_mesh_file, {"fill": 0.6}, loom.clean_mesh, {"hole_size": 0.6}),
     "simplify": (simplify_file, {"by": "ratio", "amount": 0.5}, loom.simplify_mesh, {"ratio": 0.5}),
     "voxels": (simplify_file, {"by": "voxel", "amount": 0.2}, loom.simplify_mesh, {"voxel_size": 0.2}),
     "smooth": (smooth_mesh_file, {"factors": {"mu": -0.6}}, loom.smooth_mesh, {"mu": -0.6}),
-    "sharpen": (
-        *(smooth_mesh_file, {"method": "sharpen", "iterations": 1}),
-        *(loom.smooth_mesh, {"method": "sharpen", "iterations": 1}),
-    ),
+    "sharpen": (smooth_mesh_file, SHARPEN, loom.smooth_mesh, SHARPEN),
 }
 
 

@@ -12,6 +12,7 @@ from pointloom.meshing.color_map.results import NothingSeenError
 from ..hostile import faults_of
 from .color_scenes import make_scene, paint, perturb, pose_errors
 from .open3d_meshes import in_open3d
+from .picture_scenes import bilinear
 
 color_map = loom.color_map
 RIGID, BENT = color_map.RigidOptimizerOption, color_map.NonRigidOptimizerOption
@@ -33,12 +34,11 @@ def open3d_colors_and_poses(o3d, scene, poses, iterations, form="rigid"):
         parameters.append(parameter)
     path = o3d.camera.PinholeCameraTrajectory()
     path.parameters = parameters
-    if form == "rigid":
-        option = pipeline.RigidOptimizerOption(maximum_iteration=iterations)
-        mesh, path = pipeline.run_rigid_optimizer(mesh, images, path, option)
-    else:
-        option = pipeline.NonRigidOptimizerOption(maximum_iteration=iterations)
-        mesh, path = pipeline.run_non_rigid_optimizer(mesh, images, path, option)
+    run, option = {
+        "rigid": (pipeline.run_rigid_optimizer, pipeline.RigidOptimizerOption),
+        "non-rigid": (pipeline.run_non_rigid_optimizer, pipeline.NonRigidOptimizerOption),
+    }[form]
+    mesh, path = run(mesh, images, path, option(maximum_iteration=iterations))
     optimized_poses = np.array([np.linalg.inv(parameter.extrinsic) for parameter in path.parameters])
     return np.asarray(mesh.vertex_colors), optimized_poses
 
@@ -67,8 +67,7 @@ def test_colors_without_iterations_match_open3d_where_images_show_the_vertex(dev
     theirs = oracle(f"meshing/color_map/{form}", open3d_colors, scene, bad, 0, form)
     # float32 against float64
     assert np.abs(result.mesh.vertex_colors - theirs)[result.seen].max() < 1e-6
-    assert 0.3 < result.seen.mean() < 0.7
-    assert (result.trajectory.poses == bad).all()
+    assert 0.3 < result.seen.mean() < 0.7 and (result.trajectory.poses == bad).all()
 
 
 def test_unseen_vertices_take_the_mean_of_the_three_nearest_colored_ones(device):
@@ -80,8 +79,7 @@ def test_unseen_vertices_take_the_mean_of_the_three_nearest_colored_ones(device)
     clear = ranks[:, 3] - ranks[:, 2] > 1e-6  # no tie for the third place
     nearest = np.argsort(gaps, axis=1)[:, :3]
     expected = colors[seen][nearest].mean(axis=1)
-    assert clear.sum() > 100
-    assert np.abs(colors[~seen] - expected)[clear].max() < 1e-6
+    assert clear.sum() > 100 and np.abs(colors[~seen] - expected)[clear].max() < 1e-6
     black = color(scene, invisible_vertex_color_knn=0).mesh.vertex_colors
     assert (black[~seen] == 0).all() and (black[seen] == colors[seen]).all()
 
@@ -133,15 +131,8 @@ def check_unwarped(scene, bent):
     picture, flat = scene.frames[1].color.astype(float), bent.unwarped_image(1)
     warp, step = bent.warp(1), 8
     v, u = 61, 83
-    i, j = int(u / step), int(v / step)
-    p, q = u / step - i, v / step - j
-    shift = (1 - q) * ((1 - p) * warp[j, i] + p * warp[j, i + 1])
-    shift = shift + q * ((1 - p) * warp[j + 1, i] + p * warp[j + 1, i + 1])
-    x, y = u + shift[0], v + shift[1]
-    a, b = int(x), int(y)
-    s, t = x - a, y - b
-    expected = (1 - t) * ((1 - s) * picture[b, a] + s * picture[b, a + 1])
-    expected = expected + t * ((1 - s) * picture[b + 1, a] + s * picture[b + 1, a + 1])
+    shift = bilinear(warp, u / step, v / step)
+    expected = bilinear(picture, u + shift[0], v + shift[1])
     assert np.abs(flat[v, u] - expected).max() <= 0.5 + 1e-9
     plain = color(scene)
     assert (plain.unwarped_image(0) == scene.frames[0].color).all() and plain.warp(0).size == 0
@@ -258,18 +249,14 @@ def test_images_without_improved_agreement_are_unreliable():
         colors = dataclasses.replace(good.colors, residual_before=before, residual=after, view_counts=views)
         return dataclasses.replace(good, method=method, colors=colors).warnings
 
-    assert "do not agree better" in str(warnings("rigid", 0.05, 0.0499))
-    assert "Compare with method='none'" in str(warnings("rigid", 0.05, 0.0499))
-    assert not warnings("none", 0.05, 0.0499)
-    assert not warnings("rigid", 0.05, 0.03)
-    assert not warnings("rigid", 0.005, 0.005)
+    worse = str(warnings("rigid", 0.05, 0.0499))
+    assert "do not agree better" in worse and "Compare with method='none'" in worse
+    for given in (("none", 0.05, 0.0499), ("rigid", 0.05, 0.03), ("rigid", 0.005, 0.005)):
+        assert not warnings(*given)
     assert "6 of 10 frames" in str(warnings("rigid", 0.05, 0.0, blind=6))
 
 
 def test_invalid_frames_are_rejected_by_name():
-    def texture(given: Any, poses: Any = (POSE,), mesh: Any = None) -> None:
-        loom.color_map.texture_mesh(wall() if mesh is None else mesh, given, poses)
-
     gray = loom.frames_from([(None, np.full((48, 64), 1000, np.uint16))], CAMERA)
     for given, poses, message in (
         (gray, [POSE], "frames: frame-000000 has no color"),
@@ -280,13 +267,12 @@ def test_invalid_frames_are_rejected_by_name():
         (frames(1), [2 * POSE], r"poses\[0\]"),
     ):
         with pytest.raises(ValueError, match=message):
-            texture(given, poses)
-    with pytest.raises(ValueError, match="mesh:"):
-        texture(frames(1), mesh=loom.TriangleMesh())
-    with pytest.raises(ValueError, match="mesh:"):
-        loom.color_map.texture_mesh(loom.TriangleMesh(), frames(1), [POSE], size=8)
+            loom.color_map.texture_mesh(wall(), given, poses)
+    for size in ({}, {"size": 8}):
+        with pytest.raises(ValueError, match="mesh:"):
+            loom.color_map.texture_mesh(loom.TriangleMesh(), frames(1), [POSE], **size)
     with pytest.raises(NothingSeenError):
-        texture(frames(1), mesh=wall().translate([0, 0, 100]))
+        loom.color_map.texture_mesh(wall().translate([0, 0, 100]), frames(1), [POSE])
 
 
 ARGUMENTS = {"method": "none", "size": 8, "depth_max": 4.0, "progress": None}

@@ -248,23 +248,9 @@ def test_a_damaged_file_is_a_named_error(tmp_path):
 def test_too_large_fields_are_rejected_with_their_size(monkeypatch):
     with pytest.raises(ValueError, match=r"would need [\d,]+ blocks"):
         loom.DistanceField.from_voxels([[0, 0, 0]], 0.01, 20.0)
-    with pytest.raises(ValueError, match="max_distance:"):
-        loom.DistanceField.from_voxels([[0, 0, 0]], 0.001, 50.0)
-    with pytest.raises(ValueError, match="occupied:"):
-        loom.DistanceField.from_array(np.zeros((40_000, 1, 1), bool))
     monkeypatch.setattr(distance_blocks, "BYTES", 2**50)
     with pytest.raises(MemoryError, match=r"a distance field of \d+ blocks"):
         loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 2.0)
-
-
-def test_radii_beyond_the_known_distance_are_rejected():
-    field = loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 4.0)
-    with pytest.raises(ValueError, match="radii:"):
-        field.collides([[9, 9, 9]], 3.0)
-    with pytest.raises(ValueError, match=r"poses\[1\]"):
-        field.collides_bodies([[0, 0, 0, 1]], np.stack([np.eye(4), 2 * np.eye(4)]))
-    with pytest.raises(TypeError, match=r"^DistanceField:.*from_point_cloud"):
-        loom.DistanceField()
 
 
 def test_results_have_the_array_type_of_the_queries(device):
@@ -357,8 +343,7 @@ def test_log_odds_match_a_plain_traversal(room):
     for start, ends in scans():
         fold(known, start, ends, 1.9)
     result = log_odds_of(room)
-    assert result.keys() == known.keys()
-    assert all(result[voxel] == value for voxel, value in known.items())
+    assert result.keys() == known.keys() and all(result[voxel] == value for voxel, value in known.items())
     states = room.states((np.array(list(known)) + 0.5) * EDGE)
     assert 50 < (states == 1).sum() < (states == 0).sum()
 
@@ -401,8 +386,7 @@ def test_each_ray_can_have_its_own_origin(device):
     grid.insert_scan(np.vstack([ends, [[np.nan, 0, 0]]]), np.vstack([starts, [[0, 0, 0]]]))
     passed = {voxel for start, end in zip(starts, ends, strict=True) for voxel in traverse(start, end)}
     hit = {tuple(v) for v in np.floor(1 / EDGE * ends.astype(np.float64)).astype(int).tolist()}
-    assert log_odds_of(grid).keys() == passed | hit
-    assert {tuple(v) for v in grid.voxel_indices().tolist()} == hit
+    assert log_odds_of(grid).keys() == passed | hit and {tuple(v) for v in grid.voxel_indices().tolist()} == hit
 
 
 def test_rays_hit_the_first_voxel_that_is_not_free(room):

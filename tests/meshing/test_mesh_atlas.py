@@ -63,16 +63,12 @@ def test_charts_keep_their_distance(size, gutter):
 
 
 def test_odd_triangles_keep_their_indices(device):
-    mesh = TriangleMesh(
-        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 2]],
-        [[0, 1, 2], [0, 0, 1], [1, 3, 2], [4, 4, 4], [0, 1, 2]],
-        device=device,
-    )
+    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 2]]
+    mesh = TriangleMesh(vertices, [[0, 1, 2], [0, 0, 1], [1, 3, 2], [4, 4, 4], [0, 1, 2]], device=device)
     mesh.vertex_colors = np.eye(5, 3)
     atlas = mesh.compute_uvatlas(64)
     corners = atlas.triangle_uvs.reshape(-1, 3, 2)
-    assert (corners[[1, 3]] == 0).all()
-    assert covered(corners[:4].reshape(-1, 2), 64).max() == 1
+    assert (corners[[1, 3]] == 0).all() and covered(corners[:4].reshape(-1, 2), 64).max() == 1
     np.testing.assert_array_equal(atlas.vertex_colors, np.eye(5, 3))
     assert atlas.device == mesh.device
 
@@ -88,10 +84,8 @@ def test_invalid_atlas_input_is_rejected(monkeypatch):
     ):
         with pytest.raises(error, match=reason):
             mesh.compute_uvatlas(**arguments)
-    for odd, reason in (
-        (TriangleMesh([[0, 0, 0]]), "no triangles"),
-        (TriangleMesh([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], [[0, 1, 2]]), "finite vertices"),
-    ):
+    broken = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], [[0, 1, 2]])
+    for odd, reason in ((TriangleMesh([[0, 0, 0]]), "no triangles"), (broken, "finite vertices")):
         with pytest.raises(ValueError, match=reason):
             odd.compute_uvatlas()
     monkeypatch.setitem(sys.modules, "xatlas", None)
@@ -160,5 +154,4 @@ def test_triangles_of_a_texture_color_the_texels_that_they_cover(seed, size):
     mesh.vertex_colors, mesh.triangle_uvs = np.ones((12, 3)), rng.random((12, 2))
     (picture,) = mesh.bake_vertex_colors(size, gutter=0).textures
     surely, perhaps = covered(mesh.triangle_uvs, size) > 0, covered(mesh.triangle_uvs, size, 1e-4) > 0
-    assert (picture[surely] == 255).all()
-    assert (picture[~perhaps] == 0).all()
+    assert (picture[surely] == 255).all() and (picture[~perhaps] == 0).all()

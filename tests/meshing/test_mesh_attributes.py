@@ -28,9 +28,9 @@ def attributes_of(mesh: TriangleMesh) -> dict[str, tuple[str, list[int]]]:
     return {name: (str(values.dtype), list(values.shape[1:])) for name, values in both.items()}
 
 
-KINDS = {"place": ("float64", [3]), "number": ("uint16", []), "row": ("int64", []), "middle": ("float32", [3])} | {
-    "even": ("bool", [])
-}
+KINDS = dict(
+    place=("float64", [3]), number=("uint16", []), row=("int64", []), middle=("float32", [3]), even=("bool", [])
+)
 
 
 def test_values_keep_their_types_and_shapes(device):
@@ -128,13 +128,9 @@ def textured(device=None) -> TriangleMesh:
     rng = np.random.default_rng(0)
     triangles = rng.permuted(np.tile(np.arange(30), (40, 1)), axis=1)[:, :3]
     return TriangleMesh(
-        rng.normal(size=(32, 3)),
-        triangles,
-        triangle_uvs=rng.random((120, 2)),
-        triangle_material_ids=rng.integers(0, 2, 40),
-        textures=[PICTURE, PICTURE[::-1]],
-        device=device,
-    )
+        rng.normal(size=(32, 3)), triangles, triangle_uvs=rng.random((120, 2)),
+        triangle_material_ids=rng.integers(0, 2, 40), textures=[PICTURE, PICTURE[::-1]], device=device,
+    )  # fmt: skip
 
 
 def corner_table(mesh: TriangleMesh) -> np.ndarray:

@@ -218,11 +218,9 @@ def test_a_cut_ball_matches_brute_force(device):
     vertices, triangles = mesh.array("vertices").numpy().astype(float), mesh.triangles
     values = np.random.default_rng(0).normal(size=len(vertices)) + vertices[:, 2]
     left = mesh.trim(values, 0.25, island_ratio=0)
-    wanted = sum(
-        np.linalg.norm(np.cross(p[i] - p[0], p[i + 1] - p[0])) / 2
-        for p in (clip(vertices[t], values[t], 0.25) for t in triangles)
-        for i in range(1, len(p) - 1)
-    )
+    polygons = (clip(vertices[t], values[t], 0.25) for t in triangles)
+    sides = ((p[i] - p[0], p[i + 1] - p[0]) for p in polygons for i in range(1, len(p) - 1))
+    wanted = sum(np.linalg.norm(np.cross(a, b)) / 2 for a, b in sides)
     assert abs(left.get_surface_area() / wanted - 1) < 1e-6
     edges = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 0, 2]].reshape(-1, 2), axis=1), axis=0)
     a, b = edges.T

@@ -36,8 +36,6 @@ def test_sums_of_many_meshes_and_of_none(device):
     assert len(sum([box] * 3)) == 36 and len(TriangleMesh(device=device) + box) == 12
     box += box
     assert len(box) == 24 and len(TriangleMesh(device=device) + TriangleMesh(device=device)) == 0
-    with pytest.raises(ValueError, match=r"^meshes:"):
-        TriangleMesh.concatenate([])
     with pytest.raises(TypeError):
         box + 1
 
@@ -164,8 +162,6 @@ PLAIN = [
     ("mobius", {"length_split": 9, "width_split": 5, "twists": 3, "radius": 2, "width": 0.5, "scale": 3}),
     ("coordinate_frame", {}), ("coordinate_frame", {"size": 0.5, "origin": [1, 2, 3]}),
 ]  # fmt: skip
-
-
 FACES = ("box", {"map_texture_to_each_face": True})
 
 
@@ -179,9 +175,8 @@ def open3d_shapes(o3d):
 
 
 def test_shapes_match_open3d_vertex_by_vertex(device, oracle):
-    for (name, options), (vertices, triangles) in zip(
-        SHAPES + PLAIN, oracle("meshing/shapes/arrays", open3d_shapes), strict=True
-    ):
+    answers = oracle("meshing/shapes/arrays", open3d_shapes)
+    for (name, options), (vertices, triangles) in zip(SHAPES + PLAIN, answers, strict=True):
         result = getattr(TriangleMesh, f"create_{name}")(**options, device=device)
         # vertices are float32, and numpy's sine may differ in the last bit of float64
         np.testing.assert_allclose(result.vertices, vertices, rtol=1e-6, atol=1e-7, err_msg=f"{name} {options}")

@@ -4,6 +4,7 @@ Values that are not numbers are tested in tests/pcd/test_hostile_arguments.py.
 """
 
 import re
+from functools import partial
 
 import numpy as np
 import pytest
@@ -35,29 +36,6 @@ def poisson(points, normals=None, **options):
     return loom.TriangleMesh.create_from_point_cloud_poisson(cloud, **options)
 
 
-def color_map(**given):
-    fixed = {"mesh": SCENE.mesh, "images_rgbd": SCENE.frames, "camera_trajectory": SCENE.path()}
-    return loom.color_map.run_rigid_optimizer(**fixed | {"intrinsic": SCENE.camera} | given)
-
-
-def texture(**given):
-    fixed = {"mesh": WALL.mesh, "pictures": WALL.pictures, "cameras": CAMERA, "extrinsics": WALL.extrinsics}
-    return loom.color_map.texture_from_pictures(**fixed | given)
-
-
-def pivot(radii):
-    return loom.TriangleMesh.create_from_point_cloud_ball_pivoting(BALL, radii)
-
-
-def alpha_shape(alpha):
-    return loom.TriangleMesh.create_from_point_cloud_alpha_shape(CUBE, alpha)
-
-
-def bend(**given):
-    fixed = {"constraint_vertex_indices": [0, 1], "constraint_vertex_positions": np.eye(3)[:2], "max_iter": 3}
-    return loom.TriangleMesh(CORNERS, [[0, 1, 2]]).deform_as_rigid_as_possible(**fixed | given)
-
-
 def bake(size=8, *, factor=1, missing="", **options):
     mesh = loom.TriangleMesh.create_plane(create_uv_map=missing != "uvs")
     if missing != "uvs":
@@ -69,6 +47,18 @@ def bake(size=8, *, factor=1, missing="", **options):
 
 CUBE = loom.PointCloud(np.indices([2, 2, 2]).reshape(3, -1).T)
 FINE = loom.TriangleMesh(np.zeros((3, 3)), np.zeros((10_001, 3), int))
+bend = partial(
+    loom.TriangleMesh(CORNERS, [[0, 1, 2]]).deform_as_rigid_as_possible,
+    constraint_vertex_indices=[0, 1], constraint_vertex_positions=np.eye(3)[:2], max_iter=3,
+)  # fmt: skip
+color_map = partial(
+    loom.color_map.run_rigid_optimizer,
+    mesh=SCENE.mesh, images_rgbd=SCENE.frames, camera_trajectory=SCENE.path(), intrinsic=SCENE.camera,
+)  # fmt: skip
+texture = partial(
+    loom.color_map.texture_from_pictures,
+    mesh=WALL.mesh, pictures=WALL.pictures, cameras=CAMERA, extrinsics=WALL.extrinsics,
+)  # fmt: skip
 NAMES = {
     "loom": loom, "np": np, "nan": np.nan, "inf": np.inf, "eye": np.eye(4), "make": loom.TriangleMesh,
     "box": loom.TriangleMesh.create_box(), "corners": loom.TriangleMesh(CORNERS, [[0, 1, 2]]), "ball": BALL,
@@ -76,7 +66,10 @@ NAMES = {
     "splats": SPLATS, "volume": VOLUME, "shifted": SHIFTED, "camera": SMALL, "s": SCENE, "poses": SCENE.poses,
     "boxes": BOXES, "frame": loom.video.WorldFrame(48.75, 9.0), "poisson": poisson, "color_map": color_map,
     "rigid": loom.color_map.RigidOptimizerOption(), "texture": texture, "wall": WALL, "scene": loom.RaycastingScene(),
-    "pivot": pivot, "alpha_shape": alpha_shape, "bend": bend, "bake": bake, "fine": FINE, "obj": object(),
+    "pivot": partial(loom.TriangleMesh.create_from_point_cloud_ball_pivoting, BALL),
+    "alpha_shape": partial(loom.TriangleMesh.create_from_point_cloud_alpha_shape, CUBE),
+    "bend": bend, "bake": bake, "fine": FINE, "obj": object(),
+    "field": loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 4.0),
     "gray": loom.RGBDImage.create_from_color_and_depth(SCENE.frames[0].color, SCENE.frames[0].depth),
 }  # fmt: skip
 VALUES = """
@@ -164,6 +157,10 @@ loom.clean_mesh(box, min_triangles=0) | min_triangles:
 loom.compare_meshes(box, box, limit=0) | limit:
 box.sample_points_uniformly(X) | 0; 2**31 | number_of_points:
 box.sample_points_poisson_disk(X) | 0; 2**31 | number_of_points:
+box.sample_points_poisson_disk(X) | 4_000_000; 10, init_factor=2**30 | number_of_points, init_factor:
+make.concatenate([]) | meshes:
+make(box.vertices, box.triangles[1:]).get_volume() | get_volume: expected a watertight mesh
+make(box.vertices, np.vstack([box.triangles[1:], box.triangles[:1, ::-1]])).get_volume() | get_volume:
 make.create_box(width=0) | width:
 make.create_sphere(resolution=X) | 1; 10**6 | resolution:
 make.create_cylinder(resolution=2) | resolution:
@@ -186,6 +183,8 @@ setattr(textured, "textures", [PICTURE.astype(float)]) | textures[0]:
 box.trim(X, 0) | [1, 2]; np.zeros((8, 1)); np.full(8, nan) | vertex_values:
 box.trim(np.zeros(8), inf) | level:
 box.trim(np.zeros(8), 0, island_ratio=X) | -0.1; 2 | island_ratio:
+X.voxelize(0.1, solid=True) | none; make.create_mobius(); box.remove_triangles_by_mask(np.arange(12) == 3) | voxelize:
+box.voxelize(0.5).check_if_included([[0, 0]]) | queries:
 box.voxelize(0) | voxel_size:
 box.voxelize(1e-12) | voxel_size, min_bound, max_bound:
 box.voxelize(X) | 3e-9; 1e-6 | voxel_size:
@@ -213,8 +212,13 @@ loom.fuse_splats(splats.select_by_index([]), voxel_size=0.1) | splats:
 volume.ray_cast(camera, eye, depth_min=X) | 0; 2, depth_max=1 | depth_min:
 volume.ray_cast(camera, eye, weight_threshold=-1) | weight_threshold:
 volume.ray_cast(camera, np.diag([2.0, 2, 2, 1])) | extrinsic:
+volume.ray_cast(camera, shifted) | extrinsic:
 volume.extract_triangle_mesh(-1) | weight_threshold:
 volume.extract_point_cloud(-1) | weight_threshold:
+field.collides([[9, 9, 9]], 3.0) | radii:
+field.collides_bodies([[0, 0, 0, 1]], np.stack([eye, 2 * eye])) | poses[1]
+loom.DistanceField.from_voxels([[0, 0, 0]], 0.001, 50.0) | max_distance:
+loom.DistanceField.from_array(np.zeros((40_000, 1, 1), bool)) | occupied:
 loom.fuse_volumes([], []) | volumes:
 loom.fuse_volumes([volume], [eye, eye]) | poses:
 loom.fuse_volumes([volume], [2 * eye]) | poses[0]:
@@ -264,6 +268,9 @@ setattr(textured, "textures", "picture.png") | textures:
 box.trim(["a"] * 8, 0) | vertex_values:
 box.simplify_quadric_decimation(10.0) | target_number_of_triangles:
 box.simplify_vertex_clustering(1, 1) | contraction:
+box.voxelize(0.5).check_if_included(None) | queries
+box.is_intersecting("cube") | other:
+loom.DistanceField() | DistanceField: create one with from_point_cloud
 scene.compute_closest_points("abc") | query_points:
 scene.add_triangles([[0, 0, 0]]) | mesh: expected a TriangleMesh
 scene.add_triangles(box, [[0, 1, 2]]) | triangles: expected None with a mesh

@@ -7,21 +7,9 @@ from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 
+from . import repair_scenes
 from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, soup
-from .repair_scenes import (
-    REPAIR_CASES,
-    VALID,
-    blocks,
-    box,
-    fans,
-    flipped,
-    joined,
-    loose,
-    partly_flipped,
-    ring,
-    sphere,
-    welded,
-)
+from .repair_scenes import REPAIR_CASES, VALID, blocks, box, flipped, joined, loose, partly_flipped, welded
 from .test_mesh_attributes import PICTURE, corner_table
 from .test_mesh_topology import is_consistent
 
@@ -122,8 +110,7 @@ def test_only_holes_up_to_the_size_are_filled_and_no_single_triangles(device):
     mesh = TriangleMesh(sheet, triangles, device=device)
     assert len(mesh.fill_holes(0.7)) == len(mesh)
     assert len(mesh.fill_holes(0.71)) == len(mesh) + 2  # half the diagonal of a square
-    assert mesh.repair(hole_size=0.71)[1].holes_left == 0
-    assert len(mesh.fill_holes().get_boundary_edges()) == 0
+    assert mesh.repair(hole_size=0.71)[1].holes_left == 0 and len(mesh.fill_holes().get_boundary_edges()) == 0
     alone = TriangleMesh(BOX[:3], [[0, 1, 2]], device=device)
     assert len(alone.fill_holes()) == 1
 
@@ -164,12 +151,9 @@ def test_repair_report_lists_all_changes(device):
     vertices = np.vstack([loose, [[np.nan, 0, 0], [7, 7, 7]], [[0.01, 0.5, 0.1]], loose[3:5], [[9, 9, 9]]])
     repaired, report = TriangleMesh(vertices, rng.permutation(sides), device=device).repair(hole_size=2)
     assert repaired.is_watertight() and repaired.get_volume() == pytest.approx(1) and len(repaired) == 12
-    assert repaired._signed_volume() > 0
-    assert report.removed_non_finite_triangles == 1
-    assert report.merged_vertices == 33 - 8
-    assert report.removed_degenerate_triangles == 1
-    assert report.removed_duplicated_triangles == 1
-    assert report.removed_crowding_triangles == 1
+    assert repaired._signed_volume() > 0 and report.removed_non_finite_triangles == 1
+    assert report.merged_vertices == 33 - 8 and report.removed_degenerate_triangles == 1
+    assert report.removed_duplicated_triangles == 1 and report.removed_crowding_triangles == 1
     assert (report.filled_holes, report.added_triangles, report.holes_left) == (1, 1, 0)
     assert report.flipped_triangles == 2
     assert report.removed_vertices == 3 + 6 and report.split_vertices == 0
@@ -221,7 +205,7 @@ def test_damaged_meshes_are_restored(device, name):
 
 @pytest.mark.parametrize("count", [3, 4, 5, 6, 9])
 def test_an_edge_of_many_triangles_is_split_into_sheets(device, count):
-    mesh = fans(count).to(device)
+    mesh = repair_scenes.fans(count).to(device)
     repaired, report = mesh.repair()
     parts = repaired.cluster_connected_triangles()[1]
     assert len(repaired) == 2 * count and repaired.is_edge_manifold() and repaired.is_vertex_manifold()
@@ -243,7 +227,7 @@ def test_triangles_at_one_edge_are_paired_by_angle(device, flip_triangles):
 
 
 def test_a_single_unpaired_triangle_is_removed_and_a_sheet_stays(device):
-    ball = sphere()
+    ball = repair_scenes.sphere()
     tip = 2 * ball.vertices[:1]
     fin = TriangleMesh(np.vstack([ball.vertices, tip]), np.vstack([ball.triangles, [[*ball.triangles[20][:2], 62]]]))
     repaired, report = fin.to(device).repair()
@@ -257,7 +241,7 @@ def test_a_single_unpaired_triangle_is_removed_and_a_sheet_stays(device):
 
 
 def test_a_surface_that_touches_itself_along_an_edge_is_split_there(device):
-    mesh = ring().to(device)
+    mesh = repair_scenes.ring().to(device)
     mesh.vertex_colors = np.linspace(0, 1, 3 * len(mesh.vertices)).reshape(-1, 3)
     mesh.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
     mesh.textures = [PICTURE]

@@ -165,8 +165,7 @@ def test_closed_components_can_be_oriented_outwards_and_open_ones_stay(device, w
     assert orientable and is_consistent(oriented.triangles)
     for first in (0, 12):
         part = TriangleMesh(oriented.vertices, oriented.triangles[first : first + 12])
-        assert part.get_volume() == pytest.approx(1, rel=1e-6)
-        assert part._signed_volume() > 0
+        assert part.get_volume() == pytest.approx(1, rel=1e-6) and part._signed_volume() > 0
     assert oriented.triangles[24].tolist() == mesh.triangles[24].tolist()
 
 
@@ -208,7 +207,7 @@ def test_triangle_areas_match_open3d(device, oracle):
     assert np.isnan(broken.compute_triangle_areas()).all()
 
 
-def test_an_empty_mesh_has_no_edges_boundaries_or_faults(device):
+def test_an_empty_mesh_has_no_edges_boundaries_components_or_faults(device):
     for mesh in (TriangleMesh(device=device), TriangleMesh(BOX, device=device)):
         assert mesh.get_non_manifold_edges(False).shape == mesh.get_boundary_edges().shape == (0, 2)
         assert mesh.get_boundaries() == [] and mesh.get_non_manifold_vertices().tolist() == []
@@ -216,6 +215,8 @@ def test_an_empty_mesh_has_no_edges_boundaries_or_faults(device):
         starts, neighbors = mesh.compute_adjacency_list()
         assert starts.tolist() == [0] * (len(mesh.vertices) + 1) and neighbors.tolist() == []
         assert mesh.compute_triangle_areas().tolist() == []
+        assert [len(values) for values in mesh.cluster_connected_triangles()] == [0, 0, 0]
+        assert len(mesh.remove_small_components(min_triangles=5)) == 0
 
 
 # Two squares and a separate triangle; the squares share a vertex.
@@ -245,23 +246,11 @@ def test_components_that_share_only_a_vertex_are_separate(device):
     assert (counts.tolist(), areas.tolist()) == ([2, 1, 2], [1.0, 1.5, 1.0])
 
 
-def test_a_mesh_without_triangles_has_no_components(device):
-    for mesh in (TriangleMesh(device=device), TriangleMesh([[0, 0, 0]], device=device)):
-        assert [len(values) for values in mesh.cluster_connected_triangles()] == [0, 0, 0]
-        assert len(mesh.remove_small_components(min_triangles=5)) == 0
-
-
 @pytest.mark.parametrize(
     ("limits", "selected"),
-    [
-        ({}, [0, 1, 2, 3, 4]),
-        ({"min_triangles": 2}, [0, 2, 3, 4]),
-        ({"min_triangles": 3}, []),
-        ({"min_area": 1.0}, [0, 1, 2, 3, 4]),
-        ({"min_area": 1.01}, [1]),
-        ({"min_triangles": 2, "min_area": 1.2}, []),
-    ],
-)
+    [({}, [0, 1, 2, 3, 4]), ({"min_triangles": 2}, [0, 2, 3, 4]), ({"min_triangles": 3}, []),
+     ({"min_area": 1.0}, [0, 1, 2, 3, 4]), ({"min_area": 1.01}, [1]), ({"min_triangles": 2, "min_area": 1.2}, [])],
+)  # fmt: skip
 def test_small_parts_go_with_their_vertices(device, limits, selected):
     colors = np.random.default_rng(0).random((len(CORNERS), 3)).astype(np.float32)
     mesh = TriangleMesh(CORNERS, PARTS, vertex_colors=colors, device=device)
@@ -271,10 +260,6 @@ def test_small_parts_go_with_their_vertices(device, limits, selected):
     np.testing.assert_array_equal(left.triangles, np.searchsorted(used, triangles))
     np.testing.assert_array_equal(left.vertices, np.array(CORNERS)[used])
     np.testing.assert_array_equal(left.vertex_colors, colors[used])
-
-
-def canonical_rotation(t: list[int]) -> tuple[int, ...]:
-    return min(tuple(t[k:] + t[:k]) for k in range(3))
 
 
 @pytest.mark.parametrize(
@@ -297,9 +282,10 @@ def test_triangles_without_area_are_removed_on_request(device):
 def test_duplicates_up_to_rotation_keep_the_first(triangles):
     seen, expected = set(), []
     for t in map(list, triangles):
-        if canonical_rotation(t) not in seen:
+        first = min(tuple(t[k:] + t[:k]) for k in range(3))  # of the rotations
+        if first not in seen:
             expected.append(t)
-        seen.add(canonical_rotation(t))
+        seen.add(first)
     assert soup(triangles).remove_duplicated_triangles().triangles.tolist() == expected
 
 
@@ -328,8 +314,7 @@ def greedy_manifold(mesh: TriangleMesh) -> list[list[int]]:
 def test_non_manifold_edges_lose_their_smallest_triangles_first(triangles):
     mesh = soup(triangles)
     left = mesh.remove_non_manifold_edges()
-    assert left.is_edge_manifold()
-    assert left.triangles.tolist() == greedy_manifold(mesh)
+    assert left.is_edge_manifold() and left.triangles.tolist() == greedy_manifold(mesh)
 
 
 def test_duplicated_vertices_match_open3d(device, oracle):
@@ -420,19 +405,16 @@ def open3d_crops(o3d, mesh):
     peer, volume = in_open3d(o3d, mesh), o3d.visualization.SelectionPolygonVolume()
     volume.orthogonal_axis, volume.axis_min, volume.axis_max = "Z", 2, 9
     volume.bounding_polygon = o3d.utility.Vector3dVector(POLYGON)
-    boxes = (
-        o3d.geometry.AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14]),
-        o3d.geometry.OrientedBoundingBox([7, 7, 7], ROTATION, [9, 5, 30]),
-    )
-    return [*(arrays_of(peer.crop(box)) for box in boxes), arrays_of(volume.crop_triangle_mesh(peer))]
+    box = o3d.geometry.AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14])
+    rotated = o3d.geometry.OrientedBoundingBox([7, 7, 7], ROTATION, [9, 5, 30])
+    return [*(arrays_of(peer.crop(each)) for each in (box, rotated)), arrays_of(volume.crop_triangle_mesh(peer))]
 
 
 def test_crops_match_open3d(device, oracle):
     mesh, box = ball(device), AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14])
     volumes = (box, OrientedBoundingBox([7, 7, 7], ROTATION, [9, 5, 30]), SelectionPolygonVolume(POLYGON, "Z", 2, 9))
-    for volume, (vertices, triangles) in zip(
-        volumes, oracle("meshing/cleaning/crops", open3d_crops, mesh), strict=True
-    ):
+    answers = oracle("meshing/cleaning/crops", open3d_crops, mesh)
+    for volume, (vertices, triangles) in zip(volumes, answers, strict=True):
         cropped = mesh.crop(volume)
         np.testing.assert_array_equal(cropped.vertices, vertices)
         np.testing.assert_array_equal(cropped.triangles, triangles)
@@ -474,12 +456,10 @@ def test_cleaning_and_selections_preserve_texture_corners(device):
 @pytest.mark.parametrize("method", ["select_by_index", "remove_vertices_by_index", "remove_triangles_by_index"])
 def test_indices_out_of_range_are_rejected_and_negative_ones_count_from_the_end(method):
     mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]] * 3)
-    with pytest.raises(IndexError, match=r"3\.\.3 are out of range for a mesh of 3"):
-        getattr(mesh, method)([3])
-    with pytest.raises(IndexError, match="-4"):
-        getattr(mesh, method)([-4])
-    with pytest.raises(TypeError, match="integers"):
-        getattr(mesh, method)([0.5])
+    out = r"3\.\.3 are out of range for a mesh of 3"
+    for index, error, words in ((3, IndexError, out), (-4, IndexError, "-4"), (0.5, TypeError, "integers")):
+        with pytest.raises(error, match=words):
+            getattr(mesh, method)([index])
     np.testing.assert_array_equal(getattr(mesh, method)([-1]).triangles, getattr(mesh, method)([2]).triangles)
     assert len(getattr(mesh, method)([])) == (0 if method == "select_by_index" else 3)
 
@@ -487,19 +467,11 @@ def test_indices_out_of_range_are_rejected_and_negative_ones_count_from_the_end(
 def test_cleaning_an_empty_mesh_leaves_an_empty_mesh(device):
     empty = TriangleMesh(device=device)
     for cleaned in (
-        empty.remove_degenerate_triangles(zero_area=True),
-        empty.remove_duplicated_triangles(),
-        empty.remove_duplicated_vertices(),
-        empty.remove_non_manifold_edges(),
-        empty.merge_close_vertices(1),
-        empty.select_by_index([]),
-        empty.remove_vertices_by_index([]),
-        empty.remove_triangles_by_index([]),
-        empty.remove_vertices_by_mask([]),
-        empty.remove_triangles_by_mask(np.zeros(0, bool)),
-        empty.crop(AxisAlignedBoundingBox([0] * 3, [1] * 3)),
-        empty.fill_holes(),
-        empty.repair(hole_size=1)[0],
+        empty.remove_degenerate_triangles(zero_area=True), empty.remove_duplicated_triangles(),
+        empty.remove_duplicated_vertices(), empty.remove_non_manifold_edges(), empty.merge_close_vertices(1),
+        empty.select_by_index([]), empty.remove_vertices_by_index([]), empty.remove_triangles_by_index([]),
+        empty.remove_vertices_by_mask([]), empty.remove_triangles_by_mask(np.zeros(0, bool)), empty.fill_holes(),
+        empty.crop(AxisAlignedBoundingBox([0] * 3, [1] * 3)), empty.repair(hole_size=1)[0],
         empty.orient_triangles(outward=True)[0],
-    ):
+    ):  # fmt: skip
         assert len(cleaned) == len(cleaned.vertices) == 0

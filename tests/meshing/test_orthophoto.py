@@ -182,8 +182,7 @@ def test_files_store_the_map_location(tmp_path):
         np.testing.assert_array_equal(np.moveaxis(file.read(), 0, 2), made.colors)
         column, row = 500_008.0, 5_400_006.0  # on the roof
         row, column = map(int, file.index(column, row))  # floats in rasterio 1.4.0
-        assert made.colors[row, column, :3].tolist() == [*ROOF]
-        assert heights.transform == file.transform
+        assert made.colors[row, column, :3].tolist() == [*ROOF] and heights.transform == file.transform
         np.testing.assert_array_equal(heights.read(1, masked=True).filled(np.nan), made.heights.values)
     assert sorted(each.name for each in tmp_path.iterdir()) == ["dem.tif", "ortho.tif"]
 

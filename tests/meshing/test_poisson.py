@@ -10,24 +10,14 @@ import pointloom as loom
 from pointloom.kernels import memory
 from pointloom.kernels.lang import cpu_compiler
 
-from .poisson_scenes import (
-    assert_only_the_cube_cuts,
-    bits,
-    clustered_sphere,
-    cube_around,
-    edges_by_use,
-    poisson,
-    sphere,
-    sphere_distance,
-    torus,
-    torus_distance,
-)
+from . import poisson_scenes as scenes
+from .poisson_scenes import assert_only_the_cube_cuts, bits, cube_around, poisson, sphere, sphere_distance, torus
 
 
 def test_samples_of_a_ball_give_a_closed_ball(device):
     mesh, densities = poisson(sphere(1500), device=device)
     assert mesh.is_watertight() and len(mesh.cluster_connected_triangles()[1]) == 1
-    edges, counts, twisted = edges_by_use(mesh.triangles)
+    edges, counts, twisted = scenes.edges_by_use(mesh.triangles)
     assert (counts == 2).all() and twisted == 0 and len(mesh.vertices) - len(edges) + len(mesh) == 2
     assert abs(mesh.get_volume() / (4 / 3 * np.pi) - 1) < 0.01  # outwards: the volume has a sign
     assert sphere_distance(mesh.vertices).max() < 0.02
@@ -35,7 +25,7 @@ def test_samples_of_a_ball_give_a_closed_ball(device):
 
 
 def test_level_transitions_have_no_crack(device):
-    points = clustered_sphere(5000)
+    points = scenes.clustered_sphere(5000)
     mesh, densities = poisson(points, depth=7, scale=1.3, device=device)
     assert np.ptp(densities) > 2.5  # local depths: cells of three levels and more
     assert assert_only_the_cube_cuts(mesh, points, 1.3) == 0 and mesh.is_watertight()
@@ -73,8 +63,7 @@ def test_all_sides_of_the_cube_are_equivalent(device):
     straight, densities = poisson(points, device=device)
     rotated, others = poisson(points * [-1, 1, -1], device=device)
     apart, nearest = cKDTree(rotated.vertices * [-1, 1, -1]).query(straight.vertices)
-    assert np.quantile(apart, 0.99) < 1e-5
-    assert np.quantile(np.abs(densities - others[nearest]), 0.99) < 1e-5
+    assert np.quantile(apart, 0.99) < 1e-5 and np.quantile(np.abs(densities - others[nearest]), 0.99) < 1e-5
 
 
 @pytest.mark.parametrize("power", [-90, 20])
@@ -176,7 +165,7 @@ def samples(kind: str, noise: float, depth: int = 5):
     points, normals = (sphere(count), sphere(count)) if kind == "sphere" else torus(count)
     rng = np.random.default_rng(5)
     noisy = normals + 10 * noise * rng.normal(size=normals.shape)
-    distance = sphere_distance if kind == "sphere" else torus_distance
+    distance = sphere_distance if kind == "sphere" else scenes.torus_distance
     return points + noise * rng.normal(size=points.shape), noisy / np.linalg.norm(noisy, axis=1)[:, None], distance
 
 

@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 from pointloom import RaycastingScene, marching_cubes
 from pointloom.kernels.lang import cpu_compiler
 
+from ..registration.poses import as_pose
 from .open3d_meshes import raycasting_scene
 
 FAR = np.array([5.0e5, 5.4e6, 100.0])
@@ -77,8 +78,7 @@ def test_hits_counts_lists_and_occlusions_match_embree(device, oracle):
     wanted, wanted_list, counts, hidden = oracle("meshing/raycasting/hits", open3d_hits, mesh, rays)
     result = scene.cast_rays(rays)
     kinds, wanted_kinds = ({name: (v.shape, v.dtype) for name, v in each.items()} for each in (result, wanted))
-    assert kinds == wanted_kinds
-    assert 0.3 < np.isfinite(result["t_hit"]).mean() < 0.95
+    assert kinds == wanted_kinds and 0.3 < np.isfinite(result["t_hit"]).mean() < 0.95
     np.testing.assert_array_equal(np.isfinite(result["t_hit"]), np.isfinite(wanted["t_hit"]))
     np.testing.assert_allclose(result["t_hit"], wanted["t_hit"], rtol=5e-6)  # Embree's depths are float32
     # Beside an edge, float32 rounding puts the ray on different sides.
@@ -101,13 +101,11 @@ def test_hits_counts_lists_and_occlusions_match_embree(device, oracle):
     u, v = result["primitive_uvs"][is_hit].T.astype(np.float64)
     corners = mesh[0][np.asarray(mesh[1])[result["primitive_ids"][is_hit]]]
     on_ray = rays[is_hit, :3].astype(np.float64) + rays[is_hit, 3:] * result["t_hit"][is_hit, None]
-    np.testing.assert_allclose(
-        np.einsum("kn,nkc->nc", [1 - u - v, u, v], corners), on_ray, atol=2e-6
-    )  # float32 up to 2
+    by_weights = np.einsum("kn,nkc->nc", [1 - u - v, u, v], corners)
+    np.testing.assert_allclose(by_weights, on_ray, atol=2e-6)  # float32 up to 2
 
 
-K, T = np.array([[100, 3, 2.0], [0, 110, 1.5], [0, 0, 1]]), np.eye(4)
-T[:3, :3], T[:3, 3] = Rotation.from_rotvec([0.3, 0.2, 0.1]).as_matrix(), [0.1, 0.2, 0.3]
+K, T = np.array([[100, 3, 2.0], [0, 110, 1.5], [0, 0, 1]]), as_pose([0.3, 0.2, 0.1], [0.1, 0.2, 0.3])
 VIEW = (60, [0.1, 0.2, 0.3], [1, 2, 3.0], [0.1, 1, 0], 8, 6)
 
 
@@ -251,9 +249,7 @@ def test_a_moved_instance_is_hit_at_its_new_pose(device):
     scene = scene_of(SQUARE, SQUARE, device=device)
     rays = [[0.25, 0.5, 1, 0, 0, -1]]
     assert scene.cast_rays(rays)["geometry_ids"].tolist() == [0]
-    pose = np.eye(4)
-    pose[2, 3] = -3
-    scene.set_pose(0, pose)
+    scene.set_pose(0, as_pose(shift=[0, 0, -3]))
     assert scene.list_intersections(rays)["t_hit"].tolist() == [1, 4]
     assert scene.list_intersections(rays)["geometry_ids"].tolist() == [1, 0]
 
@@ -266,8 +262,7 @@ def test_a_scene_far_from_zero_gives_the_same_hits(device):
     near = scene_of((vertices, triangles), device=device).cast_rays(rays)
     moved = rays.copy()
     moved[:, :3] += FAR
-    pose = np.eye(4)
-    pose[:3, 3] = FAR
+    pose = as_pose(shift=FAR)
     posed = scene_of((vertices, triangles), device=device)
     posed.set_pose(0, pose)
     for name, values in posed.cast_rays(moved).items():

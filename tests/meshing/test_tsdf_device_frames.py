@@ -14,6 +14,7 @@ from pointloom.kernels.volumes import device_frames, voxel_blocks
 from pointloom.meshing.volume.block_count import BlockCount
 
 from ..interruptions import run_lines
+from . import tsdf_scenes
 from .tsdf_scenes import CAMERA, SMALL, TRUNCATION, VOXEL, fingerprint, look_at, plane_depth, rays_of, small_frames
 
 WIDE = loom.PinholeCameraIntrinsic(61, 33, 40.0, 41.0, 30.2, 16.4)
@@ -142,8 +143,7 @@ def test_rendered_maps_match_the_ray_cast_in_the_camera_frame(device, origin):
     view = volume.ray_cast(CAMERA, extrinsic, weight_threshold=0)
     assert np.array_equal(depth, view.depth)
     both = np.isfinite(normals).all(-1) & np.isfinite(view.normals).all(-1)
-    assert both.sum() > 10_000
-    assert np.abs(normals - view.normals @ T[:3, :3])[both].max() < 1e-3
+    assert both.sum() > 10_000 and np.abs(normals - view.normals @ T[:3, :3])[both].max() < 1e-3
     assert (normals[both][:, 2] < 0).all(), "they point to the camera's side"
     assert np.isnan(normals[depth == 0]).all()
     assert rendered(painted_wall(device, color=False, origin=origin)[0], T)[2] is None
@@ -163,8 +163,7 @@ def test_rendered_brightness_is_smooth_and_matches_the_surface(device):
     assert inner.sum() > 8000
     error = np.abs(intensity - truth)[inner]
     slope = 0.55  # of brightness per meter
-    assert np.quantile(error, 0.99) < 0.3 * VOXEL * slope + 0.5 / 255
-    assert not intensity[depth == 0].any()
+    assert np.quantile(error, 0.99) < 0.3 * VOXEL * slope + 0.5 / 255 and not intensity[depth == 0].any()
 
 
 FILES = (
@@ -199,37 +198,18 @@ def without_spare_room(device, monkeypatch):
         monkeypatch.setattr(device_frames, "ROOM_SHARE", 0.0)
 
 
-def interrupt_everywhere(begin, states, blocks, every=1):
-    """Interrupt the second seeded_frame before each (or some) line: it is either in the volume or not."""
-    volume = begin()
-    total, stop, outcomes = run_lines(lambda: add(volume, 2, THERE), FILES), 0, set()
-    while stop < total:
-        stop += every
-        volume = begin()
-        run_lines(lambda: add(volume, 2, THERE), FILES, stop)  # noqa: B023  runs at once
-        added = volume.frame_count - 1
-        outcomes.add(added)
-        assert (volume.block_count, fingerprint(volume)) == (blocks[added], states[added]), stop
-        if not added:
-            add(volume, 2, THERE)
-        assert (volume.frame_count, fingerprint(volume)) == (2, states[1]), stop
-    assert outcomes == {0, 1}
-
-
 @pytest.mark.slow
 def test_a_frame_is_integrated_completely_or_not_at_all_after_any_interruption(device, tmp_path, monkeypatch):
     without_spare_room(device, monkeypatch)
-    volume = begun(device)
-    states, blocks, room = [fingerprint(volume)], [volume.block_count], volume.memory_bytes
-    add(volume, 2, THERE)
-    states, blocks = [*states, fingerprint(volume)], [*blocks, volume.block_count]
+    given = partial(begun, device), lambda volume: add(volume, 2, THERE), FILES
+    room = begun(device).memory_bytes
+    states, volume = tsdf_scenes.assert_complete_or_absent(*given)
     assert volume.memory_bytes > room  # both voxels and table grew
-    interrupt_everywhere(partial(begun, device), states, blocks)
     if device.startswith("cuda"):  # by launches in a row, then by a recording of them
         monkeypatch.undo()
-        interrupt_everywhere(partial(begun, device), states, blocks, every=7)
+        assert tsdf_scenes.assert_complete_or_absent(*given, every=7)[0] == states
     volume.save(tmp_path / "volume.npz")
-    assert fingerprint(loom.TSDFVolume.load(tmp_path / "volume.npz", device=device)) == states[1]
+    assert fingerprint(loom.TSDFVolume.load(tmp_path / "volume.npz", device=device)) == states[1][1]
 
 
 def test_a_second_interruption_during_cleanup_is_harmless(device):

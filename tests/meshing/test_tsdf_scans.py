@@ -8,8 +8,7 @@ from pointloom.kernels.memory import download
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
 from pointloom.meshing.volume.shift_scores import score_shifts
 
-from ..interruptions import run_lines
-from .tsdf_scenes import fingerprint
+from .tsdf_scenes import assert_complete_or_absent, fingerprint
 
 VOXEL, TRUNCATION = 0.1, 0.3
 UTM = np.array([500_000.0, 5_400_000.0, 100.0])
@@ -168,21 +167,7 @@ def test_a_scan_is_integrated_completely_or_not_at_all_after_any_interruption(de
     def add(volume):
         volume.integrate_points(wall(3.0, seed=2), np.zeros(3))
 
-    volume = begun()
-    states = [fingerprint(volume)]
-    total = run_lines(lambda: add(volume), FILES)
-    states.append(fingerprint(volume))
-    outcomes = set()
-    for stop in range(1, total + 1):
-        volume = begun()
-        run_lines(lambda: add(volume), FILES, stop)  # noqa: B023  runs at once
-        added = volume.frame_count - 1
-        outcomes.add(added)
-        assert fingerprint(volume) == states[added], stop
-        if not added:
-            add(volume)
-        assert (volume.frame_count, fingerprint(volume)) == (2, states[1]), stop
-    assert outcomes == {0, 1}
+    assert_complete_or_absent(begun, add, FILES)
 
 
 SMALL_VOXEL, SMALL_TRUNCATION = 0.05, 0.2

@@ -8,29 +8,14 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
-from .tsdf_scenes import (
-    RADIUS,
-    SMALL,
-    TRUNCATION,
-    VOXEL,
-    fingerprint,
-    fuse,
-    fused_sphere,
-    small_frames,
-    sphere_frames,
-    voxels_of,
-)
-
-
-def rigid(rotvec=(0.0, 0.0, 0.0), shift=(0.0, 0.0, 0.0)):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(rotvec).as_matrix(), shift
-    return T
+from ..registration.poses import as_pose
+from . import tsdf_scenes as scenes
+from .tsdf_scenes import RADIUS, SMALL, TRUNCATION, VOXEL, fingerprint, fuse, fused_sphere, sphere_frames, voxels_of
 
 
 def colored_volume(device, *, count=3, seed=0, center=(0.0, 0.0, 0.0), voxel_size=0.05):
     volume = loom.TSDFVolume(voxel_size=voxel_size, truncation=0.1, device=device)
-    for depth, T, color in small_frames(np.random.default_rng(seed), count):
+    for depth, T, color in scenes.small_frames(np.random.default_rng(seed), count):
         T = T.copy()
         T[:3, 3] += center
         volume.integrate(depth, SMALL, np.linalg.inv(T), color=color)
@@ -58,7 +43,7 @@ def test_an_unmoved_volume_is_bitwise_unchanged(device, center):
 
 def test_a_volume_shifted_by_integer_voxels_is_bitwise_identical(device):
     volume = colored_volume(device)
-    there = rigid(shift=np.array([8, -16, 24]) * volume.voxel_size)
+    there = as_pose(shift=np.array([8, -16, 24]) * volume.voxel_size)
     moved = loom.fuse_volumes([volume], [there])
     assert [len(v) for v in voxels_of(moved)[:1]] == [len(np.unique(voxels_of(moved)[0], axis=0))]
     assert seen_of(loom.fuse_volumes([moved], [np.linalg.inv(there)])) == seen_of(volume)
@@ -71,12 +56,9 @@ def test_a_volume_shifted_by_integer_voxels_is_bitwise_identical(device):
 
 def test_the_order_of_volumes_does_not_matter(device):
     volumes = [colored_volume(device, count=1 + i, seed=i) for i in range(3)]
-    poses = [rigid((0.02 * i, 0.1 * i, 0), (0.03 * i, 0, 0.01)) for i in range(3)]
-    prints = {
-        fingerprint(loom.fuse_volumes([volumes[i] for i in order], [poses[i] for i in order]))
-        for order in itertools.permutations(range(3))
-    }
-    assert len(prints) == 1
+    poses = [as_pose((0.02 * i, 0.1 * i, 0), (0.03 * i, 0, 0.01)) for i in range(3)]
+    orders = itertools.permutations(zip(volumes, poses, strict=True))
+    assert len({fingerprint(loom.fuse_volumes(*map(list, zip(*order, strict=True)))) for order in orders}) == 1
 
 
 def test_volumes_of_frame_subsets_give_the_full_volume(device):
@@ -89,8 +71,7 @@ def test_volumes_of_frame_subsets_give_the_full_volume(device):
     # a frame updates voxels of blocks added by other frames only in a shared volume
     assert (a[0][is_used] == b[0]).all()
     same = a[2][is_used] == b[2]
-    assert same.mean() > 0.97
-    assert np.abs(a[1][is_used] - b[1])[same].max() < 1e-6
+    assert same.mean() > 0.97 and np.abs(a[1][is_used] - b[1])[same].max() < 1e-6
 
 
 def test_volumes_in_different_frames_are_aligned_by_their_poses(device):
@@ -108,10 +89,9 @@ def test_volumes_in_different_frames_are_aligned_by_their_poses(device):
         return np.abs(np.linalg.norm(mesh.vertices, axis=1) - RADIUS)
 
     direct = np.abs(np.linalg.norm(fuse(frames, device).extract_triangle_mesh(0).vertices, axis=1) - RADIUS)
-    drifted = [poses[0], rigid(shift=(2 * VOXEL, 0, VOXEL)) @ poses[1]]
+    drifted = [poses[0], as_pose(shift=(2 * VOXEL, 0, VOXEL)) @ poses[1]]
     right = off(poses)
-    assert np.median(right) < np.median(direct) + 0.1 * VOXEL
-    assert np.median(off(drifted)) > 2 * np.median(right)
+    assert np.median(right) < np.median(direct) + 0.1 * VOXEL and np.median(off(drifted)) > 2 * np.median(right)
 
 
 def test_volumes_are_aligned_far_from_the_origin(device):
@@ -122,7 +102,7 @@ def test_volumes_are_aligned_far_from_the_origin(device):
     off = np.linalg.norm(fused.extract_triangle_mesh(0).vertices - far, axis=1) - RADIUS
     assert np.abs(off).max() < VOXEL and np.median(np.abs(off)) < 0.15 * VOXEL
     local = fuse(sphere_frames(), device)
-    moved = loom.fuse_volumes([local], [rigid((0, 0, 1.0), far)])
+    moved = loom.fuse_volumes([local], [as_pose((0, 0, 1.0), far)])
     off = np.linalg.norm(moved.extract_triangle_mesh(0).vertices - far, axis=1) - RADIUS
     assert np.abs(off).max() < VOXEL and np.abs(moved.origin - far).max() < 1
 
@@ -134,8 +114,7 @@ def test_coarser_voxels_represent_the_same_surface(device):
     off = np.linalg.norm(fused.extract_triangle_mesh(0).vertices, axis=1) - RADIUS
     assert np.median(np.abs(off)) < 0.15 * VOXEL
     distances, weights = voxels_of(fused)[1:3]
-    assert np.abs(distances).max() <= 1
-    assert (distances[weights > 0] < 1).mean() > 0.3
+    assert np.abs(distances).max() <= 1 and (distances[weights > 0] < 1).mean() > 0.3
 
 
 def test_empty_volumes_add_nothing(device):
@@ -162,8 +141,7 @@ def test_colors_are_weighted_means(device):
         parts.append(volume)
     fused = loom.fuse_volumes(parts, [T, T])
     weights, colors = voxels_of(fused)[2:]
-    assert set(np.unique(weights)) == {0, 4}
-    assert np.abs(colors[weights == 4] / 257.0 - 160).max() < 0.01
+    assert set(np.unique(weights)) == {0, 4} and np.abs(colors[weights == 4] / 257.0 - 160).max() < 0.01
     plain = loom.fuse_volumes(parts, [T, T], color=False)
     assert not plain.has_color and (voxels_of(plain)[2] == weights).all()
 
@@ -189,8 +167,7 @@ def test_a_ball_is_reconstructed_with_its_color(device, at=UTM):
     mesh = loom.fuse_splats(splats, voxel_size=0.08)
     apart = np.linalg.norm(mesh.vertices - at, axis=1) - 1
     assert np.abs(apart).max() < 0.06 and np.abs(apart).mean() < 0.02
-    assert abs(mesh.get_surface_area() / (4 * np.pi) - 1) < 0.05
-    assert mesh.is_watertight()
+    assert abs(mesh.get_surface_area() / (4 * np.pi) - 1) < 0.05 and mesh.is_watertight()
     np.testing.assert_allclose(np.median(mesh.vertex_colors, axis=0), [0.8, 0.3, 0.1], atol=0.01)
 
 

@@ -6,6 +6,8 @@ import pointloom as loom
 from pointloom.kernels.memory import upload
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
 
+from ..interruptions import run_lines
+
 VOXEL, TRUNCATION = 0.02, 0.08
 RADIUS = 0.4
 CAMERA = loom.PinholeCameraIntrinsic(160, 120, 131.0, 133.0, 79.2, 59.9)
@@ -99,3 +101,31 @@ def triangle_normals(mesh):
 def view_from(volume, T, camera=CAMERA, **options):
     options.setdefault("weight_threshold", 0)
     return volume.ray_cast(camera, np.linalg.inv(T), **options)
+
+
+def assert_complete_or_absent(begin, add, files, every=1):
+    """Interrupt `add` before each (or some) line of files: what it adds is either in the volume or not.
+
+    Returns:
+        The states without and with it, and the complete volume.
+    """
+    volume = begin()
+    states, outcomes, stop = [state_of(volume)], set(), 0
+    total = run_lines(lambda: add(volume), files)
+    states.append(state_of(volume))
+    while stop < total:
+        stop += every
+        volume = begin()
+        run_lines(lambda: add(volume), files, stop)  # noqa: B023  runs at once
+        added = volume.frame_count - 1
+        outcomes.add(added)
+        assert state_of(volume) == states[added], stop
+        if not added:
+            add(volume)
+        assert (volume.frame_count, state_of(volume)) == (2, states[1]), stop
+    assert outcomes == {0, 1}
+    return states, volume
+
+
+def state_of(volume):
+    return volume.block_count, fingerprint(volume)

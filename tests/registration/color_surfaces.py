@@ -10,9 +10,8 @@ from pointloom.kernels.search.point_tree import PointTree
 
 def gradients_of(points, normals, colors, radius, max_nn, device="cpu"):
     """Intensities and gradients as NumPy arrays."""
-    points, normals, colors = (
-        upload(np.asarray(values, np.float32).reshape(-1, 3), vec3, device) for values in (points, normals, colors)
-    )
+    rows = (np.asarray(values, np.float32).reshape(-1, 3) for values in (points, normals, colors))
+    points, normals, colors = (upload(values, vec3, device) for values in rows)
     intensities, gradients = estimate_color_gradients(PointTree(points), normals, colors, radius, max_nn)
     return intensities.numpy(), gradients.numpy()
 

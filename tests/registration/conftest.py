@@ -62,9 +62,8 @@ def room_pair(scan_set, real_file, shipped_file):
     depths = [loom.read_depth(folder / "depth" / f"{k:05d}.png") for k in (0, 4)]
     target, source = (loom.PointCloud.create_from_depth_image(depth, camera, stride=2).points for depth in depths)
     motion = as_pose(np.radians(12.7) * np.array([0.36, 0.48, 0.8]), [0.4, -0.4, 0.4])
-    return SimpleNamespace(
-        source=moved(source, motion), target=target, T=np.linalg.inv(poses[0]) @ poses[-1] @ np.linalg.inv(motion)
-    )
+    T = np.linalg.inv(poses[0]) @ poses[-1] @ np.linalg.inv(motion)
+    return SimpleNamespace(source=moved(source, motion), target=target, T=T)
 
 
 @pytest.fixture(scope="session")

@@ -12,10 +12,8 @@ ROOT = Path(__file__).parents[2]
 
 
 def clouds(drive, device, count=None):
-    return [
-        loom.PointCloud(points, time=times, device=device)
-        for points, times in zip(drive.scans[:count], drive.times[:count], strict=True)
-    ]
+    scans = zip(drive.scans[:count], drive.times[:count], strict=True)
+    return [loom.PointCloud(points, time=times, device=device) for points, times in scans]
 
 
 def truth_of(drive, count=None) -> Trajectory:

@@ -18,9 +18,8 @@ def result_after(device, pair, method, steps, init=None, **options):
 def legacy_cloud(o3d, cloud):
     """A legacy cloud of Open3D with the normals and colors of a cloud."""
     made = o3d.geometry.PointCloud()
-    made.points, made.normals = (
-        o3d.utility.Vector3dVector(np.array(a, np.float64)) for a in (cloud.points, cloud.normals)
-    )
+    made.points = o3d.utility.Vector3dVector(np.array(cloud.points, np.float64))
+    made.normals = o3d.utility.Vector3dVector(np.array(cloud.normals, np.float64))
     if cloud.has_colors:
         made.colors = o3d.utility.Vector3dVector(np.array(cloud.colors, np.float64))
     return made

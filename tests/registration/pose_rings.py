@@ -33,10 +33,7 @@ def ring(count, seed, *, noise=0.003, loops=None, outliers=0, certain=False) -> 
     rng = np.random.default_rng(seed)
     angles = 2 * np.pi * np.arange(count) / count
     positions = np.stack([2 * np.cos(angles), 2 * np.sin(angles), 0.1 * np.sin(3 * angles)], axis=1)
-    true = [
-        as_pose([0, 0, a], p) @ as_pose(rng.normal(0, 0.3, 3), [0, 0, 0])
-        for a, p in zip(angles, positions, strict=True)
-    ]
+    true = [as_pose([0, 0, a], p) @ as_pose(rng.normal(0, 0.3, 3)) for a, p in zip(angles, positions, strict=True)]
     edges = []
 
     def join(i, j, uncertain):

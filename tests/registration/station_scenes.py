@@ -26,9 +26,7 @@ BOXES = [  # low corner, extent, yaw [rad]
 def mesh_of(boxes):
     mesh = None
     for low, extent, yaw in boxes:
-        box = loom.TriangleMesh.create_box(*extent).transform(
-            make_pose(rotation_of(np.array([0, 0, yaw])), np.array(low, float))
-        )
+        box = loom.TriangleMesh.create_box(*extent).transform(pose_at(low, yaw))
         mesh = box if mesh is None else mesh + box
     return mesh
 

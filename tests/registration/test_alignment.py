@@ -34,6 +34,11 @@ def pair(rng, device="cpu", corner=(0.0, 0.0, 0.0)):
     return [loom.PointCloud(room(rng) + corner, device=device) for _ in range(2)]
 
 
+def flat_pair(rng, device="cpu"):
+    points = (np.column_stack([*rng.uniform(-1, 1, (2, 8000)), NOISE * rng.normal(size=8000)]) for _ in range(2))
+    return [loom.PointCloud(plane, device=device) for plane in points]
+
+
 def about(corner, pose):
     return as_pose([0, 0, 0], corner) @ pose @ as_pose([0, 0, 0], -np.asarray(corner))
 
@@ -64,11 +69,7 @@ def test_the_covariance_covers_the_errors_of_samplings(rng):
 
 
 def test_a_motion_that_planes_do_not_determine_has_a_large_variance(device, rng):
-    plane = [
-        loom.PointCloud(np.column_stack([*rng.uniform(-1, 1, (2, 8000)), NOISE * rng.normal(size=8000)]), device=device)
-        for _ in range(2)
-    ]
-    check = reg.check_alignment(*plane, as_pose([0, 0, 0], [0, 0, 0.03]), 0.1)
+    check = reg.check_alignment(*flat_pair(rng, device), as_pose([0, 0, 0], [0, 0, 0.03]), 0.1)
     deviations = np.sqrt(np.diag(check.covariance))
     assert deviations[[2, 3, 4]].min() > 30 * deviations[[0, 1, 5]].max()
     assert check.distance > 3.55 and check.correction[2, 3] == pytest.approx(-0.03, abs=0.003)

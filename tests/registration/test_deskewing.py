@@ -14,6 +14,8 @@ from pointloom.registration.lidar.deskewing import SMALL_ANGLE, point_times, twi
 from pointloom.registration.lidar.lidar_odometry import part_of_interval
 from pointloom.registration.rigid import pose_of, rotation_vector
 
+from .poses import as_pose
+
 small = st.floats(-1.5, 1.5, allow_subnormal=False)
 
 
@@ -93,8 +95,7 @@ def test_times_without_effect_are_reported(device, rng, times):
 
 
 def test_attributes_and_order_are_preserved(device):
-    T = np.eye(4)
-    T[0, 3] = 2.0
+    T = as_pose(shift=[2.0, 0, 0])
     scan = loom.PointCloud(
         [[1, 0, 0], [np.nan, 0, 0], [3, 0, 0], [4, 0, 0]],
         t=np.array([0, 0, 1, 2], np.uint32), intensity=[1, 2, 3, 4.0], device=device,
@@ -107,8 +108,7 @@ def test_attributes_and_order_are_preserved(device):
 
 
 def test_invalid_points_do_not_define_the_time_range(device):
-    T = np.eye(4)
-    T[0, 3] = 1.0
+    T = as_pose(shift=[1.0, 0, 0])
     scan = loom.PointCloud([[0, 0, 0], [5, 0, 0], [np.nan, 0, 0], [5, 0, 0], [5, 0, 0]], device=device)
     moved = deskew_point_cloud(scan, T, [-100.0, 10.0, 1e9, 12.0, np.nan])
     np.testing.assert_allclose(moved.points[[1, 3], 0], [4, 5], atol=1e-6)
@@ -119,16 +119,14 @@ def test_invalid_points_do_not_define_the_time_range(device):
 @given(hnp.arrays(np.float64, st.integers(0, 3), elements=st.just(3.0)))
 def test_equal_times_and_empty_scans_are_unchanged(device, times):
     points = np.arange(3.0 * len(times)).reshape(-1, 3)
-    T = np.eye(4)
-    T[1, 3] = 5.0
+    T = as_pose(shift=[0, 5.0, 0])
     np.testing.assert_array_equal(deskew_point_cloud(loom.PointCloud(points, device=device), T, times).points, points)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
 def test_non_finite_times_do_not_end_the_scan(device, value):
     scan = loom.PointCloud(np.arange(12.0).reshape(4, 3) + 1, device=device)
-    T = np.eye(4)
-    T[0, 3] = 1.0
+    T = as_pose(shift=[1.0, 0, 0])
     result = deskew_point_cloud(scan, T, [value, 5.0, 5.0, value]).points  # one finite time
     np.testing.assert_array_equal(np.isnan(result).any(axis=1), [True, False, False, True])
     with pytest.raises(ValueError, match="timestamps:"):

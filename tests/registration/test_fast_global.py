@@ -9,14 +9,11 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.registration.globally import global_registration
-from pointloom.registration.globally.global_registration import (
-    rate_support,
-    registration_robust_based_on_feature_matching,
-)
+from pointloom.registration.globally.global_registration import rate_support
 
 from .hilly_clouds import misplacement
-from .poses import moved, random_pose
-from .wrong_pairs import assert_no_pose, fgr, made_up
+from .poses import as_pose, moved, random_pose
+from .wrong_pairs import assert_no_pose, fgr, made_up, robust
 
 reg = loom.registration
 VOXEL = 0.05  # [m] of the kitchen
@@ -25,9 +22,8 @@ VOXEL = 0.05  # [m] of the kitchen
 def test_pose_is_exact_once_mu_is_small(device, rng, angle_between):
     """After 16 steps mu is a 15th of its initial value, after 64 below the squared distance."""
     case = made_up(rng, outliers=0.5, noise=0.0)
-    errors = [
-        angle_between(fgr(case, device, iteration_number=n, tuple_test=False).transformation, case.T) for n in (16, 64)
-    ]
+    results = (fgr(case, device, iteration_number=n, tuple_test=False) for n in (16, 64))
+    errors = [angle_between(result.transformation, case.T) for result in results]
     assert errors[1] < 0.02 < errors[0] + 0.02 and errors[1] < errors[0]
 
 
@@ -62,8 +58,7 @@ def test_absolute_scale_starts_at_one_meter(device, rng, angle_between):
     """A cloud of 100 m radius, one meter apart: mu of 1 m^2 selects the right pairs from the first step."""
     case = made_up(rng, outliers=0.6, noise=1e-4, shuffle=False)
     case.source = 100 * case.source
-    case.T = np.eye(4)
-    case.T[:3, 3] = [0.3, -0.2, 0.4]
+    case.T = as_pose(shift=[0.3, -0.2, 0.4])
     case.target = moved(case.source, case.T) + 0.01 * rng.normal(size=(1500, 3))
     options = {"maximum_correspondence_distance": 0.1, "tuple_test": False, "decrease_mu": False}
     absolute, relative = (fgr(case, device, use_absolute_scale=on, **options) for on in (True, False))
@@ -121,8 +116,7 @@ def best_of_open3d(featured, o3d, to_open3d):
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_kitchen_is_registered(device, featured, seed, angle_between, tolerances):
     result = of_kitchen(device, featured, VOXEL / 2, seed)
-    assert result.score > 0.5
-    assert angle_between(result.transformation, featured.T) < tolerances.fgr_degrees
+    assert result.score > 0.5 and angle_between(result.transformation, featured.T) < tolerances.fgr_degrees
     assert np.linalg.norm(result.transformation[:3, 3] - featured.T[:3, 3]) < tolerances.kitchen_distance
 
 
@@ -154,29 +148,30 @@ def test_another_seed_gives_other_triples(device, rng):
 
 def rough_pair(rng, count=1000, right=30, noise=0.003):
     """Random points in a unit cube, moved, with `count` correspondences of which `right` are correct."""
-    p = rng.random((count, 3))
-    T = random_pose(rng)
+    p, T = rng.random((count, 3)), random_pose(rng)
     q = moved(p, T) + rng.normal(0, noise, p.shape)
     pairs = np.column_stack([np.arange(count), np.arange(count)])
     pairs[right:, 1] = rng.integers(0, count, count - right)
-    return p, q, pairs[rng.permutation(count)], T
+    return SimpleNamespace(source=p, target=q, pairs=pairs[rng.permutation(count)], T=T)
+
+
+def assert_placed(result, case, tolerances):
+    points = case.source[np.isfinite(case.source).all(axis=1)]
+    angle, distance = misplacement(result.transformation, case.T, points)
+    assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
 
 
 @pytest.mark.slow
 def test_one_percent_of_ten_thousand_correspondences_suffices(device, rng, tolerances):
-    p, q, pairs, T = rough_pair(rng, 10000, 100, noise=0.002)
-    source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
-    result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.01)
-    angle, distance = misplacement(result.transformation, T, p)
-    assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance and result.score > 0.9
+    case = rough_pair(rng, 10000, 100, noise=0.002)
+    result = robust(case, device, 0.01)
+    assert_placed(result, case, tolerances)
+    assert result.score > 0.9
 
 
 def test_outliers_alone_are_rejected(device, rng):
     for count in (20, 200, 1500):
-        p, q, pairs, _ = rough_pair(rng, count, 0)
-        result = reg.registration_robust_based_on_correspondence(
-            loom.PointCloud(p, device=device), loom.PointCloud(q, device=device), pairs, 0.015
-        )
+        result = robust(rough_pair(rng, count, 0), device)
         assert result.score < 0.3 and not result.converged
 
 
@@ -184,9 +179,8 @@ def test_two_motions_with_equal_support_are_ambiguous(device, rng):
     p = rng.random((200, 3))
     q = np.vstack([moved(p[:100], random_pose(rng)), moved(p[100:], random_pose(rng))])
     pairs = np.column_stack([np.arange(200)] * 2)
-    source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
-    even = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.01)
-    majority = reg.registration_robust_based_on_correspondence(source, target, pairs[:125], 0.01)
+    cases = (SimpleNamespace(source=p, target=q, pairs=pairs[:count]) for count in (200, 125))
+    even, majority = (robust(case, device, 0.01) for case in cases)
     assert even.score < 0.1 and not even.converged and "another pose" in even.warnings[0]
     assert majority.score > 0.8 and majority.converged
 
@@ -197,21 +191,17 @@ def test_exact_correspondences_give_the_exact_pose(seed, count):
     rng = np.random.default_rng(seed)
     T, p = random_pose(rng, 10.0), rng.random((count, 3))
     pairs = np.column_stack([np.arange(count)] * 2)
-    clouds = loom.PointCloud(p), loom.PointCloud(moved(p, T))
-    result = reg.registration_robust_based_on_correspondence(*clouds, pairs, 0.02)
+    result = robust(SimpleNamespace(source=p, target=moved(p, T), pairs=pairs), bound=0.02)
     np.testing.assert_allclose(result.transformation, T, atol=1e-5 * (1 + np.abs(T).max()))
     assert result.fitness == 1.0
 
 
 def test_non_finite_points_and_duplicates_change_nothing(device, rng, tolerances):
-    p, q, pairs, T = rough_pair(rng, 500, 40)
-    p[7], q[9, 1] = np.nan, np.inf
-    wrong = pairs[pairs[:, 0] != pairs[:, 1]]
-    pairs = np.vstack([pairs, np.repeat(wrong[:1], 300, axis=0)])  # one wrong correspondence, 300 times
-    source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
-    result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015)
-    angle, distance = misplacement(result.transformation, T, p[np.isfinite(p).all(axis=1)])
-    assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
+    case = rough_pair(rng, 500, 40)
+    case.source[7], case.target[9, 1] = np.nan, np.inf
+    wrong = case.pairs[case.pairs[:, 0] != case.pairs[:, 1]]
+    case.pairs = np.vstack([case.pairs, np.repeat(wrong[:1], 300, axis=0)])  # one wrong correspondence, 300 times
+    assert_placed(robust(case, device), case, tolerances)
 
 
 def test_a_pose_from_three_correspondences_is_rejected(device):
@@ -223,21 +213,16 @@ def test_a_pose_from_three_correspondences_is_rejected(device):
 
 def test_the_seed_selects_among_too_many_correspondences(device, rng, tolerances, monkeypatch):
     monkeypatch.setattr(global_registration, "MAX_PAIRS", 300)
-    p, q, pairs, T = rough_pair(rng, 1000, 400)
-    source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
-    results = [
-        reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015, seed=seed).transformation
-        for seed in (0, 0, 1)
-    ]
-    assert (results[0] == results[1]).all() and (results[0] != results[2]).any()
-    for transformation in results:
-        angle, distance = misplacement(transformation, T, p)
-        assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
+    case = rough_pair(rng, 1000, 400)
+    results = [robust(case, device, seed=seed) for seed in (0, 0, 1)]
+    one, same, other = (result.transformation for result in results)
+    assert (one == same).all() and (one != other).any()
+    for result in results:
+        assert_placed(result, case, tolerances)
 
 
 def test_score_grows_with_the_lead_over_the_second_pose():
-    assert rate_support(np.array([])) == 0.0
-    assert rate_support(np.array([3.0])) < 0.1
+    assert rate_support(np.array([])) == 0.0 and rate_support(np.array([3.0])) < 0.1
     assert rate_support(np.array([22.0, 10.0])) == pytest.approx(0.5)
     scores = [rate_support(np.array([k, 10.0])) for k in (10, 15, 22, 40, 100)]
     assert np.all(np.diff(scores) > 0) and scores[-1] > 0.99
@@ -252,7 +237,7 @@ def test_features_give_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle
         thinned = thinned.estimate_normals(radius=0.15, max_nn=None)
         clouds.append(thinned.orient_normals_towards_camera_location(thinned.points.mean(axis=0)))
     features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=None) for cloud in clouds]
-    result = registration_robust_based_on_feature_matching(*clouds, *features, 0.075)
+    result = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075)
     assert angle_between(result.transformation, T) < 1.5 and result.score > 0.5
-    one_way = registration_robust_based_on_feature_matching(*clouds, *features, 0.075, mutual_filter=False)
+    one_way = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075, mutual_filter=False)
     assert angle_between(one_way.transformation, T) < 1.5

@@ -13,21 +13,9 @@ import pytest
 
 import pointloom as loom
 from pointloom import registration as reg
-from pointloom.registration.globally.checkers import (
-    CorrespondenceCheckerBasedOnNormal,
-    CorrespondenceCheckerBasedOnSourceRotation,
-)
 from pointloom.registration.robust_kernels import GeneralizedLoss
 
-from ..hostile import (
-    calls_of_clouds,
-    faults_of,
-    faults_of_clouds,
-    missing_from,
-    public_arguments,
-    read_table,
-    temporary_folder,
-)
+from .. import hostile
 
 # One line per call: the function, and a valid value of each argument, as expressions over `things()`.
 CALLS = """
@@ -129,7 +117,7 @@ INSIDE = {
     for method in ("arguments", "geometry", "prepare", "_source_columns", "_target_columns")
 }
 MAY_BE_INFINITE = {("GeneralizedLoss", "shape"), ("PoseGraphEdge", "confidence")}  # the latter is checked later
-TABLE = read_table(CALLS, HOMES)
+TABLE = hostile.read_table(CALLS, HOMES)
 CLOUDS_ONLY = {"source", "target", "cloud", "scan"}
 
 
@@ -138,7 +126,7 @@ def things() -> dict[str, Any]:
     rng = np.random.default_rng(0)
     points = rng.random((60, 3)) * [1, 1, 0.2]
     cloud = loom.PointCloud(points, colors=rng.random((60, 3)), dopplers=rng.random(60)).estimate_normals(max_nn=10)
-    gps = temporary_folder() / "gps.txt"
+    gps = hostile.temporary_folder() / "gps.txt"
     gps.write_text("a 1 0 0\nb 3 0 0\nc 1 2 0\nd 1 0 2\n")
     poses = np.tile(np.eye(4), (4, 1, 1))
     poses[1:, :3, 3] = -np.eye(3)
@@ -155,12 +143,11 @@ def things() -> dict[str, Any]:
         levenberg=reg.GlobalOptimizationLevenbergMarquardt(), option=reg.GlobalOptimizationOption(),
         criteria=reg.GlobalOptimizationConvergenceCriteria(max_iteration=3),
         to_points=reg.TransformationEstimationPointToPoint(), l2=reg.L2Loss(), l1=reg.L1Loss(),
-        tukey=reg.TukeyLoss(0.1),
+        tukey=reg.TukeyLoss(0.1), by_edges=reg.CorrespondenceCheckerBasedOnEdgeLength(),
         cauchy=reg.CauchyLoss(0.1), gm=reg.GMLoss(0.1), general=GeneralizedLoss(0.1), huber=reg.HuberLoss(0.1),
         by_distance=reg.CorrespondenceCheckerBasedOnDistance(0.5),
-        by_edges=reg.CorrespondenceCheckerBasedOnEdgeLength(),
-        by_normal=CorrespondenceCheckerBasedOnNormal(0.5),
-        by_rotation=CorrespondenceCheckerBasedOnSourceRotation([1.0, 1.0, 1.0]),
+        by_normal=reg.CorrespondenceCheckerBasedOnNormal(0.5),
+        by_rotation=reg.CorrespondenceCheckerBasedOnSourceRotation([1.0, 1.0, 1.0]),
         model=loom.SfmModel(["a", "b", "c", "d"], [lens] * 4, poses), gps=str(gps),
         positions={"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)},
         seen=reg.TargetObservation(0, "A", [1.0, 0.5, 0.2]), held=reg.ControlPoint("A", [1.0, 0.5, 0.2]),
@@ -174,7 +161,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_the_table_contains_every_argument_of_every_public_call():
-    assert missing_from(TABLE, public_arguments(reg, RESULTS | INSIDE)) == {}
+    assert hostile.missing_from(TABLE, hostile.public_arguments(reg, RESULTS | INSIDE)) == {}
 
 
 @pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning")
@@ -214,14 +201,14 @@ def test_a_hostile_value_is_rejected_by_name(call, argument):
     values = things()
     good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
     kinds = {"clouds": argument in CLOUDS_ONLY, "finite": (call, argument) not in MAY_BE_INFINITE}
-    faults = faults_of(lambda **given: eval(function, dict(values))(**given), good, argument, **kinds)
+    faults = hostile.faults_of(lambda **given: eval(function, dict(values))(**given), good, argument, **kinds)
     assert not faults, "\n".join(faults)
 
 
 CLOUDS = ("source", "target")
 
 
-@pytest.mark.parametrize("call", marked(calls_of_clouds(TABLE, CLOUDS), {"register_stations", *FORMS}))
+@pytest.mark.parametrize("call", marked(hostile.calls_of_clouds(TABLE, CLOUDS), {"register_stations", *FORMS}))
 def test_a_hostile_cloud_causes_no_warning(call):
-    faults = faults_of_clouds(TABLE[call], CLOUDS, things())
+    faults = hostile.faults_of_clouds(TABLE[call], CLOUDS, things())
     assert not faults, "\n".join(faults)

@@ -81,9 +81,8 @@ def test_many_poses_of_one_pair_match_individual_results_bitwise(device, kind, r
 def test_clouds_can_be_shared_between_jobs(device, rng):
     clouds = [cloud_of(wavy(rng, 400 + 50 * i), device) for i in range(4)]
     left, right = [0, 1, 2, 3, 0, 0, 2, 1], [1, 1, 0, 2, 3, 1, 3, 0]
-    results = reg.registration_icp_batch(
-        [clouds[i] for i in left], [clouds[i] for i in right], 0.2, None, KINDS["plane"]
-    )
+    jobs = ([clouds[i] for i in side] for side in (left, right))
+    results = reg.registration_icp_batch(*jobs, 0.2, None, KINDS["plane"])
     for result, s, t in zip(results, left, right, strict=True):
         assert_alike(result, reg.registration_icp(clouds[s], clouds[t], 0.2, None, KINDS["plane"]))
     assert_alike(results[0], results[5], bits=True)

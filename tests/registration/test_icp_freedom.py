@@ -46,14 +46,12 @@ def parameters(T, init, pivot, frame):
 @pytest.mark.parametrize(
     ("kind", "free", "frame", "pivot"),
     [
-        ("plane", ("x", "y", "z", "yaw"), None, None),
-        ("scaled", ("x",), FRAME, None),
+        ("plane", ("x", "y", "z", "yaw"), None, None), ("scaled", ("x",), FRAME, None),
         ("plane", ("yaw", "pitch", "x"), FRAME, (0.1, 0.2, 0.3)),
         ("point", ("roll", "pitch", "yaw"), None, (0.5, 0.0, -0.5)),
-        ("plane", ("roll", "y", "z", "pitch", "yaw"), FRAME, None),
-        ("scaled", ("roll", "y", "z", "pitch", "yaw"), FRAME, None),
+        *((kind, ("roll", "y", "z", "pitch", "yaw"), FRAME, None) for kind in ("plane", "scaled")),
     ],
-)
+)  # fmt: skip
 def test_the_pose_matches_dense_least_squares(device, pair, kind, free, frame, pivot):
     source, target = on(device, *pair)
     given = {"free": free, "frame": frame, "pivot": pivot}
@@ -69,20 +67,14 @@ def test_a_prior_without_information_leaves_the_full_pose(device, full_pair, kin
     """Two code paths to one pose: the step of all jobs, and that of jobs with a constraint."""
     source, target = on(device, *full_pair[:2])
     prior = reg.Prior(np.eye(4), sigma_translation=1e6, sigma_rotation=1e6)
-    poses = [
-        reg.registration_icp(source, target, 0.2, None, KINDS[kind], LONG, prior=p).transformation
-        for p in (None, prior)
-    ]
-    np.testing.assert_allclose(*poses, atol=1e-6)
+    results = (reg.registration_icp(source, target, 0.2, None, KINDS[kind], LONG, prior=p) for p in (None, prior))
+    np.testing.assert_allclose(*(result.transformation for result in results), atol=1e-6)
 
 
-@pytest.mark.parametrize(
-    **each_pair(
-        free=[("x", "y", "z", "yaw"), ("x",), ("roll", "yaw")],
-        kind=["point", "plane", "generalized", "colored"],
-        shift=[np.zeros(3), UTM],
-    )
-)
+@pytest.mark.parametrize(**each_pair(
+    free=[("x", "y", "z", "yaw"), ("x",), ("roll", "yaw")], kind=["point", "plane", "generalized", "colored"],
+    shift=[np.zeros(3), UTM],
+))  # fmt: skip
 def test_fixed_components_stay_as_in_init(device, full_pair, kind, shift, free):
     clouds = []
     for cloud in on(device, *full_pair[:2]):
@@ -127,18 +119,16 @@ def test_rotations_about_two_axes_are_preserved_across_scales(device, rng):
 
 def test_a_batch_has_a_pivot_and_a_prior_for_each_job(device, pair):
     source, target = on(device, *pair)
-    priors = [
-        reg.Prior(as_pose([0, 0, a], [a, 0, 0]), sigma_translation=0.01, sigma_rotation=0.02) for a in (0.0, 0.05, 0.0)
-    ]
+    sigmas = {"sigma_translation": 0.01, "sigma_rotation": 0.02}
+    priors = [reg.Prior(as_pose([0, 0, a], [a, 0, 0]), **sigmas) for a in (0.0, 0.05, 0.0)]
     pivots = np.array([[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, 0.0]])
     shared = {"free": ("x", "y", "z", "yaw"), "noise": 0.05, "weights": np.linspace(0, 1, len(source))}
     inits = np.stack([np.eye(4), np.eye(4), as_pose([0, 0, 0], [100, 0, 0])])  # the last one has no pairs
     results = reg.registration_icp_batch(source, target, 0.3, inits, PLANE, LONG, pivot=pivots, prior=priors, **shared)
     assert results[2].warnings == ("no correspondences",)
     for job, result in enumerate(results[:2]):
-        one = reg.registration_icp(
-            source, target, 0.3, None, PLANE, LONG, pivot=pivots[job], prior=priors[job], **shared
-        )
+        own = {"pivot": pivots[job], "prior": priors[job]} | shared
+        one = reg.registration_icp(source, target, 0.3, None, PLANE, LONG, **own)
         np.testing.assert_allclose(result.transformation, one.transformation, atol=1e-12)
     assert np.abs(results[0].transformation - results[1].transformation).max() > 1e-3
 

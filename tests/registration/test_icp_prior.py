@@ -22,14 +22,10 @@ def pair():
     return noisy_pair(2)
 
 
-@pytest.mark.parametrize(
-    **each_pair(
-        free=[None, ("x", "y", "z", "yaw"), ("roll", "pitch", "yaw", "x")],
-        kind=["plane", "point", "scaled"],
-        noise=[0.05, None],
-        rank=[6, 2],
-    )
-)
+@pytest.mark.parametrize(**each_pair(
+    free=[None, ("x", "y", "z", "yaw"), ("roll", "pitch", "yaw", "x")], kind=["plane", "point", "scaled"],
+    noise=[0.05, None], rank=[6, 2],
+))  # fmt: skip
 def test_the_pose_matches_dense_least_squares(device, pair, free, kind, noise, rank, rng):
     """The prior differs from the truth, so that both have an effect."""
     source, target = on(device, *pair)
@@ -38,22 +34,15 @@ def test_the_pose_matches_dense_least_squares(device, pair, free, kind, noise, r
     A = rng.normal(size=(6, rank)) * 300
     prior, weights = reg.Prior(apart, A @ A.T), rng.random(len(source)).astype(np.float32)
     given = {"pivot": (0.3, 0.2, 0.1), "noise": noise, "weights": weights}
-    method = KINDS[kind]
-    result = reg.registration_icp(
-        source, target, 0.3, INIT, method, LONG, degeneracy=0, free=free, prior=prior, **given
-    )
-    if free is not None:
-        given["free"] = free
-    given |= {
-        "weights": weights.astype(float),
-        "prior": (np.asarray(prior.transformation), np.asarray(prior.information)),
-    }
-    normals = target.normals if kind == "plane" else None
-    problem = DenseICP(source.points, target.points, INIT, normals=normals, scaling=kind == "scaled", **given)
+    fixed = {"degeneracy": 0, "free": free}
+    result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, prior=prior, **fixed, **given)
+    given |= {"weights": weights.astype(float), "prior": (apart, np.asarray(prior.information))}
+    given |= {"normals": target.normals if kind == "plane" else None, "scaling": kind == "scaled"}
+    problem = DenseICP(source.points, target.points, INIT, free=free or MOTIONS, **given)
     pairs = tuple(np.asarray(result.correspondence_set).T)
     wanted = problem.pose(problem.minimum(pairs, np.zeros(len(problem.free))))
     np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
-    alone = reg.registration_icp(source, target, 0.3, INIT, method, LONG, degeneracy=0, free=free, weights=weights)
+    alone = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, weights=weights, **fixed)
     assert np.abs(result.transformation - alone.transformation).max() > 3e-5  # it had an effect
 
 
@@ -124,11 +113,10 @@ def test_pairs_override_a_wrong_prior_where_they_determine_the_pose(device, pair
     poses = []
     for sigma in (0.02, 1e-5):
         prior = reg.Prior(as_pose([0, 0, 0], [0.05, 0, 0]) @ free, sigma_translation=sigma)
-        poses.append(
-            reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, prior=prior, pivot=(0, 0, 0)).transformation
-        )
-    assert np.abs(poses[0] - free)[:3, 3].max() < 2e-3
-    np.testing.assert_allclose(poses[1][:3, 3] - free[:3, 3], [0.05, 0, 0], atol=5e-3)
+        result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, prior=prior, pivot=(0, 0, 0))
+        poses.append(result.transformation - free)
+    assert np.abs(poses[0])[:3, 3].max() < 2e-3
+    np.testing.assert_allclose(poses[1][:3, 3], [0.05, 0, 0], atol=5e-3)
 
 
 def test_a_prior_has_an_effect_beside_exact_pairs(device, rng):

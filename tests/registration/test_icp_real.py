@@ -27,9 +27,8 @@ KINDS = {
 def prepared(points, voxel, max_nn, colors=None):
     """A downsampled cloud with exact float32 coordinates and normals."""
     cloud = loom.PointCloud(points, colors=colors).remove_non_finite_points().voxel_down_sample(voxel)
-    return loom.PointCloud(cloud.points, colors=cloud.colors if colors is not None else None).estimate_normals(
-        max_nn=max_nn
-    )
+    cloud = loom.PointCloud(cloud.points, colors=cloud.colors if colors is not None else None)
+    return cloud.estimate_normals(max_nn=max_nn)
 
 
 def make_pair(source, target, T, voxel, max_nn, distance):
@@ -105,9 +104,8 @@ def test_generalized_icp_of_a_street_matches_small_gicp(device, street):
         small_gicp.estimate_normals_covariances(theirs, small_gicp.KdTree(theirs), num_neighbors=10)
         clouds.append(theirs)
     rules = {"rotation_epsilon": 1e-9, "translation_epsilon": 1e-9, "max_iterations": 100}
-    expected = small_gicp.align(
-        *clouds, small_gicp.KdTree(clouds[0]), registration_type="GICP", max_correspondence_distance=1.0, **rules
-    )
+    rules |= {"registration_type": "GICP", "max_correspondence_distance": 1.0}
+    expected = small_gicp.align(*clouds, small_gicp.KdTree(clouds[0]), **rules)
     result = run(device, street, "generalized", rules=reg.ICPConvergenceCriteria(0, 0, 40))
     np.testing.assert_allclose(result.transformation, expected.T_target_source, atol=1e-5)
 
@@ -160,8 +158,7 @@ def test_colored_frames_of_a_desk_end_near_open3ds_path(device, desk, o3d, to_op
     np.testing.assert_allclose(first.transformation, rest.transformation, rtol=0, atol=1e-9)
     expected = run_open3d(o3d, to_open3d, desk, "colored", rules=reg.ICPConvergenceCriteria(0, 0, 20))
     assert angle_between(rest.transformation, expected.transformation) < 0.01
-    assert shift_between(rest.transformation, expected.transformation) < 1e-4
-    assert rest.fitness > 0.99
+    assert shift_between(rest.transformation, expected.transformation) < 1e-4 and rest.fitness > 0.99
 
 
 @pytest.fixture(scope="module")
@@ -188,13 +185,10 @@ def parted_kitchen(room_pair):
 def test_parts_with_a_fifth_of_overlap_stay_aligned(device, parted_kitchen, o3d, to_open3d, angle_between):
     """From one degree off: all pairs within 0.3 m end farther off in both libraries, an estimated overlap nearer."""
     pair = parted_kitchen
-    clouds, settings = (pair.source.to(device), pair.target.to(device)), (pair.starts, KINDS["generalized"], RULES)
-    plain, trimmed = (
-        [r.transformation for r in reg.registration_icp_batch(*clouds, pair.distance, *settings, overlap=share)]
-        for share in (1.0, None)
-    )
-    assert max(angle_between(T, pair.T) for T in trimmed) < 0.45
-    assert min(angle_between(T, pair.T) for T in plain) > 1.2
+    given = pair.source.to(device), pair.target.to(device), pair.distance, pair.starts, KINDS["generalized"], RULES
+    plain, trimmed = (reg.registration_icp_batch(*given, overlap=share) for share in (1.0, None))
+    assert max(angle_between(result.transformation, pair.T) for result in trimmed) < 0.45
+    assert min(angle_between(result.transformation, pair.T) for result in plain) > 1.2
     theirs = run_open3d(o3d, to_open3d, pair, "generalized", pair.starts[0])
     assert angle_between(theirs.transformation, pair.T) > 1.2
 
@@ -211,10 +205,8 @@ def test_a_level_street_is_registered_with_four_degrees_of_freedom(device, stree
     """The truth tilts by 0.16 degrees. Six degrees of freedom end 0.66 degrees and 1.0 cm off, four 0.23 and 1.5."""
     source, target = (thinned(p, 0.4, device) for p in (street_pair.source, street_pair.target))
     rules = reg.ICPConvergenceCriteria(1e-6, 1e-6, 50)
-    free, level = (
-        reg.registration_icp(source, target, 1.0, None, GENERALIZED, rules, free=f).transformation
-        for f in (None, LEVEL)
-    )
+    given = source, target, 1.0, None, GENERALIZED, rules
+    free, level = (reg.registration_icp(*given, free=f).transformation for f in (None, LEVEL))
     assert (level[2, :3] == [0, 0, 1]).all() and (level[:2, 2] == 0).all()  # exactly level
     assert angle_between(level, street_pair.T) < min(0.4, angle_between(free, street_pair.T) + 0.05)
     assert np.linalg.norm((level - street_pair.T)[:3, 3]) < 0.05

@@ -18,7 +18,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 
 from .icp_clouds import KINDS, PLANE, on
-from .poses import as_pose
+from .poses import as_pose, moved
 
 reg = loom.registration
 LONG = reg.ICPConvergenceCriteria(0, 0, 60)
@@ -27,10 +27,6 @@ ALL = ("roll", "pitch", "yaw", "x", "y", "z")
 QUADRIC_POSE = np.array(  # of PCL's test, rounded there to four digits
     [[0.9938, 0.0988, 0.0517, 0.1], [-0.0997, 0.9949, 0.0149, -0.2], [-0.05, -0.02, 0.9986, 0.3], [0, 0, 0, 1]]
 )
-
-
-def rotated(T, points):
-    return points @ T[:3, :3].T + T[:3, 3]
 
 
 def yawed(x, y, z, yaw):
@@ -62,7 +58,7 @@ def level_pair():
     rng = np.random.default_rng(4)
     points, normals = quadric()
     T = yawed(0.05, -0.04, 0.06, 0.02)
-    target = loom.PointCloud(rotated(T, points) + 0.01 * rng.normal(size=points.shape), normals=normals @ T[:3, :3].T)
+    target = loom.PointCloud(moved(points, T) + 0.01 * rng.normal(size=points.shape), normals=normals @ T[:3, :3].T)
     return loom.PointCloud(points), target, rng.uniform(0.1, 3.0, len(points))
 
 
@@ -72,7 +68,7 @@ def pairs_of(result):
 
 def mean_square(source, target, T):
     """PCL's getFitnessScore: the mean squared distance to the nearest point."""
-    return float((cKDTree(target).query(rotated(T, source))[0] ** 2).mean())
+    return float((cKDTree(target).query(moved(source, T))[0] ** 2).mean())
 
 
 @pytest.mark.parametrize("free", [None, ALL])
@@ -94,7 +90,7 @@ def test_pcls_quadric_is_registered(device, shown):
     T = shown.copy()
     u, _, v = np.linalg.svd(shown[:3, :3])
     T[:3, :3] = u @ v
-    target = loom.PointCloud(rotated(T, points), normals=normals @ T[:3, :3].T, device=device)
+    target = loom.PointCloud(moved(points, T), normals=normals @ T[:3, :3].T, device=device)
     init = as_pose(Rotation.from_matrix(T[:3, :3]).as_rotvec() * 2 / 3, T[:3, 3] * 2 / 3)
     free = ALL if shown is QUADRIC_POSE else LEVEL
     prior = reg.Prior(init, sigma_translation=1e4)
@@ -108,7 +104,7 @@ def by_rows(source, target, normals, weights, motions):
     """libpointmatcher's minimizer, iterated on fixed pairs: weighted rows of (z x p) . n beside n."""
     T = np.eye(4)
     for _ in range(60):
-        p = rotated(T, source)
+        p = moved(source, T)
         rows = np.column_stack([p[:, 0] * normals[:, 1] - p[:, 1] * normals[:, 0], normals])[:, motions]
         r = ((p - target) * normals).sum(axis=1)
         x = np.zeros(4)

@@ -5,7 +5,6 @@ from contextlib import nullcontext
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
-from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
@@ -24,6 +23,7 @@ from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
 
 from ..interruptions import run_lines
 from .drives import clouds, follow, truth_of
+from .poses import as_pose
 
 
 @pytest.fixture(scope="module")
@@ -38,12 +38,10 @@ def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_helps(devi
     error = evaluate_trajectory(Trajectory(odometry.poses), truth_of(weaving), align="first", lengths=[25, 50, 100])
     assert sum(step.converged for step in odometry.steps) > 105 and odometry.summary.predicted == ()
     assert error.segment_translation < 0.3  # [%]; the requirement is 1
-    assert error.absolute_translation.max < 0.3
-    assert error.absolute_rotation.max < 0.6
-    straight, skewed = (
-        evaluate_trajectory(Trajectory(poses), truth_of(weaving, 50), align="first", lengths=[10, 25])
-        for poses in (odometry.poses[:50], follow(weaving, device, 50, deskew=False).poses)
-    )
+    assert error.absolute_translation.max < 0.3 and error.absolute_rotation.max < 0.6
+    paths = odometry.poses[:50], follow(weaving, device, 50, deskew=False).poses
+    options = {"align": "first", "lengths": [10, 25]}
+    straight, skewed = (evaluate_trajectory(Trajectory(poses), truth_of(weaving, 50), **options) for poses in paths)
     assert skewed.segment_translation > 2 * straight.segment_translation
     assert skewed.segment_rotation > 2 * straight.segment_rotation
 
@@ -64,8 +62,7 @@ def test_a_lost_trajectory_reports_its_first_frame(device, fast_drive):
     for points in fast_drive.scans[::4]:
         odometry.register(loom.PointCloud(points, device=device))
     missed = np.linalg.norm(odometry.poses[:, :3, 3] - truth_of(fast_drive).poses[::4, :3, 3], axis=1)
-    assert missed[1:].min() > 1
-    assert odometry.summary.strayed[0] == 1
+    assert missed[1:].min() > 1 and odometry.summary.strayed[0] == 1
     assert not odometry.summary.predicted  # all scans overlap the map, but at wrong positions
     right = follow(fast_drive, device)
     assert right.summary.strayed == ()
@@ -111,8 +108,7 @@ def test_the_map_follows_the_sensor(device, fast_drive):
 def test_a_stationary_sensor_stays(device, street):
     scans = street.drive(6, speed=0.0, beams=24, azimuths=360)
     odometry = follow(scans, device)
-    assert np.abs(odometry.poses[:, :3, 3]).max() < 0.02
-    assert odometry.steps[-1].threshold == 2.0
+    assert np.abs(odometry.poses[:, :3, 3]).max() < 0.02 and odometry.steps[-1].threshold == 2.0
 
 
 def test_two_real_scans_are_aligned(device, street_pair, angle_between):
@@ -120,8 +116,7 @@ def test_two_real_scans_are_aligned(device, street_pair, angle_between):
     odometry.register(loom.PointCloud(street_pair.target, device=device))
     T = odometry.register(loom.PointCloud(street_pair.source, device=device))
     # the given pose is an estimate: another one of this pair differs by 0.23 degrees and 1.9 cm
-    assert angle_between(T, street_pair.T) < 0.3
-    assert np.linalg.norm(T[:3, 3] - street_pair.T[:3, 3]) < 0.03
+    assert angle_between(T, street_pair.T) < 0.3 and np.linalg.norm(T[:3, 3] - street_pair.T[:3, 3]) < 0.03
 
 
 def plane_weights(tree, position, radius) -> tuple[np.ndarray, np.ndarray | int, bool]:
@@ -171,9 +166,7 @@ def test_a_scan_pose_matches_the_explicit_loop(device, street_pair, tolerances, 
         J[:, 2, 0], J[:, 2, 1] = x[:, 1], -x[:, 0]
         JW = np.einsum("nki,n,nkl->nil", J, w, W)
         step = np.linalg.solve(np.einsum("nil,nlj->ij", JW, J), -np.einsum("nil,nl->i", JW, r))
-        S = np.eye(4)
-        S[:3, :3], S[:3, 3] = Rotation.from_rotvec(step[:3]).as_matrix(), step[3:]
-        T = S @ T
+        T = as_pose(step[:3], step[3:]) @ T
     aligner = MapAligner(radius)
     aligner.load(upload(source, vec3, where), None, voxel_map)
     (end,), information = aligner.run([Leg(np.eye(4), 0.9, kappa, 1e-9, 6, 500, to_planes=radius > 0)])
@@ -210,31 +203,25 @@ def test_scans_are_downsampled_to_the_first_point_of_each_voxel(device, lidar, m
 def test_the_threshold_adapts_to_prediction_errors():
     threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0)
     start = np.tile(np.eye(4), (3, 1, 1))
-    moved = start.copy()
-    moved[2, 0, 3] = 0.51
-    deviation = np.eye(4)
-    deviation[:3, :3] = Rotation.from_rotvec([0, 0, 0.02]).as_matrix()
-    deviation[:3, 3] = [0.03, 0.0, 0.04]
-    threshold = threshold.updated(deviation)
+    moved = np.array([*start[:2], as_pose(shift=[0.51, 0, 0])])
+    threshold = threshold.updated(as_pose([0, 0, 0.02], [0.03, 0.0, 0.04]))
     error = 2 * 50 * np.sin(0.01) + 0.05
     assert threshold.value(start) == threshold.value(start[:0]) == 2.0
     assert threshold.value(moved) == pytest.approx(np.sqrt((4 + error**2) / 2), rel=1e-12)
-    assert threshold.updated(np.eye(4)).count == 2  # errors below the smallest motion are ignored
 
 
 def test_coordinates_with_an_origin_give_the_same_path(device, fast_drive):
     odometry, other = LidarOdometry(), LidarOdometry()
     for cloud in clouds(fast_drive, device, 4):
         odometry.register(cloud)
-        moved = loom.PointCloud(cloud.points, origin=[-64.0, 32.0, 8.0], time=cloud["time"], device=device)
-        other.register(moved)
+        other.register(loom.PointCloud(cloud.points, origin=[-64, 32, 8], time=cloud["time"], device=device))
     np.testing.assert_allclose(odometry.poses, other.poses, atol=1e-3)
 
 
 def test_a_driver_can_reuse_one_buffer(fast_drive):
     scans, times = [np.float32(s) for s in fast_drive.scans[:4]], fast_drive.times[:4]
     count = min(map(len, scans))
-    apart, reused = loom.registration.LidarOdometry(), loom.registration.LidarOdometry()
+    apart, reused = LidarOdometry(), LidarOdometry()
     buffer = np.empty((count, 3), np.float32)
     for scan, time in zip(scans, times, strict=True):
         apart.register(loom.PointCloud.from_dlpack(scan[:count].copy()), time[:count])
@@ -257,11 +244,8 @@ def test_the_iteration_limit_is_respected_and_reported(device, rng, iterations):
 
 @pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])
 def test_errors_below_the_smallest_motion_do_not_rate_the_prediction(shift, count):
-    deviation = np.eye(4)
-    deviation[1, 3] = shift
-    threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0).updated(deviation)
-    assert threshold.count == count
-    assert threshold.sqsum == pytest.approx(4 + (count - 1) * shift**2, rel=1e-12)
+    threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0).updated(as_pose(shift=[0, shift, 0]))
+    assert threshold.count == count and threshold.sqsum == pytest.approx(4 + (count - 1) * shift**2, rel=1e-12)
 
 
 def wall(device, z=0.0, count=40):
@@ -323,9 +307,8 @@ def test_one_common_time_means_no_motion(device, fast_drive):
 def test_invalid_scans_are_rejected_and_leave_the_odometry_unchanged(device, fast_drive):
     odometry = follow(fast_drive, device, 2)
     cloud = clouds(fast_drive, device, 1)[0]
-    with pytest.raises(
-        ValueError, match=rf"timestamps: expected shape \[{len(cloud)}\], one for each point, got \[3\]"
-    ):
+    words = rf"timestamps: expected shape \[{len(cloud)}\], one for each point, got \[3\]"
+    with pytest.raises(ValueError, match=words):
         odometry.register(cloud, [0.0, 0.5, 1.0])
     with pytest.raises(TypeError, match="scan:"):
         odometry.register(cloud.points)
@@ -384,8 +367,7 @@ def odometry_over(clouds):
 
 def state_of(odometry):
     """The complete state that later scans depend on, and the reported results."""
-    points = odometry.map.points
-    threshold = odometry.threshold
+    points, threshold = odometry.map.points, odometry.threshold
     return odometry.poses.tobytes(), threshold.sqsum, threshold.count, points[np.lexsort(points.T)].tobytes()
 
 

@@ -14,6 +14,10 @@ from pointloom.registration.lidar.scan_matching import OpenDirections
 from pointloom.registration.pose_errors import PoseCovariance
 from pointloom.registration.unobservable_motions import MIN_RISE, rises_clearly
 
+from .poses import as_pose
+
+PIERS = [-9.0, -2.5, 3.1, 8.0]
+
 
 def corridor_scan(rng, count=4000, piers=(), at=0.0, share=0.33):
     """Points on the walls, floor and ceiling of a corridor along x (2 x 2.5 m), 12 m to either side of the sensor.
@@ -73,13 +77,12 @@ def test_the_pattern_of_the_beams_does_not_constrain_motion_along_a_corridor(dev
 
 def test_the_ends_of_a_corridor_constrain_the_motion(device, rng):
     odometry = run([beam_scan(rng, 4.0, 32, ends=(-5.0 - 0.3 * k, 8.0 - 0.3 * k)) for k in range(5)], device)
-    assert odometry.summary.reliable
-    assert odometry.poses[-1, 0, 3] == pytest.approx(1.2, abs=0.05)
+    assert odometry.summary.reliable and odometry.poses[-1, 0, 3] == pytest.approx(1.2, abs=0.05)
 
 
 def test_a_prior_is_used_along_free_directions_without_a_warning(device, rng):
-    odometry, prior = LidarOdometry(max_range=30.0, min_range=0.3), np.eye(4)
-    prior[:2, 3] = 0.4, 0.05  # 5 cm of it are wrong, across
+    odometry = LidarOdometry(max_range=30.0, min_range=0.3)
+    prior = as_pose(shift=[0.4, 0.05, 0.0])  # 5 cm of it are wrong, across
     odometry.register(loom.PointCloud(corridor_scan(rng), device=device))
     for _ in range(3):
         odometry.register(loom.PointCloud(corridor_scan(rng), device=device), prior=prior)
@@ -90,10 +93,8 @@ def test_a_prior_is_used_along_free_directions_without_a_warning(device, rng):
 
 
 def test_distant_piers_constrain_the_motion(device, rng):
-    piers = [-9.0, -2.5, 3.1, 8.0]
-    odometry = run([corridor_scan(rng, 4000, piers, 0.2 * k) for k in range(5)], device)
-    assert odometry.summary.reliable
-    assert odometry.poses[-1, 0, 3] == pytest.approx(0.8, abs=0.05)
+    odometry = run([corridor_scan(rng, 4000, PIERS, 0.2 * k) for k in range(5)], device)
+    assert odometry.summary.reliable and odometry.poses[-1, 0, 3] == pytest.approx(0.8, abs=0.05)
 
 
 def test_repeated_piers_are_reported_as_ambiguous(device, rng):
@@ -118,9 +119,7 @@ def test_one_foreign_scan_is_harmless(device, fast_drive, rng):
 
 @pytest.mark.parametrize("angle", [0.5, np.pi / 2])
 def test_a_quickly_rotated_scanner_is_relocalized(device, fast_drive, angle):
-    rotation = np.eye(4)
-    rotation[:2, :2] = [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
-    odometry = LidarOdometry()
+    rotation, odometry = as_pose([0, 0, -angle]), LidarOdometry()
     for points in fast_drive.scans[:3]:
         odometry.register(loom.PointCloud(points, device=device))
     predicted = odometry.poses[-1] @ np.linalg.inv(odometry.poses[-2]) @ odometry.poses[-1]
@@ -149,33 +148,25 @@ def test_new_points_far_away_contradict_a_stationary_scanner(device, rng):
 
 def test_a_stationary_scanner_among_moving_objects_is_reported():
     def steps(fitness, speed=0.0):
-        poses = np.tile(np.eye(4), (12, 1, 1))
-        poses[:, 0, 3] = speed * np.arange(12)
-        return [OdometryStep(k, poses[k], 1.0, 100, fitness, 0.1, 5, True, False, "converged") for k in range(12)]
+        poses = [as_pose(shift=[speed * k, 0, 0]) for k in range(12)]
+        return [OdometryStep(k, T, 1.0, 100, fitness, 0.1, 5, True, False, "converged") for k, T in enumerate(poses)]
 
     assert "appears stationary while 9 scans" in str(summarize_steps(steps(0.95)).warnings)
-    assert summarize_steps(steps(0.98)).reliable
-    assert summarize_steps(steps(0.95, 0.5)).reliable
+    assert summarize_steps(steps(0.98)).reliable and summarize_steps(steps(0.95, 0.5)).reliable
 
 
 def test_a_residual_increase_counts_if_large_and_significant():
     rows = np.array([[0.03, 0.0, 1.0, 0.0], [3.1, 0.9, 100.0, 0.0], [15.0, 1.0, 1000.0, 0.0], [4.0, 4.0, 100.0, 0.0]])
-    assert MIN_RISE == 0.02
-    assert rises_clearly(rows).tolist() == [False, True, False, False]
+    assert MIN_RISE == 0.02 and rises_clearly(rows).tolist() == [False, True, False, False]
 
 
 def test_free_directions_are_taken_from_another_pose(rng):
-    basis = np.zeros((6, 1))
-    basis[3] = 1.0
-    pose, reference = np.eye(4), np.eye(4)
-    pose[:3, 3], reference[:3, 3] = [1, 2, 3], [5, 7, 9]
-    free = OpenDirections(4.0, basis)
+    pose, reference = as_pose(shift=[1, 2, 3]), as_pose(shift=[5, 7, 9])
+    free = OpenDirections(4.0, np.eye(6)[:, [3]])
     np.testing.assert_allclose(free.taken_from(pose, reference)[:3, 3], [5, 2, 3])
     assert free.translations() == ((1.0, 0.0, 0.0),) and free.rotations() == ()
     np.testing.assert_allclose(free.weight(), np.diag([0, 0, 0, 1e6, 0, 0]))
-    basis = np.zeros((6, 1))
-    basis[2] = 1.0
-    np.testing.assert_allclose(OpenDirections(4.0, basis).weight()[2, 2], 16e6)
+    np.testing.assert_allclose(OpenDirections(4.0, np.eye(6)[:, [2]]).weight()[2, 2], 16e6)
 
 
 def slow_scan(rng, shift):
@@ -198,15 +189,10 @@ def test_surroundings_that_move_slowly_with_the_scanner_are_detected_by_the_scan
 
 def test_a_rest_ends_with_a_motion_and_after_thirty_scans():
     def step(index, x):
-        pose = np.eye(4)
-        pose[0, 3] = x
-        return OdometryStep(index, pose, 1.0, 9, 1.0, 0.1, 3, True, False, "converged")
+        return OdometryStep(index, as_pose(shift=[x, 0, 0]), 1.0, 9, 1.0, 0.1, 3, True, False, "converged")
 
     rest = Rest(None, step(4, 1.0))
     assert rest.lasts_to(step(34, 1.05)) and not rest.lasts_to(step(35, 1.05)) and not rest.lasts_to(step(6, 1.2))
-
-
-PIERS = [-9.0, -2.5, 3.1, 8.0]
 
 
 def test_the_first_pose_is_exact_and_the_covariances_are_those_of_the_steps(device, rng):
@@ -241,9 +227,8 @@ def test_the_standard_deviation_along_a_bare_corridor_is_meters_and_grows(device
 
 
 def test_a_stationary_scanner_does_not_drift_and_a_moving_one_does(device, rng):
-    ends = (-5.0, 8.0)
-    still = run([beam_scan(rng, 4.0, 24, ends=ends) for _ in range(8)], device, max_range=40.0)
-    moving = [beam_scan(rng, 4.0, 24, ends=(ends[0] - 0.3 * k, ends[1] - 0.3 * k)) for k in range(8)]
+    still = run([beam_scan(rng, 4.0, 24, ends=(-5.0, 8.0)) for _ in range(8)], device, max_range=40.0)
+    moving = [beam_scan(rng, 4.0, 24, ends=(-5.0 - 0.3 * k, 8.0 - 0.3 * k)) for k in range(8)]
     position = [np.sqrt(np.trace(step.covariance.matrix[3:, 3:])) for step in still.steps]
     assert position[-1] < 1.5 * max(position[1:4])
     drifting = run(moving, device, max_range=40.0)
@@ -311,6 +296,5 @@ def test_a_rotation_of_the_map_displaces_later_poses_and_only_renewed_parts_add_
 
 
 def test_a_predicted_motion_displaces_far_points_by_its_deviation():
-    matrix = prediction_error(2.0, 50.0)
-    far = PoseCovariance(matrix, np.zeros(3)).about([0.0, 50.0, 0.0])
+    far = PoseCovariance(prediction_error(2.0, 50.0), np.zeros(3)).about([0.0, 50.0, 0.0])
     np.testing.assert_allclose(far.matrix[3, 3], 2 * 2.0**2)

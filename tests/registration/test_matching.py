@@ -60,13 +60,8 @@ def assert_all_as_expected(device, a, b):
     matched = np.isfinite(ordered[:, 0])
     assert np.array_equal(nearest, np.where(matched, sqdists.argmin(axis=1) if len(b) else 0, -1))
     assert np.array_equal(best, ordered[:, 0]) and np.array_equal(second, ordered[:, 1])
-    for mutual, share, ratio in [
-        (False, 0.1, None),
-        (True, 0.1, None),
-        (True, 0, None),
-        (False, 0, 0.8),
-        (True, 0, 0.8),
-    ]:
+    filters = (False, 0.1, None), (True, 0.1, None), (True, 0, None), (False, 0, 0.8), (True, 0, 0.8)
+    for mutual, share, ratio in filters:
         result = correspondences_from_features(a, b, mutual, share, ratio=ratio, device=device)
         assert result.dtype == np.int32 and result.flags.writeable
         assert np.array_equal(result, expected_pairs(sqdists, mutual, share, ratio)), (mutual, share, ratio)
@@ -250,19 +245,16 @@ def test_few_or_no_rows_are_matched(device, rng, shape):
 def test_device_arrays_lists_and_other_types_match_numpy_arrays(device, rng):
     a, b = rng.integers(0, 255, (2, 60, 33))
     expected = correspondences_from_features(np.float32(a), np.float32(b), True, device=device)
-    for kind in (np.float64, np.uint8, np.int64):
-        assert np.array_equal(
-            correspondences_from_features(a.astype(kind), b.astype(kind), True, device=device), expected
-        )
-    assert np.array_equal(correspondences_from_features(a.tolist(), b.tolist(), True, device=device), expected)
+    others = ((a.astype(kind), b.astype(kind)) for kind in (np.float64, np.uint8, np.int64))
+    for one, other in ((a.tolist(), b.tolist()), *others):
+        assert np.array_equal(correspondences_from_features(one, other, True, device=device), expected)
     arrays = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
 
     def host(result):  # arrays of a GPU come back on it
         return result.numpy() if isinstance(result, wp.array) else result
 
-    assert np.array_equal(host(correspondences_from_features(*arrays, True)), expected)
-    assert np.array_equal(host(correspondences_from_features(arrays[0], np.float32(b), True)), expected)
     strided = wp.array(np.repeat(a, 2, axis=1), dtype=wp.float32, device=device, ndim=2)[:, ::2]
-    assert np.array_equal(host(correspondences_from_features(strided, arrays[1], True)), expected)
+    for pair in (arrays, (arrays[0], np.float32(b)), (strided, arrays[1])):
+        assert np.array_equal(host(correspondences_from_features(*pair, True)), expected)
     pairs = pair_features(*arrays, mutual=True)
     assert pairs.dtype == wp.int32 and np.array_equal(pairs.numpy(), expected)

@@ -13,16 +13,11 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.registration.pose_graphs.connected_parts import connected_parts
-from pointloom.registration.pose_graphs.fragment_graph import (
-    MAX_DISTANCE,
-    Extent,
-    FragmentPair,
-    _agreement,
-    refine_pairs,
-)
+from pointloom.registration.pose_graphs.fragment_graph import MAX_DISTANCE, Extent, _agreement, refine_pairs
 from pointloom.registration.rigid import make_pose
 
-from .test_alignment import UTM
+from .poses import as_pose, moved
+from .test_alignment import UTM, about
 from .test_pose_covariance import whitened
 
 reg = loom.registration
@@ -42,8 +37,7 @@ def fragments():
         x, y = rng.uniform(-1.1, 1.1, (2, 9000))
         x = x + 0.8 * k - 1.6
         points = np.column_stack([x, y, relief(x, y)])
-        T = np.eye(4)
-        T[:3, :3], T[:3, 3] = Rotation.random(random_state=k).as_matrix(), rng.uniform(-3, 3, 3)
+        T = make_pose(Rotation.random(random_state=k).as_matrix(), rng.uniform(-3, 3, 3))
         clouds.append((points - T[:3, 3]) @ T[:3, :3])
         poses.append(T)
     return SimpleNamespace(clouds=clouds, poses=np.array(poses))
@@ -51,14 +45,8 @@ def fragments():
 
 def worst_shift(poses: np.ndarray, truth: np.ndarray, members: list[int], points: np.ndarray) -> float:
     """The largest point displacement [m] by a pose; both sets of poses in the frame of the first member."""
-    first = members[0]
-    worst = 0.0
-    for k in members:
-        relative = np.linalg.inv(poses[first]) @ poses[k]
-        true = np.linalg.inv(truth[first]) @ truth[k]
-        moved = (points @ (relative - true)[:3, :3].T) + (relative - true)[:3, 3]
-        worst = max(worst, float(np.linalg.norm(moved, axis=1).max()))
-    return worst
+    relative, true = (np.linalg.inv(each[members[0]]) @ each[members] for each in (poses, truth))
+    return max(float(np.linalg.norm(moved(points, error), axis=1).max()) for error in relative - true)
 
 
 @pytest.mark.slow
@@ -94,14 +82,11 @@ def test_empty_clouds_are_excluded(fragments):
 
 def test_a_known_pair_is_refined_without_a_search(fragments):
     clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
-    truth = np.linalg.inv(fragments.poses[0]) @ fragments.poses[1]
-    near = truth.copy()
+    near, seen = np.linalg.inv(fragments.poses[0]) @ fragments.poses[1], []
     near[:3, 3] += 0.02
-    seen = []
-    known = [FragmentPair(1, 0, near, 0.0, 1.0)]
+    known = [reg.FragmentPair(1, 0, near, 0.0, 1.0)]
     result = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
-    assert seen == [("pairs", 0, 0)]
-    assert [(pair.source, pair.target) for pair in result.pairs] == [(1, 0)]
+    assert seen == [("pairs", 0, 0)] and [(pair.source, pair.target) for pair in result.pairs] == [(1, 0)]
     assert worst_shift(result.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
 
 
@@ -125,15 +110,13 @@ def test_ten_scans_of_the_bunny_are_registered_without_a_guess(real_file, o3d):
 
 def test_the_information_of_a_pair_is_about_the_source_coordinates(device, fragments, rng):
     """For any rotation and 50 m apart, against manual rows: the target's points in source coordinates."""
-    size, T = 0.06, np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec([1.2, -0.7, 2.0]).as_matrix(), [50, -20, 30]
+    size, T = 0.06, as_pose([1.2, -0.7, 2.0], [50, -20, 30])
     source = fragments.clouds[0][::4]
-    target = source[rng.permutation(len(source))[:1500]] @ T[:3, :3].T + T[:3, 3]
+    target = moved(source[rng.permutation(len(source))[:1500]], T)
     clouds = [loom.PointCloud(p, device=device).estimate_normals(max_nn=20) for p in (source, target)]
-    (pair,), (information,) = refine_pairs(clouds, [FragmentPair(0, 1, T, 1.0, 1.0)], size)
+    (pair,), (information,) = refine_pairs(clouds, [reg.FragmentPair(0, 1, T, 1.0, 1.0)], size)
     source, target = (c.points for c in clouds)
-    moved = source @ pair.transformation[:3, :3].T + pair.transformation[:3, 3]
-    distances, rows = cKDTree(target).query(moved)
+    distances, rows = cKDTree(target).query(moved(source, pair.transformation))
     matched = target[rows[distances < MAX_DISTANCE * size]]
     x, y, z = ((matched - pair.transformation[:3, 3]) @ pair.transformation[:3, :3]).T
     zero, one = np.zeros(len(x)), np.ones(len(x))
@@ -146,14 +129,11 @@ def test_pairs_support_each_other_only_if_they_close_a_loop(fragments):
     clouds = [Extent.of(loom.PointCloud(p[::20])) for p in fragments.clouds[:3]]
     between = {(s, t): np.linalg.inv(fragments.poses[t]) @ fragments.poses[s] for s, t in ((0, 1), (1, 2), (0, 2))}
     scores = np.array([0.9, 0.8, 0.6])
-    pairs = [FragmentPair(*ends, T, 1.0, score) for (ends, T), score in zip(between.items(), scores, strict=True)]
+    pairs = [reg.FragmentPair(*ends, T, 1.0, score) for (ends, T), score in zip(between.items(), scores, strict=True)]
     np.testing.assert_array_equal(_agreement(clouds, pairs, 0.1), 2 * scores)
     for shift, factor in ((0.09, 2), (0.11, 1)):
-        T = pairs[2].transformation.copy()
-        T[0, 3] += shift
-        np.testing.assert_array_equal(
-            _agreement(clouds, [*pairs[:2], pairs[2]._replace(transformation=T)], 0.1), factor * scores
-        )
+        off = pairs[2]._replace(transformation=as_pose(shift=[shift, 0, 0]) @ pairs[2].transformation)
+        np.testing.assert_array_equal(_agreement(clouds, [*pairs[:2], off], 0.1), factor * scores)
     np.testing.assert_array_equal(_agreement(clouds, pairs[:2], 0.1), scores[:2])
 
 
@@ -161,15 +141,15 @@ def test_level_clouds_stay_level(fragments):
     clouds, truth = [], []
     for k, (points, pose) in enumerate(zip(fragments.clouds[:3], fragments.poses[:3], strict=True)):
         rotation = Rotation.from_euler("z", 40 * k, degrees=True).as_matrix()
-        world = points @ pose[:3, :3].T + pose[:3, 3]
-        clouds.append(loom.PointCloud((world - [0.3 * k, 0, 0.1 * k]) @ rotation))  # as from a leveled scanner
+        world = moved(points, pose) - [0.3 * k, 0, 0.1 * k]
+        clouds.append(loom.PointCloud(world @ rotation))  # as from a leveled scanner
         truth.append(make_pose(rotation, np.array([0.3 * k, 0, 0.1 * k])))
     result = reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"))
     assert result.placed.all()
     assert np.abs(result.poses[:, 2, :2]).max() < 1e-15 and np.abs(result.poses[:, :2, 2]).max() < 1e-15
     assert worst_shift(result.poses, np.linalg.inv(truth[0]) @ truth, [0, 1, 2], clouds[0].points[::50]) < 0.01
     tilted = make_pose(Rotation.from_euler("x", 1, degrees=True).as_matrix(), np.zeros(3))
-    known = [FragmentPair(1, 0, tilted, 0.0, 1.0)]
+    known = [reg.FragmentPair(1, 0, tilted, 0.0, 1.0)]
     with pytest.raises(ValueError, match=r"known\[0\]\.transformation:.*1"):
         reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"), known=known)
 
@@ -192,8 +172,7 @@ def test_long_graphs_are_one_component(shape, rng):
     order = rng.permutation(20_000) if shape.startswith("shuffled") else np.arange(20_000)
     source, target = order[:-1], order[1:]
     if shape == "star":
-        source = np.full(19_999, 19_999)
-        target = order[:-1]
+        source, target = np.full(19_999, 19_999), order[:-1]
     if shape == "comb":
         source, target = np.arange(10_000, 20_000), np.arange(10_000)
         source, target = np.append(source, source[:-1]), np.append(target, source[1:])
@@ -228,13 +207,12 @@ def registered(points, poses, pairs, device="cpu", **options):
 
 def test_a_single_pair_has_the_covariance_of_its_pose(device, rng):
     clouds, result = registered(*parts(rng, (0.0, 0.8)), [(1, 0)], device)
-    reference, moved = result.pose_covariances(clouds)
-    expected = reg.pose_covariance(clouds[1], clouds[0], result.poses[1], 1.5 * SIZE).about(moved.center)
-    assert not reference.matrix.any() and (moved.matrix == moved.matrix.T).all()
+    reference, other = result.pose_covariances(clouds)
+    expected = reg.pose_covariance(clouds[1], clouds[0], result.poses[1], 1.5 * SIZE).about(other.center)
+    assert not reference.matrix.any() and (other.matrix == other.matrix.T).all()
     scale = np.sqrt(np.outer(np.diag(expected.matrix), np.diag(expected.matrix)))
-    np.testing.assert_allclose(moved.matrix / scale, expected.matrix / scale, atol=1e-6)
-    again = result.pose_covariances(clouds)[1]
-    assert (again.matrix == moved.matrix).all()
+    np.testing.assert_allclose(other.matrix / scale, expected.matrix / scale, atol=1e-6)
+    assert (result.pose_covariances(clouds)[1].matrix == other.matrix).all()
 
 
 def test_two_thirds_of_the_errors_are_within_one_standard_deviation(rng):
@@ -274,10 +252,8 @@ def test_level_clouds_have_no_error_of_tilt(rng):
 def test_covariances_at_utm_coordinates_are_those_near_zero(device, rng):
     points, poses = parts(rng, (0.0, 0.8, 1.6))
     clouds, result = registered(points, poses, [(1, 0), (2, 1)], device)
-    away = np.eye(4)
-    away[:3, 3] = UTM
-    moved = [away @ T @ np.linalg.inv(away) for T in poses]
-    far, far_result = registered([p + UTM for p in points], moved, [(1, 0), (2, 1)], device)
+    far_poses = [about(UTM, T) for T in poses]
+    far, far_result = registered([p + UTM for p in points], far_poses, [(1, 0), (2, 1)], device)
     near_found, found = result.pose_covariances(clouds), far_result.pose_covariances(far)
     for one, other in zip(near_found[1:], found[1:], strict=True):
         assert np.abs(other.center - one.center - UTM).max() < 1.5

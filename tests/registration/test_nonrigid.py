@@ -83,10 +83,8 @@ def test_a_partial_scan_deforms_the_visible_part(device, swaying):
 @pytest.mark.nightly
 def test_a_different_object_is_reported(device, swaying):
     body, _, _ = swaying
-    result = bend(loom.PointCloud(torus(COUNT, 0), device=device), loom.PointCloud(tube(COUNT, 1), device=device))
-    assert not result.reliable
-    result = bend(loom.PointCloud(body, device=device), loom.PointCloud(torus(COUNT, 1), device=device))
-    assert not result.reliable
+    for one, other in ((torus(COUNT, 0), tube(COUNT, 1)), (body, torus(COUNT, 1))):
+        assert not bend(loom.PointCloud(one, device=device), loom.PointCloud(other, device=device)).reliable
 
 
 @LONG
@@ -136,12 +134,10 @@ def test_attributes_of_the_target_are_transferred(device):
     assert np.array_equal(result.transfer(body)[has], body[result.correspondences[has]]) and has.mean() > 0.9
     labels = result.transfer(np.arange(300, dtype=np.int16), missing=-1)
     assert labels.dtype == np.int16 and np.array_equal(labels, np.where(has, result.correspondences, -1))
-    for values, missing, words in (
-        (np.zeros(299), 0, "values: expected 300 rows"),
-        (np.arange(300), np.nan, "missing"),
-    ):
-        with pytest.raises(ValueError, match=words):
-            result.transfer(values, missing)
+    with pytest.raises(ValueError, match="values: expected 300 rows"):
+        result.transfer(np.zeros(299), 0)
+    with pytest.raises(ValueError, match="missing"):
+        result.transfer(np.arange(300), np.nan)
 
 
 def energy_of(unknowns, rest, edges, degrees, positions, near, weights, targets, weight, stiffness):
@@ -188,10 +184,8 @@ def test_a_few_steps_match_on_every_device(device):
     body = lumpy(200, 0)
     scan, options = swayed(lumpy(300, 1)), {"node_spacing": 0.9, "stiffness": [10.0, 1.0], "max_iterations": 2}
     pins = body[:3], swayed(body[:3])
-    result, again, expected = (
-        bend(loom.PointCloud(body, device=where), loom.PointCloud(scan, device=where), landmarks=pins, **options)
-        for where in (device, device, "cpu")
-    )
+    pairs = ([loom.PointCloud(points, device=where) for points in (body, scan)] for where in (device, device, "cpu"))
+    result, again, expected = (bend(*pair, landmarks=pins, **options) for pair in pairs)
     assert np.array_equal(result.warped.points, again.warped.points)
     assert np.abs(result.warped.points - expected.warped.points).max() < 1e-5
     assert result.iterations == 4 and result.rmse < result.rigid_rmse
@@ -210,11 +204,9 @@ def test_fewer_nodes_than_parts_are_reported(device):
     body = np.vstack([ball, lumpy(300, 1) + 4 * ALONG])
     apart = np.vstack([ball, lumpy(300, 1) + 6 * ALONG])  # one part moved elsewhere; both share one node
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(apart, device=device)
-    result = bend(
-        *clouds, node_spacing=20.0, max_correspondence_distance=0.5, init=np.eye(4), stiffness=[1.0], max_iterations=3
-    )
-    assert len(result.deformation) == 1
-    assert "matches the other" in str(result.warnings)
+    options = {"node_spacing": 20.0, "max_correspondence_distance": 0.5, "stiffness": [1.0], "max_iterations": 3}
+    result = bend(*clouds, init=np.eye(4), **options)
+    assert len(result.deformation) == 1 and "matches the other" in str(result.warnings)
 
 
 def test_a_stretched_body_is_reported(device):

@@ -115,8 +115,7 @@ def test_rotations_and_quaternions_match_scipy(vector):
     expected = Rotation.from_rotvec(vector)
     np.testing.assert_allclose(R[0], expected.as_matrix(), rtol=0, atol=5e-15)
     quaternion = rotations_to_quaternions(R)[0]
-    assert quaternion[3] >= 0
-    assert abs(abs(quaternion @ expected.as_quat()) - 1) < 1e-14
+    assert quaternion[3] >= 0 and abs(abs(quaternion @ expected.as_quat()) - 1) < 1e-14
     np.testing.assert_allclose(Rotation.from_quat(quaternion).as_matrix(), R[0], rtol=0, atol=1e-14)
 
 

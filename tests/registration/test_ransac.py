@@ -7,11 +7,6 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration.globally import checkers
-from pointloom.registration.globally.checkers import (
-    CorrespondenceCheckerBasedOnNormal,
-    CorrespondenceCheckerBasedOnSourceRotation,
-    checks_of,
-)
 
 from .poses import as_pose, moved, pose_within
 from .wrong_pairs import assert_no_pose, fgr, made_up, ransac, robust
@@ -51,18 +46,12 @@ def test_the_best_hypothesis_is_refined_beyond_its_sample(device, rng, angle_bet
 def test_hypotheses_are_ranked_by_matches_then_distance(device, rng):
     """Two poses with the same matched points: an exact copy and one shifted by half the distance."""
     points = rng.uniform(-1, 1, (300, 3))
-    target = np.concatenate(
-        [points + np.array([5, 0, 0]), points + np.array([0, 5, 0]) + 0.006 * rng.choice([-1, 1], (300, 3))]
-    )
-    pairs = np.concatenate(
-        [np.column_stack([np.arange(300)] * 2), np.column_stack([np.arange(300), 300 + np.arange(300)])]
-    )
-    case = SimpleNamespace(source=points, target=target, pairs=pairs)
-    result = ransac(case, device, 0.05)
-    np.testing.assert_allclose(result.transformation[:3, 3], [5, 0, 0], atol=1e-5)
-    case.target = np.roll(target, 300, axis=0)
-    result = ransac(case, device, 0.05)
-    np.testing.assert_allclose(result.transformation[:3, 3], [5, 0, 0], atol=1e-5)
+    shifted, rows = points + np.array([0, 5, 0]) + 0.006 * rng.choice([-1, 1], (300, 3)), np.arange(300)
+    target = np.concatenate([points + np.array([5, 0, 0]), shifted])
+    pairs = np.concatenate([np.column_stack([rows, rows]), np.column_stack([rows, 300 + rows])])
+    for there in (target, np.roll(target, 300, axis=0)):
+        result = ransac(SimpleNamespace(source=points, target=there, pairs=pairs), device, 0.05)
+        np.testing.assert_allclose(result.transformation[:3, 3], [5, 0, 0], atol=1e-5)
 
 
 def test_fitness_of_all_points_decides_not_the_correspondences(device, rng):
@@ -89,7 +78,7 @@ def test_normal_checker_rejects_an_upside_down_mirror_image(device, rng):
     pairs = np.concatenate([np.column_stack([rows, rows]), np.repeat(np.column_stack([rows, 400 + rows]), 3, 0)])
     source = loom.PointCloud(flat, normals=normals, device=device)
     target = loom.PointCloud(both, normals=np.concatenate([normals, normals]), device=device)
-    checker = [CorrespondenceCheckerBasedOnNormal(0.5)]
+    checker = [checkers.CorrespondenceCheckerBasedOnNormal(0.5)]
     result = reg.registration_ransac_based_on_correspondence(source, target, pairs, 0.02, checkers=checker)
     np.testing.assert_allclose(result.transformation, np.eye(4), atol=1e-5)
     bare = loom.PointCloud(flat, device=device), loom.PointCloud(both, device=device)
@@ -102,7 +91,7 @@ def test_rotation_checker_selects_the_smaller_rotation(device, rng):
     rotated = moved(points, np.diag([-1.0, -1, 1, 1])) + np.array([4, 0, 0])
     pairs = np.concatenate([np.column_stack([np.arange(300), k * 300 + np.arange(300)]) for k in (0, 1, 1, 1)])
     case = SimpleNamespace(source=points, target=np.concatenate([points, rotated]), pairs=pairs)
-    level = CorrespondenceCheckerBasedOnSourceRotation([0.2, 0.2, 1.0])
+    level = checkers.CorrespondenceCheckerBasedOnSourceRotation([0.2, 0.2, 1.0])
     np.testing.assert_allclose(ransac(case, device, checkers=[level]).transformation, np.eye(4), atol=1e-5)
 
 
@@ -128,17 +117,15 @@ def test_another_seed_gives_other_samples(device, rng):
 
 def test_the_stricter_of_two_checkers_applies_on_the_device():
     normal, edges, distance, rotation = (
-        CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,
-        reg.CorrespondenceCheckerBasedOnDistance, CorrespondenceCheckerBasedOnSourceRotation,
+        checkers.CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,
+        reg.CorrespondenceCheckerBasedOnDistance, checkers.CorrespondenceCheckerBasedOnSourceRotation,
     )  # fmt: skip
-    alone = checks_of([normal(0.3), edges(0.8), distance(0.05), rotation([0.1, 2.0, 0.3])])
+    alone = checkers.checks_of([normal(0.3), edges(0.8), distance(0.05), rotation([0.1, 2.0, 0.3])])
     assert (alone.cosine, alone.similarity, alone.distance) == (np.cos(0.3), 0.8, 0.05)
     assert tuple(alone.rotation) == (0.1, 2.0, 0.3)
-    for pairs in (
-        [normal(0.3), normal(0.5), edges(0.8), edges(0.7), distance(0.05), distance(0.06)],
-        [normal(0.5), normal(0.3), edges(0.7), edges(0.8), distance(0.06), distance(0.05)],
-    ):
-        both = checks_of([*pairs, rotation([0.1, 3.0, 0.4]), rotation([0.2, 2.0, 0.3])])
+    strict, loose = [normal(0.3), edges(0.8), distance(0.05)], [normal(0.5), edges(0.7), distance(0.06)]
+    for pairs in (strict + loose, loose + strict):
+        both = checkers.checks_of([*pairs, rotation([0.1, 3.0, 0.4]), rotation([0.2, 2.0, 0.3])])
         assert (both.cosine, both.similarity, both.distance) == (np.cos(0.3), 0.8, 0.05)
         assert tuple(both.rotation) == (0.1, 2.0, 0.3)
 
@@ -195,9 +182,8 @@ def test_kitchen_is_registered_at_least_as_well_as_by_open3d(
     device, featured, median_of_open3d, seed, angle_between, tolerances
 ):
     features = featured.source.feature, featured.target.feature
-    result = reg.registration_ransac_based_on_feature_matching(
-        *kitchen_clouds(featured, device), *features, True, DISTANCE, checkers=tutorial_checkers(reg), seed=seed
-    )
+    given = *kitchen_clouds(featured, device), *features, True, DISTANCE
+    result = reg.registration_ransac_based_on_feature_matching(*given, checkers=tutorial_checkers(reg), seed=seed)
     assert result.fitness > median_of_open3d - tolerances.ransac_fitness
     assert angle_between(result.transformation, featured.T) < tolerances.kitchen_degrees
     assert np.linalg.norm(result.transformation[:3, 3] - featured.T[:3, 3]) < tolerances.kitchen_distance
@@ -209,9 +195,8 @@ def test_fitness_error_and_correspondences_match_open3d_at_that_pose(device, fea
     features = featured.source.feature, featured.target.feature
     pair = kitchen_clouds(featured, device)
     result = reg.registration_ransac_based_on_feature_matching(*pair, *features, True, DISTANCE)
-    expected = o3d.pipelines.registration.evaluate_registration(
-        *(to_open3d(cloud.points) for cloud in pair), DISTANCE, result.transformation
-    )
+    clouds = (to_open3d(cloud.points) for cloud in pair)
+    expected = o3d.pipelines.registration.evaluate_registration(*clouds, DISTANCE, result.transformation)
     assert abs(result.fitness - expected.fitness) <= 1.5 / len(pair[0]), "a point at the very distance"
     assert abs(result.inlier_rmse - expected.inlier_rmse) < tolerances.distance_absolute
     actual, theirs = ({tuple(pair) for pair in np.asarray(r.correspondence_set)} for r in (result, expected))
@@ -307,9 +292,8 @@ def test_degenerate_clouds_raise_no_exception(device, rng, shape):
         "line": t * [1, 2, 3],
         "plane": np.column_stack([t, rng.uniform(-1, 1, 200), np.zeros(200)]),
     }[shape]
-    case = SimpleNamespace(
-        source=points, target=np.add(points, [1.0, 0, 0]), pairs=np.column_stack([np.arange(200)] * 2)
-    )
+    pairs = np.column_stack([np.arange(200)] * 2)
+    case = SimpleNamespace(source=points, target=np.add(points, [1.0, 0, 0]), pairs=pairs)
     rules, scaled = reg.RANSACConvergenceCriteria(3000), reg.TransformationEstimationPointToPoint(True)
     results = [ransac(case, device, estimation_method=method, criteria=rules) for method in (None, scaled)]
     results += [fgr(case, device, tuple_test=tested) for tested in (True, False)]

@@ -42,7 +42,7 @@ outlier_threshold: | reg.NormalDistributionsTransformOption(outlier_threshold=-1
 neighbor_search_type: | reg.NormalDistributionsTransformOption(neighbor_search_type=2)
 init: expected a rigid motion | reg.registration_ndt(source, target, None, np.diag([2.0, 2, 2, 1]))
 degeneracy: | reg.registration_ndt(source, target, degeneracy=1)
-voxel_size: .*at least 6 | reg.registration_ndt(source, target, reg.NormalDistributionsTransformOption(1e-3))
+voxel_size: .*at least 6 .* Increase it | reg.registration_ndt(source, target, reg.NormalDistributionsTransformOption(1e-3))
 max_correspondence_distance: | reg.evaluate_registration(source, target, 0)
 max_correspondence_distance: | reg.get_information_matrix_from_point_clouds(source, target, inf, pose)
 transformation: expected shape | reg.evaluate_registration(source, target, 1, np.eye(3))

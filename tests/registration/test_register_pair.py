@@ -54,10 +54,8 @@ def test_normals_are_estimated_only_for_clouds_without_them(pair):
     rules = [reg.ICPConvergenceCriteria(max_iteration=4)]
     for cloud, estimated in ((target, ("target",)), (with_normals, ())):
         assert reg.register_pair(source, cloud, init=np.eye(4), voxel_size=0.1).normals_estimated == estimated
-    results = [
-        reg.multi_scale_icp(source, with_normals, [0.1], rules, [0.2], None, PLANE, estimate_normals=wanted)
-        for wanted in (False, True)
-    ]
+    given = source, with_normals, [0.1], rules, [0.2], None, PLANE
+    results = [reg.multi_scale_icp(*given, estimate_normals=wanted) for wanted in (False, True)]
     np.testing.assert_array_equal(results[0].transformation, results[1].transformation)
     with pytest.raises(ValueError, match="target:"):
         reg.multi_scale_icp(source, target, [0.1], rules, [0.2], None, PLANE)
@@ -74,14 +72,11 @@ def test_stages_and_results_are_reported(pair):
     report = result.to_dict()
     assert report["transformation"] == result.transformation.tolist()
     assert report["points"] == {"source": len(pair[0]), "target": len(pair[1])}
-    assert f"{result.transformation[1, 3]:.9f}" in str(result)
-    assert "chosen from the clouds" in str(result)
+    assert f"{result.transformation[1, 3]:.9f}" in str(result) and "chosen from the clouds" in str(result)
 
 
 def test_a_pose_without_correspondences_is_unreliable(pair):
-    far = np.eye(4)
-    far[0, 3] = 1000
-    result = reg.register_pair(*pair, init=far, voxel_size=0.06)
+    result = reg.register_pair(*pair, init=as_pose(shift=[1000, 0, 0]), voxel_size=0.06)
     assert result.warnings == ("no point of the source has a correspondence",)
 
 
@@ -90,8 +85,6 @@ def test_coincident_points_have_a_voxel_size_of_one():
 
 
 LEVEL = ("x", "y", "z", "yaw")
-
-
 LEVEL_POSE = as_pose([0, 0, 2.0], [3.0, -2.0, 0.5])
 
 

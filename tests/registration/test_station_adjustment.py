@@ -76,8 +76,7 @@ def test_errors_match_the_standard_deviations(level, control):
     for seed in range(seeds):
         truth, observed, first = survey(seed, level=level, control=control)
         result = adjust(first, observed, level=level)
-        assert result.converged
-        assert result.datum == (0 if control else size)
+        assert result.converged and result.datum == (0 if control else size)
         squares, redundancy = squares + result.squares, redundancy + result.redundancy
         errors = errors_of(result.poses, truth, level)
         begin = 0 if control else 1  # the reference has none
@@ -105,10 +104,8 @@ def test_correct_surveys_raise_no_alarm():
 @pytest.mark.nightly
 def test_false_alarms_are_as_rare_as_documented():
     surveys = 240
-    alarms = sum(
-        bool(snoop(first, observed, level=True, reference=0)[2])
-        for _, observed, first in (survey(seed, level=True) for seed in range(surveys))
-    )
+    made = (survey(seed, level=True) for seed in range(surveys))
+    alarms = sum(bool(snoop(first, observed, level=True, reference=0)[2]) for _, observed, first in made)
     assert alarms <= binom.ppf(0.999, surveys, FALSE_ALARM)
 
 
@@ -235,10 +232,7 @@ def test_pairs_with_points_in_one_block_have_correlated_errors():
 def test_errors_that_are_common_to_a_pair_and_the_factor_of_pairs_add():
     _, observed = closing_survey(lambda a, b: np.arange(50))
     common = np.diag([1e-6, 2e-6, 3e-6, 4e-6])
-    errors = {
-        ends: dataclasses.replace(one, influences=0 * one.influences, common=common)
-        for ends, one in observed.errors.items()
-    }
+    errors = {k: dataclasses.replace(e, influences=0 * e.influences, common=common) for k, e in observed.errors.items()}
     first = np.tile(np.eye(4), (3, 1, 1))
     once = adjust(first, dataclasses.replace(observed, errors=errors), level=True).covariances
     np.testing.assert_allclose(once[1], common * 2 / 3, rtol=1e-9, atol=1e-18)
@@ -249,16 +243,13 @@ def test_errors_that_are_common_to_a_pair_and_the_factor_of_pairs_add():
 def test_exchanged_names_are_named():
     truth, observed, first = survey(1, level=True)
     swapped = {"A": "B", "B": "A"}
-    targets = [
-        TargetObservation(t.station, swapped.get(t.name, t.name) if t.station == 1 else t.name, t.position, t.sigma)
-        for t in observed.targets
-    ]
+    names = [swapped.get(t.name, t.name) if t.station == 1 else t.name for t in observed.targets]
+    targets = [dataclasses.replace(t, name=name) for t, name in zip(observed.targets, names, strict=True)]
     wrong = Observed(observed.pairs, targets, observed.control)
     result, left, outliers = snoop(first, wrong, level=True, reference=0)
     named = {(o.group.observation.station, o.group.observation.name, o.exchanged) for o in outliers}
     assert named == {(1, "A", "B"), (1, "B", "A")}
-    assert len(left.targets) == len(targets) - 2
-    assert np.abs(result.poses - truth)[:, :3, 3].max() < 6e-3
+    assert len(left.targets) == len(targets) - 2 and np.abs(result.poses - truth)[:, :3, 3].max() < 6e-3
 
 
 def test_a_wrong_pair_and_a_moved_control_point_are_named():
@@ -291,7 +282,8 @@ def test_an_up_direction_with_uncertainty_is_an_observation():
     assert np.abs(result.poses[:, :2, 2]).max() < 1e-3
 
 
-register_stations = loom.registration.register_stations
+reg = loom.registration
+register_stations = reg.register_stations
 SIZE = 0.3
 CORRIDOR = [
     ((-20, -1.5, -1.7), (60, 3, 0.1), 0.0),
@@ -326,8 +318,7 @@ def bumpy_scans(device="cpu"):
     x, y = np.random.default_rng(0).uniform(-3, 3, (2, 9000))
     ground = np.column_stack([x, y, 0.5 * np.sin(1.5 * x) * np.cos(y) + 0.3 * np.sin(2 * y + x)])
     positions = np.array([[0.0, 0.0, 1.5], [0.8, 0.4, 1.6], [0.4, -0.8, 1.4]])
-    rough = np.tile(np.eye(4), (3, 1, 1))
-    rough[:, :3, 3] = np.add(positions, [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]])
+    rough = np.array([pose_at(p, 0) for p in np.add(positions, [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]])])
     return [loom.PointCloud(ground[k::3] - p, device=device) for k, p in enumerate(positions)], rough
 
 
@@ -343,8 +334,7 @@ def test_standard_deviations_are_those_of_the_covariances_of_poses(level):
     free = result.covariances[[0, 2]]
     assert free.shape == (2, 4, 4) if level else (2, 6, 6)
     assert (np.linalg.eigvalsh(free) > 0).all() and np.sqrt(free[:, -1, -1]).max() < 0.01
-    assert np.abs(result.covariances[1]).max() < 1e-15
-    assert not result.undetermined.any()
+    assert np.abs(result.covariances[1]).max() < 1e-15 and not result.undetermined.any()
 
 
 def test_a_station_with_an_undetermined_motion_is_reported():
@@ -365,11 +355,9 @@ def test_a_station_with_an_undetermined_motion_is_reported():
 @pytest.mark.slow
 def test_a_courtyard_is_put_together_to_a_third_of_a_millimeter(court, court_result):
     errors = errors_of(court_result.poses, court[1], True)
-    assert np.abs(errors[:, 1:]).max() < 4e-4
-    assert np.abs(errors[:, 0]).max() < np.radians(0.002)
+    assert np.abs(errors[:, 1:]).max() < 4e-4 and np.abs(errors[:, 0]).max() < np.radians(0.002)
     assert np.array_equal(court_result.poses[:, 2, :3], np.tile([0.0, 0.0, 1.0], (5, 1)))
-    assert court_result.reliable
-    assert court_result.reference == 0
+    assert court_result.reliable and court_result.reference == 0
     assert np.array_equal(court_result.poses[0], court[1][0])
 
 
@@ -394,8 +382,7 @@ def test_report_and_plan_are_complete(court_result, tmp_path):
     assert [s["name"] for s in data["stations"]] == list("01234")
     assert len(data["pairs"]) == len(court_result.pairs)
     plan = station_plan(court_result)
-    assert plan.shape == (960, 1280, 3)
-    assert len(np.unique(plan.reshape(-1, 3), axis=0)) > 50
+    assert plan.shape == (960, 1280, 3) and len(np.unique(plan.reshape(-1, 3), axis=0)) > 50
 
 
 @pytest.mark.slow
@@ -407,8 +394,7 @@ def test_a_separate_station_is_named_and_the_others_stay():
     assert result.placed.tolist() == [True, True, True, False]
     assert "far is not connected" in str(result.warnings)
     assert np.isnan(result.sigmas[3]).all() and np.isinf(result.pose_covariances[3].matrix).all()
-    assert np.array_equal(result.poses[3], rough[3])
-    assert "not placed" in result.report()
+    assert np.array_equal(result.poses[3], rough[3]) and "not placed" in result.report()
 
 
 @pytest.mark.slow
@@ -417,17 +403,12 @@ def test_a_repetitive_corridor_is_reported_and_targets_fix_it():
     slipped = truth.copy()
     slipped[1][0, 3] += 4.0  # shifted by one door
     result = register_stations(clouds, poses=slipped, voxel_size=0.2)
-    assert "not connected" in str(result.warnings)
-    assert "apart, their positions" in result.report()
+    assert "not connected" in str(result.warnings) and "apart, their positions" in result.report()
     positions = {"A": [1, 1.4, 0], "B": [9, -1.4, 0.4], "C": [5, -1.4, 0.2]}
-    seen = [
-        loom.registration.TargetObservation(i, name, T[:3, :3].T @ (np.array(position) - T[:3, 3]))
-        for i, T in enumerate(truth)
-        for name, position in positions.items()
-    ]
+    pairs = [(i, name) for i in range(3) for name in positions]
+    seen = [TargetObservation(i, n, truth[i, :3, :3].T @ (np.array(positions[n]) - truth[i, :3, 3])) for i, n in pairs]
     result = register_stations(clouds, poses=slipped, voxel_size=0.2, targets=seen)
-    assert np.abs(result.poses - truth)[:, :3, 3].max() < 2e-3
-    assert result.reliable
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 2e-3 and result.reliable
 
 
 @pytest.mark.slow
@@ -435,8 +416,7 @@ def test_stations_without_initial_poses_are_searched():
     clouds, truth = scan_all(BOXES, COURT[:3], 4)
     result = register_stations(clouds, voxel_size=SIZE)
     there = truth[0] @ np.linalg.inv(result.poses[0]) @ result.poses
-    assert result.placed.all()
-    assert np.abs(there - truth)[:, :3, 3].max() < 1e-2
+    assert result.placed.all() and np.abs(there - truth)[:, :3, 3].max() < 1e-2
 
 
 @pytest.mark.slow
@@ -458,13 +438,9 @@ def test_tilted_scanners_are_leveled_with_six_degrees_of_freedom():
     leaning = [cloud.transform(np.linalg.inv(T)) for cloud, T in zip(clouds, leans, strict=True)]
     truth = truth @ np.array(leans)
     result = register_stations(leaning, poses=rough_of(truth, 0), voxel_size=SIZE, level=False)
-    assert np.abs(result.poses - truth)[:, :3, 3].max() < 1e-3
-    assert result.reliable
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 1e-3 and result.reliable
     leveled = register_stations(leaning, poses=truth, voxel_size=SIZE)  # four degrees of freedom: tilts stay unchanged
     assert np.abs(leveled.poses - truth)[:, 2, :3].max() < 1e-12
-
-
-reg = loom.registration
 
 
 @pytest.fixture
@@ -503,9 +479,8 @@ def test_a_drive_without_overlap_reports_its_gaps():
     result = summarize_steps(list(iterate_odometry([wall, loom.PointCloud(), wall])))
     assert (result.empty, result.has_seen) == ((1,), True)
     torn, open_ways = result.warnings
-    assert torn == (
-        "1 of 3 scans do not overlap earlier scans, or have no points in range, so the path may be broken at scan 1"
-    )
+    words = "1 of 3 scans do not overlap earlier scans, or have no points in range, so the path may be broken at scan 1"
+    assert torn == words
     assert open_ways.startswith("1 of 3 scans do not determine the motion along")  # of a single wall
     assert ("predicted", "1: scan 1") in result.fields()
     assert result.to_dict()["predicted"] == [1]

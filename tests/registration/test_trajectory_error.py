@@ -61,11 +61,9 @@ def test_absolute_errors_follow_the_best_rigid_fit(pair, tolerances):
     angles = np.array([angle(Q[:3, :3].T @ R @ P[:3, :3]) for P, Q in zip(estimate, truth, strict=True)])
     close = tolerances.trajectory_relative
     for result, expected in ((error.absolute_translation, gaps), (error.absolute_rotation, angles)):
-        np.testing.assert_allclose(result.rmse, np.sqrt((expected**2).mean()), rtol=close)
-        np.testing.assert_allclose(result.mean, expected.mean(), rtol=close)
-        np.testing.assert_allclose(result.median, np.median(expected), rtol=close)
+        values = [np.sqrt((expected**2).mean()), expected.mean(), np.median(expected), expected.max()]
+        np.testing.assert_allclose([result.rmse, result.mean, result.median, result.max], values, rtol=close)
         np.testing.assert_allclose(result.std, expected.std(), rtol=1e3 * close)
-        np.testing.assert_allclose(result.max, expected.max(), rtol=close)
         assert result.count == 400
     np.testing.assert_allclose(error.transformation[:3, :3], R, atol=close)
 
@@ -107,9 +105,8 @@ def test_segment_errors_match_kitti(pair, tolerances):
     for segment in error.segments:
         own = rows[rows[:, 0] == segment.length]
         assert segment.count == len(own)
-        np.testing.assert_allclose(
-            [segment.translation, segment.rotation], own[:, 1:].mean(axis=0), rtol=tolerances.trajectory_relative
-        )
+        means = segment.translation, segment.rotation
+        np.testing.assert_allclose(means, own[:, 1:].mean(axis=0), rtol=tolerances.trajectory_relative)
 
 
 def test_a_drift_of_one_percent_is_one_percent(tolerances):
@@ -132,11 +129,9 @@ def test_errors_do_not_depend_on_the_frames(pair, rng, tolerances, align):
     T, S = any_pose(rng), any_pose(rng)
     one = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), align=align, lengths=[100])
     two = evaluate_trajectory(Trajectory(T @ estimate), Trajectory(S @ truth), align=align, lengths=[100])
-    for part in ("absolute_translation", "absolute_rotation", "relative_translation", "relative_rotation"):
-        np.testing.assert_allclose(
-            getattr(one, part).rmse, getattr(two, part).rmse, rtol=tolerances.trajectory_relative
-        )
-    np.testing.assert_allclose(one.segment_translation, two.segment_translation, rtol=tolerances.trajectory_relative)
+    names = ("absolute_translation", "absolute_rotation", "relative_translation", "relative_rotation")
+    errors = [[*(getattr(each, name).rmse for name in names), each.segment_translation] for each in (one, two)]
+    np.testing.assert_allclose(*errors, rtol=tolerances.trajectory_relative)
 
 
 def test_without_alignment_the_frames_count(pair):
@@ -153,10 +148,8 @@ def test_a_scale_is_estimated(rng, tolerances):
     estimate[:, :3, 3] /= 3.7
     error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), with_scale=True, lengths=[100])
     np.testing.assert_allclose(error.scale, 3.7, rtol=tolerances.trajectory_relative)
-    assert error.absolute_translation.max < tolerances.trajectory_zero
-    assert error.absolute_rotation.max < tolerances.trajectory_zero
-    assert error.relative_translation.max < tolerances.trajectory_zero
-    assert error.segment_translation < tolerances.trajectory_zero
+    errors = error.absolute_translation, error.absolute_rotation, error.relative_translation
+    assert max(*(each.max for each in errors), error.segment_translation) < tolerances.trajectory_zero
     assert evaluate_trajectory(Trajectory(estimate), Trajectory(truth)).absolute_translation.rmse > 10
 
 
@@ -227,9 +220,7 @@ ROTATION = ring_model().T_camera_world[2, :3, :3]
 
 
 def similarity(scale: float = 3.5, shift=(10.0, -20.0, 5.0)) -> np.ndarray:
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = scale * ROTATION, shift
-    return T
+    return make_poses(scale * ROTATION, np.array([shift]))[0]
 
 
 def curved_path(count: int = 40, *, seed: int = 0) -> loom.SfmModel:
@@ -237,9 +228,8 @@ def curved_path(count: int = 40, *, seed: int = 0) -> loom.SfmModel:
     rng = np.random.default_rng(seed)
     s = np.linspace(0, 6, count)
     centers = np.stack([s, np.sin(s), 0.3 * np.cos(2 * s)], axis=1) + 0.01 * rng.normal(size=(count, 3))
-    poses = np.tile(np.eye(4), (count, 1, 1))
-    poses[:, :3, 3] = -centers
-    return loom.SfmModel([f"frame_{i:04d}.png" for i in range(count)], [LENS] * count, poses)
+    names = [f"frame_{i:04d}.png" for i in range(count)]
+    return loom.SfmModel(names, [LENS] * count, make_poses(np.eye(3), -centers))
 
 
 def positions_of(model: loom.SfmModel, T: np.ndarray) -> dict[str, np.ndarray]:
@@ -260,8 +250,7 @@ def test_a_known_distance_gives_the_scale():
 def test_exact_positions_give_the_similarity(scale, shift):
     model, T = curved_path(), similarity(scale, shift)
     fit = fit_to_positions(model, positions_of(model, T))
-    assert fit.scale == pytest.approx(scale, rel=1e-8 + 1e-9 * max(shift) / scale)
-    assert fit.inliers.all()
+    assert fit.scale == pytest.approx(scale, rel=1e-8 + 1e-9 * max(shift) / scale) and fit.inliers.all()
     assert fit.rmse <= 1e-9 * scale + 1e-8 * (max(shift) > 0)
     moved = model.transform(fit.transformation)
     wanted = np.array(list(positions_of(model, T).values()))
@@ -285,10 +274,8 @@ def test_wrong_positions_are_detected_and_excluded(wrong, limit):
     assert fit.inliers.sum() >= 0.85 * (len(model) - wrong)
     right = fit.inliers
     best = fit_pose(model.centers[right], np.array(list(positions.values()))[right], with_scaling=True)
-    assert np.abs(best - fit.transformation).max() < 1e-9
-    assert fit.scale == pytest.approx(3.5, rel=0.01)
-    assert 0.02 < fit.rmse < 0.08
-    assert (fit.residuals[~np.isin(fit.names, far)] < 0.25).all()
+    assert np.abs(best - fit.transformation).max() < 1e-9 and fit.scale == pytest.approx(3.5, rel=0.01)
+    assert 0.02 < fit.rmse < 0.08 and (fit.residuals[~np.isin(fit.names, far)] < 0.25).all()
 
 
 def test_few_positions_of_some_images_suffice():
@@ -296,17 +283,14 @@ def test_few_positions_of_some_images_suffice():
     known = positions_of(model, T)
     some = {name: known[name] for name in model.names[::15]} | {"elsewhere.png": (0, 0, 0)}
     fit = fit_to_positions(model, some)
-    assert fit.names == tuple(model.names[::15])
-    assert np.abs(fit.transformation - T).max() < 1e-8
+    assert fit.names == tuple(model.names[::15]) and np.abs(fit.transformation - T).max() < 1e-8
 
 
 @pytest.mark.slow
 def test_the_rotation_uncertainty_matches_many_trials():
     """About the axis of an almost straight path it is large, and the reported value matches."""
     model = curved_path(30)
-    thin = np.diag([1.0, 0.02, 0.02, 1.0])
-    poses = model.T_camera_world.copy()
-    poses[:, :3, 3] = poses[:, :3, 3] @ thin[:3, :3]
+    poses = make_poses(np.eye(3), model.T_camera_world[:, :3, 3] * [1.0, 0.02, 0.02])
     model = loom.SfmModel(model.names, model.cameras, poses)
     rng = np.random.default_rng(0)
     angles, uncertainties = [], []
@@ -316,17 +300,15 @@ def test_the_rotation_uncertainty_matches_many_trials():
         R = fit.transformation[:3, :3] / fit.scale
         angles.append(np.degrees((R[2, 1] - R[1, 2]) / 2))
         uncertainties.append(fit.rotation_uncertainty)
-    assert np.std(angles) == pytest.approx(np.median(uncertainties), rel=0.5)
-    assert np.median(uncertainties) > 1.0
+    assert np.std(angles) == pytest.approx(np.median(uncertainties), rel=0.5) and np.median(uncertainties) > 1.0
 
 
 def test_cameras_on_a_line_are_rejected():
     model = curved_path()
     line = {name: (i, 2.0 * i, 0.0) for i, name in enumerate(model.names)}
-    with pytest.raises(ValueError, match="positions:"):
-        fit_to_positions(model, line)
-    with pytest.raises(ValueError, match="positions:"):
-        fit_to_positions(model, dict.fromkeys(model.names, (1.0, 2.0, 3.0)))
+    for positions in (line, dict.fromkeys(model.names, (1.0, 2.0, 3.0))):
+        with pytest.raises(ValueError, match="positions:"):
+            fit_to_positions(model, positions)
     still = loom.SfmModel(model.names, model.cameras, np.tile(np.eye(4), (len(model), 1, 1)))
     with pytest.raises(ValueError, match="model:"):
         fit_to_positions(still, positions_of(model, np.eye(4)))
@@ -344,15 +326,12 @@ def test_a_file_of_names_and_positions_is_read(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("a.png 1 2\n", "line 1.*name and three numbers, got 3"),
-        ("a.png 1 2 x\n", "line 1.*not a number"),
-        ("a.png 1 2 nan\n", "line 1.*finite"),
-        ("a.png 1 2 3\na 1 2 3\n", "line 2.*'a.png' is duplicated"),
-        ("b 1 2 3\n", r"line 1.*may be b.jpg or b.png"),
+        ("a.png 1 2\n", "line 1.*name and three numbers, got 3"), ("a.png 1 2 x\n", "line 1.*not a number"),
+        ("a.png 1 2 nan\n", "line 1.*finite"), ("a.png 1 2 3\na 1 2 3\n", "line 2.*'a.png' is duplicated"),
+        ("b 1 2 3\n", r"line 1.*may be b.jpg or b.png"), ("", "contains no pose"),
         ("z.png 1 2 3\n", "contains no name of a picture of the model.*'a.png'"),
-        ("", "contains no pose"),
     ],
-)
+)  # fmt: skip
 def test_an_invalid_position_file_is_rejected(tmp_path, text, message):
     path = tmp_path / "known.txt"
     path.write_text(text)
@@ -364,8 +343,7 @@ def test_an_invalid_position_file_is_rejected(tmp_path, text, message):
 def test_trajectory_poses_are_matched_to_images_by_number(tmp_path, kind):
     """Every fifth frame of a video was chosen, and the trajectory has all frames."""
     names = tuple(f"frame_{i:06d}.color.png" for i in range(0, 50, 5))
-    poses = np.tile(np.eye(4), (50, 1, 1))
-    poses[:, 0, 3] = np.arange(50)
+    poses = make_poses(np.eye(3), np.outer(np.arange(50), [1, 0, 0]))
     ids = np.stack([np.arange(50)] * 2 + [np.arange(1, 51)], axis=1)
     path = tmp_path / kind
     loom.write_trajectory(path, loom.Trajectory(poses, ids=ids), format="log" if kind.endswith("log") else "tum")
@@ -375,15 +353,13 @@ def test_trajectory_poses_are_matched_to_images_by_number(tmp_path, kind):
 def test_times_of_a_trajectory_can_be_image_names(tmp_path):
     names = ("1305031102.175304.png", "1305031102.211214.png", "1305031102.275326.png")
     times = [1305031102.175304, 1305031102.211214, 1305031102.275326]
-    poses = np.tile(np.eye(4), (3, 1, 1))
-    poses[:, 1, 3] = [1, 2, 3]
+    poses = make_poses(np.eye(3), np.outer([1, 2, 3], [0, 1, 0]))
     loom.write_trajectory(tmp_path / "t.tum", loom.Trajectory(poses[::-1], timestamps=times[::-1]))
     assert [read_positions(tmp_path / "t.tum", names)[name][1] for name in names] == [1, 2, 3]
 
 
 def test_a_trajectory_without_numbers_is_matched_by_order_if_the_counts_agree(tmp_path):
-    poses = np.tile(np.eye(4), (3, 1, 1))
-    poses[:, 2, 3] = [4, 5, 6]
+    poses = make_poses(np.eye(3), np.outer([4, 5, 6], [0, 0, 1]))
     loom.write_trajectory(tmp_path / "t.kitti", loom.Trajectory(poses))
     positions = read_positions(tmp_path / "t.kitti", ("a.png", "b.png", "c.png"))
     assert [position[2] for position in positions.values()] == [4, 5, 6]
