@@ -8,7 +8,6 @@ first GPU if there is one. Without a GPU these runs are skipped, and one line of
 from __future__ import annotations
 
 import gc
-import importlib.util
 import logging
 import os
 import sys
@@ -25,6 +24,7 @@ import pytest
 from . import choice, oracle, rest_set
 from .cpu_seconds import CpuSeconds
 from .emulated_cuda import plugin as emulated_cuda
+from .programs import BENCHMARKS, load_program
 
 # Processes started by tests would otherwise report the first use of a kernel on stderr; here it is as for users.
 os.environ.setdefault("POINTLOOM_VERBOSITY", "warning")
@@ -107,13 +107,8 @@ def write_kernels(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable
     def write(name: str, source: str) -> ModuleType:
         path = folder / f"{name}.py"
         path.write_text("import math\nfrom pointloom.kernels.lang import *\n" + textwrap.dedent(source))
-        spec = importlib.util.spec_from_file_location(name, path)
-        assert spec and spec.loader
-        module = importlib.util.module_from_spec(spec)
-        sys.modules[name] = module  # Warp looks its modules up there
         names.append(name)
-        spec.loader.exec_module(module)
-        return module
+        return load_program(path)  # Warp looks its modules up in `sys.modules`
 
     yield write
     for name in names:
@@ -184,10 +179,9 @@ def scan_file(scan_set, real_file, shipped_file) -> Callable[[str], Path]:
 @pytest.fixture(scope="session")
 def tolerances():
     """The values of tests/tolerances.py by name."""
-    spec = importlib.util.spec_from_file_location("tolerances", Path(__file__).parent / "tolerances.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.Tolerances()
+    from . import tolerances
+
+    return tolerances
 
 
 @pytest.fixture(scope="session")
@@ -225,14 +219,7 @@ def legacy_fragment(o3d, scan_file):
 @pytest.fixture(scope="session")
 def made_street():
     """The module benchmarks/street.py: drives of a scanner through a made-up street."""
-    spec = importlib.util.spec_from_file_location(
-        "odometry_street", Path(__file__).parents[1] / "benchmarks" / "street.py"
-    )
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["odometry_street"] = module
-    spec.loader.exec_module(module)
-    yield module
-    sys.modules.pop("odometry_street")
+    return load_program(BENCHMARKS / "street.py", "odometry_street")
 
 
 @pytest.fixture(scope="session")

@@ -136,26 +136,21 @@ def shared_arrays(data: CountedScenes) -> dict[str, Preparation]:
             name: wp.array(values, dtype=types.get(name, wp.vec3), device=data.device) for name, values in given.items()
         }
 
-    def constructor(count: int, library: str) -> Work:
+    def work(count: int, library: str, title: str) -> Work:
         make, given = arrays(count, library)
-        return lambda: make(**given)
-
-    def first(count: int, library: str) -> Work:
-        make, given = arrays(count, library)
-        return lambda: make(**given).estimate_normals(max_nn=15)
-
-    def later(count: int, library: str) -> Work:
-        make, given = arrays(count, library)
+        if title == "constructor":
+            return lambda: make(**given)
+        if title == "constructor and estimate_normals":
+            return lambda: make(**given).estimate_normals(max_nn=15)
         cloud = make(**given)
         _ = cloud.estimate_normals(max_nn=15)
         return lambda: cloud.estimate_normals(max_nn=15)
 
-    steps = {"constructor": constructor, "constructor and estimate_normals": first, "estimate_normals again": later}
     libraries = ("NumPy", "Warp") if data.device == CPU else ("Warp",)  # a GPU cannot share arrays of NumPy
     return {
-        f"shared {library} arrays, {title}": lambda count, step=step, library=library: step(count, library)
+        f"shared {library} arrays, {title}": lambda count, library=library, title=title: work(count, library, title)
         for library in libraries
-        for title, step in steps.items()
+        for title in ("constructor", "constructor and estimate_normals", "estimate_normals again")
     }
 
 

@@ -21,40 +21,16 @@ from pointloom.core.units import NonFiniteWarning
 
 # Values that are not numbers, or do not fit in 64 bits: refused wherever a number is expected.
 NO_NUMBERS: dict[str, Any] = {
-    "a string of digits": "0.1",
-    "a string": "much",
-    "bytes": b"1",
-    "an object": object(),
-    "a list": [1.0],
-    "an empty list": [],
-    "a dictionary": {},
-    "an array of one number": np.array([0.5]),
-    "an array": np.zeros((2, 3)),
-    "a complex number": 1j,
-    "10^400": 10**400,
-    "-10^400": -(10**400),
-    "NaN": float("nan"),
-    "-infinity": float("-inf"),
-}
+    "a string of digits": "0.1", "a string": "much", "bytes": b"1", "an object": object(), "a list": [1.0],
+    "an empty list": [], "a dictionary": {}, "an array of one number": np.array([0.5]), "an array": np.zeros((2, 3)),
+    "a complex number": 1j, "10^400": 10**400, "-10^400": -(10**400), "NaN": float("nan"), "-infinity": float("-inf"),
+}  # fmt: skip
 NUMBERS: dict[str, Any] = {
-    "true": True,
-    "infinity": float("inf"),
-    "-1": -1,
-    "0": 0,
-    "a half": 0.5,
-    "2^24": 2**24,
-    "2^31": 2**31,
-    "2^32": 2**32,
-    "2^63": 2**63,
-    "2^64": 2**64,
-    "-2^63": -(2**63),
-    "1e-30": 1e-30,
-    "the least float": 5e-324,
-    "1e30": 1e30,
-    "the largest float": 1.7e308,
-    "a 32-bit NaN": np.float32("nan"),
+    "true": True, "infinity": float("inf"), "-1": -1, "0": 0, "a half": 0.5, "2^24": 2**24, "2^31": 2**31,
+    "2^32": 2**32, "2^63": 2**63, "2^64": 2**64, "-2^63": -(2**63), "1e-30": 1e-30, "the least float": 5e-324,
+    "1e30": 1e30, "the largest float": 1.7e308, "a 32-bit NaN": np.float32("nan"),
     "an array of no dimension": np.array(0.5),
-}
+}  # fmt: skip
 ARRAYS: dict[str, Any] = {
     "points": np.random.default_rng(1).random((60, 3)),
     "points that are NaN": np.full((60, 3), np.nan),

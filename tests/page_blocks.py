@@ -13,7 +13,6 @@ from .test_imports import ROOT
 PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md"))]
 PAGES += [path.relative_to(ROOT).as_posix() for path in ROOT.glob("src/pointloom/cli/shell/*.md")]
 NOT_RUN = re.compile(r"<!-- not run: (.+) -->")
-LANGUAGES = ("python", "sh", "text", "json")
 
 
 @dataclasses.dataclass(frozen=True)

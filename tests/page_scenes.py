@@ -65,14 +65,10 @@ def pair_nearby() -> dict[str, Any]:
     }  # fmt: skip
 
 
-def sequence_in_folder(folder: str) -> Callable[[], dict[str, Any]]:
+def sequence_in_folder(folder: str) -> dict[str, Any]:
     """A folder of frames of a room with their poses, in the format of 7-Scenes."""
-
-    def make() -> dict[str, Any]:
-        write_room_sequence(folder, frame_count=FRAMES, width=320, height=240)
-        return {"loom": loom, "frames": loom.open_dataset(folder)}
-
-    return make
+    write_room_sequence(folder, frame_count=FRAMES, width=320, height=240)
+    return {"loom": loom, "frames": loom.open_dataset(folder)}
 
 
 def two_frames() -> dict[str, Any]:
@@ -83,16 +79,12 @@ def two_frames() -> dict[str, Any]:
     return {}
 
 
-def sequence_and_pair() -> dict[str, Any]:
-    return sequence_in_folder("folder")() | two_frames()
-
-
 def parts_and_sequence() -> dict[str, Any]:
     """Three overlapping parts of a room, each in its own coordinates, and frames."""
     full = room(40_000)
     x = full.points[:, 0]
     parts = [full.select_by_mask((x > low) & (x < low + 2.0)) for low in (0.0, 0.5, 1.0)]
-    return sequence_in_folder("kitchen")() | {"clouds": [part.transform(example_pose()) for part in parts]}
+    return sequence_in_folder("kitchen") | {"clouds": [part.transform(example_pose()) for part in parts]}
 
 
 def bunny() -> dict[str, Any]:
@@ -104,7 +96,7 @@ def bunny() -> dict[str, Any]:
 def surfaces() -> dict[str, Any]:
     loom.write_point_cloud("scan.ply", room(8000))
     Path("redkitchen").mkdir()
-    frames = sequence_in_folder("redkitchen/seq-01")()["frames"]
+    frames = sequence_in_folder("redkitchen/seq-01")["frames"]
     return bunny() | {"room": loom.fuse(frames, voxel_size=0.05).mesh}
 
 
@@ -141,12 +133,8 @@ def bent_fragments() -> dict[str, Any]:
     }  # fmt: skip
 
 
-def kitchen_and_fragments() -> dict[str, Any]:
-    return bent_fragments() | sequence_in_folder("kitchen")()
-
-
 def scans_and_frames() -> dict[str, Any]:
-    sequence_in_folder("frames")()
+    sequence_in_folder("frames")
     return two_scans()
 
 
@@ -157,7 +145,7 @@ def robot() -> dict[str, Any]:
 
 
 def sequence_and_scans() -> dict[str, Any]:
-    sequence_in_folder("walk")()
+    sequence_in_folder("walk")
     Path("scans").mkdir()
     for number, T in enumerate((np.eye(4), example_pose(), np.linalg.inv(example_pose()))):
         loom.write_point_cloud(f"scans/scan{number}.ply", room(seed=number).transform(T))
@@ -168,15 +156,15 @@ SCENES: dict[str, Callable[[], dict[str, Any]]] = {
     "README.md": two_scans,
     "src/pointloom/cli/shell/SKILL.md": scans_and_frames,
     "docs/files.md": robot,
-    "docs/frames.md": sequence_in_folder("kitchen"),
+    "docs/frames.md": lambda: sequence_in_folder("kitchen"),
     "docs/large-clouds.md": survey,
     "docs/logging.md": parts_and_sequence,
     "docs/meshes.md": bunny,
     "docs/models.md": colmap_project,
-    "docs/reconstruction.md": kitchen_and_fragments,
+    "docs/reconstruction.md": lambda: bent_fragments() | sequence_in_folder("kitchen"),
     "docs/recordings.md": pair_nearby,
     "docs/registration.md": source_and_target,
-    "docs/slam.md": sequence_and_pair,
+    "docs/slam.md": lambda: sequence_in_folder("folder") | two_frames(),
     "docs/surfaces.md": surfaces,
     "docs/tiles.md": sequence_and_scans,
 }

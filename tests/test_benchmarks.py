@@ -3,61 +3,53 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
+import importlib
 import json
 import shutil
 import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-FOLDER = Path(__file__).resolve().parent.parent / "benchmarks"
+from .programs import BENCHMARKS as FOLDER
+from .programs import benchmarks_on_path, load_program
 
 
 @pytest.fixture(scope="module", autouse=True)
 def harness() -> Iterator[None]:
-    """The benchmarks' folder on the path, as it is when they run, and its modules gone afterward."""
-    before = set(sys.modules)
-    for path in FOLDER.glob("*.py"):
-        sys.modules.pop(path.stem, None)  # another test's module may have the name
-    sys.path.insert(0, str(FOLDER))
-    yield
-    sys.path.remove(str(FOLDER))
-    for name in set(sys.modules) - before:
-        if str(getattr(sys.modules[name], "__file__", "")).startswith(str(FOLDER)):
-            del sys.modules[name]
+    with benchmarks_on_path():
+        yield
 
 
-# ------------------------------------------------------------------------------------------------ scenes
+def benchmark_module(name: str) -> Any:
+    """A fixture with a module of benchmarks/."""
+    return pytest.fixture(lambda harness: importlib.import_module(name), scope="module", name=name)
 
+
+code_digests, contest, report = map(benchmark_module, ("code_digests", "contest", "report"))
+run, scenes, targets, write_pages = map(benchmark_module, ("run", "scenes", "targets", "write_pages"))
 
 # ------------------------------------------------------------------------------------------------ operations
 
 
-def test_every_target_and_every_reason_names_an_operation_and_a_size():
-    import contest
-    import targets
-
+def test_every_target_and_every_reason_names_an_operation_and_a_size(contest, targets):
     known = contest.operations()
     for operation, size in [*targets.TARGETS, *targets.REASONS]:
         assert size in known[operation][1].scenes
 
 
-def test_long_and_memory_sizes_are_sizes_of_the_operation():
-    import contest
-
+def test_long_and_memory_sizes_are_sizes_of_the_operation(contest):
     for _, operation in contest.operations().values():
         assert set(operation.long) < set(operation.scenes)
         assert list(operation.sizes(long=True)) == list(operation.scenes)
         assert operation.memory_size is None or operation.memory_size in operation.sizes()
 
 
-def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device():
-    import contest
-
+def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device(contest):
     for _, operation in contest.operations().values():
         for device in ("cpu", "cuda:0"):
             labels = [label for _, _, label in operation.contestants_on(device)]
@@ -68,10 +60,7 @@ def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device():
 
 
 @pytest.mark.parametrize("name", ["voxel_down_sample", "marching_cubes", "knn20_with_build"])
-def test_results_agree_with_themselves_and_not_with_a_wrong_result(name):
-    import contest
-    import scenes
-
+def test_results_agree_with_themselves_and_not_with_a_wrong_result(name, contest, scenes):
     tiny = {
         "voxel_down_sample": lambda: scenes.bumpy_surface(3000),
         "marching_cubes": lambda: scenes.wavy_ball(16),
@@ -109,9 +98,7 @@ PEERS = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("peer", PEERS)
-def test_available_baselines_agree_with_pointloom_at_the_quick_size(peer, monkeypatch):
-    import contest
-
+def test_available_baselines_agree_with_pointloom_at_the_quick_size(peer, monkeypatch, contest):
     monkeypatch.delenv("OMP_NUM_THREADS", raising=False)  # py4dgeo warns if it is set
     name, module = PEERS[peer]
     pytest.importorskip(module)
@@ -125,17 +112,12 @@ def test_available_baselines_agree_with_pointloom_at_the_quick_size(peer, monkey
     operation.check(*facts, peer)
 
 
-# ------------------------------------------------------------------------------------------------ memory, launches
-
-
 # ------------------------------------------------------------------------------------------------ report, run
 
 
 def saved_run(ratio: float, operation: str = "dbscan", size: str = "1k") -> dict:
-    contestants = {
-        name: {"min_s": seconds, "peak_memory_bytes": None}
-        for name, seconds in (("pointloom", 0.01), ("other", ratio / 100))
-    }
+    seconds = {"pointloom": 0.01, "other": ratio / 100}
+    contestants = {name: {"min_s": each, "peak_memory_bytes": None} for name, each in seconds.items()}
     row = {"operation": operation, "size": size, "contestants": contestants, "target": 2.0}
     return {
         "date": "2026-02-01T00:00:00+00:00", "seconds": 60.0, "commit": "0123456789ab",
@@ -145,9 +127,7 @@ def saved_run(ratio: float, operation: str = "dbscan", size: str = "1k") -> dict
     }  # fmt: skip
 
 
-def test_the_page_has_each_row_with_a_baseline():
-    import write_pages
-
+def test_the_page_has_each_row_with_a_baseline(write_pages):
     text = write_pages.measured_table(saved_run(3.0))
     assert "1 February 2026" in text and "2 cores (a processor)" in text
     assert "| `dbscan` <!-- unknown --> | 1k | 10.0 ms | other 30.0 ms | 3.0 | 2 |  |" in text and "alone" not in text
@@ -155,9 +135,7 @@ def test_the_page_has_each_row_with_a_baseline():
 
 
 @pytest.mark.parametrize("ratio", [0.5, 1.5])
-def test_a_row_below_its_target_needs_a_reason(ratio, monkeypatch):
-    import write_pages
-
+def test_a_row_below_its_target_needs_a_reason(ratio, monkeypatch, write_pages):
     monkeypatch.setattr(write_pages, "REASONS", {})
     with pytest.raises(ValueError, match="dbscan 1k"):
         write_pages.measured_table(saved_run(ratio))
@@ -165,9 +143,7 @@ def test_a_row_below_its_target_needs_a_reason(ratio, monkeypatch):
     assert "| `dbscan` | 1k | Memory is the limit. |" in write_pages.measured_table(saved_run(ratio))
 
 
-def test_the_readme_has_the_operations_that_are_furthest_behind(monkeypatch):
-    import write_pages
-
+def test_the_readme_has_the_operations_that_are_furthest_behind(monkeypatch, write_pages):
     monkeypatch.setattr(write_pages, "SHOWN", {("dbscan", "1k"): ("clusters", "1k points")})
     run = saved_run(3.0)
     ratios = {("fpfh", "a"): 0.9, ("fpfh", "b"): 0.5, ("fpfh", "c"): 0.6, ("poisson", "d"): 0.7, ("ply_read", "e"): 0.8}
@@ -179,9 +155,7 @@ def test_the_readme_has_the_operations_that_are_furthest_behind(monkeypatch):
     assert "ahead in 1 of 6 rows" in " ".join(write_pages.readme_table(run).split())
 
 
-def test_growth_of_n_squared_has_the_exponent_two():
-    import write_pages
-
+def test_growth_of_n_squared_has_the_exponent_two(write_pages):
     sizes = [{"count": 4**k, "seconds": 16.0**k, "bytes": 4**k} for k in range(4)]
     rows = [{"operation": "pairs", "sizes": sizes}, {"operation": "other", "error": "MemoryError"}]
     lines = list(write_pages.growth_tables({"about": saved_run(1.0), "rows": rows}))
@@ -189,20 +163,16 @@ def test_growth_of_n_squared_has_the_exponent_two():
     assert "MemoryError" in lines[-1]
 
 
-def test_check_finds_a_page_that_differs_from_the_saved_runs(tmp_path, monkeypatch, capsys):
-    import write_pages
-
+def test_check_finds_a_page_that_differs_from_the_saved_runs(tmp_path, monkeypatch, capsys, write_pages):
     page = tmp_path / "page.md"
     page.write_text("old")
     monkeypatch.setattr(write_pages, "ROOT", tmp_path)
     monkeypatch.setattr(write_pages, "pages", lambda: {page: "new"})
     monkeypatch.setattr(write_pages, "too_old", lambda run: "")
-    monkeypatch.setattr(sys, "argv", ["write_pages.py", "--check"])
-    assert write_pages.main() == 1 and "page.md" in capsys.readouterr().err and page.read_text() == "old"
-    monkeypatch.setattr(sys, "argv", ["write_pages.py"])
-    assert write_pages.main() == 0 and page.read_text() == "new"
-    monkeypatch.setattr(sys, "argv", ["write_pages.py", "--check"])
-    assert write_pages.main() == 0
+    assert write_pages_code(monkeypatch, "--check") == 1
+    assert "page.md" in capsys.readouterr().err and page.read_text() == "old"
+    assert write_pages_code(monkeypatch) == 0 and page.read_text() == "new"
+    assert write_pages_code(monkeypatch, "--check") == 0
 
 
 # ------------------------------------------------------------------------------------------------ old rows
@@ -222,48 +192,32 @@ def search(count=3, *, limit=inf):
 
 
 @pytest.mark.parametrize(
-    ("old", "new"),
+    ("is_same", "old", "new"),
     [
-        (b"  # the limit", b""),
-        (b"Steps of a search.", b"Other text."),
-        (b'    """Search."""\n', b""),
-        (b'["a", "b"]', b"[\n    'a',  'b', ]"),
-        (b"\n", b"\r\n"),
-        (b" of {limit!r}", b' of " f"{limit!r}'),
-    ],
-    ids=["comment", "text of a docstring", "docstring", "formatting", "line ends", "split f-string"],
-)
-def test_digest_ignores_comments_docstrings_and_formatting(old, new):
-    import code_digests
-
-    assert old in MODULE
-    assert code_digests.code_digest(MODULE.replace(old, new)) == code_digests.code_digest(MODULE)
-
-
-@pytest.mark.parametrize(
-    ("old", "new"),
-    [
-        (b"count=3", b"count=4"),
-        (b"count=3", b"count=3.0"),
-        (b"=inf", b"=None"),
-        (b"inf, nan", b"nan, inf"),
-        (b'["a", "b"]', b'["a" "b"]'),
-        (b'["a", "b"]', b'("a", "b")'),
-        (b"!r", b"!s"),
-        (b" of ", b" in "),
-        (b", *, ", b", "),
+        (True, b"  # the limit", b""),
+        (True, b"Steps of a search.", b"Other text."),
+        (True, b'    """Search."""\n', b""),
+        (True, b'["a", "b"]', b"[\n    'a',  'b', ]"),
+        (True, b"\n", b"\r\n"),
+        (True, b" of {limit!r}", b' of " f"{limit!r}'),
+        (False, b"count=3", b"count=4"),
+        (False, b"count=3", b"count=3.0"),
+        (False, b"=inf", b"=None"),
+        (False, b"inf, nan", b"nan, inf"),
+        (False, b'["a", "b"]', b'["a" "b"]'),
+        (False, b'["a", "b"]', b'("a", "b")'),
+        (False, b"!r", b"!s"),
+        (False, b" of ", b" in "),
+        (False, b", *, ", b", "),
     ],
 )
-def test_digest_changes_with_the_code(old, new):
-    import code_digests
-
+def test_digest_changes_with_the_code_only_and_not_with_text_and_formatting(is_same, old, new, code_digests):
     assert old in MODULE
-    assert code_digests.code_digest(MODULE.replace(old, new)) != code_digests.code_digest(MODULE)
+    digests = {code_digests.code_digest(code) for code in (MODULE, MODULE.replace(old, new))}
+    assert len(digests) == (1 if is_same else 2)
 
 
-def test_a_module_counts_if_one_of_its_functions_runs():
-    import code_digests
-
+def test_a_module_counts_if_one_of_its_functions_runs(code_digests):
     from pointloom.core import units
 
     def call():
@@ -276,9 +230,7 @@ def test_a_module_counts_if_one_of_its_functions_runs():
     assert code_digests.modules_of_call(call, FOLDER / "results") == [], "pointloom is not in this folder"
 
 
-def test_functions_in_threads_count():
-    import code_digests
-
+def test_functions_in_threads_count(code_digests):
     from pointloom.core import units
 
     def call():
@@ -291,8 +243,7 @@ def test_functions_in_threads_count():
     assert (sys.getprofile(), threading.getprofile()) == before
 
 
-def test_the_module_of_a_launched_kernel_counts():
-    import code_digests
+def test_the_module_of_a_launched_kernel_counts(code_digests):
     import warp as wp
 
     from pointloom.kernels.arrays.subsets import mark_rows_kernel
@@ -305,9 +256,7 @@ def test_the_module_of_a_launched_kernel_counts():
     assert "kernels/arrays/random.py" in modules, "it has device functions of the kernels in subsets.py"
 
 
-def test_imports_of_modules_of_kernels_count_within_kernels(tmp_path):
-    import code_digests
-
+def test_imports_of_modules_of_kernels_count_within_kernels(tmp_path, code_digests):
     files = {
         "kernels/search/walk.py": "from ..algebra.solve import step\nfrom . import limits\nfrom ..lang import func",
         "kernels/search/limits.py": "from ...core.checks import check",
@@ -343,15 +292,10 @@ class Rounds:
 @pytest.mark.parametrize(
     ("limit", "traced"), [(10.0, ["callable_bool", "units"]), (0.0, ["units"])], ids=["fast calls", "slow calls"]
 )
-def test_modules_of_all_sizes_are_joined_and_one_slow_call_is_traced(limit, traced, monkeypatch):
-    import contest
-
+def test_modules_of_all_sizes_are_joined_and_one_slow_call_is_traced(limit, traced, monkeypatch, contest):
     from pointloom.core import callable_bool, units
 
-    spec = importlib.util.spec_from_file_location("conftest_of_benchmarks", FOLDER / "conftest.py")
-    conftest = importlib.util.module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, "conftest_of_benchmarks", conftest)  # for its dataclasses
-    spec.loader.exec_module(conftest)
+    conftest = load_program(FOLDER / "conftest.py", "conftest_of_benchmarks")
     monkeypatch.setattr(conftest, "TRACED_SECONDS", limit)
 
     def prepare(scene, device):
@@ -371,11 +315,9 @@ def timing_document(operation: str, module: str, content: bytes) -> dict:
     """The document of one process of benchmarks whose operation runs one module."""
     import code_digests
 
+    info = {"operation": operation, "size": "1k", "units": 1}
     entries = [
-        {
-            "extra_info": {"operation": operation, "size": "1k", "label": label, "lap": lap, "units": 1},
-            "stats": {"data": [seconds]},
-        }
+        {"extra_info": {**info, "label": label, "lap": lap}, "stats": {"data": [seconds]}}
         for label, seconds in (("pointloom", 1.0), ("other", 3.0))
         for lap in (0, 1)
     ]
@@ -383,11 +325,8 @@ def timing_document(operation: str, module: str, content: bytes) -> dict:
 
 
 @pytest.fixture
-def repository(tmp_path, monkeypatch):
+def repository(tmp_path, monkeypatch, report, write_pages):
     """A folder with one module for each of four operations, the run that measured them, and the two pages."""
-    import report
-    import write_pages
-
     documents = []
     for name in "abcd":
         (tmp_path / f"{name}.py").write_bytes(MODULE)
@@ -420,9 +359,7 @@ def marked_rows(page: Path) -> list[str]:
     return [cell.split(" \\*")[0] for cell in cells if "\\*" in cell]
 
 
-def test_old_rows_are_marked_in_both_pages(repository, monkeypatch, capsys):
-    import code_digests
-
+def test_old_rows_are_marked_in_both_pages(repository, monkeypatch, capsys, code_digests):
     readme, measured = repository / "README.md", repository / "MEASURED.md"
     assert write_pages_code(monkeypatch) == 0 and write_pages_code(monkeypatch, "--check") == 0
     row = code_digests.row_digest({"b.py": code_digests.code_digest(MODULE)})
@@ -451,9 +388,7 @@ def test_a_row_is_old_if_one_of_its_modules_no_longer_exists(repository, monkeyp
     assert marked_rows(repository / "README.md") == ["operation c"]
 
 
-def test_rows_of_a_run_without_modules_are_old():
-    import code_digests
-
+def test_rows_of_a_run_without_modules_are_old(code_digests):
     run = saved_run(1.0)
     assert code_digests.old_rows(run) == {("dbscan", "1k"), ("dbscan", "alone")}
 
@@ -505,11 +440,7 @@ def test_none(time_lap):
 
 
 @pytest.mark.slow
-def test_a_run_records_the_modules_that_each_operation_runs(tmp_path, monkeypatch):
-    import code_digests
-    import contest
-    import run
-
+def test_a_run_records_the_modules_that_each_operation_runs(tmp_path, monkeypatch, code_digests, contest, run):
     for name in ("conftest.py", "pytest.ini"):
         shutil.copy(FOLDER / name, tmp_path)
     for name in ("contest.py", "code_digests.py", "real_data.py"):
@@ -529,9 +460,7 @@ def test_a_run_records_the_modules_that_each_operation_runs(tmp_path, monkeypatc
     assert code_digests.old_rows(document) == {("none", "1")}
 
 
-def test_only_a_complete_run_replaces_the_saved_results(tmp_path, monkeypatch):
-    import run
-
+def test_only_a_complete_run_replaces_the_saved_results(tmp_path, monkeypatch, run):
     monkeypatch.setattr(run, "FOLDER", tmp_path)
     about = {"device": "cpu"}
     run.save(argparse.Namespace(output=None, quick=False, only=["dbscan"]), about, about)
@@ -539,6 +468,3 @@ def test_only_a_complete_run_replaces_the_saved_results(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
     run.save(argparse.Namespace(output=None, quick=False, only=None), about, about)
     assert json.loads((tmp_path / "results" / "operations-cpu.json").read_text()) == about
-
-
-# ------------------------------------------------------------------------------------------------ first use

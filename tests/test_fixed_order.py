@@ -14,9 +14,10 @@ from pathlib import Path
 
 import pytest
 
+from .emulated_cuda.kernel_coverage import is_device_code
+
 PACKAGE = Path(__file__).parents[1] / "src" / "pointloom"
 PACKAGES = ("cameras", "core", "datasets", "kernels", "meshing", "pcd", "registration", "rgbd", "tiling")
-DEVICE_CODE = {"func", "kernel", "reduction", "segment_reduction", "loop", "cuda_func", "cuda_loop", "on_cuda"}
 LINALG = {"cholesky", "cond", "det", "eig", "eigh", "eigvals", "eigvalsh", "inv", "lstsq", "matrix_rank", "pinv", "qr"}
 LINALG |= {"slogdet", "solve", "svd"}
 NUMPY = {"convolve", "corrcoef", "correlate", "cov", "dot", "inner", "matmul", "polyfit", "tensordot", "vdot"}
@@ -39,13 +40,6 @@ ALLOWED = {
     ("registration/trajectories/similarity.py", "*"): "not yet: cameras aligned to known places",
     ("rgbd/odometry/rgbd_odometry.py", "*"): DECIDES,
 }
-
-
-def is_device_code(node: ast.AST) -> bool:
-    if not isinstance(node, ast.FunctionDef):
-        return False
-    marks = [mark.func if isinstance(mark, ast.Call) else mark for mark in node.decorator_list]
-    return any(ast.unparse(mark).rpartition(".")[2] in DEVICE_CODE for mark in marks)
 
 
 def is_of_blas(call: ast.Call) -> bool:

@@ -24,9 +24,6 @@ GPU = Device("NVIDIA H100 80GB HBM3", 90, 132, 79.1, "13.0", "13.4")
 EMULATED = replace(GPU, name="Emulated CUDA device")
 
 
-# ------------------------------------------------------------------------------------------------ figures
-
-
 def test_nothing_of_the_emulated_device_becomes_a_document(tmp_path):
     documents.keep_part(tmp_path / "run", GPU, "constants", {"GRAPH_NODE": 2e-6})
     documents.keep_part(tmp_path / "run", EMULATED, "operations", {"tree 5": {"caller_ms": 2.0}})
@@ -43,9 +40,6 @@ def test_parts_of_two_devices_are_no_document(tmp_path):
     documents.keep_part(tmp_path, replace(GPU, name="NVIDIA H200"), "operations", {})
     with pytest.raises(ValueError, match="different device"):
         documents.collected(tmp_path)
-
-
-# ------------------------------------------------------------------------------------------------ steps
 
 
 @pytest.fixture
@@ -70,9 +64,6 @@ def test_a_step_that_has_more_to_do_is_begun_again(scripted, tmp_path):
     run = Run(tmp_path / "run", 100, dry=False)
     assert run.all([step]) == [] and run.status(step) == ""
     assert run.all([step]) == [] and run.status(step) == "done"
-
-
-# ------------------------------------------------------------------------------------------------ packing
 
 
 def fatbin(*entries: tuple[int, int, bytes]) -> bytes:

@@ -134,9 +134,8 @@ def grown_mesh(mesh: loom.TriangleMesh, x: float, is_used: bool) -> loom.Triangl
 def with_value(values: Any, value: float) -> np.ndarray:
     """The array with another number at its end; a matrix of a pose with another translation."""
     values = np.array(values, np.float64)
-    values[
-        (..., 0, 3) if values.shape == (4, 4) else (-1, 0, 3) if values.shape[1:] == (4, 4) else (-1,) * values.ndim
-    ] = value
+    end = (-1, 0, 3) if values.shape[1:] == (4, 4) else (-1,) * values.ndim
+    values[(0, 3) if values.shape == (4, 4) else end] = value
     return values
 
 

@@ -2,7 +2,6 @@
 
 import email.parser
 import importlib.metadata
-import importlib.util
 import re
 import shutil
 import subprocess
@@ -20,25 +19,18 @@ from packaging.version import Version
 from pointloom.cli.shell import doctor
 from pointloom.kernels.language import warp_parts
 
-ROOT = Path(__file__).resolve().parents[1]
+from .programs import ROOT, script
+
 PACKAGE = ROOT / "src" / "pointloom"
 FOLDERS = tuple(path.parent.name for path in sorted(PACKAGE.glob("*/__init__.py")))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
+DIST_INFO = f"pointloom-{PROJECT['project']['version']}.dist-info"
 
 # Addresses of package registries, in two parts each so that this file contains none.
 REGISTRIES = [
-    f"{name}.{domain}"
-    for name, domain in [
-        ("pypi", "org"),
-        ("pypi.python", "org"),
-        ("python" + "hosted", "org"),
-        ("pypi.nvidia", "com"),
-        ("download.pytorch", "org"),
-        ("anaconda", "org"),
-        ("anaconda", "com"),
-        ("registry.npmjs", "org"),
-        ("registry.yarnpkg", "com"),
-    ]
+    *(f"{name}.org" for name in ("pypi", "pypi.python", "python" + "hosted", "download.pytorch")),
+    *(f"{name}.org" for name in ("anaconda", "registry.npmjs")),
+    *(f"{name}.com" for name in ("anaconda", "registry.yarnpkg", "pypi.nvidia")),
 ]
 
 
@@ -70,14 +62,10 @@ def test_the_wheel_contains_the_browser_scripts_styles_and_pages(wheel):
 
 
 def test_the_wheel_contains_nothing_outside_the_package(wheel):
-    dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
-    data = dist_info.replace(".dist-info", ".data")
-    assert {name.split("/")[0] for name in wheel.namelist()} == {"pointloom", dist_info, data}
+    data = DIST_INFO.replace(".dist-info", ".data")
+    assert {name.split("/")[0] for name in wheel.namelist()} == {"pointloom", DIST_INFO, data}
     assert [name for name in wheel.namelist() if name.startswith(data)] == [f"{data}/data/share/man/man1/pointloom.1"]
-    assert {"pointloom/py.typed", "pointloom/__init__.pyi", "pointloom/registration/__init__.pyi"} <= set(
-        wheel.namelist()
-    )
-    assert f"{dist_info}/licenses/LICENSE" in wheel.namelist()
+    assert f"{DIST_INFO}/licenses/LICENSE" in wheel.namelist()
 
 
 def test_every_file_of_the_package_in_the_wheel_is_in_the_tree(wheel):
@@ -85,31 +73,23 @@ def test_every_file_of_the_package_in_the_wheel_is_in_the_tree(wheel):
     assert [name for name in inside if not (PACKAGE / name).is_file()] == []
 
 
-def test_the_wheel_contains_the_font_with_its_license(wheel):
-    letters = {"pointloom/visualization/render/glyphs.npz", "pointloom/visualization/render/glyphs.md"}
-    assert letters <= set(wheel.namelist())
+def test_the_wheel_contains_types_the_font_with_its_license_and_the_assistant_guide_with_its_chapters(wheel):
+    types = ("py.typed", "__init__.pyi", "registration/__init__.pyi")
+    font = ("visualization/render/glyphs.npz", "visualization/render/glyphs.md")
+    files = (*types, *font, "cli/shell/SKILL.md", "cli/shell/chapters.toml")
+    assert {f"pointloom/{name}" for name in files} <= set(wheel.namelist())
 
 
-def test_the_wheel_contains_the_assistant_guide_and_the_chapter_list(wheel):
-    assert {"pointloom/cli/shell/SKILL.md", "pointloom/cli/shell/chapters.toml"} <= set(wheel.namelist())
-
-
-def test_the_wheel_names_its_version_and_its_command(wheel):
+def test_the_wheel_names_its_version_and_its_command(wheel, metadata):
     import pointloom
 
-    dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
-    metadata = email.parser.Parser().parsestr(wheel.read(f"{dist_info}/METADATA").decode())
-    assert metadata["Name"] == "pointloom"
-    assert metadata["Version"] == pointloom.__version__
-    assert "pointloom = pointloom.__main__:main" in wheel.read(f"{dist_info}/entry_points.txt").decode()
+    assert (metadata["Name"], metadata["Version"]) == ("pointloom", pointloom.__version__)
+    assert "pointloom = pointloom.__main__:main" in wheel.read(f"{DIST_INFO}/entry_points.txt").decode()
 
 
-def script(name: str):
-    """A module of scripts/."""
-    spec = importlib.util.spec_from_file_location(name, ROOT / "scripts" / f"{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+@pytest.fixture(scope="module")
+def metadata(wheel):
+    return email.parser.Parser().parsestr(wheel.read(f"{DIST_INFO}/METADATA").decode())
 
 
 @pytest.fixture(scope="module")
@@ -117,10 +97,8 @@ def package_metadata():
     return script("package_metadata")
 
 
-def test_the_package_readme_has_absolute_links(wheel, package_metadata):
+def test_the_package_readme_has_absolute_links(metadata, package_metadata):
     settings = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
-    message = wheel.read(f"pointloom-{PROJECT['project']['version']}.dist-info/METADATA").decode()
-    metadata = email.parser.Parser().parsestr(message)
     readme = (ROOT / "README.md").read_text()
     expected = package_metadata.absolute_links(readme, settings["repository"], settings["branch"])
     assert metadata.get_payload().strip() == expected.strip()

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
-from pathlib import Path
-
 import pytest
 
-PATH = Path(__file__).resolve().parent.parent / "scripts" / "check_prose.py"
+from .programs import script
 
 
 @pytest.fixture(scope="module")
 def check_prose():
-    spec = importlib.util.spec_from_file_location("check_prose", PATH)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return script("check_prose")
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 import hashlib
 import importlib.metadata
-import importlib.util
 import json
 import re
 import shutil
@@ -11,25 +10,14 @@ import sys
 import tarfile
 import tomllib
 import zipfile
-from pathlib import Path
-from types import ModuleType
 
 import pytest
 from packaging.requirements import Requirement
 from packaging.specifiers import SpecifierSet
 
-ROOT = Path(__file__).resolve().parents[1]
+from .programs import ROOT, script
+
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-
-
-def script(name: str) -> ModuleType:
-    """A module of scripts/."""
-    spec = importlib.util.spec_from_file_location(name, ROOT / "scripts" / f"{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 release, write_api = script("release"), script("write_api")
 
 
@@ -48,9 +36,8 @@ def test_checksums_are_sorted_and_can_be_checked(tmp_path):
     for name, content in {"b.whl": b"wheel", "a.tar.gz": b"archive"}.items():
         (tmp_path / name).write_bytes(content)
     text = release.checksums(tmp_path.iterdir())
-    assert text == (
-        f"{hashlib.sha256(b'archive').hexdigest()}  a.tar.gz\n{hashlib.sha256(b'wheel').hexdigest()}  b.whl\n"
-    )
+    sums = (hashlib.sha256(content).hexdigest() for content in (b"archive", b"wheel"))
+    assert text == "{}  a.tar.gz\n{}  b.whl\n".format(*sums)
     (tmp_path / "SHA256SUMS").write_text(text)
     subprocess.run(["sha256sum", "--check", "--strict", "SHA256SUMS"], cwd=tmp_path, check=True, capture_output=True)
 
@@ -81,29 +68,14 @@ def test_the_sbom_lists_resolved_versions_licenses_and_hashes(packages, tmp_path
     assert (content["bomFormat"], content["specVersion"], content["version"]) == ("CycloneDX", "1.6", 1)
     assert content["metadata"]["timestamp"] == "1970-01-02T00:00:00Z"
     assert content["metadata"]["component"]["licenses"] == [{"expression": "Apache-2.0"}]
+    hashes = [{"alg": "SHA-256", "content": hashlib.sha256(b"wheel").hexdigest()}]
     assert content["components"] == [
         {
-            "type": "library",
-            "bom-ref": "pkg:pypi/numpy@2.4.6",
-            "name": "numpy",
-            "version": "2.4.6",
-            "purl": "pkg:pypi/numpy@2.4.6",
-            "licenses": [{"license": {"name": "BSD"}}],
-        },
-        {
-            "type": "library",
-            "bom-ref": "pkg:pypi/rich@14.3",
-            "name": "rich",
-            "version": "14.3",
-            "purl": "pkg:pypi/rich@14.3",
-            "licenses": [{"license": {"name": "MIT License"}}],
-        },
-        {
-            "type": "file",
-            "name": "pointloom.whl",
-            "hashes": [{"alg": "SHA-256", "content": hashlib.sha256(b"wheel").hexdigest()}],
-        },
-    ]
+            **{"type": "library", "bom-ref": f"pkg:pypi/{name}@{version}", "name": name, "version": version},
+            **{"purl": f"pkg:pypi/{name}@{version}", "licenses": [{"license": {"name": license_name}}]},
+        }
+        for name, version, license_name in (("numpy", "2.4.6", "BSD"), ("rich", "14.3", "MIT License"))
+    ] + [{"type": "file", "name": "pointloom.whl", "hashes": hashes}]
     assert {each["ref"]: each["dependsOn"] for each in content["dependencies"]} == {
         "pkg:pypi/numpy@2.4.6": [],
         "pkg:pypi/pointloom@0.1.0": ["pkg:pypi/numpy@2.4.6", "pkg:pypi/rich@14.3"],
@@ -116,10 +88,9 @@ def test_the_sbom_lists_resolved_versions_licenses_and_hashes(packages, tmp_path
 
 
 def test_the_comparison_of_public_names_reports_what_breaks_callers():
-    earlier = (
-        "4 names\n\nloom\n    LIMIT\n    class A(x)\n        go(self)\n        old(self)\n    f(a, b=1)\n    g()\n"
-    )
-    current = "4 names\n\nloom\n    class A(x, y)\n        go(self, n=2)\n    f(b=1, a=2)\n    g(a=1)\n    new()\n"
+    earlier = "loom\n    LIMIT\n    class A(x)\n        go(self)\n        old(self)\n    f(a, b=1)\n    g()\n"
+    current = "loom\n    class A(x, y)\n        go(self, n=2)\n    f(b=1, a=2)\n    g(a=1)\n    new()\n"
+    earlier, current = (f"4 names\n\n{names}" for names in (earlier, current))
     assert list(write_api.breaking(earlier, current)) == [
         "removed: loom.LIMIT",
         "changed: loom.A(x) -> loom.A(x, y)",
@@ -145,9 +116,8 @@ def test_the_sdist_builds_the_same_wheel_as_the_tree(tmp_path):
     subprocess.run([*build, "wheel"], cwd=folder, check=True, capture_output=True, timeout=300)
     shutil.rmtree(folder)
     with zipfile.ZipFile(wheel) as built, zipfile.ZipFile(expected) as archive:
-        assert {each.filename: each.CRC for each in built.infolist()} == {
-            each.filename: each.CRC for each in archive.infolist()
-        }
+        contents, wanted = ({each.filename: each.CRC for each in file.infolist()} for file in (built, archive))
+        assert contents == wanted
 
 
 def test_the_conda_recipe_has_the_version_and_the_requirements_of_the_project():

@@ -8,31 +8,25 @@ import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import pytest
 
-FOLDER = Path(__file__).resolve().parent.parent / "benchmarks"
+from .programs import BENCHMARKS as FOLDER
+from .programs import benchmarks_on_path
+
 PROCESSOR = "Maker Model, family 1, model 2, 2 cores"
 
 
 @pytest.fixture(scope="module", autouse=True)
-def harness() -> Iterator[None]:
-    """The folder of the benchmarks on the path. Its modules are removed afterward."""
-    before = set(sys.modules)
-    for path in FOLDER.glob("*.py"):
-        sys.modules.pop(path.stem, None)  # another test's module may have the name
-    sys.path.insert(0, str(FOLDER))
-    import speed
+def speed() -> Iterator[ModuleType]:
+    with benchmarks_on_path():
+        import speed
 
-    # Collections take long among the objects of so many tests.
-    speed.gc = SimpleNamespace(**dict.fromkeys(("collect", "freeze", "unfreeze", "enable", "disable"), int))
-    yield
-    sys.path[:] = [path for path in sys.path if path != str(FOLDER)]
-    for name in set(sys.modules) - before:
-        if str(getattr(sys.modules[name], "__file__", "")).startswith(str(FOLDER)):
-            del sys.modules[name]
+        # Collections take long among the objects of so many tests.
+        speed.gc = SimpleNamespace(**dict.fromkeys(("collect", "freeze", "unfreeze", "enable", "disable"), int))
+        yield speed
 
 
 # ------------------------------------------------------------------------------------------------ fakes
@@ -70,8 +64,9 @@ class Times:
 Spending = Callable[[int], tuple[float, float]]  # number of the call -> wall and CPU seconds
 
 
-def constant(seconds: float) -> Spending:
-    return lambda number: (seconds, seconds)
+def constant(seconds: float, cpu: float | None = None) -> Spending:
+    """Every round takes longer than its CPU time, if that is given, as two threads do beside a busy process."""
+    return lambda number: (seconds, seconds if cpu is None else cpu)
 
 
 def fake_operation(times: Times, ours: Spending, theirs: Spending, *, name: str = "fake", agree: bool = True) -> Any:
@@ -91,16 +86,11 @@ def fake_operation(times: Times, ours: Spending, theirs: Spending, *, name: str 
     def check(actual: str, reference: str, peer: str) -> None:
         assert actual == reference, f"{actual} is not {reference}"
 
-    return contest.Operation(
-        name=name,
-        scenes={"small": lambda: None},
-        quick={},
-        contestants=(
-            contest.Contestant(contest.POINTLOOM, prepare("pointloom", ours), lambda result: result),
-            contest.Contestant("other", prepare("other", theirs), lambda result: result),
-        ),
-        check=check,
+    contestants = (
+        contest.Contestant(contest.POINTLOOM, prepare("pointloom", ours), lambda result: result),
+        contest.Contestant("other", prepare("other", theirs), lambda result: result),
     )
+    return contest.Operation(name, {"small": lambda: None}, {}, contestants, check)
 
 
 def row_of(name: str = "fake") -> Any:
@@ -115,9 +105,8 @@ def record_of(ratio: float, *, processor: str = PROCESSOR, date: str = "2026-02-
 
 
 @pytest.fixture
-def run(monkeypatch, tmp_path, capsys) -> Callable[..., SimpleNamespace]:
+def run(monkeypatch, tmp_path, capsys, speed) -> Callable[..., SimpleNamespace]:
     """Run the command on fake operations: `run(times, operations, records, *arguments)`."""
-    import speed
 
     def run_command(times: Times, operations: list[Any], records: list[Any], *arguments: str) -> SimpleNamespace:
         path = tmp_path / "speed.json"
@@ -130,59 +119,49 @@ def run(monkeypatch, tmp_path, capsys) -> Callable[..., SimpleNamespace]:
         monkeypatch.setattr(speed, "processor", lambda: PROCESSOR)
         code = speed.main([*arguments, "--records", str(path)], times.clock())
         text = capsys.readouterr()
-        return SimpleNamespace(code=code, out=text.out, err=text.err, path=path)
+        return SimpleNamespace(code=code, out=text.out, err=text.err, path=path, log=times.log)
 
     return run_command
+
+
+@pytest.fixture
+def run_one(run) -> Callable[..., SimpleNamespace]:
+    """The same for one operation of two numbers of seconds, or functions of the call: `run_one(ours, theirs, ...)`."""
+
+    def run_operation(ours: Any, theirs: Any, records: Any, *arguments: str, load: float = 0.0) -> SimpleNamespace:
+        times = Times(other_load=load)
+        spendings = (given if callable(given) else constant(given) for given in (ours, theirs))
+        return run(times, [fake_operation(times, *spendings)], records, *arguments)
+
+    return run_operation
 
 
 # ------------------------------------------------------------------------------------------------ tries
 
 
-def test_a_row_at_its_recorded_ratio_passes_after_three_alternating_pairs(run):
-    times = Times()
-    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], [record_of(2.0)])
+def test_a_row_at_its_recorded_ratio_passes_after_three_alternating_pairs(run_one):
+    result = run_one(0.01, 0.02, [record_of(2.0)])
     assert result.code == 0 and "1 row: 1 passed, 0 failed" in result.out
-    first_calls = ["pointloom", "other"]
-    assert times.log == first_calls + first_calls + 3 * first_calls
+    assert result.log == (2 + 3) * ["pointloom", "other"]  # two first calls of each
 
 
 @pytest.mark.parametrize(("factor", "pairs"), [(1.01, 3), (0.95, 5), (0.85, 25), (0.7, 2 * 25)])
-def test_a_row_closer_to_the_limit_has_more_pairs(run, factor, pairs):
-    import speed
-
+def test_a_row_closer_to_the_limit_has_more_pairs(run_one, factor, pairs, speed):
     assert (speed.MIN_PAIRS, speed.CLEAR_PAIRS, speed.MAX_PAIRS) == (3, 5, 25)
-    times = Times()
-    result = run(times, [fake_operation(times, constant(0.01), constant(0.01 * factor))], [record_of(1.0)])
-    assert times.log.count("pointloom") == times.log.count("other") == 2 + pairs
+    result = run_one(0.01, 0.01 * factor, [record_of(1.0)])
+    assert result.log.count("pointloom") == result.log.count("other") == 2 + pairs
     assert result.code == (factor < speed.LIMIT)
 
 
-def test_a_row_below_the_limit_fails_after_a_second_and_longer_try(run):
-    times = Times()
-    result = run(times, [fake_operation(times, constant(0.02), constant(0.02))], [record_of(1.3)])
+def test_a_row_below_the_limit_fails_after_a_second_and_longer_try(run_one):
+    result = run_one(0.02, 0.02, [record_of(1.3)])
     assert result.code == 1 and result.out.count("BELOW 0.8") == 2 and result.out.count("second try") == 1
     assert "FAILED fake small: expected a ratio of at least 1.04 to other (0.8 of 1.30" in result.out
     assert "measured 1.00 and 1.00" in result.out and 'make bench ARGS="--only fake"' in result.out
     assert "git bisect start HEAD 01234567 " in result.out
 
 
-def test_the_second_try_has_more_rounds_than_the_first(monkeypatch):
-    import speed
-
-    monkeypatch.setattr(speed, "operations", lambda: {"fake": ("bench_fake", operation)})
-    times, row = Times(), row_of()
-    operation = fake_operation(times, constant(0.2), constant(0.2))
-    check = speed.Check([row], {row: speed.Expected(2.0, None, 0.8)}, times.clock(), 0.0)
-    counts = []
-    monkeypatch.setattr(speed, "line_of", lambda row, rounds, *rest: counts.append(len(rounds.pairs)))
-    check.run()
-    assert len(counts) == 2 and counts[1] > counts[0] >= speed.MIN_PAIRS
-    assert check.failed == [row]
-
-
-def test_second_tries_share_the_remaining_time_within_bounds(monkeypatch):
-    import speed
-
+def test_second_tries_are_longer_and_share_the_remaining_time_within_bounds(monkeypatch, speed):
     times, names = Times(), ("a", "b")
     known = {n: ("bench_fake", fake_operation(times, constant(0.2), constant(0.2), name=n)) for n in names}
     monkeypatch.setattr(speed, "operations", lambda: known)
@@ -193,7 +172,9 @@ def test_second_tries_share_the_remaining_time_within_bounds(monkeypatch):
     short, long = speed.RETRY_SECONDS
     for begin, seconds in ((0.0, long), (-2 * speed.TOTAL_SECONDS, short)):
         counts.clear()
-        speed.Check(rows, expected, times.clock(), times.now + begin).run()
+        check = speed.Check(rows, expected, times.clock(), times.now + begin)
+        check.run()
+        assert check.failed == rows and min(counts[2:]) > max(counts[:2]) >= min(counts[:2]) >= speed.MIN_PAIRS
         assert all(seconds - 0.8 < 0.4 * count <= seconds for count in counts[2:])
 
 
@@ -207,13 +188,8 @@ def test_a_row_that_is_slow_in_its_first_try_only_passes(run):
     assert result.code == 0 and result.out.count("BELOW") == 1 and "1 passed, 0 failed" in result.out
 
 
-def test_rounds_that_another_process_delays_do_not_change_the_ratio(run):
-    times = Times()
-
-    def delayed(number: int) -> tuple[float, float]:
-        return (0.05, 0.01) if number % 3 else (0.01, 0.01)
-
-    result = run(times, [fake_operation(times, delayed, constant(0.02))], [record_of(2.0)])
+def test_rounds_that_another_process_delays_do_not_change_the_ratio(run_one):
+    result = run_one(lambda number: (0.05 if number % 3 else 0.01, 0.01), 0.02, [record_of(2.0)])
     assert result.code == 0 and "BELOW" not in result.out
 
 
@@ -228,59 +204,42 @@ def test_a_slower_row_does_not_hide_behind_the_others(run):
     assert "FAILED b small" in result.out and "FAILED a" not in result.out and "--only b" in result.out
 
 
-def test_a_faster_contestant_has_more_rounds_in_a_pair_than_a_slow_one(run):
-    import speed
-
-    times = Times()
-    run(times, [fake_operation(times, constant(0.001), constant(0.5))], [record_of(500.0)])
-    assert times.log.count("pointloom") == 2 + 3 * speed.MAX_REPEATS and times.log.count("other") == 2 + 3
+def test_a_faster_contestant_has_more_rounds_in_a_pair_than_a_slow_one(run_one, speed):
+    log = run_one(0.001, 0.5, [record_of(500.0)]).log
+    assert log.count("pointloom") == 2 + 3 * speed.MAX_REPEATS and log.count("other") == 2 + 3
 
 
 # ------------------------------------------------------------------------------------------------ busy machines
 
 
-def delayed(seconds: float, cpu: float) -> Spending:
-    """Every round takes longer than its CPU time, as two threads do beside a busy process."""
-    return lambda number: (seconds, cpu)
-
-
 @pytest.mark.parametrize(("other_load", "code"), [(1.0, 0), (0.0, 1)])
-def test_cpu_times_count_on_a_busy_machine_only(run, other_load, code):
-    times = Times(other_load=other_load)
-    operation = fake_operation(times, delayed(0.02, 0.01), delayed(0.02, 0.02))
-    result = run(times, [operation], [record_of(2.0)])
+def test_cpu_times_count_on_a_busy_machine_only(run_one, other_load, code):
+    result = run_one(constant(0.02, 0.01), constant(0.02, 0.02), [record_of(2.0)], load=other_load)
     assert result.code == code and ("passed by CPU times" in result.out) == (code == 0)
     assert ("Other processes used 1.0 cores on average" in result.out) == (code == 0)
 
 
-def test_more_work_fails_on_a_busy_machine_too(run):
-    times = Times(other_load=1.0)
-    operation = fake_operation(times, delayed(0.04, 0.02), delayed(0.02, 0.02))
-    assert run(times, [operation], [record_of(2.0)]).code == 1
+def test_more_work_fails_on_a_busy_machine_too(run_one):
+    assert run_one(constant(0.04, 0.02), constant(0.02, 0.02), [record_of(2.0)], load=1.0).code == 1
 
 
 # ------------------------------------------------------------------------------------------------ records
 
 
 @pytest.mark.parametrize(("ours", "code"), [(0.01, 0), (0.0125, 0), (0.018, 0), (0.03, 1)])
-def test_a_record_of_another_processor_has_a_lower_limit_and_a_note(run, ours, code):
-    times = Times()
-    operation = fake_operation(times, constant(ours), constant(0.014))
-    result = run(times, [operation], [record_of(1.8, processor="Other Chip, 2 cores")])
+def test_a_record_of_another_processor_has_a_lower_limit_and_a_note(run_one, ours, code):
+    result = run_one(ours, 0.014, [record_of(1.8, processor="Other Chip, 2 cores")])
     assert result.code == code and "note: No record for this processor" in result.out and "Other Chip" in result.out
     assert ("BELOW 0.4" in result.out) == bool(code)
 
 
-def test_the_record_of_this_processor_goes_before_newer_records_of_others(run):
-    times = Times()
+def test_the_record_of_this_processor_goes_before_newer_records_of_others(run_one):
     records = [record_of(2.0), record_of(9.0, processor="Maker Model, family 7, 2 cores", date="2026-03-01")]
-    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], records)
+    result = run_one(0.01, 0.02, records)
     assert result.code == 0 and "note" not in result.out
 
 
-def test_the_nearest_record_has_the_model_name_then_the_vendor_then_the_latest_date():
-    import speed
-
+def test_the_nearest_record_has_the_model_name_then_the_vendor_then_the_latest_date(speed):
     same = record_of(1.0, processor="Maker Model, family 9, 2 cores")
     vendor = record_of(1.0, processor="Maker Other, 2 cores")
     old, new = record_of(1.0, processor="Chip A"), record_of(1.0, processor="Chip B", date="2026-05-01")
@@ -295,15 +254,12 @@ def test_a_row_without_a_record_is_counted_separately(run):
     assert result.code == 0 and "2 rows: 1 passed, 0 failed, 1 without a record (b small)" in result.out
 
 
-def test_a_check_without_any_record_is_a_usage_error(run):
-    times = Times()
-    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], [])
-    assert result.code == 2 and "make speed ARGS=--record" in result.err and not times.log
+def test_a_check_without_any_record_is_a_usage_error(run_one):
+    result = run_one(0.01, 0.02, [])
+    assert result.code == 2 and "make speed ARGS=--record" in result.err and not result.log
 
 
-def test_the_last_benchmark_is_a_record_of_each_baseline(tmp_path):
-    import speed
-
+def test_the_last_benchmark_is_a_record_of_each_baseline(tmp_path, speed):
     bench = tmp_path / "bench.json"
     contestants = {"pointloom": {"min_s": 0.01}, "other": {"min_s": 0.02}, "third": {"min_s": 0.03}}
     result = {"operation": "fake", "size": "small", "contestants": contestants}
@@ -316,18 +272,14 @@ def test_the_last_benchmark_is_a_record_of_each_baseline(tmp_path):
     assert {entry.limit for entry in expected.values()} == {speed.OTHER_PROCESSOR_LIMIT}
 
 
-def test_other_versions_of_a_baseline_are_noted(run):
-    times = Times()
-    record = {**record_of(2.0), "versions": {"numpy": "0.1"}}
-    result = run(times, [fake_operation(times, constant(0.01), constant(0.02))], [record])
+def test_other_versions_of_a_baseline_are_noted(run_one):
+    result = run_one(0.01, 0.02, [{**record_of(2.0), "versions": {"numpy": "0.1"}}])
     assert result.code == 0 and "note: The record was measured with other versions: numpy 0.1 (now " in result.out
 
 
 @pytest.fixture
-def measured(monkeypatch) -> list[float]:
+def measured(monkeypatch, speed) -> list[float]:
     """The ratios of the runs of `--record`, which start no process."""
-    import speed
-
     ratios: list[float] = []
     left = iter(ratios)
 
@@ -344,10 +296,10 @@ def measured(monkeypatch) -> list[float]:
     return ratios
 
 
-def test_a_record_has_the_median_of_five_runs_and_replaces_that_of_this_processor_only(run, measured):
+def test_a_record_has_the_median_of_five_runs_and_replaces_that_of_this_processor_only(run_one, measured):
     measured += [1.0, 5.0, 2.0, 1.1, 3.0]
     other = record_of(7.0, processor="Other Chip, 2 cores")
-    result = run(Times(), [fake_operation(Times(), constant(1), constant(1))], [record_of(4.0), other], "--record")
+    result = run_one(1, 1, [record_of(4.0), other], "--record")
     saved = json.loads(result.path.read_text())["records"]
     assert result.code == 0 and saved[0] == other and len(saved) == 2
     new = saved[1]
@@ -356,16 +308,15 @@ def test_a_record_has_the_median_of_five_runs_and_replaces_that_of_this_processo
     assert "SLOWER than the previous record: fake small, 4.00 to 2.00" in result.out
 
 
-def test_an_interrupted_recording_saves_nothing(run, measured):
+def test_an_interrupted_recording_saves_nothing(run_one, measured):
     measured += [1.0, 2.0]  # the third run is interrupted
-    result = run(Times(), [fake_operation(Times(), constant(1), constant(1))], [record_of(4.0)], "--record")
+    result = run_one(1, 1, [record_of(4.0)], "--record")
     assert result.code == 130 and json.loads(result.path.read_text())["records"] == [record_of(4.0)]
 
 
-def test_measurements_of_a_record_have_both_ratios(run, tmp_path):
-    times, path = Times(), tmp_path / "run.json"
-    operation = fake_operation(times, delayed(0.01, 0.02), delayed(0.03, 0.03))
-    result = run(times, [operation], [], "--measure", str(path))
+def test_measurements_of_a_record_have_both_ratios(run_one, tmp_path):
+    path = tmp_path / "run.json"
+    result = run_one(constant(0.01, 0.02), constant(0.03, 0.03), [], "--measure", str(path))
     (row,) = json.loads(path.read_text())
     assert result.code == 0 and row["ratio"] == pytest.approx(3) and row["cpu_ratio"] == pytest.approx(1.5)
     assert (row["operation"], row["size"], row["baseline"]) == row_of()
@@ -374,14 +325,13 @@ def test_measurements_of_a_record_have_both_ratios(run, tmp_path):
 # ------------------------------------------------------------------------------------------------ errors
 
 
-def test_an_interrupt_ends_without_a_traceback(run):
+def test_an_interrupt_ends_without_a_traceback(run_one):
     def interrupted(number: int) -> tuple[float, float]:
         if number == 3:
             raise KeyboardInterrupt
         return 0.01, 0.01
 
-    times = Times()
-    result = run(times, [fake_operation(times, interrupted, constant(0.01))], [record_of(1.0)])
+    result = run_one(interrupted, 0.01, [record_of(1.0)])
     assert result.code == 130 and "Interrupted" in result.err
 
 
@@ -396,9 +346,7 @@ def test_results_that_disagree_fail_and_the_other_rows_are_measured(run):
     assert "FAILED a small: the results differ from other's: pointloom is not other" in result.out
 
 
-def test_a_missing_baseline_is_reported_before_any_measurement(monkeypatch, capsys):
-    import speed
-
+def test_a_missing_baseline_is_reported_before_any_measurement(monkeypatch, capsys, speed):
     row = row_of()
     monkeypatch.setattr(speed, "ROWS", (row,))
     monkeypatch.setattr(speed, "PACKAGES", {"other": "no-package-of-this-name"})
@@ -408,9 +356,7 @@ def test_a_missing_baseline_is_reported_before_any_measurement(monkeypatch, caps
     assert "missing: no-package-of-this-name." in message and "`make speed` installs" in message
 
 
-def test_a_damaged_file_of_records_is_a_usage_error_that_names_the_file(tmp_path):
-    import speed
-
+def test_a_damaged_file_of_records_is_a_usage_error_that_names_the_file(tmp_path, speed):
     path = tmp_path / "speed.json"
     for text in ("", "[]", "{}"):
         path.write_text(text)
@@ -418,15 +364,12 @@ def test_a_damaged_file_of_records_is_a_usage_error_that_names_the_file(tmp_path
             speed.records_in(path)
 
 
-def test_an_unknown_name_is_a_usage_error_with_the_known_names(run):
-    times = Times()
-    result = run(times, [fake_operation(times, constant(1), constant(1))], [record_of(1.0)], "--only", "fraud")
+def test_an_unknown_name_is_a_usage_error_with_the_known_names(run_one):
+    result = run_one(1, 1, [record_of(1.0)], "--only", "fraud")
     assert result.code == 2 and "--only fraud: expected a prefix of one of fake" in result.err
 
 
-def test_a_record_of_single_rows_is_a_usage_error():
-    import speed
-
+def test_a_record_of_single_rows_is_a_usage_error(speed):
     with pytest.raises(SystemExit) as ended:
         speed.main(["--record", "--only", "odometry"])
     assert ended.value.code == 2
@@ -435,9 +378,8 @@ def test_a_record_of_single_rows_is_a_usage_error():
 # ------------------------------------------------------------------------------------------------ rows
 
 
-def test_each_of_the_24_rows_has_data_both_contestants_and_a_package():
+def test_each_of_the_24_rows_has_data_both_contestants_and_a_package(speed):
     import contest
-    import speed
 
     known = contest.operations()
     assert len(set(speed.ROWS)) == len({row.key for row in speed.ROWS}) == 24
@@ -449,9 +391,7 @@ def test_each_of_the_24_rows_has_data_both_contestants_and_a_package():
     assert {row.size.split(",")[0] for row in speed.ROWS if row.operation == "odometry"} == {"64 beams", "16 beams"}
 
 
-def test_each_baseline_is_about_the_best_of_the_saved_benchmark_at_some_size():
-    import speed
-
+def test_each_baseline_is_about_the_best_of_the_saved_benchmark_at_some_size(speed):
     results = json.loads((FOLDER / "results" / "operations-cpu.json").read_text())["results"]
     for row in speed.ROWS:
         times = [
@@ -462,9 +402,7 @@ def test_each_baseline_is_about_the_best_of_the_saved_benchmark_at_some_size():
         assert min(theirs / best for theirs, best in times) < 1.25, f"{row}: choose another baseline"
 
 
-def test_the_processor_and_the_used_time_of_this_machine_are_readable():
-    import speed
-
+def test_the_processor_and_the_used_time_of_this_machine_are_readable(speed):
     assert speed.processor().endswith(" cores")
     before = speed.used_core_seconds()
     assert before != before or 0 <= before <= speed.used_core_seconds()

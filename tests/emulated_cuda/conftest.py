@@ -44,6 +44,19 @@ def programs(emulated, tmp_path_factory) -> Programs:
     return Programs(emulated, tmp_path_factory.mktemp("ptx"))
 
 
+@pytest.fixture
+def chosen(emulated):
+    """A stream of the caller's that does not wait for the legacy stream, nor that for it, as torch's but one."""
+    import warp as wp
+
+    from pointloom.kernels.language.streams import NonBlockingStream
+
+    theirs = NonBlockingStream(wp.get_device("cuda:0"))
+    chosen = wp.Stream("cuda:0", cuda_stream=theirs.cuda_stream)
+    chosen.theirs = theirs  # type: ignore[attr-defined]  # which lives as long
+    return chosen
+
+
 @pytest.fixture(scope="module")
 def small(emulated) -> SmallScenes:
     """Scenes on the device, small enough for each operation to run several times."""

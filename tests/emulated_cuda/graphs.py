@@ -87,17 +87,19 @@ class Graphs:
                 return self.findings.refuse(f"Conditional body graph contains an unsupported operation ({kind})")
         return True
 
-    def wp_cuda_graph_insert_child_graph(self, _, stream, graph):
+    def _add(self, stream: Any, operation: Any, kind: str) -> bool:
+        """Record a node in the capture of a stream."""
         capture = self.streams.stream(stream).capture
         if capture is None:
             return self.findings.refuse("Stream is not capturing")
-        capture.nodes.append((self.streams.named(graph).play, "graph launch"))
+        capture.nodes.append((operation, kind))
         return True
 
+    def wp_cuda_graph_insert_child_graph(self, _, stream, graph):
+        return self._add(stream, self.streams.named(graph).play, "graph launch")
+
     def wp_cuda_graph_insert_while(self, _, stream, arch, use_ptx, condition, body, handle):
-        capture, pointer = self.streams.stream(stream).capture, address_of(condition)
-        if capture is None:
-            return self.findings.refuse("Stream is not capturing")
+        pointer = address_of(condition)
         graph, body._obj.value = self._graph()
         value = [0]  # the device's own copy of the condition: set at the start, then by the body
         handle._obj.value = self.streams.handle(value)
@@ -110,26 +112,17 @@ class Graphs:
                 graph.play()
             self.findings.fault(f"a captured loop of more than {ENDLESS:,} turns")
 
-        capture.nodes.append((loop, "conditional node"))
-        return True
+        return self._add(stream, loop, "conditional node")
 
     def wp_cuda_graph_set_condition(self, _, stream, arch, use_ptx, condition, handle):
-        capture, pointer = self.streams.stream(stream).capture, address_of(condition)
-        if capture is None:
-            return self.findings.refuse("Stream is not capturing")
-        value = self.streams.named(handle)
-        capture.nodes.append((lambda: value.__setitem__(0, self._flag(pointer)), "kernel launch"))
-        return True
+        pointer, value = address_of(condition), self.streams.named(handle)
+        return self._add(stream, lambda: value.__setitem__(0, self._flag(pointer)), "kernel launch")
 
     def wp_cuda_graph_insert_if_else(self, _, stream, arch, use_ptx, condition, on_true, on_false):
-        capture, pointer = self.streams.stream(stream).capture, address_of(condition)
-        if capture is None:
-            return self.findings.refuse("Stream is not capturing")
-        branches = []
+        pointer, branches = address_of(condition), []
         for out in (on_true, on_false):
             graph, identity = self._graph()
             branches.append(graph)
             if out is not None:
                 out._obj.value = identity
-        capture.nodes.append((lambda: branches[0 if self._flag(pointer) else 1].play(), "conditional node"))
-        return True
+        return self._add(stream, lambda: branches[0 if self._flag(pointer) else 1].play(), "conditional node")

@@ -22,7 +22,7 @@ import functools
 import mmap
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -45,15 +45,16 @@ def kernel_files() -> list[Path]:
     return sorted(path for path in KERNELS.rglob("*.py") if path.parent.name != "language")
 
 
-def _is_device_code(node: ast.stmt) -> bool:
-    decorators = node.decorator_list if isinstance(node, ast.FunctionDef) else []
-    return any(re.match(r"(\w+\.)*(\w+)", ast.unparse(each))[2] in DECORATORS for each in decorators)  # type: ignore[index]
+def is_device_code(node: ast.AST, decorators: Collection[str] = DECORATORS) -> bool:
+    """True if a node is a function with one of these decorators."""
+    names = [ast.unparse(each) for each in node.decorator_list] if isinstance(node, ast.FunctionDef) else []
+    return any(re.match(r"(\w+\.)*(\w+)", name)[2] in decorators for name in names)  # type: ignore[index]
 
 
 @functools.cache
 def functions_of(path: Path) -> list[ast.FunctionDef]:
     """The device functions of a file; each of their nodes that takes a mark has its number as `mark`."""
-    functions = [node for node in ast.parse(path.read_text()).body if _is_device_code(node)]
+    functions = [node for node in ast.parse(path.read_text()).body if is_device_code(node)]
     marked = [node for function in functions for node in ast.walk(function) if isinstance(node, MARKED)]
     assert len(marked) <= MARKS_OF_FILE, f"{path}: more than {MARKS_OF_FILE} marks"
     for k, node in enumerate(marked, MARKS_OF_FILE * kernel_files().index(path)):

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +16,20 @@ from emulated_cuda.install import install, installed
 install()
 import numpy as np
 import pointloom as loom
+
+def attempt(action):
+    try:
+        action()
+    except Exception as error:
+        return [type(error).__name__, str(error)]
+    return ["none", ""]
 """
 
 
-def run(*program: str, **environment: str) -> Any:
-    """What a program prints last, as JSON."""
-    command, variables = [sys.executable, *program], os.environ | environment
+def run(*program: str, unset: Collection[str] = (), **environment: str) -> Any:
+    """What a program prints last, as JSON. It gets the variables of this process but some, and others."""
+    variables = {name: value for name, value in os.environ.items() if name not in unset} | environment
+    command = [sys.executable, *program]
     done = subprocess.run(command, env=variables, capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, done.stderr[-3000:]
     return json.loads(done.stdout.splitlines()[-1])

@@ -10,7 +10,6 @@ of the whole set fails if a kernel is neither launched nor named in the file, so
 
 from __future__ import annotations
 
-import ast
 import re
 import sys
 from collections.abc import Collection, Iterable
@@ -76,12 +75,7 @@ def missing_tests(names: Iterable[str], collected: Iterable[str]) -> list[str]:
 def kernel_names() -> set[str]:
     """The names of all kernels of kernels/."""
     functions = (f for path in kernel_coverage.kernel_files() for f in kernel_coverage.functions_of(path))
-    return {function.name for function in functions if _is_kernel(function)}
-
-
-def _is_kernel(function: ast.FunctionDef) -> bool:
-    decorators = (each.func if isinstance(each, ast.Call) else each for each in function.decorator_list)
-    return any(isinstance(each, ast.Name) and each.id in KERNELS for each in decorators)
+    return {function.name for function in functions if kernel_coverage.is_device_code(function, KERNELS)}
 
 
 def started_functions(items: Collection[int]) -> set[str]:

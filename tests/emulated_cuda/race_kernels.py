@@ -1,5 +1,6 @@
-"""Run with EMULATED_CUDA_RACES=1: prints which kernels race, and how."""
+"""Run with EMULATED_CUDA_RACES=1: prints which kernels race, and how, as JSON."""
 
+import json
 import sys
 import tempfile
 from pathlib import Path
@@ -134,9 +135,9 @@ def main() -> None:
             a = wp.zeros(64, dtype=int, device=DEVICE)
             programs.launch(text, [a], threads=64, block=64, name=name)
     wp.synchronize()
-    for name in sorted(device.findings.launches):
-        kinds = sorted(kind for kernel, kind in device.findings.notes if kernel == name)
-        print(f"RACES {name}: {', '.join(kinds) or 'none'}")
+    notes = sorted(device.findings.notes)
+    kinds = {name: [kind for kernel, kind in notes if kernel == name] for name in device.findings.launches}
+    print(json.dumps({name: ", ".join(found) or "none" for name, found in kinds.items()}))
 
 
 if __name__ == "__main__":

@@ -2,19 +2,16 @@
 
 import contextlib
 from collections.abc import Callable, Iterator
+from types import SimpleNamespace
 from typing import Any
 
 from .install import Device
 
 
-class Allocated:
-    count = 0
-
-
 @contextlib.contextmanager
-def failing_allocation(device: Device, number: int | None = None) -> Iterator[Allocated]:
+def failing_allocation(device: Device, number: int | None = None) -> Iterator[SimpleNamespace]:
     """Count the allocations in here; the one of this number, from 1 on, fails."""
-    allocations, allocated = device.part("_allocate"), Allocated()
+    allocations, allocated = device.part("_allocate"), SimpleNamespace(count=0)
     real: Callable[[int], Any] = allocations._allocate
 
     def allocate(size: int) -> int | None:

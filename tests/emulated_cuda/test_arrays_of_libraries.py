@@ -12,6 +12,7 @@ import pointloom as loom
 
 from ..array_library import installed, ndarray
 from .test_callers_streams import Speaker, move_kernel
+from .test_captures import add_kernel
 
 DEVICE = "cuda:0"
 COUNT = 2000
@@ -54,12 +55,6 @@ def traffic(emulated, monkeypatch):
             yield sizes
 
     return watched
-
-
-@wp.kernel(enable_backward=False)
-def add_kernel(values: wp.array(dtype=wp.int32), by: int):
-    i = wp.tid()
-    values[i] = values[i] + by
 
 
 OPERATIONS = {

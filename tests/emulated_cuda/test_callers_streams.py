@@ -5,7 +5,6 @@ import pytest
 import warp as wp
 
 import pointloom as loom
-from pointloom.kernels.language.streams import NonBlockingStream
 from pointloom.kernels.memory import Readback
 
 from ..array_library import installed
@@ -29,15 +28,6 @@ class Streams:
             real(stream, operation, kind)
 
         monkeypatch.setattr(device.streams, "enqueue", enqueue)
-
-
-@pytest.fixture
-def chosen(emulated):
-    """A stream of the caller's that does not wait for the legacy stream, nor that for it."""
-    foreign = NonBlockingStream(wp.get_device(DEVICE))
-    chosen = wp.Stream(DEVICE, cuda_stream=foreign.cuda_stream)
-    chosen.theirs = foreign  # type: ignore[attr-defined]  # which lives as long
-    return chosen
 
 
 @pytest.fixture

@@ -5,7 +5,6 @@ The archive of these tests contains PTX, which the emulated device runs, of the 
 """
 
 import json
-import os
 import shutil
 import subprocess
 import sys
@@ -18,7 +17,7 @@ import warp as wp
 
 from pointloom.kernels import cuda_cache
 
-from .processes import START
+from . import processes
 
 SELECT = "pointloom.kernels.arrays.select"
 PROGRAM = """
@@ -58,15 +57,12 @@ print(json.dumps({"compiled": installed().findings.counts["modules compiled"], "
 def run(cache: Path, archive=None, *, compiler: bool = True, path: Path | None = None, program: str = PROGRAM) -> dict:
     """What a program found, in a process of its own with Warp's cache in a folder."""
     settings = {"WARP_CACHE_PATH": str(cache), "EMULATED_CUDA_COMPILER": str(int(compiler))}
-    environment = {k: v for k, v in os.environ.items() if k not in ("POINTLOOM_CUDA_KERNELS", "EMULATED_CUDA_REPORT")}
     if archive is not None:
         settings["POINTLOOM_CUDA_KERNELS"] = str(archive)
     if path is not None:
         settings["PYTHONPATH"] = str(path)
-    command = [sys.executable, "-c", START + program]
-    done = subprocess.run(command, env=environment | settings, capture_output=True, text=True, timeout=600)
-    assert done.returncode == 0, done.stderr[-3000:]
-    return json.loads(done.stdout.splitlines()[-1])
+    unset = ("POINTLOOM_CUDA_KERNELS", "EMULATED_CUDA_REPORT")
+    return processes.run("-c", processes.START + program, unset=unset, **settings)
 
 
 def file_of(module: str) -> str:
@@ -104,15 +100,11 @@ def with_manifest(archive: Path, to: Path, change) -> Path:
     return to
 
 
-def test_with_an_archive_nothing_is_compiled_and_results_are_the_same(built, compiled_here, tmp_path):
+def test_an_archive_replaces_compilation_with_the_same_results_for_the_next_process_too(built, compiled_here, tmp_path):
     report = run(tmp_path, built[0], compiler=False)
     assert report["compiled"] == 0 and report["said"] == []
     assert report["results"] == compiled_here["results"]
     assert report["loaded"] == compiled_here["loaded"]
-
-
-def test_unpacked_kernels_are_used_by_the_next_process(built, tmp_path):
-    run(tmp_path, built[0], compiler=False)
     files = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ptx")}
     assert files
     run(tmp_path, built[0], compiler=False)

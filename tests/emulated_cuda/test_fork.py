@@ -7,13 +7,6 @@ points = np.random.default_rng(0).random((100, 3)).astype(np.float32)
 cloud = loom.PointCloud(points, device="cuda:0")
 before = cloud.voxel_down_sample(0.2).points
 
-def attempt(action):
-    try:
-        action()
-    except Exception as error:
-        return [type(error).__name__, str(error)]
-    return ["none", ""]
-
 reading, writing = os.pipe()
 child = os.fork()
 if child == 0:

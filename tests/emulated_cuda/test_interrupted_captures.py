@@ -28,9 +28,13 @@ def kernel(emulated, write_kernels):
     return write_kernels("counting_down", SOURCE).count_down_kernel
 
 
+def counters():
+    """The number of iterations left and that of those done."""
+    return [upload(np.array([n], np.int32), int32, resolve_device("cuda:0")) for n in (5, 0)]
+
+
 def count_iterations(kernel) -> int:
-    device = resolve_device("cuda:0")
-    left, iterations = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
+    left, iterations = counters()
     loop_while(left, lambda: launch(kernel, 1, [left, iterations]))
     return int(download(iterations)[0])
 
@@ -38,8 +42,7 @@ def count_iterations(kernel) -> int:
 @pytest.mark.parametrize("error", [ValueError, MemoryError, KeyboardInterrupt, SystemExit, Stop])
 @pytest.mark.parametrize("after", [0, 1])
 def test_a_recording_works_after_any_interrupted_one(emulated, kernel, error, after):
-    device = resolve_device("cuda:0")
-    left, iterations = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
+    left, iterations = counters()
 
     def body():
         for _ in range(after):
@@ -59,9 +62,8 @@ def test_another_thread_works_after_a_recording_was_interrupted(emulated, kernel
     def body():
         raise KeyboardInterrupt
 
-    left = upload(np.array([5], np.int32), int32, resolve_device("cuda:0"))
     with pytest.raises(KeyboardInterrupt):
-        loop_while(left, body)
+        loop_while(counters()[0], body)
     results = []
     thread = threading.Thread(target=lambda: results.append(count_iterations(kernel)))
     thread.start()

@@ -2,14 +2,11 @@
 
 import ast
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import pytest
 
 from .loop_ranges import Loops
+from .processes import ROOT, run
 
 KERNELS = """\
 from pointloom.kernels.lang import array, func, int32, kernel, loop, tid
@@ -90,13 +87,10 @@ CASES: dict[tuple[int, ...], tuple[list[int], list[str]]] = {
 @pytest.fixture(scope="module")
 def missed(tmp_path_factory) -> list[tuple[list[int], list[tuple[int, int, str]]]]:
     """What each case misses, from one process whose kernels have marks."""
-    folder, repository = tmp_path_factory.mktemp("made"), Path(__file__).parents[2]
+    folder = tmp_path_factory.mktemp("made")
     (folder / "made.py").write_text(KERNELS)
-    settings = {"EMULATED_CUDA_COVERAGE": str(folder / "marks"), "PYTHONPATH": str(repository / "src")}
-    command = [sys.executable, "-c", RUN, str(folder), str(repository / "tests"), json.dumps(list(CASES))]
-    done = subprocess.run(command, env=os.environ | settings, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+    settings = {"EMULATED_CUDA_COVERAGE": str(folder / "marks"), "PYTHONPATH": str(ROOT / "src")}
+    return run("-c", RUN, str(folder), str(ROOT / "tests"), json.dumps(list(CASES)), **settings)
 
 
 @pytest.mark.parametrize("case", CASES, ids=str)

@@ -5,6 +5,7 @@ import pytest
 import warp as wp
 
 from .findings import CudaFault
+from .test_captures import add_kernel
 
 DEVICE = "cuda:0"
 ORDERS = pytest.mark.parametrize("order", [0, 1, 2, 3])
@@ -142,18 +143,15 @@ def test_a_trap_is_a_fault_of_its_thread(fault):
     fault(r"k: trap: block \(0, 0, 0\), thread \(7, 0, 0\)", TRAP)
 
 
-def test_a_block_has_1024_threads_at_most(programs, emulated):
-    out = wp.zeros(2048, dtype=wp.int32, device=DEVICE)
+@pytest.mark.parametrize(
+    ("threads", "shared", "reason"),
+    [(2048, 0, "2048 threads a block, 1024 at most"), (32, (48 << 10) + 4, "bytes of dynamic shared memory")],
+)
+def test_a_block_has_1024_threads_at_most_and_must_request_shared_memory(programs, emulated, threads, shared, reason):
+    out = wp.zeros(threads, dtype=wp.int32, device=DEVICE)
     with emulated.findings.expected():
-        assert programs.launch(HEAD + ROTATE + TAIL, [out], threads=2048, block=2048) != 0
-    assert "2048 threads a block, 1024 at most" in emulated.findings.error
-
-
-def test_shared_memory_must_be_requested(programs, emulated):
-    out = wp.zeros(32, dtype=wp.int32, device=DEVICE)
-    with emulated.findings.expected():
-        assert programs.launch(HEAD + ROTATE + TAIL, [out], threads=32, block=32, shared=(48 << 10) + 4) != 0
-    assert "bytes of dynamic shared memory" in emulated.findings.error
+        assert programs.launch(HEAD + ROTATE + TAIL, [out], threads=threads, block=threads, shared=shared) != 0
+    assert reason in emulated.findings.error
 
 
 @wp.kernel(enable_backward=False)
@@ -227,11 +225,5 @@ def test_float_atomics_are_named(emulated):
 def test_a_large_launch_has_all_its_threads(settings):
     settings(order=2)
     a = wp.zeros(70_001, dtype=int, device=DEVICE)
-    wp.launch(add_one_kernel, 70_001, [a], device=DEVICE)
+    wp.launch(add_kernel, 70_001, [a, 1], device=DEVICE)
     np.testing.assert_array_equal(a.numpy(), 1)
-
-
-@wp.kernel(enable_backward=False)
-def add_one_kernel(a: wp.array(dtype=int)):
-    i = wp.tid()
-    a[i] = a[i] + 1

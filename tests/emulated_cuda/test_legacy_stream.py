@@ -34,15 +34,6 @@ def gpu(emulated):
     return resolve_device("cuda:0")
 
 
-@pytest.fixture
-def apart(gpu):
-    """A stream of the caller's that does not block, as torch's are but for its default one."""
-    theirs = NonBlockingStream(gpu)
-    apart = wp.Stream(gpu, cuda_stream=theirs.cuda_stream)
-    apart.theirs = theirs  # type: ignore[attr-defined]  # which lives as long
-    return apart
-
-
 class OtherLibrary:
     """What `tensor.zero_()` of torch on its default stream comes to."""
 
@@ -74,38 +65,28 @@ def test_another_library_works_on_its_default_stream_while_we_record(gpu):
     assert (download(array) == 2).all()
 
 
-def test_another_library_works_on_its_default_stream_while_we_record_a_loop(gpu, kernel):
-    other_library, left = OtherLibrary(gpu), upload(np.array([3], np.int32), int32, gpu)
+def test_another_library_works_and_arrays_are_created_while_we_record_a_loop(gpu, kernel):
+    other_library, left, created = OtherLibrary(gpu), upload(np.array([3], np.int32), int32, gpu), []
 
     def body():
         other_library.work_in_a_thread()
-        launch(kernel, 1, [left])
-
-    loop_while(left, body)
-    assert other_library.errors == []
-    assert download(left)[0] == 0
-
-
-def test_arrays_are_created_while_a_loop_is_recorded(gpu, kernel):
-    left, created = upload(np.array([3], np.int32), int32, gpu), []
-
-    def body():
         created.append(zeros(0, int32, gpu))
         launch(kernel, 1, [left])
 
     loop_while(left, body)
+    assert other_library.errors == []
     assert download(left)[0] == 0 and len(created) == 1
 
 
-def test_arrays_are_created_on_a_stream_of_the_caller_that_is_recorded(gpu, apart, kernel):
+def test_arrays_are_created_on_a_stream_of_the_caller_that_is_recorded(gpu, chosen, kernel):
     left = upload(np.array([3], np.int32), int32, gpu)
     launch(kernel, 1, [left])
     wp.synchronize_device(gpu)
-    with wp.ScopedStream(apart, sync_enter=False), wp.ScopedCapture(stream=apart) as capture:
+    with wp.ScopedStream(chosen, sync_enter=False), wp.ScopedCapture(stream=chosen) as capture:
         zeros(0, int32, gpu)
         launch(kernel, 1, [left])
-    wp.capture_launch(capture.graph, stream=apart)
-    wp.synchronize_stream(apart)
+    wp.capture_launch(capture.graph, stream=chosen)
+    wp.synchronize_stream(chosen)
     assert download(left)[0] == 1
 
 
@@ -116,16 +97,16 @@ def test_a_blocking_stream_that_records_would_refuse_the_other_library(emulated,
     assert "depend on a capturing blocking stream" in str(other_library.errors[0])
 
 
-def test_a_stream_that_does_not_block_is_not_waited_for_by_the_legacy_stream(gpu, apart, kernel):
-    assert not apart.is_blocking and wp.Stream(gpu).is_blocking
+def test_a_stream_that_does_not_block_is_not_waited_for_by_the_legacy_stream(gpu, chosen, kernel):
+    assert not chosen.is_blocking and wp.Stream(gpu).is_blocking
     values, host = upload(np.zeros(4, np.int32), int32, gpu), wp.empty(4, dtype=wp.int32, device="cpu", pinned=True)
     wp.synchronize_device(gpu)
-    with wp.ScopedStream(apart):
+    with wp.ScopedStream(chosen):
         launch(kernel, 4, [values])
     core = wp._src.context.runtime.core
     core.wp_memcpy_d2h(gpu.context, host.ptr, values.ptr, 16, 0)
     assert host.numpy().tolist() == [0] * 4
-    wp.synchronize_stream(apart)
+    wp.synchronize_stream(chosen)
     core.wp_memcpy_d2h(gpu.context, host.ptr, values.ptr, 16, 0)
     assert host.numpy().tolist() == [-1] * 4
 
@@ -149,15 +130,15 @@ def test_a_driver_that_makes_no_stream_is_an_error_of_its_own(emulated, gpu, mon
 
 
 @pytest.mark.parametrize("is_its_own", [True, False])
-def test_memory_is_released_behind_work_on_a_stream_that_does_not_block(emulated, gpu, apart, kernel, is_its_own):
+def test_memory_is_released_behind_work_on_a_stream_that_does_not_block(emulated, gpu, chosen, kernel, is_its_own):
     """Of an array made on this stream and dropped elsewhere, and of another one that is dropped on the stream."""
-    with wp.ScopedStream(apart) if is_its_own else contextlib.nullcontext():
+    with wp.ScopedStream(chosen) if is_its_own else contextlib.nullcontext():
         values = upload(np.zeros(64, np.int32), int32, gpu)
         if not is_its_own:
             wp.synchronize_device(gpu)
-    with wp.ScopedStream(apart):
+    with wp.ScopedStream(chosen):
         launch(kernel, 64, [values])
-    with contextlib.nullcontext() if is_its_own else wp.ScopedStream(apart):
+    with contextlib.nullcontext() if is_its_own else wp.ScopedStream(chosen):
         address = values.ptr
         del values
         assert address in emulated.memory.live  # what the legacy stream alone would wait for has run

@@ -51,6 +51,19 @@ def copy_kernel(a: wp.array(dtype=float), out: wp.array(dtype=float)):
 
 
 @pytest.fixture
+def load_at(programs):
+    """A function (array, kind of PTX, offset): a launch whose one thread reads there."""
+
+    out = wp.zeros(8, dtype=int, device=DEVICE)
+
+    def load(a, kind: str = "u32", offset: int = 0) -> None:
+        text = LOAD_AT.format(kind=kind, register="rd3" if kind == "u64" else "r1", offset=offset)
+        programs.launch(text, [a, out], threads=1, block=1)
+
+    return load
+
+
+@pytest.fixture
 def refused(emulated):
     """A function (pattern, action): the completed action must fail with a matching fault."""
 
@@ -81,38 +94,33 @@ def test_an_element_behind_the_end_is_a_fault_that_names_kernel_array_thread_and
 
 
 @pytest.mark.parametrize(("size", "offset", "is_inside"), [(7, 6, True), (7, 7, False), (8, 7, True), (13, 13, False)])
-def test_one_byte_outside_is_outside(programs, refused, size, offset, is_inside):
-    a, out = wp.zeros(size, dtype=wp.uint8, device=DEVICE), wp.zeros(8, dtype=wp.uint8, device=DEVICE)
-    text = LOAD_AT.format(kind="u8", register="r1", offset=offset)
+def test_one_byte_outside_is_outside(load_at, refused, size, offset, is_inside):
+    a = wp.zeros(size, dtype=wp.uint8, device=DEVICE)
     if is_inside:
-        programs.launch(text, [a, out], threads=1, block=1)
+        load_at(a, "u8", offset)
         wp.synchronize()
     else:
-        refused("read of 1 bytes", lambda: programs.launch(text, [a, out], threads=1, block=1))
+        refused("read of 1 bytes", lambda: load_at(a, "u8", offset))
 
 
-def test_an_address_must_be_a_multiple_of_the_size(programs, refused):
-    a, out = wp.zeros(8, dtype=int, device=DEVICE), wp.zeros(8, dtype=int, device=DEVICE)
-    text = LOAD_AT.format(kind="u64", register="rd3", offset=4)
-    refused("misaligned address: read of 8 bytes", lambda: programs.launch(text, [a, out], threads=1, block=1))
-
-
-def test_an_address_of_the_host_is_none_of_the_device(programs, refused):
-    a, out = wp.zeros(8, dtype=int, device="cpu"), wp.zeros(8, dtype=int, device=DEVICE)
-    text = LOAD_AT.format(kind="u32", register="r1", offset=0)
-    refused("outside the device's memory", lambda: programs.launch(text, [a, out], threads=1, block=1))
+@pytest.mark.parametrize(
+    ("owner", "kind", "offset", "message"),
+    [(DEVICE, "u64", 4, "misaligned address: read of 8 bytes"), ("cpu", "u32", 0, "outside the device's memory")],
+)
+def test_an_address_must_be_of_the_device_and_a_multiple_of_the_size(load_at, refused, owner, kind, offset, message):
+    a = wp.zeros(8, dtype=int, device=owner)
+    refused(message, lambda: load_at(a, kind, offset))
 
 
 @pytest.mark.parametrize("size", [100, 100_000])
-def test_a_released_array_is_never_touched_again(programs, refused, size):
-    a, out = wp.zeros(size, dtype=int, device=DEVICE), wp.zeros(8, dtype=int, device=DEVICE)
+def test_a_released_array_is_never_touched_again(load_at, refused, size):
+    a = wp.zeros(size, dtype=int, device=DEVICE)
     stale = wp.array(ptr=a.ptr, shape=a.shape, dtype=int, device=DEVICE)
     wp.synchronize()
     del a
     others = [wp.zeros(size, dtype=int, device=DEVICE) for _ in range(8)]  # whose place is another
-    text = LOAD_AT.format(kind="u32", register="r1", offset=0)
     message = f"RELEASED array of {4 * size} bytes"
-    refused(message, lambda: programs.launch(text, [stale, out], threads=1, block=1))
+    refused(message, lambda: load_at(stale))
     refused(message, stale.numpy)
     assert len(others) == 8
 

@@ -1,11 +1,10 @@
 """The race detector: accesses of two threads to the same bytes, one of them a write that changes them."""
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from .processes import run
 
 EXPECTED = {
     "two_writes_kernel": "race: two writes",
@@ -30,12 +29,8 @@ EXPECTED = {
 @pytest.fixture(scope="module", params=[0, 1, 2, 3])
 def races(request) -> dict[str, str]:
     """By kernel, in each order of threads; in a process of its own, as the detector's memory is made at the start."""
-    environment = os.environ | {"EMULATED_CUDA_RACES": "1", "EMULATED_CUDA_ORDER": str(request.param)}
-    command = [sys.executable, str(Path(__file__).parent / "race_kernels.py")]
-    done = subprocess.run(command, capture_output=True, text=True, env=environment)
-    lines = [line.removeprefix("RACES ") for line in done.stdout.splitlines() if line.startswith("RACES ")]
-    assert done.returncode == 0, done.stderr
-    return dict(line.split(": ", 1) for line in lines)
+    program = str(Path(__file__).with_name("race_kernels.py"))
+    return run(program, EMULATED_CUDA_RACES="1", EMULATED_CUDA_ORDER=str(request.param))
 
 
 @pytest.mark.parametrize("kernel", EXPECTED)

@@ -30,12 +30,6 @@ def test_without_delay_it_runs_at_once(emulated, settings):
     assert emulated.findings.counts["launches"] == known + 1
 
 
-def test_a_download_waits_for_earlier_launches():
-    a = wp.zeros(4, dtype=int, device=DEVICE)
-    wp.launch(number_kernel, 4, [a], device=DEVICE)
-    np.testing.assert_array_equal(a.numpy(), range(4))
-
-
 def test_pageable_memory_is_read_at_the_call_and_pinned_memory_afterwards():
     pageable, pinned = np.ones(1, np.int32), wp.empty(1, dtype=int, device="cpu", pinned=True)
     pinned.numpy()[0] = 1
@@ -70,7 +64,7 @@ def test_a_missing_wait_between_streams_is_detected_and_an_event_fixes_it():
     np.testing.assert_array_equal(host.numpy(), range(4))
 
 
-def test_an_array_lives_until_its_launches_have_run():
+def test_a_download_waits_for_earlier_launches_and_an_array_lives_until_they_have_run():
     out, a = (wp.zeros(4, dtype=int, device=DEVICE) for _ in range(2))
     wp.launch(number_kernel, 4, [a], device=DEVICE)
     wp.copy(out, a)

@@ -20,13 +20,6 @@ def results(cloud):
     assert str(normals.device) == str(moved.device) == str(cloud.device)
     return [a.tolist() for a in (normals.points, normals.normals, icp.transformation)]
 
-def attempt(action):
-    try:
-        action()
-    except Exception as error:
-        return [type(error).__name__, str(error)]
-    return ["none", ""]
-
 def late():
     # a cloud that moves while its own GPU has not made it yet
     cloud = loom.PointCloud(points, device="cuda:0")

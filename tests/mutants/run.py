@@ -28,7 +28,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
-COPIED = (*("kernels", "pcd", "registration", "meshing", "src", "docs", "tests", "benchmarks", "pyproject.toml"),)
+COPIED = ("kernels", "pcd", "registration", "meshing", "src", "docs", "tests", "benchmarks", "pyproject.toml")
 MIN_NOTICED = 0.95
 TIME_LIMIT = 600  # [s] of the tests of one mutant; an endless loop is noticed
 PASSED, FAILED, BROKEN = 0, 1, 2  # pytest's exit codes; 2 where a test file cannot even be imported
@@ -228,14 +228,9 @@ def try_all(root: Path, mutants: Sequence[Mutant], jobs: int, choice: Sequence[s
         with ThreadPoolExecutor(jobs) as pool:
             for outcome in pool.map(work, mutants):
                 outcomes.append(outcome)
-                print(row(outcome), flush=True)
+                status = outcome.noticed_by or "NOT NOTICED"
+                print(f"{outcome.mutant.name:<62} {outcome.seconds:6.1f} s  {status}", flush=True)
     return outcomes
-
-
-def row(outcome: Outcome) -> str:
-    """A line of the table."""
-    status = outcome.noticed_by or "NOT NOTICED"
-    return f"{outcome.mutant.name:<62} {outcome.seconds:6.1f} s  {status}"
 
 
 def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path | None = None) -> int:

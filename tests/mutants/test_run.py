@@ -119,13 +119,9 @@ def test_only_the_mutants_of_the_named_list_are_selected(tree, capsys):
         (["--part", "3/2"], "got 3/2"),
         (["--part", "1"], "got 1"),
         (["--from", "io.toml"], "--from: expected a .toml file with mutants in tests/mutants, got io.toml"),
+        (["--only", "kernels/"], "--only kernels/: no mutant has this"),
     ],
 )
-def test_a_part_or_a_list_that_does_not_exist_is_refused(tree, capsys, words, reason):
+def test_a_part_a_list_or_a_name_that_does_not_exist_is_refused(tree, capsys, words, reason):
     assert run(tree, NOTICED, words=words) == 2
     assert reason in capsys.readouterr().err
-
-
-def test_a_name_that_no_mutant_has_is_refused(tree, capsys):
-    assert run(tree, NOTICED, words=["--only", "kernels/"]) == 2
-    assert "--only kernels/: no mutant has this" in capsys.readouterr().err
