@@ -22,7 +22,20 @@ def color_of(i: int) -> np.ndarray:
     return np.stack([u * 7, v * 9, np.full_like(u, i)], axis=2).astype(np.uint8)
 
 
-class RealSenseStub:
+class Stub:
+    """A driver that raises `start_error` when it is started, or is stopped once."""
+
+    def _start(self):
+        if self.start_error:
+            raise self.start_error
+        self.running = True
+
+    def _stop(self):
+        assert self.running
+        self.running = False
+
+
+class RealSenseStub(Stub):
     """The used part of pyrealsense2.
 
     Args:
@@ -51,12 +64,10 @@ class RealSenseStub:
         return SimpleNamespace(process=lambda frames: frames)
 
     def pipeline(self):
-        return SimpleNamespace(start=self._start, stop=self._stop, try_wait_for_frames=self._wait)
+        return SimpleNamespace(start=self._start_pipeline, stop=self._stop, try_wait_for_frames=self._wait)
 
-    def _start(self, config):
-        if self.start_error:
-            raise self.start_error
-        self.running = True
+    def _start_pipeline(self, config):
+        self._start()
         sensor = SimpleNamespace(get_depth_scale=lambda: float(UNIT))
         playback = SimpleNamespace(
             set_real_time=lambda real: self.calls.append(("set_real_time", real)),
@@ -68,10 +79,6 @@ class RealSenseStub:
         lens = SimpleNamespace(width=WIDTH, height=HEIGHT, model=model, **numbers)
         stream = SimpleNamespace(as_video_stream_profile=lambda: SimpleNamespace(get_intrinsics=lambda: lens))
         return SimpleNamespace(get_device=lambda: device, get_stream=lambda kind: stream)
-
-    def _stop(self):
-        assert self.running
-        self.running = False
 
     def _wait(self, timeout_ms):
         assert self.running
@@ -95,7 +102,7 @@ class K4ATimeoutException(Exception):  # noqa: N818
     """As in pyk4a: raised without a message."""
 
 
-class KinectStub:
+class KinectStub(Stub):
     """The used part of pyk4a; `frames` as in `RealSenseStub`, with "silence" for a timeout."""
 
     def __init__(self, frames, *, coefficients=(0,) * 8, start_error=None, jpeg=False):
@@ -122,15 +129,6 @@ class KinectStub:
         calls = {"open": self._start, "close": self._stop, "get_next_capture": self._next}
         return SimpleNamespace(**calls, calibration=self.calibration)
 
-    def _start(self):
-        if self.start_error:
-            raise self.start_error
-        self.running = True
-
-    def _stop(self):
-        assert self.running
-        self.running = False
-
     def _next(self):
         if not self.frames:
             raise EOFError
@@ -150,9 +148,5 @@ class KinectStub:
             file = io.BytesIO()
             Image.fromarray(color_of(number)).save(file, "JPEG", quality=95)
             color = np.frombuffer(file.getvalue(), np.uint8)
-        return SimpleNamespace(
-            depth=depth_of(number),
-            transformed_depth=depth_of(number),
-            color=None if frame == "late" else color,
-            depth_timestamp_usec=33_000 * number,
-        )
+        depth = {"depth": depth_of(number), "transformed_depth": depth_of(number)}
+        return SimpleNamespace(**depth, color=None if frame == "late" else color, depth_timestamp_usec=33_000 * number)

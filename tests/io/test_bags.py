@@ -329,18 +329,10 @@ def record_mcap(op, content):
     return bytes([op]) + struct.pack("<Q", len(content)) + content
 
 
-@pytest.mark.parametrize(
-    ("rows", "statistics", "warns"),
-    [
-        ([0, 1], 2, False),
-        ([0, 1], None, False),
-        ([0], 2, True),
-        ([0], None, True),
-        ([0, 0, 1], 2, True),
-        ([0, 1], 3, True),
-        ([], 2, False),
-    ],
-)
+@pytest.mark.parametrize(("rows", "statistics", "warns"), [
+    ([0, 1], 2, False), ([0, 1], None, False), ([0], 2, True), ([0], None, True), ([0, 0, 1], 2, True),
+    ([0, 1], 3, True), ([], 2, False),
+])  # fmt: skip
 def test_the_index_of_an_mcap_file_is_compared_with_its_statistics(tmp_path, rows, statistics, warns):
     text = lambda words: u(len(words)) + words  # noqa: E731
     schema = record_mcap(3, struct.pack("<H", 1) + text(b"std_msgs/msg/String") + text(b"ros2msg") + u(0))

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.io.models import colmap_binary, colmap_text
 
 from ..cameras.colmap_oracle import query_colmap
 from .sfm_models import LENS, assert_same, ring_model
@@ -118,8 +119,6 @@ def test_a_model_that_may_not_be_replaced_stays(folder):
 
 @pytest.mark.parametrize("failing", ["write_cameras", "write_pictures", "write_points"])
 def test_full_disk_preserves_the_existing_files(folder, form, failing, monkeypatch, tmp_path):
-    from pointloom.io.models import colmap_binary, colmap_text
-
     def fail(*_):
         raise OSError(28, "No space left on device")
 

@@ -564,15 +564,12 @@ def test_redwood_ids_that_name_no_frame_are_refused(tmp_path, ids):
         list_redwood(folder)
 
 
-def test_redwood_names_the_picture_without_a_depth_map(tmp_path):
-    folder = make("redwood", tmp_path / "set")
+def test_redwood_images_that_pair_with_no_depth_map_are_named(tmp_path):
+    folder = make("redwood", tmp_path / "set", 2)
     (folder / "color" / "00007.jpg").touch()
     with pytest.raises(DatasetError, match=r"00007\.jpg"):
         list_redwood(folder)
-
-
-def test_redwood_names_that_do_not_pair_are_refused(tmp_path):
-    folder = make("redwood", tmp_path / "set", 2)
+    (folder / "color" / "00007.jpg").unlink()
     for i in range(2):
         (folder / "color" / f"{i:05d}.jpg").rename(folder / "color" / f"7-{i}.jpg")
     with pytest.raises(DatasetError, match=r"7-0\.jpg"):

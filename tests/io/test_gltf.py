@@ -16,14 +16,13 @@ from pointloom.core.errors import FileError
 from pointloom.io.meshes import gltf_file
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb, write_gltf
+from pointloom.io.pictures import texture_files
 from pointloom.io.pictures.image_files import encode_png
 from pointloom.io.source import netted
 from pointloom.io.table import MeshTable
 
 from .gltf_scenes import TRIANGLE, Scene, changed, one_triangle
 from .textured_meshes import PICTURE, textured
-
-SHEAR = np.array([[1, 0.5, 0, 3], [0, 2, 0, 0], [0, 0, 1, -1], [0, 0, 0, 1.0]])
 
 
 def test_a_gltf_is_read_as_its_glb_is(tmp_path):
@@ -154,7 +153,7 @@ def skinned(weights, *, joints=((0, 1, 0, 0),) * 3, binds=True, code="f4") -> Sc
     scene = one_triangle(NORMAL=np.array([[0, 0, 1]] * 3, "f4"), JOINTS_0=joints, WEIGHTS_0=weights)
     scene.more["nodes"] = [
         {"mesh": 0, "skin": 0, "translation": [9, 9, 9]}, {"children": [2], "translation": [1, 0, 0]},
-        {"matrix": SHEAR.T.reshape(-1).tolist()},
+        {"matrix": [1, 0, 0, 0, 0.5, 2, 0, 0, 0, 0, 1, 0, 3, 0, -1, 1]},
     ]  # fmt: skip
     scene.more["scenes"] = [{"nodes": [0, 1]}]
     scene.more["skins"] = [{"joints": [1, 2]}]
@@ -247,10 +246,7 @@ def test_texture_transforms_are_baked_into_coordinates(tmp_path, transform, expe
 
 @pytest.mark.filterwarnings("ignore:.*texture coordinates TEXCOORD")
 def test_materials_of_one_picture_share_it_and_it_is_decoded_once(tmp_path, monkeypatch):
-    calls = []
-    from pointloom.io.pictures import texture_files
-
-    decode = texture_files.decode_texture
+    calls, decode = [], texture_files.decode_texture
     monkeypatch.setattr(texture_files, "decode_texture", lambda *given: (calls.append(given), decode(*given))[1])
     materials = [transformed(offset=[k, 0]) for k in range(5)]
     path = painted(tmp_path / "m.glb", materials, textures=[{"source": 0}] * 3)
@@ -295,8 +291,6 @@ def test_materials_that_no_face_has_are_not_looked_at(tmp_path):
 
 @pytest.mark.parametrize("name", ["m.obj", "m.ply", "m.glb"])
 def test_pictures_have_a_budget_together(tmp_path, monkeypatch, name):
-    from pointloom.io.pictures import texture_files
-
     table = textured()
     mesh = loom.TriangleMesh(
         table.vertices, table.triangles, triangle_uvs=table.triangle_uvs,
@@ -479,9 +473,8 @@ def test_up_converts_y_up_to_z_up_and_back(tmp_path):
     np.testing.assert_array_equal(again.vertex_normals, mesh.vertex_normals)
     plain = loom.read_triangle_mesh(tmp_path / "y.glb", up="y")
     np.testing.assert_allclose(plain.vertices, mesh.vertices, rtol=0, atol=1e-6)
-    assert np.linalg.det(again.vertices[:3] - again.vertices[3:6]) == pytest.approx(
-        np.linalg.det(as_it_is.vertices[:3] - as_it_is.vertices[3:6]), rel=1e-4
-    )  # rotated, not mirrored
+    volumes = [np.linalg.det(each.vertices[:3] - each.vertices[3:6]) for each in (again, as_it_is)]
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-4)  # rotated, not mirrored
     for path, up in (("m.obj", "z"), ("m.glb", "x"), ("m.glb", None)):
         with pytest.raises(ValueError, match="up: "):
             loom.write_triangle_mesh(tmp_path / path, mesh, up=up)

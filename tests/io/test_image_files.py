@@ -6,12 +6,14 @@ import zlib
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image, ImageFile
 
 from pointloom.core.errors import FileError
 from pointloom.io.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header, write_png
+
+from ..pcd.any_cloud import examples
 
 
 def png_of(width: int, height: int, *streams: bytes, bits: int = 16, color_type: int = 0, interlace: int = 0) -> bytes:
@@ -40,11 +42,6 @@ def with_checksums(data: bytes) -> bytes:
         data[end : end + 4] = struct.pack(">I", zlib.crc32(data[offset + 4 : end]))
         offset = end + 4
     return bytes(data)
-
-
-BITS = settings(
-    max_examples=25, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
 
 
 def test_round_trip_is_exact(tmp_path, depth, color):
@@ -176,7 +173,7 @@ def test_arrays_and_names_unsupported_by_png_are_rejected(tmp_path, depth):
         write_png(tmp_path / "none" / "d.png", depth)
 
 
-@BITS
+@examples(25)
 @given(offset=st.integers(0, 10_000), change=st.integers(1, 255))
 def test_any_changed_byte_is_detected(tmp_path, depth, offset, change):
     write_png(tmp_path / "d.png", depth)
@@ -188,7 +185,7 @@ def test_any_changed_byte_is_detected(tmp_path, depth, offset, change):
 
 
 @pytest.mark.parametrize("name", ["c.png", "c.jpg", "d.npy"])
-@BITS
+@examples(25)
 @given(
     start=st.integers(0, 10_000), length=st.integers(0, 8), patch=st.binary(max_size=8), valid_checksums=st.booleans()
 )

@@ -47,8 +47,6 @@ def test_trimesh_sees_our_picture_upright(tmp_path, suffix):
 
 def test_we_see_pictures_of_trimesh_upright(tmp_path):
     trimesh = pytest.importorskip("trimesh")
-    from PIL import Image
-
     mesh = square()
     uvs = [[0, 0], [1, 0], [1, 1], [0, 1]]
     look = trimesh.visual.TextureVisuals(uvs, image=Image.fromarray(PICTURE))
@@ -417,9 +415,6 @@ def test_colors_of_triangles_are_written_to_stl(tmp_path):
             write_stl(tmp_path / "m.stl", replace(mesh, triangle_attributes={"colors": values}))
 
 
-FACET = ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop", "endfacet"]
-
-
 @pytest.mark.parametrize(
     ("before", "within", "warning", "expected"),
     [
@@ -433,9 +428,9 @@ FACET = ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop"
     ],
 )
 def test_color_lines_of_a_text_stl_are_colors_of_its_triangles(tmp_path, before, within, warning, expected):
-    lines = ["solid a"]
+    lines, loop = ["solid a"], ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop", "endfacet"]
     for outer, inner in zip(before, within, strict=True):
-        lines += [outer, "facet normal 0 0 1", inner, *FACET]
+        lines += [outer, "facet normal 0 0 1", inner, *loop]
     (tmp_path / "m.stl").write_text("\n".join([*lines, "endsolid a", ""]))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

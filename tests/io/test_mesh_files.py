@@ -139,9 +139,9 @@ def test_a_triangle_of_a_missing_vertex_is_refused_with_its_row(tmp_path, write)
 
 
 QUAD = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+ROWS = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
 TEXT_FACET = "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n"
 LARGE = [pytest.param(name, marks=pytest.mark.slow) for name in ("nefertiti.obj", "stanford-bunny.obj")]
-MESHES = ("cheburashka.obj", "fandisk.obj", *LARGE)
 
 
 def obj(tmp_path, text):
@@ -149,7 +149,7 @@ def obj(tmp_path, text):
     return tmp_path / "m.obj"
 
 
-@pytest.mark.parametrize("name", MESHES)
+@pytest.mark.parametrize("name", ["cheburashka.obj", "fandisk.obj", *LARGE])
 def test_real_files_match_a_manual_reading(real_file, name):
     path = real_file(f"mesh-common3d/{name}")
     vertices, triangles = [], []
@@ -280,12 +280,25 @@ def test_a_number_of_many_digits_takes_no_memory(tmp_path):
         ("m.stl", f"solid\n{TEXT_FACET.replace('1 0 0', '1 0 inf')}endsolid\n", "triangle 0", "a corner is not finite"),
         ("m.stl", "no mesh", "byte 7", "is not an STL file"),
         ("m.stl", "x" * 200, "byte 200", "facets that it declares take"),
+        ("m.off", "OFFER\n", "", "is not an OFF file"),
+        ("m.off", "nOFF\n3\n", "line 1", "OFF of another dimension"),
+        ("m.off", "OFF\n", "line 1", "it has no counts"),
+        ("m.off", "OFF\n-1 1 0\n", "line 2", "a count: -1 does not fit"),
+        ("m.off", "OFF\n4 2 0\n" + ROWS + "3 0 1 2\n", "line 7", "truncated: 5 lines for 4 vertices and 2 faces"),
+        ("m.off", "OFF\n4 1 0\n" + ROWS + "3 0 1 2\n3 0 1 2\n", "line 8", "1 lines follow"),
+        ("m.off", "OFF\n3 1 0\n0 0 0\n0 0\n0 0 0\n3 0 1 2\n", "line 4", "expected 3 values, got 2"),
+        ("m.off", "NOFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3", "a vertex has 6 values, got 3"),
+        ("m.off", "OFF\n4 0 0\n" + ROWS, "", "contains no faces"),
+        ("m.off", "OFF\n4 1 0\n" + ROWS + "3 0 1 4\n", "line 7", "a face refers to vertex 4"),
+        ("m.off", "OFF\n4 1 0\n" + ROWS + "2 0 1\n", "face 0", "a face has 2 corners"),
+        ("m.off", "OFF\n4 1 0\n" + ROWS + "3 0 1 2 1 1\n", "line 7", "a face of 3 corners has 5 values"),
+        ("m.off", "OFF\n4 1 0\n" + ROWS + "3 0 x 2\n", "line 7", "not a number: 'x'"),
     ],
 )
 def test_a_damaged_file_is_refused_with_its_line(tmp_path, name, text, where, reason):
     (tmp_path / name).write_text(text)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        (read_obj if name == "m.obj" else read_stl)(tmp_path / name)
+        {"m.obj": read_obj, "m.stl": read_stl, "m.off": read_off}[name](tmp_path / name)
     assert caught.value.where == where
 
 
@@ -316,9 +329,6 @@ def test_a_binary_file_may_begin_with_solid_and_not_be_truncated(tmp_path):
         (tmp_path / "m.stl").write_bytes(changed)
         with pytest.raises(FileError, match=rf"\(byte {offset}\): {len(changed)} bytes, but the 3 facets .* take 234"):
             read_stl(tmp_path / "m.stl")
-
-
-ROWS = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
 
 
 def off(tmp_path, text):
@@ -403,30 +413,6 @@ def test_colors_of_faces_are_the_triangles(tmp_path):
     write_off(tmp_path / "m.off", parts)
     read = read_off(tmp_path / "m.off").triangle_attributes["colors"]
     np.testing.assert_allclose(read, [[1, 0.5, 0, 0.25]], atol=4e-3)
-
-
-@pytest.mark.parametrize(
-    ("text", "where", "reason"),
-    [
-        ("OFFER\n", "", "is not an OFF file"),
-        ("nOFF\n3\n", "line 1", "OFF of another dimension"),
-        ("OFF\n", "line 1", "it has no counts"),
-        ("OFF\n-1 1 0\n", "line 2", "a count: -1 does not fit"),
-        ("OFF\n4 2 0\n" + ROWS + "3 0 1 2\n", "line 7", "truncated: 5 lines for 4 vertices and 2 faces"),
-        ("OFF\n4 1 0\n" + ROWS + "3 0 1 2\n3 0 1 2\n", "line 8", "1 lines follow"),
-        ("OFF\n3 1 0\n0 0 0\n0 0\n0 0 0\n3 0 1 2\n", "line 4", "expected 3 values, got 2"),
-        ("NOFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3", "a vertex has 6 values, got 3"),
-        ("OFF\n4 0 0\n" + ROWS, "", "contains no faces"),
-        ("OFF\n4 1 0\n" + ROWS + "3 0 1 4\n", "line 7", "a face refers to vertex 4"),
-        ("OFF\n4 1 0\n" + ROWS + "2 0 1\n", "face 0", "a face has 2 corners"),
-        ("OFF\n4 1 0\n" + ROWS + "3 0 1 2 1 1\n", "line 7", "a face of 3 corners has 5 values"),
-        ("OFF\n4 1 0\n" + ROWS + "3 0 x 2\n", "line 7", "not a number: 'x'"),
-    ],
-)
-def test_a_damaged_file_is_refused_with_its_line_in_off(tmp_path, text, where, reason):
-    with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        read_off(off(tmp_path, text))
-    assert caught.value.where == where
 
 
 # A house with an inverted roof: the fourth of five corners is concave; the fan from corner 3 has flipped triangles.

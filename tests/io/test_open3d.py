@@ -42,7 +42,6 @@ def files_of_open3d(o3d, write, name, *content):
 
 @pytest.fixture
 def open3d_file(oracle, tmp_path):
-
     def path(write, name, *content):
         for file, data in oracle(f"io/{name}", files_of_open3d, write, name, *content).items():
             (tmp_path / file).write_bytes(data.tobytes())

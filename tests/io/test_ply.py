@@ -151,17 +151,6 @@ def test_damaged_file_is_rejected_with_location_and_reason(path, content, where,
     assert caught.value.where == where and caught.value.path == str(path)
 
 
-def test_missing_and_additional_bytes_of_a_binary_ply_are_named_by_their_offset(path):
-    write_ply(path, PointTable(np.zeros((10, 3), np.float32)))
-    valid = path.read_bytes()
-    path.write_bytes(valid[:-7])
-    with pytest.raises(FileError, match=r"/cloud\.ply \(byte 229\):.*120.*113.*7"):
-        read_ply(path)
-    path.write_bytes(valid + b"\n")
-    with pytest.raises(FileError, match=r"/cloud\.ply \(byte 236\): 1 bytes follow"):
-        read_ply(path)
-
-
 @pytest.mark.parametrize("count", [10**10, 10**18])
 @pytest.mark.parametrize("form", ["ascii", *BYTE_ORDERS])
 @pytest.mark.parametrize("lists", ["", "property list uint double tags\n"])
@@ -186,31 +175,15 @@ def test_impossible_and_negative_list_lengths_are_refused_with_their_row(path):
 
 
 def test_missing_files_are_rejected(tmp_path):
-    with pytest.raises(FileError, match=r"/none\.ply:"):
-        read_ply(tmp_path / "none.ply")
-    with pytest.raises(FileError, match="is a folder"):
-        read_ply(tmp_path)
     os.mkfifo(tmp_path / "pipe.ply")
-    with pytest.raises(FileError, match=r"/pipe\.ply:"):
-        read_ply(tmp_path / "pipe.ply")
-    with pytest.raises(FileError, match=r"nul\\x00byte\.ply:"):
-        read_ply("nul\0byte.ply")
-
-
-@pytest.mark.parametrize(
-    ("attributes", "reason"),
-    [
-        ({"flag": np.zeros(2, bool)}, "no type for bool"),
-        ({"größe": np.zeros(2)}, "cannot be named"),
-        ({"a_0": np.zeros(2), "a": np.zeros((2, 1))}, "'a_0' exists already"),
-        ({"none": np.zeros((2, 0))}, "no components"),
-        ({name: np.zeros(2) for name in "rgb"}, "would be read as normals or colors"),
-    ],
-)
-def test_attribute_that_cannot_be_read_back_is_rejected(path, attributes, reason):
-    with pytest.raises(FileError, match=re.escape(reason)) as caught:
-        write_ply(path, PointTable(np.zeros((2, 3)), attributes=attributes))
-    assert caught.value.remedy and not list(path.parent.iterdir())
+    for path, reason in (
+        (tmp_path / "none.ply", r"/none\.ply:"),
+        (tmp_path, "is a folder"),
+        (tmp_path / "pipe.ply", r"/pipe\.ply:"),
+        ("nul\0byte.ply", r"nul\\x00byte\.ply:"),
+    ):
+        with pytest.raises(FileError, match=reason):
+            read_ply(path)
 
 
 @pytest.mark.parametrize("value", [np.nan, -0.1, 1.1])

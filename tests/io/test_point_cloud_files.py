@@ -21,7 +21,8 @@ from pointloom.io.meshes.tables import write_cloud_table
 from pointloom.io.points.formats import READERS, write_table
 from pointloom.io.points.las import read_las
 from pointloom.io.points.npz import read_npz, write_npz
-from pointloom.io.points.ply import read_ply
+from pointloom.io.points.pcd import write_pcd
+from pointloom.io.points.ply import read_ply, write_ply
 from pointloom.io.points.scan_files import list_scans
 from pointloom.io.table import PointTable
 from pointloom.registration import run_odometry
@@ -31,7 +32,6 @@ from .point_tables import assert_same_table, table_of
 
 UTM = np.array([5.01234e5, 5.412345e6, 212.5])
 BINARY = [(".ply", False), (".ply", True), (".pcd", False), (".pcd", True), (".npz", False)]
-EVERYTHING = ["points", "normals", "colors", "ring", "label", "code", "curvature", "time"]
 
 
 def full_cloud(rng, device=None, count=150, shift=0.0):
@@ -58,7 +58,7 @@ def test_every_attribute_survives_a_round_trip_in_its_own_type(device, extension
     loom.write_point_cloud(path, cloud, ascii=ascii)
     result = loom.read_point_cloud(path, device=device)
     assert result.device == cloud.device and sorted(result.attributes) == sorted(cloud.attributes)
-    for name in EVERYTHING:
+    for name in ("points", "normals", "colors", *cloud.attributes):
         assert result[name].dtype == cloud[name].dtype
         np.testing.assert_array_equal(result[name], cloud[name], err_msg=name)
     np.testing.assert_array_equal(result.origin, cloud.origin)
@@ -523,6 +523,41 @@ def test_attribute_name_unsupported_as_member_is_rejected(path, name):
     assert not list(path.parent.iterdir())
 
 
+@pytest.mark.parametrize(
+    ("write", "attributes", "reason"),
+    [
+        (write_ply, {"flag": np.zeros(2, bool)}, "no type for bool"),
+        (write_ply, {"größe": np.zeros(2)}, "cannot be named"),
+        (write_ply, {"a_0": np.zeros(2), "a": np.zeros((2, 1))}, "'a_0' exists already"),
+        (write_ply, {"none": np.zeros((2, 0))}, "no components"),
+        (write_ply, {name: np.zeros(2) for name in "rgb"}, "would be read as normals or colors"),
+        (write_pcd, {"half": np.zeros(2, np.float16)}, "no type for float16"),
+        (write_pcd, {"two words": np.zeros(2)}, "cannot be named"),
+        (write_pcd, {"x": np.zeros(2)}, "uses this name itself"),
+        (write_pcd, {"none": np.zeros((2, 0))}, "no components"),
+        (write_pcd, {"rgb": np.zeros(2, np.uint32)}, "would be read as normals or colors"),
+        (write_pcd, {f"normal_{axis}": np.zeros(2) for axis in "xyz"}, "would be read as normals or colors"),
+    ],
+)
+def test_attribute_that_cannot_be_read_back_is_rejected(tmp_path, write, attributes, reason):
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        write(tmp_path / "cloud", PointTable(np.zeros((2, 3)), attributes=attributes))
+    assert caught.value.remedy and not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("write, cut, size, more", [(write_ply, 7, 236, b"\n"), (write_pcd, 5, 286, b"\0")])
+def test_missing_and_additional_bytes_of_a_binary_file_are_named_by_their_offset(tmp_path, write, cut, size, more):
+    path = tmp_path / ("cloud.ply" if write is write_ply else "cloud.pcd")
+    write(path, PointTable(np.zeros((10, 3), np.float32)))
+    valid = path.read_bytes()
+    path.write_bytes(valid[:-cut])
+    with pytest.raises(FileError, match=rf"/{path.name} \(byte {size - cut}\):.*120.*{120 - cut}.*{cut}"):
+        READERS[path.suffix](path)
+    path.write_bytes(valid + more)
+    with pytest.raises(FileError, match=rf"/{path.name} \(byte {size}\): 1 bytes follow"):
+        READERS[path.suffix](path)
+
+
 def test_out_of_memory_error_names_the_file(path, monkeypatch):
     np.savez(path, points=np.zeros((2, 3)))
 
@@ -574,20 +609,19 @@ def test_tables_beside_scans_are_no_scans(tmp_path):
 
 
 def test_folders_that_are_none_are_named(tmp_path):
-    with pytest.raises(FileError, match="/nowhere:"):
-        run_odometry(tmp_path / "nowhere")
     with pytest.raises(FileError, match="contains no scan"):
         run_odometry(tmp_path)
     (tmp_path / "1.bin").touch()
     (tmp_path / "2.ply").touch()
-    with pytest.raises(FileError, match=r"several types: \.bin, \.ply"):
-        run_odometry(tmp_path)
-    with pytest.raises(FileError, match=r"/1\.bin:"):
-        run_odometry(tmp_path / "1.bin")
-    with pytest.raises(FileError, match="is empty"):
-        run_odometry([tmp_path / "1.bin"])
-    for wrong in (loom.PointCloud([[1, 2, 3]]), [3]):
-        with pytest.raises(TypeError, match=r"^scans:"):
+    for wrong, error, message in (
+        (tmp_path / "nowhere", FileError, "/nowhere:"),
+        (tmp_path, FileError, r"several types: \.bin, \.ply"),
+        (tmp_path / "1.bin", FileError, r"/1\.bin:"),
+        ([tmp_path / "1.bin"], FileError, "is empty"),
+        (loom.PointCloud([[1, 2, 3]]), TypeError, r"^scans:"),
+        ([3], TypeError, r"^scans:"),
+    ):
+        with pytest.raises(error, match=message):
             run_odometry(wrong)
     with pytest.raises(ValueError, match="timestamps:"):
         run_odometry([loom.PointCloud([[1, 2, 3]])], timestamps=[0.0, 1.0])

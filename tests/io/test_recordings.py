@@ -69,12 +69,14 @@ class Writer:
         kind = types["std_msgs/msg/Header"]
         return kind(seq=0, stamp=stamp, frame_id=frame) if self.is_one else kind(stamp, frame)
 
-    def send(self, topic, kind, time, *values, frame="camera"):
+    def write(self, topic, kind, time, message):
         if topic not in self.connections:
             self.connections[topic] = self.writer.add_connection(topic, kind, typestore=self.store)
-        message = self.store.types[kind](self.header(time, frame), *values)
         encode = self.store.serialize_ros1 if self.is_one else self.store.serialize_cdr
-        self.writer.write(self.connections[topic], int(1e9 * (time + 0.05)), encode(message, kind))
+        self.writer.write(self.connections[topic], int(1e9 * time), encode(message, kind))
+
+    def send(self, topic, kind, time, *values, frame="camera"):
+        self.write(topic, kind, time + 0.05, self.store.types[kind](self.header(time, frame), *values))
 
     def image(self, topic, time, encoding, array, big=False, padding=0):
         rows = np.ascontiguousarray(array.astype(array.dtype.newbyteorder(">" if big else "<")))
@@ -249,14 +251,9 @@ def send_tf(out, topic, time, parent, child, position, q):
     types = out.store.types
     if TF not in types:
         out.store.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms", TF))
-    vector = types["geometry_msgs/msg/Vector3"](*map(float, position))
-    rotation = types["geometry_msgs/msg/Quaternion"](*map(float, q))
-    moved = types["geometry_msgs/msg/Transform"](vector, rotation)
+    moved = types["geometry_msgs/msg/Transform"](vector(out.store, position), quaternion(out.store, q))
     stamped = types["geometry_msgs/msg/TransformStamped"](out.header(time, parent), child, moved)
-    if topic not in out.connections:
-        out.connections[topic] = out.writer.add_connection(topic, TF, typestore=out.store)
-    encode = out.store.serialize_ros1 if out.is_one else out.store.serialize_cdr
-    out.writer.write(out.connections[topic], int(1e9 * (time + 0.05)), encode(types[TF]([stamped]), TF))
+    out.write(topic, TF, time + 0.05, types[TF]([stamped]))
 
 
 def robot(folder, form="mcap", *, scan_times=(), frame="lidar"):
@@ -269,10 +266,7 @@ def robot(folder, form="mcap", *, scan_times=(), frame="lidar"):
         for scan, time in enumerate(scan_times):
             message = cloud_message(out.store, "velodyne", scan)
             message.header = out.header(time, frame)
-            if "/points" not in out.connections:
-                out.connections["/points"] = out.writer.add_connection("/points", CLOUD, typestore=out.store)
-            encode = out.store.serialize_ros1 if out.is_one else out.store.serialize_cdr
-            out.writer.write(out.connections["/points"], int(1e9 * (11 + scan)), encode(message, CLOUD))
+            out.write("/points", CLOUD, 11 + scan, message)
     return out.path
 
 

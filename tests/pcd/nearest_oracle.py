@@ -5,8 +5,6 @@ from scipy.spatial.distance import cdist
 
 import pointloom as loom
 
-ROOT_DETAIL = 1e-6  # [m] size of the two far clusters
-
 
 def sphere(rng, count):
     directions = rng.normal(size=(count, 3))
@@ -19,7 +17,7 @@ def grid(side):
 
 def clusters(rng):
     """Micrometer-sized details at the origin, and again 1e5 m away, beyond the resolution of float32."""
-    near = rng.normal(size=(301, 3)) * ROOT_DETAIL
+    near = rng.normal(size=(301, 3)) * 1e-6
     return np.concatenate([near, near + np.array([1e5, 0, 0])])
 
 

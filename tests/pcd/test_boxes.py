@@ -172,20 +172,14 @@ def test_joggling_changes_little(device, rng):
 
 
 LOW, HIGH, MIDDLE = [0.5, 1, 2], [3, 5, 8.25], [1, 2, 3]
-MOVES = {
-    "translate": ([1, 2, 3],),
-    "translate there": ([1, 2, 3], False),
-    "scale": (2.5, [1, 0, -1]),
-    "rotate": (ROTATION, [1, 0, -1]),
-}
+MOVES = {"translate": ([1, 2, 3],), "translate there": ([1, 2, 3], False), "scale": (2.5, [1, 0, -1])}
+MOVES["rotate"] = ROTATION, [1, 0, -1]
 
 
 def pair(library):
     """An axis-aligned and an oriented box of Open3D or pointloom."""
-    return {
-        "aligned": library.AxisAlignedBoundingBox(LOW, HIGH),
-        "turned": library.OrientedBoundingBox(MIDDLE, ROTATION, [2, 4, 6]),
-    }
+    turned = library.OrientedBoundingBox(MIDDLE, ROTATION, [2, 4, 6])
+    return {"aligned": library.AxisAlignedBoundingBox(LOW, HIGH), "turned": turned}
 
 
 def open3d_measures(o3d, kind):
@@ -341,13 +335,10 @@ def test_motions_move_the_points_and_leave_the_set_as_it_was():
     np.testing.assert_array_equal(lines.points, [[0, 0, 0], [2, 0, 0]])
 
 
-def test_a_set_may_be_empty():
+def test_a_set_may_be_empty_and_the_sum_of_two_has_colors_if_both_have():
     lines = loom.LineSet(np.empty((0, 3)), np.empty((0, 2), int))
     assert len(lines) == 0 and lines.is_empty() and not lines.has_colors
     np.testing.assert_array_equal(lines.get_center(), 0)
-
-
-def test_two_sets_are_one_and_colors_stay_where_both_have_some():
     plain = loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]])
     red = plain.paint_uniform_color([1, 0, 0])
     both = red + red

@@ -201,35 +201,19 @@ def feet(rng):
     return loom.PointCloud(points, normals=normals, colors=rng.random((200, 3)), unit="foot", ring=range(200))
 
 
-@pytest.mark.parametrize(
-    "operation",
-    [
-        copy.copy,
-        copy.deepcopy,
-        lambda c: pickle.loads(pickle.dumps(c)),
-        lambda c: c.copy(),
-        lambda c: c.to("cpu", arrays="warp"),
-        lambda c: c.voxel_down_sample(0.3),
-        lambda c: c.random_down_sample(0.5),
-        lambda c: c.select_by_index([1, 2]),
-        lambda c: c.crop(loom.AxisAlignedBoundingBox([0, 0, 0], [3e6] * 3)),
-        lambda c: c.without("ring"),
-        lambda c: c.estimate_normals(max_nn=5),
-        lambda c: c.paint_uniform_color([1, 0, 0]),
-        lambda c: c.translate([1, 2, 3]),
-        lambda c: c.rotate(np.diag([1.0, -1, -1])),
-        lambda c: c.transform(np.eye(4)),
-        lambda c: c + loom.PointCloud([[0, 0, 0]]),
-        lambda c: sum([c, c]),
-        lambda c: c.remove_statistical_outlier(5, 2.0)[0],
-        lambda c: c.smooth_laplacian(1, knn=4),
-        lambda c: c.remove_non_finite_points(),
-        lambda c: c.farthest_point_down_sample(5),
-        lambda c: loom.PointCloud.concatenate([loom.PointCloud(), c]),
-        slow(lambda c: loom.TriangleMesh.create_from_point_cloud_ball_pivoting(c, [0.2])),
-        lambda c: loom.TriangleMesh.create_from_point_cloud_alpha_shape(c, 0.5).sample_points_uniformly(9),
-    ],
-)
+@pytest.mark.parametrize("operation", [
+    copy.copy, copy.deepcopy, lambda c: pickle.loads(pickle.dumps(c)), lambda c: c.copy(),
+    lambda c: c.to("cpu", arrays="warp"), lambda c: c.voxel_down_sample(0.3), lambda c: c.random_down_sample(0.5),
+    lambda c: c.select_by_index([1, 2]), lambda c: c.crop(loom.AxisAlignedBoundingBox([0, 0, 0], [3e6] * 3)),
+    lambda c: c.without("ring"), lambda c: c.estimate_normals(max_nn=5), lambda c: c.paint_uniform_color([1, 0, 0]),
+    lambda c: c.translate([1, 2, 3]), lambda c: c.rotate(np.diag([1.0, -1, -1])), lambda c: c.transform(np.eye(4)),
+    lambda c: c + loom.PointCloud([[0, 0, 0]]), lambda c: sum([c, c]),
+    lambda c: c.remove_statistical_outlier(5, 2.0)[0], lambda c: c.smooth_laplacian(1, knn=4),
+    lambda c: c.remove_non_finite_points(), lambda c: c.farthest_point_down_sample(5),
+    lambda c: loom.PointCloud.concatenate([loom.PointCloud(), c]),
+    slow(lambda c: loom.TriangleMesh.create_from_point_cloud_ball_pivoting(c, [0.2])),
+    lambda c: loom.TriangleMesh.create_from_point_cloud_alpha_shape(c, 0.5).sample_points_uniformly(9),
+])  # fmt: skip
 def test_operations_keep_the_unit(operation, feet):
     assert operation(feet).unit == "foot"
 

@@ -79,15 +79,18 @@ def test_each_selected_point_keeps_its_own_attributes(device, name, rng):
         np.testing.assert_array_equal(result[array], cloud[array][rows])
 
 
+def claim_another_device(cloud, monkeypatch):
+    device_of = property(lambda c: "cuda:7" if c is cloud else c.array("points").device)
+    monkeypatch.setattr(loom.PointCloud, "device", device_of)
+
+
 def test_a_cloud_moved_to_another_device_and_back_is_the_same(device, rng, monkeypatch):
     """Without a GPU the cloud only claims another device: everything except the copy itself is tested."""
     cloud = full_cloud(rng, device, shift=UTM)
     cloud.grid = (20, 10)
     assert cloud.to(cloud.device) is cloud
     if not cloud.device.is_cuda:
-        monkeypatch.setattr(
-            loom.PointCloud, "device", property(lambda c: "cuda:7" if c is cloud else c.array("points").device)
-        )
+        claim_another_device(cloud, monkeypatch)
     there = cloud.to("cpu")
     assert str(there.device) == "cpu" and there is not cloud
     assert_same(contents(there), contents(cloud))
@@ -98,9 +101,7 @@ def test_operands_on_two_devices_are_an_error(rng, monkeypatch):
     """A stand-in for a second device tests the rule without a GPU."""
     cloud, other = loom.PointCloud(rng.random((9, 3))), loom.PointCloud(rng.random((9, 3)))
     search = loom.NearestNeighborSearch(cloud)
-    monkeypatch.setattr(
-        loom.PointCloud, "device", property(lambda c: "cuda:7" if c is other else c.array("points").device)
-    )
+    claim_another_device(other, monkeypatch)
     for call in (lambda: search.knn_search(other, 1), lambda: search.radius_search(other, 1.0)):
         with pytest.raises(loom.DeviceError, match="queries:"):
             call()
@@ -134,15 +135,9 @@ def test_normals_stay_normal_to_a_sheared_plane(device, rng, tolerances):
 
 TILES = np.array([[5e5, 5.4e6, 300], [500_600, 5_400_250, 280], [499_000, 5_401_000, 310]])
 NONE, NORMALS, COLORS, BOTH = (), ("normals",), ("colors",), ("normals", "colors")
-SUMS = [
-    (left, right, counts)
-    for left, right, counts in (
-        *((left, right, (3, 2)) for left in (NONE, NORMALS, BOTH) for right in (NONE, COLORS, BOTH)),
-        *((BOTH, right, counts) for right in (NONE, COLORS) for counts in ((0, 2), (3, 0))),
-        (NONE, BOTH, (0, 2)),
-        (NORMALS, NONE, (3, 0)),
-    )
-]
+SUMS = [(left, right, (3, 2)) for left in (NONE, NORMALS, BOTH) for right in (NONE, COLORS, BOTH)]
+SUMS += [(BOTH, right, counts) for right in (NONE, COLORS) for counts in ((0, 2), (3, 0))]
+SUMS += [(NONE, BOTH, (0, 2)), (NORMALS, NONE, (3, 0))]
 
 
 def open3d_has(o3d):
@@ -215,9 +210,8 @@ parts = st.lists(st.tuples(st.integers(0, 5), st.sampled_from([0.0, 3e4, 5e5, -7
 @given(parts=parts, seed=st.integers(0, 99))
 def test_concatenation_agrees_with_numpy(device, parts, seed):
     rng = np.random.default_rng(seed)
-    clouds = [
-        loom.PointCloud(rng.integers(-99, 99, (n, 3)) + shift, device=device, row=np.arange(n)) for n, shift in parts
-    ]
+    positions = [rng.integers(-99, 99, (n, 3)) + shift for n, shift in parts]
+    clouds = [loom.PointCloud(points, device=device, row=np.arange(len(points))) for points in positions]
     for result in (loom.PointCloud.concatenate(clouds), sum(clouds)):
         np.testing.assert_array_equal(result.points, np.concatenate([c.points for c in clouds])), "whole numbers: exact"
         np.testing.assert_array_equal(result["row"], np.concatenate([c["row"] for c in clouds]))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import warp as wp
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
@@ -177,8 +178,6 @@ def test_points_are_selected_as_numpy_selects_rows(device, name):
 
 
 def test_arrays_of_the_device_select_too(device):
-    import warp as wp
-
     cloud = loom.PointCloud(np.arange(30.0).reshape(10, 3), device=device)
     indices, mask = np.array([3, -1, 0]), np.arange(10) > 6
     for key in (indices, mask):
@@ -245,17 +244,6 @@ def concave(middle, radii, axis):
     return corners
 
 
-def check_choice(volume, cloud, expected):
-    points = cloud.points
-    assert 0 < len(expected) < len(points)
-    others = np.setdiff1d(np.arange(len(points)), expected)
-    for operand in (cloud, points):
-        np.testing.assert_array_equal(volume.crop_in_polygon(operand), expected)
-        np.testing.assert_array_equal(volume.crop_in_polygon(operand, invert=True), others)
-    np.testing.assert_array_equal(volume.crop_point_cloud(cloud).points, points[expected])
-    np.testing.assert_array_equal(cloud.crop(volume, invert=True).points, points[others])
-
-
 @pytest.mark.parametrize("at", [np.zeros(3), np.array([5e5, 5.4e6, 200])], ids=["here", "utm"])
 def test_choices_are_open3ds(device, at, rng, oracle):
     """Open3D's arithmetic is exact enough in UTM; float32 would round the corners by half a meter."""
@@ -265,9 +253,15 @@ def test_choices_are_open3ds(device, at, rng, oracle):
         for axis in range(3)
         for shape in (star, concave)
     ]
-    name = "pcd/polygon_volume/" + ("utm" if at.any() else "here")
-    for volume, expected in zip(volumes, oracle(name, open3d_choices, volumes, cloud.points), strict=True):
-        check_choice(volume, cloud, expected)
+    name, points = "pcd/polygon_volume/" + ("utm" if at.any() else "here"), cloud.points
+    for volume, expected in zip(volumes, oracle(name, open3d_choices, volumes, points), strict=True):
+        assert 0 < len(expected) < len(points)
+        others = np.setdiff1d(np.arange(len(points)), expected)
+        for operand in (cloud, points):
+            np.testing.assert_array_equal(volume.crop_in_polygon(operand), expected)
+            np.testing.assert_array_equal(volume.crop_in_polygon(operand, invert=True), others)
+        np.testing.assert_array_equal(volume.crop_point_cloud(cloud).points, points[expected])
+        np.testing.assert_array_equal(cloud.crop(volume, invert=True).points, points[others])
 
 
 COORDINATES = st.integers(-2, 2).map(float), real(3)
@@ -309,10 +303,7 @@ def test_a_file_gives_back_every_bit(tmp_path, rng):
     again = loom.SelectionPolygonVolume.from_json(tmp_path / "volume.json")
     np.testing.assert_array_equal(again.bounding_polygon, volume.bounding_polygon)
     assert (again.orthogonal_axis, again.axis_min, again.axis_max) == ("Y", -np.pi, 1e-17)
-
-
-def test_file_with_integers_is_read(tmp_path):
-    (tmp_path / "a.json").write_text(text_of(axis_min=0))
+    (tmp_path / "a.json").write_text(text_of(axis_min=0))  # with integers
     assert loom.SelectionPolygonVolume.from_json(tmp_path / "a.json").axis_min == 0.0
 
 

@@ -130,19 +130,20 @@ def test_statistical_outliers_are_open3ds(device, scan, nb_neighbors, std_ratio,
     assert (np.diff(indices) > 0).all()
 
 
-def open3d_inliers(o3d, points):
-    cloud = cloud_of(o3d, points)
+def inliers_of(cloud):
+    """Indices by several filters of a cloud of Open3D or pointloom."""
     inliers = [cloud.remove_statistical_outlier(*limits)[1] for limits in ((20, 2.0), (6, 0.5))]
-    inliers += [cloud.remove_radius_outlier(count, 0.15)[1] for count in (1, 5, 16)]
-    return [np.sort(indices).astype(np.int16) for indices in inliers]
+    return inliers + [cloud.remove_radius_outlier(count, 0.15)[1] for count in (1, 5, 16)]
+
+
+def open3d_inliers(o3d, points):
+    return [np.sort(indices).astype(np.int16) for indices in inliers_of(cloud_of(o3d, points))]
 
 
 def test_outliers_of_a_made_cloud_are_open3ds(device, rng, oracle):
     points = np.concatenate([rng.normal(size=(800, 3)) * 0.2, rng.random((200, 3)) * 3 - 1.5])
     points = points.astype(np.float32).astype(float)
-    cloud = loom.PointCloud(points, device=device)
-    inliers = [cloud.remove_statistical_outlier(*limits)[1] for limits in ((20, 2.0), (6, 0.5))]
-    inliers += [cloud.remove_radius_outlier(count, 0.15)[1] for count in (1, 5, 16)]
+    inliers = inliers_of(loom.PointCloud(points, device=device))
     for indices, expected in zip(inliers, oracle("pcd/outliers/blob", open3d_inliers, points), strict=True):
         assert 0 < len(expected) < 1000
         np.testing.assert_array_equal(indices, expected)

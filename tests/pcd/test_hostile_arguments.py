@@ -6,7 +6,7 @@ is valid for them. Records returned by operations are excluded, too.
 
 import contextlib
 import sys
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -357,16 +357,8 @@ def things() -> dict[str, Any]:
     mesh.unit = "metre"
 
     splats = loom.GaussianSplats(points[:2], [[1.0] * 3] * 2, [[1, 0, 0, 0]] * 2, [0.5, 0.6], points[:2])
-
-    def tsdf() -> Any:
-        return loom.TSDFVolume(voxel_size=0.1)
-
-    def paged() -> Any:
-        return loom.PagedTSDFVolume(temporary_folder(), voxel_size=0.1)
-
-    def occupancy() -> Any:
-        return loom.OccupancyGrid(voxel_size=0.1)
-
+    tsdf, occupancy = (partial(kind, voxel_size=0.1) for kind in (loom.TSDFVolume, loom.OccupancyGrid))
+    paged = lambda: loom.PagedTSDFVolume(temporary_folder(), voxel_size=0.1)  # noqa: E731
     seen = occupancy()
     seen.insert_scan(points, [0.5, 0.5, 0.5])
     filled = tsdf()
@@ -402,9 +394,7 @@ def things() -> dict[str, Any]:
         mapped=mapped, mesh=mesh, triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8), painted=painted, outline=[[1, 0], [2, 0], [2, 1], [1, 1]],
-        shell=loom.TriangleMesh(
-            40 * np.vstack([np.eye(3), [[-1, -1, -1]]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]
-        ),
+        shell=loom.TriangleMesh(np.vstack([40 * np.eye(3), [[-40] * 3]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
         world=loom.video.WorldFrame(47.5, 8.25), photo=loom.orthophoto(painted, 0.5),
         line_ends=np.array([[0, 1], [1, 2]]), line_colors=np.eye(2, 3),
         segments=loom.LineSet(points, [[0, 1], [1, 2]]),
@@ -516,14 +506,9 @@ def check_arguments(call, arguments):
     values, faults = things(), []
     for argument in arguments:
         good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
-        faults += faults_of(
-            lambda **given: eval(function, dict(values))(**given),
-            good,
-            argument,
-            clouds=argument in CLOUDS_ONLY and call not in TAKES_ARRAYS,
-            finite=argument not in MAY_BE_INFINITE,
-            also=ALSO.get(call, ""),
-        )
+        of_clouds = argument in CLOUDS_ONLY and call not in TAKES_ARRAYS
+        more = {"clouds": of_clouds, "finite": argument not in MAY_BE_INFINITE, "also": ALSO.get(call, "")}
+        faults += faults_of(lambda **given: eval(function, dict(values))(**given), good, argument, **more)
     assert not faults, "\n".join(faults)
 
 

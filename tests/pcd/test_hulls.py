@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.spatial import ConvexHull
 from scipy.spatial import ConvexHull as Qhull
 
 import pointloom as loom
@@ -140,7 +139,7 @@ def visible_by_brute_force(points, camera, radius):
     arms = points - camera
     sizes = np.linalg.norm(arms, axis=1, keepdims=True)
     mirrored = np.concatenate([arms * (2 * radius - sizes) / sizes, np.zeros((1, 3))])
-    hull_rows = ConvexHull(mirrored).vertices
+    hull_rows = Qhull(mirrored).vertices
     return rows_of(points[hull_rows[hull_rows < len(points)]])
 
 
@@ -164,18 +163,15 @@ def test_the_visible_points_of_a_made_scan_are_open3ds(device, rng, oracle):
     heights = 2 * np.sin(xy[:, 0] / 3) * np.cos(xy[:, 1] / 4)
     points = np.column_stack([xy, heights]).astype(np.float32).astype(float)
     views = [(np.array([0.0, 0, 3]), 6e3), (np.array([10.0, -40, 5]), 6e4), (np.array([0, 0, 1e3]), 5e4)]
-    for (camera, radius), (rows, triangles) in zip(
-        views, oracle("pcd/visibility/hills", open3d_views, points, views), strict=True
-    ):
+    expected = oracle("pcd/visibility/hills", open3d_views, points, views)
+    for (camera, radius), (rows, triangles) in zip(views, expected, strict=True):
         surface, result = visible(points, camera, radius, device)
         assert result == rows_of(points[rows])
         assert abs(len(surface.triangles) - triangles) <= 0.001 * triangles
 
 
-SCENES = [("noise", 0.45), ("noise", 100.0), ("two walls", 100.0)]
-
-
-SCENES += [("all around", 1.5), ("grazing", 1e5), ("lattice", 100.0)]
+SCENES = [("noise", 0.45), ("noise", 100.0), ("two walls", 100.0), ("all around", 1.5), ("grazing", 1e5)]
+SCENES += [("lattice", 100.0)]
 
 
 @pytest.mark.parametrize(("scene", "scale"), SCENES)

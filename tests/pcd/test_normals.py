@@ -12,11 +12,8 @@ from ..scan_cases import ON_SCANS
 from .any_cloud import examples
 from .open3d_clouds import cloud_of, covariances_of, normals_of
 
-SEARCHES = {
-    "hybrid": {"radius": 0.1, "max_nn": 30},
-    "count": {"max_nn": 30},
-    "radius": {"radius": 0.03, "max_nn": None},
-}
+SEARCHES = {"hybrid": {"radius": 0.1, "max_nn": 30}, "count": {"max_nn": 30}}
+SEARCHES["radius"] = {"radius": 0.03, "max_nn": None}
 
 
 def assert_agree(actual, expected, tolerances):
@@ -201,11 +198,8 @@ def assert_covariances(actual, expected, tolerances):
 def scans(fragment, lidar, terrain):
     """Points by name, rounded to float32, and a length [m] that scales the searches; the tile is centered."""
     tile = (terrain - np.round(terrain.mean(axis=0))).astype(np.float32).astype(float)
-    return {
-        "fragment": (fragment.points[::10], 1.0),
-        "lidar": (lidar[:, :3].astype(float), 10.0),
-        "terrain": (tile, 40.0),
-    }
+    near, wide = (fragment.points[::10], 1.0), (lidar[:, :3].astype(float), 10.0)
+    return {"fragment": near, "lidar": wide, "terrain": (tile, 40.0)}
 
 
 @ON_SCANS

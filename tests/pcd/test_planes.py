@@ -40,11 +40,8 @@ def terrain(scan_file):
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain):
     """Points by name, the tile centered, and a threshold for each."""
-    return {
-        "fragment": (fragment.points[::4], 0.02),
-        "lidar": (lidar[:, :3].astype(float), 0.1),
-        "terrain": (terrain - np.round(np.median(terrain, axis=0)), 0.5),
-    }
+    near, wide = (fragment.points[::4], 0.02), (lidar[:, :3].astype(float), 0.1)
+    return {"fragment": near, "lidar": wide, "terrain": (terrain - np.round(np.median(terrain, axis=0)), 0.5)}
 
 
 @pytest.mark.parametrize("scan", ["fragment", "lidar", "terrain"])
@@ -77,9 +74,7 @@ def test_known_plane_is_detected_among_noise_and_clutter(device, rng, normal, ra
     model, inliers = loom.PointCloud(points, device=device).segment_plane(0.01, ransac_n, 1000)
     assert degrees_between(model[:3], true[:3]) < 0.1
     assert np.isin(np.flatnonzero(member), inliers).mean() > 0.99
-    assert (np.abs(points[inliers] @ model[:3] + model[3]) < 0.012).all(), (
-        "of the plane before the fit, so a little beyond"
-    )
+    assert (np.abs(points[inliers] @ model[:3] + model[3]) < 0.012).all(), "they are those before the fit"
 
 
 def test_inliers_ascend_and_the_normal_is_unit_with_its_largest_component_positive(device, rng, tolerances):

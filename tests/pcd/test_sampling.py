@@ -29,24 +29,6 @@ def assert_contains_rows(result, cloud, rows):
         np.testing.assert_array_equal(result[name], cloud[name][rows])
 
 
-def check_trace(trace, oracle, tolerances, limit):
-    cloud, cubic_id, original_indices = trace
-    expected, expected_cubes, expected_indices = oracle
-    rows = {int(indices[0]): row for row, indices in enumerate(original_indices)}
-    assert len(original_indices) == len(expected_indices) == len(cloud)
-    order = [rows[indices[0]] for indices in expected_indices]
-    for row, indices in zip(order, expected_indices, strict=True):
-        assert original_indices[row].tolist() == list(indices)
-        assert (trace.voxel_of_point[original_indices[row]] == row).all()
-    assert cubic_id.dtype == np.int32
-    np.testing.assert_array_equal(cubic_id[order], expected_cubes)
-    actual = cloud.points[order] - cloud.origin
-    np.testing.assert_allclose(actual, expected["points"], rtol=0, atol=limit)
-    for name in ("normals", "colors"):
-        if name in cloud:
-            np.testing.assert_allclose(cloud[name][order], expected[name], rtol=0, atol=tolerances.voxel_attribute)
-
-
 def open3d_trace(o3d, points, normals, colors, *arguments):
     cloud, cubes, rows = cloud_of(o3d, points, normals, colors).voxel_down_sample_and_trace(*arguments)
     names = ("points", "normals", "colors")
@@ -59,8 +41,21 @@ def test_traces_of_a_made_cloud_are_open3ds(device, rng, oracle, tolerances):
     normals = rng.normal(size=(300, 3)).astype(np.float32).astype(float)
     cloud = loom.PointCloud(points, normals=normals, colors=colors, device=device)
     box = 0.3, np.array([0.1, -0.2, 0.3]), np.array([0.9, 1, 1])
-    expected = oracle("pcd/sampling/trace", open3d_trace, points, normals, colors, *box)
-    check_trace(cloud.voxel_down_sample_and_trace(*box), expected, tolerances, tolerances.voxel_mean)
+    expected, cubes, lists = oracle("pcd/sampling/trace", open3d_trace, points, normals, colors, *box)
+    trace = cloud.voxel_down_sample_and_trace(*box)
+    result, cubic_id, original_indices = trace
+    rows = {int(indices[0]): row for row, indices in enumerate(original_indices)}
+    assert len(original_indices) == len(lists) == len(result)
+    order = [rows[indices[0]] for indices in lists]
+    for row, indices in zip(order, lists, strict=True):
+        assert original_indices[row].tolist() == list(indices)
+        assert (trace.voxel_of_point[original_indices[row]] == row).all()
+    assert cubic_id.dtype == np.int32
+    np.testing.assert_array_equal(cubic_id[order], cubes)
+    actual = result.points[order] - result.origin
+    np.testing.assert_allclose(actual, expected["points"], rtol=0, atol=tolerances.voxel_mean)
+    for name in ("normals", "colors"):
+        np.testing.assert_allclose(result[name][order], expected[name], rtol=0, atol=tolerances.voxel_attribute)
 
 
 def brute_trace(points, size, corner):
@@ -283,13 +278,8 @@ def test_the_fragments_voxels_and_means_are_open3ds(device, size, fragment, to_o
 
 def brute_force(points, size):
     """Voxels in ascending order and the rows of each, by float64 arithmetic on the stored coordinates."""
-    finite = np.flatnonzero(np.isfinite(points).all(axis=1))
-    groups: dict[tuple[int, ...], list[int]] = {}
-    if len(finite):
-        corner = points[finite].min(axis=0) - size / 2
-        for row, cell in zip(finite, np.floor((points[finite] - corner) / size).astype(np.int64), strict=True):
-            groups.setdefault(tuple(cell.tolist()), []).append(int(row))
-    return [groups[cell] for cell in sorted(groups)]
+    finite = points[np.isfinite(points).all(axis=1)]
+    return brute_trace(points, size, finite.min(axis=0) - size / 2)[0] if len(finite) else []
 
 
 def test_floating_attributes_are_averaged_and_others_taken_from_the_first_point(device, rng):

@@ -25,12 +25,17 @@ from .any_cloud import INTEGERS, NOT_FINITE, clouds, examples, real
 from .nearest_oracle import EXACT, SHAPES, assert_nearest, make_cloud, queries_for, rows_of, sphere, square_distances
 
 
+def made_search(shape, rng, device):
+    """A cloud, its search, queries, and all squared distances from the queries and from the points."""
+    cloud = make_cloud(shape, rng, device)
+    queries = queries_for(cloud.points, rng)
+    sqdists = square_distances(cloud, queries), square_distances(cloud, cloud.points)
+    return cloud, loom.NearestNeighborSearch(cloud), queries, *sqdists
+
+
 @pytest.mark.parametrize("shape", SHAPES)
 def test_k_nearest_agree_with_brute_force(device, shape, rng, tolerances):
-    cloud = make_cloud(shape, rng, device)
-    search = loom.NearestNeighborSearch(cloud)
-    queries = queries_for(cloud.points, rng)
-    expected, self_sqdists = square_distances(cloud, queries), square_distances(cloud, cloud.points)
+    cloud, search, queries, expected, self_sqdists = made_search(shape, rng, device)
     for k in (1, 9, 64):
         assert_nearest(search.knn_search(queries, k), expected, k, np.inf, tolerances, shape in EXACT)
     assert_nearest(search.knn_search(cloud, 20), self_sqdists, 20, np.inf, tolerances, shape in EXACT)
@@ -48,10 +53,7 @@ def test_equal_points_have_the_same_neighbors_lowest_indices_first(device, rng):
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_radius_search_agrees_with_brute_force(device, shape, rng, tolerances):
-    cloud = make_cloud(shape, rng, device)
-    search = loom.NearestNeighborSearch(cloud)
-    queries = queries_for(cloud.points, rng)
-    expected, self_sqdists = square_distances(cloud, queries), square_distances(cloud, cloud.points)
+    cloud, search, queries, expected, self_sqdists = made_search(shape, rng, device)
     k = min(15, len(cloud) - 1)
     near = np.sqrt(np.partition(self_sqdists, k, axis=1)[:, k].mean()) or 0.1
     for radius in (near / 30, near, 1e7):

@@ -108,10 +108,9 @@ def test_taubin_keeps_a_sphere_that_laplacian_shrinks(device, rng):
     points *= (1 + 0.01 * rng.normal(size=(4000, 1))) / np.linalg.norm(points, axis=1, keepdims=True)
     cloud = loom.PointCloud(points, device=device)
     for fixed in (False, True):
-        radius = [
-            np.linalg.norm(getattr(cloud, name)(10, 0.5, knn=20, use_fixed_neighborhoods=fixed).points, axis=1).mean()
-            for name in ("smooth_laplacian", "smooth_taubin")
-        ]
+        filters = (cloud.smooth_laplacian, cloud.smooth_taubin)
+        smooth = [each(10, 0.5, knn=20, use_fixed_neighborhoods=fixed).points for each in filters]
+        radius = [np.linalg.norm(positions, axis=1).mean() for positions in smooth]
         assert radius[0] < 0.993 < 0.997 < radius[1] < 1.003
 
 
@@ -261,23 +260,15 @@ WIDE = {"radius": 0.3, "max_nn": 20}
 def open3d_smoothed(o3d):
     """The points of one synthetic cloud after each operation."""
     cloud, search = cloud_of(o3d, SEED_CLOUD, SEED_NORMALS), search_of(o3d, **WIDE)
-    smooth = [
-        cloud.smooth_mls(search),
-        cloud.smooth_bilateral(search, 0.1, 0.05),
-        cloud.smooth_laplacian(1, 0.4, 12),
-        cloud.smooth_taubin(1, 0.4, -0.45, 12, True),
-    ]
+    smooth = [cloud.smooth_mls(search), cloud.smooth_bilateral(search, 0.1, 0.05)]
+    smooth += [cloud.smooth_laplacian(1, 0.4, 12), cloud.smooth_taubin(1, 0.4, -0.45, 12, True)]
     return [np.asarray(moved.points).astype(np.float32) for moved in smooth]
 
 
 def test_points_of_a_made_cloud_are_open3ds(device, oracle, tolerances):
     cloud = loom.PointCloud(SEED_CLOUD, normals=SEED_NORMALS, device=device)
-    results = [
-        cloud.smooth_mls(**WIDE),
-        cloud.smooth_bilateral(**WIDE, sigma_s=0.1, sigma_r=0.05),
-        cloud.smooth_laplacian(1, 0.4, 12),
-        cloud.smooth_taubin(1, 0.4, -0.45, 12, True),
-    ]
+    results = [cloud.smooth_mls(**WIDE), cloud.smooth_bilateral(**WIDE, sigma_s=0.1, sigma_r=0.05)]
+    results += [cloud.smooth_laplacian(1, 0.4, 12), cloud.smooth_taubin(1, 0.4, -0.45, 12, True)]
     for moved, expected in zip(results, oracle("pcd/smoothing/uniform", open3d_smoothed), strict=True):
         assert_points(moved.points, expected, SEED_CLOUD, tolerances)
 

@@ -20,14 +20,10 @@ UTM = np.array([500_000.0, 4_000_000.0, 100.0])
 
 def made(count=200, degree=3, *, at=(0, 0, 0), device="cpu", seed=0) -> loom.GaussianSplats:
     rng = np.random.default_rng(seed)
-    return loom.GaussianSplats(
-        rng.normal(size=(count, 3)) + at,
-        np.exp(rng.normal(-2, 1, (count, 3))),
-        rng.normal(size=(count, 4)),
-        rng.uniform(0.01, 0.99, count),
-        rng.normal(0, 0.3, (count, (degree + 1) ** 2, 3)),
-        device=device,
-    )
+    centers, scales = rng.normal(size=(count, 3)) + at, np.exp(rng.normal(-2, 1, (count, 3)))
+    rotations, opacities = rng.normal(size=(count, 4)), rng.uniform(0.01, 0.99, count)
+    harmonics = rng.normal(0, 0.3, (count, (degree + 1) ** 2, 3))
+    return loom.GaussianSplats(centers, scales, rotations, opacities, harmonics, device=device)
 
 
 def colors_from(splats: loom.GaussianSplats, directions) -> np.ndarray:

@@ -250,11 +250,9 @@ def test_all_points_on_a_line_have_heights_but_no_triangles(device):
         loom.rasterize(cloud, 1.0, method="tin")
 
 
-POINTS = np.random.default_rng(0).random((5, 3)) * (100, 100, 1)
-
-
 def test_cloud_without_ground_is_an_error():
-    bare = loom.PointCloud(POINTS, classification=np.ones(5, np.uint8))
+    points = np.random.default_rng(0).random((5, 3)) * (100, 100, 1)
+    bare = loom.PointCloud(points, classification=np.ones(5, np.uint8))
     with pytest.raises(NoGroundError, match=r"^cloud:.*2.*classify_ground"):
         loom.rasterize(bare, 1.0)
     with pytest.raises(NoGroundError, match=r"^cloud:.*2.*8"):

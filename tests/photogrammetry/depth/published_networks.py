@@ -48,13 +48,8 @@ OF_RAYS = {"zero": 0, "one": 1, "focal": FOCAL, "two": np.int64(2), "three": np.
 # Depth Anything V2, relative: the head's ReLU, and that of `forward`
 RELATIVE = "Reciprocal z -> raw; Relu raw -> once; Relu once -> twice; Squeeze twice axis -> out", {}
 # Depth Anything V2, metric
-INDOOR, OUTDOOR = (
-    (
-        f"Div z range -> p; {LOGIT}; Sigmoid l -> s; Mul s range -> m; Squeeze m axis -> out",
-        {"range": farthest, "one": 1},
-    )
-    for farthest in (20, 80)
-)
+SCALED = f"Div z range -> p; {LOGIT}; Sigmoid l -> s; Mul s range -> m; Squeeze m axis -> out"
+INDOOR, OUTDOOR = ((SCALED, {"range": farthest, "one": 1}) for farthest in (20, 80))
 # a metric network exported with the last function of the relative one: a logit below 0 gives 0
 CLIPPED = (
     f"Div z far -> p; {LOGIT}; Relu l -> s; Mul s range -> m; Squeeze m axis -> out",
@@ -132,10 +127,8 @@ def published(path: Path, name: str) -> Path:
         inputs.append(("num_tokens", TensorProto.INT64, []))
         nodes += f"; Cast num_tokens -> tokens to={int(FLOAT)}"
     constants = {"kernel": (9 * std / 3).reshape(1, 3, 1, 1), "bias": [1 + 9 * mean.mean()], **constants}
-    constants = {
-        key: value if getattr(value, "dtype", None) == np.int64 else np.asarray(value, np.float32)
-        for key, value in constants.items()
-    }
+    for key, value in constants.items():
+        constants[key] = value if getattr(value, "dtype", None) == np.int64 else np.asarray(value, np.float32)
     used = {value for node in nodes_of(nodes) for value in node.input}
     constants = {key: value for key, value in {**constants, "axis": np.array([1], np.int64)}.items() if key in used}
     return save(path, nodes, inputs, [(output, FLOAT, None) for output in outputs], **constants)

@@ -84,9 +84,8 @@ def test_few_references_that_agree_are_unreliable(folder):
 
 
 def test_a_map_with_little_valid_depth_is_unreliable(folder):
-    v = np.linspace(0, 1, SIDE)[:, None] ** 30 * np.ones(
-        (1, SIDE)
-    )  # most pixels are over ten times beyond the range of the sensor
+    # most pixels are over ten times beyond the range of the sensor
+    v = np.tile(np.linspace(0, 1, SIDE)[:, None] ** 30, SIDE)
     fixed_map(folder / "net.onnx", v)
     sensor = np.where(v > 0.3, 1 / np.maximum(v, 0.3) * 0.3, 0)
     np.save(folder / "near.npy", sensor.astype(np.float32))
@@ -123,9 +122,8 @@ def test_a_folder_is_aligned_to_one_colmap_model(folder):
     report = unreliable(*words(folder, "--align", folder / "work", picture="pictures", output="clouds"))
     (each,) = report["pictures"]
     assert (each["unit"], each["is_metric"], each["references"]) == ("the sparse model's", False, 120)
-    assert "; ".join(report["warnings"]).startswith(
-        "1 of 2 images failed: align: expected at least 20 references inside the image, got 2"
-    )
+    message = "1 of 2 images failed: align: expected at least 20 references inside the image, got 2"
+    assert "; ".join(report["warnings"]).startswith(message)
     assert b"comment pointloom depth: in the unit of the sparse model" in (folder / "clouds" / "photo.ply").read_bytes()
 
 
@@ -167,16 +165,15 @@ def test_errors_name_the_file_and_leave_nothing(folder, monkeypatch, more, reaso
 def test_colliding_names_in_a_folder_are_an_error(folder):
     pictures = folder / "pictures"
     pictures.mkdir()
-    assert "contains no images" in refusal(*words(folder, picture="pictures", output="clouds"))
+    given = {"picture": "pictures", "output": "clouds"}
+    assert "contains no images" in refusal(*words(folder, **given))
     for name in ("a.png", "a.jpg"):
         Image.fromarray(PICTURE).save(pictures / name)
-    assert "another image would also be written to a.ply" in refusal(
-        *words(folder, picture="pictures", output="clouds")
-    )
+    assert "another image would also be written to a.ply" in refusal(*words(folder, **given))
     assert "is a single cloud, but the source is a folder" in refusal(*words(folder, picture="pictures"))
     (pictures / "a.jpg").unlink()
     more = ["--picture", folder / "out.png"]
-    assert "--picture requires a single image" in refusal(*words(folder, *more, picture="pictures", output="clouds"))
+    assert "--picture requires a single image" in refusal(*words(folder, *more, **given))
 
 
 @pytest.mark.parametrize(

@@ -115,17 +115,21 @@ def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
     )  # fmt: skip
 
 
-def test_a_sparse_model_gives_its_unit_and_camera(network, tmp_path):
+def test_a_sparse_model_or_its_folder_gives_its_unit_and_camera(network, tmp_path):
     path, z = network
     Image.fromarray(PICTURE).save(tmp_path / "photo.png")
-    model = sparse_model(z)
-    for picture, align in ((tmp_path / "photo.png", model), (PICTURE, (model, "b/photo.png"))):
+    model, photo = sparse_model(z), tmp_path / "photo.png"
+    loom.write_colmap_model(tmp_path / "sparse", model)
+    for picture, align in ((photo, model), (PICTURE, (model, "b/photo.png")), (photo, tmp_path / "sparse")):
         result = loom.estimate_depth(picture, path, align=align)
         assert not result.is_metric
         assert (result.unit, result.intrinsic_source) == ("the sparse model's", "the sparse model")
         assert result.intrinsic == CAMERA and result.references == 120
         assert result.inlier_share > 0.6
         assert evaluate_depth(result.depth, z).abs_rel < 5e-3
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(loom.FileError, match="empty: "):
+        loom.estimate_depth(photo, path, align=tmp_path / "empty")
 
 
 @pytest.mark.parametrize("options", [{"size": 259}, {"distorted": True}])
@@ -137,19 +141,6 @@ def test_the_camera_of_a_sparse_model_is_scaled_and_its_distortion_removed(netwo
     assert result.intrinsic_source == f"the sparse model{left_out}"
     camera, fy = result.intrinsic, 500 if left_out else 510
     assert (camera.fx, camera.fy, camera.cx, camera.cy) == pytest.approx((500, fy, 250, 262), rel=1e-5)
-
-
-def test_the_folder_of_a_model_is_accepted(network, tmp_path):
-    path, z = network
-    Image.fromarray(PICTURE).save(tmp_path / "photo.png")
-    model = sparse_model(z)
-    loom.write_colmap_model(tmp_path / "sparse", model)
-    by_folder = loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "sparse")
-    assert by_folder.references == 120
-    assert evaluate_depth(by_folder.depth, z).abs_rel < 5e-3
-    (tmp_path / "empty").mkdir()
-    with pytest.raises(loom.FileError, match="empty: "):
-        loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "empty")
 
 
 def test_depth_far_beyond_the_references_is_dropped(tmp_path):
@@ -265,13 +256,11 @@ def test_tiles_add_detail_at_the_scale_of_the_full_image():
 
     coarse = (0.3 + 0.5 * v / 240).astype(np.float32)
     progress = []
-    refined, used, count = refine_by_tiles(
-        color, coarse, 3, inverse, seed=0, report=lambda *each: progress.append(each)
-    )
+    report = lambda *each: progress.append(each)  # noqa: E731
+    refined, used, count = refine_by_tiles(color, coarse, 3, inverse, seed=0, report=report)
     assert used == count == len(calls) >= 6
     assert progress[-1] == (count, count)
-    wave = refined - coarse
-    np.testing.assert_allclose(wave, true - coarse, atol=0.012)
+    np.testing.assert_allclose(refined - coarse, true - coarse, atol=0.012)
     assert np.abs(np.diff(refined, axis=1) - np.diff(true, axis=1)).max() < 0.004  # no seams
 
 
@@ -349,10 +338,8 @@ def test_the_fit_is_the_weighted_least_squares_of_the_inliers():
     d, y = exact(300)
     y = y * (1 + np.random.default_rng(2).normal(0, 0.01, 300))
     result = align_inverse_depth(d, y)
-    rows = np.stack([d / y, 1 / y], 1)
-    np.testing.assert_allclose(
-        [result.scale, result.shift], np.linalg.lstsq(rows, np.ones(300), rcond=None)[0], rtol=1e-9
-    )
+    expected = np.linalg.lstsq(np.stack([d / y, 1 / y], 1), np.ones(300), rcond=None)[0]
+    np.testing.assert_allclose([result.scale, result.shift], expected, rtol=1e-9)
 
 
 def test_metric_depth_is_aligned_by_scale_only():
@@ -383,16 +370,13 @@ def test_a_map_that_decreases_with_inverse_depth_is_rejected():
         align_inverse_depth(np.full(50, 3.0), y[:50])
 
 
-def test_two_distances_determine_scale_and_shift_unchecked():
+def test_two_distances_determine_scale_and_shift_and_one_the_scale_unchecked():
     result = align_to_distances(np.array([10.0, 30.0]), np.array([0.25, 0.5]))
     assert (result.scale, result.shift, result.inlier_share) == (pytest.approx(0.0125), pytest.approx(0.125), None)
     with pytest.raises(AlignmentError, match=r"^align:"):
         align_to_distances(np.array([10.0, 30.0]), np.array([0.5, 0.25]))
     with pytest.raises(AlignmentError, match=r"^align:.*2.*got 1"):
         align_to_distances(np.array([10.0]), np.array([0.5]))
-
-
-def test_one_distance_determines_the_scale_unchecked():
     result = align_to_distances(np.array([0.5]), np.array([0.25]), with_shift=False)
     assert (result.scale, result.shift, result.inlier_share) == (0.5, 0.0, None)
 

@@ -7,18 +7,9 @@ import pytest
 from onnx import TensorProto, helper, numpy_helper
 
 import pointloom as loom
+from pointloom.photogrammetry.depth import heads
 from pointloom.photogrammetry.depth.graph import load_graph, read_graph
-from pointloom.photogrammetry.depth.heads import (
-    BINS,
-    BROKEN,
-    CLAMPED,
-    EXP,
-    INVERSE,
-    RECIPROCAL,
-    SIGMOID,
-    Head,
-    find_head,
-)
+from pointloom.photogrammetry.depth.heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head
 from pointloom.photogrammetry.depth.network_outputs import recover_pinhole
 from pointloom.photogrammetry.depth.presets import PRESETS
 
@@ -141,12 +132,9 @@ def test_metric_maps_are_aligned_by_scale_and_contradicting_references_rejected(
         loom.estimate_depth(picture, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options)
 
 
-def test_depth_anything_3_is_noted_as_not_labeled_metric(files):
+def test_an_unlabeled_file_and_depth_anything_3_are_accepted_with_a_note(files, tmp_path):
     (note,) = loom.DepthModel(files["da3"], "depth-anything-3-metric").notes
     assert "does not specify that its depth is in meters" in note
-
-
-def test_an_unlabeled_file_is_accepted_with_a_note(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
     for preset, meaning in (("depth-anything-v2", "larger for nearer points"), ("depth-anything-v2-metric", "meters")):
         assert meaning in "".join(loom.DepthModel(path, preset).notes)
@@ -180,13 +168,10 @@ def test_moge_gives_no_meters_for_a_frontal_wall_and_an_unknown_camera(files):
     assert np.median(known.depth / depth_of(wall)) == pytest.approx(1, rel=0.02)
 
 
-def test_metric3d_s_canvas_has_two_sizes_and_no_mixture(tmp_path):
+def test_metric3d_s_canvas_has_two_sizes_and_no_mixture_and_belongs_to_no_other_preset(tmp_path):
     for size in ((616, 616), (1064, 1064), (616, 1216)):
         with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*616.*1064.*1064.*616.*metric3d-v2"):
             loom.DepthModel(linear(tmp_path / "m.onnx", size=size), "metric3d-v2")
-
-
-def test_an_unlabeled_file_of_metric3d_s_size_is_rejected_by_other_presets(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(616, 1064))
     with pytest.raises(loom.FileError, match=r"/m\.onnx:.*metric3d-v2"):
         loom.DepthModel(path, "depth-anything-v2")
@@ -208,12 +193,10 @@ make = helper.make_node
 
 def model_of(*nodes, functions=(), **constants):
     """A model of these nodes from x to y; constants of any type."""
-    tensors = [
-        value if isinstance(value, TensorProto) else numpy_helper.from_array(np.asarray(value))
-        for value in constants.values()
-    ]
-    for tensor, name in zip(tensors, constants, strict=True):
-        tensor.name = name
+    tensors = []
+    for name, value in constants.items():
+        tensors.append(value if isinstance(value, TensorProto) else numpy_helper.from_array(np.asarray(value)))
+        tensors[-1].name = name
     ends = [[helper.make_tensor_value_info(name, TensorProto.FLOAT, None)] for name in "xy"]
     graph = helper.make_graph(list(nodes), "g", *ends, tensors)
     opsets = [helper.make_opsetid("", 17), helper.make_opsetid("own", 1)]
@@ -221,7 +204,7 @@ def model_of(*nodes, functions=(), **constants):
 
 
 def head_of(*nodes, **more):
-    return find_head(read_graph(model_of(*nodes, **more)), "y")
+    return heads.find_head(read_graph(model_of(*nodes, **more)), "y")
 
 
 def scaled(last, number):
@@ -323,7 +306,7 @@ def test_a_damaged_file_gives_a_file_error_or_a_head(folder, at, byte):
     for content in (good[:at] + bytes([byte]) + good[at + 1 :], good[:at]):
         path.write_bytes(content)
         try:
-            find_head(load_graph(str(path)), "y")
+            heads.find_head(load_graph(str(path)), "y")
         except loom.FileError as error:
             assert "damaged.onnx" in str(error)
 
@@ -356,7 +339,7 @@ def test_thousands_of_nodes_and_functions_in_a_row_end(folder):
     path = folder / "long.onnx"
     path.write_bytes(model_of(*nodes, make("f0", ["x"], ["y"], domain="own"), functions=calls).SerializeToString())
     graph = load_graph(str(path))
-    assert (find_head(graph, "v5000"), find_head(graph, "y")) == (Head(), Head())
+    assert (heads.find_head(graph, "v5000"), heads.find_head(graph, "y")) == (Head(), Head())
 
 
 def external(location):
@@ -383,9 +366,7 @@ TENSOR_LOCATIONS = {  # where a tensor can be in a model
 
 @pytest.mark.parametrize("stored_in", TENSOR_LOCATIONS)
 @pytest.mark.parametrize("location", ["../../etc/passwd", "/etc/passwd", "", "..", "folder/weights", "link"])
-def test_weights_outside_the_folder_are_refused_before_onnxruntime_sees_the_file(
-    stored_in, location, tmp_path, monkeypatch
-):
+def test_weights_outside_the_folder_are_refused_before_onnxruntime_starts(stored_in, location, tmp_path, monkeypatch):
     (tmp_path / "folder").mkdir()
     (tmp_path / "folder" / "weights").write_bytes(bytes(4))
     (tmp_path / "link").symlink_to("/etc/passwd")

@@ -7,7 +7,7 @@ import numpy as np
 import onnx
 import pytest
 from onnx import TensorProto
-from PIL import Image
+from PIL import Image, ImageOps
 
 import pointloom as loom
 from pointloom.cli.shell import depth_command
@@ -105,21 +105,16 @@ def test_a_strided_map_covers_the_picture_to_its_borders(tmp_path):
     assert np.abs(values[250] - gray).max() < 0.6 * cell * (gray[499] - gray[0]) / 499
 
 
-def test_fixed_inputs_are_taken_as_they_are(tmp_path):
-    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42)))
+def test_inputs_of_fixed_sizes_and_of_half_precision_are_taken_as_they_are(tmp_path):
     picture = picture_of((28, 42))
-    values = model._run_with_placement(picture)[0]
-    np.testing.assert_allclose(values, seen_by(PRESETS[model.preset], picture), atol=1e-5)
+    for kind, limit in ((FLOAT, 1e-5), (TensorProto.FLOAT16, 5e-3)):
+        model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42), kind=kind))
+        values = model._run_with_placement(picture)[0]
+        np.testing.assert_allclose(values, seen_by(PRESETS[model.preset], picture), atol=limit)
+    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42)))
     assert model._run_with_placement(picture_of((100, 70)))[0].shape == (100, 70)
     half = loom.DepthModel(linear(tmp_path / "half.onnx", size=(28, "w")))
     assert (half._placement(100, 100).rows, half._placement(100, 100).columns) == (28, 518)
-
-
-def test_half_precision_models_get_half_precision_inputs(tmp_path):
-    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42), kind=TensorProto.FLOAT16))
-    picture = picture_of((28, 42))
-    values = model._run_with_placement(picture)[0]
-    np.testing.assert_allclose(values, seen_by(PRESETS[model.preset], picture), atol=5e-3)
 
 
 def test_borders_are_filled_with_the_mean_color(tmp_path):
@@ -384,8 +379,6 @@ def test_exif_rotates_pictures_upright(tmp_path, orientation, suffix):
     np.testing.assert_allclose(photo.color.astype(int), RGB, atol=8 if suffix == "jpg" else 0)
     assert photo.is_rotated == (orientation > 4)
     with Image.open(path) as picture:
-        from PIL import ImageOps
-
         np.testing.assert_array_equal(photo.color, np.asarray(ImageOps.exif_transpose(picture)))
 
 

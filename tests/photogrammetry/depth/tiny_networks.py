@@ -24,13 +24,7 @@ def nodes_of(text: str) -> list[onnx.NodeProto]:
     return nodes
 
 
-def save(
-    path: Path,
-    nodes: list[onnx.NodeProto] | str,
-    inputs: Sequence[tuple[str, int, Any]],
-    outputs: Sequence[tuple[str, int, Any]],
-    **constants: Any,
-) -> Path:
+def save(path: Path, nodes: list[onnx.NodeProto] | str, inputs, outputs, **constants: Any) -> Path:
     """Write these nodes to a file; inputs and outputs are given by name, type and shape."""
     nodes = nodes_of(nodes) if isinstance(nodes, str) else nodes
     values = [numpy_helper.from_array(np.asarray(value), name) for name, value in constants.items()]
@@ -42,15 +36,7 @@ def save(
 
 
 def linear(
-    path: Path,
-    *,
-    size: tuple[Any, Any] = ("h", "w"),
-    weights: Sequence[float] = WEIGHTS,
-    offset: float = 0.0,
-    squeeze: bool = False,
-    views: bool = False,
-    kind: int = FLOAT,
-    name: str = "depth",
+    path: Path, *, size=("h", "w"), weights=WEIGHTS, offset=0.0, squeeze=False, views=False, kind=FLOAT, name="depth"
 ) -> Path:
     """Gives weights . (red, green, blue) + offset for each pixel; [1, 1, h, w], or [1, h, w] squeezed.
 

@@ -49,15 +49,14 @@ def test_a_textured_plane_has_accurate_depth(device):
 
 
 def test_normals_point_to_the_camera_and_confidence_follows_the_error():
-    cameras = three()
-    maps = estimate(cameras)
+    maps = estimate(three())
     inner = (slice(6, -6), slice(12, -12))
     cosine = maps[0].normals[inner] @ NORMAL
     assert np.median(cosine) > 0.95
     np.testing.assert_allclose(np.linalg.norm(maps[0].normals[inner], axis=-1), 1.0, atol=1e-5)
     trusted = maps[0].confidence > 0.5
     assert trusted.mean() > 0.25
-    truth = look(cameras[0])[1]
+    truth = look(three()[0])[1]
     wrong = np.abs(maps[0].depth - truth) / truth
     assert wrong[trusted].mean() < wrong[~trusted & (maps[0].depth > 0)].mean()
 
@@ -91,9 +90,8 @@ def test_files_give_what_their_arrays_give(tmp_path):
     paths = [tmp_path / f"{i}.png" for i in range(3)]
     for path, picture in zip(paths, colored, strict=True):
         Image.fromarray(picture).save(path)
-    given = {"sources": ALL}
-    maps = [loom.mvs.estimate_depth_maps(each, cameras, sparse, **given) for each in (paths, colored)]
-    assert digest(maps[0]) == digest(maps[1])
+    files, arrays = (loom.mvs.estimate_depth_maps(each, cameras, sparse, sources=ALL) for each in (paths, colored))
+    assert digest(files) == digest(arrays)
 
 
 def test_pictures_of_several_sizes_have_maps_of_their_own_sizes():
@@ -124,16 +122,13 @@ def test_the_unit_of_the_poses_and_a_far_origin_change_little():
 
 
 def test_a_picture_without_sources_has_no_depth():
-    cameras = three()
-    pictures, sparse = scene(cameras)
-    maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, sources=[[1], [0], []])
+    maps = estimate(three(), sources=[[1], [0], []])
     assert maps.sources[2] == () and maps[2].share == 0 and maps[0].share > 0.8
 
 
 def test_cameras_that_only_rotate_are_rejected():
-    cameras = [camera_at(0.0), camera_at(0.0)]
     with pytest.raises(ValueError, match="cameras:"):
-        estimate(cameras, sources=[[1], [0]])
+        estimate([camera_at(0.0)] * 2, sources=[[1], [0]])
 
 
 def test_depth_is_estimated_where_frusta_overlap_without_points():
@@ -201,18 +196,11 @@ def test_a_failure_leaves_no_finished_folder(tmp_path):
     assert not [path for path in (tmp_path / "maps").iterdir() if path.is_dir()]
 
 
-def bytes_of(maps):
-    return [part.tobytes() for each in maps for part in (each.depth, each.normals, each.confidence)]
-
-
 def test_an_interrupted_search_resumes_at_the_next_picture(tmp_path, monkeypatch):
-    cameras = three()
-    pictures, sparse = scene(cameras)
-    expected = bytes_of(loom.mvs.estimate_depth_maps(pictures, cameras, sparse))
+    expected = digest(estimate(three(), sources=None))
     steps, matched, match = [], [], plane_search._PhaseRun.match
-    monkeypatch.setattr(
-        plane_search._PhaseRun, "match", lambda phase, i: matched.append((phase.number, i)) or match(phase, i)
-    )
+    noted = lambda phase, i: matched.append((phase.number, i)) or match(phase, i)  # noqa: E731
+    monkeypatch.setattr(plane_search._PhaseRun, "match", noted)
 
     def run(stop):
         matched.clear()
@@ -222,27 +210,23 @@ def test_an_interrupted_search_resumes_at_the_next_picture(tmp_path, monkeypatch
             if done == stop:
                 raise KeyboardInterrupt
 
-        return loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going", progress=progress)
+        return estimate(three(), sources=None, going=tmp_path / "going", progress=progress)
 
     for stop in (2, 4, 6, 9):
         with pytest.raises(KeyboardInterrupt):
             run(stop)
-    phases = steps[0] // 3
-    maps = run(None)
-    assert bytes_of(maps) == expected
-    assert matched == [(k // 3, k % 3) for k in range(9, 3 * phases)]  # finished pictures are not matched again
+    assert digest(run(None)) == expected
+    assert matched == [(k // 3, k % 3) for k in range(9, steps[0] // 3 * 3)]  # finished pictures are not matched again
 
 
 def test_truncated_files_are_matched_again(tmp_path):
-    cameras = three()
-    pictures, sparse = scene(cameras)
-    expected = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
+    options = {"sources": None, "going": tmp_path / "going"}
+    expected = estimate(three(), **options)
     files = sorted((tmp_path / "going").iterdir())
     files[0].write_bytes(files[0].read_bytes()[:-7])
     files[1].write_bytes(b"")
     np.save(files[2], np.zeros((3, 4), np.float32))
-    again = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
-    assert bytes_of(again) == bytes_of(expected)
+    assert digest(estimate(three(), **options)) == digest(expected)
 
 
 @pytest.fixture(scope="module")
@@ -275,8 +259,6 @@ def test_masked_pixels_have_no_depth_and_no_points(masks, tmp_path):
 
 
 def test_masks_that_do_not_fit_are_refused(masks, tmp_path):
-    cameras = three()
-    pictures, sparse = scene(cameras)
     write_png(tmp_path / "m.png", masks[:-1])
     for wrong, error, match in [
         ([masks], ValueError, "masks: expected one, or None, for each of the 3 images, got 1"),
@@ -285,16 +267,13 @@ def test_masks_that_do_not_fit_are_refused(masks, tmp_path):
         ([masks, masks, tmp_path / "m.png"], loom.FileError, "m.png: expected a mask of 48 x 36 pixels"),
     ]:
         with pytest.raises(error, match=match):
-            loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=wrong)
-
-
-LENS = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+            estimate(three(), sources=None, masks=wrong)
 
 
 def camera_from(x, y=0.0, z=0.0, angle=0.0):
     T = pose(x, y, angle)
     T[:3, 3] -= T[:3, 2] * z
-    return loom.mvs.PosedCamera(LENS, T)
+    return loom.mvs.PosedCamera(loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), T)
 
 
 def scattered(rng, count=9, points=300):
@@ -406,9 +385,7 @@ PAIR_LENS = loom.PinholeCameraIntrinsic(PAIR_WIDTH, PAIR_HEIGHT, 2 * FOCAL, 2 * 
 BASELINE = 0.18
 
 
-def rotated_camera(
-    x: float, y: float = 0.0, z: float = 0.0, *, angle: float = 0.0, roll: float = 0.0
-) -> loom.mvs.PosedCamera:
+def rotated_camera(x, y=0.0, z=0.0, *, angle=0.0, roll=0.0) -> loom.mvs.PosedCamera:
     """A camera at a position, rotated about its vertical axis, then about its optical axis [rad]."""
     c, s, a, b = np.cos(angle), np.sin(angle), np.cos(roll), np.sin(roll)
     T = np.eye(4)
@@ -476,9 +453,8 @@ def test_hidden_pixels_have_no_depth():
 def test_images_without_texture_have_no_depth(device, value):
     _, sparse = scene(list(PAIRS["rectified"]))
     plain = [np.full((PAIR_HEIGHT, PAIR_WIDTH), value, np.uint8)] * 2
-    maps = loom.mvs.estimate_depth_maps(
-        plain, PAIRS["rectified"], sparse, sources=[[1], [0]], method="sgm", device=device
-    )
+    given = {"sources": [[1], [0]], "method": "sgm", "device": device}
+    maps = loom.mvs.estimate_depth_maps(plain, PAIRS["rectified"], sparse, **given)
     assert [each.share for each in maps] == [0.0, 0.0]
 
 
@@ -502,9 +478,8 @@ def test_exposure_colors_files_and_folders_change_nothing(tmp_path):
     darker = [pictures[0], (pictures[1] // 2).astype(np.uint8)]
     dark = loom.mvs.estimate_depth_maps(darker, cameras, sparse, **given)
     assert np.median(disparity_errors(dark[0], cameras[0])) < 0.2
-    stored = loom.mvs.estimate_depth_maps(
-        pictures, cameras, sparse, **given, folder=tmp_path / "maps", going=tmp_path / "going", device_bytes=0, seed=3
-    )
+    given |= {"folder": tmp_path / "maps", "going": tmp_path / "going", "device_bytes": 0, "seed": 3}
+    stored = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, **given)
     assert digest(first) == digest(stored) == digest(DepthMaps.open(tmp_path / "maps"))
 
 
@@ -520,15 +495,10 @@ def test_masked_pixels_and_images_without_sources_have_no_depth():
 def test_the_unit_of_the_poses_scales_the_depth():
     cameras = PAIRS["rectified"]
     pictures, sparse = scene(list(cameras))
-    scaled = []
-    for camera in cameras:
-        T = camera.T_camera_world.copy()
-        T[:3, 3] *= 1000
-        scaled.append(loom.mvs.PosedCamera(PAIR_LENS, T))
     points = SparsePoints(sparse.points * 1000, sparse.observations)
+    scaled = moved(cameras, 1000, (0, 0, 0))
     far = loom.mvs.estimate_depth_maps(pictures, scaled, points, sources=[[1], [0]], method="sgm")
-    near = estimate_pair(list(cameras))
-    np.testing.assert_allclose(far[0].depth, 1000 * near[0].depth, rtol=1e-4)
+    np.testing.assert_allclose(far[0].depth, 1000 * estimate_pair(cameras)[0].depth, rtol=1e-4)
 
 
 def test_a_rectified_pair_keeps_its_pixels():

@@ -110,10 +110,8 @@ def test_slanted_surfaces_support_themselves_by_their_normals():
 
 def test_averaging_reduces_noise(rng):
     maps = true_maps(5, balls=())
-    noisy = [
-        DepthMap(each.depth * (1 + 0.002 * rng.normal(size=each.depth.shape)), each.normals, each.confidence)
-        for each in maps
-    ]
+    factors = [1 + 0.002 * rng.normal(size=each.depth.shape) for each in maps]
+    noisy = [DepthMap(m.depth * k, m.normals, m.confidence) for m, k in zip(maps, factors, strict=True)]
     filtered = loom.mvs.filter_depth_maps(DepthMaps(maps.cameras, maps.sources, noisy), min_views=4)
     has = filtered[2].depth > 0
     before = (noisy[2].depth / maps[2].depth - 1)[has].std()
@@ -123,10 +121,9 @@ def test_averaging_reduces_noise(rng):
 
 
 def test_more_views_keep_less():
-    shares = [
-        np.mean([each.share for each in loom.mvs.filter_depth_maps(true_maps(4), min_views=n)]) for n in (1, 2, 3)
-    ]
-    assert shares[0] > shares[1] > shares[2] > 0
+    filtered = (loom.mvs.filter_depth_maps(true_maps(4), min_views=n) for n in (1, 2, 3))
+    one, two, three = (np.mean([each.share for each in maps]) for maps in filtered)
+    assert one > two > three > 0
 
 
 def test_pictures_with_few_sources_need_all_and_without_sources_lose_all():
@@ -173,11 +170,14 @@ def test_maps_are_not_filtered_into_their_own_folder(tmp_path):
     assert same(DepthMaps.open(tmp_path / "raw"), maps)
 
 
+def empty_maps():
+    maps = true_maps(2)
+    return changed(changed(maps, 0, np.zeros_like(maps[0].depth)), 1, np.zeros_like(maps[1].depth))
+
+
 def test_no_maps_and_empty_maps_stay_so():
     assert len(loom.mvs.filter_depth_maps(DepthMaps([], [], []))) == 0
-    maps = true_maps(2)
-    bare = changed(changed(maps, 0, np.zeros_like(maps[0].depth)), 1, np.zeros_like(maps[1].depth))
-    assert not any(each.depth.any() for each in loom.mvs.filter_depth_maps(bare))
+    assert not any(each.depth.any() for each in loom.mvs.filter_depth_maps(empty_maps()))
 
 
 def test_progress_reports_each_picture():
@@ -295,9 +295,8 @@ def test_mesh_vertices_are_on_the_surface(device, to):
 def test_a_mesh_in_utm_coordinates_is_that_near_zero(to):
     near, far = (loom.mvs.fuse(true_maps(3, shift=shift), None, to=to) for shift in ((0.0, 0.0, 0.0), UTM))
     assert len(near) == pytest.approx(len(far), rel=0.02)  # voxel centers differ
-    assert np.median(distance_to_scene(far.vertices, UTM)) == pytest.approx(
-        np.median(distance_to_scene(near.vertices)), abs=2e-3
-    )
+    expected = np.median(distance_to_scene(near.vertices))
+    assert np.median(distance_to_scene(far.vertices, UTM)) == pytest.approx(expected, abs=2e-3)
 
 
 @pytest.mark.parametrize("to", ["tsdf", "poisson"])
@@ -311,9 +310,7 @@ def test_a_mesh_may_be_finer_and_without_colors(to):
 @pytest.mark.parametrize("to", ["points", "tsdf", "poisson"])
 def test_nothing_to_fuse_gives_nothing(to):
     assert len(loom.mvs.fuse(DepthMaps([], [], []), [], to=to)) == 0
-    maps = true_maps(2)
-    bare = changed(changed(maps, 0, np.zeros_like(maps[0].depth)), 1, np.zeros_like(maps[1].depth))
-    assert len(loom.mvs.fuse(bare, pictures_of(maps), to=to)) == 0
+    assert len(loom.mvs.fuse(empty_maps(), pictures_of(empty_maps()), to=to)) == 0
 
 
 def test_one_map_alone_gives_its_points():

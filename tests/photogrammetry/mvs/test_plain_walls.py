@@ -11,6 +11,7 @@ from pointloom.photogrammetry.mvs import plane_search
 from pointloom.photogrammetry.mvs.depth_maps import DepthMaps
 from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
 
+from .made_maps import pose
 from .made_pictures import texture
 from .test_estimation import ALL, digest
 
@@ -23,12 +24,7 @@ NOISE = 2.0  # [of 255]
 
 
 def cameras() -> list[loom.mvs.PosedCamera]:
-    out = []
-    for x, y in ((0.0, 0.0), (0.12, 0.0), (-0.04, 0.12)):
-        T = np.eye(4)
-        T[:2, 3] = -x, -y
-        out.append(loom.mvs.PosedCamera(LENS, T))
-    return out
+    return [loom.mvs.PosedCamera(LENS, pose(x, y)) for x, y in ((0.0, 0.0), (0.12, 0.0), (-0.04, 0.12))]
 
 
 def look(camera: loom.mvs.PosedCamera, seed: int, ball: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -61,21 +57,14 @@ def estimate(ball: bool, **options) -> tuple[DepthMaps, list[np.ndarray], list[n
     points = points[seen[0][2][v, u] != 1]  # there are no features on the gray wall
     sparse = SparsePoints(points, [(i, k) for i in range(3) for k in range(len(points))])
     maps = loom.mvs.estimate_depth_maps([each[0] for each in seen], posed, sparse, sources=ALL, **options)
-    wrong = [
-        np.where(estimated.depth > 0, np.abs(estimated.depth / true[1] - 1), np.inf)
-        for estimated, true in zip(maps, seen, strict=True)
-    ]
+    pairs = [(estimated.depth, true[1]) for estimated, true in zip(maps, seen, strict=True)]
+    wrong = [np.where(depth > 0, np.abs(depth / true - 1), np.inf) for depth, true in pairs]
     return maps, wrong, [each[2] for each in seen]
 
 
 def inner(kind: np.ndarray) -> np.ndarray:
     """Pixels whose window contains only the gray wall: the frame counts as texture."""
     return ndimage.binary_erosion(kind == 1, iterations=3)
-
-
-def without_priors(monkeypatch: pytest.MonkeyPatch) -> None:
-    plan = tuple(dataclasses.replace(phase, prior=False) for phase in plane_search.PLAN)
-    monkeypatch.setattr(plane_search, "PLAN", plan)
 
 
 @pytest.fixture(scope="module")
@@ -93,7 +82,8 @@ def test_a_gray_wall_with_a_textured_frame_is_filled_and_passes_the_filter(devic
 
 def test_a_textured_ball_before_a_gray_wall_stays_a_ball(monkeypatch, device):
     _, wrong, kind = estimate(True, device=device)
-    without_priors(monkeypatch)
+    without_priors = tuple(dataclasses.replace(phase, prior=False) for phase in plane_search.PLAN)
+    monkeypatch.setattr(plane_search, "PLAN", without_priors)
     _, before, _ = estimate(True, device=device)
     ball, wall = kind[0] == 2, kind[0] == 1
     assert np.median(wrong[0][ball]) < 0.01

@@ -1,5 +1,6 @@
 """Pictures of the synthetic scene, their features, and videos."""
 
+import importlib.util
 import shutil
 import subprocess
 from collections.abc import Callable, Sequence
@@ -25,6 +26,10 @@ def write_pictures(folder: Path, pictures: Sequence[np.ndarray], names: Sequence
     for number, pixels in enumerate(pictures):
         Image.fromarray(pixels).save(folder / (names[number] if names else f"view {number}.png"))
     return folder
+
+
+def silent(*_step) -> None:
+    """Progress that is not reported."""
 
 
 def left_half(shape) -> np.ndarray:
@@ -60,15 +65,11 @@ def stages(scene_pictures, tmp_path_factory) -> SimpleNamespace:
     before = matches_db.read_bytes()
     result = map_pictures(pictures, matches_db, sparse, progress=progress)
     assert matches_db.read_bytes() == before
-    return SimpleNamespace(
-        **{name: value for name, value in locals().items() if name not in ("before", "scene_pictures")}
-    )
+    return SimpleNamespace(**locals())
 
 
 def has_pycolmap() -> bool:
     """True if pycolmap is installed; importing it beside other packages may hang."""
-    import importlib.util
-
     return importlib.util.find_spec("pycolmap") is not None
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageOps
 
 import pointloom as loom
 from pointloom.photogrammetry.sfm import frame_picker, picture_writing, video_files
@@ -33,10 +33,6 @@ def softened(frame: np.ndarray) -> np.ndarray:
     return (0.85 * frame + 0.15 * blurred(frame)).astype(np.uint8)
 
 
-def movement_a_frame(frames: list[np.ndarray]) -> float:
-    return movement(*(frame_picker.thumbnail(frame) for frame in frames[:2]))
-
-
 def picked(frames, **options) -> FramePicker:
     picker = FramePicker(**options)
     for frame in frames:
@@ -61,7 +57,8 @@ def test_frames_are_spaced_by_the_requested_movement(panned):
 def test_frames_before_the_last_chosen_one_are_not_reconsidered(panned):
     near = panned[::2]
     frames = [frame if k % 3 == 2 else softened(frame) for k, frame in enumerate(near)]
-    step = movement_a_frame(near) / 1.2  # each frame is at a new position within the step
+    a_frame = movement(*(frame_picker.thumbnail(frame) for frame in near[:2]))
+    step = a_frame / 1.2  # each frame is at a new position within the step
     assert picked(frames, min_movement=step).chosen[:6] == [2, 5, 8, 11, 14, 17]
 
 
@@ -282,8 +279,6 @@ def test_photographs_keep_their_order_and_their_names(panned, tmp_path):
 
 @pytest.mark.parametrize("orientation", [2, 5, 6, 8])
 def test_photographs_are_rotated_by_exif_orientation(panned, tmp_path, orientation):
-    from PIL import ImageOps
-
     image = Image.fromarray(panned[0])
     exif = image.getexif()
     exif[0x0112] = orientation

@@ -183,7 +183,7 @@ def test_a_decompression_bomb_in_xmp_is_never_unpacked_completely(tmp_path):
     assert "b.png" in choice.names and (("a.png" in choice.names) != ("a.png" in choice.left_out))
 
 
-POSITION_TAGS = {1: "N", 2: (47.0, 30.0, 36.0), 3: "E", 4: (8.0, 15.0, 0.0), 5: b"\0", 6: 430.5, 31: 2.5}
+POSITION_TAGS = GPS_TAGS | {31: 2.5}
 DJI = (
     b'<x:xmpmeta><rdf:Description drone-dji:AbsoluteAltitude="+431.20" drone-dji:RelativeAltitude="+50.10" '
     b'drone-dji:GimbalYawDegree="+12.30" drone-dji:GimbalPitchDegree="-89.90" drone-dji:GimbalRollDegree="+0.50" '

@@ -9,27 +9,17 @@ from PIL import Image
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
-from pointloom.photogrammetry.sfm import triangulation
-from pointloom.photogrammetry.sfm.guided_matches import (
-    essential_of,
-    match_guided,
-    pairs_in_view,
-    read_matches,
-    write_matches,
-)
+from pointloom.photogrammetry.sfm import guided_matches, triangulation
+from pointloom.photogrammetry.sfm.guided_matches import essential_of, match_guided, pairs_in_view
 from pointloom.photogrammetry.sfm.model_quality import ModelQuality, assess_model
 from pointloom.photogrammetry.sfm.pose_check import check_poses
 from pointloom.photogrammetry.sfm.posed_pictures import with_poses as pictures_with_poses
 
-from .conftest import has_pycolmap, write_pictures
+from .conftest import has_pycolmap, silent, write_pictures
 from .made_features import FOCAL, POINTS, camera_row, features_of, rays_as, some_looks, with_poses
 from .scene import FOCAL as SCENE_FOCAL
 from .scene import HEIGHT, WIDTH
 from .scene import camera_path as scene_poses
-
-
-def silent(*_step):
-    pass
 
 
 @pytest.fixture(scope="module")
@@ -46,6 +36,10 @@ def checked(model, features):
     return check_poses(rays_as(model, features), model, pairs_in_view(model.cameras, model.T_camera_world))
 
 
+def with_ones(rays):
+    return np.pad(rays, ((0, 0), (0, 1)), constant_values=1.0)
+
+
 def test_a_match_is_the_nearest_descriptor_on_both_epipolar_lines(model, features, device):
     pairs = np.array([[0, 1], [1, 0], [2, 5]])
     essential = essential_of(model.T_camera_world, pairs)
@@ -56,7 +50,7 @@ def test_a_match_is_the_nearest_descriptor_on_both_epipolar_lines(model, feature
     on_device = LineFeatures(features.firsts, features.rays, features.descriptors, device)
     nearest = match_along_lines(searches, on_device, int(starts[-1]))
     for k, (a, b) in enumerate(pairs):
-        x, y = (np.pad(features.rays[features.of(i)], ((0, 0), (0, 1)), constant_values=1.0) for i in (a, b))
+        x, y = (with_ones(features.rays[features.of(i)]) for i in (a, b))
         off = np.abs(x @ essential[k].T @ y.T)
         there = off / np.linalg.norm((x @ essential[k].T)[:, :2], axis=1)[:, None]
         back = off / np.linalg.norm((y @ essential[k])[:, :2], axis=1)
@@ -80,14 +74,11 @@ def test_guided_matches_are_points_visible_in_both(model, features, tmp_path):
         p, q = (features.descriptors[features.of(i)][matches[:, s]] for s, i in enumerate((a, b)))
         alike = np.abs(p.astype(int) - q).max(axis=1) <= 12
         assert alike.mean() > 0.95 and len(matches) > 36
-        x, y = (
-            np.pad(features.rays[features.of(i)][matches[:, s]], ((0, 0), (0, 1)), constant_values=1.0)
-            for s, i in enumerate((a, b))
-        )
+        x, y = (with_ones(features.rays[features.of(i)][matches[:, s]]) for s, i in enumerate((a, b)))
         lines = x @ essential_of(model.T_camera_world, np.array([[a, b]]))[0].T
         assert (np.abs((lines * y).sum(axis=1)) / np.linalg.norm(lines[:, :2], axis=1)).max() <= 2.001 / FOCAL
-    write_matches(tmp_path / "matches.npz", guided)
-    again = read_matches(tmp_path / "matches.npz")
+    guided_matches.write_matches(tmp_path / "matches.npz", guided)
+    again = guided_matches.read_matches(tmp_path / "matches.npz")
     np.testing.assert_array_equal(again.matches, guided.matches)
 
 

@@ -122,19 +122,16 @@ def test_few_pictures_few_points_and_several_models_are_reported(points):
     assert "only 30 points were triangulated" in str(few.warnings)
 
 
-CAMERA = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
-
-
 def row_of(centers, seen, pixels=None):
     """Cameras on the x axis, each of which sees a number of the first points."""
+    cameras = [loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])] * len(centers)
     poses = np.tile(np.eye(4), (len(centers), 1, 1))
     poses[:, 0, 3] = np.negative(centers)
     points = np.random.default_rng(0).uniform([-1, -1, 4], [1, 1, 6], (max(seen), 3))
     observations = np.array([[picture, k] for picture, count in enumerate(seen) for k in range(count)])
-    if pixels is None:
-        pixels = np.zeros((len(observations), 2))
-    names = [str(k) for k in range(len(centers))]
-    return loom.SfmModel(names, [CAMERA] * len(centers), poses, points=points, observations=observations, pixels=pixels)
+    pixels = np.zeros((len(observations), 2)) if pixels is None else pixels
+    made = {"points": points, "observations": observations, "pixels": pixels}
+    return loom.SfmModel([str(k) for k in range(len(centers))], cameras, poses, **made)
 
 
 def test_a_picture_is_compared_with_one_that_is_far_and_sees_much_of_the_same(monkeypatch):
@@ -192,15 +189,11 @@ def scene(path: Path, points: np.ndarray, descriptors: np.ndarray) -> loom.SfmMo
             seen.append(inside)
         for i in range(COUNT):
             for j in range(i + 1, COUNT):
-                _, first, second = np.intersect1d(seen[i], seen[j], return_indices=True)
-                insert(
-                    "two_view_geometries", PAIR * (i + 1) + j + 1, np.column_stack([first, second]).astype(np.uint32)
-                )
+                pairs = np.intersect1d(seen[i], seen[j], return_indices=True)[1:]
+                insert("two_view_geometries", PAIR * (i + 1) + j + 1, np.column_stack(pairs).astype(np.uint32))
     database.close()
-    names = [f"{k}.jpg" for k in range(COUNT)]
-    return loom.SfmModel(
-        names, [camera] * COUNT, poses, points, observations=np.concatenate(rows), pixels=np.concatenate(pixels)
-    )
+    names, made = [f"{k}.jpg" for k in range(COUNT)], {"observations": np.concatenate(rows)}
+    return loom.SfmModel(names, [camera] * COUNT, poses, points, **made, pixels=np.concatenate(pixels))
 
 
 def checked(path: Path, **parts: int) -> RepetitionCheck:

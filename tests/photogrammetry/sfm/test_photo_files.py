@@ -248,21 +248,17 @@ def test_a_function_masks_pixels_or_complete_pictures(panned, tmp_path):
 
 def test_masks_that_do_not_fit_are_named(panned, tmp_path):
     source = write_pictures(tmp_path / "in", panned[:2], ["a.jpg", "b.jpg"])
-    wide = write_pictures(tmp_path / "wide", [left_half((120, 180))], ["a.png"])
-    with pytest.raises(loom.FileError, match=r"a\.png:"):
-        loom.sfm.choose_frames(source, tmp_path / "out", masks=wide)
-    (tmp_path / "none").mkdir()
-    with pytest.raises(loom.FileError, match=r"/in:.*a\.jpg\.png"):
-        loom.sfm.choose_frames(source, tmp_path / "out", masks=tmp_path / "none")
     black = write_pictures(tmp_path / "black", [np.zeros(SIZE, np.uint8)] * 2, ["a.png", "b.png"])
-    with pytest.raises(loom.FileError, match=r"/in:.*2"):
-        loom.sfm.choose_frames(source, tmp_path / "out", masks=black)
-    with pytest.raises(TypeError, match=r"masks\(a\.jpg\):.*uint8"):
-        loom.sfm.choose_frames(source, tmp_path / "out", masks=lambda pixels, name: np.ones(SIZE))
-    with pytest.raises(ValueError, match=r"masks\(a\.jpg\):.*120.*160"):
-        loom.sfm.choose_frames(source, tmp_path / "out", masks=lambda pixels, name: np.ones((5, 5), bool))
-    with pytest.raises(loom.FileError, match=r"^nowhere:"):
-        loom.sfm.choose_frames(source, tmp_path / "out", masks="nowhere")
+    for masks, error, message in (
+        (write_pictures(tmp_path / "wide", [left_half((120, 180))], ["a.png"]), loom.FileError, r"a\.png:"),
+        (write_pictures(tmp_path / "none", []), loom.FileError, r"/in:.*a\.jpg\.png"),
+        (black, loom.FileError, r"/in:.*2"),
+        (lambda pixels, name: np.ones(SIZE), TypeError, r"masks\(a\.jpg\):.*uint8"),
+        (lambda pixels, name: np.ones((5, 5), bool), ValueError, r"masks\(a\.jpg\):.*120.*160"),
+        ("nowhere", loom.FileError, r"^nowhere:"),
+    ):
+        with pytest.raises(error, match=message):
+            loom.sfm.choose_frames(source, tmp_path / "out", masks=masks)
     assert not (tmp_path / "out").exists() and not (tmp_path / "out_masks").exists()
 
 

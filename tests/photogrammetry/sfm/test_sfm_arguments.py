@@ -1,6 +1,7 @@
 """Every public call of structure from motion rejects invalid arguments by name."""
 
 import itertools
+import sqlite3
 from pathlib import Path
 from typing import Any
 
@@ -35,8 +36,6 @@ RESULTS |= {"FeatureReport", "MatchReport", "SfmResult", "ModelQuality"}
 
 @pytest.fixture(scope="module")
 def things(tmp_path_factory) -> dict[str, Any]:
-    import sqlite3
-
     rng, folder, numbers = np.random.default_rng(0), tmp_path_factory.mktemp("sfm"), itertools.count()
     pictures = write_pictures(folder / "in", rng.integers(0, 256, (2, 48, 64)).astype(np.uint8))
     database = folder / "made.db"

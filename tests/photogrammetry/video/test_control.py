@@ -398,14 +398,8 @@ def test_no_file_no_text_and_too_few_points_are_refused(written, tmp_path):
         read_ground_control(None)
 
 
-ZONES = {
-    "WGS84 UTM 32N": 32632,
-    "EPSG:25832": 32632,
-    "wgs84 utm zone 19s": 32719,
-    "+proj=utm +zone=23 +south +ellps=GRS80 +units=m +no_defs": 32723,
-    "EPSG:31467": None,
-    "WGS84 UTM 61N": None,
-}
+ZONES = {"WGS84 UTM 32N": 32632, "EPSG:25832": 32632, "wgs84 utm zone 19s": 32719, "EPSG:31467": None}
+ZONES |= {"WGS84 UTM 61N": None, "+proj=utm +zone=23 +south +ellps=GRS80 +units=m +no_defs": 32723}
 
 
 @pytest.mark.parametrize(("crs", "code"), ZONES.items())

@@ -15,7 +15,7 @@ from pointloom.photogrammetry.video import chain, known_motion, motion
 from pointloom.photogrammetry.video.units import OF_POSES, fit_as_given, fit_units
 
 from ...cli.commands import answer, refusal, unreliable
-from ..sfm.conftest import has_pycolmap, left_half, write_pictures
+from ..sfm.conftest import has_pycolmap, left_half, silent, write_pictures
 from ..sfm.scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
 
 COUNT = 6
@@ -24,10 +24,6 @@ METASHAPE = (
     "<resolution width='{width}' height='{height}'/><f>{focal}</f>{more}</calibration></sensor></sensors>"
     "<cameras>{cameras}</cameras></chunk></document>"
 )
-
-
-def silent(*_step):
-    pass
 
 
 def write_metashape(path, names, poses, *, more="", size=(WIDTH, HEIGHT), focal=FOCAL):
@@ -44,11 +40,11 @@ def noise(count, size=(48, 64)):
     return list(np.random.default_rng(0).integers(0, 256, (count, *size), dtype=np.uint8))
 
 
-def take(tmp_path, source, cameras, **options):
+def take(tmp_path, source, cameras, masks=None, **options):
     folder = tmp_path / "frames"
     folder.mkdir()
-    settings = loom.video.Settings(cameras=cameras, **options)
-    report = known_motion.take_pictures(folder, silent, source=source, max_frames=150, posed=settings)
+    given = {"max_frames": 150, "posed": loom.video.Settings(cameras=cameras, **options), "masks": masks}
+    report = known_motion.take_pictures(folder, silent, source=source, **given)
     return report, read_colmap_model(folder / "cameras"), folder / "pictures"
 
 
@@ -161,19 +157,15 @@ SIZE = (48, 64)
 
 def take_masked(tmp_path, masks, *, names=("a.png", "b.png"), orientation=None, more=""):
     """The report of the stage `frames`, and the folder of its files."""
-    source, folder = tmp_path / "in", tmp_path / "frames"
+    source, exif = tmp_path / "in", Image.Exif()
     source.mkdir()
-    folder.mkdir()
-    exif = Image.Exif()
     if orientation:
         exif[0x0112] = orientation
     for name, pixels in zip(names, noise(len(names)), strict=True):
         Image.fromarray(pixels).save(source / name, exif=exif)
     stems = [name.split(".")[0] for name in names]
     xml = write_metashape(tmp_path / "c.xml", stems, steps(len(names)), size=SIZE[::-1], focal=60, more=more)
-    posed = loom.video.Settings(cameras=xml)
-    given = {"source": source, "max_frames": 150, "posed": posed, "masks": masks}
-    return known_motion.take_pictures(folder, silent, **given), folder
+    return take(tmp_path, source, xml, masks)[0], tmp_path / "frames"
 
 
 def mask_in(folder, name) -> np.ndarray:

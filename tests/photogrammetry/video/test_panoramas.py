@@ -14,7 +14,7 @@ from pointloom.photogrammetry.sfm.sphere_pictures import with_all_faces
 from pointloom.photogrammetry.video import motion
 
 from ...cli.commands import answer
-from ..sfm.conftest import has_pycolmap, write_pictures
+from ..sfm.conftest import has_pycolmap, silent, write_pictures
 
 
 def sampled(picture, x, y) -> np.ndarray:
@@ -67,10 +67,6 @@ def spheres_from(poses, height=256, *, finer=2) -> list[np.ndarray]:
     return made
 
 
-def quiet(*_):
-    pass
-
-
 def test_spherical_pictures_become_faces_with_masks(tmp_path):
     pictures = np.random.default_rng(0).integers(0, 256, (2, 64, 128, 3), dtype=np.uint8)
     source = write_pictures(tmp_path / "in", pictures, ["0.png", "1.png"])
@@ -80,7 +76,7 @@ def test_spherical_pictures_become_faces_with_masks(tmp_path):
         return np.arange(len(pixels))[:, None].repeat(pixels.shape[1], 1) < 32
 
     given = {"max_frames": 9, "masks": not_below, "panorama": True}
-    report = motion.take_frames(tmp_path / "out", quiet, source=source, **given)
+    report = motion.take_frames(tmp_path / "out", silent, source=source, **given)
     names = [f"{k}_{face}.jpg" for k in range(2) for face in ("front", "right", "back", "left", "up")]
     assert report["names"] == names and report["kept"] == 10 and report["frames"] == 2
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [motion.PICTURES, motion.MASKS]
@@ -94,7 +90,7 @@ def test_a_pinhole_picture_is_no_spherical_one(tmp_path):
     source = write_pictures(tmp_path / "in", [pixels], ["a.png"])
     (tmp_path / "out").mkdir()
     with pytest.raises(loom.FileError, match=r"a\.png:"):
-        motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=9, masks=None, panorama=True)
+        motion.take_frames(tmp_path / "out", silent, source=source, max_frames=9, masks=None, panorama=True)
     with pytest.raises(ValueError, match="panorama:"):
         loom.video.Settings(panorama=True, camera_model="OPENCV_FISHEYE")
 
@@ -136,7 +132,7 @@ def test_spherical_pictures_have_their_true_position(tmp_path):
     spheres = spheres_from([look_along(center, (1.0, 0.15, 0.0)) for center in centers], 384)
     source = write_pictures(tmp_path / "in", spheres, [f"{k}.png" for k in range(10)])
     (tmp_path / "out").mkdir()
-    report = motion.take_frames(tmp_path / "out", quiet, source=source, max_frames=10, masks=None, panorama=True)
+    report = motion.take_frames(tmp_path / "out", silent, source=source, max_frames=10, masks=None, panorama=True)
     lens = Panorama(768, 384).intrinsic
     result = loom.sfm.reconstruct(tmp_path / "out" / motion.PICTURES, tmp_path / "work", intrinsic=lens)
     assert report["kept"] == 60 and result.model is not None and len(result.model) >= 45
@@ -190,12 +186,8 @@ def made(photos, tmp_path_factory):
     if importlib.util.find_spec("pycolmap") is None:  # never imported beside NumPy
         pytest.skip("the extra sfm is not there")
     folder = tmp_path_factory.mktemp("made")
-    return run_in(folder, photos), folder
-
-
-def run_in(folder, photos, *words):
     outputs = ("-o", folder / "mesh.ply", "--trajectory", folder / "poses.log", "--work", folder / "work")
-    return answer("video", photos, *outputs, "--max-size", SIZE, "--device", "cpu", *words)
+    return answer("video", photos, *outputs, "--max-size", SIZE, "--device", "cpu"), folder
 
 
 def true_points(views):

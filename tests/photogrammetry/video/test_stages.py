@@ -16,6 +16,7 @@ from pointloom.photogrammetry.video import motion, surface
 from pointloom.photogrammetry.video.units import Units
 
 from ...interruptions import run_lines
+from ..sfm.conftest import silent
 from ..sfm.made_features import seen_model
 
 NAMES = ("first", "second", "third")
@@ -218,10 +219,6 @@ WIDTH, HEIGHT = 96, 64
 PICTURE_NAMES = ("frame_000003.jpg", "frame_000010.jpg", "frame_000020.jpg")
 
 
-def ignore_progress(step, done, total):
-    pass
-
-
 def made(folder):
     return StageResult(folder.name, folder, "", {}, {}, False)
 
@@ -247,7 +244,7 @@ def straighten(before, tmp_path, max_size):
     folder = tmp_path / "undistorted"
     folder.mkdir()
     given = {"frames": before[0], "model": before[1], "max_size": max_size}
-    report = surface.straighten(folder, ignore_progress, **given, device="cpu")
+    report = surface.straighten(folder, silent, **given, device="cpu")
     return StageResult("undistorted", folder, "", report, {}, False)
 
 
@@ -269,23 +266,18 @@ def test_undistorted_pictures_show_sparse_points_as_a_pinhole(before, tmp_path, 
     assert max(size) == max_size if max_size < WIDTH else max(size) >= WIDTH - 10
 
 
-def depth_without_any(straight, tmp_path):
+def empty_mesh(straight, tmp_path, units):
+    """Reports of the last two stages without depth."""
     _, _, cameras = surface.open_straightened(straight)
     lens = cameras[0].intrinsic
     empty = DepthMap(*(np.zeros((lens.height, lens.width, *rest)) for rest in ((), (3,), ())))
     DepthMaps(cameras, [(1,), (0, 2), (1,)], [empty] * 3, folder=tmp_path / "depth" / surface.MAPS)
-    return made(tmp_path / "depth")
-
-
-def empty_mesh(straight, tmp_path, units):
-    """Reports of the last two stages without depth."""
-    depth = depth_without_any(straight, tmp_path)
-    (tmp_path / "fused").mkdir()
-    (tmp_path / "mesh").mkdir()
+    for name in ("fused", "mesh"):
+        (tmp_path / name).mkdir()
     where = {"undistorted": straight, "device": "cpu"}
-    fused = surface.fuse_points(tmp_path / "fused", ignore_progress, depth=depth, **where)
+    fused = surface.fuse_points(tmp_path / "fused", silent, depth=made(tmp_path / "depth"), **where)
     given = {"model": straight, "fused": made(tmp_path / "fused"), "units": units}
-    return fused, surface.make_mesh(tmp_path / "mesh", ignore_progress, **given, **where)
+    return fused, surface.make_mesh(tmp_path / "mesh", silent, **given, **where)
 
 
 def test_no_depth_gives_no_points_and_an_empty_mesh(straight, tmp_path):

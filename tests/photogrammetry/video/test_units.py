@@ -90,10 +90,9 @@ def test_positions_that_contradict_the_model_are_reported(tmp_path):
 def test_two_cameras_at_one_position_have_no_distance():
     with pytest.raises(ValueError, match=r"^known:"):
         fit_units(Units(known=("0", "7", 1.0)), model_of(centers=np.zeros((5, 3))))
-    with pytest.raises(ValueError, match=r"^known:"):
-        Units(known=("7", "frame_000007", 1.0)).check_names(NAMES)
-    with pytest.raises(ValueError, match=r"^known:"):
-        Units(known=("7", "13", 1.0)).check_names(NAMES)
+    for second in ("frame_000007", "13"):
+        with pytest.raises(ValueError, match=r"^known:"):
+            Units(known=("7", second, 1.0)).check_names(NAMES)
     with pytest.raises(ValueError, match="matches 2 images"):
         Units(known=("7", "12", 1.0)).check_names([*NAMES, "other_7.png"])
 
