@@ -1,6 +1,5 @@
 """`make nightly` on a small repository: stored results, digests of inputs, interruptions, the budget, the table."""
 
-import importlib.util
 import json
 import os
 import re
@@ -11,10 +10,9 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
-SPEC = importlib.util.spec_from_file_location("nightly", ROOT / "scripts" / "nightly.py")
-nightly = sys.modules["nightly"] = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(nightly)
+from .programs import ROOT, script
+
+nightly = script("nightly")
 
 LINE = re.compile(r"^(?P<step>[\w-]+) +(?P<result>passed|failed|not run) *(?P<seconds>[\d.]+)? *(?P<commit>.*)$")
 
@@ -185,11 +183,10 @@ def test_the_budget_starts_only_steps_that_are_expected_to_end_in_it(tree, capsy
 
 
 DRIVER = """
-import importlib.util, sys
+import sys
 from pathlib import Path
-spec = importlib.util.spec_from_file_location("nightly", sys.argv[1])
-nightly = sys.modules["nightly"] = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(nightly)
+sys.path.insert(0, sys.argv[1])
+import nightly
 steps = [nightly.Step(name, ("sh", "-c", script), ("src/",)) for name, script in zip(sys.argv[2::2], sys.argv[3::2])]
 sys.exit(nightly.main([], root=Path.cwd(), steps=steps))
 """
@@ -198,7 +195,7 @@ sys.exit(nightly.main([], root=Path.cwd(), steps=steps))
 def interrupted(tree, steps):
     """Run steps in a process of its own, since one of them ends that process. Returns its exit code and output."""
     words = [word for s in steps for word in (s.name, s.command[-1])]
-    command = [sys.executable, "-c", DRIVER, str(ROOT / "scripts" / "nightly.py"), *words]
+    command = [sys.executable, "-c", DRIVER, str(ROOT / "scripts"), *words]
     done = subprocess.run(command, cwd=tree, capture_output=True, text=True, check=False)
     return done.returncode, done.stdout
 

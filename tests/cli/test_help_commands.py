@@ -1,6 +1,5 @@
 """Help for the commands: completion, chapters, the man page, and messages for invalid calls."""
 
-import importlib.util
 import json
 import math
 import os
@@ -22,7 +21,7 @@ from pointloom.cli.shell.completion import SHELLS, complete_path
 from pointloom.cli.shell.help_commands import VARIABLE
 from pointloom.core.wording import format_share
 
-from ..test_imports import ROOT
+from ..programs import ROOT, script
 from .commands import names_in, run
 
 
@@ -142,9 +141,7 @@ def test_groff_reports_no_error_in_the_man_page():
 
 
 def test_the_man_page_matches_the_commands():
-    spec = importlib.util.spec_from_file_location("write_man_page", ROOT / "scripts" / "write_man_page.py")
-    writer = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(writer)
+    writer = script("write_man_page")
     page = writer.man_page()
     assert (ROOT / "docs/pointloom.1").read_text() == page, "run scripts/write_man_page.py"
     assert [name for name in cli.commands if f'.SS "{writer.escaped(name)}"' not in page] == []

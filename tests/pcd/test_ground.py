@@ -1,9 +1,5 @@
 """Ground classification: few errors on airborne scans with known ground, exact results on synthetic terrain."""
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -11,16 +7,12 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
+from ..programs import BENCHMARKS, load_program
+
 
 @pytest.fixture(scope="module")
 def scoring():
-    path = Path(__file__).parents[2] / "benchmarks" / "ground.py"
-    spec = importlib.util.spec_from_file_location("ground_scoring", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["ground_scoring"] = module
-    spec.loader.exec_module(module)
-    yield module
-    del sys.modules["ground_scoring"]
+    return load_program(BENCHMARKS / "ground.py", "ground_scoring")
 
 
 @pytest.fixture(scope="module")

@@ -1,9 +1,5 @@
 """Gaussian splats: transformation of centers, axes and colors, selection, gradients, and rendered images."""
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -14,6 +10,8 @@ from pointloom.kernels.algebra.exponential import exp_in_float
 from pointloom.kernels.lang import array, float32, kernel, launch, tid
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.pcd.harmonics import degree_of, harmonics_at, rotation_of_harmonics, signs_of_flip
+
+from ..programs import BENCHMARKS, benchmarks_on_path, load_program
 
 UTM = np.array([500_000.0, 4_000_000.0, 100.0])
 
@@ -117,19 +115,11 @@ def test_a_cloud_of_the_centers_has_colors_and_shortest_axes():
     np.testing.assert_allclose(cloud["opacity"], [0.25], atol=1e-6)
 
 
-FOLDER = Path(__file__).parents[2] / "benchmarks"
-
-
 @pytest.fixture(scope="module")
 def training():
     """The module, which imports its neighbor by name."""
-    sys.path.insert(0, str(FOLDER))
-    spec = importlib.util.spec_from_file_location("splat_training", FOLDER / "splat_training.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    yield module
-    sys.path.remove(str(FOLDER))
-    sys.modules.pop("splat_gradients", None)
+    with benchmarks_on_path():
+        yield load_program(BENCHMARKS / "splat_training.py")
 
 
 @pytest.mark.slow
