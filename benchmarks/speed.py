@@ -70,7 +70,7 @@ class Row(NamedTuple):
 ROWS = (
     Row("voxel_down_sample", "200k", "small_gicp"),
     Row("normals_hybrid", "50k", "open3d-tensor"),
-    Row("knn20_query", "lidar synthetic", "pykdtree"),
+    Row("knn20_query", "lidar synthetic", "small_gicp"),
     Row("statistical_outliers", "50k", "open3d-legacy"),
     Row("dbscan", "50k", "open3d-legacy"),
     Row("segment_plane", "50k", "open3d-legacy"),

@@ -6,19 +6,16 @@ import os
 import struct
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
-BENCHMARKS = str(ROOT / "benchmarks")
-sys.path.append(BENCHMARKS)
-from gpu_kit import documents, fatbins, layout  # noqa: E402
-from gpu_kit.device import Device, EmulatedDeviceError  # noqa: E402
-from gpu_kit.runner import MORE, Run  # noqa: E402
-from gpu_kit.steps import Step  # noqa: E402
+from .programs import benchmarks_on_path
 
-sys.path.remove(BENCHMARKS)
+with benchmarks_on_path():
+    from gpu_kit import documents, fatbins, layout
+    from gpu_kit.device import Device, EmulatedDeviceError
+    from gpu_kit.runner import MORE, Run
+    from gpu_kit.steps import Step
 
 GPU = Device("NVIDIA H100 80GB HBM3", 90, 132, 79.1, "13.0", "13.4")
 EMULATED = replace(GPU, name="Emulated CUDA device")

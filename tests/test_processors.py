@@ -58,9 +58,8 @@ def run_digests(*arguments: str, **environment: str) -> tuple[dict, dict[str, st
     """What a new process reports of itself, and the digests by operation."""
     command = [sys.executable, "-m", "tests.small_digests", *arguments]
     inherited = {name: value for name, value in os.environ.items() if not name.startswith("POINTLOOM_")}
-    done = subprocess.run(
-        command, cwd=ROOT, capture_output=True, text=True, check=True, env={**inherited, **environment}
-    )
+    variables = inherited | environment
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True, env=variables)
     first, *lines = done.stdout.splitlines()
     return json.loads(first), {name: digest for digest, name in (line.split(" ", 1) for line in lines)}
 

@@ -1,5 +1,7 @@
 """Undistorted images and faces of panoramas: each pixel shows its original position, as in COLMAP."""
 
+import contextlib
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -128,21 +130,17 @@ def test_invalid_cameras_images_and_sizes_are_refused():
         loom.undistort_picture(picture, STRONG["OPENCV"], size=(4, 4, 4))  # pyright: ignore[reportArgumentType]
 
 
-def test_a_lens_of_extreme_numbers_sees_little_and_never_fails(device):
-    for model, params in (
-        ("SIMPLE_RADIAL", [80, 48, 36, -50.0]),
-        ("SIMPLE_RADIAL", [80, 48, 36, 1e90]),
-        ("FULL_OPENCV", [80, 80, 48, 36, 0, 0, 0, 0, 0, -1e6, 0, 0]),
-        ("SIMPLE_RADIAL", [1e-3, 48, 36, 0.1]),
-        ("SIMPLE_RADIAL", [80, 1e30, 36, 0.1]),
+def test_a_lens_of_extreme_numbers_sees_little_or_has_no_inverse(device):
+    for has_inverse, model, params in (
+        (False, "SIMPLE_RADIAL", [80, 48, 36, -50.0]),
+        (False, "SIMPLE_RADIAL", [80, 48, 36, 1e90]),
+        (True, "FULL_OPENCV", [80, 80, 48, 36, 0, 0, 0, 0, 0, -1e6, 0, 0]),
+        (True, "SIMPLE_RADIAL", [1e-3, 48, 36, 0.1]),
+        (False, "SIMPLE_RADIAL", [80, 1e30, 36, 0.1]),
     ):
         camera = loom.CameraModel(model, WIDTH, HEIGHT, params)
-        try:
-            straight, _ = loom.undistort_picture(ramp(), camera, max_size=200, device=device)
-        except ValueError as error:
-            assert "no inverse" in str(error) or "c" in str(error)
-        else:
-            assert straight.dtype == np.uint8
+        with contextlib.nullcontext() if has_inverse else pytest.raises(ValueError, match=r"params: .* has no inverse"):
+            assert loom.undistort_picture(ramp(), camera, max_size=200, device=device)[0].dtype == np.uint8
 
 
 SPHERE_WIDTH, SPHERE_HEIGHT = 256, 128

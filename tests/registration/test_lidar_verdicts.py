@@ -107,9 +107,10 @@ def test_repeated_piers_are_reported_as_ambiguous(device, rng):
 
 
 def test_one_foreign_scan_is_harmless(device, fast_drive, rng):
-    scans = [loom.PointCloud(p, time=t) for p, t in zip(fast_drive.scans[:8], fast_drive.times[:8], strict=True)]
+    drive = zip(fast_drive.scans[:8], fast_drive.times[:8], strict=True)
+    scans = [loom.PointCloud(points, time=times, device=device) for points, times in drive]
     clean, odometry = LidarOdometry(), LidarOdometry()
-    foreign = loom.PointCloud(scans[5].points[:, [1, 0, 2]] * [1.0, -1.0, 1.0] + [9.0, -4.0, 0.5])
+    foreign = loom.PointCloud(scans[5].points[:, [1, 0, 2]] * [1.0, -1.0, 1.0] + [9.0, -4.0, 0.5], device=device)
     for k, scan in enumerate(scans):
         clean.register(scan)
         odometry.register(foreign if k == 5 else scan)

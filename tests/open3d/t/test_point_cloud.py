@@ -257,8 +257,7 @@ def test_depth_images_become_points_and_points_depth_images(where, with_normals)
     expected = np.stack([(u - 8) / 20 * z, (v - 6) / 20 * z, z - 0.5], -1)
     assert cloud.device == where
     if with_normals:
-        assert cloud.point.normals.numpy()[:, 2].max() < 0 and np.cross([1 / 20, 0, 0.01], [0, 1, 0])[2] > 0
-        assert len(cloud.point.normals) == 11 * 15 - 3
+        assert cloud.point.normals.numpy()[:, 2].max() < 0 and len(cloud.point.normals) == 11 * 15 - 3
         return
     assert np.abs(cloud.point.positions.numpy() - expected[depth > 0]).max() < 1e-6
     assert np.abs(cloud.point.colors.numpy() * 255 - color[depth > 0]).max() < 1e-4
