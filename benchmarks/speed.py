@@ -78,7 +78,7 @@ ROWS = (
     Row("hidden_points", "50k", "open3d-legacy"),
     Row("convex_hull", "200k", "open3d-legacy"),
     Row("cloud_distance", "200k", "pykdtree"),
-    Row("fpfh", "50k", "open3d-legacy"),
+    Row("fpfh", "50k", "open3d-tensor"),
     Row("feature_matching", "8k", "open3d-tensor"),
     Row("register_globally", "200k, 8 cm", "kiss-matcher"),
     Row("icp_plane", "20k", "small_gicp"),
