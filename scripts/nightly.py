@@ -453,7 +453,7 @@ def main(words: Sequence[str] | None = None, *, root: Path = ROOT, steps: Sequen
     if options.list:
         print_list(chosen, results)
         return 0
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    before = {number: signal.signal(number, signal.default_int_handler) for number in STOPS}  # it may be ignored
     try:
         run_steps(chosen, options, tree, results)
     except KeyboardInterrupt:
@@ -461,7 +461,8 @@ def main(words: Sequence[str] | None = None, *, root: Path = ROOT, steps: Sequen
         report(chosen, tree, results)
         return 128 + signal.SIGINT
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)
     return report(chosen, tree, results)
 
 
