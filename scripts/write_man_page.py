@@ -39,7 +39,7 @@ def of_options(command: click.Command, context: click.Context) -> list[str]:
     """The options with their help."""
     lines = []
     for parameter in command.get_params(context):
-        row = parameter.get_help_record(context)
+        row = parameter.get_help_record(context) if isinstance(parameter, click.Option) else None
         if row is not None:
             lines.append(f".TP\n.B {escaped(row[0])}\n{escaped(row[1])}")
     return lines
