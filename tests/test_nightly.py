@@ -248,34 +248,29 @@ def test_an_unknown_step_is_an_error_that_lists_the_known_ones(tree, capsys):
     assert "got 'muta'. Steps: flakes, fuzz" in capsys.readouterr().err
 
 
-# ------------------------------------------------------------------------------------------------ the table of steps
+ALL_STEPS = nightly.all_steps(ROOT)
 
 
-@pytest.fixture(scope="module")
-def all_steps():
-    return nightly.all_steps(ROOT)
-
-
-def test_names_of_steps_are_unique_and_their_inputs_exist(all_steps):
-    assert len({step.name for step in all_steps}) == len(all_steps)
-    for prefix in {prefix for step in all_steps for prefix in step.inputs}:
+def test_names_of_steps_are_unique_and_their_inputs_exist():
+    assert len({step.name for step in ALL_STEPS}) == len(ALL_STEPS)
+    for prefix in {prefix for step in ALL_STEPS for prefix in step.inputs}:
         assert (ROOT / prefix.removeprefix("!")).exists(), prefix
 
 
-def test_the_steps_of_a_set_take_each_of_its_test_files_once(all_steps):
+def test_the_steps_of_a_set_take_each_of_its_test_files_once():
     packages = re.search(r"^PACKAGES := (.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)[1].split()
     emulated = [ROOT / "tests" / package for package in (*packages, "emulated_cuda")]
     families = {f"emulated-{order}-": emulated for order in nightly.ORDERS} | {"nightly-tests-": [ROOT / "tests"]}
     for family, folders in families.items():
-        steps = [step for step in all_steps if step.name.startswith(family)]
+        steps = [step for step in ALL_STEPS if step.name.startswith(family)]
         named = [ROOT / word for step in steps for word in re.findall(r"tests/[\w/.]+", step.command[-1])]
         taken = [file for path in named for file in (path.rglob("test_*.py") if path.is_dir() else [path])]
         assert sorted(taken) == sorted(file for folder in folders for file in folder.rglob("test_*.py"))
 
 
-def test_each_list_of_mutants_is_covered_by_its_parts(all_steps):
+def test_each_list_of_mutants_is_covered_by_its_parts():
     words = [
-        re.search(r"--from (\S+) --part (\d+)/(\d+)", s.command[-1]) for s in all_steps if s.name.startswith("mutants-")
+        re.search(r"--from (\S+) --part (\d+)/(\d+)", s.command[-1]) for s in ALL_STEPS if s.name.startswith("mutants-")
     ]
     parts = {}
     for word in words:
