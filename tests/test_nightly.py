@@ -269,10 +269,8 @@ def test_the_steps_of_a_set_take_each_of_its_test_files_once():
 
 
 def test_each_list_of_mutants_is_covered_by_its_parts():
-    words = [
-        re.search(r"--from (\S+) --part (\d+)/(\d+)", s.command[-1]) for s in ALL_STEPS if s.name.startswith("mutants-")
-    ]
-    parts = {}
+    commands = [step.command[-1] for step in ALL_STEPS if step.name.startswith("mutants-")]
+    words, parts = [re.search(r"--from (\S+) --part (\d+)/(\d+)", command) for command in commands], {}
     for word in words:
         parts.setdefault((word[1], int(word[3])), []).append(int(word[2]))
     assert sorted(name for name, _ in parts) == sorted(path.name for path in (ROOT / "tests/mutants").glob("*.toml"))
@@ -280,5 +278,4 @@ def test_each_list_of_mutants_is_covered_by_its_parts():
 
 
 def test_all_architectures_of_check_cuda_are_steps():
-    text = (ROOT / "kernels" / "check_cuda.py").read_text()
-    assert f"ARCHITECTURES = {nightly.ARCHITECTURES}" in text
+    assert f"ARCHITECTURES = {nightly.ARCHITECTURES}" in (ROOT / "kernels" / "check_cuda.py").read_text()
