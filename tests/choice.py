@@ -26,7 +26,7 @@ TESTS = Path(__file__).parent
 
 # Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By the
 # seconds of `make test`: only the order counts, and folders that are not named come behind these.
-DEAREST = (
+SLOWEST = (
     "emulated_cuda/test_orders.py", "emulated_cuda/test_host_calls.py",
     "registration", "pcd", "test_compilers.py", "tiling", "meshing", "visualization/viewer", "io", "cli",
     "kernels/language", "photogrammetry/sfm", "photogrammetry/depth", "rgbd/slam", "test_doctests.py",
@@ -68,7 +68,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         config.hook.pytest_deselected(items=[item for item in items if item not in chosen])
         items[:] = selected
     if hasattr(config, "workerinput"):
-        items.sort(key=lambda item: rank_of(group_of(item.path), DEAREST))
+        items.sort(key=lambda item: rank_of(group_of(item.path), SLOWEST))
 
 
 def is_left_out(item: pytest.Item) -> bool:

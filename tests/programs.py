@@ -34,8 +34,10 @@ def benchmarks_on_path() -> Iterator[None]:
     for path in BENCHMARKS.glob("*.py"):
         sys.modules.pop(path.stem, None)  # another test's module may have the name
     sys.path.insert(0, str(BENCHMARKS))
-    yield
-    sys.path[:] = [path for path in sys.path if path != str(BENCHMARKS)]
-    for name in set(sys.modules) - before:
-        if str(getattr(sys.modules[name], "__file__", "")).startswith(str(BENCHMARKS)):
-            del sys.modules[name]
+    try:
+        yield
+    finally:
+        sys.path[:] = [path for path in sys.path if path != str(BENCHMARKS)]
+        for name in set(sys.modules) - before:
+            if str(getattr(sys.modules[name], "__file__", "")).startswith(str(BENCHMARKS)):
+                del sys.modules[name]
