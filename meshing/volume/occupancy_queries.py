@@ -13,6 +13,7 @@ from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_finite, check_positive, check_rows
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
+from ...core.serialized import Serialized
 from ...kernels.array_types import Cells
 from ...kernels.lang import vec3
 from ...kernels.memory import check_room, download, upload
@@ -40,7 +41,7 @@ class RayHits:
     voxels: NDArray[np.int32]
 
 
-class OccupancyQuestions:
+class OccupancyQuestions(Serialized):
     """Queries at points and along rays. Dense arrays, clouds and voxels."""
 
     device: Any

@@ -19,6 +19,7 @@ from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import resolve_device
 from ...core.errors import FilePath, values_of_file
 from ...core.paths import path_of
+from ...core.serialized import Serialized
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
 from ...kernels.linear_algebra import inv
@@ -33,7 +34,7 @@ from .tsdf import TSDFVolume
 from .tsdf_views import RayCast, check_view
 
 
-class PagedTSDFVolume(HintedNames):
+class PagedTSDFVolume(Serialized, HintedNames):
     """A TSDFVolume larger than memory: cubes of blocks that frames do not touch are stored on disk.
 
     Results are bitwise identical to a TSDFVolume's. Up to `max_blocks` are on the device. Before a frame is integrated,

@@ -15,6 +15,7 @@ from ...core.checks import check_positive, check_rows
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
 from ...core.observers import report
+from ...core.serialized import Serialized
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import vec3d
@@ -28,7 +29,7 @@ from .voxel_boxes import check_positions
 Positions = NDArray[np.float64]
 
 
-class ScanIntegration:
+class ScanIntegration(Serialized):
     """Integration of points measured from known positions."""
 
     device: Any

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.devices import resolve_device
 from ...core.errors import FileError, values_of_file
-from ...core.paths import path_of
+from ...core.paths import input_path
 from ...io.optional_imports import foreign_errors
 from ...io.points.npz import read_member
 from ...kernels.lang import int64
@@ -65,7 +65,7 @@ def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
     names = ("format", "sizes", "origin", "cells", "shifts")
     try:
         errors = foreign_errors(path, "cannot be read as a control grid")
-        with path_of(path).open("rb") as file, errors, zipfile.ZipFile(file) as archive:
+        with input_path(path).open("rb") as file, errors, zipfile.ZipFile(file) as archive:
             return {name: read_member(path, archive, archive.getinfo(f"{name}.npy"), name) for name in names}
     except FileNotFoundError as error:
         raise FileError(path, "no such file") from error

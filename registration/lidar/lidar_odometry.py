@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
 from ...core.observers import report
+from ...core.serialized import Serialized
 from ...core.units import METRE, common_unit
 from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.memory import clone, contiguous, download
@@ -67,7 +68,7 @@ UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
 PRUNE_SHARE = 0.1  # of max_range: travel between two prunings of the map
 
 
-class LidarOdometry:
+class LidarOdometry(Serialized):
     """Estimate the pose of each scan against a map of the previous scans.
 
     Each scan is deskewed with the predicted motion (eqs. 1 to 4), downsampled twice (section III-B), and aligned with

@@ -1,8 +1,13 @@
 """Outputs are written atomically: file modes, and the previous file."""
 
+import contextlib
+import errno
 import os
+import socket
+import stat
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -27,13 +32,174 @@ def test_new_file_mode_follows_the_umask(tmp_path, mask, mode):
     assert (tmp_path / "a").stat().st_mode & 0o777 == mode
 
 
-@pytest.mark.parametrize("mode", [0o600, 0o640, 0o444, 0o666])
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o666])
 def test_a_file_that_is_replaced_keeps_its_mode(tmp_path, mode):
     path = tmp_path / "a"
     path.write_bytes(b"old")
     path.chmod(mode)
     write(path, b"new")
     assert path.read_bytes() == b"new" and path.stat().st_mode & 0o777 == mode
+
+
+@pytest.fixture
+def access(monkeypatch):
+    """Permissions are those of the mode bits of the owner, also for root."""
+
+    def is_allowed(path, wanted, **options):
+        mode = Path(path).stat().st_mode
+        return all(mode & bits for flag, bits in ((os.W_OK, 0o200), (os.X_OK, 0o100)) if wanted & flag)
+
+    monkeypatch.setattr(os, "access", is_allowed)
+
+
+@pytest.mark.parametrize("existing", [True, False])
+def test_a_link_is_written_through(tmp_path, existing):
+    (tmp_path / "disk").mkdir()
+    target, link = tmp_path / "disk" / "run.ply", tmp_path / "latest.ply"
+    if existing:
+        target.write_bytes(b"old")
+    link.symlink_to(Path("disk", "run.ply"))
+    write(link, b"new")
+    assert link.is_symlink() and target.read_bytes() == b"new"
+    assert [path.name for path in target.parent.iterdir()] == ["run.ply"]
+    with pytest.raises(loom.FileError, match="exists already"):
+        write(link, b"newer", overwrite=False)
+
+
+def test_links_to_nothing_writable_are_errors(tmp_path):
+    for name, target in (("self", "self"), ("lost", "none/a"), ("folder", ".")):
+        (tmp_path / name).symlink_to(target)
+        with pytest.raises(loom.FileError, match=name):
+            write(tmp_path / name, b"new")
+        assert (tmp_path / name).is_symlink()
+
+
+def test_pipes_and_devices_are_written_and_remain(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "link").symlink_to("pipe")
+    for name in ("pipe", "link"):
+        with subprocess.Popen(["cat", tmp_path / name], stdout=subprocess.PIPE) as reader:
+            write(tmp_path / name, b"new")
+            assert reader.communicate()[0] == b"new"
+    before = Path("/dev/null").stat()
+    write("/dev/null", b"new")
+    assert stat.S_ISFIFO((tmp_path / "pipe").stat().st_mode) and (tmp_path / "link").is_symlink()
+    assert Path("/dev/null").stat().st_ino == before.st_ino and len([*tmp_path.iterdir()]) == 2
+
+
+def test_sockets_are_refused(tmp_path):
+    with contextlib.closing(socket.socket(socket.AF_UNIX)) as end:
+        end.bind(str(tmp_path / "a"))
+        with pytest.raises(loom.FileError, match="a: is a socket"):
+            write(tmp_path / "a", b"new")
+
+
+def test_a_read_only_file_or_folder_is_refused(tmp_path, access):
+    path, folder = tmp_path / "raw.ply", tmp_path / "raw"
+    path.write_bytes(b"old")
+    path.chmod(0o444)
+    with pytest.raises(loom.FileError, match=r"raw\.ply: is read-only\. Change its permissions"):
+        write(path, b"new")
+    write_folder(folder, "old")
+    folder.chmod(0o555)
+    with pytest.raises(loom.FileError, match="raw: is read-only"):
+        write_folder(folder, "new")
+    assert path.read_bytes() == b"old" and (folder / "marker").read_text() == "old"
+    folder.chmod(0o755)
+
+
+LONG = {"plain": "x" * 255, "suffix": "x" * 251 + ".ply", "wide": "\N{CJK UNIFIED IDEOGRAPH-70B9}" * 85}
+
+
+@pytest.mark.parametrize("name", LONG.values(), ids=LONG)
+def test_names_of_255_bytes_are_written_and_replaced(tmp_path, name):
+    (tmp_path / "in").mkdir()
+    for content in ("old", "new"):
+        write(tmp_path / name, content.encode())
+        write_folder(tmp_path / "in" / name, content)
+        assert (tmp_path / name).read_text() == (tmp_path / "in" / name / "marker").read_text() == content
+    with pytest.raises(loom.FileError, match="too long"):
+        write(tmp_path / (name + "x"), b"new")
+
+
+def test_all_names_of_a_file_show_the_new_content(tmp_path):
+    path, other = tmp_path / "a", tmp_path / "b"
+    path.write_bytes(b"old and longer")
+    os.link(path, other)
+    write(path, b"new")
+    assert path.read_bytes() == other.read_bytes() == b"new" and path.samefile(other)
+    assert {each.name for each in tmp_path.iterdir()} == {"a", "b"}
+
+
+def test_a_file_in_a_read_only_folder_is_overwritten_in_place(tmp_path, access, monkeypatch):
+    path = tmp_path / "a"
+    path.write_bytes(b"old and longer")
+    tmp_path.chmod(0o555)
+    before = path.stat().st_ino
+    write(path, b"new")
+    assert path.read_bytes() == b"new" and path.stat().st_ino == before
+    with pytest.raises(loom.FileError, match="not writable"):
+        write(tmp_path / "b", b"new")
+    tmp_path.chmod(0o755)
+
+
+def test_the_owner_is_kept(tmp_path, monkeypatch):
+    path = tmp_path / "a"
+    path.write_bytes(b"old")
+    before = path.stat()
+    given = []
+    monkeypatch.setattr(os, "chown", lambda *words: given.append(words[1:]))
+    # the new file seems to have another group
+    owner_of = lambda status: (status.st_uid, status.st_gid + (status.st_ino != before.st_ino))  # noqa: E731
+    monkeypatch.setattr(atomic, "_owner_of", owner_of)
+    write(path, b"new")
+    assert given == [(before.st_uid, before.st_gid)]
+
+    def refused(*words):
+        raise PermissionError(errno.EPERM, "Operation not permitted")
+
+    monkeypatch.setattr(os, "chown", refused)
+    inode = path.stat().st_ino
+    before = path.stat()
+    write(path, b"newer")
+    assert path.read_bytes() == b"newer" and path.stat().st_ino == inode  # in place, so that the owner remains
+
+
+def test_extended_attributes_are_kept(tmp_path):
+    path = tmp_path / "a"
+    path.write_bytes(b"old")
+    try:
+        os.setxattr(path, "user.origin", b"scanner")
+    except (AttributeError, OSError):
+        pytest.skip("this file system has no extended attributes")
+    write(path, b"new")
+    assert os.getxattr(path, "user.origin") == b"scanner"
+
+
+def test_a_new_file_needs_no_hard_links(tmp_path, monkeypatch):
+    def unsupported(*words):
+        raise OSError(errno.EPERM, "Operation not permitted")
+
+    monkeypatch.setattr(os, "link", unsupported)
+    write(tmp_path / "a", b"new", overwrite=False)
+    assert (tmp_path / "a").read_bytes() == b"new" and len([*tmp_path.iterdir()]) == 1
+    with pytest.raises(loom.FileError, match="exists already"), atomic_write(tmp_path / "b", overwrite=False) as file:
+        file.write(b"mine")
+        (tmp_path / "b").write_bytes(b"theirs")
+    assert (tmp_path / "b").read_bytes() == b"theirs"
+
+
+def test_a_full_disk_leaves_a_file_with_two_names_unchanged(tmp_path, monkeypatch):
+    def full(*words):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    path = tmp_path / "a"
+    path.write_bytes(b"old")
+    os.link(path, tmp_path / "b")
+    monkeypatch.setattr(os, "posix_fallocate", full)
+    with pytest.raises(loom.FileError, match="a: cannot be written: No space left on device"):
+        write(path, b"new and longer")
+    assert path.read_bytes() == b"old"
 
 
 def test_open_readers_of_the_old_file_are_unaffected(tmp_path):

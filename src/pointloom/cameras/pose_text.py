@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..core.checks import check_rigid
 from ..core.errors import FileError
-from ..core.paths import path_of
+from ..core.paths import input_path
 from ..core.quaternions import quaternions_to_rotations
 from .camera import LARGEST_NUMBER
 
@@ -53,7 +53,7 @@ def _read_pose(path: str | os.PathLike[str], *, gaps: bool) -> NDArray[np.float6
 def read_lines(path: str | os.PathLike[str]) -> list[Line]:
     """Lines that are neither blank nor comments, as (line number, columns)."""
     try:
-        text = path_of(path).read_bytes().decode("utf-8-sig")
+        text = input_path(path).read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:

@@ -5,13 +5,16 @@ from __future__ import annotations
 import contextlib
 import errno
 import functools
+import hashlib
 import io
 import json
 import os
 import re
 import secrets
 import shutil
+import stat
 import sys
+import tempfile
 from collections.abc import Generator, Iterator, Sequence
 from pathlib import Path
 from typing import IO, Any
@@ -22,44 +25,79 @@ from .paths import path_of
 
 _REPLACE = "Give another name, or overwrite=True to replace it"
 _COMMITTED, _LIST = ".files.new", ".list.json"  # names for files that are replaced together
+_MAX_SHORT_NAME = 100  # bytes; with 23 more a hidden name is below the 143 bytes of encrypted folders
 _MAX_ATTEMPTS = 5  # attempts to replace a folder while another process restores the previous one
 
 
 def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> Path:
-    """Check that a file can be created, before long computations. Raises `FileError` otherwise."""
+    """Check that a file can be written, before long computations. Raises `FileError` otherwise.
+    The rules are those of `open`: links are followed, and read-only files, folders and missing folders are errors."""
     path = path_of(path)
-    folder = path.parent
+    target = _behind_links(path)
+    status, folder = _status_of(path, target), target.parent
     if not folder.is_dir():
         raise FileError(path, f"the folder {folder} does not exist", remedy="Make the folder first")
-    if path.is_dir():
-        raise FileError(path, "is a folder", remedy="Give the name of a file")
-    if path.exists() and not overwrite:
+    if not overwrite and os.path.lexists(path) and not (status and stat.S_ISDIR(status.st_mode)):
         raise FileError(path, "exists already", remedy=_REPLACE)
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise FileError(path, f"the folder {folder} is not writable", remedy="Choose another folder")
+    if status is None:
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise FileError(path, f"the folder {folder} is not writable", remedy="Choose another folder")
+        return path
+    if stat.S_ISDIR(status.st_mode):
+        raise FileError(path, "is a folder", remedy="Give the name of a file")
+    if not stat.S_ISREG(status.st_mode) and not _is_stream(status):
+        raise FileError(path, "is a socket or a block device", remedy="Give the name of a file")
+    if not os.access(target, os.W_OK):
+        raise FileError(path, "is read-only", remedy="Change its permissions, or give another name")
     return path
+
+
+def _behind_links(path: Path) -> Path:
+    """The file or folder that a symbolic link names, which may not exist; other paths are unchanged."""
+    if _is_stream(_status_of(path, path)) or not path.is_symlink():  # /dev/stdout names no path
+        return path
+    return Path(os.path.realpath(path))
+
+
+def _is_stream(status: os.stat_result | None) -> bool:
+    """True for a named pipe or a character device, such as /dev/null."""
+    return status is not None and (stat.S_ISFIFO(status.st_mode) or stat.S_ISCHR(status.st_mode))
+
+
+def _status_of(path: Path, target: Path) -> os.stat_result | None:
+    """The status of an existing target. Raises `FileError` for a name that the file system rejects."""
+    try:
+        return target.stat()
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError) as error:  # too long, a null character, a folder that may not be searched
+        raise FileError(path, f"cannot be written: {getattr(error, 'strerror', None) or error}") from error
 
 
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[IO[bytes]]:
     """A binary file that appears when the block succeeds and is removed otherwise.
-    New files get the default permissions of `open`. Replaced files keep theirs."""
+    New files get the default permissions of `open`. Replaced files keep permissions, owner and attributes. Files with
+    several names, files whose owner or folder excludes a replacement, pipes and devices are written after the block."""
     path = check_writable(path, overwrite=overwrite)
-    handled, mode, part, file = sys.exception(), _mode_of(path), part_name(path), None
-    opener = functools.partial(os.open, mode=0o666 if mode is None else mode)
+    target = _behind_links(path)
+    status = _status_of(path, target)
+    is_beside = os.access(target.parent, os.W_OK | os.X_OK) and not _is_stream(status)
+    folder = target.parent if is_beside else Path(tempfile.gettempdir())
+    handled, part, file = sys.exception(), folder / part_name(target).name, None
+    opener = functools.partial(os.open, mode=0o666 if status is None else 0o600)
     try:
         with (file := _Written(io.FileIO(os.fspath(part), "x", opener=opener))):
             yield file
             file.flush()
         if file.failed is not None:  # a package caught it and continued
             raise file.failed
-        if (mode := _mode_of(path)) is not None:
-            part.chmod(mode)
-        if overwrite:
-            part.replace(path)
+        if not overwrite:
+            _link_new(part, target)
+        elif (status := _status_of(path, target)) is None or (is_beside and _take_metadata(part, target, status)):
+            part.replace(target)
         else:
-            os.link(part, path)  # fails if another process has created the file
-            part.unlink()
+            _overwrite(part, target)
     except FileExistsError as error:
         part.unlink(missing_ok=True)
         raise FileError(path, "exists already", remedy=_REPLACE) from error
@@ -76,6 +114,56 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
         raise
 
 
+def _link_new(part: Path, target: Path) -> None:
+    """Give a new file its name. Raises `FileExistsError` if another process has created it."""
+    try:
+        os.link(part, target)
+        part.unlink()
+    except OSError as error:
+        if error.errno not in (errno.EPERM, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS):
+            raise
+        with target.open("xb"):  # file systems without hard links, such as FAT and network drives
+            pass
+        part.replace(target)
+
+
+def _take_metadata(part: Path, target: Path, status: os.stat_result) -> bool:
+    """Give a new file or folder the owner, permissions and attributes of the existing one.
+
+    Returns False if the owner cannot be kept, or if a file has several names.
+    """
+    if stat.S_ISREG(status.st_mode) and status.st_nlink > 1:
+        return False
+    if _owner_of(part.stat()) != (owner := _owner_of(status)):
+        try:
+            os.chown(part, *owner)
+        except OSError:
+            return False
+    with contextlib.suppress(OSError):  # file systems without permissions
+        part.chmod(stat.S_IMODE(status.st_mode))
+    for name in os.listxattr(target) if hasattr(os, "listxattr") else ():
+        with contextlib.suppress(OSError):
+            os.setxattr(part, name, os.getxattr(target, name))
+    return True
+
+
+def _owner_of(status: os.stat_result) -> tuple[int, int]:
+    return status.st_uid, status.st_gid
+
+
+def _overwrite(part: Path, target: Path) -> None:
+    """Copy the content into an existing file. Space is reserved first, so that a full disk is no reason for damage."""
+    is_file = target.is_file()
+    with part.open("rb") as source, target.open("r+b" if is_file else "wb") as file:
+        size = os.fstat(source.fileno()).st_size
+        if is_file and size and hasattr(os, "posix_fallocate"):
+            os.posix_fallocate(file.fileno(), 0, size)
+        shutil.copyfileobj(source, file)
+        if is_file:
+            file.truncate()
+    part.unlink()
+
+
 def _raise_write_error(path: Path, error: BaseException, failed: BaseException | None) -> None:
     if failed is not None and not isinstance(failed, Exception) and isinstance(error, Exception):
         raise failed
@@ -86,7 +174,13 @@ def _raise_write_error(path: Path, error: BaseException, failed: BaseException |
 
 def part_name(path: Path, ending: str = "part") -> Path:
     """A new hidden name in the same folder. Unlike `tempfile`, permissions are those of `open` and `mkdir`."""
-    return path.absolute().with_name(f".{path.name}.{secrets.token_hex(8)}.{ending}")
+    return path.absolute().with_name(f".{_short_name(path)}.{secrets.token_hex(8)}.{ending}")
+
+
+def _short_name(path: Path) -> str:
+    """The name of a path, or a digest in place of a long one, so that hidden names fit into a file system."""
+    name = os.fsencode(path.name)
+    return path.name if len(name) <= _MAX_SHORT_NAME else hashlib.sha256(name).hexdigest()[:32]
 
 
 def _mode_of(path: Path) -> int | None:
@@ -127,9 +221,10 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
     """Check that a folder can be created, or may replace one that contains `marker`. Raises `FileError` otherwise."""
     path = path_of(path)
     restore_folder(path)
-    if path.exists() and not path.is_dir():
+    target = _behind_links(path)
+    status, parent = _status_of(path, target), target.absolute().parent
+    if status is not None and not stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is not a folder", remedy="Give the name of a folder")
-    parent = path.absolute().parent
     if not parent.is_dir():
         raise FileError(path, f"the folder {parent} does not exist", remedy="Make the folder first")
     if path.is_dir() and any(path.iterdir()):
@@ -137,6 +232,8 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
             raise FileError(path, f"contains other files: there is no {marker}", remedy="Give another folder")
         if not overwrite:
             raise FileError(path, "exists already", remedy=_REPLACE)
+    if status is not None and not os.access(target, os.W_OK):
+        raise FileError(path, "is read-only", remedy="Change its permissions, or give another name")
     if not os.access(parent, os.W_OK | os.X_OK):
         raise FileError(path, f"the folder {parent} is not writable", remedy="Choose another folder")
     return path
@@ -148,14 +245,15 @@ def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool 
     New folders get default permissions. Replaced folders keep theirs. After a crash during replacement, the next
     `check_folder` or `restore_folder` restores the previous folder."""
     path = check_folder(path, marker, overwrite=overwrite)
-    mode, part = _mode_of(path), part_name(path)
+    target = _behind_links(path)
+    mode, part = _mode_of(target), part_name(target)
     try:
         part.mkdir(0o777 if mode is None else mode | 0o700)
         yield part
         check_folder(path, marker, overwrite=overwrite)
-        if (mode := _mode_of(path)) is not None:
-            part.chmod(mode)
-        _replace_folder(part, path)
+        if (status := _status_of(path, target)) is not None:
+            _take_metadata(part, target, status)
+        _replace_folder(part, target)
     except BaseException as error:
         shutil.rmtree(part, ignore_errors=True)
         if isinstance(error, OSError) and error.strerror:
@@ -197,7 +295,7 @@ def restore_folder(path: str | os.PathLike[str]) -> None:
 
 
 def _old_folders(path: Path) -> list[Path]:
-    pattern = re.compile(rf"\.{re.escape(path.name)}\.[0-9a-f]{{16}}\.old")
+    pattern = re.compile(rf"\.{re.escape(_short_name(path))}\.[0-9a-f]{{16}}\.old")
     try:
         with os.scandir(path.absolute().parent) as entries:
             folders = [(entry.stat().st_mtime_ns, entry.path) for entry in entries if pattern.fullmatch(entry.name)]

@@ -9,16 +9,17 @@ from typing import Any
 
 from .checks import LARGEST_NUMBER as LARGEST_NUMBER
 from .errors import FileError
-from .paths import path_of
+from .paths import input_path
 
 MAX_DIGITS = 300  # digits of an integer that float64 represents
 
 
 def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
     """Read a JSON object strictly. Syntax errors report the line."""
+    file = input_path(path)
     try:
         content = json.loads(
-            data := path_of(path).read_bytes(),
+            data := file.read_bytes(),
             object_pairs_hook=_unique_pairs,
             parse_constant=_refuse,
             parse_float=_finite,

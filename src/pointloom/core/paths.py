@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import stat
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +22,17 @@ def path_of(path: Any, name: str = "path") -> Path:
         return given.expanduser()
     except RuntimeError:  # no such user: a valid file name
         return given
+
+
+def input_path(path: Any) -> Path:
+    """The path of an input file. Raises `FileError` for pipes and devices, whose content may have no end."""
+    given = path_of(path)
+    mode = 0
+    with contextlib.suppress(OSError, ValueError):  # reported when the file is opened
+        mode = given.stat().st_mode
+    if mode and not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
+        raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
+    return given
 
 
 def refuse_link(path: Path) -> Path:

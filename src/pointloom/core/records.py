@@ -14,7 +14,7 @@ from typing import Any
 from .atomic import atomic_write
 from .errors import FileError, FilePath
 from .json_files import read_json_object
-from .paths import path_of
+from .paths import input_path
 
 RECORDS = "records"  # name of the subfolder of a job
 VERSION = 1  # incremented if a stage's output for equal inputs changes
@@ -35,7 +35,7 @@ def digest_of_bytes(parts: Iterable[Any]) -> str:
 
 
 def digest_of_file(path: FilePath) -> str:
-    with path_of(path).open("rb") as file:
+    with input_path(path).open("rb") as file:
         return digest_of_bytes(iter(lambda: file.read(CHUNK), b""))
 
 

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from ..core.checks import check_finite, check_numeric, shown
 from ..core.devices import resolve_device
 from ..core.errors import FileError
+from ..core.paths import input_path
 from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.geodetic import system_named, system_of
 from ..io.points.las import open_las
@@ -38,7 +39,7 @@ _WKT = re.compile(r"(?:SRID=\d++;\s*+)?(MULTI)?POLYGON\s*+(?:(?:ZM|Z|M)\s*+)?(?=
 def parse_area(name: str, value: Any) -> Area:
     """Parse a .geojson, .json or .wkt file, such text, a GeoJSON dictionary, corners (n, 2), or `to_json` output."""
     if isinstance(value, Path) or (isinstance(value, str) and value.lower().endswith(SUFFIXES)):
-        path = Path(value)
+        path = input_path(value)
         try:
             text = path.read_text("utf-8")
         except (OSError, ValueError) as error:

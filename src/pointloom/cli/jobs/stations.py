@@ -18,6 +18,7 @@ import numpy as np
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
+from ...core.paths import input_path
 from ...core.reports import Fields
 from ...core.wording import few_of
 from ...io.optional_imports import import_for
@@ -186,7 +187,7 @@ def read_control(path: FilePath) -> list[ControlPoint]:
 def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
     """Line numbers and words of the rows of a table, without a header."""
     try:
-        if Path(path).stat().st_size > MAX_BYTES:
+        if input_path(path).stat().st_size > MAX_BYTES:
             raise FileError(path, f"expected a table of at most {MAX_BYTES >> 20} MiB")
         text = Path(path).read_text(encoding="utf-8-sig")
     except OSError as error:

@@ -21,6 +21,7 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
+from ...core.serialized import Serialized
 from ..pictures.image_files import write_png
 from .dataset_layouts import FRAME_TIMES
 from .datasets import Frame
@@ -30,7 +31,7 @@ from .rgbd_sources import RGBDSource
 _HEADER = "# the whole frames of this recording: name and time [s], or -\n"
 
 
-class FrameRecorder:
+class FrameRecorder(Serialized):
     """Write frames to a new folder that is readable at any time.
 
     Args:

@@ -23,7 +23,7 @@ from PIL import BmpImagePlugin, Image, ImageFile, JpegImagePlugin, PngImagePlugi
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
-from ...core.paths import path_of
+from ...core.paths import input_path
 from ..npy_header import read_npy_header
 from ..optional_imports import foreign_errors
 from ..source import Source
@@ -254,7 +254,7 @@ def encode_png(array: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
 
 def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
     try:
-        with path_of(path).open("rb") as file:
+        with input_path(path).open("rb") as file:
             return _parse_header(path, file)
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
@@ -306,7 +306,7 @@ def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[n
 
 def _read_bytes(path: str | os.PathLike[str]) -> bytes:
     try:
-        return path_of(path).read_bytes()
+        return input_path(path).read_bytes()
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 

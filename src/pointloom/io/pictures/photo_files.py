@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from PIL import Image, TiffImagePlugin, WebPImagePlugin
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import input_path
 from ..optional_imports import foreign_errors, ignored_errors, import_for
 from .image_files import PIXEL_LIMIT, PictureHeader
 
@@ -127,12 +127,13 @@ def read_alpha(path: FilePath) -> NDArray[np.uint8] | None:
 
 def read_exif(path: FilePath) -> Image.Exif:
     """The EXIF data of an image, empty if missing or invalid. Orientation matches `read_photo`, so HEIC is upright."""
-    kind = KINDS.get(Path(path).suffix.lower())
+    path = input_path(path)
+    kind = KINDS.get(path.suffix.lower())
     exif = Image.Exif()
     # EXIF is often invalid. Such values are ignored
     with ignored_errors():
         if kind in ("dng", "tiff"):  # EXIF's own types
-            exif.load(b"Exif\0\0" + path_of(path).read_bytes())
+            exif.load(b"Exif\0\0" + path.read_bytes())
             exif.get_ifd(_INNER)
             if kind == "tiff":
                 exif.pop(_ORIENTATION, None)  # Pillow rotates the pixels
@@ -197,7 +198,7 @@ def _heif(path: FilePath) -> Any:
 
 def _bytes_of(path: FilePath) -> bytes:
     try:
-        data = path_of(path).read_bytes()
+        data = input_path(path).read_bytes()
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     if not data:

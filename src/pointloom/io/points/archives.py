@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
-from ...core.paths import path_of
+from ...core.paths import input_path
 from ..optional_imports import foreign_errors
 from .npz import read_member
 
@@ -79,7 +79,7 @@ def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
     try:
         arrays = {}
         errors = foreign_errors(path, f"cannot be read as a {what}", remedy=remedy)
-        with path_of(path).open("rb") as file, errors, zipfile.ZipFile(file) as archive:
+        with input_path(path).open("rb") as file, errors, zipfile.ZipFile(file) as archive:
             if min((info.header_offset for info in archive.infolist()), default=0) or not _ends_archive(file):
                 raise FileError(path, "there are bytes before or after the archive", remedy="Copy the file again")
             for info in archive.infolist():

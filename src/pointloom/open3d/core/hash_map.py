@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_count
+from ...core.paths import input_path
 from .device import Device
 from .dtype import Dtype
 from .errors import TensorError
@@ -179,7 +180,7 @@ class _Table(HintedNames):
     @classmethod
     def load(cls, file_name: str) -> Self:
         """Read a .npz file of `save`."""
-        with np.load(file_name, allow_pickle=False) as arrays:
+        with np.load(input_path(file_name), allow_pickle=False) as arrays:
             key, *values = (arrays[name] for name in ("key", *sorted(n for n in arrays if n.startswith("value_"))))
         made = cls.__new__(cls)
         made._buffers = [Tensor(array) for array in (key, *values)]

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
+from ...core.paths import input_path
 from . import elementwise, linalg
 from .device import Device
 from .dtype import Dtype, float32
@@ -154,7 +155,7 @@ class Tensor(HintedNames):
     @staticmethod
     def load(file_name: str) -> Tensor:
         """Read a .npy file."""
-        return Tensor(np.load(file_name, allow_pickle=False))
+        return Tensor(np.load(input_path(file_name), allow_pickle=False))
 
     def save(self, file_name: str) -> None:
         """Write a .npy file."""

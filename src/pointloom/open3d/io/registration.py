@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.paths import input_path
 from ...registration.pose_graphs import pose_graph_files
 from ..pipelines.registration import Feature, PoseGraph
 from ..wrapper import unwrap
@@ -21,7 +21,7 @@ HEAD = 8  # bytes: two int32, dimension and points
 def read_feature(filename: FilePath) -> Feature:
     """Read Open3D's .bin: int32 dimension and point count, then one float64 column per point."""
     try:
-        data = Path(filename).read_bytes()
+        data = input_path(filename).read_bytes()
     except OSError as error:
         raise FileError(filename, f"cannot be read: {error.strerror or error}") from error
     dimension, count = np.frombuffer(data[:HEAD], "<i4") if len(data) >= HEAD else (-1, -1)

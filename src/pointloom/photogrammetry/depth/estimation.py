@@ -18,7 +18,7 @@ from ...cameras.images import RGBDImage, check_intrinsic
 from ...core.checks import check_count, check_name, check_numeric, check_positive, check_progress, check_seed, shown
 from ...core.devices import resolve_device
 from ...core.errors import FileError
-from ...core.paths import path_of
+from ...core.paths import input_path
 from ...core.progress import ReportProgress
 from ...core.wording import few_of
 from ...io.models.colmap import read_colmap_model
@@ -81,7 +81,7 @@ def _read(path: Path) -> Any:
 def read_distances(path: str | os.PathLike[str]) -> NDArray[np.float64]:
     """Read lines of column, row and meters, separated by spaces or commas; skips a header line and # comments."""
     try:
-        lines = path_of(path).read_text("utf-8").splitlines()
+        lines = input_path(path).read_text("utf-8").splitlines()
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:

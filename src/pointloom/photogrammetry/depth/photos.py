@@ -14,7 +14,7 @@ from PIL import JpegImagePlugin, PngImagePlugin
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_numeric, shown
-from ...core.paths import path_of
+from ...core.paths import input_path
 from ...io.optional_imports import ignored_errors
 from ...io.pictures.image_files import PIXEL_LIMIT, read_color, read_depth, read_picture_header
 
@@ -82,7 +82,7 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
 def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
     """EXIF tags. Empty if damaged, since the pixels are still valid."""
     plugin = PngImagePlugin.PngImageFile if kind == "png" else JpegImagePlugin.JpegImageFile
-    with ignored_errors(), path_of(path).open("rb") as file, plugin(file) as picture:
+    with ignored_errors(), input_path(path).open("rb") as file, plugin(file) as picture:
         exif = picture.getexif()
         return {**exif, **exif.get_ifd(_EXIF_IFD)}
     return {}

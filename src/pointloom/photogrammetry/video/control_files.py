@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import input_path, path_of
 from ...registration.stations.observations import ControlPoint
 from ..sfm.picture_folder import check_path
 from .ground_control import ControlMark, GroundControl, ScaleBar
@@ -97,7 +97,7 @@ def _read(parser: _Parser, *, is_bars: bool) -> None:
 
 def _lines_of(path: Path) -> list[tuple[int, str]]:
     try:
-        if path.stat().st_size > MAX_BYTES:
+        if input_path(path).stat().st_size > MAX_BYTES:
             raise FileError(path, f"is larger than {MAX_BYTES >> 20} MiB, too large for a list of control points")
         text = path.read_text(encoding="utf-8-sig")
     except OSError as error:

@@ -16,6 +16,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
 from ...core.observers import report, unwatched
 from ...core.progress import ReportProgress
+from ...core.serialized import Serialized
 from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download
 from ...meshing.mesh.mesh import TriangleMesh
@@ -44,7 +45,7 @@ Pose = NDArray[np.float64]
 YOUNG = 60  # frames in which a model with moving objects restarts: two seconds at 30 Hz
 
 
-class DenseSLAM:
+class DenseSLAM(Serialized):
     """Frame-to-model tracking with a status for each frame and relocalization of a lost camera.
 
     Each frame is aligned by surface and brightness with the model rendered at the constant-velocity prediction. Only

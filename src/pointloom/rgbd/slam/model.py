@@ -12,6 +12,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...core.checks import check_positive, check_rigid
 from ...core.observers import report
+from ...core.serialized import Serialized
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.model_maps import colors_of, hide_unseen
 from ...meshing.mesh.mesh import TriangleMesh
@@ -32,7 +33,7 @@ MIN_FRAMES = 10  # with fewer frames, planes are fitted, since the border has no
 COARSE = 0.03  # [m] voxels above which SDF gradients are better normals than fitted planes
 
 
-class Model:
+class Model(Serialized):
     """A TSDF volume for frame-to-model tracking of a depth camera.
 
     Unlike Open3D's Model, the camera is given once, frames are any objects with `depth` and `color`, the model is

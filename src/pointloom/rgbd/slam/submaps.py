@@ -14,6 +14,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
+from ...core.serialized import Serialized
 from ...kernels.linear_algebra import matmul, norm
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
@@ -126,7 +127,7 @@ class _Recording:
         return Submap(self.volume, self.T_world_submap, np.array(self.numbers), poses, self.follows)
 
 
-class SubmapRecorder:
+class SubmapRecorder(Serialized):
     """Fuse posed frames into submaps. Each shares its last frames with the next.
 
     Submaps use the coordinates of their first camera, so volumes stay near the origin. At most two are open at a time.

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_count, check_direction, check_finite, check_positive, check_search, check_shape, shown
 from ...core.errors import FileError, values_of_file
+from ...core.paths import input_path
 from ...core.units import UnitWarning, without_warnings
 from ...kernels.features.eigen_features import SHAPES
 from ...kernels.lang import int32
@@ -540,6 +541,7 @@ def _check_order(steps: list[Step]) -> None:
 def read_toml(path: Path) -> list[Any]:
     import tomllib
 
+    path = input_path(path)
     try:
         content = tomllib.loads(path.read_text("utf-8"))
     except OSError as error:

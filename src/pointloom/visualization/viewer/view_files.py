@@ -15,7 +15,7 @@ from ...core.atomic import restore_folder
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
-from ...core.paths import path_of
+from ...core.paths import input_path, path_of
 from ...core.progress import ReportProgress
 from ...io.ascii_rows import is_number
 from ...io.bags.recording import is_recording, open_recording
@@ -175,7 +175,7 @@ def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
 
 
 def _is_volume(path: Path) -> bool:
-    with contextlib.suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(path) as archive:
+    with contextlib.suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(input_path(path)) as archive:
         return {"keys.npy", "distances.npy", "sizes.npy"} <= set(archive.namelist())
     return False
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ....core.atomic import atomic_write
 from ....core.errors import FileError, FilePath
+from ....core.paths import input_path
 from ....meshing.mesh import mesh_files
 from ...core.dtype import float32, float64, int64
 from ...core.tensor import Tensor
@@ -67,8 +68,9 @@ def write_triangle_mesh(
 
 
 def _read_npz(filename: FilePath) -> TriangleMesh:
+    path = input_path(filename)
     try:
-        with np.load(filename) as file:
+        with np.load(path) as file:
             arrays = dict(file)
     except (OSError, ValueError, zipfile.BadZipFile) as error:
         raise FileError(filename, f"cannot be read as a mesh: {error}") from error

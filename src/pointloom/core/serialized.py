@@ -1,0 +1,46 @@
+"""Objects that several threads may use: one call at a time."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import threading
+from collections.abc import Callable
+from typing import Any, Self
+
+_OPERATORS = {"__len__", "__contains__", "__getitem__", "__iter__", "__call__", "__repr__", "__getstate__"}
+
+
+class Serialized:
+    """Base class of stateful objects: public methods and properties of one object run one at a time.
+
+    A second thread waits until the running call has returned, so it never sees a change that is under way. The lock is
+    re-entrant: methods call each other, and callbacks of a method may use its object. Ctrl-C ends a waiting call.
+    """
+
+    _lock: Any
+
+    def __new__(cls, *args: Any, **options: Any) -> Self:
+        made = super().__new__(cls)
+        made._lock = threading.RLock()
+        return made
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        for name, value in list(vars(cls).items()):
+            if name.startswith("_") and name not in _OPERATORS:
+                continue
+            if isinstance(value, property):
+                parts = (part and _locked(part) for part in (value.fget, value.fset, value.fdel))
+                setattr(cls, name, property(*parts, value.__doc__))
+            elif inspect.isfunction(value):
+                setattr(cls, name, _locked(value))
+
+
+def _locked(function: Callable[..., Any]) -> Callable[..., Any]:
+    @functools.wraps(function)
+    def call(self: Any, *args: Any, **options: Any) -> Any:
+        with self._lock:
+            return function(self, *args, **options)
+
+    return call
