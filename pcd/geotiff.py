@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import importlib
-import os
-import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from ..core.atomic import check_writable
+from ..core.atomic import atomic_path, check_writable
 from ..core.errors import FileError, FilePath
 
 BLOCK = 256  # cells per side of a block
@@ -42,36 +40,32 @@ def geotiff(
     1 where filled), or RGBA uint8 if `is_picture`. `metadata` has `kind`, `crs` and `nodata`. With `for_maps` it is
     rewritten as a Cloud Optimized GeoTIFF."""
     path, rasterio = check_geotiff(path, overwrite=overwrite)
-    part, first = (path.with_name(f".{path.name}.{uuid.uuid4().hex}.part") for _ in range(2))
     profile = {
         "driver": "GTiff", "height": shape[0], "width": shape[1], "crs": metadata.crs,
         "transform": rasterio.Affine(cell, 0.0, corner[0], 0.0, -cell, corner[1] + shape[0] * cell),
         "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate", "BIGTIFF": "IF_SAFER",
         **(_PICTURE if is_picture else {"nodata": metadata.nodata} | _VALUES),
     }  # fmt: skip
+    first: Path | None = None
     try:
-        with rasterio.open(first if for_maps else part, "w", **profile) as file:
-            for band, name in enumerate(() if is_picture else (metadata.kind, "filled"), start=1):
-                file.set_band_description(band, name)
-            yield file
-        if for_maps:
-            _check_blocks(rasterio, first)
-            rasterio.shutil.copy(first, part, **_MAPS)
-        _check_blocks(rasterio, part)
-        if overwrite:
-            part.replace(path)
-        else:
-            os.link(part, path)  # fails if another process created the file
-    except FileExistsError as error:
-        raise FileError(path, "exists already", remedy="Give another name, or overwrite=True") from error
+        with atomic_path(path, overwrite=overwrite) as part:
+            first = part.with_suffix(".first") if for_maps else part
+            with rasterio.open(first, "w", **profile) as file:
+                for band, name in enumerate(() if is_picture else (metadata.kind, "filled"), start=1):
+                    file.set_band_description(band, name)
+                yield file
+            if for_maps:
+                _check_blocks(rasterio, first)
+                rasterio.shutil.copy(first, part, **_MAPS)
+            _check_blocks(rasterio, part)
     except rasterio.errors.CRSError as error:
         raise FileError(path, f"crs: {str(metadata.crs)[:80]!r} is unknown: {error}") from error
     except (rasterio.errors.RasterioError, OSError) as error:
         reason = getattr(error, "strerror", None) or error.__cause__ or error
         raise FileError(path, f"cannot be written: {reason}") from error
     finally:
-        part.unlink(missing_ok=True)
-        first.unlink(missing_ok=True)
+        if first is not None:
+            first.unlink(missing_ok=True)
 
 
 def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:

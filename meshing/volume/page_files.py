@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import path_of, refuse_links
 from ...core.work_folder import locked
 from ...io.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
@@ -62,6 +62,7 @@ class PageFolder:
             self.path.mkdir(exist_ok=True)
         elif not (self.path / LIST).is_file():
             raise FileError(path, f"contains no paged volume: {LIST} is missing")
+        refuse_links(self.path)
         stack = contextlib.ExitStack()
         stack.enter_context(locked(self.path))
         self._release = weakref.finalize(self, stack.close)

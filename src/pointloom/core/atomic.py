@@ -80,24 +80,15 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     New files get the default permissions of `open`. Replaced files keep permissions, owner and attributes. Files with
     several names, files whose owner or folder excludes a replacement, pipes and devices are written after the block."""
     path = check_writable(path, overwrite=overwrite)
-    target = _behind_links(path)
-    status = _status_of(path, target)
-    is_beside = os.access(target.parent, os.W_OK | os.X_OK) and not _is_stream(status)
-    folder = target.parent if is_beside else Path(tempfile.gettempdir())
-    handled, part, file = sys.exception(), folder / part_name(target).name, None
-    opener = functools.partial(os.open, mode=0o666 if status is None else 0o600)
+    handled, part, file = sys.exception(), _part_of(path), None
+    opener = functools.partial(os.open, mode=0o600 if path.exists() else 0o666)
     try:
         with (file := _Written(io.FileIO(os.fspath(part), "x", opener=opener))):
             yield file
             file.flush()
         if file.failed is not None:  # a package caught it and continued
             raise file.failed
-        if not overwrite:
-            _link_new(part, target)
-        elif (status := _status_of(path, target)) is None or (is_beside and _take_metadata(part, target, status)):
-            part.replace(target)
-        else:
-            _overwrite(part, target)
+        _publish(part, path, overwrite=overwrite)
     except FileExistsError as error:
         part.unlink(missing_ok=True)
         raise FileError(path, "exists already", remedy=_REPLACE) from error
@@ -112,6 +103,43 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
                 raise stopped from None
         _raise_write_error(path, error, failed)
         raise
+
+
+@contextlib.contextmanager
+def atomic_path(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[Path]:
+    """As `atomic_write`, for packages that write to a name: a new name, whose file is moved when the block succeeds."""
+    path = check_writable(path, overwrite=overwrite)
+    part = _part_of(path)
+    try:
+        yield part
+        _publish(part, path, overwrite=overwrite)
+    except FileExistsError as error:
+        raise FileError(path, "exists already", remedy=_REPLACE) from error
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _part_of(path: Path) -> Path:
+    """A new name for the content of a file: in its folder, or in the temporary folder if it cannot be replaced."""
+    part = part_name(_behind_links(path))
+    return part if _is_replaceable(path) else Path(tempfile.gettempdir(), part.name)
+
+
+def _is_replaceable(path: Path) -> bool:
+    target = _behind_links(path)
+    return os.access(target.parent, os.W_OK | os.X_OK) and not _is_stream(_status_of(path, target))
+
+
+def _publish(part: Path, path: Path, *, overwrite: bool) -> None:
+    """Move a complete file to its path. Raises `FileExistsError` for an existing one unless `overwrite`."""
+    target = _behind_links(path)
+    status = _status_of(path, target)
+    if not overwrite:
+        _link_new(part, target)
+    elif status is None or (_is_replaceable(path) and _take_metadata(part, target, status)):
+        part.replace(target)
+    else:
+        _overwrite(part, target)
 
 
 def _link_new(part: Path, target: Path) -> None:

@@ -42,6 +42,21 @@ def refuse_link(path: Path) -> Path:
     return path
 
 
+def refuse_links(folder: Path) -> None:
+    """Raise `FileError` if a folder of a job contains a symbolic link. The folder itself may be one of the user."""
+    for path in folder.iterdir():
+        refuse_link(path)
+
+
+def job_file(path: Path) -> Path:
+    """The path of a file to write in a job's folder, which is created. Raises `FileError` for links."""
+    try:
+        refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(path.parent, f"cannot be created: {error.strerror or error}") from error
+    return refuse_link(path)
+
+
 def plain_name(path: Path, name: Any, *, remedy: str = "") -> str:
     """A file name read from `path`. Raises `FileError` if it is not a plain name in the same folder."""
     if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):

@@ -16,6 +16,7 @@ from typing import Any
 from . import observers
 from .errors import FileError
 from .json_files import read_json_object
+from .paths import refuse_link
 from .progress import ReportProgress
 from .records import RECORDS, digest_of, read_record, record_file, write_record
 from .timing import Clock, peak_bytes_of_all
@@ -74,6 +75,8 @@ class Chain:
         self.root, self.made = root, dict[str, StageResult]()
         self._resume, self._progress = resume, progress
         with _os_errors_as_file_errors(root):
+            for path in root.rglob("*"):
+                refuse_link(path)
             (root / RECORDS).mkdir(exist_ok=True)
             for name in names:
                 _remove(root / f"{name}{PART}")

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write
 from ..core.errors import FileError
-from ..core.paths import refuse_link
+from ..core.paths import job_file
 from .manifest import DAMAGE
 
 LEFT, JOINED = "left", "joined"
@@ -34,12 +34,7 @@ class Joined:
 
 def write_border_data(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any]]) -> None:
     """Write a tile's border data. FileError if the file cannot be written."""
-    path = folder / LEFT / str(step) / f"{tile}.npy"
-    try:
-        refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(path.parent, f"cannot be created: {error.strerror or error}") from error
-    with atomic_write(path) as file:
+    with atomic_write(job_file(folder / LEFT / str(step) / f"{tile}.npy")) as file:
         np.lib.format.write_array(file, np.array([*arrays], dtype="U32"))
         for values in arrays.values():
             np.lib.format.write_array(file, np.ascontiguousarray(values))

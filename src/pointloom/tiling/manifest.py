@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
-from ..core.paths import refuse_link
+from ..core.paths import refuse_links
 from ..core.sqlite_files import check_no_code, check_tables, protect
 from .plan_check import check_plan
 from .schema import CHECKSUMS, TASKS, TILES, check_schema
@@ -77,8 +77,7 @@ class Manifest:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         if not is_there:
             raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
-        for entry in folder.iterdir():  # symlinks of a foreign folder are not followed for writing
-            refuse_link(entry)
+        refuse_links(folder)
         self.base = connect(path)
         try:
             check_no_code(self.base, path, remedy="Plan it again in another folder")

@@ -13,87 +13,120 @@ OUTPUTS = ("laz", "copc")
 LARGEST = 1e300  # sums of numbers stay finite
 
 Check = Callable[[Any], bool]
+Checks = dict[str, Check]  # by field of a JSON object
 
 
-def _is_number(value: Any) -> bool:
+def is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST
 
 
-def _is_count(value: Any) -> bool:
+def is_count(value: Any) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**63
 
 
-def _is_text(value: Any) -> bool:
+def is_text(value: Any) -> bool:
     return isinstance(value, str) and "\0" not in value
 
 
-def _is_text_or_none(value: Any) -> bool:
-    return value is None or _is_text(value)
-
-
-def _is_list(value: Any) -> bool:
+def is_list(value: Any) -> bool:
     return isinstance(value, list)
 
 
-def _numbers(count: int) -> Check:
-    return lambda value: isinstance(value, list) and len(value) == count and all(map(_is_number, value))
+def is_flag(value: Any) -> bool:
+    return isinstance(value, bool)
+
+
+def is_positive(value: Any) -> bool:
+    return is_number(value) and value > 0
+
+
+def numbers(count: int) -> Check:
+    return list_of(is_number, count)
+
+
+def list_of(check: Check, count: int | None = None) -> Check:
+    return lambda value: isinstance(value, list) and count in (None, len(value)) and all(map(check, value))
+
+
+def optional(check: Check) -> Check:
+    return lambda value: value is None or check(value)
+
+
+def below(count: int) -> Check:
+    """Check an index of `count` items."""
+    return lambda value: is_count(value) and value < count
+
+
+def has_fields(checks: Checks) -> Check:
+    return lambda value: isinstance(value, dict) and all(name in value and checks[name](value[name]) for name in checks)
+
+
+def builds(make: Callable[[Any], object]) -> Check:
+    """Check that a constructor accepts a value."""
+
+    def is_right(value: Any) -> bool:
+        try:
+            make(value)
+        except (TypeError, ValueError, LookupError, AttributeError):
+            return False
+        return True
+
+    return is_right
 
 
 def _is_shape(value: Any) -> bool:
     return (
-        isinstance(value, list) and len(value) == 2 and all(map(_is_count, value)) and 0 < math.prod(value) <= MAX_TILES
+        isinstance(value, list) and len(value) == 2 and all(map(is_count, value)) and 0 < math.prod(value) <= MAX_TILES
     )
 
 
 def _is_steps(value: Any) -> bool:
-    return isinstance(value, list) and all(isinstance(step, dict) and _is_text(step.get("step")) for step in value)
+    return isinstance(value, list) and all(isinstance(step, dict) and is_text(step.get("step")) for step in value)
 
 
-_STATE: dict[str, Check] = {"path": _is_text, "size": _is_count, "mtime_ns": lambda value: isinstance(value, int)}
-_SOURCE: dict[str, Check] = {
+_STATE: Checks = {"path": is_text, "size": is_count, "mtime_ns": lambda value: isinstance(value, int)}
+_SOURCE: Checks = {
     **_STATE,
     "kind": lambda value: value in ("copc", "rows"),
-    "points": _is_count,
-    **dict.fromkeys(("low", "high", "scales", "offsets"), _numbers(3)),
-    "crs": _is_text_or_none,
-    "unit": _is_text_or_none,
+    "points": is_count,
+    **dict.fromkeys(("low", "high", "scales", "offsets"), numbers(3)),
+    "crs": optional(is_text),
+    "unit": optional(is_text),
     "attributes": lambda value: isinstance(value, dict),
 }
-_PLAN: dict[str, Check] = {
+_PLAN: Checks = {
     "sources": lambda value: isinstance(value, list) and len(value) > 0,
-    "epochs": _is_list,
+    "epochs": is_list,
     "steps": _is_steps,
-    "guesses": lambda value: isinstance(value, list) and all(map(_is_number, value)),
-    **dict.fromkeys(("origin", "voxel_corner", "low", "high"), _numbers(3)),
-    "corner": _numbers(2),
+    "guesses": list_of(is_number),
+    **dict.fromkeys(("origin", "voxel_corner", "low", "high"), numbers(3)),
+    "corner": numbers(2),
     "shape": _is_shape,
-    "size": lambda value: _is_number(value) and value > 0,
-    "slack": _is_number,
-    "most": _is_count,
-    "levels": _is_count,
+    "size": is_positive,
+    "slack": is_number,
+    "most": is_count,
+    "levels": is_count,
     "only": lambda value: value is None or (isinstance(value, list) and len(value) > 0),
     "output": lambda value: value in OUTPUTS,
 }
-_EPOCH: dict[str, Check] = {
-    "paths": lambda value: isinstance(value, list) and all(map(_is_text, value)),
-    "sources": lambda value: isinstance(value, list) and len(value) > 0,
-}
+_EPOCH: Checks = {"paths": list_of(is_text), "sources": lambda value: isinstance(value, list) and len(value) > 0}
 
 
 def check_plan(plan: Any) -> None:
     """Raise ValueError for the first missing or invalid value of a plan."""
-    _check("plan", plan, _PLAN)
+    check_fields("plan", plan, _PLAN)
     if len(plan["guesses"]) != len(plan["steps"]):
         raise ValueError(f"plan: expected one guess for each of {len(plan['steps'])} steps, got {len(plan['guesses'])}")
     for number, epoch in enumerate(plan["epochs"]):
-        _check(f"epoch {number}", epoch, _EPOCH)
+        check_fields(f"epoch {number}", epoch, _EPOCH)
     for source in [*plan["sources"], *(source for epoch in plan["epochs"] for source in epoch["sources"])]:
-        _check("source", source, _SOURCE)
+        check_fields("source", source, _SOURCE)
         if "original" in source:
-            _check("original", source["original"], _STATE)
+            check_fields("original", source["original"], _STATE)
 
 
-def _check(what: str, table: Any, checks: dict[str, Check]) -> None:
+def check_fields(what: str, table: Any, checks: Checks) -> None:
+    """Raise ValueError for the first missing or invalid field of a JSON object."""
     if not isinstance(table, dict):
         raise ValueError(f"{what}: expected an object, got {shown(table)}")
     for name, is_right in checks.items():

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
-from ..core.paths import refuse_link
+from ..core.paths import job_file
 from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.las_crs import find_keys, find_text
 from ..kernels.lru_cache import LruCache
@@ -40,9 +40,7 @@ def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, i
     if cells is None:
         return
     raster = _raster_of(step, cloud, plan, cells)
-    path = raster_path(folder, step.raster, index)
-    refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
-    raster.write(path)
+    raster.write(job_file(raster_path(folder, step.raster, index)))
 
 
 def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np.int64]) -> Raster:

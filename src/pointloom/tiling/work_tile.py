@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
+from ..core.paths import job_file
 from ..io.points.las_records import for_tiles
 from ..io.points.las_wkt import with_system
 from ..io.points.las_writer import fits_steps, with_scan_angle, write_las
@@ -205,7 +206,7 @@ def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
     if isinstance(plan.steps[-1] if plan.steps else None, Reproject):
         params, table.unit = plan.steps[-1].params, None
         scales, offsets, header = params["scales"], params["offsets"], with_system(header, params["wkt"])
-    path = tile_path(plan, folder, tile)
+    path = job_file(tile_path(plan, folder, tile))
     write_las(path, table, scale=scales, offset=offsets, like=header)
     return checksum_of(path)
 

@@ -8,6 +8,7 @@ from typing import Any
 from ...core import observers
 from ...core.checks import check_progress
 from ...core.errors import FilePath
+from ...core.paths import refuse_link
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, peak_bytes
 from ...io.frames.datasets import open_frames
@@ -84,7 +85,7 @@ def run_system(
     options: dict[str, Any] = {"resume": resume, "device": device, "progress": report_progress}
     if slac:
         slac_params(config)  # fail before the work
-    config.write(job.root / CONFIG_FILE)
+    config.write(refuse_link(job.root / CONFIG_FILE))
     frames = _readable(source, job, resume, report_progress)
     clock.stop("record")
     observers.report("stage", name="fragments")
@@ -115,7 +116,7 @@ def _readable(source: Any, job: JobFiles, resume: bool, report_progress: ReportP
         return source
     if not isinstance(source, RGBDSource):
         raise TypeError(f"source: expected frames of an RGBDSource, got {type(source).__name__}")
-    folder = job.root / RECORDING
+    folder = refuse_link(job.root / RECORDING)
     if not (resume and folder.exists()):
         record_frames(source, folder, progress=report_progress)
     return open_frames(folder)

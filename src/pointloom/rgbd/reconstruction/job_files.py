@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import path_of, refuse_link, refuse_links
 from ...core.records import record_file
 from .config import ReconstructionConfig
 
@@ -22,15 +22,17 @@ class JobFiles:
         if not isinstance(config, ReconstructionConfig):
             raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
         job = cls(path_of(folder, "folder"), config)
-        for path in (job.fragment_cloud(0), job.scene_mesh, job.trajectory, job.record("fragment", 0)):
+        graphs = job.fragment_graph(0), job.fragment_graph_optimized(0)
+        for path in (job.fragment_cloud(0), *graphs, job.scene_mesh, job.trajectory, job.record("fragment", 0)):
             try:
+                for parent in [*path.relative_to(job.root).parents][-2::-1]:
+                    refuse_link(job.root / parent)
                 path.parent.mkdir(parents=True, exist_ok=True)
+                refuse_links(path.parent)
             except OSError as error:
                 raise FileError(path.parent, f"cannot be created: {error.strerror or error}") from error
             if not os.access(path.parent, os.W_OK | os.X_OK):
                 raise FileError(path.parent, "is not writable", remedy="Choose another folder")
-        for name in ("template_fragment_posegraph", "template_fragment_posegraph_optimized"):
-            (job.root / (getattr(config, name) % 0)).parent.mkdir(parents=True, exist_ok=True)
         return job
 
     def fragment_graph(self, number: int) -> Path:

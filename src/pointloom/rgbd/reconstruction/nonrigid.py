@@ -11,6 +11,7 @@ import numpy as np
 from ...core.checks import check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.paths import job_file
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
 from ...registration.deformable.control_grid import ControlGrid
@@ -136,11 +137,7 @@ def _grid_path(job: JobFiles) -> Path:
 
 
 def _write(job: JobFiles, bent: BentPlacement) -> None:
-    paths, placement = [job.slac_graph, _grid_path(job)], bent.placement
-    try:
-        paths[0].parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(paths[0].parent, f"cannot be created: {error.strerror or error}") from error
+    paths, placement = [job_file(path) for path in (job.slac_graph, _grid_path(job))], bent.placement
     write_pose_graph(paths[0], placement.pose_graph)
     write_control_grid(paths[1], bent.grid)
     result = {"poses": placement.poses.tolist(), "before": placement.before, "figures": bent.figures}

@@ -100,7 +100,7 @@ def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: 
             check_writable(path, overwrite=overwrite)
         else:
             check_folder(path, LISTING, overwrite=overwrite)
-        cubes = _cubes_of(manifest)
+        cubes = _cubes_of(manifest, job)
         if not cubes:
             raise FileError(path, "there is nothing to write: no voxel was observed often enough for a surface")
         if is_file:
@@ -110,9 +110,9 @@ def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: 
         return path
 
 
-def _cubes_of(manifest: Manifest) -> list[tuple[str, Cube]]:
+def _cubes_of(manifest: Manifest, job: FusionJob) -> list[tuple[str, Cube]]:
     """Cubes with triangles, by position."""
-    cubes = [(task.name, tuple(task.inputs["cube"])) for task in done_in(manifest, 1) if task.result["triangles"]]
+    cubes = [(task.name, tuple(task.inputs["cube"])) for task in done_in(manifest, job, 1) if task.result["triangles"]]
     return sorted(cubes, key=lambda entry: entry[1])
 
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,7 @@ from ...core.atomic import atomic_write
 from ...core.checks import check_count, check_positive
 from ...core.coordinates import split_origin
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of, plain_name
+from ...core.paths import job_file, path_of, plain_name
 from ...io.frames.datasets import Frame, RGBDDataset, open_frames
 from ...io.frames.frames import depth_unit, read_in_order
 from ...kernels.linear_algebra import inv
@@ -31,6 +31,19 @@ from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
 from ..manifest import NAME, hash_of
+from ..plan_check import (
+    Checks,
+    below,
+    builds,
+    is_count,
+    is_flag,
+    is_number,
+    is_positive,
+    is_text,
+    list_of,
+    numbers,
+    optional,
+)
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 VOXEL_SIZE = 0.02  # [m] as of `fuse`
@@ -42,9 +55,41 @@ _LOWER_CUBES = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 
 Cube = tuple[int, int, int]
 
 
+SOURCE_FIELDS: Checks = {
+    "layout": is_text,
+    "every": lambda value: is_count(value) and value > 0,
+    "depth_scale": optional(is_positive),
+    "leave_out": is_flag,
+    "intrinsic": optional(builds(lambda value: PinholeCameraIntrinsic(**value))),
+}
+
+
 class FusionJob(Job):
     KIND = "fusion"
     STAGES = ("frames", "cubes")
+    PLAN: ClassVar[Checks] = SOURCE_FIELDS | {
+        "frames": is_text,
+        **dict.fromkeys(("voxel_size", "truncation", "depth_max"), is_positive),
+        "blocks": lambda value: is_count(value) and value > 0,
+        "weight_threshold": is_number,
+        "origin": numbers(3),
+        "color": is_flag,
+        "digest": is_text,
+        "left_out": list_of(is_text),
+    }
+
+    def task_fields(self, stage: int) -> tuple[Checks, Checks]:
+        if stage == 1:
+            inputs: Checks = {"cube": list_of(_is_cube_index, 3), "frames": list_of(list_of(below(2**31), 2))}
+            return inputs, dict.fromkeys(("vertices", "triangles", "blocks", "bytes"), is_count)
+        inputs = {"first": below(2**31), "count": lambda value: is_count(value) and value <= CHUNK}
+        result: Checks = {
+            "meeting": lambda value: isinstance(value, dict) and all(map(list_of(below(2**31)), value.values())),
+            "filled": list_of(is_text),
+            "left_out": list_of(is_text),
+            "stamp": is_text,
+        }
+        return inputs, result
 
     @cached_property
     def frames(self) -> RGBDDataset:
@@ -79,8 +124,8 @@ class FusionJob(Job):
         filled: set[Cube] = set()
         for task in done(0):
             filled |= {_cube(name) for name in task.result["filled"]}
-            for name, numbers in task.result["meeting"].items():
-                meeting[_cube(name)] += numbers
+            for name, frames in task.result["meeting"].items():
+                meeting[_cube(name)] += frames
         return [Task(_name(cube), {"cube": cube, "frames": _runs(meeting[cube])}) for cube in sorted(filled)]
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
@@ -114,8 +159,11 @@ class FusionJob(Job):
         low = np.array(inputs["cube"]) * self.plan["blocks"]
         sizes = {"origin": self.origin, "device": self.device, **self._sizes}
         volume = VolumePart(low, low + self.plan["blocks"], **sizes)
-        numbers = (first + k for first, count in inputs["frames"] for k in range(count))
-        for _, frame in self._read(numbers):
+        if any(first + count > len(self.frames) for first, count in inputs["frames"]):
+            reason = f"a task has frames beyond the {len(self.frames)} of {self.plan['frames']}"
+            raise FileError(self.folder / NAME, reason, remedy="Plan it again in another folder")
+        frames = (first + k for first, count in inputs["frames"] for k in range(count))
+        for _, frame in self._read(frames):
             if isinstance(frame, FileError):
                 raise frame
             self._integrate(volume, frame)
@@ -247,6 +295,10 @@ def _digest(frames: RGBDDataset) -> str:
     return hash_of({"camera": asdict(frames.intrinsic), "scale": frames.depth_scale, "frames": digest.hexdigest()})
 
 
+def _is_cube_index(value: Any) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and abs(value) < 2**31
+
+
 def _name(cube: Sequence[int]) -> str:
     return "_".join(map(str, cube))
 
@@ -283,6 +335,5 @@ def write_surface(path: Path, surface: PartSurface, low: NDArray[np.int64], high
     arrays = {"vertices": surface.vertices, "triangles": surface.triangles, **codes}
     if surface.colors is not None:
         arrays["colors"] = surface.colors
-    path.parent.mkdir(exist_ok=True)
-    with atomic_write(path) as file:
+    with atomic_write(job_file(path)) as file:
         np.savez(file, **arrays)

@@ -23,6 +23,7 @@ from ...core.wording import plain
 from ..job_folder import make_folder
 from ..manifest import FINAL_STATES, NAME, Manifest, damage_as_file_errors, new_manifest
 from ..plan import check_same_plan
+from ..plan_check import Checks, check_fields
 from ..schema import TASKS
 
 _STAGE = "stage"  # of meta: the current stage
@@ -48,9 +49,15 @@ class Job(ABC):
 
     KIND: ClassVar[str]
     STAGES: ClassVar[tuple[str, ...]]
+    PLAN: ClassVar[Checks]
 
     def __init__(self, plan: dict[str, Any], folder: Path):
+        check_fields("plan", plan, self.PLAN)
         self.plan, self.folder, self.device = plan, folder, "cpu"
+
+    @abstractmethod
+    def task_fields(self, stage: int) -> tuple[Checks, Checks]:
+        """Checks of the input and the result of a stage's tasks, since the folder may be damaged or untrusted."""
 
     @abstractmethod
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
@@ -116,7 +123,7 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
             _insert(base, 0, tasks)
     with Manifest(folder, is_job=True) as manifest:
         check_same_plan(manifest, plan)
-        return status_of(manifest, kind(plan, folder))
+        return status_of(manifest, kind(manifest.plan, folder))
 
 
 def stamp_of(paths: Iterable[Path]) -> str:
@@ -147,17 +154,29 @@ def stage_of(manifest: Manifest) -> int:
         return int(rows[0]["value"])
 
 
-def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
-    """Finished tasks of a stage in order, fetched by thousands."""
-    last = -1
+def read_inputs(manifest_path: Path, job: Job, stage: int, name: str, text: str) -> dict[str, Any]:
+    """Input of a task. FileError if it is invalid."""
+    with damage_as_file_errors(manifest_path):
+        inputs = json.loads(text)
+        check_fields(f"task {name}", inputs, job.task_fields(stage)[0])
+        return inputs
+
+
+def done_in(manifest: Manifest, job: Job, stage: int) -> Iterator[Done]:
+    """Finished tasks of a stage in order, fetched by thousands. FileError if one is invalid."""
+    last, path = -1, manifest.folder / NAME
+    with damage_as_file_errors(path):
+        _, checks = job.task_fields(stage)
     while True:
         query = "SELECT * FROM tasks WHERE stage = ? AND state = 'done' AND id > ? ORDER BY id LIMIT 1000"
         rows = manifest.rows(query, stage, last)
         if not rows:
             return
         for row in rows:
-            with damage_as_file_errors(manifest.folder / NAME):
-                inputs, result = json.loads(row["told"]), json.loads(row["found"])
+            inputs = read_inputs(path, job, stage, row["name"], row["told"])
+            with damage_as_file_errors(path):
+                result = json.loads(row["found"])
+                check_fields(f"result of {row['name']}", result, checks)
             yield Done(row["name"], inputs, result)
         last = rows[-1]["id"]
 
@@ -165,7 +184,7 @@ def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
 def advance(manifest: Manifest, job: Job, stage: int) -> None:
     """Start the next stage, unless another process did."""
     with damage_as_file_errors(manifest.folder / NAME):
-        tasks = job.follow(stage, lambda earlier: done_in(manifest, earlier))
+        tasks = job.follow(stage, lambda earlier: done_in(manifest, job, earlier))
     with manifest.change() as base:
         query = "UPDATE meta SET value = ? WHERE key = ? AND value = ?"
         if base.execute(query, (str(stage + 1), _STAGE, str(stage))).rowcount:
@@ -184,7 +203,7 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
     left = sum(counts[state] for state in counts if state not in ("done", "empty"))
     bad = manifest.rows("SELECT name, error FROM tasks WHERE state IN ('failed', 'aside') ORDER BY id")
     with damage_as_file_errors(manifest.folder / NAME):
-        notes = tuple(job.notes(lambda earlier: done_in(manifest, earlier)))
+        notes = tuple(job.notes(lambda earlier: done_in(manifest, job, earlier)))
     return JobStatus(
         folder=str(manifest.folder),
         job=job.KIND,

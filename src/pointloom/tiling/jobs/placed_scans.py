@@ -12,6 +12,7 @@ import numpy as np
 from ...core.errors import FilePath
 from ...core.wording import plain
 from ...registration.pose_graphs.multiway import FragmentsResult, fragments_result
+from ..manifest import NAME, damage_as_file_errors
 from .job import Done, done_in
 from .run_jobs import finished_job
 from .scans import STAGE_WORDS, RegistrationJob, solve_graph
@@ -68,8 +69,8 @@ def finish_registration(folder: FilePath) -> PlacedScans:
         FileError: If tasks are not done.
     """
     manifest, job = finished_job(folder, RegistrationJob)
-    with manifest:
-        done = partial(done_in, manifest)
+    with manifest, damage_as_file_errors(manifest.folder / NAME):
+        done = partial(done_in, manifest, job)
         graph, pairs = solve_graph(done, job.size, job.plan["free"])
         result = fragments_result(graph, pairs, job.size, job.plan["free"])
         points = sum(task.result["points"] for task in done(0))
@@ -83,7 +84,7 @@ def _tried(job: RegistrationJob, result: FragmentsResult, done: Callable[[int], 
     for stage in (1, 2, 4):
         for task in done(stage):
             source, target, pair = task.inputs["source"], task.inputs["target"], task.result["pair"]
-            score = (task.result if pair is None else pair)["score"]
+            score = task.result["score"]
             if pair is None:
                 status = task.result["doubt"]
             elif not result.placed[source]:

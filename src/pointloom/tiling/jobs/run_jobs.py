@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from functools import lru_cache, partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_progress
@@ -19,9 +19,10 @@ from ...io.frames.datasets import open_frames
 from ...rgbd.reconstruction.config import ReconstructionConfig
 from ...rgbd.reconstruction.job import run_system
 from ..manifest import NAME, Manifest, damage_as_file_errors, message_of
+from ..plan_check import Checks, builds, is_count, is_flag, is_text, list_of
 from ..processes import run_tasks
 from ..runners import check_part
-from .fusion import FusionJob
+from .fusion import SOURCE_FIELDS, FusionJob
 from .job import (
     Done,
     Job,
@@ -32,6 +33,7 @@ from .job import (
     make_job,
     open_manifest,
     over_in,
+    read_inputs,
     stage_of,
     stamp_of,
     status_of,
@@ -44,6 +46,17 @@ SEQUENCES = "sequences"  # folder of the results
 class SequencesJob(Job):
     KIND = "sequences"
     STAGES = ("sequences",)
+    PLAN: ClassVar[Checks] = SOURCE_FIELDS | {
+        "frames": list_of(is_text),
+        "refine": is_flag,
+        "slac": is_flag,
+        "config": builds(ReconstructionConfig.from_names),
+    }
+
+    def task_fields(self, stage: int) -> tuple[Checks, Checks]:
+        result: Checks = {"frames": is_count, "used": is_count, "stamp": is_text}
+        result |= dict.fromkeys(("files", "warnings", "left_out"), list_of(is_text))
+        return {"frames": lambda value: value in self.plan["frames"]}, result
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
         for task in done(0):
@@ -200,7 +213,7 @@ def run_job(
     manifest, job = open_job(folder)
     with manifest:
         with damage_as_file_errors(manifest.folder / NAME):
-            job.check(partial(done_in, manifest))
+            job.check(partial(done_in, manifest, job))
         manifest.release_claims()
         notify = partial(_report_progress, manifest, job, report)
         notify()
@@ -302,7 +315,8 @@ class _Taskbook:
 
 
 def _do(job: Job, task: _Task) -> str:
-    return json.dumps(job.do(task.stage, task.name, json.loads(task.inputs)), allow_nan=False)
+    inputs = read_inputs(job.folder / NAME, job, task.stage, task.name, task.inputs)
+    return json.dumps(job.do(task.stage, task.name, inputs), allow_nan=False)
 
 
 def _do_alone(folder: str, task: _Task, device: str) -> str:

@@ -11,7 +11,7 @@ import zipfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from ...core.atomic import atomic_write
 from ...core.checks import LARGEST_NUMBER, check_count, check_positive, check_rigid, check_seed, check_shape
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import job_file, path_of
 from ...io.points.point_cloud import read_point_cloud
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import matmul, norm
@@ -43,6 +43,21 @@ from ...registration.pose_graphs.fragment_graph import (
 )
 from ...registration.pose_graphs.multiway import check_known, pairs_to_try, try_pair
 from ...registration.result import MIN_SCORE
+from ..plan_check import (
+    Checks,
+    below,
+    check_fields,
+    has_fields,
+    is_count,
+    is_flag,
+    is_list,
+    is_number,
+    is_positive,
+    is_text,
+    list_of,
+    numbers,
+    optional,
+)
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 SURFACES = "surfaces"  # folder of thinned scans
@@ -55,11 +70,45 @@ ALIKE = 8  # default neighbors by similarity
 class RegistrationJob(Job):
     KIND = "registration"
     STAGES = ("scans", "pairs", "pairs alike", "graph", "loops")
+    PLAN: ClassVar[Checks] = {
+        "scans": lambda value: list_of(is_text)(value) and len(value) > 0,
+        "voxel_size": is_positive,
+        "places": optional(list_of(optional(lambda value: numbers(3)(value) or _is_pose(value)))),
+        "place_error": is_number,
+        "neighbors": optional(is_count),
+        "pairs": optional(list_of(list_of(is_count, 2))),
+        "known": is_list,
+        "alike": is_count,
+        "free": optional(list_of(is_text)),
+        "seed": is_count,
+    }
 
     def __init__(self, plan: dict[str, Any], folder: Path):
         super().__init__(plan, folder)
+        scan = below(len(plan["scans"]))
+        self._pair: Checks = {
+            **dict.fromkeys(("source", "target"), scan),
+            "transformation": numbers(16),
+            "fitness": is_number,
+            "score": optional(is_number),
+        }
+        pairs: Checks = {"known": list_of(has_fields(self._pair)), "pairs": optional(list_of(list_of(scan, 2)))}
+        places: Checks = {"places": optional(lambda value: len(value) == len(plan["scans"]))}
+        check_fields("plan", plan, pairs | places)
         self.size: float = plan["voxel_size"]
         self._described = lru_cache(MAX_CACHED)(self._describe)
+
+    def task_fields(self, stage: int) -> tuple[Checks, Checks]:
+        refined = has_fields(self._pair | {"information": list_of(numbers(6), 6)})
+        if stage == 0:
+            result = dict.fromkeys(("low", "high", "origin"), numbers(3)) | {"points": is_count, "voxels": is_count}
+            result |= {"radius": is_number, "look": list_of(is_number), "unit": optional(is_text)}
+            return {"scan": self._pair["source"]}, result | {"stamp": is_text}
+        if stage == 3:
+            extents = list_of(numbers(4), len(self.plan["scans"]))
+            return {"extents": extents, "pairs": list_of(refined)}, {"candidates": list_of(has_fields(self._pair))}
+        result = {"pair": optional(refined), "score": optional(is_number), "doubt": is_text}
+        return self._pair | {"is_known": is_flag}, result
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
         for task in done(0):
@@ -92,7 +141,7 @@ class RegistrationJob(Job):
             return [_to_try(*ends) for ends in self._alike(scans, list(done(1)))]
         if stage == 2:
             extents = [[*task.result["origin"], task.result["radius"]] for task in scans]
-            return [Task("graph", {"extents": extents, "pairs": [entry for entry, _ in _accepted_results(done)]})]
+            return [Task("graph", {"extents": extents, "pairs": _accepted_pairs(done)})]
         (graph,) = done(3)
         return [_task(pair_of(entry), is_known=False) for entry in graph.result["candidates"]]
 
@@ -146,8 +195,7 @@ class RegistrationJob(Job):
         described = describe(cloud, self.size)
         surface, path = described.thinned, self._surface_path(scan)
         points, normals = (download(surface._device_array(name)).reshape(-1, 3) for name in ("points", "normals"))
-        path.parent.mkdir(exist_ok=True)
-        with atomic_write(path) as file:
+        with atomic_write(job_file(path)) as file:
             np.savez(file, points=points, normals=normals, origin=surface.origin)
         extent, points = Extent.of(surface), surface.points
         ends = [points.min(axis=0).tolist(), points.max(axis=0).tolist()] if len(points) else [[0.0] * 3] * 2
@@ -178,7 +226,8 @@ class RegistrationJob(Job):
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
         (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])
-        return {"pair": _pair_to_json(pair), "information": information.tolist()}
+        entry = _pair_to_json(pair)
+        return {"pair": entry | {"information": information.tolist()}, "score": entry["score"], "doubt": ""}
 
     def _graph(self, inputs: dict[str, Any]) -> dict[str, Any]:
         """Pairs that overlap according to the poses and were not found yet."""
@@ -271,9 +320,9 @@ def solve_graph(
     """Pose graph of a finished job, and the accepted pairs."""
     (graph,) = done(3)
     result, pairs, information = _solve_graph(graph.inputs, size, free)
-    closing = [task.result for task in done(4) if task.result["pair"]]
+    closing = [task.result["pair"] for task in done(4) if task.result["pair"]]
     if closing:
-        pairs += [pair_of(row["pair"]) for row in closing]
+        pairs += [pair_of(row) for row in closing]
         information += [np.array(row["information"]) for row in closing]
         result = with_pairs(result, pairs, information, size, free)
     return result, pairs
@@ -284,7 +333,7 @@ def _solve_graph(
 ) -> tuple[FragmentGraph, list[FragmentPair], list[NDArray[np.float64]]]:
     """Pose graph of a task's pairs, these pairs, and their information."""
     extents = [Extent(np.array(row[:3]), row[3]) for row in inputs["extents"]]
-    pairs = [pair_of(row["pair"]) for row in inputs["pairs"]]
+    pairs = [pair_of(row) for row in inputs["pairs"]]
     information = [np.array(row["information"]) for row in inputs["pairs"]]
     return poses_from_pairs(extents, pairs, information, size, free), pairs, information
 
@@ -313,13 +362,13 @@ def _to_try(i: int, j: int) -> Task:
     return _task(FragmentPair(j, i, np.eye(4), 0.0, 0.0), is_known=False)
 
 
-def _accepted_results(done: Callable[[int], Iterator[Done]]) -> list[tuple[dict[str, Any], Any]]:
-    """Results of accepted pairs: known ones first, then by scans."""
+def _accepted_pairs(done: Callable[[int], Iterator[Done]]) -> list[dict[str, Any]]:
+    """Accepted pairs: known ones first, then by scans."""
     accepted = [task for stage in (1, 2) for task in done(stage) if task.result["pair"]]
     known = [task for task in accepted if task.inputs["is_known"]]
     rest = [task for task in accepted if not task.inputs["is_known"]]
     rest.sort(key=lambda task: (task.inputs["target"], task.inputs["source"]))
-    return [(task.result, task.inputs) for task in (*known, *rest)]
+    return [task.result["pair"] for task in (*known, *rest)]
 
 
 def _check_prior_poses(poses: Sequence[Any], count: int) -> list[Any]:
@@ -334,6 +383,10 @@ def _check_prior_poses(poses: Sequence[Any], count: int) -> list[Any]:
         else:
             checked.append(check_shape(f"places[{k}]", pose, (3,)).tolist())
     return checked
+
+
+def _is_pose(value: Any) -> bool:
+    return list_of(numbers(4), 4)(value)
 
 
 Box = tuple[NDArray[np.float64], NDArray[np.float64]]
