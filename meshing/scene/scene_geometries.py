@@ -13,6 +13,7 @@ from ...core.checks import check_count, check_rigid, check_rows
 from ...core.coordinates import NEAR_ZERO
 from ...core.devices import check_same_device, resolve_device
 from ...core.pickled_arrays import device_like, unpickling
+from ...core.serialized import Serialized
 from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
@@ -21,7 +22,7 @@ from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_arrays import check_mesh
 
 
-class SceneGeometries(KnownNames):
+class SceneGeometries(Serialized, KnownNames):
     """Meshes of a RaycastingScene. Base of the query mixins.
 
     A geometry is a posed mesh. `_meshes` and `_trees` store each mesh once, `_mesh_of` maps geometries to meshes, and

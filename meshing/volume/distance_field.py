@@ -257,7 +257,8 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         if not isinstance(grid, OccupancyGrid):
             raise TypeError(f"grid: expected an OccupancyGrid, got {type(grid).__name__}")
         limit = check_positive("max_distance", max_distance)
-        return cls._from_device_voxels(grid._device_voxels(), FieldSource(grid.origin, grid.voxel_size, limit))
+        with grid._lock:
+            return cls._from_device_voxels(grid._device_voxels(), FieldSource(grid.origin, grid.voxel_size, limit))
 
     @classmethod
     def _from_device_voxels(cls, cells: Cells, source: FieldSource) -> DistanceField:

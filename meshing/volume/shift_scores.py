@@ -25,6 +25,18 @@ def score_shifts(
     """Mean closeness of points (n, 3) to the surface after each shift (m, 3) [m], 0 (a truncation off, or unseen) to 1.
     Voxels with at most `weight_threshold` frames are ignored. Shifts whose first points score below `min_score` stop
     early. With `is_coarse` a point scores 1 in any existing block."""
+    with volume._lock:
+        return _score_shifts(volume, points, shifts, weight_threshold, min_score, is_coarse)
+
+
+def _score_shifts(
+    volume: TSDFVolume,
+    points: NDArray[np.float64],
+    shifts: NDArray[np.float64],
+    weight_threshold: float,
+    min_score: float,
+    is_coarse: bool,
+) -> NDArray[np.float32]:
     blocks = volume._blocks
     local_points: Any = upload(((points - volume.origin) / volume.voxel_size).astype(np.float32), vec3, blocks.device)
     moves: Any = upload((shifts / volume.voxel_size).astype(np.float32), vec3, blocks.device)

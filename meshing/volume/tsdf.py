@@ -24,6 +24,7 @@ from ...core.dropped_results import returns_new
 from ...core.errors import values_of_file
 from ...core.observers import report
 from ...core.pickled_arrays import device_like, unpickling
+from ...core.serialized import one_at_a_time
 from ...kernels.images import depth as depth_images
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import download
@@ -179,6 +180,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
         return count
 
+    @one_at_a_time
     def _integrate_device_frame(
         self,
         depth: Any,
@@ -308,6 +310,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return cast_view(seen, intrinsic, T, (near, far), self.origin, colored, self._library)
 
+    @one_at_a_time
     def _render_maps(
         self,
         intrinsic: PinholeCameraIntrinsic,
@@ -325,6 +328,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return render_maps(seen, intrinsic, T, (near, far), colored, normals)
 
+    @one_at_a_time
     def _render_colors(
         self,
         intrinsic: PinholeCameraIntrinsic,

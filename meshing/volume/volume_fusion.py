@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_list, check_positive, check_rigid
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
+from ...core.serialized import locked_objects
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.memory import download
 from ...kernels.volumes.volume_fusion import check_range, fuse_moved
@@ -87,6 +88,11 @@ def fuse_volumes(
         True
     """
     moved = _check_volumes(volumes, poses)
+    with locked_objects(m.volume for m in moved):
+        return _fuse(moved, voxel_size, truncation, color)
+
+
+def _fuse(moved: list[_Moved], voxel_size: float | None, truncation: float | None, color: bool | None) -> TSDFVolume:
     first = moved[0].volume
     filled = [m.volume for m in moved if m.volume.frame_count]
     coarsest = max(m.volume.voxel_size for m in moved)

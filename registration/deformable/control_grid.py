@@ -13,6 +13,7 @@ from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rows
 from ...core.devices import check_same_device, resolve_device
+from ...core.serialized import Serialized
 from ...kernels.lang import launch, vec3, vec3d
 from ...kernels.memory import download, empty, upload, write
 from ...kernels.poses.control_lattice import (
@@ -29,7 +30,7 @@ from ...pcd.point_arrays import check_cloud
 GRID_SIZE = 3 / 8  # [m] as in Open3D and the paper: 8 cells per 3 m fragment
 
 
-class ControlGrid:
+class ControlGrid(Serialized):
     """A sparse regular grid of displaced anchors that deforms the space between them.
 
     Points move by trilinear interpolation of eight anchors, normals by the inverse transpose of the Jacobian. The grid

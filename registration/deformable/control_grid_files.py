@@ -27,14 +27,15 @@ FORMAT = b"pointloom control grid 1"
 
 
 def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overwrite: bool = True) -> None:
-    lattice = grid._lattice
-    members: dict[str, Any] = {
-        "format": np.frombuffer(FORMAT, np.uint8),
-        "sizes": np.array([grid.grid_size]),
-        "origin": grid.origin,
-        "cells": np.asarray(download(lattice.cell_keys), np.int64),
-        "shifts": np.asarray(download(lattice.shifts), np.float64).reshape(-1, 3),
-    }
+    with grid._lock:
+        lattice = grid._lattice
+        members: dict[str, Any] = {
+            "format": np.frombuffer(FORMAT, np.uint8),
+            "sizes": np.array([grid.grid_size]),
+            "origin": grid.origin,
+            "cells": np.asarray(download(lattice.cell_keys), np.int64),
+            "shifts": np.asarray(download(lattice.shifts), np.float64).reshape(-1, 3),
+        }
     with atomic_write(path, overwrite=overwrite) as file:
         np.savez_compressed(file, **members)
 

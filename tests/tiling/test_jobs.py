@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import json
 import shutil
 import sqlite3
 from collections import Counter
@@ -19,7 +20,7 @@ from pointloom.tiling.jobs import run_jobs
 from pointloom.tiling.jobs import scans as scans_job
 from pointloom.tiling.jobs.run_jobs import job_status, plan_sequences, retry_job
 from pointloom.tiling.jobs.scans import box_at_pose, groups_of, meeting_boxes, most_similar, nearest_of
-from pointloom.tiling.manifest import NAME, Manifest
+from pointloom.tiling.manifest import NAME, Manifest, canonical, hash_of
 
 from .scenes import watch_calls
 
@@ -351,3 +352,70 @@ def test_task_names_cannot_be_paths(sequences, tmp_path, name):
     status = loom.tiling.run_job(job)
     assert status.failed == 1 and "expected a plain file name" in str(status)
     assert not (job / "sequences").exists() and not (tmp_path / "outside").exists()
+
+
+def finished(kind, surveyed, sequences, job):
+    """A finished job, and the function that uses its results."""
+    if kind == "registration":
+        by_tasks(surveyed[0][:2], job)
+        return loom.tiling.finish_registration
+    if kind == "fusion":
+        loom.tiling.plan_fusion(sequences[1], job, voxel_size=0.1)
+    else:
+        plan_sequences(sequences[1:], job, config=CONFIG)
+    assert loom.tiling.run_job(job).is_finished
+    return loom.tiling.finish_fusion if kind == "fusion" else job_status
+
+
+@pytest.mark.parametrize("kind", run_jobs.KINDS)
+def test_each_field_of_an_untrusted_job_is_validated(kind, surveyed, sequences, tmp_path):
+    """A plan, an input or a result with another type is an error that names the manifest."""
+    job = tmp_path / "job"
+    finish = finished(kind, surveyed, sequences, job)
+    with contextlib.closing(sqlite3.connect(job / NAME, isolation_level=None)) as base:
+        (text,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
+        plan, rows = json.loads(text), base.execute("SELECT stage, id, told, found FROM tasks").fetchall()
+        first = {stage: row for stage, *row in reversed(rows)}  # of each stage
+
+        def is_rejected():
+            with pytest.raises(FileError, match=r"plan\.sqlite"):
+                loom.tiling.run_job(job)
+                finish(job)
+            return True
+
+        def store(value):
+            known = {"plan": canonical(value), "hash": hash_of(value)}
+            base.executemany("UPDATE meta SET value = ? WHERE key = ?", [(known[key], key) for key in known])
+
+        for name in plan.keys() - {"job"}:
+            store(plan | {name: {"/etc/passwd": 1}})
+            assert is_rejected(), name
+        store(plan)
+        for row, *texts in first.values():
+            for column, text in zip(("told", "found"), texts, strict=True):
+                for name in json.loads(text):
+                    changed = json.dumps(json.loads(text) | {name: {"/etc/passwd": [1]}})
+                    base.execute(f"UPDATE tasks SET {column} = ? WHERE id = ?", (changed, row))
+                    assert is_rejected(), (column, name)
+                base.execute(f"UPDATE tasks SET {column} = ? WHERE id = ?", (text, row))
+        finish(job)
+
+
+@pytest.mark.parametrize("kind", run_jobs.KINDS)
+def test_no_job_writes_through_symbolic_links(kind, surveyed, sequences, tmp_path):
+    job, unrelated = tmp_path / "job", tmp_path / "kept"
+    finished(kind, surveyed, sequences, job)
+    outputs = [path for path in job.rglob("*") if path.is_file() and path.suffix in (".npz", ".ply", ".json", ".log")]
+    assert outputs
+    for path in (outputs[0], outputs[-1], outputs[0].parent):
+        with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
+            base.execute("UPDATE tasks SET state = 'waiting'")
+            base.execute("UPDATE meta SET value = '0' WHERE key = 'stage'")
+        shutil.rmtree(path) if path.is_dir() else path.unlink()
+        unrelated.mkdir() if path == outputs[0].parent else unrelated.write_text("mine")
+        path.symlink_to(unrelated)
+        with contextlib.suppress(FileError):
+            assert "symbolic link" in str(loom.tiling.run_job(job))
+        assert [*unrelated.iterdir()] == [] if unrelated.is_dir() else unrelated.read_text() == "mine"
+        path.unlink()
+        unrelated.unlink(missing_ok=True) if unrelated.is_file() else None

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import inspect
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, Self
 
-_OPERATORS = {"__len__", "__contains__", "__getitem__", "__iter__", "__call__", "__repr__", "__getstate__"}
+_OPERATORS = {
+    "__len__", "__contains__", "__getitem__", "__setitem__", "__delitem__", "__iter__", "__call__", "__repr__",
+    "__getstate__", "__copy__", "__deepcopy__", "__reduce__",
+}  # fmt: skip
 
 
 class Serialized:
@@ -22,7 +26,7 @@ class Serialized:
 
     def __new__(cls, *args: Any, **options: Any) -> Self:
         made = super().__new__(cls)
-        made._lock = threading.RLock()
+        object.__setattr__(made, "_lock", threading.RLock())
         return made
 
     def __init_subclass__(cls, **options: Any) -> None:
@@ -31,16 +35,31 @@ class Serialized:
             if name.startswith("_") and name not in _OPERATORS:
                 continue
             if isinstance(value, property):
-                parts = (part and _locked(part) for part in (value.fget, value.fset, value.fdel))
+                parts = (part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel))
                 setattr(cls, name, property(*parts, value.__doc__))
             elif inspect.isfunction(value):
-                setattr(cls, name, _locked(value))
+                setattr(cls, name, one_at_a_time(value))
+
+    def __getstate__(self) -> Any:
+        """The attributes without the lock: a copy has its own."""
+        return {name: value for name, value in vars(self).items() if name != "_lock"}
 
 
-def _locked(function: Callable[..., Any]) -> Callable[..., Any]:
+def one_at_a_time(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A method that holds the lock of its object. For private methods that other objects call."""
+
     @functools.wraps(function)
     def call(self: Any, *args: Any, **options: Any) -> Any:
         with self._lock:
             return function(self, *args, **options)
 
     return call
+
+
+@contextlib.contextmanager
+def locked_objects(objects: Iterable[Serialized]) -> Iterator[None]:
+    """Hold the locks of several objects, in the same order for all callers."""
+    with contextlib.ExitStack() as stack:
+        for each in sorted(objects, key=id):
+            stack.enter_context(each._lock)
+        yield

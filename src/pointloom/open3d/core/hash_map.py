@@ -12,6 +12,7 @@ from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_count
 from ...core.paths import input_path
+from ...core.serialized import Serialized
 from .device import Device
 from .dtype import Dtype
 from .errors import TensorError
@@ -21,7 +22,7 @@ from .tensor import Tensor
 Rows = NDArray[Any]
 
 
-class _Table(HintedNames):
+class _Table(Serialized, HintedNames):
     """Keys in the rows of a buffer, with values in the same rows of others.
 
     The buffers are on the device, and keys are looked up on the host, by binary search. A key keeps its row until it is

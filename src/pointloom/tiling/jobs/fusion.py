@@ -7,6 +7,7 @@ layer of blocks of the next cubes, and extracts its triangles. Results are bitwi
 from __future__ import annotations
 
 import hashlib
+import re
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
@@ -50,6 +51,7 @@ VOXEL_SIZE = 0.02  # [m] as of `fuse`
 BLOCKS = 32  # default blocks along a cube: 256 voxels. At most 400 MB with color
 CHUNK = 32  # frames per task
 CUBES = "cubes"  # folder of their surfaces
+_CUBE_NAME = re.compile(r"-?[0-9]{1,10}(_-?[0-9]{1,10}){2}")
 _LOWER_CUBES = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 
 Cube = tuple[int, int, int]
@@ -84,8 +86,8 @@ class FusionJob(Job):
             return inputs, dict.fromkeys(("vertices", "triangles", "blocks", "bytes"), is_count)
         inputs = {"first": below(2**31), "count": lambda value: is_count(value) and value <= CHUNK}
         result: Checks = {
-            "meeting": lambda value: isinstance(value, dict) and all(map(list_of(below(2**31)), value.values())),
-            "filled": list_of(is_text),
+            "meeting": _is_frames_by_cube,
+            "filled": list_of(_is_cube_name),
             "left_out": list_of(is_text),
             "stamp": is_text,
         }
@@ -297,6 +299,16 @@ def _digest(frames: RGBDDataset) -> str:
 
 def _is_cube_index(value: Any) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and abs(value) < 2**31
+
+
+def _is_cube_name(value: Any) -> bool:
+    return is_text(value) and _CUBE_NAME.fullmatch(value) is not None
+
+
+def _is_frames_by_cube(value: Any) -> bool:
+    return (
+        isinstance(value, dict) and all(map(_is_cube_name, value)) and all(map(list_of(below(2**31)), value.values()))
+    )
 
 
 def _name(cube: Sequence[int]) -> str:

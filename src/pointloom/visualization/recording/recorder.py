@@ -17,6 +17,7 @@ from ...core.checks import check_count, check_name, check_number, check_positive
 from ...core.observers import watch
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
+from ...core.serialized import Serialized
 from ..render.parts import Matrix, Triple
 from ..render.styles import STYLE_KEYS, Style
 from ..render.up_axis import direction_under, up_of_geometry
@@ -113,7 +114,7 @@ class NothingRecordedError(ValueError):
     """Raised if there is no frame to write."""
 
 
-class Recorder:
+class Recorder(Serialized):
     """An active recording to the file `path`, with the `max_points` of `record`."""
 
     _up: Triple | None = None  # up axis of the first geometry that defines one

@@ -16,6 +16,7 @@ from ....core.checks import check_count, check_positive, check_rigid, is_on_gpu
 from ....core.coordinates import origin_of_sensor
 from ....core.devices import resolve_device
 from ....core.errors import FilePath
+from ....core.serialized import Serialized
 from ....kernels.images.depth import largest_depth, metric_depth
 from ....kernels.linear_algebra import inv, matmul
 from ....kernels.memory import download
@@ -40,7 +41,7 @@ RENDERED = ("depth", "vertex", "normal", "color", *AROUND)
 CORNERS = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)[:, ::-1]  # x fastest
 
 
-class VoxelBlockGrid(KnownNames):
+class VoxelBlockGrid(Serialized, KnownNames):
     """Truncated signed distances, weights and colors of voxels in hashed blocks, integrated from depth images.
 
     Blocks have 8^3 voxels for any `block_resolution`, and their number grows as needed. All integrations have one

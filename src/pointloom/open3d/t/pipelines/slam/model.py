@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from .....core.attribute_hints import KnownNames
+from .....core.serialized import Serialized
 from .....registration.rigid import invert_pose
 from .....rgbd.odometry.options import Method
 from ....core.device import Device
@@ -23,7 +24,7 @@ STEPS = (6, 3, 1)  # of the levels, the coarsest first
 SEEN_OFTEN = 3.0  # weight above which voxels are rendered
 
 
-class Model(KnownNames):
+class Model(Serialized, KnownNames):
     """A grid, and the pose T_world_camera of the last frame: integrate, render from that pose, track the next frame.
 
     Odometry has Open3D's weights. `loom.slam.DenseSLAM` also detects failures and closes loops.

@@ -1,0 +1,238 @@
+"""Stateful objects may be used by several threads: calls of one object run one at a time."""
+
+import copy
+import re
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from enum import Enum
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+import pointloom.open3d as o3d
+from pointloom.core.serialized import Serialized
+from pointloom.datasets.scenes.room import room_sequence
+from pointloom.io.frames.datasets import Frame
+from pointloom.open3d.core.hash_map import HashMap
+
+from .core.test_messages import public_classes
+from .programs import ROOT
+
+CAMERA = loom.PinholeCameraIntrinsic(40, 30, 32.0, 32.0, 19.5, 14.5)
+DEPTH = np.full((30, 40), 1000, np.uint16)
+BALL = np.random.default_rng(0).normal(size=(300, 3))
+BALL /= np.linalg.norm(BALL, axis=1)[:, None]
+ROOM = room_sequence(300, width=80, height=60)
+WALK = [ROOM.read(k) for k in range(5)]
+STEPS, READERS = 6, 7
+
+
+def along(step, spacing=2.5):
+    return np.array([spacing * step, 0.0, 0.0])
+
+
+def moved(step):
+    T = np.eye(4)
+    T[:3, 3] = -along(step)
+    return T
+
+
+def volume_of(device, _=None):
+    return loom.TSDFVolume(voxel_size=0.05, color=False, device=device)
+
+
+def surface(volume):
+    mesh = volume.extract_triangle_mesh(0.0)
+    return mesh.vertices, mesh.triangles, volume.frame_count
+
+
+def paged_volume_of(device, folder):
+    return loom.PagedTSDFVolume(folder, voxel_size=0.05, color=False, max_blocks=200, device=device)
+
+
+def room_steps(slam, step):
+    slam.step(loom.RGBDImage(WALK[step % 5].color, WALK[step % 5].depth))
+
+
+def scan_steps(odometry, step):
+    odometry.register(loom.PointCloud(BALL * [8, 6, 2] - along(step, 0.1), device=odometry.device))
+
+
+def add_triangle(scene, step):
+    scene.add_triangles(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]) + along(step), [[0, 1, 2]])
+
+
+def record(recorder, step):
+    recorder.write(Frame(DEPTH, None, np.eye(4), f"f{step}"))
+
+
+def recorded(recorder):
+    return recorder.count, *sorted(path.name for path in Path(recorder.folder).iterdir())
+
+
+def cast(scene):
+    rays = [[*(along(step) + 0.2), 0, 0, -1] for step in range(STEPS)]
+    return scene.cast_rays(rays)["t_hit"], scene.compute_distance(BALL)
+
+
+def insert(table, step):
+    keys = np.arange(50 * step, 50 * step + 60)[:, None]
+    table.insert(o3d.core.Tensor(keys), o3d.core.Tensor(keys * 2.0))
+
+
+def found(table):
+    _, mask = table.find(o3d.core.Tensor(np.arange(400)[:, None]))
+    return mask.numpy(), table.size(), len(table.active_buf_indices())
+
+
+def integrate_blocks(grid, step):
+    depth, camera = o3d.t.geometry.Image(o3d.core.Tensor(DEPTH)), o3d.core.Tensor(CAMERA.matrix)
+    grid.integrate(None, depth, camera, o3d.core.Tensor(moved(step)), depth_max=3.0)
+
+
+def blocks_of(device, _):
+    kinds = (o3d.core.float32, o3d.core.float32)
+    where = o3d.core.Device("CUDA:0" if "cuda" in device else "CPU:0")
+    return o3d.t.geometry.VoxelBlockGrid(("tsdf", "weight"), kinds, ((1,), (1,)), 0.05, device=where)
+
+
+def positions(grid):
+    return grid.get_curr_positions() if len(grid) else np.zeros(0), len(grid)
+
+
+CASES = {
+    "TSDFVolume.integrate": (volume_of, lambda volume, step: volume.integrate(DEPTH, CAMERA, moved(step)), surface),
+    "TSDFVolume.integrate_points": (
+        volume_of,
+        lambda volume, step: volume.integrate_points(BALL + along(step), along(step)),
+        surface,
+    ),
+    "TSDFVolume, fused and copied": (
+        volume_of,
+        lambda volume, step: volume.integrate(DEPTH, CAMERA, moved(step)),
+        lambda volume: surface(loom.fuse_volumes([copy.copy(volume), volume], [np.eye(4)] * 2)),
+    ),
+    "PagedTSDFVolume": (
+        lambda device, folder: loom.PagedTSDFVolume(
+            folder, voxel_size=0.05, color=False, max_blocks=200, device=device
+        ),
+        lambda volume, step: volume.integrate(DEPTH, CAMERA, moved(step)),
+        surface,
+    ),
+    "OccupancyGrid": (
+        lambda device, _: loom.OccupancyGrid(0.2, device=device),
+        lambda grid, step: grid.insert_scan(BALL + along(step), along(step)),
+        lambda grid: (grid.to_point_cloud().points, grid.scan_count),
+    ),
+    "OccupancyGrid, distances": (
+        lambda device, _: loom.OccupancyGrid(0.2, device=device),
+        lambda grid, step: grid.insert_scan(BALL + along(step), along(step)),
+        lambda grid: (loom.DistanceField.from_occupancy_grid(grid, max_distance=1).distances(BALL),),
+    ),
+    "RaycastingScene": (lambda device, _: loom.RaycastingScene(device), add_triangle, cast),
+    "LidarOdometry": (
+        lambda device, _: loom.registration.LidarOdometry(voxel_size=0.5, device=device),
+        scan_steps,
+        lambda odometry: (np.array(odometry.poses), odometry.map.points),
+    ),
+    "DenseSLAM": (
+        lambda device, _: loom.slam.DenseSLAM(ROOM.intrinsic, voxel_size=0.05, device=device),
+        room_steps,
+        lambda slam: (slam.extract_triangle_mesh().vertices, slam.status_counts),
+    ),
+    "SubmapRecorder": (
+        lambda device, _: loom.slam.SubmapRecorder(CAMERA, voxel_size=0.05, frames=3, color=False, device=device),
+        lambda recorder, step: recorder.add(DEPTH, np.eye(4)),
+        lambda recorder: [each.volume.extract_triangle_mesh(0.0).vertices for each in list(recorder.submaps)],
+    ),
+    "ControlGrid": (
+        lambda device, _: loom.reconstruction.ControlGrid(1.0, device=device),
+        lambda grid, step: grid.touch(loom.PointCloud(BALL + along(step), device=grid.device)),
+        positions,
+    ),
+    "FrameRecorder": (lambda _, folder: loom.FrameRecorder(folder, CAMERA, depth_scale=1000.0), record, recorded),
+    "open3d HashMap": (lambda device, _: HashMap(10, o3d.core.int64, (1,), o3d.core.float64, (1,)), insert, found),
+    "open3d VoxelBlockGrid": (
+        blocks_of,
+        integrate_blocks,
+        lambda grid: (grid.extract_triangle_mesh(0.0).vertex.positions.numpy(),),
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_readers_change_nothing_that_another_thread_writes(case, device, tmp_path):
+    make, write, read = CASES[case]
+    alone, shared = (make(device, tmp_path / name) for name in ("alone", "shared"))
+    for step in range(STEPS):
+        write(alone, step)
+    is_over, started = threading.Event(), threading.Barrier(READERS + 1)
+
+    def watch():
+        started.wait()
+        while not is_over.is_set():
+            try:
+                read(shared)
+            except (ValueError, loom.PointloomError):  # an empty volume
+                is_over.wait(0.001)
+
+    with ThreadPoolExecutor(READERS) as pool:
+        reads = [pool.submit(watch) for _ in range(READERS)]
+        try:
+            started.wait()
+            for step in range(STEPS):
+                write(shared, step)
+        finally:
+            is_over.set()
+    for each in reads:
+        each.result()
+    for actual, expected in zip(read(shared), read(alone), strict=True):
+        np.testing.assert_array_equal(actual, expected)
+
+
+def test_eight_writers_lose_no_frame(device):
+    volume = volume_of(device)
+    with ThreadPoolExecutor(8) as pool:
+        [*pool.map(lambda step: volume.integrate(DEPTH, CAMERA, moved(step % 4)), range(32))]
+    assert volume.frame_count == 32
+    assert len(volume.extract_triangle_mesh(7.0)) == len(volume.extract_triangle_mesh(0.0)) > 0
+
+
+ROW = re.compile(r"^\| (.+) \| (free|locked|one thread) \|", re.MULTILINE)
+
+
+def test_the_thread_safety_of_each_public_class_is_documented():
+    table = {
+        name: safety
+        for names, safety in ROW.findall((ROOT / "docs/robustness.md").read_text())
+        for name in re.findall(r"`(\w+)`", names)
+    }
+    classes = {kind.__name__: kind for kind in public_classes(loom) if not issubclass(kind, Exception)}
+    assert sorted(table) == sorted(classes)
+    locked = {name for name, kind in classes.items() if issubclass(kind, Serialized)}
+    assert {name for name, safety in table.items() if safety == "locked"} == locked | {"LatestFrames", "Viewer"}
+    assert {name for name, safety in table.items() if safety == "one thread"} & {
+        name for name, kind in classes.items() if issubclass(kind, tuple | Enum)
+    } == set()
+
+
+def test_callbacks_of_the_viewer_read_beside_a_writer(device):
+    volume, alone, counts = volume_of(device), volume_of(device), []
+    with loom.Viewer(port=0) as viewer:
+
+        def look(step):
+            counts.append((volume.frame_count, len(volume.extract_point_cloud(0.0))))
+            viewer.add(volume.extract_point_cloud(0.0), name="surface")
+
+        for step in range(STEPS):
+            viewer._calls().call(None, lambda step=step: look(step))
+            volume.integrate(DEPTH, CAMERA, moved(step))
+            alone.integrate(DEPTH, CAMERA, moved(step))
+        is_done = threading.Event()
+        viewer._calls().call(None, is_done.set)
+        assert is_done.wait(60)
+    assert len(counts) == STEPS and [count for count, _ in counts] == sorted(count for count, _ in counts)
+    for actual, expected in zip(surface(volume), surface(alone), strict=True):
+        np.testing.assert_array_equal(actual, expected)
