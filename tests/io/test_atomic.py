@@ -9,9 +9,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import pointloom as loom
+import pointloom.open3d as o3d
 from pointloom.core import atomic
 from pointloom.core.atomic import atomic_folder, atomic_write, restore_folder
 from pointloom.io.optional_imports import foreign_errors
@@ -328,3 +330,144 @@ def test_original_error_is_reported_through_other_packages(tmp_path, monkeypatch
             if answer == "raises":
                 raise RuntimeError("IoError: Failed to call write") from None
     assert not [*tmp_path.iterdir()]
+
+
+def cloud(**arrays):
+    return loom.PointCloud(np.random.default_rng(0).random((50, 3)), **arrays)
+
+
+def occupied():
+    grid = loom.OccupancyGrid(0.5)
+    grid.insert_scan([[2.2, 0.2, 0.2]], origin=[0.2, 0.2, 0.2])
+    return grid
+
+
+def splats():
+    quaternions = np.tile([1.0, 0, 0, 0], (4, 1))
+    return loom.GaussianSplats(np.eye(4, 3), np.full((4, 3), 0.04), quaternions, np.full(4, 0.9), np.zeros((4, 3)))
+
+
+def volume():
+    made = loom.TSDFVolume(voxel_size=0.05, color=False)
+    made.integrate(np.full((30, 40), 1000, np.uint16), CAMERA, np.eye(4))
+    return made
+
+
+def record(path):
+    with loom.record(path, fps=2) as recording:
+        recording.add("cloud", cloud())
+        recording.step()
+        recording.step()
+
+
+def save_field(path):
+    loom.DistanceField.from_occupancy_grid(occupied(), max_distance=2).save(path)
+
+
+def write_raster(path):
+    loom.rasterize(cloud(), 0.25, kind="dsm").write(path)
+
+
+CAMERA = loom.PinholeCameraIntrinsic(40, 30, 32.0, 32.0, 19.5, 14.5)
+PIXELS = np.zeros((8, 8, 3), np.uint8)
+GRAPH = loom.registration.PoseGraph([loom.registration.PoseGraphNode(np.eye(4))])
+TRACK = loom.Trajectory(np.eye(4)[None], [0.0])
+SPHERE = loom.TriangleMesh.create_sphere(1.0, 6)
+BRIDGE = o3d.geometry.TriangleMesh.create_box()
+TENSOR = o3d.core.Tensor(np.arange(3))
+# Name of a file -> a function that writes it.
+WRITERS = {
+    **dict.fromkeys(
+        ("c.ply", "c.pcd", "c.xyz", "c.pts", "c.las", "c.laz", "c.copc.laz", "c.e57", "c.npz"),
+        lambda path: loom.write_point_cloud(path, cloud()),
+    ),
+    **dict.fromkeys(("m.ply", "m.stl", "m.off", "m.obj", "m.glb"), lambda path: loom.write_triangle_mesh(path, SPHERE)),
+    **dict.fromkeys(("t.log", "t.tum", "t.kitti"), lambda path: loom.write_trajectory(path, TRACK)),
+    **dict.fromkeys(("s.ply", "s.splat", "s.spz"), lambda path: loom.write_splats(path, splats())),
+    **dict.fromkeys(("p.png", "p.webp"), lambda path: loom.save_picture(path, PIXELS)),
+    "graph.json": lambda path: loom.registration.write_pose_graph(path, GRAPH),
+    "camera.json": lambda path: loom.write_pinhole_camera_intrinsic(path, CAMERA),
+    "config.json": lambda path: loom.reconstruction.ReconstructionConfig().write(path),
+    "view.json": lambda path: loom.write_view(path, loom.View(CAMERA, np.eye(4)), ([0, 0, 0], [1, 1, 1])),
+    "stations.e57": lambda path: loom.write_stations(path, [cloud()], [np.eye(4)]),
+    "volume.npz": lambda path: volume().save(path),
+    "grid.npz": lambda path: occupied().save(path),
+    "field.npz": save_field,
+    "terrain.tif": write_raster,
+    "record.html": record,
+    "record.gif": record,
+    "o.ply": lambda path: o3d.io.write_triangle_mesh(path, BRIDGE),
+    "o.pcd": lambda path: o3d.io.write_point_cloud(path, BRIDGE.sample_points_uniformly(20)),
+    "o.jpg": lambda path: o3d.io.write_image(path, o3d.geometry.Image(PIXELS)),
+    "o.npy": lambda path: TENSOR.save(path),
+    "lines.ply": lambda path: o3d.io.write_line_set(path, o3d.geometry.LineSet.create_from_triangle_mesh(BRIDGE)),
+    "voxels.ply": lambda path: o3d.io.write_voxel_grid(
+        path, o3d.geometry.VoxelGrid.create_dense([0.0, 0, 0], [1.0, 0, 0], 0.5, 1, 1, 1)
+    ),
+    "graph2.json": lambda path: o3d.io.write_pose_graph(path, o3d.pipelines.registration.PoseGraph()),
+    "intrinsic.json": lambda path: o3d.io.write_pinhole_camera_intrinsic(
+        path, o3d.camera.PinholeCameraIntrinsic(40, 30, 32.0, 32.0, 19.5, 14.5)
+    ),
+}
+
+
+def test_files_that_are_replaced_together_follow_the_rules_of_open(tmp_path, access):
+    camera, disk = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240]), tmp_path / "disk"
+    models = [loom.SfmModel([name], [camera], np.eye(4)[None]) for name in ("old.png", "new.png")]
+    folder, names = tmp_path / "sparse", ("cameras.bin", "images.bin", "points3D.bin")
+    loom.write_colmap_model(folder, models[0])
+    disk.mkdir()
+    (folder / names[1]).rename(disk / names[1])
+    (folder / names[1]).symlink_to(disk / names[1])
+    (folder / names[0]).chmod(0o600)
+    loom.write_colmap_model(folder, models[1], overwrite=True)
+    assert (folder / names[1]).is_symlink() and b"new.png" in (disk / names[1]).read_bytes()
+    assert (folder / names[0]).stat().st_mode & 0o777 == 0o600
+    assert loom.read_colmap_model(folder).names == ("new.png",)
+    (folder / names[0]).chmod(0o444)
+    with pytest.raises(loom.FileError, match="read-only"):
+        loom.write_colmap_model(folder, models[0], overwrite=True)
+    assert loom.read_colmap_model(folder).names == ("new.png",) and len([*folder.iterdir()]) == 3
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_every_writer_follows_the_rules_of_open(name, tmp_path, access):
+    if name.endswith(".tif"):
+        pytest.importorskip("rasterio")
+    write_file, suffix = WRITERS[name], name[name.index(".") :]
+    write_file(tmp_path / name)
+    expected = {path.suffix for path in tmp_path.iterdir()}
+
+    (tmp_path / "disk").mkdir()
+    target, link = tmp_path / "disk" / f"target{suffix}", tmp_path / f"link{suffix}"
+    link.symlink_to(target)
+    for _ in range(2):
+        write_file(link)
+        assert link.is_symlink() and target.stat().st_size
+
+    os.link(target, other := tmp_path / f"other{suffix}")
+    write_file(target)
+    assert target.samefile(other)
+
+    target.chmod(0o444)
+    for path in (link, target):
+        content = target.read_bytes()
+        with pytest.raises(loom.FileError, match="is read-only"):
+            write_file(path)
+        assert target.read_bytes() == content and target.stat().st_mode & 0o777 == 0o444
+    (tmp_path / "disk").chmod(0o555)
+    with pytest.raises(loom.FileError, match="is not writable"):
+        write_file(tmp_path / "disk" / f"new{suffix}")
+    (tmp_path / "disk").chmod(0o755)
+
+    (tmp_path / "long").mkdir()
+    write_file(tmp_path / "long" / ("x" * (255 - len(suffix)) + suffix))
+    assert {path.suffix for path in (tmp_path / "long").iterdir()} == expected
+
+    pipe = tmp_path / f"pipe{suffix}"
+    os.mkfifo(pipe)
+    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE) as reader:
+        write_file(pipe)
+        assert reader.communicate()[0]
+    assert stat.S_ISFIFO(pipe.stat().st_mode)
+    assert not [path for path in tmp_path.rglob("*") if path.name.startswith(".")]

@@ -336,16 +336,26 @@ def _old_folders(path: Path) -> list[Path]:
 def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
     """A hidden folder whose files move to `folder` together when the block succeeds. Other `known` files are removed.
     The last `known` file is removed first and replaced last, so that readers never see a mixture. After a crash,
-    `finish_files` continues."""
+    `finish_files` continues. Symbolic links, pipes and devices are written one by one, before the others."""
     finish_files(folder, known)
+    for name in known:
+        if os.path.lexists(folder / name):
+            check_writable(folder / name)
     part = part_name(folder / "files")
     try:
         part.mkdir()
         yield part
         names = sorted(path.name for path in part.iterdir())
-        for name in names:
-            if (mode := _mode_of(folder / name)) is not None:
-                (part / name).chmod(mode)
+        for path in map(part.joinpath, names):
+            target = folder / path.name
+            if not os.path.lexists(target):
+                continue
+            if target.is_symlink() or _is_stream(_status_of(target, target)):
+                with path.open("rb") as source, atomic_write(target) as file:
+                    shutil.copyfileobj(source, file)
+                path.unlink()
+            else:
+                _take_metadata(path, target, target.stat())
         (part / _LIST).write_text(json.dumps(names), encoding="utf-8")
         part.rename(folder / _COMMITTED)
         try:
