@@ -59,7 +59,10 @@ class PageFolder:
         self.path = path_of(path)
         if is_new:
             self._check_free(overwrite)
-            self.path.mkdir(exist_ok=True)
+            try:
+                self.path.mkdir(exist_ok=True)
+            except OSError as error:
+                raise FileError(path, f"cannot be created: {error.strerror or error}") from error
         elif not (self.path / LIST).is_file():
             raise FileError(path, f"contains no paged volume: {LIST} is missing")
         refuse_links(self.path)

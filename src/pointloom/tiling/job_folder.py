@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -34,6 +35,8 @@ def make_folder(folder: Path) -> None:
         folder.mkdir(exist_ok=True)
     except OSError as error:
         raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise FileError(folder, "is not writable", remedy="Choose another folder")
 
 
 def check_folder(folder: Path) -> None:
