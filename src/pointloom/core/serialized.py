@@ -7,7 +7,9 @@ import functools
 import inspect
 import threading
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, Self
+from typing import Any, Self, TypeVar, cast
+
+Method = TypeVar("Method", bound=Callable[..., Any])
 
 _OPERATORS = {
     "__len__", "__contains__", "__getitem__", "__setitem__", "__delitem__", "__iter__", "__call__", "__repr__",
@@ -45,7 +47,7 @@ class Serialized:
         return {name: value for name, value in vars(self).items() if name != "_lock"}
 
 
-def one_at_a_time(function: Callable[..., Any]) -> Callable[..., Any]:
+def one_at_a_time(function: Method) -> Method:
     """A method that holds the lock of its object. For private methods that other objects call."""
 
     @functools.wraps(function)
@@ -53,7 +55,7 @@ def one_at_a_time(function: Callable[..., Any]) -> Callable[..., Any]:
         with self._lock:
             return function(self, *args, **options)
 
-    return call
+    return cast(Method, call)
 
 
 @contextlib.contextmanager
