@@ -42,7 +42,7 @@ def synthetic(tmp_path_factory):
 def test_models_written_by_colmap_are_read(synthetic, which):
     folders, expected = synthetic
     model = loom.read_colmap_model(folders[which])
-    assert {"rigs", "frames"} <= {path.stem for path in folders[which].iterdir()}  # of version 4: skipped
+    assert {"rigs", "frames"} <= {path.stem for path in folders[which].iterdir()}  # of version 4
     assert sorted(expected["pictures"]) == list(model.names)
     for i, name in enumerate(model.names):
         (lens, width, height, params), pose, observed = expected["pictures"][name]
@@ -271,6 +271,92 @@ def test_text_in_another_encoding_is_reported_and_a_point_without_an_error_or_a_
         loom.read_colmap_model(tmp_path)
 
 
+TWO = CAMERAS + "2 PINHOLE 640 480 510 510 320 240\n"
+STALE = "1 1 0 0 0 0 0 0 1 a\n\n2 0 1 0 0 4 1 2 2 b\n\n3 nan 0 0 0 0 0 5 1 c\n\n4 1 0 0 0 -3 0 5 2 d\n\n"
+RIGS = "# list\n7 3 CAMERA 1 CAMERA 2 1 0 1 0 0 -0.1 0 2 IMU 2 0\n"
+FRAMES = "1 7 1 0 0 0 0 0 0 3 CAMERA 1 1 CAMERA 2 2 IMU 2 2\n2 7 0 0 1 0 0 0 5 3 CAMERA 2 4 CAMERA 1 3 CAMERA 1 99\n"
+SENSORS = {"CAMERA": 0, "IMU": 1}
+
+
+def pack_rigs(folder):
+    """RIGS and FRAMES in COLMAP's binary form."""
+    rig, frames = struct.pack("<QII", 1, 7, 3), struct.pack("<Q", 2)
+    rig += struct.pack("<iIiIB7d", 0, 1, 0, 2, 1, *map(float, RIGS.split()[9:16])) + struct.pack("<iIB", 1, 2, 0)
+    for words in map(str.split, FRAMES.splitlines()):
+        frames += struct.pack("<II7dI", *map(int, words[:2]), *map(float, words[2:9]), int(words[9]))
+        for kind, sensor, number in zip(words[10::3], words[11::3], words[12::3], strict=True):
+            frames += struct.pack("<iIQ", SENSORS[kind], int(sensor), int(number))
+    (folder / "rigs.bin").write_bytes(rig)
+    (folder / "frames.bin").write_bytes(frames)
+
+
+def write_rigs(folder, form, rigs=RIGS, frames=FRAMES):
+    write_text(folder, TWO, STALE.replace("nan", "1"), "")
+    if form == "bin":
+        model = loom.read_colmap_model(folder)
+        loom.write_colmap_model(folder, model, format="bin")
+        pack_rigs(folder)
+        return folder
+    (folder / "images.txt").write_text(STALE)
+    for name, text in (("rigs", rigs), ("frames", frames)):
+        if text is not None:
+            (folder / f"{name}.txt").write_text(text)
+    return folder
+
+
+def test_poses_of_frames_and_rigs_replace_outdated_copies(tmp_path, form):
+    model = loom.read_colmap_model(write_rigs(tmp_path, form))
+    second, later = np.diag([1.0, -1, -1, 1]), np.diag([-1.0, 1, -1, 1])
+    second[:3, 3], later[2, 3] = (-0.1, 0, 2), 5
+    assert np.array_equal(model.T_camera_world, [np.eye(4), second, later, second @ later])
+    loom.write_colmap_model(tmp_path, model, format=form)
+    assert not [*tmp_path.glob("frames*"), *tmp_path.glob("rigs*")]
+    assert_same(loom.read_colmap_model(tmp_path), model, poses=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("rigs", "frames", "message"),
+    [
+        (None, FRAMES, "rigs.txt: does not exist"),
+        (RIGS, None, "frames.txt: does not exist"),
+        (RIGS + RIGS[7:], FRAMES, r"rigs.txt \(line 3\): the rig number 7 is duplicated"),
+        (RIGS, FRAMES + FRAMES, r"frames.txt \(line 3\): the frame number 1 is duplicated"),
+        (RIGS, "", "image 1 .'a'. belongs to no frame"),
+        (RIGS, FRAMES + "3 7 1 0 0 0 0 0 0 1 CAMERA 1 3\n", r"line 3\): image 3 belongs to the frames 2 and 3"),
+        (RIGS, FRAMES.replace("1 7", "1 8"), r"frames.txt \(line 1\): frame 1 refers to rig 8"),
+        (RIGS, FRAMES.replace("CAMERA 2 2", "CAMERA 3 2"), "frame 1 has data of camera 3, which rig 7"),
+        (RIGS, FRAMES.replace("CAMERA 1 1 CAMERA 2 2", "CAMERA 1 2 CAMERA 2 1"), "of camera 2, and of camera 1 in"),
+        (RIGS, FRAMES.replace("0 0 1", "0 0 2"), r"frames.txt \(line 2\): frame 2 has no pose"),
+        (RIGS, FRAMES.replace("1 0 0 0", "nan 0 0 0", 1), r"frames.txt \(line 1\): frame 1 has no pose"),
+        (RIGS.replace("1 0 1 0 0 -0.1 0 2", "0"), FRAMES, r"rigs.txt \(line 2\): camera 2 of rig 7 .* no pose"),
+        (RIGS.replace("0 1 0 0", "1 1 0 0"), FRAMES, r"rigs.txt \(line 2\): camera 2 of rig 7 has no pose"),
+        (RIGS.replace("CAMERA 2", "CAMERA 1"), FRAMES, "sensor camera 1 of rig 7 is duplicated"),
+        (RIGS.replace("IMU", "RADAR"), FRAMES, r"rigs.txt \(line 2\): expected a sensor type"),
+        (RIGS.replace("7 3", "7 4"), FRAMES, r"rigs.txt \(line 2\): expected more than"),
+        (RIGS.replace("7 3", "7 2"), FRAMES, r"rigs.txt \(line 2\): expected 14 words, got 17"),
+        (RIGS, FRAMES.replace("2 7", "-2 7"), r"frames.txt \(line 2\): expected a whole number"),
+    ],
+)
+def test_contradictory_rigs_and_frames_are_rejected(tmp_path, rigs, frames, message):
+    with pytest.raises(loom.FileError, match=message):
+        loom.read_colmap_model(write_rigs(tmp_path, "txt", rigs, frames))
+
+
+def test_models_without_frames_have_the_poses_of_images(tmp_path):
+    write_rigs(tmp_path, "txt", "# Number of rigs: 0\n", "")
+    (tmp_path / "images.txt").write_text(STALE.replace("nan", "1"))
+    assert loom.read_colmap_model(tmp_path).T_camera_world[3, :3, 3].tolist() == [-3, 0, 5]
+
+
+@pytest.mark.parametrize("name", ["rigs.bin", "frames.bin"])
+def test_damaged_rigs_and_frames_raise_errors_of_files(tmp_path, name):
+    data = (write_rigs(tmp_path, "bin") / name).read_bytes()
+    for spoiled in [*(data[:end] for end in range(0, len(data), 3)), data + b"\0", data[:16] + b"\xff" * 8 + data[24:]]:
+        (tmp_path / name).write_bytes(spoiled)
+        with pytest.raises(loom.FileError, match=name):
+            loom.read_colmap_model(tmp_path)
+
+
 KILLED = """
 import os, sys
 from pathlib import Path
@@ -294,7 +380,7 @@ while status:
     step += 1
     folder = Path(sys.argv[1], str(step))
     write(folder, "old.png", sys.argv[2])
-    (folder / "rigs.bin").write_bytes(b"of the old model")
+    (folder / "rigs.bin").write_bytes(bytes(8))  # no rig, of the old model
     (folder / "notes.txt").write_text("another file")
     if not (child := os.fork()):
         left = [step]

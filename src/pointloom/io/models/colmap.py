@@ -1,4 +1,4 @@
-"""Read and write COLMAP models (binary or text) since version 3. The rigs and frames of version 4 are ignored."""
+"""Read and write COLMAP models (binary or text) since version 3. Rigs and frames of version 4 are read only."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from ...core.errors import FileError
 from ...core.paths import path_of
 from . import colmap_binary, colmap_text
 from .colmap_records import assemble, records_of
+from .colmap_rigs import read_frame_poses
 from .sfm_model import SfmModel
 
 FORMS: dict[str, ModuleType] = {"bin": colmap_binary, "txt": colmap_text}
@@ -31,11 +32,12 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
 
     Returns:
         The registered images and the points, without keypoints that have no point. Pixel centers are integers (.5 in
-        the files).
+        the files). If there are rigs and frames (COLMAP 4), the pose of an image is that of its frame and of its camera
+        in the rig, as in COLMAP. The copies of the poses in the images file are ignored then: they may be outdated.
 
     Raises:
         FileError: Missing or truncated files, invalid or contradictory values, an unknown camera model, no image, or
-            several models.
+            several models. Rigs without frames or the reverse, an image in no frame, or its camera without a pose.
 
     Notes:
         A million points with ten million observations need a few seconds and 2.5 GB from binary files.
@@ -53,7 +55,8 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
     read = FORMS[form]
     cameras = read.read_cameras(paths["cameras"])
     pictures = read.read_pictures(paths["images"])
-    return assemble(paths, cameras, pictures, read.read_points(paths["points3D"]))
+    poses = read_frame_poses({name: root / f"{name}.{form}" for name in BESIDE}, pictures, read)
+    return assemble(paths, cameras, pictures, read.read_points(paths["points3D"]), poses)
 
 
 def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:

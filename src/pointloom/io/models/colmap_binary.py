@@ -1,4 +1,4 @@
-"""COLMAP's binary files: cameras.bin, images.bin, points3D.bin; little-endian, packed.
+"""COLMAP's binary files: cameras.bin, images.bin, points3D.bin, rigs.bin, frames.bin; little-endian, packed.
 
 Tracks have variable length, so one loop reads only the lengths (0.3 s for a million points). The rest is read by
 column.
@@ -17,11 +17,14 @@ from ...cameras.camera_models import MODEL_NUMBERS, MODELS, UNSUPPORTED, CameraM
 from ...core.errors import FileError
 from ..source import open_source
 from .colmap_records import Picture, Points, Records, camera_of
+from .colmap_rigs import SENSOR_TYPES, Frame, Pose, Rig, Sensor, rig_of
 
 _CAMERA, _PICTURE, _COUNT = struct.Struct("<IiQQ"), struct.Struct("<I7dI"), struct.Struct("<Q")
 _KEYPOINT = np.dtype([("place", "<f8", 2), ("point", "<i8")])
 _POINT = np.dtype([("number", "<i8"), ("position", "<f8", 3), ("color", "u1", 3), ("error", "<f8"), ("length", "<i8")])
 _STEP = np.dtype([("picture", "<u4"), ("keypoint", "<u4")])
+_RIG, _SENSOR, _FRAME = struct.Struct("<II"), struct.Struct("<iI"), struct.Struct("<II7dI")
+_POSE, _FLAG, _DATA = struct.Struct("<7d"), struct.Struct("<B"), struct.Struct("<iIQ")
 _LENGTH_AT = _POINT.itemsize - 8
 LONGEST_NAME = 4096  # bytes: no path is longer
 _CUT = "The file is cut off or damaged; copy or write it again"
@@ -118,6 +121,44 @@ def read_pictures(path: Path) -> list[Picture]:
         pictures.append(Picture(number, name, tuple(pose[:4]), tuple(pose[4:]), camera, pixels, points, where))
     file.close()
     return pictures
+
+
+def read_rigs(path: Path) -> list[Rig]:
+    file = _Reader(path)
+    rigs = []
+    for _ in range(file.count("rigs", _RIG.size)):
+        where = f"byte {file.at}"
+        number, count = file.take(_RIG, "a rig")
+        reference = _sensor(file, *file.take(_SENSOR, "a sensor")) if count else None
+        sensors: list[tuple[Sensor, Pose | None]] = []
+        for _ in range(count - 1):
+            sensor = _sensor(file, *file.take(_SENSOR, "a sensor"))
+            (has_pose,) = file.take(_FLAG, "a sensor")
+            sensors.append((sensor, file.take(_POSE, "the pose of a sensor") if has_pose else None))
+        rigs.append(rig_of(path, where, number, reference, sensors))
+    file.close()
+    return rigs
+
+
+def read_frames(path: Path) -> list[Frame]:
+    file = _Reader(path)
+    frames = []
+    for _ in range(file.count("frames", _FRAME.size)):
+        where = f"byte {file.at}"
+        number, rig, *pose, count = file.take(_FRAME, "a frame")
+        file.need(count * _DATA.size, "the data of a frame")
+        values = [file.take(_DATA, "the data of a frame") for _ in range(count)]
+        data = [(_sensor(file, kind, sensor), picture) for kind, sensor, picture in values]
+        frames.append(Frame(number, rig, tuple(pose), data, where))
+    file.close()
+    return frames
+
+
+def _sensor(file: _Reader, kind: int, number: int) -> Sensor:
+    if not 0 <= kind < len(SENSOR_TYPES):
+        known = ", ".join(f"{i} ({name})" for i, name in enumerate(SENSOR_TYPES))
+        raise FileError(file.path, f"expected a sensor type of {known}, got {kind}", where=f"byte {file.at}")
+    return SENSOR_TYPES[kind], number
 
 
 def read_points(path: Path) -> Points:

@@ -6,6 +6,7 @@ Observations are stored twice, in image keypoints and point tracks. Both are che
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +24,8 @@ UNIT = 1e-2  # maximum deviation of a quaternion's length from 1: text with four
 
 DENSE = 1 << 20  # ids that a lookup table may cover in any case
 
-_CUT = "The file may be cut off or damaged; write the model again"
-_MIXED = "The three files may be of different models"
+CUT = "The file may be cut off or damaged; write the model again"
+MIXED = "The files may be of different models"
 
 
 @dataclasses.dataclass
@@ -65,9 +66,14 @@ def camera_of(path: Path, where: str, model: str, width: int, height: int, param
 
 
 def assemble(
-    paths: dict[str, Path], cameras: dict[int, CameraModel], pictures: list[Picture], points: Points
+    paths: dict[str, Path],
+    cameras: dict[int, CameraModel],
+    pictures: list[Picture],
+    points: Points,
+    poses: NDArray[np.float64] | None = None,
 ) -> SfmModel:
-    """Build the model from records; `paths` by "cameras", "images" and "points3D" are for errors."""
+    """Build the model from records; `paths` by "cameras", "images" and "points3D" are for errors.
+    `poses` (n, 4, 4) replace those of the image records."""
     images, sparse = paths["images"], paths["points3D"]
     if not pictures:
         raise FileError(
@@ -86,20 +92,20 @@ def assemble(
     if len(lost):
         picture, number = pictures[observers[lost[0]]], owners[observed][lost[0]]
         reason = f"image {picture.name!r} observes point {number}, which is missing in {sparse.name}"
-        raise FileError(images, reason, where=picture.where, remedy=_MIXED)
+        raise FileError(images, reason, where=picture.where, remedy=MIXED)
     _check_tracks(sparse, points, rows, pictures, starts, owners)
     if len(observed) != len(points.tracks):
         reason = f"{len(observed)} keypoints belong to points, but the tracks have {len(points.tracks)}"
-        raise FileError(sparse, reason, remedy=_MIXED)
+        raise FileError(sparse, reason, remedy=MIXED)
     pixels = keypoints[observed] - HALF
     wrong = np.flatnonzero(~(np.abs(pixels) <= LARGEST).all(axis=1))
     if len(wrong):
         picture = pictures[observers[wrong[0]]]
-        raise FileError(images, f"a keypoint of {picture.name!r} is not finite", where=picture.where, remedy=_CUT)
+        raise FileError(images, f"a keypoint of {picture.name!r} is not finite", where=picture.where, remedy=CUT)
     return SfmModel(
         tuple(p.name for p in pictures),
         tuple(cameras[p.camera] for p in pictures),
-        _poses(images, pictures),
+        _poses(images, pictures) if poses is None else poses,
         points.positions[order],
         points.colors[order],
         np.where(points.errors[order] >= 0, points.errors[order], np.nan),  # COLMAP writes -1 if unknown
@@ -117,10 +123,10 @@ def _check_pictures(images: Path, path: Path, cameras: dict[int, CameraModel], p
         if picture.name in names:
             raise FileError(images, f"the image {picture.name!r} is duplicated", where=picture.where)
         if not picture.name:
-            raise FileError(images, "an image has no name", where=picture.where, remedy=_CUT)
+            raise FileError(images, "an image has no name", where=picture.where, remedy=CUT)
         if picture.camera not in cameras:
             reason = f"image {picture.name!r} refers to camera {picture.camera}, which is missing in {path.name}"
-            raise FileError(images, reason, where=picture.where, remedy=_MIXED)
+            raise FileError(images, reason, where=picture.where, remedy=MIXED)
         numbers.add(picture.number)
         names[picture.name] = picture
 
@@ -128,16 +134,24 @@ def _check_pictures(images: Path, path: Path, cameras: dict[int, CameraModel], p
 def _poses(path: Path, pictures: list[Picture]) -> NDArray[np.float64]:
     quaternions = np.array([p.quaternion for p in pictures])
     translations = np.array([p.translation for p in pictures])
+    return poses_of(path, quaternions, translations, lambda i: (f"image {pictures[i].name!r}", pictures[i].where))
+
+
+def poses_of(
+    path: Path,
+    quaternions: NDArray[np.float64],
+    translations: NDArray[np.float64],
+    title: Callable[[int], tuple[str, str]],
+) -> NDArray[np.float64]:
+    """Poses (n, 4, 4) of quaternions w, x, y, z; `title` returns the name of a row and where it is, for errors."""
     with np.errstate(all="ignore"):
         lengths = np.sqrt((quaternions * quaternions).sum(axis=1))
         good = (np.abs(lengths - 1) <= UNIT) & (np.abs(translations) <= LARGEST).all(axis=1)
     for i in np.flatnonzero(~good):
-        picture = pictures[i]
-        reason = (
-            f"image {picture.name!r} has no pose: quaternion {picture.quaternion}, translation {picture.translation}"
-        )
-        raise FileError(path, reason, where=picture.where, remedy="Quaternions are w x y z of length 1")
-    poses = np.tile(np.eye(4), (len(pictures), 1, 1))
+        what, where = title(int(i))
+        pose = f"quaternion {tuple(quaternions[i].tolist())}, translation {tuple(translations[i].tolist())}"
+        raise FileError(path, f"{what} has no pose: {pose}", where=where, remedy="Quaternions are w x y z of length 1")
+    poses = np.tile(np.eye(4), (len(quaternions), 1, 1))
     poses[:, :3, :3] = quaternions_to_rotations((quaternions / lengths[:, None])[:, [1, 2, 3, 0]])
     poses[:, :3, 3] = translations
     return poses
@@ -149,7 +163,7 @@ def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArra
         wrong = np.flatnonzero(~(np.abs(values) <= LARGEST).all(axis=1))
         if len(wrong):
             row = int(wrong[0])
-            raise FileError(path, f"{what} is not finite: {values[row].tolist()}", where=points.where(row), remedy=_CUT)
+            raise FileError(path, f"{what} is not finite: {values[row].tolist()}", where=points.where(row), remedy=CUT)
     order = np.argsort(points.numbers, kind="stable")
     ascending = points.numbers[order]
     twice = np.flatnonzero(ascending[1:] == ascending[:-1])
@@ -198,7 +212,7 @@ def _check_tracks(
         reason = (
             f"point {points.numbers[row]} is observed as keypoint {index} of image {number}, which does not refer to it"
         )
-        raise FileError(path, reason, where=points.where(row), remedy=_MIXED)
+        raise FileError(path, reason, where=points.where(row), remedy=MIXED)
 
 
 @dataclasses.dataclass

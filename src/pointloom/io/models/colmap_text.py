@@ -1,4 +1,4 @@
-"""COLMAP's text files: cameras.txt, images.txt, points3D.txt.
+"""COLMAP's text files: cameras.txt, images.txt, points3D.txt, rigs.txt, frames.txt.
 
 `#` lines and blank lines are skipped, except that the line after an image always has its keypoints and may be blank.
 Image names may contain blanks.
@@ -19,7 +19,8 @@ from ...core.errors import FileError
 from ..ascii_rows import AsciiRows
 from ..source import open_source
 from .colmap_binary import unknown_model
-from .colmap_records import Picture, Points, Records, camera_of
+from .colmap_records import CUT, Picture, Points, Records, camera_of
+from .colmap_rigs import SENSOR_TYPES, Frame, Pose, Rig, Sensor, rig_of
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*", re.M)
 _EXACT = 2**53  # up to here integers are exact in float64
@@ -63,6 +64,68 @@ def read_pictures(path: Path) -> list[Picture]:
         pixels, points = _keypoints(path, below, keypoints)
         pictures.append(Picture(number, words[9], pose[:4], pose[4:], camera, pixels, points, where))
     return pictures
+
+
+def read_rigs(path: Path) -> list[Rig]:
+    rigs = []
+    for words in _records(path):
+        number, count = words.integer(), words.integer()
+        reference = words.sensor() if count else None
+        sensors: list[tuple[Sensor, Pose | None]] = []
+        for _ in range(count - 1):
+            sensor = words.sensor()
+            sensors.append((sensor, words.reals(7) if words.integer() else None))
+        words.end()
+        rigs.append(rig_of(path, words.where, number, reference, sensors))
+    return rigs
+
+
+def read_frames(path: Path) -> list[Frame]:
+    frames = []
+    for words in _records(path):
+        number, rig, pose = words.integer(), words.integer(), words.reals(7)
+        data = [(words.sensor(), words.integer()) for _ in range(words.integer())]
+        words.end()
+        frames.append(Frame(number, rig, pose, data, words.where))
+    return frames
+
+
+class _Words:
+    """The words of a line, taken from left to right."""
+
+    def __init__(self, path: Path, where: str, words: list[str]):
+        self.path, self.where, self._words, self._at = path, where, words, 0
+
+    def integer(self) -> int:
+        return _integer(self.path, self.where, self._next())
+
+    def reals(self, count: int) -> tuple[float, ...]:
+        return tuple(_real(self.path, self.where, self._next()) for _ in range(count))
+
+    def sensor(self) -> Sensor:
+        kind = self._next()
+        if kind not in SENSOR_TYPES:
+            reason = f"expected a sensor type ({' or '.join(SENSOR_TYPES)}), got {kind[:40]!r}"
+            raise FileError(self.path, reason, where=self.where)
+        return kind, self.integer()
+
+    def _next(self) -> str:
+        if self._at == len(self._words):
+            raise FileError(self.path, f"expected more than {self._at} words", where=self.where, remedy=CUT)
+        self._at += 1
+        return self._words[self._at - 1]
+
+    def end(self) -> None:
+        if self._at < len(self._words):
+            reason = f"expected {self._at} words, got {len(self._words)}"
+            raise FileError(self.path, reason, where=self.where)
+
+
+def _records(path: Path) -> Iterator[_Words]:
+    for line, text in _lines(path):
+        words = text.split()
+        if words and not words[0].startswith("#"):
+            yield _Words(path, f"line {line}", words)
 
 
 def _keypoints(path: Path, line: int, text: str) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
