@@ -45,6 +45,7 @@ from ..kernels.search.neighbor_distances import average_distances, mask_up_to, m
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .las_attributes import with_common_las_attributes
 from .length_checks import check_order, warn_of_far, warn_of_long, warn_of_short
 from .point_arrays import VECTORS, PointArrays, check_cloud
 from .polygon_volume import SelectionPolygonVolume, mask_volume
@@ -85,7 +86,8 @@ class Selection(PointArrays):
 
         Keeps the attributes that all non-empty clouds have, as Open3D's `+`. The origin is that of the largest cloud.
         Others are converted in float64. The unit is that of the clouds with a known unit. If these differ, a
-        UnitWarning is issued and the unit is unknown. O(total) time and memory.
+        UnitWarning is issued and the unit is unknown. If some clouds have LAS's `scan_angle_rank` (whole degrees) and
+        others `scan_angle` (steps of 0.006 degrees), all get `scan_angle`. O(total) time and memory.
 
         Args:
             clouds: At least one, all on one device.
@@ -109,7 +111,7 @@ class Selection(PointArrays):
         for cloud in given:
             check_cloud("clouds", cloud)
             check_same_device("clouds", cloud.device, given[0].device)
-        parts = [cloud for cloud in given if len(cloud)] or given[:1]
+        parts = with_common_las_attributes([cloud for cloud in given if len(cloud)] or given[:1])
         total = sum(map(len, parts))
         if total > MAX_POINTS:
             raise ValueError(f"clouds: expected at most 2^31 - 1 points, got {total:,}. Keep them in several clouds")

@@ -57,6 +57,7 @@ class CommonProperties:
 
     def add(self, path: Path, table: PointTable, *, is_first: bool) -> None:
         """Add a part. FileError if it has a point that is not finite."""
+        table = with_scan_angle(table)
         count = len(table.points)
         if is_first:
             if self.counts and _metres(self.unit) != _metres(table.unit):
@@ -91,12 +92,13 @@ class CommonProperties:
 
     def shaped(self, table: PointTable) -> PointTable:
         """Part with the common attributes, in types and names that LAS supports."""
+        table = with_scan_angle(table)
         attributes = {
             self.renamed.get(name, name): table.attributes[name].astype(dtype)
             for name, (dtype, _) in (self.types or {}).items()
         }
         normals, colors = (table.normals if self.normals else None), (table.colors if self.colors else None)
-        return with_scan_angle(PointTable(table.points, normals, colors, attributes, unit=self.unit))
+        return PointTable(table.points, normals, colors, attributes, unit=self.unit)
 
     @property
     def scale(self) -> float:
@@ -113,9 +115,8 @@ class CommonProperties:
 
 def _names_in_las(path: Path, table: PointTable) -> dict[str, str]:
     """Attributes that LAS stores under another name only. FileError without a LAS type."""
-    shaped = with_scan_angle(table)
-    renamed = new_names(shaped.attributes, name_rules(path, shaped))
-    under = {renamed.get(name, name): values for name, values in shaped.attributes.items()}
+    renamed = new_names(table.attributes, name_rules(path, table))
+    under = {renamed.get(name, name): values for name, values in table.attributes.items()}
     for name, reason in unstorable_in_las(path, PointTable(table.points, attributes=under)).items():
         remedy = "Change or remove it, or write the file as .laz"
         raise FileError(path, f"attribute {name!r} {reason}", remedy=remedy)

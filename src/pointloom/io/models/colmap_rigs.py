@@ -21,7 +21,7 @@ from .colmap_records import MIXED, Picture, poses_of
 CAMERA = "CAMERA"
 SENSOR_TYPES = (CAMERA, "IMU")  # by their number in binary files
 
-Sensor = tuple[str, int]  # type and number; that of a camera is the number of the camera
+Sensor = tuple[str, int]  # type and number. The number of a camera is that of cameras.bin or cameras.txt
 Pose = tuple[float, ...]  # quaternion w, x, y, z and translation
 _IDENTITY: Pose = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 _ONE_SOURCE = "Write rigs and frames again, or remove both to use the poses of the images"

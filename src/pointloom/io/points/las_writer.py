@@ -18,6 +18,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
 from ...core.coordinates import finite_box, quiet
 from ...core.errors import FileError
+from ...pcd.las_attributes import with_scan_angles
 from ..attribute_names import NameRules
 from ..columns import stack_colors
 from ..optional_imports import foreign_errors, import_for
@@ -34,7 +35,6 @@ _STEPS_ACROSS = 1.0e6
 _SAMPLE = 1 << 16  # sample size of the extent, without 1 % at either end: robust to outliers
 
 _BLOCK = 1 << 18  # points packed at a time
-_ANGLE_STEP = 0.006  # degrees, of LAS 1.4's scan angle
 _MAX_STEPS = 2**31 - 1
 _MAX_NAME_BYTES = 32
 RENAMED = "_value"  # suffix for values outside the range of a LAS dimension
@@ -108,6 +108,8 @@ def lay_out(
 ) -> LasLayout:
     """The storage layout for `write_las`. Without ranges of extra dimensions if the table is a part of the points."""
     table, laspy = table.checked(), import_for(path, "laspy", "las")
+    if _is_new(table):  # formats that have no whole degrees
+        table = with_scan_angle(table)
     lost = unstorable_in_las(path, table)
     if lost:
         name, reason = next(iter(lost.items()))
@@ -271,8 +273,4 @@ def _fitting_scales(points: NDArray[Any], extents: NDArray[np.float64]) -> list[
 
 def with_scan_angle(table: PointTable) -> PointTable:
     """Convert whole degrees of angle to LAS 1.4 steps."""
-    if "scan_angle_rank" not in table.attributes or "scan_angle" in table.attributes:
-        return table
-    attributes = dict(table.attributes)
-    attributes["scan_angle"] = np.rint(attributes.pop("scan_angle_rank") / _ANGLE_STEP).astype(np.int16)
-    return replace(table, attributes=attributes)
+    return replace(table, attributes=with_scan_angles(table.attributes))
