@@ -91,7 +91,7 @@ def test_commands_read_meshes_and_scans_of_other_formats(mesh, tmp_path):
         (report,) = answer("info", tmp_path / f"a{suffix}")["files"]
         assert (report["kind"], report["vertices"], report["triangles"]) == ("mesh", 4, 2)
         assert answer("convert", tmp_path / f"a{suffix}", tmp_path / "b.ply", "--force")["kind"] == "mesh"
-    np.ones((5, 4), "<f4").tofile(tmp_path / "a.bin")
+    np.tile(np.array([9, 1, -1, 0.5], "<f4"), 5).tofile(tmp_path / "a.bin")
     assert answer("convert", tmp_path / "a.bin", tmp_path / "c.ply")["points"] == 5
     (report,) = answer("info", tmp_path / "a.bin")["files"]
     assert report["attributes"] == {"intensity": "float32"}

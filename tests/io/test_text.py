@@ -346,6 +346,20 @@ def test_scans_of_kitti_s_layout_need_no_columns(tmp_path, rings, scale):
     np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "a.bin").points.astype("f4"), rows[:, :3])
 
 
+@pytest.mark.parametrize(
+    ("low", "high", "count"), [(0, 1, 4000), (96, 104, 4000), (-1, 1, 4000), (0, 1, 20), (-1, 1, 20)]
+)
+def test_three_columns_with_equal_statistics_are_reported(tmp_path, rng, low, high, count):
+    rng.uniform(low, high, (count, 3)).astype("<f4").tofile(tmp_path / "a.bin")
+    if low < 0:
+        with pytest.raises(FileError, match=r"a\.bin \(byte \d+\).* intensity -.*columns="):
+            loom.read_point_cloud(tmp_path / "a.bin")
+    else:
+        with pytest.warns(UserWarning, match=r"a\.bin: assumed x y z intensity.*also fits x y z,.*columns="):
+            loom.read_point_cloud(tmp_path / "a.bin")
+    assert len(loom.read_point_cloud(tmp_path / "a.bin", columns=["x", "y", "z"])) == count
+
+
 def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
     wall = np.array([[10, 0.5 * i, 0.5 * j, 7, j] for i in range(-20, 20) for j in range(20)], "<f4")
     folder = tmp_path / "scans"

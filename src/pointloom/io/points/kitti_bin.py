@@ -1,12 +1,15 @@
 """Headerless LiDAR scans of float32 columns (KITTI, nuScenes), by default x, y, z, intensity.
 
-The file does not define its layout, so invalid sizes, implausible coordinates and other periods raise. Geiger et al.
-2012 (KITTI odometry benchmark). Caesar et al. 2020 (nuScenes).
+The file does not define its layout, so invalid sizes, implausible coordinates and other periods raise. Without
+`columns`, so do negative intensities. A warning is issued if the size fits another layout and the numbers do not repeat
+every four: points of a cube or a sphere have equal statistics in every column. Geiger et al. 2012 (KITTI odometry
+benchmark). Caesar et al. 2020 (nuScenes).
 """
 
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -15,6 +18,7 @@ from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ..source import open_source
 from ..table import PointTable
 from .text_table import check_columns, table_of
@@ -38,7 +42,8 @@ PERIOD_MARGIN = 0.1  # minimum gain in explained variance of another number of c
 
 @quiet()
 def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
-    """Read one scan of float32 columns, including non-finite points; `columns` None means x, y, z, intensity."""
+    """Read one scan of float32 columns, including non-finite points; `columns` None means x, y, z, intensity.
+    Warns if the layout cannot be verified."""
     names = [*KITTI] if columns is None else check_columns(columns)
     source = open_source(path)
     step = len(names) * 4
@@ -63,12 +68,44 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
         reason = f"point {row} has the coordinate {points[row, axis]}; this is not a scan of float32 {', '.join(names)}"
         byte = row * step + 4 * names.index("xyz"[axis])
         raise FileError(path, reason, where=f"byte {byte}", remedy=f"Check the layout{_fitting(len(source))}")
+    if columns is None:
+        _check_intensities(path, rows[:, 3])
+        if not _is_evident(rows):
+            _warn_of_layout(path, len(source))
     return table_of(Path(path), dict(zip(names, np.ascontiguousarray(rows.T), strict=True)))
 
 
 def _fitting(size: int) -> str:
     layouts = [layout for width, layout in LAYOUTS.items() if not size % (4 * width)]
     return f"; give columns= with all names. The size fits {'; '.join(layouts)}" if layouts else ""
+
+
+def _check_intensities(path: str | os.PathLike[str], intensities: NDArray[np.float32]) -> None:
+    below = np.flatnonzero(intensities < 0)
+    if len(below):
+        row = int(below[0])
+        reason = f"point {row} has the intensity {intensities[row]:g}; this is not a scan of float32 {', '.join(KITTI)}"
+        remedy = f"Give columns= with the names of all columns, such as {LAYOUTS[3]}"
+        raise FileError(path, reason, where=f"byte {16 * row + 12}", remedy=remedy)
+
+
+def _is_evident(rows: NDArray[np.float32]) -> bool:
+    """True if only KITTI's layout fits the size, or its columns explain more variance than those of each other."""
+    values = rows.ravel()
+    others = [width for width in LAYOUTS if width % 4 and values.size % width == 0]
+    if not others or not len(values):
+        return True
+    best_other = max(float(_explained(values, width).max()) for width in others)
+    return float(_explained(values, 4).max()) > best_other + PERIOD_MARGIN
+
+
+def _warn_of_layout(path: str | os.PathLike[str], size: int) -> None:
+    fitting = ", ".join(layout for width, layout in LAYOUTS.items() if width != 4 and not size % (4 * width))
+    message = (
+        f"{path}: assumed {LAYOUTS[4]}, but the numbers do not show it, and the size also fits {fitting}. "
+        "Give columns= with the names of all columns."
+    )
+    warnings.warn(escaped(message), UserWarning, stacklevel=5)
 
 
 def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> None:
