@@ -229,7 +229,9 @@ class LineSet(Movable):
 
     def get_center(self) -> Rows:
         """Mean of the points [m]. Zero if there are none."""
-        return self.points.mean(axis=0) if len(self.points) else np.zeros(3)
+        if not len(self.points):
+            return np.zeros(3)
+        return np.ascontiguousarray(self.points.T).mean(axis=1)  # NumPy adds contiguous values pairwise
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> LineSet:

@@ -1,5 +1,6 @@
 """Boxes equal to Open3D's, minimal boxes against fine searches, degenerate clouds; and sets of lines."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -339,6 +340,12 @@ def test_a_set_may_be_empty_and_the_sum_of_two_has_colors_if_both_have():
     lines = loom.LineSet(np.empty((0, 3)), np.empty((0, 2), int))
     assert len(lines) == 0 and lines.is_empty() and not lines.has_colors
     np.testing.assert_array_equal(lines.get_center(), 0)
+
+
+def test_the_center_of_many_lines_far_from_the_origin_is_exact(rng):
+    points = rng.random((100_000, 3)) + np.array([5e5, 5.4e6, 0])
+    center = [math.fsum(axis) / len(points) for axis in points.T]
+    np.testing.assert_allclose(loom.LineSet(points, [[0, 1]]).get_center(), center, rtol=0, atol=2e-9)
     plain = loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]])
     red = plain.paint_uniform_color([1, 0, 0])
     both = red + red

@@ -374,3 +374,17 @@ def test_gpus_are_counted(device):
     o3c.cuda.synchronize(o3c.Device(device) if device != "cpu" else None)
     o3c.cuda.release_cache()
     assert o3c.Tensor([1], device=device).cpu().device == o3c.Device.DeviceType.CPU.name + ":0"
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_sums_and_means_of_many_large_values_are_accurate_over_all_axes(rng, kind):
+    values = (1e6 + rng.random((3, 40_000, 2))).astype(kind)
+    exact = values.astype(np.float64).sum(axis=1) / 40_000
+    limit = 2 * np.spacing(kind(1e6))
+    np.testing.assert_allclose(o3c.Tensor(values).mean([1]).numpy(), exact, rtol=0, atol=limit)
+    np.testing.assert_allclose(
+        o3c.Tensor(values).sum([1], keepdim=True).numpy()[:, 0] / 40_000, exact, rtol=0, atol=limit
+    )
+    np.testing.assert_allclose(o3c.Tensor(values[0]).mean(0).numpy(), exact[0], rtol=0, atol=limit)
+    assert o3c.Tensor(values).mean([0, 2]).numpy().shape == (40_000,)
+    assert o3c.Tensor(values[:0]).sum([0]).numpy().shape == (40_000, 2)

@@ -5,6 +5,7 @@ Open3D's rules: `div` of integers truncates toward zero, reductions keep the typ
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -86,6 +87,22 @@ def reduced(name: str, values: NDArray[Any], axes: Any, keepdim: bool) -> NDArra
         if axis is None and len({a % values.ndim for a in axes}) != values.ndim:
             raise TensorError(f"dim: expected one axis or all of them, got {list(axes)}")
         return np.asarray(REDUCTIONS[name][0](values, axis=axis), np.int64)
+    if name in ("sum", "mean") and values.dtype.kind == "f":
+        return _summed(REDUCTIONS[name][0], values, axes, keepdim)
     options: dict[str, Any] = {"dtype": values.dtype} if name in ("sum", "prod") else {}
     with np.errstate(all="ignore"):
         return np.asarray(REDUCTIONS[name][0](values, axis=tuple(axes), keepdims=keepdim, **options))
+
+
+def _summed(function: Any, values: NDArray[Any], axes: Any, keepdim: bool) -> NDArray[Any]:
+    """A sum or mean in float64 over contiguous values, which NumPy adds pairwise: rows of an axis it adds in order."""
+    axes = {axis % values.ndim for axis in axes}
+    kept = [axis for axis in range(values.ndim) if axis not in axes]
+    sizes = [values.shape[axis] for axis in kept]
+    moved = values.transpose(*kept, *sorted(axes)).astype(np.float64, order="C")
+    count = math.prod(values.shape[axis] for axis in axes)
+    with np.errstate(all="ignore"):
+        result = np.asarray(function(moved.reshape(*sizes, count), axis=-1)).astype(values.dtype)
+    return (
+        result.reshape([1 if axis in axes else size for axis, size in enumerate(values.shape)]) if keepdim else result
+    )
