@@ -9,6 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_numeric, check_rigid
+from ...core.time_checks import check_span, float32_step, is_single
 from ...core.units import warn_of_units
 from ...kernels.lang import float64
 from ...kernels.linear_algebra import matmul, norm
@@ -41,7 +42,8 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         The cloud with all attributes and unchanged normals. Points with NaN times become NaN.
 
     Raises:
-        ValueError: No times, a wrong length, no finite time, or a motion that is not rigid.
+        ValueError: No times, a wrong length, no finite time, or a motion that is not rigid. Times that float32 does not
+            resolve: since 1970 or of the week, they need float64.
 
     Notes:
         Uses the time range of points that are finite and not at zero. One launch, 12 B per point, bitwise reproducible.
@@ -63,6 +65,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
     span = bound_times(cloud._device_array("points"), times)
     first, last = download(span)  # sync
+    check_resolution(times, first, last, are_single(cloud, timestamps))
     if first > last and len(cloud) and not np.isfinite(download(times)).any():  # sync, only for errors
         raise ValueError(f"timestamps: expected finite times, got none for {len(cloud):,} points")
     if first == last and len(cloud) > MIN_TIMES:
@@ -91,6 +94,27 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
                 f"{name}: expected shape [{len(cloud)}], one time for each point, got {list(values.shape)}"
             )
     return None
+
+
+def are_single(cloud: PointCloud, timestamps: ArrayLike | None) -> bool:
+    """True if the point times that `point_times` returns were given with at most 32 bits."""
+    if timestamps is not None:
+        return is_single(check_numeric("timestamps", timestamps).dtype)
+    name = next((name for name in TIME_NAMES if name in cloud), None)
+    return name is not None and is_single(wp.dtype_to_numpy(cloud._device_array(name).dtype))
+
+
+def check_resolution(times: wp.array, first: float, last: float, are_single: bool) -> None:
+    """Raise ValueError if the times of a scan are, or were, float32 numbers too large to resolve it."""
+    if not first <= last or times.size <= MIN_TIMES:
+        return
+    if not are_single:
+        is_rounded = float(np.float32(first)) == first < last == float(np.float32(last))
+        if not is_rounded or last - first >= MIN_TIMES * float32_step(max(abs(first), abs(last))):
+            return
+        if len(np.unique(download(times))) >= MIN_TIMES:  # sync, only for suspicious times
+            return
+    check_span("timestamps", first, last, MIN_TIMES)
 
 
 def warn_of_coarse_times(distinct: int, count: int) -> None:

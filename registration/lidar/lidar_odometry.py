@@ -32,7 +32,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose, pose_of
-from .deskewing import MIN_TIMES, point_times, twist_of, warn_of_coarse_times
+from .deskewing import MIN_TIMES, are_single, check_resolution, point_times, twist_of, warn_of_coarse_times
 from .lidar_steps import (
     FIRST_SCAN,
     MAX_REST,
@@ -220,7 +220,8 @@ class LidarOdometry(Serialized):
 
         Raises:
             TypeError: `scan` is not a PointCloud.
-            ValueError: Times of another length, a prior that is not rigid, or a path beyond 2^20 voxels from its start.
+            ValueError: Times of another length or that float32 does not resolve, a prior that is not rigid, or a path
+                beyond 2^20 voxels from its start.
             DeviceError: The scan is on another device than the odometry.
         """
         check_cloud("scan", scan)
@@ -232,7 +233,7 @@ class LidarOdometry(Serialized):
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
         points = scan._device_array("points")
         if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
-            self._part = part_of_interval(points, times, scan.origin, self.interval)
+            self._part = part_of_interval(points, times, scan.origin, self.interval, are_single(scan, timestamps))
         raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)
         voxel_map = self._empty_map(scan.device) if state.map is None else state.map
         motion, has_prior = (state.motion, False) if motion is None else (motion, True)
@@ -542,10 +543,14 @@ class RawScan:
         return None if self.times is None else bound_times(self.points, self.times)
 
 
-def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float64], interval: float | None) -> float:
-    """The fraction of the scan interval that the times span; None: of a revolution if the azimuth is steady, else 1."""
+def part_of_interval(
+    points: wp.array, times: wp.array, origin: NDArray[np.float64], interval: float | None, are_single: bool = False
+) -> float:
+    """The fraction of the scan interval that the times span; None: of a revolution if the azimuth is steady, else 1.
+    Raises ValueError if the times are float32 numbers (`are_single`) that do not resolve the scan."""
     if interval is not None:
         first, last = download(bound_times(points, times))  # sync
+        check_resolution(times, first, last, are_single)
         return float(last - first) / interval if last > first else 1.0
     step = points.size // SAMPLE | 1
     p, t = (download(contiguous(values[::step])) for values in (points, times))  # sync
@@ -554,6 +559,8 @@ def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float
     p, t = p[is_valid], t[is_valid]
     length = np.sqrt(p[:, 0] * p[:, 0] + p[:, 1] * p[:, 1])
     span = float(np.ptp(t)) if len(t) else 0.0
+    if len(t):
+        check_resolution(times, float(t.min()), float(t.max()), are_single)
     if len(t) > MIN_TIMES and len(np.unique(t)) < MIN_TIMES:
         warn_of_coarse_times(len(np.unique(t)), len(t))
     if not span > 0:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_callback, check_shape
+from ...core.checks import check_callback, check_numeric, check_shape
+from ...core.time_checks import check_seconds
 from ...io.points.scan_files import Scans, read_scans
 from .lidar_odometry import LidarOdometry
 from .lidar_steps import OdometryStep
@@ -74,6 +75,8 @@ def run_odometry(
         >>> loom.registration.run_odometry([wall, wall], timestamps=[0.0, 0.1]).poses.shape
         (2, 4, 4)
     """
+    if timestamps is not None:
+        check_seconds("timestamps", check_numeric("timestamps", timestamps))
     poses, report_step = [], check_callback("progress", progress)
     for step in iterate_odometry(scans, device=device, columns=columns, **options):
         poses.append(step.pose)

@@ -1,5 +1,8 @@
 """Deskewed scans of a moving scanner against explicit motion."""
 
+from functools import partial
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -85,13 +88,66 @@ def test_the_interval_can_be_longer_than_the_scan(device, rng, sweep, interval, 
     assert part == pytest.approx(expected, rel=0.03)
 
 
-@pytest.mark.parametrize("times", [np.float32(1.7e9 + np.arange(50) / 500), np.zeros(50)], ids=["epoch", "equal"])
+STEPS = np.arange(50) / 500  # [s] a scan of 0.1 s
+
+
+@pytest.mark.parametrize("times", [np.zeros(50), np.full(50, 1.7e9), np.float32(np.full(50, 99))])
 def test_times_without_effect_are_reported(device, rng, times):
     scan = loom.PointCloud(rng.uniform(5, 9, (50, 3)), device=device)
     with pytest.warns(UserWarning, match=r"^timestamps:.*50.*1"):
         deskew_point_cloud(scan, np.eye(4), times)
     with pytest.warns(UserWarning, match=r"^timestamps: "):
         loom.registration.LidarOdometry(min_range=1.0, device=device).register(scan, times)
+
+
+@pytest.mark.parametrize("unit", [1, 1e3, 1e6, 1e9])
+@pytest.mark.parametrize("start", [1.7e9, 1_700_000_063.95, 604_799.0])
+@pytest.mark.parametrize("kind", ["attribute", "argument", "argument in float64"])
+def test_times_that_float32_does_not_resolve_are_rejected(device, rng, start, unit, kind):
+    scan = loom.PointCloud(rng.uniform(5, 9, (50, 3)), device=device)
+    times = ((start + STEPS) * unit).astype(np.float32)
+    if kind == "attribute":
+        scan, times = loom.PointCloud(scan.points, t=times, device=device), None
+    elif times.dtype == np.float32 and kind == "argument in float64":
+        times = times.astype(np.float64)
+        if len(np.unique(times)) == 1:  # could as well be one time of the scan
+            return
+    for interval in (None, 0.1):
+        odometry = loom.registration.LidarOdometry(min_range=1.0, interval=interval, device=device)
+        for call in (partial(deskew_point_cloud, scan, np.eye(4), times), partial(odometry.register, scan, times)):
+            with pytest.raises(ValueError, match=r"^timestamps: expected times in float64, got float32 numbers up to"):
+                call()
+
+
+@pytest.mark.parametrize("start", [0.0, 100.0, 1.7e9])
+@pytest.mark.parametrize("unit", [1, 1e3, 1e9])
+@pytest.mark.parametrize("kind", [np.float32, np.float64, np.int64])
+@pytest.mark.filterwarnings("error")
+def test_times_that_resolve_the_scan_are_accepted_in_any_unit(device, rng, start, unit, kind):
+    if (kind == np.float32 and start > 100) or (kind == np.int64 and unit == 1):
+        start, unit = 0.0, 1e9
+    scan = loom.PointCloud(rng.uniform(5, 9, (50, 3)), device=device)
+    times, T = (np.rint((start + STEPS) * unit) if kind == np.int64 else (start + STEPS) * unit).astype(kind), np.eye(4)
+    T[0, 3] = 1.0
+    exact = deskew_point_cloud(scan, T, STEPS)
+    np.testing.assert_allclose(deskew_point_cloud(scan, T, times).points, exact.points, rtol=0, atol=0.02)
+
+
+def test_seconds_in_float32_are_rejected_if_they_are_too_coarse():
+    poses, epoch = np.tile(np.eye(4), (3, 1, 1)), np.float32(1.7e9 + np.arange(3))
+    camera = loom.PinholeCameraIntrinsic(4, 3, 5, 5, 2, 1)
+    frame = SimpleNamespace(color=None, depth=np.ones((3, 4), np.float32), timestamp=epoch[0])
+    wall = loom.PointCloud(np.random.default_rng(0).random((50, 3)))
+    for name, call in (
+        ("timestamps", lambda: loom.Trajectory(poses, epoch)),
+        ("timestamps", lambda: loom.registration.run_odometry([wall] * 3, timestamps=epoch)),
+        ("frame-000000: timestamp", lambda: next(iter(loom.frames_from([frame], camera)))),
+        ("timestamp", lambda: loom.DenseSLAM(camera, voxel_size=0.1).step(frame)),
+    ):
+        with pytest.raises(ValueError, match=f"{name}: expected times in float64, got float32"):
+            call()
+    assert loom.Trajectory(poses, np.float32([1e5, 1e5 + 1, 1e5 + 2])).timestamps[1] == 1e5 + 1
+    assert loom.Trajectory(poses, epoch.astype(np.float64)).timestamps.dtype == np.float64
 
 
 def test_attributes_and_order_are_preserved(device):

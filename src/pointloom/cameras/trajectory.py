@@ -21,6 +21,7 @@ from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
 from ..core.paths import path_of
 from ..core.quaternions import nearest_rotations, rotations_to_quaternions
+from ..core.time_checks import check_seconds
 from ..kernels.linear_algebra import inv
 from .camera import PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
 from .pose_text import check_pose, kitti_poses, log_poses, read_lines, timed_poses
@@ -39,7 +40,7 @@ class Trajectory(HintedNames):
 
     Raises:
         TypeError: Not numbers.
-        ValueError: Shapes that do not match.
+        ValueError: Shapes that do not match, or times in float32 that are more than 10 ms apart from the next number.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -57,6 +58,7 @@ class Trajectory(HintedNames):
             raise ValueError(f"poses: expected shape [n, 4, 4], got {list(poses.shape)}")
         object.__setattr__(self, "poses", poses.astype(np.float64, copy=False))
         if self.timestamps is not None:
+            check_seconds("timestamps", check_numeric("timestamps", self.timestamps))
             object.__setattr__(self, "timestamps", check_shape("timestamps", self.timestamps, (len(poses),)))
         if self.ids is not None:
             ids = check_numeric("ids", self.ids)

@@ -14,6 +14,7 @@ from ...core.checks import check_finite, check_name, check_numeric
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.quaternions import quaternions_to_rotations
+from ...core.time_checks import check_seconds
 from .motions import stamp_of_header
 
 TRANSFORMS = ("tf2_msgs/msg/TFMessage", "tf/msg/tfMessage")
@@ -85,8 +86,10 @@ class RecordedTransforms:
         Raises:
             FileError: A missing frame, frames that are not connected, a frame with two parents, or a time outside the
                 record.
-            ValueError: Non-finite times, or another shape.
+            ValueError: Non-finite times, another shape, or float32 times more than 10 ms apart from the next number.
         """
+        if time is not None:
+            check_seconds("time", check_numeric("time", time))
         times = None if time is None else check_finite("time", check_numeric("time", time).astype(np.float64))
         if times is not None and times.ndim > 1:
             raise ValueError(f"time: expected one, or shape [n], got {list(times.shape)}")

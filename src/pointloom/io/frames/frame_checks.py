@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...core.checks import check_number, check_numeric, check_rigid
+from ...core.checks import check_numeric, check_rigid
+from ...core.time_checks import check_time
 from ..pictures.image_files import resize_color
 from .datasets import Frame
 
@@ -20,9 +21,8 @@ def checked_frame(frame: Frame, intrinsic: PinholeCameraIntrinsic, *, resize: bo
     color = None if frame.color is None else _check_color(f"{frame.name}: color", frame.color, size, resize)
     pose, time = frame.T_world_camera, frame.timestamp
     pose = None if pose is None else check_rigid(f"{frame.name}: T_world_camera", pose)
-    return Frame(
-        depth, color, pose, frame.name, None if time is None else check_number(f"{frame.name}: timestamp", time)
-    )
+    time = None if time is None else check_time(f"{frame.name}: timestamp", time)
+    return Frame(depth, color, pose, frame.name, time)
 
 
 def _check_depth(name: str, depth: Any, size: tuple[int, int]) -> NDArray[np.uint16] | NDArray[np.float32]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import check_intrinsic, integer_scale, upload_color, upload_depth
-from ...core.checks import check_number
+from ...core.time_checks import check_time
 from ..odometry.frames import OdometryFrame
 
 MAX_PIXELS = 20_000  # finest level: a quarter of VGA's sides. More does not help
@@ -53,7 +53,7 @@ class SensorFrame:
         self._pyramid: OdometryFrame | None = None
         self.name = str(getattr(frame, "name", ""))
         time = getattr(frame, "timestamp", None)
-        self.timestamp = None if time is None else check_number("timestamp", time)
+        self.timestamp = None if time is None else check_time("timestamp", time)
         self.device = device
 
     @property
