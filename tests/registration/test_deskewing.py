@@ -142,7 +142,7 @@ def test_seconds_in_float32_are_rejected_if_they_are_too_coarse():
         ("timestamps", lambda: loom.Trajectory(poses, epoch)),
         ("timestamps", lambda: loom.registration.run_odometry([wall] * 3, timestamps=epoch)),
         ("frame-000000: timestamp", lambda: next(iter(loom.frames_from([frame], camera)))),
-        ("timestamp", lambda: loom.DenseSLAM(camera, voxel_size=0.1).step(frame)),
+        ("timestamp", lambda: loom.slam.DenseSLAM(camera, voxel_size=0.1).step(frame)),
     ):
         with pytest.raises(ValueError, match=f"{name}: expected times in float64, got float32"):
             call()
