@@ -105,7 +105,7 @@ def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], 
         _header_of(path, kind, picture)
         with foreign_errors(path, "damaged image"):
             picture.load()  # makes a TIFF upright and clears its orientation
-        orientation = orientation_of(picture.getexif())
+        orientation = _stored_orientation(picture)
         if picture.mode in _DEEP_GRAY:
             return np.array(picture).astype(np.uint16), orientation
         picture.info.pop("transparency", None)
@@ -153,6 +153,12 @@ def orientation_of(exif: Image.Exif) -> int:
     with ignored_errors():
         orientation = int(exif.get(_ORIENTATION, 1))
         return orientation if 1 <= orientation <= 8 else 1
+    return 1
+
+
+def _stored_orientation(picture: Image.Image) -> int:
+    with ignored_errors():  # invalid EXIF is ignored
+        return orientation_of(picture.getexif())
     return 1
 
 

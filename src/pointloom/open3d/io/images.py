@@ -21,7 +21,7 @@ def read_image(filename: FilePath) -> Image:
     header = image_files.read_picture_header(filename)
     if header.channels == 1 and header.bits == 16:
         return Image(image_files.read_depth(filename))
-    if header.channels in ALPHA and header.bits == 8:
+    if header.kind == "png" and header.channels in ALPHA and header.bits == 8:  # JPEG has four channels of ink
         pixels = image_files.decode_texture(filename, Path(filename).read_bytes())
         return Image(pixels[..., ALPHA[header.channels]])
     pixels = image_files.read_color(filename)
