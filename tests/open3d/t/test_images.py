@@ -3,6 +3,7 @@
 import copy
 
 import numpy as np
+import PIL.Image
 import pytest
 
 import pointloom.open3d as o3d
@@ -375,3 +376,22 @@ def test_images_keep_pixels_and_type(tmp_path):
         assert io.write_image(tmp_path / "a.png", g.Image(pixels))
         back = values_of(io.read_image(tmp_path / "a.png"))
         assert (back == pixels).all() and back.dtype == pixels.dtype
+
+
+@pytest.mark.parametrize("name", ["a.jpg", "a.png"])
+@pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGB", "RGBA", "YCbCr", "CMYK"])
+@pytest.mark.parametrize("progressive", [False, True])
+def test_images_of_every_mode_have_the_colors_of_pillow(tmp_path, mode, name, progressive):
+    picture = PIL.Image.fromarray(RNG.integers(0, 255, (4, 6, 4), np.uint8), "RGBA")
+    try:
+        picture.convert("RGB" if mode == "CMYK" else "RGBA").convert(mode).save(
+            tmp_path / name, progressive=progressive
+        )
+    except OSError:  # not in this format
+        return
+    with PIL.Image.open(tmp_path / name) as stored:
+        expected = np.asarray(stored.convert("RGB"))
+    pixels = values_of(io.read_image(tmp_path / name))
+    colors = pixels[..., :3] if pixels.shape[2] > 2 else np.repeat(pixels[..., :1], 3, axis=2)
+    np.testing.assert_array_equal(colors, expected)
+    assert pixels.shape[2] == {"1": 1, "L": 1, "LA": 2, "RGBA": 4}.get(mode, 3)

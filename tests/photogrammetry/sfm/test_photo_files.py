@@ -14,7 +14,7 @@ from PIL.TiffImagePlugin import IFDRational
 import pointloom as loom
 from pointloom.io.pictures import photo_files
 from pointloom.photogrammetry.sfm.features import find_features
-from pointloom.photogrammetry.sfm.picture_folder import read_lens
+from pointloom.photogrammetry.sfm.picture_folder import read_header, read_lens, read_orientation, read_picture
 
 from .conftest import has_pycolmap, left_half, write_pictures
 
@@ -103,6 +103,36 @@ def test_heic_of_a_telephone_is_upright_and_keeps_its_lens(tmp_path):
     error = np.abs(pixels - np.rot90(scene(), 3).astype(int))
     assert np.median(error) < 6 and pixels[8:20, 36:40].min() > 225
     assert read_lens(tmp_path / "out" / "IMG_0001.jpg") == LENS
+
+
+@pytest.mark.parametrize("kind", ["heic", "webp", "tif", "jpg", "png"])
+def test_invalid_exif_is_ignored(tmp_path, rng, kind):
+    if kind == "heic":
+        pytest.importorskip("pi_heif")
+        data = HEIC.read_bytes()
+        begin, end = data.index(b"Exif\0\0") - 40, len(data)
+    else:
+        Image.fromarray(scene()).save(tmp_path / f"whole.{kind}", exif=exif(6))
+        data = (tmp_path / f"whole.{kind}").read_bytes()
+        begin = max(data.find(mark) for mark in (b"Exif\0\0", b"eXIf", b"EXIF", b"Maker"))
+        end = begin + 200
+    path = tmp_path / f"a.{kind}"
+    for trial in range(40):
+        spoiled = bytearray(data)
+        at = int(rng.integers(begin, end))
+        if kind == "heic" and trial % 2:
+            spoiled[at:at] = bytes(4)
+        spoiled[at : at + 2] = rng.bytes(2)
+        path.write_bytes(spoiled)
+        for read in (read_lens, read_orientation, lambda p: loom.sfm.read_picture_places([p]), read_upright):
+            try:
+                read(path)
+            except loom.FileError as error:
+                assert str(path) in str(error)
+
+
+def read_upright(path):
+    return read_picture(path, read_header(path))
 
 
 @pytest.mark.parametrize("orientation", [1, 6])
