@@ -169,6 +169,49 @@ def test_names_unsupported_by_the_format_are_changed(tmp_path):
             assert loom.read_point_cloud(tmp_path / f"a{suffix}")[new].tolist() == [1.5, -2, 3]
 
 
+ODD = (
+    "class:car",
+    "a::b",
+    ":",
+    "a.b",
+    "t=0",
+    "[x]",
+    "a,b;c",
+    "//c",
+    "#d",
+    "'q'",
+    "%d{0}",
+    "1e5",
+    "nan",
+    "comment",
+    "x_0",
+)
+
+
+@pytest.mark.parametrize("suffix", [".las", ".laz", ".copc.laz", ".ply", ".pcd", ".npz"])
+@pytest.mark.parametrize("count", [0, 3])
+@pytest.mark.filterwarnings("error")
+def test_names_of_any_visible_ascii_characters_are_preserved(tmp_path, suffix, count):
+    names = [name for name in ODD if suffix != ".npz" or "/" not in name]
+    values = {name: np.arange(k, k + count, dtype=np.float32) for k, name in enumerate(names)}
+    loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(np.eye(3)[:count], **values))
+    read = loom.read_point_cloud(tmp_path / f"a{suffix}")
+    assert {*read.attributes} >= {*names}
+    for name in names:
+        np.testing.assert_array_equal(np.sort(read[name]), values[name])
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".gltf"])
+def test_gltf_keeps_names_of_any_characters_and_reports_empty_ones(tmp_path, suffix):
+    mesh = loom.TriangleMesh(np.eye(3), [[0, 1, 2]])
+    for name in (*ODD, "größe", "a b", ""):
+        mesh.vertex_attributes[name] = np.arange(3, dtype=np.float32)
+    with pytest.warns(UserWarning, match="'' left out, because glTF cannot store"):
+        loom.write_triangle_mesh(tmp_path / f"a{suffix}", mesh)
+    read = loom.read_triangle_mesh(tmp_path / f"a{suffix}")
+    assert {*read.vertex_attributes} == {*ODD, "größe", "a b"}
+
+
 def test_names_that_would_become_one_stay_apart(tmp_path):
     for suffix, names, changed in (
         (".ply", ["a b", "a_b", "a\tb"], ["a_b_2", "a_b", "a_b_3"]),

@@ -18,7 +18,7 @@ from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.copc_writer import CopcWriter
 from ..io.points.las import open_las, table_of
 from ..io.points.las_records import describe_together
-from ..io.points.las_writer import lay_out
+from ..io.points.las_writer import lay_out, open_writer
 from .border_merging import LEFT
 from .buckets import FOLDER as BUCKETS
 from .manifest import Manifest, clear_locks, exclusive
@@ -161,7 +161,7 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
     with (
         atomic_write(path, overwrite=overwrite) as file,
         foreign_errors(path, "cannot be written"),
-        laspy.LasWriter(file, header, do_compress=compress, closefd=False) as writer,
+        open_writer(laspy, file, header, compress=compress) as writer,
     ):
         for part, count in parts:
             tile = open_las(part)

@@ -27,7 +27,7 @@ from ..io.optional_imports import foreign_errors
 from ..io.points.e57 import SCAN_INDEX, describe_e57, read_e57
 from ..io.points.formats import READERS
 from ..io.points.in_parts import open_in_parts
-from ..io.points.las_writer import lay_out, name_rules, unstorable_in_las, with_scan_angle
+from ..io.points.las_writer import lay_out, name_rules, open_writer, unstorable_in_las, with_scan_angle
 from ..io.points.ptx import iterate_world_scans
 from ..io.points.text_parts import TextInParts
 from ..io.table import PointTable
@@ -202,7 +202,7 @@ def _write(path: Path, parts: Parts, target: Path, properties: CommonProperties,
                     target, properties.shaped(table), properties.scale, properties.offset, None, is_part=True
                 )
                 if writer is None:
-                    writer = layout.laspy.LasWriter(stream, layout.header, do_compress=True, closefd=False)
+                    writer = open_writer(layout.laspy, stream, layout.header, compress=True)
                 for begin in range(0, len(table.points), ROWS):
                     writer.write_points(layout.pack(slice(begin, begin + ROWS)))
                 written += len(table.points)

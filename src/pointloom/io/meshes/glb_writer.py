@@ -65,7 +65,8 @@ def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool
 
 def storable_in_gltf(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
     """The part of a mesh that glTF stores, and the names of the other attributes."""
-    storable = {name: values for name, values in mesh.attributes.items() if _column_of(np.asarray(values)) is not None}
+    columns = {name: _column_of(np.asarray(values)) for name, values in mesh.attributes.items() if name}
+    storable = {name: mesh.attributes[name] for name, column in columns.items() if column is not None}
     left_out = [name for name in mesh.attributes if name not in storable] + [*mesh.triangle_attributes]
     return replace(mesh, attributes=storable, triangle_attributes={}), left_out
 
@@ -83,7 +84,8 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh = mesh.checked()
     mesh, left_out = storable_in_gltf(mesh)
     if left_out:
-        message = f"{path}: {', '.join(left_out)} left out, because glTF cannot store them; .ply stores everything"
+        names = ", ".join(name or repr(name) for name in left_out)
+        message = f"{path}: {names} left out, because glTF cannot store them; .ply stores everything"
         warnings.warn(escaped(message), UserWarning, stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot store a mesh without triangles", remedy="Write .ply")

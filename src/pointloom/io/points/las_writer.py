@@ -65,12 +65,20 @@ def write_las(
         atomic_write(path, overwrite=overwrite) as file,
         foreign_errors(path, "cannot be written"),
         quiet(),
-        layout.laspy.LasWriter(file, layout.header, do_compress=compress, closefd=False) as writer,
+        open_writer(layout.laspy, file, layout.header, compress=compress) as writer,
     ):
         for begin in range(0, len(layout.table.points), _BLOCK):
             writer.write_points(layout.pack(slice(begin, begin + _BLOCK)))
         if layout.extended:
             writer.write_evlrs(layout.extended)
+
+
+def open_writer(laspy: Any, file: Any, header: Any, *, compress: bool) -> Any:
+    """laspy's writer to an open file. Attribute names may contain ":", which laspy's own way to the bytes rejects."""
+    writer = laspy.LasWriter(file, header, do_compress=compress, closefd=False)
+    if not compress:
+        writer.point_writer.write_points = lambda points: file.write(np.ascontiguousarray(points.array).view(np.uint8))
+    return writer
 
 
 @dataclass(frozen=True)
