@@ -574,6 +574,19 @@ def test_boundaries_are_loops_from_their_lowest_vertex():
         mesh.boundary_vertices_from_vertex(inner)
 
 
+@pytest.mark.parametrize("others", [[[0, 3, 3]], [[3, 3, 3]], [[0, 1, 2]], [[1, 2, 0], [4, 4, 0]], []])
+def test_degenerate_and_repeated_triangles_and_their_vertices_have_no_half_edges(others):
+    points = V([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
+    mesh = G.TriangleMesh(points, o3d.utility.Vector3iVector([*others, [0, 1, 2]]))
+    made = G.HalfEdgeTriangleMesh.create_from_triangle_mesh(mesh)
+    assert len(made.half_edges) == len(made.vertices) == 3 and made.get_boundaries() == [[0, 1, 2]]
+    for vertex in (3, -1):
+        with pytest.raises(IndexError, match="vertex_index: expected 0 to 2"):
+            made.boundary_vertices_from_vertex(vertex)
+    only = G.TriangleMesh(points, o3d.utility.Vector3iVector([[0, 3, 3]]))
+    assert not G.HalfEdgeTriangleMesh.create_from_triangle_mesh(only).has_half_edges()
+
+
 @pytest.mark.parametrize("triangles", [[[0, 1, 2], [0, 1, 3]], [[0, 1, 2], [0, 3, 4]]])
 def test_half_edges_need_an_oriented_manifold(triangles):
     points = V([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])

@@ -47,12 +47,13 @@ class HalfEdgeTriangleMesh(TriangleMesh):
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:
-        """Half-edges of a mesh without duplicate vertices and triangles, and with vertex normals.
+        """Half-edges of a mesh with vertex normals, without duplicate vertices, duplicate or degenerate triangles, and
+        vertices without a triangle.
 
         Raises ValueError if an edge has two triangles with the same orientation, or a vertex several boundaries.
         """
         given = unwrap(mesh, TriangleMesh, "mesh").remove_duplicated_vertices().remove_duplicated_triangles()
-        made = cls._of(given.remove_unreferenced_vertices().remove_degenerate_triangles())
+        made = cls._of(given.remove_degenerate_triangles().remove_unreferenced_vertices())
         made.compute_vertex_normals()
         triangles = np.array(made.triangles)
         starts = triangles.reshape(-1)
@@ -98,6 +99,9 @@ class HalfEdgeTriangleMesh(TriangleMesh):
 
     def boundary_half_edges_from_vertex(self, vertex_index: int) -> list[int]:
         """Half-edges along the boundary that a vertex is on. Raises ValueError if it is on none."""
+        count = len(self.ordered_half_edge_from_vertex)
+        if not 0 <= vertex_index < count:
+            raise IndexError(f"vertex_index: expected 0 to {count - 1}, a vertex of a triangle, got {vertex_index}")
         first = self.ordered_half_edge_from_vertex[vertex_index][0]
         if not self.half_edges[first].is_boundary():
             raise ValueError(f"vertex_index: expected a vertex on a boundary, got {vertex_index}")
