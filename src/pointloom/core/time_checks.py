@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from .checks import check_number
 
-COARSEST = 0.01  # [s] a frame of 30 Hz is three times as long; exceeded by float32 numbers from 2^17 s on
+COARSEST = 0.01  # [s] a third of a frame at 30 Hz. The step of float32 is larger from 2^17 s on
 _FIX = "Pass float64, or subtract the first time before the conversion to float32"
 
 
