@@ -146,6 +146,7 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:.*white is used"),
     pytest.mark.filterwarnings("ignore:.*triangulated as fans"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
+    pytest.mark.filterwarnings("ignore:.*The matrix is used"),
 ]
 
 

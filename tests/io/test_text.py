@@ -201,6 +201,17 @@ def scan(points=FOUR, shape="2\n2", matrix=TRANSFORM, scanner_pose="0 0 0\n1 0 0
     return f"{shape}\n{scanner_pose}\n{matrix}\n{points}\n"
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_scanner_with_two_poses_is_reported(tmp_path):
+    same = "10 20 30\n0 1 0\n-1 0 0\n0 0 1"
+    table = loom.read_point_cloud(ptx(tmp_path / "a.ptx", scan(), scan(scanner_pose=same)))
+    np.testing.assert_array_equal(table.points[:3], table.points[3:])
+    for other in (same.replace("30", "31"), same.replace("0 1 0\n-1 0 0", "1 0 0\n0 1 0")):
+        with pytest.warns(UserWarning, match=r"a\.ptx \(line 17\): the scanner is at 10 20 3"):
+            table = loom.read_point_cloud(ptx(tmp_path / "a.ptx", scan(), scan(scanner_pose=other)))
+        np.testing.assert_array_equal(table.points[:3], table.points[3:])
+
+
 def ptx(path, *scans, end="\n"):
     path.write_bytes("".join(scans).replace("\n", end).encode())
     return path

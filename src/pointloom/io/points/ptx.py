@@ -8,6 +8,7 @@ dropped; `row_index` and `column_index` identify the others.
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_rigid
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.quaternions import nearest_rotations
 from ...core.units import METRE
 from ..ascii_rows import AsciiRows, is_number, unix_lines
@@ -27,6 +29,8 @@ from ..table import PointTable
 from .e57 import SCAN_INDEX, ScanFrame, merge_scans
 
 _HEADER_LINES = 10
+_NO_POSE = np.vstack([np.zeros(3), np.eye(3)])  # position and axes
+_SAME_POSE = 1e-3  # [m], and relative: more than the three decimals that programs write
 _WIDTHS = (4, 7)
 _BLOCK = 1 << 18  # lines parsed at a time
 _SEARCHED = 1 << 24  # bytes in which line ends are found at a time
@@ -139,8 +143,8 @@ def _read_header(lines: _Lines, at: int) -> _Scan:
         reason = f"truncated: the header of a scan has {lines.count - at} of {_HEADER_LINES} lines"
         raise FileError(lines.path, reason, where=f"line {lines.count}")
     rows = lines.integer(at + 1, "the number of rows of a scan")
-    for k, what in enumerate(("position of the scanner", "X axis", "Y axis", "Z axis")):
-        lines.numbers(at + 2 + k, 3, what)
+    titles = ("position of the scanner", "X axis", "Y axis", "Z axis")
+    scanner = np.array([lines.numbers(at + 2 + k, 3, what) for k, what in enumerate(titles)])
     matrix = np.array([lines.numbers(at + 6 + k, 4, "matrix of the scan") for k in range(4)])
     try:
         pose = check_rigid("matrix of the scan", matrix.T)
@@ -148,12 +152,27 @@ def _read_header(lines: _Lines, at: int) -> _Scan:
         raise FileError(lines.path, str(error), where=f"lines {at + 7} to {at + 10}") from error
     pose = pose.copy()
     pose[:3, :3], pose[3] = nearest_rotations(pose[None, :3, :3])[0], (0, 0, 0, 1)
+    _compare_poses(lines.path, at, scanner, pose)
     left = lines.count - at - _HEADER_LINES
     if columns * rows > left:
         expected = f"{columns} x {rows} = {columns * rows} lines of points"
         reason = f"truncated: expected {expected} of a scan, got {left}"
         raise FileError(lines.path, reason, where=f"line {at + 1}", remedy="It was cut off, or the numbers are wrong")
     return _Scan((columns, rows), pose, at + _HEADER_LINES)
+
+
+def _compare_poses(path: Path, at: int, scanner: NDArray[np.float64], pose: NDArray[np.float64]) -> None:
+    """Warn if the header of a scan gives the scanner two poses, unless the first is that of a file without one."""
+    if np.array_equal(scanner, _NO_POSE):
+        return
+    by_matrix = np.vstack([pose[:3, 3], pose[:3, :3].T])
+    if not np.allclose(scanner, by_matrix, rtol=_SAME_POSE, atol=_SAME_POSE):
+        given, used = (" ".join(f"{value:.6g}" for value in rows[0]) for rows in (scanner, by_matrix))
+        message = (
+            f"{path} (line {at + 3}): the scanner is at {given} by its position and axes, and at {used} by the matrix. "
+            "The matrix is used."
+        )
+        warnings.warn(escaped(message), UserWarning, stacklevel=5)
 
 
 def _read_scan(lines: _Lines, scan: _Scan) -> PointTable:
