@@ -40,7 +40,8 @@ def read_point_cloud(
 
     Text: a header line names the columns: x y z, nx ny nz, r g b (0..1, or integers in 0..255). Other names are
     attributes. Without a header, 3 columns are x y z and more columns require `columns`. A .bin has float32 columns,
-    by default x, y, z, intensity as in KITTI.
+    by default x, y, z, intensity as in KITTI. Numbers that contradict it raise `FileError`. A warning is issued if
+    another layout is as likely.
 
     LAS and LAZ keep the unit and coordinate system of the file, see `cloud.unit`. Their dimensions become attributes
     with laspy's names. In extra dimensions, no_data values become NaN. Call `project_to_utm` after a GeographicWarning.
