@@ -19,6 +19,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, check_rigid, shown
 from ...core.quaternions import nearest_rotations
 from ...core.reports import Assessed, Fields, Report, quality
+from ...core.time_checks import check_unit_of_seconds
 from ...core.wording import plain
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm, solve
 from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, rotation_vector, scale_of
@@ -249,6 +250,9 @@ def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference
         pairs = np.stack([rows, forth[rows]], axis=1)
         pairs = pairs[np.abs(estimate.timestamps[pairs[:, 0]] - truth.timestamps[pairs[:, 1]]) <= limit]
         pairs = pairs[np.argsort(truth.timestamps[pairs[:, 1]], kind="stable")]
+        if len(pairs) < min(len(estimate), len(truth)):
+            for name, times in (("estimate", estimate.timestamps), ("truth", truth.timestamps)):
+                check_unit_of_seconds(name, times)
     if not len(pairs):
         raise ValueError(f"estimate, truth: no two of their {len(estimate)} and {len(truth)} poses match in time")
     return pairs.astype(np.int64)

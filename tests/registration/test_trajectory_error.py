@@ -175,6 +175,17 @@ def test_poses_are_matched_by_nearest_time(rng):
     np.testing.assert_array_equal(shuffled[error.pairs[:, 0]], np.arange(30))
 
 
+@pytest.mark.parametrize(("unit", "factor"), [("milliseconds", 1e3), ("microseconds", 1e6), ("nanoseconds", 1e9)])
+def test_times_that_are_not_in_seconds_are_named(unit, factor):
+    times, poses = 1.7e9 + np.arange(9.0), np.tile(np.eye(4), (9, 1, 1))
+    poses[:, :3, 3] = np.arange(27.0).reshape(9, 3) ** 1.5
+    seconds, other = Trajectory(poses, times), Trajectory(poses, (times * factor).astype(np.int64))
+    for estimate, truth, name in ((seconds, other, "truth"), (other, seconds, "estimate")):
+        with pytest.raises(ValueError, match=rf"{name}: .* in seconds.* {unit} by {factor:,.0f}"):
+            evaluate_trajectory(estimate, truth)
+    assert len(evaluate_trajectory(other, other).pairs) == 9
+
+
 def test_a_path_that_lost_frames_gets_advice_on_matching(rng):
     truth, frames = Trajectory(random_walk(rng, 9)), np.array([0, 1, 4, 5, 8])
     estimate = Trajectory(truth.poses[frames], ids=np.stack([frames, frames, frames + 1], axis=1))
