@@ -587,9 +587,20 @@ def test_degenerate_and_repeated_triangles_and_their_vertices_have_no_half_edges
     assert not G.HalfEdgeTriangleMesh.create_from_triangle_mesh(only).has_half_edges()
 
 
-@pytest.mark.parametrize("triangles", [[[0, 1, 2], [0, 1, 3]], [[0, 1, 2], [0, 3, 4]]])
+SOLID = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])  # a tetrahedron
+
+
+@pytest.mark.parametrize(
+    "triangles",
+    [
+        [[0, 1, 2], [0, 1, 3]],
+        [[0, 1, 2], [0, 3, 4]],
+        np.vstack([SOLID, np.where(SOLID, SOLID + 3, 0)]),  # two that share vertex 0
+        np.vstack([SOLID, [[0, 4, 5]]]),
+    ],
+)
 def test_half_edges_need_an_oriented_manifold(triangles):
-    points = V([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
+    points = V([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, -1, 1], [0, 1, 1]])
     mesh = G.TriangleMesh(points, o3d.utility.Vector3iVector(triangles))
     with pytest.raises(ValueError, match="mesh:"):
         G.HalfEdgeTriangleMesh.create_from_triangle_mesh(mesh)

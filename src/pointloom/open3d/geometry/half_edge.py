@@ -50,7 +50,8 @@ class HalfEdgeTriangleMesh(TriangleMesh):
         """Half-edges of a mesh with vertex normals, without duplicate vertices, duplicate or degenerate triangles, and
         vertices without a triangle.
 
-        Raises ValueError if an edge has two triangles with the same orientation, or a vertex several boundaries.
+        Raises ValueError if an edge has two triangles with the same orientation, or a vertex several boundaries or fans
+        of triangles. Open3D lists only one fan of such a vertex.
         """
         given = unwrap(mesh, TriangleMesh, "mesh").remove_duplicated_vertices().remove_duplicated_triangles()
         made = cls._of(given.remove_degenerate_triangles().remove_unreferenced_vertices())
@@ -92,6 +93,9 @@ class HalfEdgeTriangleMesh(TriangleMesh):
             while edge not in (-1, first):
                 fan.append(edge)
                 edge = int(twins[_next(_next(edge))])
+            if len(fan) < len(edges):
+                reason = f"got {len(edges) - len(fan)} of {len(edges)} triangles apart from the others at {vertex}"
+                raise ValueError(f"mesh: expected one fan of triangles at each vertex, {reason}")
             self.ordered_half_edge_from_vertex.append(fan)
 
     def has_half_edges(self) -> bool:
