@@ -25,22 +25,14 @@ from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds, check_pairs, match_clouds, pairs_on_device
+from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import make_pose, to_world
 from ..surfaces import surface_of
 from .level_poses import MAX_TILT, check_level, level_poses
 from .ransac import no_pose
-from .rating import (
-    Evidence,
-    Witness,
-    compare_under,
-    complete,
-    moved_samples,
-    rate_registration,
-    rate_surfaces,
-    refine_poses,
-)
+from .rating import moved_samples, rate_registration, refine_poses
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
 NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7

@@ -37,9 +37,10 @@ from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ..evidence import Witness, witness_of
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import LEVEL
-from ..globally.rating import Witness, rate_poses, witness_of
+from ..globally.rating import rate_poses
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.evaluation import fitness_of
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch

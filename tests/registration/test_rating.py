@@ -13,8 +13,8 @@ from pointloom.kernels.memory import empty
 from pointloom.kernels.poses import overlap_evidence as overlaps
 from pointloom.kernels.poses.main_planes import MainPlanes
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
-from pointloom.registration.globally import rating
-from pointloom.registration.globally.rating import Evidence
+from pointloom.registration import evidence
+from pointloom.registration.evidence import Evidence
 from pointloom.registration.rigid import symmetric_matrices
 from pointloom.registration.surfaces import surface_of
 
@@ -183,10 +183,10 @@ def test_batched_poses_have_the_evidence_of_each(device, rng):
     source, target = (surface_of(loom.PointCloud(hills(rng, 1500), device=device), 0.1) for _ in range(2))
     poses = np.array([np.eye(4), as_pose([0, 0, 0.02], [0.05, 0, 0]), as_pose([0, 0, 0], [50, 0, 0])])
     for beside in (False, True):
-        together = rating.compare_under(source, target, poses, 0.15, beside_planes=beside)
-        alone = [rating.compare_surfaces(source, target, T, 0.15, beside_planes=beside) for T in poses]
-        assert together == alone and together[2] == rating.NO_EVIDENCE
-        assert rating.compare_under(source, target, poses[:0], 0.15, beside_planes=beside) == []
+        together = evidence.compare_under(source, target, poses, 0.15, beside_planes=beside)
+        alone = [evidence.compare_surfaces(source, target, T, 0.15, beside_planes=beside) for T in poses]
+        assert together == alone and together[2] == evidence.NO_EVIDENCE
+        assert evidence.compare_under(source, target, poses[:0], 0.15, beside_planes=beside) == []
 
 
 def test_rating_is_limited_by_points_beside_the_planes():
@@ -206,16 +206,16 @@ def test_structures_square_to_the_walls_need_more_evidence():
 
 
 def test_a_few_matches_beside_the_planes_can_be_chance(monkeypatch):
-    monkeypatch.setattr(rating, "count_blocked", lambda source, target, pose: 0.0)
-    evidence, rests, bare = Evidence(0.5, 0.03, 3000), [], rating.Witness(None, 0.1)
+    monkeypatch.setattr(evidence, "count_blocked", lambda source, target, pose: 0.0)
+    strong, rests, bare = Evidence(0.5, 0.03, 3000), [], evidence.Witness(None, 0.1)
     for count in (20, 50, 100, 200):
-        monkeypatch.setattr(rating, "compare_surfaces", lambda *_, m=count, **__: Evidence(0.2, 0.03, m, aligned=0.6))
-        rests.append(rating.complete(evidence, bare, bare, np.eye(4), 0.1).rest)
+        monkeypatch.setattr(evidence, "compare_surfaces", lambda *_, m=count, **__: Evidence(0.2, 0.03, m, aligned=0.6))
+        rests.append(evidence.complete(strong, bare, bare, np.eye(4), 0.1).rest)
     assert rests == pytest.approx([0.04, 0.1, 0.2, 0.2])
-    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 50, aligned=0.2))
-    assert rating.complete(evidence, bare, bare, np.eye(4), 0.1).rest == pytest.approx(0.2)  # as on hills
-    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 30, aligned=0.6))
-    few = rating.complete(Evidence(0.5, 0.03, 400), bare, bare, np.eye(4), 0.1)  # a small cloud has no more
+    monkeypatch.setattr(evidence, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 50, aligned=0.2))
+    assert evidence.complete(strong, bare, bare, np.eye(4), 0.1).rest == pytest.approx(0.2)  # as on hills
+    monkeypatch.setattr(evidence, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 30, aligned=0.6))
+    few = evidence.complete(Evidence(0.5, 0.03, 400), bare, bare, np.eye(4), 0.1)  # a small cloud has no more
     assert few.rest == pytest.approx(0.2)
 
 
@@ -224,23 +224,23 @@ def test_relief_on_planes_is_evidence(device, rng):
     same, other = (loom.PointCloud(uneven_ground(rng, k, -1, 2), device=device) for k in (1, 2))
     assert rate(source, same, np.eye(4), 0.075) > 0.7 and rate(source, other, np.eye(4), 0.075) < 0.1
     surfaces = [surface_of(cloud, 0.05) for cloud in (source, same)]
-    details = rating.compare_details(*surfaces, np.eye(4), 0.075)
+    details = evidence.compare_details(*surfaces, np.eye(4), 0.075)
     assert details.rest < 0.01 and details.relief > 0.95  # the planes explain the matches, but not the slopes
     flat = [loom.PointCloud(rng.uniform(-2, 2, (30000, 3)) * [1, 1, 0.001], device=device) for _ in range(2)]
-    assert abs(rating.compare_details(*(surface_of(cloud, 0.05) for cloud in flat), np.eye(4), 0.075).relief) < 0.2
+    assert abs(evidence.compare_details(*(surface_of(cloud, 0.05) for cloud in flat), np.eye(4), 0.075).relief) < 0.2
 
 
 def test_points_beyond_the_border_of_the_other_surface_are_no_overlap(device, rng):
     a, b = (hills(rng, 30000) for _ in range(2))
     halves = a[a[:, 0] < 0.5], b[b[:, 0] > -0.5]
     source, target = (surface_of(loom.PointCloud(points, device=device), 0.05) for points in halves)
-    share = rating.compare_surfaces(source, target, np.eye(4), 0.075).share
-    assert rating.compare_details(source, target, np.eye(4), 0.075).visible > share + 0.1
+    share = evidence.compare_surfaces(source, target, np.eye(4), 0.075).share
+    assert evidence.compare_details(source, target, np.eye(4), 0.075).visible > share + 0.1
 
 
 def test_details_decide_where_the_usual_evidence_does_not():
     weak = Evidence(0.3, 0.03, 700, rest=0.1, aligned=0.9)
-    details = rating.Details(visible=0.45, rest=0.22, matches=80, relief=0.3, relief_matches=500)
+    details = evidence.Details(visible=0.45, rest=0.22, matches=80, relief=0.3, relief_matches=500)
     assert weak.score < 0.5 < weak._replace(details=details).score
     by_chance = Evidence(0.3, 0.01, 700, rest=0.2)
     few = details._replace(rest=0.19, matches=40)
@@ -257,9 +257,9 @@ def test_pairs_farther_apart_than_the_noise_contradict_a_pose(device, rng):
 
     def contrary(step, noise):
         clouds = [loom.PointCloud(points, device=device) for points in (wall(0, noise), wall(step, noise))]
-        pairs = rating._both_ways(*(surface_of(cloud, 0.05) for cloud in clouds), np.eye(4))
+        pairs = evidence._both_ways(*(surface_of(cloud, 0.05) for cloud in clouds), np.eye(4))
         limits = {"radius": 0.1, "sigmas": 3.0, "floor": 0.005}
-        counts = overlaps.count_deviating(pairs, *rating._limits(0.075), **limits)
+        counts = overlaps.count_deviating(pairs, *evidence._limits(0.075), **limits)
         return (counts[:, 1] / counts[:, 0]).tolist()
 
     assert max(contrary(0.0, 0.002)) < 0.01 and max(contrary(0.0, 0.02)) < 0.01
@@ -268,7 +268,7 @@ def test_pairs_farther_apart_than_the_noise_contradict_a_pose(device, rng):
 
 
 def test_contradicting_pairs_must_be_fewer_than_matches_beside_the_planes():
-    details = rating.Details(visible=0.55, rest=0.35, matches=80, relief=0.0, relief_matches=1300)
+    details = evidence.Details(visible=0.55, rest=0.35, matches=80, relief=0.0, relief_matches=1300)
     agreeing, contrary = (Evidence(0.44, 0.04, 1400, rest=0.3, details=details._replace(contrary=k)) for k in (10, 160))
     assert agreeing.score > 0.9 and contrary.score < 0.1 and "than their noise" in contrary.problem
     on_ground = details._replace(matches=2, contrary=20, relief=0.95)  # no matches beside planes: the relief decides

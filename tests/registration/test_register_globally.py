@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration.globally.global_registration import _is_equal
-from pointloom.registration.globally.rating import Evidence
+from pointloom.registration.evidence import Evidence
 
 from .hilly_clouds import hills, misplacement, uneven_ground
 from .poses import moved, random_pose

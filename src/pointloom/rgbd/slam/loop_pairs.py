@@ -18,8 +18,8 @@ from ...kernels.arrays.bounds import bound_points
 from ...kernels.linear_algebra import matmul
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
+from ...registration.evidence import Witness, rate_surfaces
 from ...registration.globally.global_registration import MIN_POINTS, Description, describe, register_described
-from ...registration.globally.rating import Witness, rate_surfaces
 from ...registration.icp.estimation import (
     TransformationEstimationForGeneralizedICP,
     TransformationEstimationPointToPlane,

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
+from ...registration.evidence import Witness, rate_surfaces
 from ...registration.globally.global_registration import MIN_POINTS
-from ...registration.globally.rating import Witness, rate_surfaces
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
 from ...registration.surfaces import surface_of
 from ..odometry.alignment import align_frames

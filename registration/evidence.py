@@ -1,0 +1,311 @@
+"""Evidence that the surfaces of two clouds agree under a pose, from a comparison without a search or a refinement."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kernels.arrays.concatenation import concatenate_rows
+from ..kernels.linear_algebra import eigvalsh, solve
+from ..kernels.memory import download
+from ..kernels.poses.line_of_sight import Sight, find_sight
+from ..kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, count_deviating, weigh_overlaps, weigh_reliefs
+from ..kernels.surface.hollow_side import Surface
+from ..pcd.cloud import PointCloud
+from .rigid import invert_pose, symmetric_matrices
+from .surfaces import COSINE, ENOUGH, NEAR, VOXELS, surface_for
+
+TIGHT = 0.2  # normal distance, relative to the match distance, at which a match counts 0
+RIDGE = 1e-3  # relative to the mean eigenvalue: poorly determined overlap is no evidence
+
+# Log odds = a ln(share) + b ln(firmness) + c, fitted to 580 converged ICP poses of objects, rooms and streets with
+# overlap >= 15%, correct ones and the best wrong ones. c was then lowered to require 25% more than even evidence.
+SHARE_WEIGHT, FIRMNESS_WEIGHT, OFFSET = 5.15, 0.48, 10.2
+MIN_SHARE, MIN_FIRMNESS = 0.01, 3e-4
+FIRM = 0.002  # minimum firmness: planes, spheres and tubes have at most a quarter of it
+FITS = 0.5  # share above which surfaces match although a motion is undetermined
+# Minimum ratio of `rest` to `share`, from benchmarks/beliefs.py: 33 wrong poses have up to 0.2. Of 235 correct ones all
+# but two exceed 0.259.
+MIN_REST, STEEP = 0.25, 4.0
+# If the rest is parallel to the main planes, it may be furniture that matches by chance: then it must reach this value
+# itself. benchmarks/box_rooms.py, rooms 0 to 15: wrong poses up to 0.168 (but one), correct ones from 0.184.
+MIN_ALIGNED = 0.18
+SOME_ALIGNED, ALL_ALIGNED = 0.5, 0.75  # range of `aligned` in which this check sets in. A kitchen has 0.3
+MARGIN = 4.0  # [voxels] minimum distance of an occluding surface
+# Occluding points relative to the matches: up to 0.013 for correct poses (LiDAR, moving cameras), above 0.02 for half
+# of the wrong ones.
+MAX_BLOCKED = 0.02  # from SOME_ALIGNED on, since objects are seen from outside
+# Minimum of share times the root of the number of matches, against chance matches. 29 wrong poses have up to 4.3. Of 76
+# correct ones all but one have 4.5 and more (rooms, a street and a figure in 60 to 500 voxels).
+CHANCE = 4.4
+# Minimum number and fraction of matches outside the planes: 31 of 3,638 and 32 of 1,720 supported wrong poses in
+# benchmarks/box_rooms.py (aligned 0.44 and 0.64). Correct poses of kitchens have 26 of 200, hills 0.37 aligned.
+ENOUGH_BESIDE, PART_BESIDE = 100, 0.05
+FEW_ALIGNED, MANY_ALIGNED = 0.37, 0.47  # range of `aligned` in which this check sets in
+
+# Evidence of details, chosen on single depth images of a kitchen and of benchmarks/trust/places.py, seeds 60 to 62.
+# Beside the planes and within the borders, wrong poses have shares up to 0.18, and shares times the root of the matches
+# up to 1.3. Slopes on planes have correlations up to 0.7 for wrong poses, and from 0.82 for right ones on rough ground.
+MIN_DETAIL, DETAIL_CHANCE = 0.19, 1.35
+MIN_RELIEF, RELIEF_MATCHES = 0.75, 400
+MIN_VISIBLE, MIN_VISIBLE_WITH_RELIEF, VISIBLE_CHANCE = 0.3, 0.45, 6.0  # of all matches, likewise
+# Pairs that contradict a pose are farther apart along the normal than matches may be (TIGHT), and by this many standard
+# deviations of the noise within a radius. They must be fewer than the matches beside the planes, unless the relief is
+# enough. Accepted wrong poses in corridors of places.py, seeds 71 to 74, have 1.2 to 12 times as many (10 poses). Right
+# poses with over 20 matches have up to 0.53 times (138 poses), in a kitchen with distorted walls up to 1.3 (2 of 147
+# above 1). The limit of one was not fitted.
+SIGMAS, NOISE_RADIUS = 3.0, 4 / 3  # radius in match distances: 2 voxels
+
+
+class Details(NamedTuple):
+    """Evidence for a pose beside the dominant planes, and on them.
+
+    `visible`, `rest`: as `share` and `rest` of Evidence, without points beyond the border of the other surface;
+    `matches`: weighted count beside the planes; `relief`: correlation of the slopes of both surfaces on
+    the planes; `relief_matches`: number of these slopes; `contrary`: number of pairs that are farther apart than the
+    noise of the surfaces explains.
+    """
+
+    visible: float
+    rest: float
+    matches: float
+    relief: float
+    relief_matches: float
+    contrary: float = 0.0
+
+    @property
+    def score_of_agreement(self) -> float:
+        """Limit 0..1 for pairs that contradict the pose, relative to the matches beside the planes."""
+        return _exceeds(self.matches / max(self.contrary, 1e-9))
+
+
+class Evidence(NamedTuple):
+    """Evidence for a pose.
+
+    `share` (0..1): fraction of the attainable constraint that the matches provide; `firmness`: smallest eigenvalue of
+    their mean normal matrix, rotations in units of the overlap radius; `matches`: weighted count; `rest`: `share`
+    without the three main planes (1 if not computed); `aligned` (0..1): fraction of the rest parallel or square to
+    these planes; `blocked`: points that occlude what the other cloud saw, relative to the matches; `details`: None if
+    not computed.
+    """
+
+    share: float
+    firmness: float
+    matches: float
+    rest: float = 1.0
+    aligned: float = 0.0
+    blocked: float = 0.0
+    details: Details | None = None
+
+    @property
+    def odds(self) -> float:
+        """Log odds of all matches, without the correction for few matches; minus infinity without a match."""
+        if not self.matches:
+            return -np.inf
+        weighed = SHARE_WEIGHT * math.log(self.share + MIN_SHARE)
+        return float(weighed + FIRMNESS_WEIGHT * math.log(self.firmness + MIN_FIRMNESS) + OFFSET)
+
+    @property
+    def score_with_planes(self) -> float:
+        certainty = min(1.0, self.firmness / FIRM) ** 2 * min(1.0, self.matches / ENOUGH)
+        return float(certainty / (1 + math.exp(-self.odds))) if self.matches else 0.0
+
+    @property
+    def score(self) -> float:
+        """The rating 0..1: the minimum of the partial scores."""
+        return min(self.score_with_planes, self.score_of_details, self.score_of_view)
+
+    @property
+    def score_of_details(self) -> float:
+        """Score of the number of matches, and of those beside the planes or of the relief on them, 0..1."""
+        usual = min(self.score_of_number, self.score_beside_planes)
+        if self.details is None:
+            return usual
+        visible, rest, matches, relief, relief_matches, _ = self.details
+        number = visible * math.sqrt(self.matches) / VISIBLE_CHANCE
+        beside = _exceeds(min(rest / MIN_DETAIL, visible / MIN_VISIBLE, number))
+        few = _exceeds(rest * math.sqrt(matches) / DETAIL_CHANCE)
+        on_planes = min(relief / MIN_RELIEF, relief_matches / RELIEF_MATCHES, visible / MIN_VISIBLE_WITH_RELIEF)
+        return max(min(max(usual, beside), few, self.details.score_of_agreement), _exceeds(on_planes))
+
+    @property
+    def score_of_number(self) -> float:
+        """Limit 0..1 for few matches, where a search finds an equal pose by chance."""
+        return _exceeds(self.share * math.sqrt(max(self.matches, 1.0)) / CHANCE)
+
+    @property
+    def score_beside_planes(self) -> float:
+        """Score of the matches outside the three main planes, 0..1."""
+        square = min(max((self.aligned - SOME_ALIGNED) / (ALL_ALIGNED - SOME_ALIGNED), 0.0), 1.0)
+        min_rest = self._min_rest
+        min_rest += square * max(MIN_ALIGNED - min_rest, 0.0)
+        return 1 / (1 + (min_rest / max(self.rest, 1e-9)) ** STEEP)
+
+    @property
+    def _min_rest(self) -> float:
+        return MIN_REST * max(self.share, 1e-9)
+
+    @property
+    def score_of_view(self) -> float:
+        """Limit 0..1 for occluding points."""
+        return 1 / (1 + (self.blocked / MAX_BLOCKED) ** STEEP)
+
+    @property
+    def problem(self) -> str:
+        if self.score_with_planes <= 0.5 and self.firmness < FIRM and self.share > FITS and self.matches >= ENOUGH:
+            return "the surfaces match, but the pose can rotate or slide, as on a sphere, cylinder or plane"
+        if self.score_with_planes <= 0.5:
+            return "the clouds hardly match under the best pose found"
+        if self.score_of_number <= 0.5:
+            return "so few voxels match that another pose may fit equally well: use a smaller voxel_size"
+        if self.rest < self._min_rest:
+            return "the clouds match on three planes, as any corners do, and hardly elsewhere"
+        if self.score_beside_planes <= 0.5:
+            return "the clouds match on perpendicular planes, as any rooms do, and hardly elsewhere"
+        if self.score_of_details <= 0.5 and self.details is not None and self.details.score_of_agreement <= 0.5:
+            return "the surfaces are farther apart than their noise at more voxels than match beside three planes"
+        if self.score_of_details <= 0.5:
+            return "so few voxels match beside three planes that it may be by chance: use a smaller voxel_size"
+        return "one cloud occupies space that the other sensor saw through, from any viewpoint"
+
+
+def _exceeds(ratio: float) -> float:
+    """Score 0..1 of a value relative to its minimum: 0.5 if they are equal."""
+    return 1 / (1 + max(ratio, 1e-9) ** -STEEP)
+
+
+NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
+
+
+class Witness:
+    """The surface of a cloud, and the viewpoints from which it may have been seen."""
+
+    def __init__(self, surface: Surface, voxel_size: float):
+        self.surface, self._margin = surface, MARGIN * voxel_size
+
+    def __len__(self) -> int:
+        return len(self.surface)
+
+    @cached_property
+    def sight(self) -> Sight | None:
+        """As of `find_sight`, cached. None if there is no viewpoint."""
+        return find_sight(self.surface.points, self._margin)
+
+
+def witness_of(cloud: PointCloud, distance: float) -> Witness:
+    """The surface of a cloud for `rate_poses` at a match distance [m]."""
+    size = distance / VOXELS
+    return Witness(surface_for(cloud, size, distance), size)
+
+
+def rate_surfaces(
+    source: Witness, target: Witness, pose: NDArray[np.float64], distance: float, *, details: bool = False
+) -> Evidence:
+    """The evidence for a pose; expensive parts only while the evidence supports it.
+
+    `details` accepts more poses. They are left out where no search has excluded similar places.
+    """
+    evidence = compare_surfaces(source.surface, target.surface, pose, distance)
+    evidence = complete(evidence, source, target, pose, distance)
+    if not details or evidence.score_with_planes <= 0.5:
+        return evidence
+    was_rejected = evidence.score <= 0.5
+    evidence = evidence._replace(details=compare_details(source.surface, target.surface, pose, distance))
+    if was_rejected and evidence.score > 0.5 and evidence.aligned >= SOME_ALIGNED:
+        evidence = evidence._replace(blocked=count_blocked(source, target, pose) / evidence.matches)
+    return evidence
+
+
+def complete(
+    evidence: Evidence,
+    source: Witness,
+    target: Witness,
+    pose: NDArray[np.float64],
+    distance: float,
+    beside: Evidence | None = None,
+) -> Evidence:
+    """Add the rest and the view to the evidence if it supports the pose so far."""
+    if evidence.score <= 0.5:
+        return evidence
+    if beside is None:
+        beside = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True)
+    enough = max(beside.matches / ENOUGH_BESIDE, beside.matches / (PART_BESIDE * evidence.matches))
+    square = min(max((beside.aligned - FEW_ALIGNED) / (MANY_ALIGNED - FEW_ALIGNED), 0.0), 1.0)
+    chance = (1.0 - min(1.0, enough)) * square
+    evidence = evidence._replace(rest=beside.share * (1.0 - chance), aligned=beside.aligned)
+    if evidence.score <= 0.5 or evidence.aligned < SOME_ALIGNED:
+        return evidence
+    return evidence._replace(blocked=count_blocked(source, target, pose) / evidence.matches)
+
+
+def count_blocked(source: Witness, target: Witness, pose: NDArray[np.float64]) -> float:
+    """Number of points that occlude the other surface, the larger of both ways, from the best possible viewpoint."""
+    counted = []
+    for watched, other, T in ((target, source, pose), (source, target, invert_pose(pose))):
+        if watched.sight is not None:
+            counted.append(watched.sight.count_occluding(other.surface.points, T))
+    if not counted:
+        return 0.0
+    counts = np.split(download(concatenate_rows(counted)), np.cumsum([way.size for way in counted])[:-1])  # sync
+    return float(max(way.min() for way in counts))
+
+
+def compare_surfaces(
+    source: Surface, target: Surface, pose: NDArray[np.float64], distance: float, *, beside_planes: bool = False
+) -> Evidence:
+    """The evidence for a rigid pose about the clouds' origins: the weaker of both ways."""
+    return compare_under(source, target, pose[None], distance, beside_planes=beside_planes)[0]
+
+
+def compare_under(
+    source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, *, beside_planes: bool = False
+) -> list[Evidence]:
+    """As `compare_surfaces`, for several poses with one host synchronization."""
+    if not len(poses):
+        return []
+    pairs = [way for T in poses for way in _both_ways(source, target, T)]
+    sums = weigh_overlaps(pairs, *_limits(distance), beside_planes=beside_planes)  # sync
+    return [_evidence_of(both) for both in zip(sums[0::2], sums[1::2], strict=True)]
+
+
+def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64], distance: float) -> Details:
+    """Evidence of details for a rigid pose about the clouds' origins, the weaker of both ways. Four syncs."""
+    pairs, limits = _both_ways(source, target, pose), _limits(distance)
+    visible, rest = (
+        _evidence_of(tuple(weigh_overlaps(pairs, *limits, beside_planes=beside, within_borders=True)))
+        for beside in (False, True)
+    )
+    counts, covariances, *variances = weigh_reliefs(pairs, *limits).T
+    scale = np.sqrt(variances[0] * variances[1])
+    relief = float((covariances / np.maximum(scale, 1e-300)).min())
+    tight = TIGHT * distance / SIGMAS
+    deviating = count_deviating(pairs, *limits, radius=NOISE_RADIUS * distance, sigmas=SIGMAS, floor=tight)
+    return Details(visible.share, rest.share, rest.matches, relief, float(counts.min()), float(deviating[:, 1].max()))
+
+
+def _both_ways(
+    source: Surface, target: Surface, pose: NDArray[np.float64]
+) -> list[tuple[Surface, Surface, NDArray[np.float64]]]:
+    return [(source, target, pose), (target, source, invert_pose(pose))]
+
+
+def _limits(distance: float) -> tuple[float, float, float, float]:
+    return distance, NEAR * distance, COSINE, TIGHT * distance
+
+
+def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evidence:
+    if not all(sums[MATCHED_AT] for sums in both):
+        return NO_EVIDENCE
+    sides = []
+    for sums in both:
+        near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
+        ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
+        share = float(np.trace(solve(near + ridge, matched))) / 6
+        firmness = max(float(eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
+        sides.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
+    share, firmness, matches, square = np.min(sides, axis=0).tolist()
+    return Evidence(share, firmness, matches, aligned=-square)
