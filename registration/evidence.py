@@ -267,14 +267,14 @@ def compare_under(
     """As `compare_surfaces`, for several poses with one host synchronization."""
     if not len(poses):
         return []
-    pairs = [way for T in poses for way in _both_ways(source, target, T)]
-    sums = weigh_overlaps(pairs, *_limits(distance), beside_planes=beside_planes)  # sync
+    pairs = [way for T in poses for way in both_ways(source, target, T)]
+    sums = weigh_overlaps(pairs, *limits_of(distance), beside_planes=beside_planes)  # sync
     return [_evidence_of(both) for both in zip(sums[0::2], sums[1::2], strict=True)]
 
 
 def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64], distance: float) -> Details:
     """Evidence of details for a rigid pose about the clouds' origins, the weaker of both ways. Four syncs."""
-    pairs, limits = _both_ways(source, target, pose), _limits(distance)
+    pairs, limits = both_ways(source, target, pose), limits_of(distance)
     visible, rest = (
         _evidence_of(tuple(weigh_overlaps(pairs, *limits, beside_planes=beside, within_borders=True)))
         for beside in (False, True)
@@ -287,13 +287,13 @@ def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64],
     return Details(visible.share, rest.share, rest.matches, relief, float(counts.min()), float(deviating[:, 1].max()))
 
 
-def _both_ways(
+def both_ways(
     source: Surface, target: Surface, pose: NDArray[np.float64]
 ) -> list[tuple[Surface, Surface, NDArray[np.float64]]]:
     return [(source, target, pose), (target, source, invert_pose(pose))]
 
 
-def _limits(distance: float) -> tuple[float, float, float, float]:
+def limits_of(distance: float) -> tuple[float, float, float, float]:
     return distance, NEAR * distance, COSINE, TIGHT * distance
 
 

@@ -92,3 +92,17 @@ def spanned(rows: Matrix) -> tuple[tuple[float, float, float], ...]:
     directions = vectors.T[::-1][squares[::-1] > 0.5]
     signs = [math.copysign(1.0, row[np.abs(row).argmax()]) for row in directions]
     return tuple(tuple(float(v) for v in row * sign) for row, sign in zip(directions, signs, strict=True))  # type: ignore[misc]
+
+
+def describe_motions(motions: Matrix) -> str:
+    """Motions (rotation times a length, translation) [k, 6] in words: "slide along x and rotate about z"."""
+    ways = [f"slide along {_format_direction(way)}" for way in spanned(motions[:, 3:].T)]
+    ways += [f"rotate about {_format_direction(axis)}" for axis in spanned(motions[:, :3].T)]
+    return " and ".join(ways)
+
+
+def _format_direction(direction: tuple[float, float, float]) -> str:
+    largest = int(np.abs(direction).argmax())
+    if abs(direction[largest]) > 0.998:
+        return "xyz"[largest]
+    return f"({', '.join(f'{v:.2f}' for v in direction)})"

@@ -51,13 +51,25 @@ def choose_for(clouds: dict[str, PointCloud]) -> float:
     return rounded_up(size) if size > 0 else 1.0
 
 
-@quiet()
+def resolvable_voxel_size(source: PointCloud, target: PointCloud) -> float:
+    """As `choose_voxel_size`, but at least the typical neighbor distance of both clouds, so that both have surfaces."""
+    sizes = [_lengths_of(name, cloud) for name, cloud in (("source", source), ("target", target))]
+    size = max(min(extent for extent, _ in sizes) / VOXELS_TO_MIDDLE, *(spacing for _, spacing in sizes))
+    return size if size > 0 else 1.0
+
+
 def _size_of(name: str, cloud: PointCloud) -> float:
+    extent, spacing = _lengths_of(name, cloud)
+    return max(extent / VOXELS_TO_MIDDLE, spacing)
+
+
+@quiet()
+def _lengths_of(name: str, cloud: PointCloud) -> tuple[float, float]:
+    """Distance from the center that contains three quarters of the points, and typical neighbor distance [m]."""
     check_cloud(name, cloud)
     probes = probe_points(cloud)
     if not len(probes):
         contents = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
         raise ValueError(f"{name}: expected finite points, got {contents}")
     extent = float(np.quantile(np.linalg.norm(probes - np.median(probes, axis=0), axis=1), WITHIN))
-    spacing = distance_of_nearest(NearestNeighborSearch(cloud), probes, 2) or 0.0
-    return max(extent / VOXELS_TO_MIDDLE, spacing)
+    return extent, distance_of_nearest(NearestNeighborSearch(cloud), probes, 2) or 0.0

@@ -15,7 +15,7 @@ from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior
 from ..rigid import nearest_rotation, to_local
 from ..surfaces import FINER, VOXELS, surface_for
-from ..unobservable_motions import judge_motions, spanned
+from ..unobservable_motions import describe_motions, judge_motions, spanned
 
 Matrix = NDArray[np.float64]
 
@@ -61,9 +61,7 @@ class Localizability(AssessedRecord):
             return ()
         if len(self.open_motions) == 6:
             return ("the clouds share no surface that determines the pose",)
-        ways = [f"slide along {_format_direction(way)}" for way in self.translations]
-        ways += [f"rotate about {_format_direction(axis)}" for axis in self.turns]
-        return (f"the source may {' and '.join(ways)}: the clouds match equally well there",)
+        return (f"the source may {describe_motions(self.open_motions)}: the clouds match equally well there",)
 
     def prior(self, transformation: ArrayLike, sigma: float) -> Prior:
         """Prior for `registration_icp(..., pivot=localizability.middle)` that fixes only the undetermined motions."""
@@ -130,10 +128,3 @@ def localizability(
         return Localizability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
     middle = judged.middle + target.origin
     return Localizability(T, middle, judged.lever, judged.motions, judged.shares, judged.kinds)
-
-
-def _format_direction(direction: tuple[float, float, float]) -> str:
-    largest = int(np.abs(direction).argmax())
-    if abs(direction[largest]) > 0.998:
-        return "xyz"[largest]
-    return f"({', '.join(f'{v:.2f}' for v in direction)})"

@@ -29,7 +29,8 @@ from ..icp.estimation import (
 )
 from ..icp.icp import ICPConvergenceCriteria, check_constrainable, check_poses
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
-from ..result import MIN_SCORE, RegistrationResult
+from ..pose_check import MIN_SCORE
+from ..result import MIN_FITNESS, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
 from .global_registration import register_globally
@@ -45,8 +46,6 @@ METHODS: dict[str, Callable[[], TransformationEstimation]] = {
     "generalized": TransformationEstimationForGeneralizedICP,
     "colored": TransformationEstimationForColoredICP,
 }
-
-MIN_FITNESS = 0.1  # results below are unreliable
 
 # Correspondence distance: neighbors on a downsampled surface are about one voxel apart. A given start may be less
 # exact, so coarser clouds come first.

@@ -224,6 +224,7 @@ def _register(
     unsure = f"the confidence {criteria.confidence:g} was not reached within {best.drawn:,} iterations"
     result.warnings = () if best.confident else (unsure,)
     if with_scaling:
+        result._has_scale = True
         result.check_scale()
     result.score = partial(rate_registration, source.copy(), target.copy(), T, distance)
     report("registration", source=source, target=target, result=result)

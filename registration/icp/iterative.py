@@ -192,7 +192,8 @@ class IterativeRegistration:
                 converged=outcome == CONVERGED,
                 warnings=_warnings_of(outcome, iterations),
                 degenerate_directions=states["free"][job].reshape(6, 6)[:free_count].copy(),
-                clouds=None if self.estimation.scales else self._clouds_of(job),
+                clouds=self._clouds_of(job),
+                has_scale=self.estimation.scales,
                 **constraint_results[job],
             )
             for job, (pose, fitness, rmse, iterations, outcome, free_count) in enumerate(rows)

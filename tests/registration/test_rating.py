@@ -257,9 +257,9 @@ def test_pairs_farther_apart_than_the_noise_contradict_a_pose(device, rng):
 
     def contrary(step, noise):
         clouds = [loom.PointCloud(points, device=device) for points in (wall(0, noise), wall(step, noise))]
-        pairs = evidence._both_ways(*(surface_of(cloud, 0.05) for cloud in clouds), np.eye(4))
+        pairs = evidence.both_ways(*(surface_of(cloud, 0.05) for cloud in clouds), np.eye(4))
         limits = {"radius": 0.1, "sigmas": 3.0, "floor": 0.005}
-        counts = overlaps.count_deviating(pairs, *evidence._limits(0.075), **limits)
+        counts = overlaps.count_deviating(pairs, *evidence.limits_of(0.075), **limits)
         return (counts[:, 1] / counts[:, 0]).tolist()
 
     assert max(contrary(0.0, 0.002)) < 0.01 and max(contrary(0.0, 0.02)) < 0.01
