@@ -54,7 +54,7 @@ def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, is_constr
 
 def describe_open(motions: Matrix) -> str:
     """The warning of motions that the clouds do not determine."""
-    return OPEN.format(describe_motions(motions) or "move")
+    return OPEN.format(describe_motions(motions))
 
 
 OPEN = (

@@ -71,6 +71,7 @@ class RegistrationResult(Assessed):
         # Source, target and match distance [m], for the covariance and the comparison of surfaces. The points are
         # shared with the given clouds, which copy them when they are changed in place.
         self._clouds, self._has_scale = clouds, has_scale
+        self._compared_pose = transformation.copy()  # the warnings are those of this pose if the attribute is changed
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -122,7 +123,7 @@ class RegistrationResult(Assessed):
         self._warnings = value
 
     def _known_warnings(self) -> tuple[str, ...]:
-        """Failed checks that need no computation. A score decides instead of the fitness, as the overlap may be small."""
+        """Failed checks that need no computation. With a score, the overlap may be small, so the fitness may be low."""
         motions = self.degenerate_directions[len(self.prior_directions) :]
         is_low = self._score is None and 0 < self.fitness < MIN_FITNESS
         low = f"only {format_share(self.fitness)} of the source has a correspondence, less than {MIN_FITNESS:.0%}"
@@ -143,7 +144,7 @@ class RegistrationResult(Assessed):
         if self._clouds is None:
             return ""
         source, target, _ = self._clouds
-        return find_problem(source, target, self.transformation, is_constrained=self.free is not None)
+        return find_problem(source, target, self._compared_pose, is_constrained=self.free is not None)
 
     def to_dict(self) -> dict[str, Any]:
         """All but the correspondences and the covariance in JSON types, with `reliable` and `warnings`."""

@@ -96,9 +96,21 @@ def spanned(rows: Matrix) -> tuple[tuple[float, float, float], ...]:
 
 def describe_motions(motions: Matrix) -> str:
     """Motions (rotation times a length, translation) [k, 6] in words: "slide along x and rotate about z"."""
-    ways = [f"slide along {_format_direction(way)}" for way in spanned(motions[:, 3:].T)]
-    ways += [f"rotate about {_format_direction(axis)}" for axis in spanned(motions[:, :3].T)]
-    return " and ".join(ways)
+    slides, turns = spanned(motions[:, 3:].T), spanned(motions[:, :3].T)
+    ways = [f"slide {_directions(slides, 'along')}"] if slides else []
+    ways += [f"rotate {_directions(turns, 'about')}"] if turns else []
+    return " and ".join(ways) or "slide and rotate together"
+
+
+def _directions(directions: Sequence[tuple[float, float, float]], preposition: str) -> str:
+    """The span of one to three orthonormal directions in words. Two are any in their plane, so its normal is named."""
+    if len(directions) == 1:
+        return f"{preposition} {_format_direction(directions[0])}"
+    if len(directions) == 2:
+        normal = np.cross(*directions)
+        (upward,) = spanned(normal[:, None])
+        return f"{preposition} any direction perpendicular to {_format_direction(upward)}"
+    return f"{preposition} any direction"
 
 
 def _format_direction(direction: tuple[float, float, float]) -> str:
