@@ -58,8 +58,8 @@ def describe_open(motions: Matrix) -> str:
 
 
 OPEN = (
-    "the clouds do not determine the pose: the source may {}. Pass prior= or free=, or use clouds with surfaces that "
-    "prevent this motion"
+    "the clouds do not determine the pose: the source may {}. Fix this motion, add a prior, or use clouds with "
+    "surfaces that prevent it"
 )
 APART = (
     "the surfaces match at only {:.0%} of the overlap, so the pose is probably wrong. Start closer to the true pose, "

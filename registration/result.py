@@ -123,11 +123,13 @@ class RegistrationResult(Assessed):
         self._warnings = value
 
     def _known_warnings(self) -> tuple[str, ...]:
-        """Failed checks that need no computation. With a score, the overlap may be small, so the fitness may be low."""
+        """Failed checks that need no computation. A score includes the overlap and the undetermined motions."""
+        if self._score is not None:
+            return self._warnings
         motions = self.degenerate_directions[len(self.prior_directions) :]
-        is_low = self._score is None and 0 < self.fitness < MIN_FITNESS
         low = f"only {format_share(self.fitness)} of the source has a correspondence, less than {MIN_FITNESS:.0%}"
         remedy = "Start closer to the true pose, or use a larger max_correspondence_distance"
+        is_low = 0 < self.fitness < MIN_FITNESS
         open_motions = describe_open(motions) if len(motions) else None
         return (*self._warnings, *failed(f"{low}. {remedy}" if is_low else None, open_motions))
 

@@ -29,7 +29,7 @@ from ..icp.estimation import (
 )
 from ..icp.icp import ICPConvergenceCriteria, check_constrainable, check_poses
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
-from ..pose_check import MIN_SCORE
+from ..pose_check import MIN_SCORE, describe_open
 from ..result import MIN_FITNESS, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
@@ -52,6 +52,7 @@ METHODS: dict[str, Callable[[], TransformationEstimation]] = {
 DISTANCE = 2.0  # [voxels]
 COARSE_TO_FINE, AT_ONCE = (4.0, 2.0, 1.0), (1.0,)
 
+SEARCHED, GIVEN = "global", "given"  # initial poses
 RATED_WITHIN = 1.5  # [voxels] as in the global registration
 MIN_VOXELS = 10  # minimum occupied voxels
 
@@ -114,6 +115,9 @@ class PairRegistration(Report, Assessed):
         if self.result.fitness < MIN_FITNESS:
             share = f"{format_share(self.result.fitness)} of the source, less than {MIN_FITNESS:.0%}"
             return (f"only {share}, has a correspondence",)
+        open_motions = self.result.degenerate_directions[len(self.result.prior_directions) :]
+        if self.init == GIVEN and len(open_motions):  # along them the pose is the initial one
+            return (describe_open(open_motions),)
         if self.score > MIN_SCORE:
             return ()
         problem = self.search_problem or "the surfaces hardly overlap"
@@ -252,7 +256,7 @@ def register_pair(
     return PairRegistration(
         result,
         score,
-        "global" if init is None else "given",
+        SEARCHED if init is None else GIVEN,
         method,
         size,
         given is not None,
@@ -269,7 +273,7 @@ def register_pair(
 
 
 def _state_of(result: RegistrationResult) -> str:
-    return "; ".join(result.warnings) or "converged"
+    return "; ".join(result._warnings) or "converged"  # the rating follows as a warning of the pair
 
 
 def _check_method(method: Any) -> TransformationEstimation:

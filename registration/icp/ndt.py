@@ -134,7 +134,7 @@ def registration_ndt(
     result = _run(source, target, rules, pose, check_degeneracy(degeneracy))
     if result.fitness < LOW_FITNESS:
         warn_of_low_fitness(result, source, target, pose, rules.voxel_size)
-        result.warnings = tuple(f"{text}; {REMEDY}" for text in result.warnings)
+        result.warnings = tuple(f"{text}; {REMEDY}" for text in result._warnings)
     report("registration", source=source, target=target, result=result)
     return result
 

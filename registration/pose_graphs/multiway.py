@@ -23,9 +23,9 @@ from ...core.checks import (
 from ...core.devices import check_same_device
 from ...core.observers import report
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report
+from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
 from ...core.units import common_unit
-from ...core.wording import plain
+from ...core.wording import few_of, plain
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..globally.global_registration import Description, describe, register_described
@@ -46,16 +46,18 @@ from .fragment_graph import (
     with_pairs,
 )
 from .pose_graph import PoseGraph
+from .reports import GlobalOptimizationReport
 
 Matrices = NDArray[np.float64]
 
 ALL_PAIRS = 40  # maximum clouds for all pairs: 780
 NEARBY = 5  # following clouds tried with each, if there are more
+MAX_LISTED = 5  # clouds that a warning names
 LEVEL_ENOUGH = 1e-6  # [rad] maximum tilt of known level poses
 
 
 @dataclass(frozen=True, eq=False)
-class FragmentsResult(Report):
+class FragmentsResult(Report, Assessed):
     """Result of `register_fragments`.
 
     Attributes:
@@ -77,6 +79,21 @@ class FragmentsResult(Report):
     pairs: list[FragmentPair]
     voxel_size: float
     free: tuple[str, ...] | None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy. Empty if the result is reliable."""
+        lost = np.flatnonzero(~self.placed).tolist()
+        of_all = f"{len(lost)} of {len(self.placed)} clouds ({few_of([str(i) for i in lost], MAX_LISTED)})"
+        remedy = "Use more neighbors or another voxel_size, pass known pairs, or add clouds between them"
+        unconnected = f"{of_all} match none of the others, so their poses are unknown. {remedy}"
+        return (*failed(unconnected if lost else None), *self.graph_warnings)
+
+    @property
+    def graph_warnings(self) -> tuple[str, ...]:
+        """Failed quality checks of the pose graph of the placed clouds."""
+        report = self.pose_graph.report
+        return report.warnings if isinstance(report, GlobalOptimizationReport) else ()
 
     @property
     def trajectory(self) -> Trajectory:
@@ -150,16 +167,18 @@ class FragmentsResult(Report):
                     {"source": called[p.source], "target": called[p.target], "fitness": p.fitness, "score": p.score}
                     for p in self.pairs
                 ],
+                **quality(self),
             }
         )
 
     def fields(self) -> Fields:
         edges = f"{len(self.pairs):,} that overlap, {len(self.pose_graph.edges):,} of them kept in the pose"
-        return [
+        fields = [
             ("clouds", f"{self.placed.sum()} of {len(self.placed)} placed"),
             ("pairs", f"{edges} graph, {self.loop_count:,} to close loops"),
             ("frame", f"that of {self.reference}"),
         ]
+        return with_warnings(fields, self)
 
 
 def register_fragments(
@@ -189,7 +208,7 @@ def register_fragments(
         progress: Called with ("pairs", pairs done, pairs in all).
 
     Returns:
-        The poses, and the mask of placed clouds. Clouds without overlap are reported.
+        The poses, and the mask of placed clouds. The result is unreliable if there are clouds without overlap.
 
     Raises:
         ValueError: No clouds, a known pair of missing clouds, or as `register_globally`.

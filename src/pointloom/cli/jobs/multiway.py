@@ -42,10 +42,11 @@ class MultiwayReport(JobReport):
         report = super().to_dict()
         points = report.pop("points")
         del report["result"]
-        return report | {"points": points} | self.result.to_dict(self.clouds)
+        quality = {name: report[name] for name in ("reliable", "warnings")}  # which name files and options
+        return report | {"points": points} | self.result.to_dict(self.clouds) | quality
 
     def fields(self) -> Fields:
-        (_, cloud_count), (_, pairs), _ = self.result.fields()
+        (_, cloud_count), (_, pairs), *_ = self.result.fields()
         chosen = "" if self.voxel_size_given else ", chosen from the clouds"
         return [
             ("clouds", f"{cloud_count}, {self.points:,} points"),
@@ -103,7 +104,7 @@ def register_folder(
             _write_results(job, result, clouds, output, merged, graph)
     names = tuple(path.name for path in paths)
     lost = [name for name, is_registered in zip(names, result.placed, strict=True) if not is_registered]
-    done = job.done(placement_warning(lost, len(names), is_written))
+    done = job.done(placement_warning(lost, len(names), is_written), *result.graph_warnings)
     points = sum(len(cloud) for cloud in clouds)
     return MultiwayReport(done, str(where), size, voxel_size is not None, names, points, result)
 

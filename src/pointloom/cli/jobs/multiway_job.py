@@ -86,7 +86,8 @@ def register_in_job(
         if is_written:
             write_poses_and_graph(job, result, output, graph)
     names = tuple(path.name for path in paths)
-    done = job.done(placement_warning([Path(path).name for path in result.not_placed], len(names), is_written))
+    lost = [Path(path).name for path in result.not_placed]
+    done = job.done(placement_warning(lost, len(names), is_written), *result.graph_warnings)
     return PlacedReport(done, where, voxel_size, True, names, result.points, result, status.notes)
 
 
