@@ -1,9 +1,9 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
 from ..io.points.scan_files import list_scans as list_scans
+from .alignment import check_alignment as check_alignment
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
-from .globally.alignment import check_alignment as check_alignment
 from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
 from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength
 from .globally.checkers import CorrespondenceCheckerBasedOnNormal as CorrespondenceCheckerBasedOnNormal

@@ -8,17 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_rigid
-from ...core.reports import AssessedRecord
-from ...kernels.linear_algebra import eigh, eigvalsh, matmul, solve
-from ...kernels.poses.overlap_evidence import weigh_overlaps
-from ...kernels.surface.hollow_side import Surface
-from ...pcd.cloud import PointCloud
-from ..correspondence_input import check_clouds
-from ..evidence import TIGHT
-from ..pose_errors import match_distance, measure_step
-from ..rigid import invert_pose, make_pose, nearest_rotation, rotation_of, symmetric_matrices, to_world
-from ..surfaces import COSINE, ENOUGH, NEAR
+from ..core.checks import check_rigid
+from ..core.reports import AssessedRecord
+from ..kernels.linear_algebra import eigh, eigvalsh, matmul, solve
+from ..kernels.poses.overlap_evidence import weigh_overlaps
+from ..kernels.surface.hollow_side import Surface
+from ..pcd.cloud import PointCloud
+from .correspondence_input import check_clouds
+from .evidence import TIGHT
+from .pose_errors import match_distance, measure_step
+from .rigid import invert_pose, make_pose, nearest_rotation, rotation_of, symmetric_matrices, to_world
+from .surfaces import COSINE, ENOUGH, NEAR
 
 Matrix = NDArray[np.float64]
 # Error of the surfaces that more points do not reduce, relative to the residuals: lenses, distortion by motion, biased
