@@ -1,0 +1,182 @@
+"""`reliable` of refined poses: wrong poses, open motions and collapsed scales are rejected, correct poses are not."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.registration import result as result_module
+from pointloom.registration.unobservable_motions import describe_motions
+
+from .icp_clouds import KINDS, PLANE, wavy
+from .poses import as_pose
+from .test_icp import degenerate
+
+reg = loom.registration
+RULES = reg.ICPConvergenceCriteria(1e-3, 1e-4, 200)
+NDT = reg.NormalDistributionsTransformOption(voxel_size=0.3, max_iteration=200)
+
+
+def icp(**options):
+    return lambda source, target, start: reg.registration_icp(source, target, 0.3, start, PLANE, RULES, **options)
+
+
+def batch(source, target, start):
+    return reg.registration_icp_batch(source, target, 0.3, np.array([start, start]), PLANE, RULES)[1]
+
+
+METHODS = {
+    name: lambda source, target, start, method=method: reg.registration_icp(source, target, 0.3, start, method, RULES)
+    for name, method in KINDS.items()
+    if name != "doppler"  # needs velocities
+} | {
+    "trimmed": icp(overlap=0.7),
+    "estimated overlap": icp(overlap=None),
+    "normals": icp(max_normal_angle=0.8),
+    "batch": batch,
+    "two scales": lambda s, t, start: reg.multi_scale_icp(s, t, [0.1, -1], [RULES, RULES], [0.4, 0.3], start, PLANE),
+    "NDT": lambda source, target, start: reg.registration_ndt(source, target, NDT, start),
+    "evaluation": lambda source, target, start: reg.evaluate_registration(source, target, 0.3, start),
+}
+CONSTRAINED = {
+    "level": icp(free=("x", "y", "z", "yaw")),
+    "prior": icp(prior=reg.Prior(np.eye(4), sigma_translation=0.1, sigma_rotation=0.1)),
+}
+
+
+def torus(rng, count):
+    """A torus with a waist of another radius along y."""
+    a, b = rng.uniform(0, 2 * np.pi, (2, count))
+    r = 1 + 0.3 * np.cos(b)
+    return np.column_stack([r * np.cos(a), 1.2 * r * np.sin(a), 0.3 * np.sin(b)])
+
+
+def box(rng, count, size=(2.0, 1.0, 0.5)):
+    points, axes = rng.uniform(-0.5, 0.5, (count, 3)), rng.integers(0, 3, count)
+    points[np.arange(count), axes] = rng.choice([-0.5, 0.5], count)
+    return points * size
+
+
+def corner(rng, count):
+    """Three planes, which any corner of a room has."""
+    points = rng.uniform(0, 2, (count, 3))
+    points[np.arange(count), np.arange(count) % 3] = 0
+    return points
+
+
+def terrain(rng, count):
+    return 1.5 * wavy(rng, count)
+
+
+def cloud_of(points, device, rng=None):
+    noise = 0.0 if rng is None else 0.002 * rng.normal(size=points.shape)
+    colors = (points - points.min(0)) / np.maximum(np.ptp(points, axis=0), 1e-9)
+    return loom.PointCloud(points + noise, colors=colors, device=device).estimate_normals(max_nn=20)
+
+
+@pytest.mark.parametrize("name", [*METHODS, *CONSTRAINED])
+def test_clouds_that_share_nothing_have_no_reliable_pose(device, rng, name):
+    target = cloud_of(box(rng, 3000, (2, 1, 3)), device)
+    for shape in (torus, terrain):
+        result = (METHODS | CONSTRAINED)[name](cloud_of(shape(rng, 3000), device), target, np.eye(4))
+        assert not result.reliable and result.to_dict()["warnings"] == [*result.warnings]
+        assert result.converged or name in ("evaluation", "NDT", "normals"), result
+
+
+@pytest.mark.parametrize("name", [*METHODS, *CONSTRAINED])
+def test_correct_poses_stay_reliable(device, rng, name):
+    """Also on three planes, which a search without a start must reject."""
+    start = as_pose([0.01, -0.01, 0.02], [0.03, 0.02, -0.02]) if name != "evaluation" else np.eye(4)
+    for shape in (terrain, corner):
+        source, target = (cloud_of(shape(rng, 4000), device, rng) for _ in range(2))
+        result = (METHODS | CONSTRAINED)[name](source, target, start)
+        assert np.abs(result.transformation - np.eye(4)).max() < 0.06 and result.warnings == ()
+
+
+@pytest.mark.parametrize("name", list(METHODS))
+@pytest.mark.parametrize("shape", ["corridor", "wall"])
+def test_undetermined_motions_are_named(device, rng, name, shape):
+    if shape == "wall":
+        clouds = [cloud_of(rng.uniform(-2, 2, (3000, 3)) * [1, 1, 0], device, rng) for _ in range(2)]
+    else:
+        clouds = [cloud_of(degenerate("corridor", rng, 4000)[0], device, rng) for _ in range(2)]
+    result = METHODS[name](*clouds, as_pose([0, 0, 0], [0.1, 0.1, 0.01]))
+    assert not result.reliable
+    if len(result.degenerate_directions) or result.converged:
+        assert "the source may slide" in result.warnings[-1]
+
+
+@pytest.mark.parametrize("name", ["free", "prior"])
+def test_a_motion_that_is_fixed_or_has_a_prior_is_no_warning(device, rng, name):
+    clouds = [cloud_of(degenerate("corridor", rng, 4000)[0], device, rng) for _ in range(2)]
+    options = {
+        "free": {"free": ("x", "z", "roll", "pitch", "yaw")},
+        "prior": {"prior": reg.Prior(np.eye(4), sigma_translation=0.05, sigma_rotation=0.05)},
+    }
+    result = icp(**options[name])(*clouds, as_pose([0, 0, 0.01], [0.02, 0, 0.01]))
+    assert result.converged and result.warnings == ()
+
+
+def test_a_pair_from_a_given_start_names_motions_that_gentle_slopes_do_not_determine(device, rng):
+    x, y = rng.uniform(-3, 3, (2, 20000))
+    points = np.column_stack([x, y, 0.05 * np.sin(2 * x + 0.3) * np.cos(1.7 * y)])
+    source, target = (loom.PointCloud(p, device=device) for p in (points[:12000], points[8000:]))
+    pair = reg.register_pair(source, target, init=as_pose([0, 0, 0], [0.15, 0.15, 0]))
+    assert pair.score > 0.5 and not pair.reliable and "may slide" in pair.warnings[0]
+
+
+@pytest.mark.parametrize("match", [1.0, 3.0])
+def test_a_source_that_shrinks_into_a_corner_is_not_reliable(device, match):
+    method, collapsed = reg.TransformationEstimationPointToPoint(with_scaling=True), 0
+    for seed in range(8):
+        rng = np.random.default_rng(seed)
+        source, target = (loom.PointCloud(box(rng, count), device=device) for count in (1500, 2500))
+        way = rng.normal(size=3)
+        target = target.translate(way * rng.uniform(1.0, 2.5) / np.linalg.norm(way))
+        result = reg.registration_icp(source, target, match, None, method, RULES)
+        scale = np.cbrt(np.linalg.det(result.transformation[:3, :3]))
+        assert 0.7 < scale < 1.4 or not result.reliable
+        collapsed += result.converged and scale < 0.7 and result.fitness > 0.95
+    assert collapsed
+
+
+def test_a_low_fitness_is_a_warning(device, rng):
+    points = terrain(rng, 6000)
+    part = points[points[:, 0] > 1.4]
+    away = np.concatenate([part, np.add(points, [0, 0, 50])])
+    result = reg.registration_icp(cloud_of(away, device), cloud_of(points, device), 0.1, None, PLANE, RULES)
+    assert 0 < result.fitness < 0.1 and "has a correspondence, less than 10%" in result.warnings[0]
+
+
+def test_the_surfaces_are_compared_once_on_access(device, rng, monkeypatch):
+    calls = []
+    find = result_module.find_problem
+    monkeypatch.setattr(
+        result_module, "find_problem", lambda *given, **options: calls.append(1) or find(*given, **options)
+    )
+    source, target = (cloud_of(shape(rng, 2000), device) for shape in (torus, terrain))
+    result = icp()(source, target, np.eye(4))
+    assert result.converged and repr(result) and not calls
+    lazy = copy.copy(result)
+    assert not calls
+    assert not result.reliable and not result.reliable and len(calls) == 1
+    result.transformation[:3, 3] += 1e3  # for instance into another frame: the warnings are those of the registration
+    for again in (lazy, pickle.loads(pickle.dumps(result)), copy.deepcopy(result)):
+        assert again.warnings == result.warnings
+    assert len(pickle.dumps(result)) < result.correspondence_set.nbytes + 4000  # without clouds
+
+
+@pytest.mark.parametrize(
+    ("motions", "words"),
+    [
+        ([[0, 0, 0, 1, 0, 0]], "slide along x"),
+        ([[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0]], "slide along any direction perpendicular to z"),
+        ([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0.8, 0.6, 0]], "slide along (0.80, 0.60, 0.00) and rotate about z"),
+        (np.eye(6), "slide along any direction and rotate about any direction"),
+        ([[0, 0, 0.7, 0, 0, 0.7]], "slide and rotate together"),
+    ],
+)
+def test_motions_in_words(motions, words):
+    assert describe_motions(np.array(motions, float)) == words
