@@ -17,9 +17,9 @@ from .voxel_size import resolvable_voxel_size
 
 Matrix = NDArray[np.float64]
 MIN_SCORE = 0.5  # scores up to this one reject a pose
-# Least fraction of the attainable constraint that the matches of a constrained registration provide. Measured on
-# 2026-11-27 at the voxels of `resolvable_voxel_size`: of 574 correct ICP poses of 24 pairs of scans, rooms and objects
-# the least has 0.23, of 112 poses of clouds that share nothing the largest 0.10.
+# Least fraction of the attainable constraint that matches provide, where they need not determine all motions. Measured
+# on 2026-11-27 at the voxels of `resolvable_voxel_size`: of 574 correct ICP poses of 24 pairs of scans, rooms and
+# objects the least has 0.23, of 112 poses of clouds that share nothing the largest 0.10.
 MIN_SHARE = 0.15
 # Largest squared component of the normals along an undetermined motion: the degeneracy limit of ICP. Of 1,587 correct
 # poses (as above, on 2026-11-27) 14 have an undetermined motion below it, all of a field with bumps of 5 cm on 6 m. In
@@ -32,11 +32,11 @@ MIN_PAIRS = 1000
 RIGID = 0.05  # deviation of R R^T from the identity above which the source is transformed
 
 
-def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, is_constrained: bool = False) -> str:
+def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, may_be_open: bool = False) -> str:
     """The strongest evidence of the surfaces against a pose T_target_source, with a remedy; "" if there is none.
 
-    Clouds without surfaces are not evidence against a rigid pose. `is_constrained`: some motions were fixed or have a
-    prior, so the surfaces need not determine them.
+    Clouds without surfaces are not evidence against a rigid pose. `may_be_open`: the surfaces need not determine all
+    motions, as some are fixed, or determined by a prior, colors, velocities or coinciding points.
     """
     is_rigid = np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() <= RIGID and det(T[:3, :3]) > 0
     if not is_rigid:
@@ -51,13 +51,15 @@ def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, is_constr
     if min(map(len, witnesses)) < ENOUGH:
         return "" if is_rigid else SHRUNK.format(len(witnesses[0]), distance / VOXELS)
     pose = to_local(T, source.origin, target.origin)
-    if is_constrained:
-        share = compare_surfaces(witnesses[0].surface, witnesses[1].surface, pose, distance).share
-        return "" if share > MIN_SHARE else APART.format(share)
-    problem = _disagreement(*witnesses, pose, distance)
+    evidence = compare_surfaces(witnesses[0].surface, witnesses[1].surface, pose, distance)
+    if evidence.score_with_planes <= MIN_SCORE:
+        if may_be_open:
+            return "" if evidence.share > MIN_SHARE else APART.format(evidence.share)
+        return _weakness(evidence, *witnesses, pose, distance)
+    problem = _contradiction(evidence, *witnesses, pose, distance)
     if not problem and _is_unsupported(source, target, T, distance):
         problem = UNSUPPORTED
-    return problem or _open_motions(*witnesses, pose, distance)
+    return problem or ("" if may_be_open else _open_motions(*witnesses, pose, distance))
 
 
 def describe_open(motions: Matrix) -> str:
@@ -91,10 +93,8 @@ SHRUNK = (
 )
 
 
-def _disagreement(source: Witness, target: Witness, pose: Matrix, distance: float) -> str:
-    evidence = compare_surfaces(source.surface, target.surface, pose, distance)
-    if evidence.score_with_planes <= MIN_SCORE:
-        return _weakness(evidence, source, target, pose, distance)
+def _contradiction(evidence: Evidence, source: Witness, target: Witness, pose: Matrix, distance: float) -> str:
+    """What speaks against a pose with enough matches: they are all on three planes, or free space is occupied."""
     evidence = complete(evidence, source, target, pose, distance)
     if evidence.score_of_view <= MIN_SCORE:
         return BLOCKED

@@ -23,6 +23,9 @@ from .pose_errors import PoseCovariance, pose_covariance
 MIN_TARGETS = 10  # minimum matched targets for a scale
 SHARED = 10  # source points per target point above which the scale is undetermined
 MIN_FITNESS = 0.1  # results below are unreliable
+# RMS distance of correspondences in match distances below which one cloud is a copy of the other. Rounding to float32
+# gives 1e-6 and less, two samplings of a surface at least 0.02 (a tenth of the point spacing).
+COINCIDENT = 1e-4
 
 
 class RegistrationResult(Assessed):
@@ -60,6 +63,7 @@ class RegistrationResult(Assessed):
         alternatives: tuple[NDArray[np.float64], ...] = (),
         clouds: tuple[PointCloud, PointCloud, float] | None = None,
         has_scale: bool = False,
+        uses_surfaces_only: bool = True,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
         self.iterations, self.converged, self._warnings, self._score = iterations, converged, warnings, score
@@ -70,7 +74,7 @@ class RegistrationResult(Assessed):
         self._correspondences = correspondences
         # Source, target and match distance [m], for the covariance and the comparison of surfaces. The points are
         # shared with the given clouds, which copy them when they are changed in place.
-        self._clouds, self._has_scale = clouds, has_scale
+        self._clouds, self._has_scale, self._uses_surfaces_only = clouds, has_scale, uses_surfaces_only
         self._compared_pose = transformation.copy()  # the warnings are those of this pose if the attribute is changed
 
     @cached_property
@@ -145,8 +149,10 @@ class RegistrationResult(Assessed):
         """Evidence of the surfaces against the pose. "" if there is none, or without clouds."""
         if self._clouds is None:
             return ""
-        source, target, _ = self._clouds
-        return find_problem(source, target, self._compared_pose, is_constrained=self.free is not None)
+        source, target, distance = self._clouds
+        coincide = self.fitness > 0.5 and self.inlier_rmse < COINCIDENT * distance
+        may_be_open = coincide or self.free is not None or not self._uses_surfaces_only
+        return find_problem(source, target, self._compared_pose, may_be_open=may_be_open)
 
     def to_dict(self) -> dict[str, Any]:
         """All but the correspondences and the covariance in JSON types, with `reliable` and `warnings`."""

@@ -194,6 +194,7 @@ class IterativeRegistration:
                 degenerate_directions=states["free"][job].reshape(6, 6)[:free_count].copy(),
                 clouds=self._clouds_of(job),
                 has_scale=self.estimation.scales,
+                uses_surfaces_only=not (self.estimation.needs_colors or self.estimation.in_sensor_frame),
                 **constraint_results[job],
             )
             for job, (pose, fitness, rmse, iterations, outcome, free_count) in enumerate(rows)

@@ -67,6 +67,8 @@ def test_a_cloud_without_overlap_is_excluded_and_reported(fragments, rng):
     assert result.placed.tolist() == [True, False, True, True]
     np.testing.assert_array_equal(result.poses[1], np.eye(4))
     assert result.groups[1] not in result.groups[[0, 2, 3]]
+    assert not result.reliable and result.warnings[0].startswith("1 of 4 clouds (1) match none of the others")
+    assert result.to_dict()["warnings"] == [*result.warnings] and result.warnings[0] in str(result)
 
 
 def test_a_single_cloud_defines_its_frame():
