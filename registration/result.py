@@ -183,7 +183,7 @@ class RegistrationResult(Assessed):
     def __copy__(self) -> RegistrationResult:
         """A result with the same clouds, which computes on access what this one has not computed."""
         made = type(self).__new__(type(self))
-        vars(made).update(vars(self))
+        made.__dict__.update(vars(self))
         return made
 
     def __repr__(self) -> str:

@@ -107,8 +107,8 @@ def _directions(directions: Sequence[tuple[float, float, float]], preposition: s
     if len(directions) == 1:
         return f"{preposition} {_format_direction(directions[0])}"
     if len(directions) == 2:
-        normal = np.cross(*directions)
-        (upward,) = spanned(normal[:, None])
+        first, second = directions
+        (upward,) = spanned(np.cross(first, second)[:, None])
         return f"{preposition} any direction perpendicular to {_format_direction(upward)}"
     return f"{preposition} any direction"
 

@@ -28,7 +28,7 @@ def evaluate_registration(
         transformation: T_target_source, any affine 4x4; None: the identity.
 
     Returns:
-        The result, with the given transformation.
+        The result, with the given transformation. `reliable` as of `registration_icp`, without convergence.
 
     Raises:
         ValueError, DeviceError: A distance that is not positive, a singular transformation, or clouds on different

@@ -116,7 +116,8 @@ def registration_icp(
 
     Returns:
         The result. Without correspondences: the current pose, fitness 0, and a warning. Undetermined motions (a plane
-        along itself) are left out and reported in `degenerate_directions`.
+        along itself) are left out and reported in `degenerate_directions`. Check `reliable`: it compares the surfaces
+        of both clouds under the pose on first access.
 
     Raises:
         ValueError: A distance that is not positive, an init that is not rigid, missing attributes for the estimator, a

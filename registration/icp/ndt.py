@@ -104,7 +104,7 @@ def registration_ndt(
     Returns:
         The result. A point is paired with the target point nearest to the mean of the distribution that explains it
         best, so `inlier_rmse` is a fraction of the voxel size even for an exact pose. Undetermined motions are left out
-        and reported in `degenerate_directions`.
+        and reported in `degenerate_directions`. Check `reliable`, as of `registration_icp`.
 
     Raises:
         ValueError: No voxel has `min_points_per_voxel` points, more than 2^62 voxels, or an init that is not rigid.
