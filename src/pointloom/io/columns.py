@@ -18,16 +18,16 @@ COLOR_SLACK = 1e-3
 
 
 @quiet()
-def stack_points(columns: Sequence[NDArray[Any]]) -> NDArray[Any]:
-    """Three columns as positions (n, 3): float32 if all are, else float64."""
+def stack_points(columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = None) -> NDArray[Any]:
+    """Three columns as positions (n, 3): float32 if all are, else float64. Here and below `out` receives the result."""
     single = all(column.dtype.kind == "f" and column.dtype.itemsize == 4 for column in columns)
-    return _stack(columns, np.float32 if single else np.float64)
+    return _stack(columns, np.float32 if single else np.float64, out)
 
 
-def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
+def stack_normals(path: Any, columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = None) -> NDArray[np.float32]:
     """Three columns as normals, float32 (n, 3). Raises `FileError` beyond float32."""
     with quiet():
-        normals = _stack(columns, np.float32)
+        normals = _stack(columns, np.float32, out)
     for axis, column in enumerate(columns):
         if column.dtype.itemsize > 4:
             bad = np.isinf(normals[:, axis]) & np.isfinite(column)
@@ -36,7 +36,7 @@ def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.floa
     return normals
 
 
-def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
+def stack_colors(path: Any, columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = None) -> NDArray[np.float32]:
     """Columns as colors in 0..1, float32 (n, 3 or 4).
     uint16 is divided by 65535, other integers by 255, floats are unchanged; out of range raises `FileError`."""
     kinds = {(column.dtype.kind, column.dtype.itemsize) for column in columns}
@@ -45,25 +45,30 @@ def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float
     kind, size = kinds.pop()
     if kind == "f":
         with quiet():
-            colors = _stack(columns, np.float32)
+            colors = _stack(columns, np.float32, out)
         _refuse_colors(path, _outside(colors), "0..1")
         return np.clip(colors, 0, 1, out=colors)
     full = 65535 if (kind, size) == ("u", 2) else 255
     if (size > 1 and full == 255) or kind == "i":
         bad = np.logical_or.reduce([(column < 0) | (column > full) for column in columns])
         _refuse_colors(path, bad, f"0..{full}")
-    colors = _stack(columns, np.float32)
+    colors = _stack(columns, np.float32, out)
     colors /= np.float32(full)
     return colors
 
 
 def colors_or_loss(
-    path: Any, columns: Sequence[NDArray[Any]], *, what: str = "colors", stacklevel: int = 3
+    path: Any,
+    columns: Sequence[NDArray[Any]],
+    *,
+    what: str = "colors",
+    stacklevel: int = 3,
+    out: NDArray[Any] | None = None,
 ) -> NDArray[np.float32] | None:
     """Color channels of a mesh, float32 (n, 3) in 0..1, or None.
     Out-of-range colors are scaled or clamped. NaN, infinity or mixed types drop all colors. Both with a warning."""
     try:
-        return stack_colors(path, columns)
+        return stack_colors(path, columns, out)
     except FileError as error:
         if len({(column.dtype.kind, column.dtype.itemsize) for column in columns}) > 1:
             warn_of_loss(path, what, error.reason, stacklevel=stacklevel + 1)
@@ -131,8 +136,11 @@ def colors_to_bytes(path: Any, colors: NDArray[Any]) -> NDArray[np.uint8]:
     return np.rint(np.clip(colors, 0, 1) * np.float32(255)).astype(np.uint8)
 
 
-def own(column: NDArray[Any]) -> NDArray[Any]:
+def own(column: NDArray[Any], out: NDArray[Any] | None = None) -> NDArray[Any]:
     """A copy of a column in native byte order that does not reference the file."""
+    if out is not None:
+        out[...] = column
+        return out
     return column.astype(column.dtype.newbyteorder("="), order="C", copy=True)
 
 
@@ -179,9 +187,9 @@ def _refuse_colors(path: Any, bad: NDArray[np.bool_], span: str) -> None:
         )
 
 
-def _stack(columns: Sequence[NDArray[Any]], dtype: Any) -> NDArray[Any]:
+def _stack(columns: Sequence[NDArray[Any]], dtype: Any, out: NDArray[Any] | None) -> NDArray[Any]:
     """Stack columns. Columns that are already adjacent in the file are copied in one pass."""
-    rows = np.empty((len(columns[0]), len(columns)), dtype)
+    rows = np.empty((len(columns[0]), len(columns)), dtype) if out is None else out
     first = columns[0]
     step = first.dtype.itemsize
     addresses = [column.__array_interface__["data"][0] for column in columns]

@@ -102,7 +102,7 @@ class _File:
 
     def take_chunk(self, begin: int, length: int) -> None:
         form, at = _text(self.path, self.source, begin + 28)
-        start, end, size = struct.unpack_from("<QQQ", self.source, begin)
+        start, end, size = struct.unpack("<QQQ", self.source[begin : begin + 24])
         check, stored = number("I", self.source, begin + 24), number("Q", self.source, at)
         if at + 8 + stored > begin + length:
             raise FileError(self.path, "a chunk is longer than its record", where=f"byte {begin}")

@@ -135,4 +135,5 @@ def byte_order(data: bytes, encoding: str) -> str:
 
 def number(form: str, data: bytes, begin: int) -> int:
     """Unpack a number; struct.error if the data end before it."""
-    return struct.unpack_from("<" + form, data, begin)[0]
+    form = "<" + form
+    return struct.unpack(form, data[begin : begin + struct.calcsize(form)])[0]

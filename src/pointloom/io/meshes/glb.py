@@ -158,7 +158,7 @@ class Materials:
         linked = file.uri_file(uri, f"images {source}")
         if linked is None:
             return None, file.why_missing(uri), None
-        return ("file", linked.resolve()), str(linked), memoryview(open_source(linked))
+        return ("file", linked.resolve()), str(linked), memoryview(open_source(linked)[:])
 
 
 def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:

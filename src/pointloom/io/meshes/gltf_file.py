@@ -35,7 +35,7 @@ class GltfFile:
 
     def __init__(self, path: str | os.PathLike[str], *, outside_files: bool = False):
         self.path, self.outside_files = Path(path), outside_files
-        data = memoryview(open_source(path))
+        data = memoryview(open_source(path)[:])
         self.size = len(data)
         text, self.binary = data, None
         if data[:4] == MAGIC or self.path.suffix.lower() == ".glb":
@@ -134,7 +134,7 @@ class GltfFile:
         path = self.uri_file(uri, what)
         if path is None:
             raise self.error(f"{what} is in another file, {self.why_missing(uri)}")
-        content = memoryview(open_source(path))
+        content = memoryview(open_source(path)[:])
         self.size += len(content)
         return content
 

@@ -20,7 +20,7 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, unix_lines
 from ..columns import check_extent, colors_or_loss, warn_left_out, warn_of_loss
-from ..source import Source, open_source
+from ..source import SourceFile, open_source
 from ..table import MeshTable
 
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute_bytes", "<u2")])
@@ -46,7 +46,7 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
     source = open_source(path)
     count = int.from_bytes(source[80:_HEADER_BYTES], "little")
     if len(source) >= _HEADER_BYTES and len(source) == _HEADER_BYTES + count * _FACET.itemsize:
-        facets = np.frombuffer(source, _FACET, count, _HEADER_BYTES)
+        facets = source.array(_FACET, count, _HEADER_BYTES)
         corners = facets["corners"].reshape(-1, 3).astype(np.float32)
         colors = _colors_of_bytes(path, bytes(source[:80]), facets["attribute_bytes"])
     elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files start the same way, but have the right size
@@ -90,7 +90,7 @@ def _with_white(path: Path, colors: NDArray[np.float32], has_color: NDArray[np.b
     return colors
 
 
-def _wrong_size(path: Path, source: Source, count: int) -> FileError:
+def _wrong_size(path: Path, source: SourceFile, count: int) -> FileError:
     if len(source) < _HEADER_BYTES:
         reason = "is not an STL file: it neither begins with solid nor is long enough for the binary format"
         return FileError(path, reason, where=f"byte {len(source)}")
@@ -99,7 +99,7 @@ def _wrong_size(path: Path, source: Source, count: int) -> FileError:
     return FileError(path, reason, where=f"byte {min(len(source), expected)}", remedy="The file may be cut off")
 
 
-def _read_text(path: Path, source: Source) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
+def _read_text(path: Path, source: SourceFile) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
     """Corners of the text form, shape (3 t, 3), and facet colors (t, 3 or 4) or None."""
     body = bytes(source[:])
     lines = unix_lines(body).split(b"\n")

@@ -33,18 +33,19 @@ _ROWS = 1 << 16  # records gathered at a time
 
 class _Reader:
     def __init__(self, path: Path):
-        self.path, self.data, self.at = path, open_source(path), 0
-        self.size = len(self.data)
+        self.path, self.at = path, 0
+        self.source = open_source(path)
+        self.size = len(self.source)
 
     def take(self, record: struct.Struct, what: str) -> tuple[Any, ...]:
         self.need(record.size, what)
-        values = record.unpack_from(self.data, self.at)
+        values = record.unpack(self.source[self.at : self.at + record.size])
         self.at += record.size
         return values
 
     def array(self, dtype: np.dtype[Any], count: int, what: str) -> NDArray[Any]:
         self.need(count * dtype.itemsize, what)
-        values = np.frombuffer(self.data, dtype, count, self.at)
+        values = self.source.array(dtype, count, self.at)
         self.at += count * dtype.itemsize
         return values
 
@@ -62,12 +63,12 @@ class _Reader:
         return count
 
     def text(self, what: str) -> str:
-        end = self.data.find(b"\0", self.at, self.at + LONGEST_NAME + 1)
+        end = self.source.find(b"\0", self.at, self.at + LONGEST_NAME + 1)
         if end < 0:
             reason = f"{what} does not end within {LONGEST_NAME} bytes"
             raise FileError(self.path, reason, where=f"byte {self.at}", remedy=_CUT)
         try:
-            text = self.data[self.at : end].decode()
+            text = self.source[self.at : end].decode()
         except UnicodeDecodeError as error:
             raise FileError(self.path, f"{what} is not UTF-8", where=f"byte {self.at + error.start}") from error
         self.at = end + 1
@@ -164,9 +165,9 @@ def _sensor(file: _Reader, kind: int, number: int) -> Sensor:
 def read_points(path: Path) -> Points:
     file = _Reader(path)
     count = file.count("points", _POINT.itemsize)
-    starts = _find_records(file, count)
+    data = file.source.array(np.uint8, file.size)
+    starts = _find_records(file, count, data)
     file.close()
-    data = np.frombuffer(file.data, np.uint8)
     fixed = _gather(data, starts, _POINT.itemsize).view(_POINT).reshape(-1)
     lengths = fixed["length"].astype(np.int64)
     is_track = np.ones(len(data), bool)
@@ -186,8 +187,8 @@ def read_points(path: Path) -> Points:
     )
 
 
-def _find_records(file: _Reader, count: int) -> NDArray[np.int64]:
-    starts, at, data = [0] * count, file.at, file.data
+def _find_records(file: _Reader, count: int, data: NDArray[np.uint8]) -> NDArray[np.int64]:
+    starts, at = [0] * count, file.at
     unpack, size, last = _COUNT.unpack_from, _STEP.itemsize, file.size - 8
     for i in range(count):
         starts[i] = at

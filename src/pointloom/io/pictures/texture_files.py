@@ -66,7 +66,7 @@ def read_textures(
         warn_left_behind(path, f"its image {missing[0]!r} {reason}")
         return ()
     files = {texture_path: texture_path.resolve() for texture_path in texture_paths if texture_path is not None}
-    given = {file: (texture_path, open_source(texture_path)) for texture_path, file in reversed(files.items())}
+    given = {file: (texture_path, open_source(texture_path)[:]) for texture_path, file in reversed(files.items())}
     try:
         pictures = decode_textures(path, {file: given[file] for file in dict.fromkeys(files.values())})
     except FileError as error:

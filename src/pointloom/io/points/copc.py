@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..optional_imports import foreign_errors, import_for
-from ..source import Source
+from ..source import SourceFile
 from ..table import PointTable
 from .las import COLORS, LasFile, open_las, scale_by, table_of
 from .las_extra import warn_of_wide_integers
@@ -97,7 +97,7 @@ class CopcFile:
         lazrs = import_for(self.path, "lazrs", "las")
         source, record = self.file.source, header.find(*LASZIP) or b""
         begins, sizes, counts = (nodes[name].tolist() for name in ("begin", "size", "count"))
-        chunks = [bytes(source[begin : begin + size]) for begin, size in zip(begins, sizes, strict=True)]
+        chunks = [source[begin : begin + size] for begin, size in zip(begins, sizes, strict=True)]
         chunk_table = list(zip(counts, sizes, strict=True))
         with foreign_errors(self.path, "the compressed points are damaged"):
             lazrs.decompress_points_with_chunk_table(b"".join(chunks), record, rows, chunk_table)
@@ -135,7 +135,7 @@ def octree_of(file: LasFile, *, strict: bool = True) -> CopcFile:
     return CopcFile(file, middle - half, 2 * half, spacing, (values[7], values[8]), nodes)
 
 
-def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[Any]:
+def _read_pages(path: Path, source: SourceFile, begin: int, size: int) -> NDArray[Any]:
     """Entries with points of all pages, coarse to fine, sorted by cell within a level."""
     pages, wanted, read = [], [(begin, size)], set()
     while wanted:
@@ -146,7 +146,7 @@ def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[An
         if size < 0 or size % ENTRY.itemsize or begin + size > len(source):
             reason = f"a page of the octree should have {size} bytes, a multiple of {ENTRY.itemsize}"
             raise FileError(path, f"{reason}; the file ends at byte {len(source)}", where=f"byte {begin}")
-        page = np.frombuffer(source, ENTRY, size // ENTRY.itemsize, begin)
+        page = source.array(ENTRY, size // ENTRY.itemsize, begin)
         further = page["count"] == IN_PAGE
         wanted += zip(page["begin"][further].tolist(), page["size"][further].tolist(), strict=True)
         pages.append(page[~further])

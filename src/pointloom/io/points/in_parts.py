@@ -1,14 +1,12 @@
-"""Read point files in parts, for clouds larger than memory: binary PLY and PCD (memory-mapped), LAS and LAZ.
+"""Read point files in parts, for clouds larger than memory: binary PLY and PCD, LAS and LAZ.
 
 Files are validated first. Text, compressed PCD and rows of variable length must be read whole.
 """
 
 from __future__ import annotations
 
-import contextlib
-import mmap
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +16,8 @@ from numpy.typing import NDArray
 from ...core.coordinates import choose_origin
 from ...core.paths import path_of
 from ...core.units import LengthUnit
-from ..source import Source, open_source
+from ..fixed_rows import FixedRows
+from ..source import open_source
 from ..table import PointTable
 from . import pcd, ply
 from .header_units import PCD, PLY, unit_in_header
@@ -26,12 +25,13 @@ from .las import LasFile, iterate_las, open_las
 from .las_units import units_of
 from .pcd_header import read_header as read_pcd_header
 from .ply_header import read_header as read_ply_header
+from .ply_rows import find_rows
 
 _SAMPLE = 4096  # sample size of the median for the origin
 
 
 class RowsInParts:
-    """Fixed-length rows of a mapped file, from views (`columns`); `table_of` builds a table from a path and some rows.
+    """Fixed-length rows of a file; `table_of` builds a table from a path and some rows.
     `is_proven` is True if the file is large enough for `count` points."""
 
     is_proven = True
@@ -39,30 +39,28 @@ class RowsInParts:
     def __init__(
         self,
         path: Path,
-        source: Source,
-        columns: dict[str, NDArray[Any]],
-        table_of: Callable[[Path, dict[str, NDArray[Any]]], PointTable],
+        rows: FixedRows,
+        table_of: Callable[[Path, Mapping[str, NDArray[Any]]], PointTable],
         unit: LengthUnit | None,
     ):
-        self.path, self.count = path, len(next(iter(columns.values())))
-        self._source, self._columns, self._table_of, self.unit = source, columns, table_of, unit
+        self.path, self.count, self._rows, self._table_of, self.unit = path, rows.count, rows, table_of, unit
+        table_of(path, rows.columns(slice(0)))  # raises an error if columns are missing
 
     def parts(self, size: int) -> Iterator[PointTable]:
         """Yield `size` points at a time. One empty part if there are none."""
         for begin in range(0, max(self.count, 1), size):
-            yield self._rows(slice(begin, begin + size))
+            yield self._table(slice(begin, begin + size))
 
     def sample(self, count: int) -> PointTable:
         """At most `count` points, evenly spaced."""
-        return self._rows(slice(None, None, -(-self.count // count) or 1))
+        return self._table(slice(None, None, -(-self.count // count) or 1))
 
     def origin(self) -> NDArray[np.float64]:
         return choose_origin(self.sample(_SAMPLE).points)
 
-    def _rows(self, rows: slice) -> PointTable:
-        table = self._table_of(self.path, {name: column[rows] for name, column in self._columns.items()})
+    def _table(self, rows: slice) -> PointTable:
+        table = self._table_of(self.path, self._rows.columns(rows))
         table.unit = self.unit
-        _give_back(self._source)
         return table
 
 
@@ -72,15 +70,11 @@ class LasInParts:
         self.is_proven, self.unit = not file.header.is_compressed, units_of(file.header).plane
 
     def parts(self, size: int) -> Iterator[PointTable]:
-        for part in iterate_las(self._file, size):
-            yield part
-            _give_back(self._file.source)
+        yield from iterate_las(self._file, size)
 
     def sample(self, count: int) -> PointTable:
         """At most `count` points. Of a compressed file the first of its chunks."""
-        table = self._file.sample(count)
-        _give_back(self._file.source)
-        return table
+        return self._file.sample(count)
 
     def origin(self) -> NDArray[np.float64]:
         return choose_origin(self.sample(_SAMPLE).points, np.array(self._file.header.scales, np.float64))
@@ -99,23 +93,11 @@ def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | No
         header = read_ply_header(path, source)
         if header.ascii or header.element(path, "vertex").has_lists:
             return None
-        columns = _checked_columns(path, ply.vertex_columns(path, source))
-        return RowsInParts(path, source, columns, ply.table_of, unit_in_header(source, PLY))
+        rows = find_rows(path, source, header, "vertex")
+        return RowsInParts(path, rows, ply.table_of, unit_in_header(source, PLY))
     header = read_pcd_header(path, source)
     pcd.warn_of_viewpoint(path, header.viewpoint)
     if header.encoding != "binary":
         return None
-    fields = pcd.point_fields(path, source, header)
-    return RowsInParts(path, source, fields, pcd.table_of, unit_in_header(source, PCD))
-
-
-def _checked_columns(path: Path, columns: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
-    ply.table_of(path, {name: column[:0] for name, column in columns.items()})
-    return columns
-
-
-def _give_back(source: Source) -> None:
-    """Release the pages of a mapped file that were read, which would count as used memory until it is closed."""
-    if isinstance(source, mmap.mmap):
-        with contextlib.suppress(AttributeError, OSError, ValueError):  # systems without this advice
-            source.madvise(mmap.MADV_DONTNEED)
+    rows = pcd.point_rows(path, source, header)
+    return RowsInParts(path, rows, pcd.table_of, unit_in_header(source, PCD))

@@ -51,7 +51,7 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
         reason = f"{len(source)} bytes are not a multiple of {step}: float32 {', '.join(names)} per point"
         remedy = f"The file may be cut off, or have other columns{_fitting(len(source))}"
         raise FileError(path, reason, where=f"byte {len(source) // step * step}", remedy=remedy)
-    rows = np.frombuffer(source, "<f4").reshape(-1, len(names)).astype(np.float32)
+    rows = source.array("<f4", len(source) // 4).reshape(-1, len(names)).astype(np.float32, copy=False)
     if columns is None:
         _check_layout(path, rows)
     points = rows[:, [names.index(axis) for axis in ("x", "y", "z")]]

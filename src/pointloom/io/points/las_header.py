@@ -13,7 +13,7 @@ from typing import Any
 
 from ...core.coordinates import FLOAT32_MAX
 from ...core.errors import FileError
-from ..source import Source
+from ..source import SourceFile, SourcePart
 
 # Header bytes by minor version.
 _HEADER_BYTES = {0: 227, 1: 227, 2: 227, 3: 235, 4: 375}
@@ -35,11 +35,11 @@ SPEC = "LASF_Spec"
 
 @dataclass(frozen=True)
 class LasRecord:
-    """A variable-length record; `data` of extended records is a view, except for the coordinate system."""
+    """A variable-length record; `data` of extended records is read when needed, except for the coordinate system."""
 
     user_id: str
     record_id: int
-    data: bytes | memoryview
+    data: bytes | SourcePart
     description: str = ""
     extended: bool = False
 
@@ -82,14 +82,14 @@ class LasHeader:
         return None if data is None else bytes(data)
 
 
-def parse_las_header(path: Any, source: Source) -> LasHeader:
+def parse_las_header(path: Any, source: SourceFile) -> LasHeader:
     """The header of a file. Raises `FileError` if it is invalid or does not match the file size."""
     fields = _unpack_header(path, source)
     minor, header_bytes, begin, point_format, length = fields[5], *fields[10:12], *fields[13:15]
     extended_begin, extended_count, point_count = 0, 0, fields[15]
-    waveforms = struct.unpack_from("<Q", source, 227)[0] if minor >= 3 else 0
+    waveforms = struct.unpack("<Q", source[227:235])[0] if minor >= 3 else 0
     if minor == 4:
-        extended_begin, extended_count, point_count = struct.unpack_from("<QIQ", source, 235)
+        extended_begin, extended_count, point_count = struct.unpack("<QIQ", source[235:255])
         _check_counts(path, fields[15], point_count)
     if not header_bytes <= begin <= len(source):
         reason = f"the points should start at byte {begin}, but the header takes {header_bytes} and the file ends"
@@ -121,13 +121,13 @@ def _day_of(day: int, year: int) -> date | None:
     return date(year, 1, 1) + timedelta(day - 1) if (year, day) < (9999, 366) else None
 
 
-def _unpack_header(path: Any, source: Source) -> tuple[Any, ...]:
+def _unpack_header(path: Any, source: SourceFile) -> tuple[Any, ...]:
     if source[:4] != b"LASF":
         raise FileError(path, "is not a LAS file: its first four bytes are not LASF", where="byte 0")
     if len(source) < _HEADER.size:
         reason = f"truncated: {len(source)} bytes, but the shortest header has {_HEADER.size}"
         raise FileError(path, reason, where=f"byte {len(source)}")
-    fields = _HEADER.unpack_from(source)
+    fields = _HEADER.unpack(source[: _HEADER.size])
     major, minor, header_bytes = fields[4], fields[5], fields[10]
     if major != 1 or minor not in _HEADER_BYTES:
         raise FileError(
@@ -181,8 +181,10 @@ def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, 
         raise FileError(path, reason, where=f"byte {begin + count * length}", remedy=remedy)
 
 
-def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, end: int, count: int) -> list[LasRecord]:
-    """The records from `begin`, none beyond `end`. Large extended records are views, except the coordinate system."""
+def _read_records(
+    path: Any, source: SourceFile, form: struct.Struct, begin: int, end: int, count: int
+) -> list[LasRecord]:
+    """The records from `begin`, none beyond `end`. Extended records are read later, except coordinate systems."""
     if count > (end - begin) // form.size:
         reason = f"{count} records cannot fit into the {end - begin} bytes from byte {begin} to {end}"
         raise FileError(path, reason, where="byte 100" if form is _RECORD_HEADER else "byte 243")
@@ -190,14 +192,14 @@ def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, en
     for number in range(count):
         if end - at < form.size:
             raise FileError(path, f"record {number} of {count} is cut off", where=f"byte {at}")
-        _, user_id, record_id, length, description = form.unpack_from(source, at)
+        _, user_id, record_id, length, description = form.unpack(source[at : at + form.size])
         at += form.size
         if length > end - at:
             reason = f"record {number} of {count} has {length} bytes, but {end - at} are left"
             raise FileError(path, reason, where=f"byte {at}")
         extended, name = form is _EXTENDED_HEADER, _text(user_id)
-        is_view = extended and name != PROJECTION
-        data = memoryview(source)[at : at + length] if is_view else bytes(source[at : at + length])
+        is_lazy = extended and name != PROJECTION
+        data = SourcePart(source, at, length) if is_lazy else source[at : at + length]
         records.append(LasRecord(name, record_id, data, _text(description), extended))
         at += length
     return records

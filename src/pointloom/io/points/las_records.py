@@ -114,8 +114,7 @@ def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
         carried = [LasRecord(PROJECTION, WKT, text), *others]
     for record in carried:
         is_extended = _is_extended(record)
-        data = record.data if is_extended else bytes(record.data)
-        target = extended if is_extended else header.vlrs
+        target, data = extended if is_extended else header.vlrs, bytes(record.data)
         target.append(laspy.VLR(_ascii(record.user_id), record.record_id, _ascii(record.description), data))
     return extended
 

@@ -10,16 +10,14 @@ from __future__ import annotations
 import itertools
 import struct
 from collections.abc import Iterator
-from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ...core.paths import path_of
 from ..optional_imports import foreign_errors, import_for
-from ..source import Source
+from ..source import Source, SourceFile
 from .las_header import LasHeader
 
 RECORD = ("laszip encoded", 22204)
@@ -39,12 +37,12 @@ _ITEMS = {
 }  # fmt: skip
 
 
-def unpack_blocks(path: Path, header: LasHeader, size: int) -> Iterator[bytearray]:
+def unpack_blocks(source: SourceFile, header: LasHeader, size: int) -> Iterator[bytearray]:
     """Decompress at most `size` points at a time, after `check_laszip`."""
     if not header.point_count:
         return
-    lazrs = import_for(path, "lazrs", "las")
-    with path.open("rb") as file, foreign_errors(path, "the compressed points are damaged"):
+    path, lazrs = source.path, import_for(source.path, "lazrs", "las")
+    with source.reopen() as file, source.errors(), foreign_errors(path, "the compressed points are damaged"):
         file.seek(header.begin)
         record = _lower_chunk_size(header)
         chunks = lazrs.read_chunk_table(file, lazrs.LazVlr(record))
@@ -54,16 +52,17 @@ def unpack_blocks(path: Path, header: LasHeader, size: int) -> Iterator[bytearra
         for begin in range(0, header.point_count, size):
             block = bytearray(min(size, header.point_count - begin) * header.record_length)
             decompressor.decompress_many(block)
+            source.check_unchanged()
             yield block
 
 
-def unpack_beginnings(path: Path, header: LasHeader, count: int) -> bytearray:
+def unpack_beginnings(source: SourceFile, header: LasHeader, count: int) -> bytearray:
     """The first points of evenly spaced chunks (no random access), at most `count`, after `check_laszip`."""
     rows = bytearray()
     if not header.point_count:
         return rows
-    lazrs = import_for(path, "lazrs", "las")
-    with path.open("rb") as file, foreign_errors(path, "the compressed points are damaged"):
+    path, lazrs = source.path, import_for(source.path, "lazrs", "las")
+    with source.reopen() as file, source.errors(), foreign_errors(path, "the compressed points are damaged"):
         file.seek(header.begin)
         record = _lower_chunk_size(header)
         sizes = [points for points, _ in lazrs.read_chunk_table(file, lazrs.LazVlr(record))]
@@ -78,6 +77,7 @@ def unpack_beginnings(path: Path, header: LasHeader, count: int) -> bytearray:
             block = bytearray(min(share, end - begin) * header.record_length)
             decompressor.decompress_many(block)
             rows += block
+        source.check_unchanged()
     return rows
 
 
@@ -101,7 +101,7 @@ def _lower_chunk_size(header: LasHeader) -> bytes:
     return bytes(record)
 
 
-def check_laszip(path: Any, source: Source, header: LasHeader, *, layers_too: bool = True) -> None:
+def check_laszip(path: Any, source: SourceFile, header: LasHeader, *, layers_too: bool = True) -> None:
     """Check the LASzip record, chunk table and, if `layers_too`, chunk layers (else use `check_chunk` later)."""
     lazrs = import_for(path, "lazrs", "las")
     record = header.find(*RECORD)
@@ -143,26 +143,26 @@ def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int
 
 
 def _read_chunk_table(
-    path: Any, source: Source, header: LasHeader, record: bytes, chunk_size: int, lazrs: Any
+    path: Any, source: SourceFile, header: LasHeader, record: bytes, chunk_size: int, lazrs: Any
 ) -> list[tuple[int, int]]:
     """(Points, bytes) of each chunk. Points are the chunk size if it is constant."""
     first = header.begin + 8
     if len(source) < first + 8:
         raise FileError(path, "truncated: no compressed points follow the header", where=f"byte {len(source)}")
-    (table,) = struct.unpack_from("<q", source, header.begin)
+    (table,) = struct.unpack("<q", source[header.begin : first])
     if table == -1:  # written by streaming writers. The last bytes of the file are the offset
-        (table,) = struct.unpack_from("<q", source, len(source) - 8)
+        (table,) = struct.unpack("<q", source[-8:])
     if not first <= table <= len(source) - 8:
         reason = f"truncated or damaged: the table of chunks should be at byte {table} of {len(source)}"
         raise FileError(path, reason, where=f"byte {header.begin}")
-    version, count = struct.unpack_from("<II", source, table)
+    version, count = struct.unpack("<II", source[table : table + 8])
     if version or count > (table - first) // header.record_length:  # each chunk starts with an uncompressed point
         reason = f"the table of chunks is damaged: version {version}, {count} chunks in {table - first} bytes"
         raise FileError(path, reason, where=f"byte {table}")
     if chunk_size != _VARIABLE and not (count - 1) * chunk_size <= header.point_count <= count * chunk_size:
         reason = f"the header counts {header.point_count} points, the table {count} chunks of {chunk_size}"
         raise FileError(path, reason, where=f"byte {table}")
-    with path_of(path).open("rb") as file:
+    with source.reopen() as file:
         file.seek(header.begin)
         chunks = lazrs.read_chunk_table(file, lazrs.LazVlr(record))
     if not chunks:
@@ -177,7 +177,7 @@ def _read_chunk_table(
     return chunks
 
 
-def _check_layers(path: Any, source: Source, header: LasHeader, chunks: list[tuple[int, int]], layers: int) -> None:
+def _check_layers(path: Any, source: SourceFile, header: LasHeader, chunks: list[tuple[int, int]], layers: int) -> None:
     """Check the layer sizes of each chunk, which follow its first point and count."""
     at, prefix = header.begin + 8, header.record_length + 4
     for number, (_, length) in enumerate(chunks):
@@ -192,4 +192,4 @@ def _fits(source: Source, at: int, length: int, prefix: int, layers: int) -> boo
     sizes = struct.Struct(f"<{layers}I")
     if length < prefix + sizes.size:
         return False
-    return prefix + sizes.size + sum(sizes.unpack_from(source, at + prefix)) <= length
+    return prefix + sizes.size + sum(sizes.unpack(source[at + prefix : at + prefix + sizes.size])) <= length

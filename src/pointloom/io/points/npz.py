@@ -59,7 +59,11 @@ def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, 
         where = f"byte {len(source)}"
         raise FileError(path, "is not an NPZ archive, or is truncated, or bytes follow its end", where=where)
     try:
-        with foreign_errors(path, "is not an intact NPZ archive"), zipfile.ZipFile(path) as archive:
+        with (
+            foreign_errors(path, "is not an intact NPZ archive"),
+            source.reopen() as file,
+            zipfile.ZipFile(file) as archive,
+        ):
             arrays = {}
             for info in archive.infolist():
                 name = info.filename.removesuffix(".npy")

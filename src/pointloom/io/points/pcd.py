@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Container, Sequence
+from collections.abc import Container, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any, Literal
 
@@ -21,7 +21,8 @@ from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, write_rows
 from ..attribute_names import NameRules, is_word
 from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
-from ..source import Source, open_source
+from ..fixed_rows import NO_TABLE, Column, FixedRows
+from ..source import SourceFile, open_source
 from ..table import PointTable
 from . import lzf
 from .header_units import unit_comment
@@ -35,26 +36,28 @@ UNREADABLE = "the text of field {!r} is nan, as PCL wrote colors with red from 1
 _PAGE_BYTES = 4096
 
 
-def read_payload(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
+def read_payload(path: Any, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
     """Decode all fields except padding to arrays (n,) or (n, c), which may be views. Raises `FileError` if damaged."""
     if header.encoding == "ascii":
         return _read_ascii(path, source, header)
     if header.encoding == "binary":
-        _check_size(path, source, header.size, header.point_count * header.point_bytes)
-        return _rows(source, header.size, header)
+        return point_rows(path, source, header).columns()
     return _read_compressed(path, source, header)
 
 
-def _rows(source: Source, offset: int, header: PcdHeader) -> dict[str, NDArray[Any]]:
-    fields: dict[str, NDArray[Any]] = {}
+def point_rows(path: Any, source: SourceFile, header: PcdHeader) -> FixedRows:
+    """The points of the binary encoding, after checking the file against its header."""
+    _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
+    _check_size(path, source, header.size, header.point_count * header.point_bytes)
+    columns, offset = {}, 0
     for field in header.fields:
         if field.name != "_":
-            fields[field.name] = _strided(source, offset, field, header.point_count, header.point_bytes)
+            columns[field.name] = Column(field.dtype, offset, field.count)
         offset += field.byte_count
-    return fields
+    return FixedRows(source, header.size, header.point_count, offset, columns)
 
 
-def _strided(source: Source, offset: int, field: Field, count: int, step: int) -> NDArray[Any]:
+def _strided(source: bytes, offset: int, field: Field, count: int, step: int) -> NDArray[Any]:
     if not count:
         return np.empty(_shape(0, field), field.dtype)
     return np.ndarray(
@@ -66,7 +69,7 @@ def _shape(count: int, field: Field) -> tuple[int, ...]:
     return (count, field.count) if field.count > 1 else (count,)
 
 
-def _check_size(path: Any, source: Source, offset: int, needed: int) -> None:
+def _check_size(path: Any, source: SourceFile, offset: int, needed: int) -> None:
     available = len(source) - offset
     if needed > available:
         raise FileError(
@@ -83,7 +86,7 @@ def _check_size(path: Any, source: Source, offset: int, needed: int) -> None:
         )
 
 
-def _read_compressed(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
+def _read_compressed(path: Any, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
     begin = header.size + 8
     if len(source) < begin:
         raise FileError(path, "truncated: the two sizes before the payload are missing", where=f"byte {len(source)}")
@@ -109,7 +112,7 @@ def _read_compressed(path: Any, source: Source, header: PcdHeader) -> dict[str, 
     return fields
 
 
-def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
+def _read_ascii(path: Any, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
     rows = AsciiRows(path, bytes(source[header.size :]), header.line_count + 1)
     count, width = header.point_count, sum(field.count for field in header.fields)
     if rows.row_count < count:
@@ -189,35 +192,41 @@ def read_pcd(path: str | os.PathLike[str]) -> PointTable:
     path = Path(path)
     source = open_source(path)
     header = read_header(path, source)
-    table = table_of(path, point_fields(path, source, header))
+    table = _table(path, source, header)
     table.grid = (header.height, header.width) if header.height > 1 and header.point_count else None
     table.viewpoint = header.viewpoint
     return table
 
 
-def point_fields(path: Path, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
-    """The point fields, after checking the file against its header; views for the binary encoding."""
+def _table(path: Path, source: SourceFile, header: PcdHeader) -> PointTable:
     _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
-    return read_payload(path, source, header)
+    if header.encoding != "binary":
+        return table_of(path, read_payload(path, source, header))
+    rows = point_rows(path, source, header)
+    try:
+        return rows.table(lambda fields, out: table_of(path, fields, out))
+    except FileError:  # of a row whose number is known for all rows only
+        return table_of(path, rows.columns())
 
 
-def table_of(path: Path, fields: dict[str, NDArray[Any]]) -> PointTable:
-    """Copy fields, or some rows, into a point table."""
-    fields = dict(fields)
+def table_of(path: Path, fields: Mapping[str, NDArray[Any]], out: PointTable | None = None) -> PointTable:
+    """Copy fields, or some rows, into a point table, or into `out`."""
+    fields, given = dict(fields), NO_TABLE if out is None else out
     roles = _role_names(fields, {name: values.ndim for name, values in fields.items()})
-    points = stack_points([fields.pop(name) for name in _POINTS])
-    normals = stack_normals(path, [fields.pop(name) for name in _NORMALS]) if "normals" in roles else None
-    colors = None
+    points, normals, colors = stack_points([fields.pop(name) for name in _POINTS], given.points), None, None
+    if "normals" in roles:
+        normals = stack_normals(path, [fields.pop(name) for name in _NORMALS], given.normals)
     if "packed" in roles:
         name = roles["packed"][0]
-        colors, alpha = _unpack_colors(path, name, fields.pop(name))
+        colors, alpha = _unpack_colors(path, name, fields.pop(name), given.colors)
         if name == "rgba":
             if "alpha" in fields:
                 raise FileError(path, "the fields 'alpha' and 'rgba' conflict")
             fields["alpha"] = alpha
     elif "channels" in roles:
-        colors = stack_colors(path, [fields.pop(name) for name in _CHANNELS])
-    return PointTable(points, normals, colors, {name: own(values) for name, values in fields.items()})
+        colors = stack_colors(path, [fields.pop(name) for name in _CHANNELS], given.colors)
+    attributes = {name: own(values, given.attributes.get(name)) for name, values in fields.items()}
+    return PointTable(points, normals, colors, attributes)
 
 
 def warn_of_viewpoint(path: Any, viewpoint: tuple[float, ...] | None, stacklevel: int = 3) -> None:
@@ -284,13 +293,15 @@ def _role_names(names: Container[str], dims: dict[str, int]) -> dict[str, tuple[
     return roles
 
 
-def _unpack_colors(path: Any, name: str, packed: NDArray[Any]) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
+def _unpack_colors(
+    path: Any, name: str, packed: NDArray[Any], out: NDArray[Any] | None
+) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
     """Colors (n, 3) and alpha (n,) from packed bytes 0xAARRGGBB."""
     if packed.dtype.itemsize != 4 or packed.ndim != 1:
         raise FileError(path, f"field {name!r}: expected one value of 4 bytes, got {packed.dtype.name}")
     channels = np.ascontiguousarray(packed).astype(packed.dtype.newbyteorder("<"), copy=False).view(np.uint8)
     channels = channels.reshape(-1, 4)
-    return stack_colors(path, [channels[:, 2], channels[:, 1], channels[:, 0]]), channels[:, 3]
+    return stack_colors(path, [channels[:, 2], channels[:, 1], channels[:, 0]], out), channels[:, 3]
 
 
 def name_rules(table: PointTable) -> NameRules:

@@ -32,13 +32,14 @@ from ..columns import (
     stack_points,
     warn_of_loss,
 )
+from ..fixed_rows import NO_TABLE
 from ..pictures.texture_files import picture_names, read_textures, write_with
-from ..source import Source, open_source
+from ..source import SourceFile, open_source
 from ..table import MeshTable, PointTable
 from ..triangulation import split_faces
 from .ply_faces import STRIPS, attribute_columns, strip_triangles, triangle_attributes, warn_of_rest
 from .ply_header import TYPE_NAMES, Element, PlyHeader, Property, read_header
-from .ply_rows import Column, ListColumn, read_rows
+from .ply_rows import Column, ListColumn, find_rows, read_rows
 
 _AT_CORNERS, _NUMBER, _PICTURE = "texcoord", "texnumber", "TextureFile"
 _AT_VERTICES = (("texture_u", "texture_v"), ("s", "t"), ("u", "v"))
@@ -141,26 +142,36 @@ def read_ply(path: str | os.PathLike[str]) -> PointTable:
     """Read the vertices of a PLY file, as float32 if x, y and z are float, else float64.
     Text files need about 25 bytes of memory per number in addition to the result."""
     path = Path(path)
-    return _table_of(path, vertex_columns(path, open_source(path)), colors_or_loss)
-
-
-def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
-    """The vertex scalars, after checking the file size against the header; views into the file for binary rows."""
+    source = open_source(path)
     header = read_header(path, source)
+    if not (header.ascii or header.element(path, "vertex").has_lists):
+        rows = find_rows(path, source, header, "vertex")
+        try:
+            return rows.table(lambda columns, out: table_of(path, columns, out))
+        except FileError:  # of colors that depend on all rows, or of a row whose number is known for all rows only
+            return _table_of(path, rows.columns(), colors_or_loss)
+    return _table_of(path, vertex_columns(path, source, header), colors_or_loss)
+
+
+def vertex_columns(path: Path, source: SourceFile, header: PlyHeader) -> dict[str, NDArray[Any]]:
+    """The vertex scalars, after checking the file size against the header."""
     header.element(path, "vertex")
     columns = read_rows(path, source, header, _is_vertex_scalar)["vertex"]
     return {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
 
 
-def table_of(path: Path, columns: Mapping[str, Column]) -> PointTable:
-    """Copy columns, or some rows, into a point table. Raises if colors are out of range."""
-    return _table_of(path, columns, stack_colors)
+def table_of(path: Path, columns: Mapping[str, Column], out: PointTable | None = None) -> PointTable:
+    """Copy columns, or some rows, into a point table, or into `out`. Raises if colors are out of range."""
+    return _table_of(path, columns, stack_colors, out)
 
 
 def _table_of(
-    path: Path, columns: Mapping[str, Column], colors_of: Callable[..., NDArray[np.float32] | None]
+    path: Path,
+    columns: Mapping[str, Column],
+    colors_of: Callable[..., NDArray[np.float32] | None],
+    out: PointTable | None = None,
 ) -> PointTable:
-    points, normals, colors, attributes = _assign_roles(path, columns, colors_of)
+    points, normals, colors, attributes = _assign_roles(path, columns, colors_of, out)
     return PointTable(points, normals, colors, attributes)
 
 
@@ -310,17 +321,21 @@ def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tup
 
 
 def _assign_roles(
-    path: Any, columns: Mapping[str, Column], colors_of: Callable[..., NDArray[np.float32] | None]
+    path: Any,
+    columns: Mapping[str, Column],
+    colors_of: Callable[..., NDArray[np.float32] | None],
+    out: PointTable | None = None,
 ) -> tuple[NDArray[Any], NDArray[np.float32] | None, NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
     arrays = {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
     roles = _role_names(path, arrays)
     points, normals, colors = ([arrays.pop(name) for name in names] if names else None for names in roles)
     assert points is not None
+    given = NO_TABLE if out is None else out
     return (
-        stack_points(points),
-        None if normals is None else stack_normals(path, normals),
-        None if colors is None else colors_of(path, colors),
-        {name: own(column) for name, column in arrays.items()},
+        stack_points(points, given.points),
+        None if normals is None else stack_normals(path, normals, given.normals),
+        None if colors is None else colors_of(path, colors, out=given.colors),
+        {name: own(column, given.attributes.get(name)) for name, column in arrays.items()},
     )
 
 

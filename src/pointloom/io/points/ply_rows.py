@@ -1,7 +1,7 @@
 """The PLY payload: rows of each element as columns, with every byte or line checked.
 
-Constant-length rows are strided views. Other binary rows are scanned once for their offsets (about 0.2 us a row) and
-gathered with NumPy. Variable-length text rows are parsed by column.
+Constant-length rows are strided views of memory that was read at once. Other binary rows are scanned once for their
+offsets (about 0.2 us a row) and gathered with NumPy. Variable-length text rows are parsed by column.
 """
 
 from __future__ import annotations
@@ -17,7 +17,9 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows
-from ..source import Source
+from ..fixed_rows import Column as FixedColumn
+from ..fixed_rows import FixedRows
+from ..source import SourceFile
 from .ply_header import Element, PlyHeader, Property
 
 
@@ -33,7 +35,7 @@ Column = NDArray[Any] | ListColumn
 Wanted = Callable[[Element, Property], bool]
 
 
-def read_rows(path: Any, source: Source, header: PlyHeader, wanted: Wanted) -> dict[str, dict[str, Column]]:
+def read_rows(path: Any, source: SourceFile, header: PlyHeader, wanted: Wanted) -> dict[str, dict[str, Column]]:
     """Decode the wanted properties and check the extent of all others.
     Returns columns by property name by element name, possibly views in the file's byte order."""
     rows = _TextRows(path, source, header) if header.ascii else _BinaryRows(path, source, header)
@@ -42,11 +44,35 @@ def read_rows(path: Any, source: Source, header: PlyHeader, wanted: Wanted) -> d
     return columns
 
 
-class _BinaryRows:
-    def __init__(self, path: Any, source: Source, header: PlyHeader):
-        self._path, self._source, self._offset = path, source, header.size
+def find_rows(path: Any, source: SourceFile, header: PlyHeader, name: str) -> FixedRows:
+    """The rows of a binary element without lists, after checking the extent of all elements."""
+    rows = _BinaryRows(path, source, header)
+    found = [rows.fixed(element) if element.name == name else rows.skip(element) for element in header.elements]
+    rows.finish()
+    return next(element_rows for element_rows in found if element_rows is not None)
 
-    def read(self, element: Element, wanted: Wanted) -> dict[str, Column]:
+
+class _BinaryRows:
+    def __init__(self, path: Any, source: SourceFile, header: PlyHeader):
+        self._path, self._source, self._offset = path, source, header.size
+        self._begin, self._rest = 0, np.empty(0, np.uint8)  # the file from the first element with lists
+
+    def skip(self, element: Element) -> None:
+        self.read(element, lambda element, prop: False)
+
+    def fixed(self, element: Element) -> FixedRows:
+        """The rows of an element without lists."""
+        self._check_size(element)
+        columns, at = {}, 0
+        for prop in element.properties:
+            columns[prop.name] = FixedColumn(prop.dtype, at)
+            at += prop.dtype.itemsize
+        rows = FixedRows(self._source, self._offset, element.count if at else 0, at, columns)
+        self._offset += element.count * at
+        return rows
+
+    def _check_size(self, element: Element) -> int:
+        """Bytes that the rows of an element need, at least."""
         available = len(self._source) - self._offset
         needed = element.count * element.min_row_bytes
         if needed > available:
@@ -57,8 +83,18 @@ class _BinaryRows:
                 f"{available} are left ({needed - available} missing)",
                 where=f"byte {len(self._source)}",
             )
-        if needed == 0:
+        return needed
+
+    def read(self, element: Element, wanted: Wanted) -> dict[str, Column]:
+        if self._check_size(element) == 0:
             return {prop.name: _empty(prop) for prop in element.properties if wanted(element, prop)}
+        if not element.has_lists:
+            names = {prop.name for prop in element.properties if wanted(element, prop)}
+            rows = self.fixed(element)
+            return {name: column for name, column in rows.columns().items() if name in names} if names else {}
+        if not len(self._rest):
+            self._begin = self._offset
+            self._rest = self._source.array(np.uint8, len(self._source) - self._begin, self._begin)
         lengths = self._equal_lengths(element)
         if lengths is None:
             return self._gather(element, wanted)
@@ -77,7 +113,7 @@ class _BinaryRows:
     def _strided(
         self, offset: int, dtype: np.dtype[Any], shape: tuple[int, ...], strides: tuple[int, ...]
     ) -> NDArray[Any]:
-        return np.ndarray(shape, dtype, self._source, offset, strides)
+        return np.ndarray(shape, dtype, self._rest, offset - self._begin, strides)
 
     def _equal_lengths(self, element: Element) -> dict[str, int] | None:
         lengths: dict[str, int] = {}
@@ -143,8 +179,7 @@ class _BinaryRows:
         return columns
 
     def _pick(self, offsets: NDArray[np.int64], dtype: np.dtype[Any]) -> NDArray[Any]:
-        text = np.frombuffer(self._source, np.uint8)
-        return text[offsets[:, None] + np.arange(dtype.itemsize)].view(dtype)[:, 0]
+        return self._rest[(offsets - self._begin)[:, None] + np.arange(dtype.itemsize)].view(dtype)[:, 0]
 
     def _row_starts(self, element: Element) -> tuple[NDArray[np.int64], int]:
         steps: list[tuple[int, Callable[..., tuple[Any, ...]], int, int]] = []
@@ -157,7 +192,7 @@ class _BinaryRows:
                 code = (">" if count.byteorder == ">" else "<") + _STRUCT_CODES[f"{count.kind}{count.itemsize}"]
                 steps.append((skip, Struct(code).unpack_from, count.itemsize, prop.dtype.itemsize))
                 skip = 0
-        source, end, at = self._source, len(self._source), self._offset
+        rest, first, end, at = memoryview(self._rest), self._begin, len(self._source), self._offset
         starts = array("q")  # grows with the rows that were found
         for row in range(element.count):
             starts.append(at)
@@ -165,7 +200,7 @@ class _BinaryRows:
                 at += before
                 if at + count_bytes > end:
                     raise self._cut(element, row)
-                (length,) = unpack(source, at)
+                (length,) = unpack(rest, at - first)
                 if length < 0:
                     raise FileError(
                         self._path,
@@ -190,7 +225,7 @@ _STRUCT_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I
 
 
 class _TextRows:
-    def __init__(self, path: Any, source: Source, header: PlyHeader):
+    def __init__(self, path: Any, source: SourceFile, header: PlyHeader):
         self._path = path
         self._rows = AsciiRows(path, bytes(source[header.size :]), header.line_count + 1)
         self._next = 0

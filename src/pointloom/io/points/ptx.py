@@ -83,7 +83,7 @@ class _Lines:
 
 
 def _bytes_of(body: Source, begin: int) -> NDArray[np.uint8]:
-    return np.frombuffer(body, np.uint8, min(_SEARCHED, len(body) - begin), begin)
+    return np.frombuffer(body[begin : begin + _SEARCHED], np.uint8)
 
 
 def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:

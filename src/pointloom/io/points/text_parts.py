@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows, unix_lines
-from ..source import Source, open_source, parse_count
+from ..source import SourceFile, open_source, parse_count
 from ..table import PointTable
 from .text_table import (
     COLOR,
@@ -41,6 +41,7 @@ class TextInParts:
     def __init__(self, path: str | os.PathLike[str]):
         self.path = Path(path)
         self._kind, source = self.path.suffix.lower(), open_source(path)
+        self._source = source
         begin = 3 if source[:3] == b"\xef\xbb\xbf" else 0
         first = unix_lines(bytes(source[begin : begin + _HEAD]))
         self._declared, self._delimiter, self._lines, full = -1, None, 0, None
@@ -91,7 +92,7 @@ class TextInParts:
     def _rows(self) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
         """Yield column names and the rows of each block of lines."""
         line, names = 1, self._names
-        for body in _blocks(open_source(self.path), self._begin):
+        for body in _blocks(self._source, self._begin):
             lines, skip = body.count(b"\n") + (not body.endswith(b"\n")), max(0, self._lines - (line - 1))
             for _ in range(min(skip, lines)):
                 body = body.partition(b"\n")[2]
@@ -113,7 +114,7 @@ class TextInParts:
             line += lines
 
 
-def _blocks(source: Source, begin: int) -> Iterator[bytes]:
+def _blocks(source: SourceFile, begin: int) -> Iterator[bytes]:
     left = b""
     for at in range(begin, len(source), BLOCK):
         block = left + bytes(source[at : at + BLOCK])

@@ -22,7 +22,7 @@ from ..columns import own, stack_points
 from ..points.ply import vertex_columns
 from ..points.ply_header import Element, PlyHeader, Property, read_header
 from ..points.ply_rows import ListColumn, read_rows
-from ..source import Source, open_source
+from ..source import SourceFile, open_source
 from ..table import PointTable
 
 PACKED = ("packed_position", "packed_rotation", "packed_scale", "packed_color")
@@ -40,7 +40,7 @@ def is_compressed(header: PlyHeader) -> bool:
 
 
 @quiet()
-def read_compressed_ply(path: Path, source: Source, header: PlyHeader) -> PointTable:
+def read_compressed_ply(path: Path, source: SourceFile, header: PlyHeader) -> PointTable:
     """Read packed splats as columns `f_dc`, `f_rest`, `opacity`, `scale` and `rot`."""
     elements = _read_elements(path, source, header)
     packed = elements["vertex"]
@@ -67,7 +67,7 @@ def read_compressed_ply(path: Path, source: Source, header: PlyHeader) -> PointT
     return PointTable(points.astype(np.float32), attributes=attributes)
 
 
-def _read_elements(path: Path, source: Source, header: PlyHeader) -> dict[str, Columns]:
+def _read_elements(path: Path, source: SourceFile, header: PlyHeader) -> dict[str, Columns]:
     def wanted(element: Element, prop: Property) -> bool:
         return prop.count_type is None and element.name in ("chunk", "vertex", "sh")
 
@@ -149,7 +149,7 @@ def read_splat_ply(path: str | os.PathLike[str]) -> PointTable:
     header = read_header(path, source)
     if is_compressed(header):
         return read_compressed_ply(path, source, header)
-    columns = vertex_columns(path, source)
+    columns = vertex_columns(path, source, header)
     missing = [name for name in ("x", "y", "z", "opacity", "f_dc_0", "scale_0", "rot_0") if name not in columns]
     if missing:
         reason = f"contains no Gaussian splats: vertices have no {', '.join(missing)}"

@@ -31,7 +31,7 @@ def read_splat(path: str | os.PathLike[str]) -> PointTable:
         reason = f"{len(source)} bytes are not a multiple of {_ROW.itemsize}, the bytes of a splat"
         where = f"byte {len(source) // _ROW.itemsize * _ROW.itemsize}"
         raise FileError(path, reason, where=where, remedy="The file may be cut off")
-    rows = np.frombuffer(source, _ROW)
+    rows = source.array(_ROW, len(source) // _ROW.itemsize)
     sizes = rows["scale"]
     with np.errstate(invalid="ignore"):
         wrong = ((sizes < 0) | (sizes > _LARGEST)).any(axis=1)

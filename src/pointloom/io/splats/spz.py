@@ -115,7 +115,8 @@ def _of_streams(path: Path, source: Source) -> tuple[SpzHeader, dict[str, NDArra
         raise FileError(path, f"{header.splats:,} splats cannot fit into {len(source):,} bytes", where="byte 8")
     data = {}
     for number, (name, width) in enumerate(header.columns.items()):
-        packed, size = _ENTRY.unpack_from(source, table_offset + number * _ENTRY.size)
+        entry = table_offset + number * _ENTRY.size
+        packed, size = _ENTRY.unpack(source[entry : entry + _ENTRY.size])
         where = f"byte {start}"
         if size != header.splats * width:
             reason = f"the stream of {name} has {size:,} bytes, expected {header.splats * width:,}"
