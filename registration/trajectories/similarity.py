@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.picture_names import matching_pictures
+from ...cameras.picture_names import PictureNames
 from ...cameras.pose_text import parse_floats, read_lines
 from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.attribute_hints import nearest_name
@@ -297,6 +297,7 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
 
 def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
     positions: dict[str, NDArray[np.float64]] = {}
+    pictures = PictureNames(names)
     for number, columns in lines:
         words = " ".join(columns).replace(",", " ").split()
         if len(words) < 4:
@@ -304,7 +305,7 @@ def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str
             raise FileError(path, reason, where=f"line {number}", remedy="Lines are `name x y z`")
         position = np.array(parse_floats(path, (number, words[-3:]), 3))
         given = " ".join(words[:-3])
-        meant = [names[k] for k in matching_pictures(given, names)]
+        meant = [names[k] for k in pictures.matching(given)]
         if len(meant) > 1:
             reason = f"{given!r} may be {' or '.join(meant[:3])}"
             raise FileError(path, reason, where=f"line {number}", remedy="Write the names in full")

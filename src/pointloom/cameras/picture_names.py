@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 
 def number_of(name: str) -> int | None:
@@ -33,19 +34,36 @@ _WAYS: tuple[Callable[[str], str], ...] = (
 )
 
 
-def matching_pictures(query: str, names: Sequence[str]) -> list[int]:
-    """Indices of the images that match a name or number. Several if ambiguous.
+class PictureNames:
+    """Names of images, to be found by other names of them or by numbers.
 
     Example:
-        >>> names = ["0000_IMG_9.jpg", "0001_porch.jpg", "left/0002_porch.png"]
-        >>> matching_pictures("IMG_9", names), matching_pictures("IMG_9.JPG", names), matching_pictures("porch", names)
+        >>> names = PictureNames(["0000_IMG_9.jpg", "0001_porch.jpg", "left/0002_porch.png"])
+        >>> names.matching("IMG_9"), names.matching("IMG_9.JPG"), names.matching("porch")
         ([0], [0], [1, 2])
     """
-    for way in _WAYS:
-        if matches := [k for k, name in enumerate(names) if way(name) == query]:
+
+    def __init__(self, names: Sequence[str]):
+        self._names = names
+        self._indices: dict[Callable[[str], Any], dict[Any, list[int]]] = {}  # by rule and its result
+
+    def matching(self, query: str) -> list[int]:
+        """Indices of the images that match a name or number. Several if ambiguous."""
+        for way in _WAYS:
+            if matches := self._find(way, query):
+                return matches
+        if query and (matches := self._find(_own_stem, Path(query).stem)):
             return matches
-    if matches := [k for k, name in enumerate(names) if query and _own_stem(name) == Path(query).stem]:
-        return matches
-    if re.fullmatch(r"\d+", query):
-        return [k for k, name in enumerate(names) if number_of(name) == int(query)]
-    return []
+        return self._find(number_of, int(query)) if re.fullmatch(r"\d+", query) else []
+
+    def _find(self, way: Callable[[str], Any], key: Any) -> list[int]:
+        if way not in self._indices:
+            self._indices[way] = {}
+            for k, name in enumerate(self._names):
+                self._indices[way].setdefault(way(name), []).append(k)
+        return self._indices[way].get(key, [])
+
+
+def matching_pictures(query: str, names: Sequence[str]) -> list[int]:
+    """Indices of the images that match one query. Use `PictureNames` for several."""
+    return PictureNames(names).matching(query)

@@ -47,11 +47,13 @@ def new_names(attributes: dict[str, NDArray[Any]], rules: NameRules) -> dict[str
             deferred.append((name, wanted, values))
         else:
             used |= parts
+    numbers: dict[tuple[Any, ...], int] = {}  # the first that may be free for names that become equal
     for name, wanted, values in deferred:
-        tries = (_with_number(wanted, number, values, rules) for number in count(1))
-        new = next(new for new in tries if not _is_taken(_parts(new, values, rules), used, rules))
-        used |= _parts(new, values, rules)
-        renamed[name] = new
+        key = _clean(wanted, rules, 0), values.shape[1:]
+        tries = ((number, _with_number(wanted, number, values, rules)) for number in count(numbers.get(key, 1)))
+        free = ((k, new) for k, new in tries if not _is_taken(_parts(new, values, rules), used, rules))
+        numbers[key], renamed[name] = next(free)
+        used |= _parts(renamed[name], values, rules)
     return renamed
 
 
@@ -88,8 +90,11 @@ def _parts(name: str, values: NDArray[Any], rules: NameRules) -> set[str]:
 
 def _is_taken(parts: Iterable[str], used: set[str], rules: NameRules) -> bool:
     parts = {*parts}
-    together = used | parts
-    return bool(parts & used) or any(parts & {*role} and {*role} <= together for role in rules.roles)
+    if not parts.isdisjoint(used):
+        return True
+    return any(
+        not parts.isdisjoint(role) and all(name in parts or name in used for name in role) for role in rules.roles
+    )
 
 
 def _clean(name: str, rules: NameRules, reserved: int) -> str:

@@ -8,7 +8,7 @@ dropped. Khronos, "glTF 2.0 Specification", section 3.9. KHR_texture_transform. 
 from __future__ import annotations
 
 import os
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -190,23 +190,29 @@ class _Parts:
         self.triangles: list[NDArray[np.int64]] = []
         self.uvs: list[NDArray[np.float32] | None] = []
         self.materials: list[int] = []
-        self._counts = [0, 0]  # of vertices and triangles
+        self._counts = [0, 0, 0]  # of vertices, triangles, and values of attributes
+        self._primitives: dict[int, list[Primitive]] = {}  # by mesh, for all nodes
+        self._uvs: dict[Hashable, NDArray[np.float32] | None] = {}  # of vertices
 
     def add_mesh(self, number: int, placing: Placing) -> None:
         file = self.file
         mesh_index = file.take("nodes", number, "a scene")["mesh"]
         mesh, what = file.take("meshes", mesh_index, "a node"), f"meshes {mesh_index}"
-        primitives = mesh.get("primitives")
-        if not isinstance(primitives, list) or not all(isinstance(entry, dict) for entry in primitives):
-            raise file.error(f"{what}: primitives: expected a list of objects")
+        if mesh_index not in self._primitives:
+            self._primitives[mesh_index] = [*self._read_primitives(mesh, what)]
         shared: dict[str, Vertices] = {}
-        for content in primitives:
-            primitive = Primitive(self.arrays, self.left, content, what)
+        for primitive in self._primitives[mesh_index]:
             if primitive.has_triangles:
-                material = file.integer(content, "material", what) if "material" in content else -1
-                self._add(primitive, material, placing, shared)
+                self._add(primitive, primitive.material, placing, shared)
             else:
                 self.left.add("points and lines" if primitive.mode < TRIANGLES else "triangles without positions")
+
+    def _read_primitives(self, mesh: dict[str, Any], what: str) -> Iterator[Primitive]:
+        primitives = mesh.get("primitives")
+        if not isinstance(primitives, list) or not all(isinstance(entry, dict) for entry in primitives):
+            raise self.file.error(f"{what}: primitives: expected a list of objects")
+        for content in primitives:
+            yield Primitive(self.arrays, self.left, content, what)
 
     def _add(self, primitive: Primitive, material: int, placing: Placing, shared: dict[str, Vertices]) -> None:
         if primitive.key not in shared:
@@ -214,6 +220,8 @@ class _Parts:
             shared[primitive.key] = new_vertices
             self.vertices.append(new_vertices)
             self._counts[0] += len(new_vertices.positions)
+            self._counts[2] += len(new_vertices.positions) * len(new_vertices.attributes)
+            self.file.check_count(self._counts[2], "the values of attributes of all nodes")
         vertices = shared[primitive.key]
         count = len(vertices.positions)
         corners = primitive.read_corners(count)
@@ -224,7 +232,7 @@ class _Parts:
         color = self.looks.base_color(material)
         self.triangles.append(corners + vertices.first)
         self.materials.append(material)
-        self.uvs.append(primitive.read_uvs(color.coordinates, color.transform, corners, count))
+        self.uvs.append(primitive.read_uvs(color.coordinates, color.transform, corners, count, self._uvs))
 
     def mesh(self, nodes: list[int]) -> MeshTable:
         if not sum(len(part) for part in self.triangles):

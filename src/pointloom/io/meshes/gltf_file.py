@@ -47,6 +47,7 @@ class GltfFile:
         if not isinstance(content, dict):
             raise self.error("its JSON is not an object")
         self.content: dict[str, Any] = content
+        self._objects: dict[str, list[dict[str, Any]]] = {}  # checked lists by kind
         version = content.get("asset", {}).get("version") if isinstance(content.get("asset"), dict) else None
         if not isinstance(version, str) or not version.startswith("2."):
             raise self.error(f"glTF {version!r}; version 2 is read")
@@ -63,10 +64,12 @@ class GltfFile:
 
     def objects(self, kind: str) -> list[dict[str, Any]]:
         """A list of JSON objects, such as "meshes". Empty if missing."""
-        entries = self.content.get(kind, [])
-        if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-            raise self.error(f"{kind}: expected a list of objects")
-        return entries
+        if kind not in self._objects:
+            entries = self.content.get(kind, [])
+            if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+                raise self.error(f"{kind}: expected a list of objects")
+            self._objects[kind] = entries
+        return self._objects[kind]
 
     def take(self, kind: str, number: Any, what: str) -> dict[str, Any]:
         """A JSON object by its index; `what` describes it in errors."""

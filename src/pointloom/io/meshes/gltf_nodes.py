@@ -6,7 +6,7 @@ Khronos, "glTF 2.0 Specification", sections 3.5 and 3.7.3.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -20,10 +20,11 @@ from .gltf_file import GltfFile
 
 @dataclass
 class Tree:
-    """The scene's nodes: `T_world_node` by node index, and the nodes `with_mesh` in scene order."""
+    """The scene's nodes: `T_world_node` by node index, the nodes `with_mesh` in scene order, and `joints` by skin."""
 
     T_world_node: dict[int, NDArray[np.float64]]
     with_mesh: list[int]
+    joints: dict[int, NDArray[np.float64]] = field(default_factory=dict)
 
 
 def list_scene_nodes(file: GltfFile) -> Tree:
@@ -67,6 +68,12 @@ def _transform_of(file: GltfFile, node: dict[str, Any], what: str) -> NDArray[np
 
 def joint_transforms(arrays: GltfArrays, tree: Tree, number: int) -> NDArray[np.float64]:
     """Joint transforms of a skin from the bind pose to the world, shape (j, 4, 4)."""
+    if number not in tree.joints:
+        tree.joints[number] = _read_joints(arrays, tree, number)
+    return tree.joints[number]
+
+
+def _read_joints(arrays: GltfArrays, tree: Tree, number: int) -> NDArray[np.float64]:
     file, what = arrays.file, f"skins {number}"
     skin = file.take("skins", number, "a node")
     joints = file.node_indices(skin, "joints", what)

@@ -6,7 +6,9 @@ section 3.7.
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -82,6 +84,9 @@ class Primitive:
         if not isinstance(targets, list) or not all(isinstance(target, dict) for target in targets):
             raise self._file.error(f"{what}: targets: expected a list of objects")
         self._targets: list[dict[str, Any]] = targets
+        self._weights: dict[int, NDArray[np.float64]] = {}  # of the targets, by the identity of their list
+        self._moved: dict[tuple[str, int], NDArray[Any]] = {}  # by morphs, for all nodes with these weights
+        self._values: tuple[NDArray[Any] | None, dict[str, NDArray[Any]]] | None = None
         self.has_triangles = self.mode >= TRIANGLES and "POSITION" in attributes
         packed = self._file.extension(content, DRACO, what)
         self._packed = packed if packed is not None and self.has_triangles and not self._has_uncompressed() else None
@@ -95,7 +100,7 @@ class Primitive:
         numbers = [*self._attributes.values(), self._content.get("indices")]
         return all("bufferView" in self._file.take("accessors", number, self._what) for number in numbers)
 
-    @property
+    @cached_property
     def key(self) -> str:
         names = {name: number for name, number in self._attributes.items() if not name.startswith("TEXCOORD")}
         return repr((sorted(names.items()), self._targets, self._packed))
@@ -115,16 +120,26 @@ class Primitive:
         self._file.check_count(first + count, "the vertices of all nodes")
         self._check_finite(positions, "is NaN or infinite")
         normals = self._array("NORMAL", ("VEC3",), _NORMAL, count) if "NORMAL" in self._attributes else None
-        colors, attributes = self._colors(count)
+        if self._values is None:
+            self._values = self._colors_and_attributes(count)
+        colors, attributes = self._values
         positions = self._morphed("POSITION", positions, _POSITION, placing)
         self._check_finite(positions, "is moved by a morph target to a NaN or infinite position")
         if normals is not None:
             normals = self._morphed("NORMAL", normals, _NORMAL, placing)
-        attributes |= self._custom(count, attributes)
         vertices = Vertices(first, positions, normals, colors, attributes)
         self._apply_transform(vertices, placing)
         self._check_finite(vertices.positions, "is moved by its node beyond the range of numbers")
         return vertices
+
+    @cached_property
+    def material(self) -> int:
+        """The number of its material. -1 without one."""
+        return self._file.integer(self._content, "material", self._what) if "material" in self._content else -1
+
+    def _colors_and_attributes(self, count: int) -> tuple[NDArray[Any] | None, dict[str, NDArray[Any]]]:
+        colors, attributes = self._colors(count)
+        return colors, attributes | self._custom(count, attributes)
 
     def _check_finite(self, positions: NDArray[Any], reason: str) -> None:
         is_finite = np.isfinite(positions).all(axis=1)
@@ -171,11 +186,20 @@ class Primitive:
         if not self._targets:
             return values
         self._left.add("morph targets, but for their default weights")
-        weights = [0.0] * len(self._targets) if placing.weights is None else placing.weights
-        given = self._file.numbers(
-            {"weights": weights}, "weights", f"the node of {self._what}", [0.0] * len(self._targets), limit=1e30
-        )
-        moved = values
+        if placing.weights is None:
+            return values
+        key = name, id(placing.weights)
+        if key not in self._moved:
+            self._moved[key] = self._moved_by(name, values, components, placing.weights)
+        return self._moved[key]
+
+    def _moved_by(self, name: str, values: NDArray[Any], components: str, weights: list[float]) -> NDArray[Any]:
+        """The values moved by the morph targets."""
+        if id(weights) not in self._weights:
+            self._weights[id(weights)] = self._file.numbers(
+                {"weights": weights}, "weights", f"the node of {self._what}", [0.0] * len(self._targets), limit=1e30
+            )
+        given, moved = self._weights[id(weights)], values
         for number, (target, weight) in enumerate(zip(self._targets, given, strict=True)):
             if weight == 0 or name not in target:
                 continue
@@ -241,22 +265,32 @@ class Primitive:
         )
 
     def read_uvs(
-        self, number: int, transform: NDArray[np.float64] | None, corners: NDArray[np.int64], count: int
+        self,
+        number: int,
+        transform: NDArray[np.float64] | None,
+        corners: NDArray[np.int64],
+        count: int,
+        decoded: dict[Hashable, NDArray[np.float32] | None],
     ) -> NDArray[np.float32] | None:
-        """Texture coordinates of corners, v upwards, or None."""
+        """Texture coordinates of corners, v upwards, or None. `decoded` are those of vertices, for other primitives."""
         name = f"TEXCOORD_{number}"
         for other in self._attributes:
             if other.startswith("TEXCOORD_") and other != name:
                 self._left.add(f"the texture coordinates {other[:60]}")
         if name not in self._attributes:
             return None
-        try:
-            uvs = self._array(name, ("VEC2",), _UV, count).astype(np.float32)
-        except FileError as error:
-            self._left.add(f"the texture coordinates {name} of {self._what}, because {error.reason}")
-            return None
-        with quiet():
-            if transform is not None:
-                uvs = (uvs.astype(np.float64) @ transform[:, :2].T + transform[:, 2]).astype(np.float32)
-            uvs[:, 1] = 1 - uvs[:, 1]
-        return uvs[corners.reshape(-1)]
+        key = self.key, self._attributes[name], None if transform is None else transform.tobytes()
+        if key not in decoded:
+            try:
+                uvs = self._array(name, ("VEC2",), _UV, count).astype(np.float32)
+            except FileError as error:
+                self._left.add(f"the texture coordinates {name} of {self._what}, because {error.reason}")
+                decoded[key] = None
+                return None
+            with quiet():
+                if transform is not None:
+                    uvs = (uvs.astype(np.float64) @ transform[:, :2].T + transform[:, 2]).astype(np.float32)
+                uvs[:, 1] = 1 - uvs[:, 1]
+            decoded[key] = uvs
+        found = decoded[key]
+        return None if found is None else found[corners.reshape(-1)]

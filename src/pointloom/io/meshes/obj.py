@@ -149,16 +149,19 @@ def _is_number(word: str) -> bool:
 
 def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = False) -> list[Material] | None:
     """The materials of the MTL files that an OBJ names. None, with a warning, if a file is missing."""
-    materials: list[Material] = []
-    for library in libraries:
+    materials: dict[str, Material] = {}
+    read: set[Path] = set()
+    for library in dict.fromkeys(libraries):
         file = find_beside(path, library, outside_files=outside_files)
         if file is None:
             reason = why_missing(library, outside_files=outside_files)
             warn_left_behind(path, f"the file {library!r} of its materials {reason}")
             return None
-        known = {material.name for material in materials}
-        materials += [material for material in read_mtl(file) if material.name not in known]
-    return materials
+        if (real := file.resolve()) not in read:
+            read.add(real)
+            for material in read_mtl(file):
+                materials.setdefault(material.name, material)
+    return [*materials.values()]
 
 
 def pictures_of(

@@ -114,7 +114,8 @@ def attribute_columns(
         check_name(path, name)
         check_type(path, name, values, types, remedy)
         parts = {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
-        clash = sorted(parts.keys() & {*columns, *_CORNERS, *_TEXTURE, "colors"})
+        used = (*_CORNERS, *_TEXTURE, "colors")
+        clash = sorted(part for part in parts if part in columns or part in used)
         if clash:
             raise FileError(path, f"attribute {name!r}: faces have another property {clash[0]!r}", remedy="Rename it")
         columns |= parts

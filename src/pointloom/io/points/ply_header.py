@@ -76,6 +76,8 @@ def read_header(path: Any, source: Source) -> PlyHeader:
     byte_order: ByteOrder | None = None
     elements: list[Element] = []
     comments: list[str] = []
+    names: set[str] = set()  # of elements
+    property_names: set[str] = set()  # of the last element
     for number, line in enumerate(lines[1:], start=2):
         words = line.split()
         if not words or words[0] in ("comment", "obj_info"):
@@ -87,11 +89,15 @@ def read_header(path: Any, source: Source) -> PlyHeader:
         elif byte_order is None:
             raise FileError(path, f"expected the format line, got {line[:60]!r}", where=f"line {number}")
         elif words[0] == "element":
-            elements.append(_parse_element(path, words, number, elements))
+            elements.append(_parse_element(path, words, number, names))
+            property_names = set()
         elif words[0] == "property":
             if not elements:
                 raise FileError(path, "a property precedes all elements", where=f"line {number}")
-            elements[-1].properties.append(_parse_property(path, words, number, elements[-1], byte_order))
+            prop = _parse_property(path, words, number, byte_order)
+            what = f"property {prop.name!r} of element {elements[-1].name!r}"
+            _add_name(path, property_names, prop.name, what, number)
+            elements[-1].properties.append(prop)
         else:
             raise FileError(path, f"unknown header line {line[:60]!r}", where=f"line {number}")
     if byte_order is None:
@@ -134,16 +140,22 @@ def _parse_format(path: Any, words: list[str], number: int, *, again: bool) -> B
     return _BYTE_ORDERS[words[1]]
 
 
-def _parse_element(path: Any, words: list[str], number: int, elements: list[Element]) -> Element:
-    where = f"line {number}"
+def _parse_element(path: Any, words: list[str], number: int, names: set[str]) -> Element:
     if len(words) != 3:
-        raise FileError(path, f"expected 'element <name> <count>', got {' '.join(words)[:60]!r}", where=where)
-    if any(element.name == words[1] for element in elements):
-        raise FileError(path, f"element {words[1]!r} is declared twice", where=where)
+        reason = f"expected 'element <name> <count>', got {' '.join(words)[:60]!r}"
+        raise FileError(path, reason, where=f"line {number}")
+    _add_name(path, names, words[1], f"element {words[1]!r}", number)
     return Element(words[1], parse_count(path, words[2], f"the count of element {words[1]!r}", number))
 
 
-def _parse_property(path: Any, words: list[str], number: int, element: Element, byte_order: ByteOrder) -> Property:
+def _add_name(path: Any, names: set[str], name: str, what: str, number: int) -> None:
+    """Add a name to the previous ones. Raises `FileError` if it is one of them."""
+    if name in names:
+        raise FileError(path, f"{what} is declared twice", where=f"line {number}")
+    names.add(name)
+
+
+def _parse_property(path: Any, words: list[str], number: int, byte_order: ByteOrder) -> Property:
     where = f"line {number}"
     is_list = len(words) == 5 and words[1] == "list"
     if not is_list and len(words) != 3:
@@ -153,8 +165,6 @@ def _parse_property(path: Any, words: list[str], number: int, element: Element, 
     for word in words[2 if is_list else 1 : -1]:
         if word not in SCALAR_TYPES:
             raise FileError(path, f"property {name!r} has the unknown type {word[:40]!r}", where=where)
-    if any(prop.name == name for prop in element.properties):
-        raise FileError(path, f"property {name!r} of element {element.name!r} is declared twice", where=where)
     dtype = np.dtype(SCALAR_TYPES[words[-2]]).newbyteorder(byte_order)
     if not is_list:
         return Property(name, dtype)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.picture_names import matching_pictures
+from ...cameras.picture_names import PictureNames
 from ...io.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions
@@ -103,8 +103,9 @@ class PlacesFit:
 
 def positions_by_image(image_positions: PicturePlaces, names: tuple[str, ...]) -> dict[str, PicturePlace]:
     result: dict[str, PicturePlace] = {}
+    pictures = PictureNames(names)
     for position in image_positions.places:
-        meant = matching_pictures(position.name, names)
+        meant = pictures.matching(position.name)
         if len(meant) == 1:
             result[names[meant[0]]] = position
     return result
@@ -112,8 +113,9 @@ def positions_by_image(image_positions: PicturePlaces, names: tuple[str, ...]) -
 
 def attitudes_of(image_positions: PicturePlaces, names: tuple[str, ...]) -> dict[str, tuple[float, float, float]]:
     result: dict[str, tuple[float, float, float]] = {}
+    pictures = PictureNames(names)
     for name, angles in image_positions.attitudes.items():
-        meant = matching_pictures(name, names)
+        meant = pictures.matching(name)
         if len(meant) == 1:
             result[names[meant[0]]] = angles
     return result

@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...cameras.picture_names import matching_pictures
+from ...cameras.picture_names import PictureNames
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_progress
@@ -42,7 +42,8 @@ def check_control(control: GroundControl | None, frames: StageResult, source: Fi
     source_path = Path(source)
     offered = sorted(path.name for path in source_path.iterdir()) if source_path.is_dir() else []
     names = picture_names(frames)
-    marked = {k for mark in control.marks for k in matching_pictures(mark.picture, names)}
+    pictures = PictureNames(names)
+    marked = {k for name in {mark.picture for mark in control.marks} for k in pictures.matching(name)}
     headers = {names[k]: read_picture_header(frames.folder / PICTURES / names[k]) for k in sorted(marked)}
     sizes = {name: (header.width, header.height) for name, header in headers.items()}
     check_marks(control, names, sizes, offered)
@@ -51,9 +52,10 @@ def check_control(control: GroundControl | None, frames: StageResult, source: Fi
 def check_marks(
     control: GroundControl, names: Sequence[str], sizes: Mapping[str, tuple[int, int]], offered: Sequence[str] = ()
 ) -> None:
+    pictures, others = PictureNames(names), PictureNames(offered)
     for mark in control.marks:
-        meant = matching_pictures(mark.picture, names)
-        if not meant and matching_pictures(mark.picture, offered):
+        meant = pictures.matching(mark.picture)
+        if not meant and others.matching(mark.picture):
             continue
         if len(meant) != 1:
             what = "matches no image" if not meant else f"matches {len(meant)} images"
