@@ -1,6 +1,7 @@
 """The viewer's server: accepted requests, foreign origins, forked processes, absent clients, and a clean shutdown."""
 
 import base64
+import contextlib
 import gc
 import gzip
 import hashlib
@@ -24,13 +25,26 @@ from pointloom.core.errors import PointloomError
 from pointloom.visualization.viewer import client_presence, scene
 from pointloom.visualization.viewer.client_presence import KEEP_ALIVE, Presence
 from pointloom.visualization.viewer.guard import RequestGuard, response_headers, split_host
-from pointloom.visualization.viewer.link import hub
+from pointloom.visualization.viewer.link import hub, waiting_connections
 from pointloom.visualization.viewer.server import ViewerError, ViewerServer
 
 from ...sigint import sigint_enabled
 from . import events
 from .events import join_threads, wait_until
-from .pages import HELLO, get, hear, hear_until, is_well, line_of, page_of, send, send_raw, silent_line, visitor_of
+from .pages import (
+    HELLO,
+    get,
+    hear,
+    hear_until,
+    is_well,
+    line_of,
+    page_of,
+    send,
+    send_raw,
+    silent_line,
+    visitor_of,
+    with_token,
+)
 
 
 def test_the_server_listens_on_loopback_only(server):
@@ -203,6 +217,50 @@ def test_invalid_requests_and_other_methods_than_get_are_rejected(server):
     ):  # fmt: skip
         assert b" 200 " not in send_raw(server, data), data[:40]
     assert is_well(server)
+
+
+@pytest.mark.parametrize("start", [b"", b"GET / HTTP/1.1\r\n", "GET {path} HTTP/1.1\r\nHost: 127.0.0.1\r\n"])
+@pytest.mark.parametrize("limit", ["number", "time", "descriptors"])
+def test_unfinished_requests_are_closed_and_pages_are_not(monkeypatch, start, limit):
+    if limit == "number":
+        monkeypatch.setattr(waiting_connections, "MAX_STRANGERS", 3)
+    elif limit == "time":
+        monkeypatch.setattr(waiting_connections, "STRANGER_SECONDS", 0.01)
+    else:
+        resource = pytest.importorskip("resource", reason="Windows has no limit of descriptors")
+        monkeypatch.setattr(resource, "getrlimit", lambda _: (12, 12))
+    with ViewerServer(port=0) as server, page_of(server) as page, contextlib.ExitStack() as stack:
+        data = start.format(path=with_token(server, "/")).encode() if isinstance(start, str) else start
+        lines = [stack.enter_context(socket.create_connection(("127.0.0.1", server.port), 60)) for _ in range(5)]
+        for line in lines:
+            line.sendall(data)
+        for line in lines[:2]:
+            with contextlib.suppress(ConnectionResetError):
+                assert line.recv(1) == b""
+        assert is_well(server)
+        hear(page)
+
+
+class Line:
+    """A connection that records whether it was aborted."""
+
+    is_aborted = False
+
+    @property
+    def transport(self):
+        return self
+
+    def abort(self):
+        self.is_aborted = True
+
+
+def test_requests_for_the_page_that_do_not_end_are_limited(monkeypatch):
+    monkeypatch.setattr(waiting_connections, "MAX_LOADING", 2)
+    waiting, lines = waiting_connections.WaitingConnections(), [Line() for _ in range(4)]
+    for line in lines:
+        waiting.admit(line)
+    assert [line.is_aborted for line in lines] == [True, True, False, False]
+    assert len(waiting) == 2
 
 
 def test_closing_frees_the_memory(quick_collection):

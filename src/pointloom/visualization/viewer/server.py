@@ -32,7 +32,8 @@ class ViewerServer:
     It answers only requests that name this machine and contain its token. Only its own page may connect (`guard.py`),
     and messages are validated (`link/wire.py`). A `host` beyond 127.0.0.1 is reachable from the network, unencrypted,
     for everyone with the URL. The port is the next free one of 20. 0 takes any. Accepts up to 32 pages and messages of
-    up to 1 MiB, and closes a page that does not read for a minute. Raises ValueError, ViewerError or ImportError.
+    up to 1 MiB, and closes a page that does not read for a minute. At most 256 connections without the token are open,
+    for 10 s each, so that they cannot take all file descriptors. Raises ValueError, ViewerError or ImportError.
 
     Attributes:
         pages: Connection to all pages.

@@ -1,13 +1,15 @@
 """Thread of the web server and its connections: `Hub`.
 
 Uses websockets on a bound socket. Requests pass the guard and the token check. The page is sent with an ETag. A
-websocket receives data at its own speed and is closed when it stops reading.
+websocket receives data at its own speed and is closed when it stops reading. Connections that are not pages yet are
+limited (`waiting_connections.py`).
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 import hmac
 import http
 import logging
@@ -30,6 +32,7 @@ from ..guard import RequestGuard, response_headers
 from .delivery import LONGEST_BATCH
 from .packing import Op, pack
 from .page import ServedPage, refused_page
+from .waiting_connections import WaitingConnections, WatchedConnection
 from .wire import MAX_BYTES, read
 
 VERSION = 1
@@ -95,6 +98,7 @@ class Hub:
         self._refused = refused_page()
         self.client_count, self.last_request = 0, time.monotonic()
         self.lines: dict[ServerConnection, Visitor | None] = {}
+        self.waiting = WaitingConnections()
         self._loop = asyncio.new_event_loop()
         self._stopping = asyncio.Event()
         self._failure: BaseException | None = None
@@ -152,6 +156,7 @@ class Hub:
             close_timeout=CLOSE_SECONDS,
             server_header=None,
             logger=_handshakes,
+            create_connection=functools.partial(WatchedConnection, self.waiting),  # pyright: ignore[reportArgumentType]
         )
         ready.set()
         await self._stopping.wait()
@@ -185,6 +190,7 @@ class Hub:
         if not self._is_token(query):
             body = self._refused
             return _response(http.HTTPStatus.FORBIDDEN, body.text, host=headers["host"][0], sources=body.sources)
+        self.waiting.admit(connection)
         if not websocket:
             self.last_request = time.monotonic()
             return self._page_answer(headers)
@@ -224,6 +230,7 @@ class Hub:
         if connection.subprotocol != PROTOCOL:
             return await connection.close(OTHER_VERSION, "this page belongs to another version: reload it")
         self.client_count += 1
+        self.waiting.remove(connection)
         self.lines[connection] = None
         tasks: list[asyncio.Task[None]] = []
         visitor: Visitor | None = None
