@@ -13,6 +13,9 @@ def _leave(number: int, frame: FrameType | None) -> None:
     os._exit(INTERRUPTED)
 
 
+_leave.ends_process = True  # imports do not defer it
+
+
 def main() -> None:
     """Run the command. Ctrl-C during loading also gives one line and exit code 130."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
