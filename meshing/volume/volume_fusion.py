@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -143,7 +144,7 @@ def _check_volumes(volumes: Sequence[TSDFVolume], poses: ArrayLike) -> list[_Mov
 
 def _in_fixed_order(moved: list[_Moved]) -> list[_Moved]:
     sort_keys = [m.sort_key for m in moved]
-    alike = {sort_key for sort_key in sort_keys if sort_keys.count(sort_key) > 1}
+    alike = {sort_key for sort_key, count in Counter(sort_keys).items() if count > 1}
     complete_keys = [
         (sort_key, m.digest if sort_key in alike else b"") for sort_key, m in zip(sort_keys, moved, strict=True)
     ]

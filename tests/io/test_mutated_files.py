@@ -1,6 +1,9 @@
 """Damaged files: a reader returns a consistent table or raises FileError."""
 
+import contextlib
+import json
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +35,9 @@ from pointloom.io.points.text_table import read_text_table
 from pointloom.io.splats.splat_files import read_splats, write_splats
 from pointloom.io.splats.splat_ply import read_splat_ply
 from pointloom.io.table import MeshTable, PointTable
+from pointloom.registration.trajectories.similarity import read_positions
 
+from ..interruptions import PACKAGE, run_lines
 from ..pcd.test_splats import made
 from .point_tables import table_of
 from .test_camera_files import TRANSFORM, camera, document
@@ -253,7 +258,11 @@ def test_random_bytes_are_a_file_error(name, valid_files):
 RUNS = {
     "digits.xyz": (lambda run: b"1 2 3\n" + b"1" * run + b"x 2 3\n", read_text),
     "ones.jpg": (lambda run: SCAN + b"\xff" * run + b"\0", read_color),
-}
+    "continued.obj": (lambda run: b"f 1 2 3" + b" \\\n" * run, read_obj),
+    "columns.csv": (
+        lambda run: b"x,y,z" + b"".join(b",c%d" % k for k in range(run // 10)) + b",x\n1", read_text_table
+    ),
+}  # fmt: skip
 SCAN = b"\xff\xd8\xff\xc0\0\x0b\x08\0\x08\0\x08\x01\x01\x11\0\xff\xda\0\x08\x01\x01\0\0\x3f\0"  # one of 8 x 8 pixels
 
 
@@ -265,3 +274,66 @@ def test_a_long_run_takes_linear_time(tmp_path, name):
     with pytest.raises(FileError, match=name):
         read(tmp_path / name)
     assert number_of("1" * 1_000_000 + "x") is None
+
+
+XYZ = b"property float x\nproperty float y\nproperty float z\n"
+
+
+def _ply(declarations: bytes, row: bytes) -> bytes:
+    return b"ply\nformat ascii 1.0\nelement vertex 1\n" + XYZ + declarations + b"end_header\n0 0 0" + row + b"\n"
+
+
+def _gltf(n: int, **parts: object) -> bytes:
+    mesh = {"primitives": [{"attributes": {"POSITION": 0}}]}
+    position = {"componentType": 5126, "count": 3, "type": "VEC3", "bufferView": 0}
+    content = {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": 36, "uri": "data:;base64," + "A" * 48}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [position],
+        "meshes": [mesh],
+        "nodes": [{"mesh": 0}] * n,
+    }
+    return json.dumps(content | parts).encode()
+
+
+def _names(path: Path) -> None:
+    read_positions(path, [f"{line.split()[0]}.jpg" for line in path.read_text().splitlines()])
+
+
+OBJ = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+FILES = tuple(
+    str(file.relative_to(PACKAGE))
+    for folder in ("io", "registration", "cameras")
+    for file in (PACKAGE / folder).rglob("*.py")
+)
+REPEATED: dict[str, tuple[Callable[[int], bytes], Callable[[Path], object]]] = {
+    "properties.ply": (lambda n: _ply(b"".join(b"property int p%d\n" % k for k in range(n)), b" 1" * n), read_ply),
+    "elements.ply": (lambda n: _ply(b"".join(b"element e%d 0\n" % k for k in range(n)), b""), read_ply),
+    "nodes.gltf": (_gltf, read_glb),
+    "targets.gltf": (
+        lambda n: _gltf(n, meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{}] * n}]}]),
+        read_glb,
+    ),
+    "libraries.obj": (lambda n: b"mtllib libraries.obj\n" * n + OBJ + b"usemtl a\nf 1 2 3\n", read_obj),
+    "names.txt": (lambda n: b"".join(b"%d %d 0 0\n" % (k, k) for k in range(n)), _names),
+}  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore")  # about dropped content
+@pytest.mark.parametrize("name", REPEATED)
+def test_the_lines_that_a_reader_runs_grow_in_proportion_to_the_parts_of_a_file(tmp_path, name):
+    content, read = REPEATED[name]
+    path = tmp_path / name
+
+    def read_parts() -> None:
+        with contextlib.suppress(FileError):
+            read(path)
+
+    def lines(count: int) -> int:
+        path.write_bytes(content(count))
+        return run_lines(read_parts, FILES)
+
+    lines(10)  # imports
+    few, many = lines(100), lines(400)
+    assert many < 5 * few

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
+from collections import Counter
 from typing import Any
 
 from .checks import LARGEST_NUMBER as LARGEST_NUMBER
@@ -58,8 +59,8 @@ def check_keys(
 def _unique_pairs(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     content = dict(pairs)
     if len(content) != len(pairs):
-        names = [name for name, _ in pairs]
-        raise ValueError(f"key {next(name for name in names if names.count(name) > 1)!r} is given twice")
+        counts = Counter(name for name, _ in pairs)
+        raise ValueError(f"key {next(name for name, count in counts.items() if count > 1)!r} is given twice")
     return content
 
 

@@ -306,15 +306,17 @@ def _text_of(path: Path) -> bytes:
 
 def _joined(path: Path, lines: list[bytes]) -> Iterator[tuple[int, bytes]]:
     """Each statement with its line number, without comments and with continuation lines joined."""
-    pending, first = b"", 0
+    pending: list[bytes] = []
+    first = 0
     for number, line in enumerate(lines, 1):
         text = line.partition(b"#")[0]
         if text.rstrip().endswith(b"\\"):  # continues in the next line
-            pending, first = pending + text.rstrip()[:-1] + b" ", first or number
+            pending.append(text.rstrip()[:-1])
+            first = first or number
             continue
         if first:
-            yield first, pending + text
-            pending, first = b"", 0
+            yield first, b" ".join([*pending, text])
+            pending, first = [], 0
         else:
             yield number, text
     if first:

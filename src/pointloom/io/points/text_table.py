@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -183,7 +184,7 @@ def names_of(path: Path, head: _Head, width: int) -> list[str]:
 def _why_wrong(names: Sequence[str]) -> str:
     if not all(names):
         return f"column {list(names).index('') + 1} has no name"
-    twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
+    twice = next((name for name, count in Counter(names).items() if count > 1), None)
     if twice is not None:
         return f"two columns are named {twice}"
     missing = [name for name in POSITION if name not in names]

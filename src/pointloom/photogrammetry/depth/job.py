@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -139,9 +140,9 @@ def _jobs(source: Path, output: Path, folder: Path | None, overwrite: bool) -> l
             output, "is a single cloud, but the source is a folder of images", remedy="Give the name of a folder"
         )
     jobs = [(path, output / f"{path.stem}.ply") for path in pictures]
-    names = [target.name for _, target in jobs]
-    for (path, target), name in zip(jobs, names, strict=True):
-        if names.count(name) > 1:
+    counts = Counter(target.name for _, target in jobs)
+    for path, target in jobs:
+        if counts[target.name] > 1:
             raise FileError(
                 path, f"another image would also be written to {target.name}", remedy="Rename one of the images"
             )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from functools import lru_cache, partial
@@ -138,7 +139,7 @@ def plan_sequences(
     paths = [path_of(path).absolute() for path in frames]
     if not paths:
         raise ValueError("frames: expected at least one folder, got none")
-    twice = [path for path in paths if paths.count(path) > 1]
+    twice = [path for path, count in Counter(paths).items() if count > 1]
     if twice:
         raise ValueError(f"frames: {twice[0]} is duplicated")
     for path in paths:
