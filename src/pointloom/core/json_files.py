@@ -56,6 +56,32 @@ def check_keys(
         raise FileError(path, reason, where=f"key {where}{unknown[0]}", remedy="Remove it if it is not needed")
 
 
+def check_version(path: str | os.PathLike[str], content: dict[str, Any], class_name: str) -> None:
+    """Raise `FileError` if an object of Open3D has another class or version. Missing keys are accepted."""
+    for key, expected in (("class_name", class_name), ("version_major", 1), ("version_minor", 0)):
+        value = content.get(key, expected)
+        if value != expected or isinstance(value, bool):
+            raise FileError(path, f"expected {expected!r}, got {str(value)[:40]!r}", where=f"key {key}")
+
+
+def json_numbers(path: str | os.PathLike[str], values: Any, count: int, *, where: str) -> list[float]:
+    """A JSON list of numbers. Raises `FileError` unless there are `count` finite ones up to 1e100."""
+    if not isinstance(values, list) or len(values) != count:
+        given = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
+        raise FileError(path, f"expected a list of {count} numbers, got {given}", where=where)
+    for value in values:
+        if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > LARGEST_NUMBER:
+            raise FileError(path, f"expected finite numbers, got {str(value)[:40]!r}", where=where)
+    return [float(value) for value in values]
+
+
+def json_count(path: str | os.PathLike[str], value: Any, maximum: int, *, where: str) -> int:
+    """A JSON integer from 0 to `maximum`. Raises `FileError`; 1.0 and true are no integers."""
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= maximum:
+        raise FileError(path, f"expected an integer from 0 to {maximum:,}, got {str(value)[:40]!r}", where=where)
+    return value
+
+
 def _unique_pairs(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     content = dict(pairs)
     if len(content) != len(pairs):

@@ -20,7 +20,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
-from ...core.paths import path_of
+from ...core.paths import input_path, path_of
 from ...core.units import KNOWN, LengthUnit, text_of, unit_of_text
 from ..attribute_names import NameRules
 from ..columns import stack_colors, stack_normals
@@ -32,7 +32,7 @@ from ..table import PointTable
 # Deflate needs at least one bit for 129 bytes, so its output is below 1032 times its input.
 _MAX_DEFLATE_RATIO = 1032
 
-MAX_AXES = 4  # maximum number of array axes
+MAX_AXES = 32  # maximum number of array axes, as in NumPy 1
 
 # The end record of an archive without a comment, as NumPy writes it.
 _END_BYTES = 22
@@ -123,20 +123,34 @@ def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name
         reason = f"member {name!r} claims {info.file_size} bytes from {info.compress_size} stored ones"
         raise FileError(path, reason, where=f"byte {info.header_offset}")
     with archive.open(info) as stream:
-        shape, fortran, dtype = _read_array_header(path, stream, name)
-        is_unit = name == _UNIT and dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _LONGEST_UNIT
-        if not is_unit and (dtype.kind not in "biuf" or dtype.itemsize > 8):
-            raise FileError(path, f"{name}: {_NOT_NUMERIC}, got {dtype}")
-        if any(isinstance(extent, bool) for extent in shape):
-            raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
-        count = math.prod(shape)
-        needed, left = count * dtype.itemsize, info.file_size - stream.tell()
-        if needed != left or min(shape, default=0) < 0 or len(shape) > MAX_AXES:
-            reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, but has {left}"
-            raise FileError(path, reason, where=f"byte {info.header_offset}")
-        body = stream.read()
+        return _read_array(path, stream, name, info.file_size, f"byte {info.header_offset}")
+
+
+def read_npy(path: str | os.PathLike[str]) -> NDArray[Any]:
+    """Read an array of numbers from a .npy file. Raises `FileError`."""
+    file = input_path(path)
+    try:
+        with foreign_errors(path, "cannot be read as a .npy array"), file.open("rb") as stream:
+            return _read_array(path, stream, "array", file.stat().st_size, "byte 0")
+    except MemoryError as error:
+        raise MemoryError(escaped(f"{path}: not enough memory for its array")) from error
+
+
+def _read_array(path: Any, stream: IO[bytes], name: str, size: int, where: str) -> NDArray[Any]:
+    """Read an array from a stream of `size` bytes after checking its header."""
+    shape, fortran, dtype = _read_array_header(path, stream, name)
+    is_unit = name == _UNIT and dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _LONGEST_UNIT
+    if not is_unit and (dtype.kind not in "biuf" or dtype.itemsize > 8):
+        raise FileError(path, f"{name}: {_NOT_NUMERIC}, got {dtype}")
+    if any(isinstance(extent, bool) for extent in shape):
+        raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
+    needed, left = math.prod(shape) * dtype.itemsize, size - stream.tell()
+    if needed != left or min(shape, default=0) < 0 or len(shape) > MAX_AXES:
+        reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, but has {left}"
+        raise FileError(path, reason, where=where)
+    body = stream.read()
     if len(body) != needed:
-        raise FileError(path, f"{name}: {needed - len(body)} bytes are missing", where=f"byte {info.header_offset}")
+        raise FileError(path, f"{name}: {needed - len(body)} bytes are missing", where=where)
     array = np.frombuffer(body, dtype).reshape(shape, order="F" if fortran else "C")
     return array.astype(dtype.newbyteorder("="), order="C", copy=True)
 

@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
-from ...core.checks import check_count
-from ...core.paths import input_path
+from ...core.checks import check_count, shown
+from ...core.errors import FileError, values_of_file
+from ...core.paths import path_of
 from ...core.serialized import Serialized
+from ...io.points.npz import read_arrays
 from .device import Device
 from .dtype import Dtype
 from .errors import TensorError
@@ -180,13 +182,17 @@ class _Table(Serialized, HintedNames):
 
     @classmethod
     def load(cls, file_name: str) -> Self:
-        """Read a .npz file of `save`."""
-        with np.load(input_path(file_name), allow_pickle=False) as arrays:
-            key, *values = (arrays[name] for name in ("key", *sorted(n for n in arrays if n.startswith("value_"))))
+        """Read a .npz file of `save`, or of Open3D. Raises FileError."""
+        key, *values = _read_table(file_name)
+        if values and not issubclass(cls, HashMap):
+            raise FileError(file_name, f"expected keys without values, got {len(values)} arrays of values")
         made = cls.__new__(cls)
-        made._buffers = [Tensor(array) for array in (key, *values)]
+        with values_of_file(file_name):
+            made._buffers = [Tensor(array) for array in (key, *values)]
         made._is_active = np.ones(len(key), bool)
         made._sort()
+        if len(np.unique(made._sorted_keys)) < len(key):
+            raise FileError(file_name, "expected each key once, got duplicate keys", where="array key")
         return made
 
 
@@ -252,3 +258,24 @@ def _as_items(keys: Rows) -> Rows:
     width = int(np.prod(keys.shape[1:]))
     flat = np.ascontiguousarray(keys.reshape(len(keys), width))
     return flat[:, 0] if width == 1 else flat.view(np.dtype((np.void, flat.itemsize * width)))[:, 0]
+
+
+def _read_table(file_name: Any) -> list[Rows]:
+    """Keys, and arrays of values with as many rows."""
+    arrays = read_arrays(path_of(file_name, "file_name"))
+    key, number = arrays.pop("key", np.zeros(0)), arrays.pop("n_values", np.zeros(0))
+    if key.dtype.kind not in "iu" or not key.ndim or 0 in key.shape[1:]:
+        reason = f"expected integers of shape [n, ...], got {key.dtype} {list(key.shape)}"
+        raise FileError(file_name, reason, where="array key")
+    if number.dtype.kind not in "iu" or number.size != 1 or int(number.flat[0]) != len(arrays):
+        reason = f"expected the number of arrays of values, {len(arrays)}, got {shown(number.tolist())}"
+        raise FileError(file_name, reason, where="array n_values")
+    names = [f"value_{i:03d}" for i in range(len(arrays))]
+    for name in names:
+        if name not in arrays:
+            unknown = min(arrays.keys() - set(names))
+            raise FileError(file_name, f"expected the arrays {', '.join(names)}, got {shown(unknown)}")
+        if arrays[name].shape[:1] != key.shape[:1]:
+            reason = f"expected {len(key)} rows as of the keys, got the shape {list(arrays[name].shape)}"
+            raise FileError(file_name, reason, where=f"array {name}")
+    return [key, *(arrays[name] for name in names)]

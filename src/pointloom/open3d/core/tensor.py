@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
-from ...core.paths import input_path
+from ...core.errors import values_of_file
+from ...io.points.npz import read_npy
 from . import elementwise, linalg
 from .device import Device
 from .dtype import Dtype, float32
@@ -154,8 +155,10 @@ class Tensor(HintedNames):
 
     @staticmethod
     def load(file_name: str) -> Tensor:
-        """Read a .npy file."""
-        return Tensor(np.load(input_path(file_name), allow_pickle=False))
+        """Read a .npy file. Raises FileError."""
+        values = read_npy(file_name)
+        with values_of_file(file_name):
+            return Tensor(values)
 
     def save(self, file_name: str) -> None:
         """Write a .npy file."""

@@ -191,31 +191,5 @@ class OctreePointColorLeafNode(OctreeLeafNode):
         return f"OctreePointColorLeafNode with color [{color}] containing {len(self.indices)} points."
 
 
-NODES = {
-    kind.__name__: kind
-    for kind in (OctreeInternalNode, OctreeInternalPointNode, OctreeColorLeafNode, OctreePointColorLeafNode)
-}
-
-
-def node_from_json(value: Any) -> Any:
-    """A node and those below it from JSON, None from an empty object. Raises ValueError."""
-    if value in (None, {}):
-        return None
-    name = value.get("class_name") if isinstance(value, dict) else value
-    if name not in NODES:
-        raise ValueError(f"class_name: expected one of {', '.join(NODES)}, got {name}")
-    node: Any = NODES[name]()
-    if isinstance(node, OctreeInternalNode):
-        children = value.get("children")
-        if not isinstance(children, list) or len(children) != CHILDREN:
-            raise ValueError(f"children: expected a list of {CHILDREN} nodes, got {children}")
-        node.children = [node_from_json(child) for child in children]
-    else:
-        node.color = column("color", value.get("color"))
-    if isinstance(node, OctreeInternalPointNode | OctreePointColorLeafNode):
-        node.indices = np.asarray(value.get("indices", []), np.int64).tolist()
-    return node
-
-
 def _count(node: OctreeInternalNode) -> int:
     return sum(child is not None for child in node.children)

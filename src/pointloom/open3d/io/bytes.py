@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ...core.errors import FileError
 from ...core.paths import path_of
 from ...io.meshes.mesh_formats import MESH_READERS
 from ...io.points.formats import READERS
@@ -70,12 +71,22 @@ def read_point_cloud_from_bytes(
     remove_infinite_points: bool = False,
     print_progress: bool = False,
 ) -> PointCloud:
-    """Read a cloud from the content of a file, by the format "mem::xyz", "mem::ply" or another one."""
+    """Read a cloud from the content of a file, by the format "mem::xyz", "mem::ply" or another one.
+
+    Raises FileError, whose path is "bytes".
+    """
     suffix = _format(format)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, f"cloud.{suffix}")
-        path.write_bytes(bytes)
-        return read_point_cloud(path, "auto", remove_nan_points, remove_infinite_points)
+        try:
+            path.write_bytes(bytes)
+        except TypeError as error:
+            raise TypeError(f"bytes: expected the content of a file, got {type(bytes).__name__}") from error
+        try:
+            return read_point_cloud(path, "auto", remove_nan_points, remove_infinite_points)
+        except FileError as error:
+            reason = error.reason.replace(str(path), "bytes")
+            raise FileError("bytes", reason, where=error.where, remedy=error.remedy) from error
 
 
 def write_point_cloud_to_bytes(

@@ -9,8 +9,9 @@ from typing import Any
 
 from ...cameras import camera, trajectory
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
-from ...core.json_files import check_keys, read_json_object
+from ...core.checks import check_rigid
+from ...core.errors import FileError, values_of_file
+from ...core.json_files import check_keys, check_version, read_json_object
 from ..camera.intrinsic import PinholeCameraIntrinsic
 from ..camera.parameters import PinholeCameraParameters, PinholeCameraTrajectory
 from ..wrapper import unwrap
@@ -31,9 +32,12 @@ def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: Any) -> bool:
 def read_pinhole_camera_parameters(filename: FilePath) -> PinholeCameraParameters:
     content = read_json_object(filename)
     check_keys(filename, content, required={"intrinsic", "extrinsic"}, optional={"class_name", *VERSION})
+    check_version(filename, content, "PinholeCameraParameters")
     made = PinholeCameraParameters()
     made.intrinsic = camera.read_pinhole_camera_intrinsic(filename)
-    made.extrinsic = camera.read_json_matrix(filename, content["extrinsic"], 4, where="key extrinsic")
+    with values_of_file(filename, where="key extrinsic"):
+        extrinsic = camera.read_json_matrix(filename, content["extrinsic"], 4, where="key extrinsic")
+        made.extrinsic = check_rigid("extrinsic", extrinsic)
     return made
 
 
@@ -70,7 +74,8 @@ def _intrinsic_of(filename: FilePath, content: dict[str, Any], where: str) -> Pi
     if not isinstance(record, dict) or not {"width", "height", "intrinsic_matrix"} <= record.keys():
         raise FileError(filename, "expected width, height and intrinsic_matrix", where=where)
     K = camera.read_json_matrix(filename, record["intrinsic_matrix"], 3, where=where)
-    return PinholeCameraIntrinsic(record["width"], record["height"], K)
+    with values_of_file(filename, where=where):
+        return PinholeCameraIntrinsic(record["width"], record["height"], K)
 
 
 def _parameters_to_json(parameters: PinholeCameraParameters) -> dict[str, Any]:

@@ -8,17 +8,25 @@ import numpy as np
 
 from ..geometry.line_set import LineSet
 from ..vectors import Vector2iVector, Vector3dVector
-from .ply_elements import FilePath, check_ply, color_columns, colors_of, columns_of, read_elements, write_elements
+from .ply_elements import (
+    FilePath,
+    check_ply,
+    color_columns,
+    colors_of,
+    integers_of,
+    numbers_of,
+    read_elements,
+    write_elements,
+)
 
 
 def read_line_set(filename: FilePath, format: str = "auto", print_progress: bool = False) -> LineSet:
     """Read a .ply of points and lines, with the lines' colors. Raises FileError."""
     path = check_ply(filename, format)
     elements = read_elements(path, "vertex", "edge")
-    made = LineSet(
-        Vector3dVector(columns_of(path, elements, "vertex", "x", "y", "z")),
-        Vector2iVector(columns_of(path, elements, "edge", "vertex1", "vertex2")),
-    )
+    points = numbers_of(path, elements, "vertex", "x", "y", "z")
+    ends = integers_of(path, elements, "edge", "vertex1", "vertex2", low=0, high=len(points) - 1)
+    made = LineSet(Vector3dVector(points), Vector2iVector(ends))
     colors = colors_of(path, elements, "edge")
     if colors is not None:
         made.colors = Vector3dVector(colors)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import IO, Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
+from ...core.checks import LARGEST_NUMBER
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...io.ascii_rows import write_rows
@@ -38,17 +40,43 @@ def read_elements(path: Path, *required: str) -> Elements:
     return read_rows(path, source, header, lambda element, prop: prop.count_type is None)
 
 
-def columns_of(path: Path, elements: Elements, element: str, *names: str) -> NDArray[Any]:
-    """Columns of an element side by side. Raises FileError if one is missing."""
+def numbers_of(path: Path, elements: Elements, element: str, *names: str) -> NDArray[np.float64]:
+    """Columns of an element side by side. Raises FileError if one is missing, or a number is not finite."""
+    columns = _columns_of(path, elements, element, *names).astype(np.float64)
+    _check(path, element, names, columns, np.abs(columns) <= LARGEST_NUMBER, f"finite numbers up to {LARGEST_NUMBER:g}")
+    return columns
+
+
+def integers_of(path: Path, elements: Elements, element: str, *names: str, low: int, high: int) -> NDArray[np.int32]:
+    """Integers from `low` to `high`, 32 bits at most, side by side. Raises FileError for other numbers."""
+    columns = _columns_of(path, elements, element, *names)
+    is_valid = (columns >= low) & (columns <= high) & (columns == np.floor(columns))
+    _check(path, element, names, columns, is_valid, f"integers from {low} to {high}")
+    return columns.astype(np.int32)
+
+
+def colors_of(path: Path, elements: Elements, element: str) -> NDArray[np.float64] | None:
+    """8-bit colors of an element as numbers in 0..1. None without colors."""
+    if not any(name in elements[element] for name in CHANNELS):
+        return None
+    columns = _columns_of(path, elements, element, *CHANNELS)
+    _check(path, element, CHANNELS, columns, (columns >= 0) & (columns <= 255), "colors from 0 to 255")
+    return columns / 255
+
+
+def _columns_of(path: Path, elements: Elements, element: str, *names: str) -> NDArray[Any]:
     missing = [name for name in names if name not in elements[element]]
     if missing:
         raise FileError(path, f"the element {element!r} has no property {missing[0]!r}")
     return np.column_stack([elements[element][name] for name in names])
 
 
-def colors_of(path: Path, elements: Elements, element: str) -> NDArray[np.float64] | None:
-    """8-bit colors of an element as numbers in 0..1. None without colors."""
-    return columns_of(path, elements, element, *CHANNELS) / 255 if "red" in elements[element] else None
+def _check(path: Path, element: str, names: Sequence[str], columns: Any, is_valid: Any, expected: str) -> None:
+    """Raise FileError for the first number that is not valid."""
+    if not is_valid.all():
+        row, column = np.argwhere(~is_valid)[0].tolist()
+        where = f"element {element}, row {row}, property {names[column]}"
+        raise FileError(path, f"expected {expected}, got {columns[row, column]}", where=where)
 
 
 def color_columns(colors: NDArray[Any]) -> dict[str, NDArray[Any]]:

@@ -24,11 +24,19 @@ def read_feature(filename: FilePath) -> Feature:
         data = input_path(filename).read_bytes()
     except OSError as error:
         raise FileError(filename, f"cannot be read: {error.strerror or error}") from error
-    dimension, count = np.frombuffer(data[:HEAD], "<i4") if len(data) >= HEAD else (-1, -1)
-    if min(dimension, count) < 0 or len(data) != HEAD + 8 * int(dimension) * int(count):
+    if len(data) < HEAD:
+        raise FileError(filename, f"expected dimension and point count in {HEAD} bytes, got {len(data)} bytes")
+    dimension, count = np.frombuffer(data[:HEAD], "<i4").tolist()
+    if min(dimension, count) < 0 or len(data) != HEAD + 8 * dimension * count:
         raise FileError(filename, f"expected {dimension} numbers for each of {count} points, got {len(data)} bytes")
+    rows = np.frombuffer(data[HEAD:], "<f8").reshape(count, dimension)
+    if not (is_finite := np.isfinite(rows)).all():
+        row, column = np.argwhere(~is_finite)[0].tolist()
+        raise FileError(
+            filename, f"expected finite numbers, got {rows[row, column]}", where=f"point {row}, row {column}"
+        )
     made = Feature()
-    made.data = np.frombuffer(data[HEAD:], "<f8").reshape(count, dimension).T
+    made.data = rows.T
     return made
 
 

@@ -9,13 +9,24 @@ from typing import Any
 import numpy as np
 
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
-from ...core.json_files import check_keys, read_json_object
+from ...core.checks import check_positive, check_rigid
+from ...core.errors import FileError, values_of_file
+from ...core.json_files import check_keys, json_count, json_numbers, read_json_object
 from ..geometry.octree import Octree
-from ..geometry.octree_nodes import node_from_json
 from ..geometry.voxel_grid import VoxelGrid
-from .ply_elements import FilePath, check_ply, color_columns, colors_of, columns_of, read_elements, write_elements
+from .octree_nodes import MAX_DEPTH, read_node
+from .ply_elements import (
+    FilePath,
+    check_ply,
+    color_columns,
+    colors_of,
+    integers_of,
+    numbers_of,
+    read_elements,
+    write_elements,
+)
 
+LIMITS = np.iinfo(np.int32)  # of voxel indices
 AXES = [f"r{row}{column}" for row in range(3) for column in range(3)]
 
 
@@ -23,14 +34,28 @@ def read_voxel_grid(filename: FilePath, format: str = "auto", print_progress: bo
     """Read a .ply with an origin, a voxel size and voxel indices. Raises FileError."""
     path = check_ply(filename, format)
     elements = read_elements(path, "origin", "voxel_size", "vertex")
-    cells = columns_of(path, elements, "vertex", "x", "y", "z")
-    origin, size = columns_of(path, elements, "origin", "x", "y", "z"), columns_of(path, elements, "voxel_size", "val")
+    cells = integers_of(path, elements, "vertex", "x", "y", "z", low=LIMITS.min, high=LIMITS.max)
+    origin, size = numbers_of(path, elements, "origin", "x", "y", "z"), numbers_of(path, elements, "voxel_size", "val")
     if len(origin) != 1 or len(size) != 1:
         raise FileError(path, f"expected one origin and one voxel size, got {len(origin)} and {len(size)}")
-    made = VoxelGrid._around(origin[0], float(size[0, 0]), cells.astype(np.int32), colors_of(path, elements, "vertex"))
+    with values_of_file(path):
+        edge = check_positive("voxel_size", float(size[0, 0]), allow_zero=not len(cells))
+    _, counts = np.unique(cells, axis=0, return_counts=True)
+    if (counts > 1).any():
+        raise FileError(path, f"expected each voxel once, got {int((counts > 1).sum())} of them more than once")
+    made = VoxelGrid._around(origin[0], edge, cells, colors_of(path, elements, "vertex"))
     if "rotation" in elements:
-        made.rotation = columns_of(path, elements, "rotation", *AXES).reshape(3, 3)
+        made.rotation = _rotation(path, numbers_of(path, elements, "rotation", *AXES))
     return made
+
+
+def _rotation(path: Path, rows: Any) -> Any:
+    if len(rows) != 1:
+        raise FileError(path, f"expected one rotation, got {len(rows)}")
+    matrix = np.eye(4)
+    matrix[:3, :3] = rows.reshape(3, 3)
+    with values_of_file(path):
+        return check_rigid("rotation", matrix)[:3, :3]
 
 
 def write_voxel_grid(
@@ -58,21 +83,31 @@ def read_octree(filename: FilePath, format: str = "auto") -> Octree:
     """Read a .json. Raises FileError."""
     content = read_json_object(_json(filename))
     check_keys(filename, content, required={"class_name", "origin", "size", "max_depth", "tree"})
-    try:
-        made = Octree(content["max_depth"], content["origin"], content["size"])
-        made.root_node = node_from_json(content["tree"])
-    except (TypeError, ValueError) as error:
-        raise FileError(filename, str(error)) from error
+    if content["class_name"] != "Octree":
+        given = str(content["class_name"])[:40]
+        raise FileError(filename, f"expected 'Octree', got {given!r}", where="key class_name")
+    depth = json_count(filename, content["max_depth"], MAX_DEPTH, where="key max_depth")
+    origin = json_numbers(filename, content["origin"], 3, where="key origin")
+    (size,) = json_numbers(filename, [content["size"]], 1, where="key size")
+    with values_of_file(filename):
+        made = Octree(depth, origin, size)
+    made.root_node = read_node(filename, content["tree"], depth)
     return made
 
 
 def write_octree(filename: FilePath, octree: Any) -> bool:
-    """Write a .json."""
+    """Write a .json. Raises ValueError for a tree that `read_octree` would reject, such as colors beyond 0..1."""
     if not isinstance(octree, Octree):
         raise TypeError(f"octree: expected an Octree, got {type(octree).__name__}")
     content = {"class_name": "Octree", "max_depth": octree.max_depth, "origin": octree.origin.tolist()}
     content |= {"size": octree.size, "tree": {} if octree.root_node is None else octree.root_node._to_json()}
-    with atomic_write(_json(filename)) as file:
+    path = _json(filename)
+    try:
+        json_count(path, octree.max_depth, MAX_DEPTH, where="key max_depth")
+        read_node(path, content["tree"], octree.max_depth)
+    except FileError as error:
+        raise ValueError(f"octree: {error.where}: {error.reason}") from error
+    with atomic_write(path) as file:
         file.write(json.dumps(content).encode())
     return True
 

@@ -12,9 +12,9 @@ import numpy as np
 
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import KnownNames
-from ...core.checks import check_color
-from ...core.errors import FileError
-from ...core.json_files import read_json_object
+from ...core.checks import check_color, check_count, check_positive, shown
+from ...core.errors import values_of_file
+from ...core.json_files import check_keys, check_version, read_json_object
 
 
 class PointColorOption(enum.Enum):
@@ -65,6 +65,7 @@ OTHERS = {  # other keys of Open3D with defaults: it reads a file up to the firs
     **{"image_max_depth": 3000, "image_stretch_option": 1, "interpolation_option": 0},
 }
 VERSION = {"class_name": "RenderOption", "version_major": 1, "version_minor": 0}
+IGNORED = OTHERS.keys() | VERSION.keys()  # keys of a file that are not read
 
 
 @dataclass(eq=False, repr=False)
@@ -91,14 +92,15 @@ class RenderOption(KnownNames):
     def load_from_json(self, filename: str | os.PathLike[str]) -> None:
         """Read a file of `save_to_json` or Open3D. Lights are ignored. Raises FileError."""
         content = read_json_object(filename)
-        if content.get("class_name") != VERSION["class_name"]:
-            raise FileError(filename, f"expected 'RenderOption', got {str(content.get('class_name'))[:40]!r}")
-        for name in (one.name for one in fields(self) if one.name in content):
-            try:
-                value = ENUMS[name](content[name]) if name in ENUMS else content[name]
-                setattr(self, name, value if isinstance(value, list) else type(getattr(self, name))(value))
-            except (TypeError, ValueError) as error:
-                raise FileError(filename, str(error), where=f"key {name}") from error
+        check_keys(filename, content, required={"class_name"}, optional={one.name for one in fields(self)} | IGNORED)
+        check_version(filename, content, VERSION["class_name"])
+        values = {one.name: content[one.name] for one in fields(self) if one.name in content}
+        loaded = RenderOption()
+        for name, value in values.items():
+            with values_of_file(filename, where=f"key {name}"):
+                setattr(loaded, name, _checked(name, value, getattr(loaded, name)))
+        for name in values:
+            setattr(self, name, getattr(loaded, name))
 
     def save_to_json(self, filename: str | os.PathLike[str]) -> None:
         content: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
@@ -112,3 +114,14 @@ class RenderOption(KnownNames):
 
     def _state(self) -> tuple[Any, ...]:
         return tuple(map(str, (getattr(self, one.name) for one in fields(self))))
+
+
+def _checked(name: str, value: Any, default: Any) -> Any:
+    """A value of JSON in the type of the field."""
+    if name in ENUMS:
+        return ENUMS[name](check_count(name, value, minimum=0))
+    if isinstance(default, bool):
+        if not isinstance(value, bool):
+            raise TypeError(f"{name}: expected true or false, got {shown(value)}")
+        return value
+    return check_positive(name, value) if isinstance(default, float) else value

@@ -19,6 +19,7 @@ from ....io.table import PointTable
 from ...core.tensor import Tensor
 from ...io.shapes import COLUMNS, TEXT_COLUMNS
 from ..geometry.point_cloud import PointCloud
+from .attributes import set_attribute
 
 FilePath = str | os.PathLike[str]
 
@@ -49,7 +50,11 @@ def read_point_cloud(
     if table.colors is not None:
         cloud.point.colors = np.rint(table.colors * 255).astype(np.uint8) if _has_bytes(filename) else table.colors
     for name, values in table.attributes.items():
-        cloud.point[name] = np.ascontiguousarray(values[:, None] if values.ndim == 1 else values)
+        if name in cloud.point:
+            raise FileError(filename, f"expected one attribute of each name, got {name!r} twice")
+        set_attribute(
+            filename, cloud.point, name, np.ascontiguousarray(values[:, None] if values.ndim == 1 else values)
+        )
     if remove_nan_points or remove_infinite_points:
         cloud, _ = cloud.remove_non_finite_points(remove_nan_points, remove_infinite_points)
     return cloud

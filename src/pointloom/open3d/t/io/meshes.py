@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import warnings
-import zipfile
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ....core.atomic import atomic_write
-from ....core.errors import FileError, FilePath
-from ....core.paths import input_path
+from ....core.checks import check_textures
+from ....core.errors import FileError, FilePath, values_of_file
+from ....core.escaped_text import escaped
+from ....core.paths import path_of
+from ....io.points.npz import read_arrays
 from ....meshing.mesh import mesh_files
 from ...core.dtype import float32, float64, int64
 from ...core.tensor import Tensor
 from ..geometry.triangle_mesh import TriangleMesh
+from .attributes import check_attribute_names, set_attribute
 
 NPZ = ".npz"
 KINDS = ("vertex", "triangle")
@@ -32,7 +37,10 @@ def read_triangle_mesh(
         return _read_npz(filename)
     native = mesh_files.read_triangle_mesh(filename)
     if len(native.textures) > 1:
-        warnings.warn(f"{filename}: {len(native.textures)} textures, of which the first is kept", stacklevel=2)
+        message = f"{filename}: {len(native.textures)} textures, of which the first is kept"
+        warnings.warn(escaped(message), stacklevel=2)
+    check_attribute_names(filename, "vertex", native.vertex_attributes, "positions")
+    check_attribute_names(filename, "triangle", native.triangle_attributes, "indices")
     mesh = TriangleMesh._of(native, float64 if native.origin.any() else float32, int64)
     mesh._set_texture(native.textures[0] if native.textures else None)
     return mesh
@@ -68,23 +76,47 @@ def write_triangle_mesh(
 
 
 def _read_npz(filename: FilePath) -> TriangleMesh:
-    path = input_path(filename)
-    try:
-        with np.load(path) as file:
-            arrays = dict(file)
-    except (OSError, ValueError, zipfile.BadZipFile) as error:
-        raise FileError(filename, f"cannot be read as a mesh: {error}") from error
+    arrays = read_arrays(path_of(filename, "filename"))
     if not {"vertices", "triangles"} <= arrays.keys():
         raise FileError(filename, f"expected vertices and triangles, got {', '.join(arrays) or 'no arrays'}")
-    mesh = TriangleMesh(Tensor(arrays.pop("vertices")), Tensor(arrays.pop("triangles")))
-    mesh._set_texture(arrays.pop("tex_albedo", None))
+    vertices, triangles = arrays.pop("vertices"), arrays.pop("triangles")
+    _check_surface(filename, vertices, triangles)
+    with values_of_file(filename):
+        mesh = TriangleMesh(Tensor(vertices), Tensor(triangles))
+        texture = arrays.pop("tex_albedo", None)
+        mesh._set_texture(None if texture is None else check_textures("tex_albedo", [texture])[0])
+    counts = {"vertex": len(vertices), "triangle": len(triangles)}
     for name, values in arrays.items():
         kind, _, attribute = name.partition("_")
-        if kind in ("vertex", "triangle"):
-            getattr(mesh, kind)[attribute] = Tensor(values)
+        if kind in counts:
+            if values.shape[:1] != (counts[kind],):
+                reason = f"expected {counts[kind]} rows, got the shape {list(values.shape)}"
+                raise FileError(filename, reason, where=f"array {name}")
+            set_attribute(filename, getattr(mesh, kind), attribute, values)
         elif name != "material_name":
-            warnings.warn(f"{filename}: {name} is dropped; a mesh has vertex_* and triangle_* arrays", stacklevel=3)
+            message = f"{filename}: {name} is dropped; a mesh has vertex_* and triangle_* arrays"
+            warnings.warn(escaped(message), stacklevel=3)
     return mesh
+
+
+def _check_surface(filename: FilePath, vertices: NDArray[Any], triangles: NDArray[Any]) -> None:
+    """Raise FileError unless vertices are finite, and triangles are indices of them."""
+    if vertices.dtype.kind != "f" or vertices.shape[1:] != (3,) or vertices.ndim != 2:
+        reason = f"expected floats of shape [n, 3], got {vertices.dtype} {list(vertices.shape)}"
+        raise FileError(filename, reason, where="array vertices")
+    if not np.isfinite(vertices).all():
+        row = int(np.flatnonzero(~np.isfinite(vertices).all(axis=1))[0])
+        raise FileError(
+            filename, f"expected finite numbers, got {vertices[row].tolist()}", where=f"vertices, row {row}"
+        )
+    if triangles.dtype.kind not in "iu" or triangles.shape[1:] != (3,) or triangles.ndim != 2:
+        reason = f"expected integers of shape [m, 3], got {triangles.dtype} {list(triangles.shape)}"
+        raise FileError(filename, reason, where="array triangles")
+    is_valid = ((triangles >= 0) & (triangles < len(vertices))).all(axis=1)
+    if not is_valid.all():
+        row = int(np.flatnonzero(~is_valid)[0])
+        reason = f"expected indices of {len(vertices)} vertices, got {triangles[row].tolist()}"
+        raise FileError(filename, reason, where=f"triangles, row {row}")
 
 
 def _write_npz(filename: FilePath, mesh: TriangleMesh) -> None:
