@@ -17,6 +17,7 @@ from ..core.array_libraries import check_library, hand_out, library_of
 from ..core.checks import check_count, check_finite, check_positive, check_rigid, check_shape
 from ..core.coordinates import origin_of_sensor, split_origin
 from ..core.devices import check_same_device, resolve_device
+from ..core.escaped_text import escaped
 from ..core.exchange import share_numbers, share_vectors
 from ..core.gpu_arrays import device_for
 from ..core.pickled_arrays import device_like, pickled, unpickled, unpickling
@@ -251,7 +252,9 @@ class Conversion(Selection):
         for name, array in arrays.items():
             check_same_device(name, arrays["points"].device, array.device)
             if array.shape[0] != arrays["points"].size:
-                raise ValueError(f"{name}: expected {arrays['points'].size} rows, one per point, got {array.shape[0]}")
+                raise ValueError(
+                    f"{escaped(name)}: expected {arrays['points'].size} rows, one per point, got {array.shape[0]}"
+                )
         cloud = cls._from_device_arrays(arrays, start, library_of(points))
         cloud._cached_tree = CachedTree(arrays["points"], is_shared=True)
         return cloud
@@ -327,7 +330,7 @@ class Conversion(Selection):
                 continue
             values = self[name]
             if values.dtype == np.float16:
-                raise TypeError(f"{name}: Open3D has no float16; assign it as float32 first")
+                raise TypeError(f"{escaped(name)}: Open3D has no float16; assign it as float32 first")
             if name == _COVARIANCES and values.shape[1:] == (9,):
                 values = values.reshape(-1, 3, 3)
             cloud.point[name] = o3d.core.Tensor(values[:, None] if values.ndim == 1 else values)
@@ -345,7 +348,7 @@ class Conversion(Selection):
             for name, values in arrays.items():
                 is_right = values.dtype == vec3 if name in VECTORS else values.dtype not in (vec2, vec3, vec3i)
                 if not is_right or values.ndim not in (1, 2) or values.shape[0] != count:
-                    raise ValueError(f"{name}: expected a row for each of {count} points, got {values}")
+                    raise ValueError(f"{escaped(name)}: expected a row for each of {count} points, got {values}")
             cloud = self._from_device_arrays(arrays, origin, check_library("library", state["library"]))
             if (grid := state["grid"]) is not None:
                 height, width = (check_count("grid", extent, minimum=0) for extent in grid)

@@ -26,6 +26,7 @@ from ..core.checks import (
 )
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
+from ..core.escaped_text import escaped
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..core.units import common_unit
 from ..core.verbosity import printed_duration
@@ -604,7 +605,7 @@ def _check_alike(name: str, rows: Sequence[Any]) -> None:
     for values in rows:
         if values.dtype != first.dtype:
             given = f"{first.dtype.__name__} and {values.dtype.__name__}"
-            raise TypeError(f"{name}: expected one type in all clouds, got {given}; convert one")
+            raise TypeError(f"{escaped(name)}: expected one type in all clouds, got {given}; convert one")
         if values.shape[1:] != first.shape[1:]:
             given = f"{[*first.shape[1:]]} and {[*values.shape[1:]]}"
             raise ValueError(

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_numeric, check_rows, check_textures
+from ..core.escaped_text import escaped
 from ..core.units import LengthUnit
 
 
@@ -153,8 +154,8 @@ def _checked_attributes(attributes: dict[str, Any], count: int) -> dict[str, NDA
     for name, values in attributes.items():
         if not isinstance(name, str):
             raise TypeError(f"attributes: expected names that are strings, got {name!r}")
-        array = check_numeric(name, values)
+        array = check_numeric(escaped(name), values)
         if array.ndim not in (1, 2) or len(array) != count:
-            raise ValueError(f"{name}: expected shape [{count}] or [{count}, c], got {list(array.shape)}")
+            raise ValueError(f"{escaped(name)}: expected shape [{count}] or [{count}, c], got {list(array.shape)}")
         checked[name] = array.astype(array.dtype.newbyteorder("="), copy=False)
     return checked

@@ -19,6 +19,7 @@ from ...cameras.pose_text import parse_floats, pose_or_gap, read_lines, read_pos
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
+from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 from ...core.paths import is_file, path_of
 from ...core.reports import Assessed, failed
@@ -254,7 +255,8 @@ class RGBDDataset(Assessed):
         posed = sum(files.T_world_camera is not None for files in self.frames)
         poses = "with poses" if posed == len(self) else f"{posed} of them with poses" if posed else "without poses"
         size = f"{self.intrinsic.width} x {self.intrinsic.height}"
-        return f"RGBDDataset({self.layout}, {len(self)} frames {poses}, {size}, depth_scale {self.depth_scale:g})"
+        text = f"RGBDDataset({self.layout}, {len(self)} frames {poses}, {size}, depth_scale {self.depth_scale:g})"
+        return escaped(text)
 
     @property
     def notes(self) -> list[str]:

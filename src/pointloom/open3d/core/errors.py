@@ -7,10 +7,14 @@ from functools import wraps
 from typing import Any
 
 from ...core.errors import DeviceError
+from ...core.escaped_text import escaped
 
 
 class TensorError(RuntimeError, ValueError, IndexError, TypeError):
     """A wrong argument of a tensor: a RuntimeError, as in Open3D, and also the class that NumPy raises."""
+
+    def __init__(self, message: object = ""):
+        super().__init__(escaped(message, lines=True))
 
 
 def as_tensor_error(function: Callable[..., Any]) -> Any:

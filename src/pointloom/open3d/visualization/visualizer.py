@@ -13,6 +13,7 @@ import numpy as np
 
 from ...core.attribute_hints import KnownNames
 from ...core.checks import check_callback, check_count, check_positive
+from ...core.escaped_text import escaped
 from ...core.units import without_warnings
 from ...meshing.mesh.mesh import TriangleMesh
 from ...visualization.render.open3d_views import read_view, write_view
@@ -108,7 +109,7 @@ class Visualizer(KnownNames):
         return False
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__} with name {self._name}"
+        return f"{type(self).__name__} with name {escaped(self._name)}"
 
     def add_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
         """Show a geometry. The view is reset unless `reset_bounding_box` is False."""

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.escaped_text import escaped
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_bytes, format_seconds, format_share
 from .estimation import ARBITRARY, DepthEstimate
@@ -225,4 +226,4 @@ class DepthReport(Assessed):
         ]
 
     def __str__(self) -> str:
-        return f"{self.source}\n{in_columns(self.fields())}"
+        return f"{escaped(self.source)}\n{in_columns(self.fields())}"

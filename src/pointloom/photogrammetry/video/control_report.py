@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.escaped_text import escaped
 from ...core.reports import Assessed
 from ...pcd.geodesy import WorldFrame
 from .georeference import frame_to_dict
@@ -55,10 +56,10 @@ class ControlResidual:
 
     def __str__(self) -> str:
         if self.residual is None:
-            return f"{self.name}: {self.use}, {'; '.join(self.warnings)}"
+            return escaped(f"{self.name}: {self.use}, {'; '.join(self.warnings)}")
         gap = " ".join(f"{value:+.3f}" for value in self.residual)
         more = "".join(f"; {warning}" for warning in self.warnings)
-        return f"{self.name}: {self.use}, {gap} m, {self.pixels:.2f} px in {self.views} images{more}"
+        return escaped(f"{self.name}: {self.use}, {gap} m, {self.pixels:.2f} px in {self.views} images{more}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +99,7 @@ class BarResidual:
     def __str__(self) -> str:
         more = "".join(f"; {warning}" for warning in self.warnings)
         off = f", {1000 * self.error:+.1f} mm" if math.isfinite(self.estimated) else ""
-        return f"{self.bar}: {self.use}, {self.bar.meters:g} m{off}{more}"
+        return escaped(f"{self.bar}: {self.use}, {self.bar.meters:g} m{off}{more}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,7 +191,7 @@ class ControlFit(Assessed):
         }
 
     def __str__(self) -> str:
-        return "\n".join(self._lines())
+        return escaped("\n".join(self._lines()), lines=True)
 
     def _lines(self) -> list[str]:
         counts = [

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_finite, check_list, check_name, check_numeric, check_positive, shown
+from ...core.escaped_text import escaped
 from ...core.records import digest_of
 from ...registration.stations.observations import ControlPoint, check_sigma
 from .control_systems import to_geodetic
@@ -88,7 +89,7 @@ class ScaleBar:
         object.__setattr__(self, "sigma", check_sigma("sigma", self.sigma))
 
     def __str__(self) -> str:
-        return f"{self.a} to {self.b}"
+        return escaped(f"{self.a} to {self.b}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,7 +152,7 @@ class GroundControl:
     def __repr__(self) -> str:
         counts = [(len(self.points), "point"), (len(self.marks), "mark"), (len(self.bars), "scale bar")]
         parts = [f"{count} {what}{'s' * (count != 1)}" for count, what in counts if count or what != "scale bar"]
-        return f"GroundControl({', '.join(parts)}, {self.crs or 'local'})"
+        return escaped(f"GroundControl({', '.join(parts)}, {self.crs or 'local'})")
 
     @property
     def positions(self) -> Array:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ...core.escaped_text import escaped
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.stages import StageResult
 from ...core.wording import format_bounds, format_bytes, format_share
@@ -186,7 +187,7 @@ class VideoResult(Assessed):
         ]
 
     def __str__(self) -> str:
-        return f"{self.source}\n{in_columns(self.fields())}"
+        return f"{escaped(self.source)}\n{in_columns(self.fields())}"
 
     def _pictures_line(self) -> str:
         chosen = f"chosen from {self.figures.frame_count:,}, on {self.device}"

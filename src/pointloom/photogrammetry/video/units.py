@@ -14,6 +14,7 @@ from ...cameras.picture_names import matching_pictures
 from ...cameras.pose_text import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.records import digest_of, digest_of_file
 from ...core.reports import Assessed, failed
 from ...core.wording import few_of
@@ -217,7 +218,7 @@ class Fit(Assessed):
 
     def __str__(self) -> str:
         first, *more = self._line().split("\n")
-        return "\n".join([first + ", upright" * self.is_upright, *more, *self.notes])
+        return escaped("\n".join([first + ", upright" * self.is_upright, *more, *self.notes]), lines=True)
 
     def _line(self) -> str:
         if self.units == ARBITRARY:

@@ -7,6 +7,7 @@ import os
 from dataclasses import dataclass
 from typing import Any
 
+from ...core.escaped_text import escaped
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import format_bytes, format_seconds, plain
 from .fragments import FragmentSet
@@ -30,7 +31,7 @@ class LostRun:
 
     def __str__(self) -> str:
         ends = self.first if self.count == 1 else f"{self.first} to {self.last} ({self.count})"
-        return f"{ends}: {self.reason}"
+        return escaped(f"{ends}: {self.reason}")
 
 
 @dataclass(frozen=True)

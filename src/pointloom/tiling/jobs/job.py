@@ -110,7 +110,7 @@ class JobStatus:
         counts = {"waiting": self.waiting, "running": self.running, "failed": self.failed, "quarantined": self.aside}
         parts += [f"{count} {name}" for name, count in counts.items() if count]
         lines = [*(f"{name}: {error}" for name, error in self.troubles.items()), *self.notes]
-        return "; ".join(parts) + "".join(f"\n  {escaped(line)}" for line in lines)
+        return escaped("; ".join(parts)) + "".join(f"\n  {escaped(line)}" for line in lines)
 
 
 def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Sequence[Task]) -> JobStatus:

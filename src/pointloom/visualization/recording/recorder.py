@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_name, check_number, check_positive, check_progress, check_transformation
+from ...core.escaped_text import escaped
 from ...core.observers import watch
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
@@ -158,7 +159,7 @@ class Recorder(Serialized):
         self._seen_from: View | None = None  # view of the written file
 
     def __repr__(self) -> str:
-        return f"Recorder({os.fspath(self.path)}, {len(self._frames)} frames, {len(self._store.shapes)} shapes)"
+        return f"Recorder({escaped(self.path)}, {len(self._frames)} frames, {len(self._store.shapes)} shapes)"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
         """For notebooks: the recording, once it is written."""

@@ -7,6 +7,7 @@ from typing import Any, Self
 import numpy as np
 
 from ....cameras.camera import PinholeCameraIntrinsic
+from ....core.escaped_text import escaped
 from ....pcd import line_set
 from ... import geometry as legacy
 from ...core.device import Device
@@ -138,7 +139,7 @@ class LineSet(MovedGeometry):
 def listed(tensors: TensorMap) -> str:
     """The tensors besides the primary one as text: ` colors (dtype = Float32, shape = {8, 3}).`"""
     rows = [
-        f" {name} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
+        f" {escaped(name)} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
         for name, tensor in tensors.items()
         if name != tensors.primary_key
     ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ....core.attribute_hints import KnownNames
+from ....core.escaped_text import escaped
 
 SCALARS = {
     "line_width": 1.0,
@@ -56,4 +57,4 @@ class Material(KnownNames):
         return Material(self)
 
     def __repr__(self) -> str:
-        return f"Material {self.material_name}" if self.is_valid() else "Invalid Material"
+        return f"Material {escaped(self.material_name)}" if self.is_valid() else "Invalid Material"

@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from ....core.escaped_text import escaped
 from ....kernels.arrays.origins import add_origin
 from ....meshing.mesh import mesh
 from ...core.device import Device
@@ -151,7 +152,7 @@ class MeshTensors(Geometry):
         lines = [f"TriangleMesh on {self.device} [{' and '.join(counts)}]."]
         for part, of in ((self.vertex, "Vertex"), (self.triangle, "Triangle")):
             others = [
-                f"{name} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
+                f"{escaped(name)} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
                 for name, tensor in sorted(part.items())
                 if name != part.primary_key
             ]

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ....core.escaped_text import escaped
 from ....core.gpu_arrays import take_numbers
 from ...core.tensor import Tensor
 
@@ -25,7 +26,9 @@ def tensor_of(name: str, values: Any) -> Tensor:
         return Tensor.from_numpy(values)
     if isinstance(values, list | tuple | int | float):
         return Tensor(values)
-    raise TypeError(f"{name}: expected a Tensor, got {type(values).__name__}; o3d.core.Tensor(array) makes one")
+    raise TypeError(
+        f"{escaped(name)}: expected a Tensor, got {type(values).__name__}; o3d.core.Tensor(array) makes one"
+    )
 
 
 def array_of(name: str, values: Any) -> NDArray[Any]:
@@ -37,7 +40,7 @@ def matrix_of(name: str, values: Any, shape: tuple[int, ...]) -> NDArray[np.floa
     """A small argument as a NumPy array of a shape."""
     array = array_of(name, values)
     if array.shape != shape:
-        raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
+        raise ValueError(f"{escaped(name)}: expected shape {list(shape)}, got {list(array.shape)}")
     return array.astype(np.float64)
 
 
@@ -75,17 +78,17 @@ class TensorMap:
 
     def __getitem__(self, key: str) -> Tensor:
         if key not in self._values:
-            raise MissingKeyError(f"{key}: expected one of {[*self._values]}")
+            raise MissingKeyError(f"{escaped(key)}: expected one of {[*self._values]}")
         return Tensor._around(self._values[key]._array)  # another object, the same memory
 
     def __setitem__(self, key: str, value: Any) -> None:
         if key in RESERVED or key.startswith("__"):
-            raise KeyError(f"{key}: the name is reserved")
+            raise KeyError(f"{escaped(key)}: the name is reserved")
         self._values[key] = tensor_of(key, value)
 
     def __delitem__(self, key: str) -> None:
         if key == self.primary_key:
-            raise RuntimeError(f"{key}: the primary key cannot be deleted")
+            raise RuntimeError(f"{escaped(key)}: the primary key cannot be deleted")
         self._values.pop(key, None)
 
     def erase(self, key: str) -> int:
@@ -128,7 +131,8 @@ class TensorMap:
     def assert_size_synchronized(self) -> None:
         """Raise RuntimeError if a tensor has another length than the primary one."""
         if odd := self._odd():
-            raise RuntimeError(f"{', '.join(odd)}: expected {self._count()} rows as of {self.primary_key}, got {odd}")
+            names, primary = escaped(", ".join(odd)), escaped(self.primary_key)
+            raise RuntimeError(f"{names}: expected {self._count()} rows as of {primary}, got {odd}")
 
     def _count(self) -> int:
         """Length of the primary tensor. 0 if there is none."""
@@ -143,16 +147,16 @@ class TensorMap:
         return TensorMap(self.primary_key, {name: function(tensor) for name, tensor in self.items()})
 
     def __repr__(self) -> str:
-        head = f'TensorMap(primary_key="{self.primary_key}") with'
+        head = f'TensorMap(primary_key="{escaped(self.primary_key)}") with'
         if not self:
             return f"{head} no attribute"
-        width = max(map(len, self))
+        width = max(len(escaped(name)) for name in self)
         rows = [
-            f"  - {name:<{width}}: shape={{{', '.join(map(str, tensor.shape))}}}, dtype={tensor.dtype}, "
+            f"  - {escaped(name):<{width}}: shape={{{', '.join(map(str, tensor.shape))}}}, dtype={tensor.dtype}, "
             f"device={tensor.device}{' (primary)' if name == self.primary_key else ''}"
             for name, tensor in sorted(self.items())
         ]
-        example = self.primary_key if self.primary_key in self else min(self)
+        example = escaped(self.primary_key if self.primary_key in self else min(self))
         count = f"{len(self)} attribute{'s' if len(self) > 1 else ''}:"
         return "\n".join([f"{head} {count}", *rows, f"  (Use . to access attributes, e.g., tensor_map.{example})"])
 
