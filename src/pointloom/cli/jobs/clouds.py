@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 import numpy as np
 
 from ...core.errors import FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.reports import Fields
 from ...core.units import symbol_of
 from ...core.wording import format_share
@@ -91,7 +92,7 @@ def _warn_of_rounded_colors(output: FilePath, table: PointTable) -> None:
     full = np.float32(255)
     if (np.abs(np.rint(table.colors * full) / full - table.colors) > COLOR_STEP / 2).any():
         message = f"{output}: colors are rounded to the 8 bits a channel of {suffix}; .laz and .npz keep 16"
-        warnings.warn(message, UserWarning, stacklevel=3)
+        warnings.warn(escaped(message), UserWarning, stacklevel=3)
 
 
 @dataclass(frozen=True)

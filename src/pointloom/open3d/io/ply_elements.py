@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.checks import LARGEST_NUMBER
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...io.ascii_rows import write_rows
 from ...io.points.ply_header import TYPE_NAMES, read_header
@@ -27,7 +28,7 @@ CHANNELS = ("red", "green", "blue")
 def check_ply(filename: FilePath, format: str = "auto") -> Path:
     path = path_of(filename, "filename")
     if path.suffix.lower() != ".ply" or format not in ("auto", "ply"):
-        raise ValueError(f"filename: expected a name that ends in .ply, got {path.name}")
+        raise ValueError(f"filename: expected a name that ends in .ply, got {escaped(path.name)}")
     return path
 
 

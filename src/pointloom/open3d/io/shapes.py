@@ -49,7 +49,7 @@ def read_point_cloud(
     elif format in COLUMNS and suffix in ("txt", "csv", "xyz"):
         cloud = point_cloud.read_point_cloud(filename, columns=COLUMNS[format])
     else:
-        raise ValueError(f"format: expected a file that ends in .{format}, got {filename}; rename it")
+        raise ValueError(f"format: expected a file that ends in .{format}, got {escaped(filename)}; rename it")
     if remove_nan_points or remove_infinite_points:
         cloud = cloud.remove_non_finite_points(remove_nan_points, remove_infinite_points)
     return PointCloud._of(cloud)
@@ -123,7 +123,7 @@ def write_triangle_mesh(
 
 def _check_format(filename: FilePath, format: str) -> None:
     if format != "auto" and Path(filename).suffix.lower() != f".{format}":
-        raise ValueError(f"format: expected a name that ends in .{format}, got {filename}")
+        raise ValueError(f"format: expected a name that ends in .{format}, got {escaped(filename)}")
 
 
 def _not_written(filename: FilePath, reason: str) -> bool:

@@ -11,6 +11,7 @@ import numpy as np
 from ...core.atomic import atomic_write
 from ...core.checks import check_positive, check_rigid
 from ...core.errors import FileError, values_of_file
+from ...core.escaped_text import escaped
 from ...core.json_files import check_keys, json_count, json_numbers, read_json_object
 from ..geometry.octree import Octree
 from ..geometry.voxel_grid import VoxelGrid
@@ -114,5 +115,5 @@ def write_octree(filename: FilePath, octree: Any) -> bool:
 
 def _json(filename: FilePath) -> FilePath:
     if Path(filename).suffix.lower() != ".json":
-        raise ValueError(f"filename: expected a name that ends in .json, got {filename}")
+        raise ValueError(f"filename: expected a name that ends in .json, got {escaped(filename)}")
     return filename

@@ -182,7 +182,7 @@ class Recorder(Serialized):
             try:
                 self.save()
             except NothingRecordedError as nothing:
-                warnings.warn(f"no file is written: {nothing}", stacklevel=2)
+                warnings.warn(escaped(f"no file is written: {nothing}"), stacklevel=2)
         elif self._frames:
             try:
                 self.save(note=f"ended by {type(error).__name__}")

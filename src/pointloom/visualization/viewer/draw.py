@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_positive
 from ...core.errors import FileError, PointloomError
+from ...core.escaped_text import escaped
 from ...core.standard_streams import write_to_stderr
 from ..notebook_output import MAX_PAGE_BYTES as MAX_BYTES
 from ..notebook_output import MAX_WIDTH, in_notebook, ipython_shell, page_output, still_output
@@ -173,7 +174,7 @@ def save_numbered(picture: Picture) -> Picture:
             if path.exists():  # another process was faster
                 continue
             raise
-        write_to_stderr(f"no display: image written to {path} (POINTLOOM_DRAW=page serves a page instead)")
+        write_to_stderr(f"no display: image written to {escaped(path)} (POINTLOOM_DRAW=page serves a page instead)")
         break
     return picture
 

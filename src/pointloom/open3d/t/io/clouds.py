@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ....core.errors import FileError
+from ....core.escaped_text import escaped
 from ....io.columns import warn_left_out
 from ....io.meshes.tables import write_cloud_table
 from ....io.points.formats import READERS, WRITTEN, read_points
@@ -37,7 +38,7 @@ def read_point_cloud(
     """
     suffix = Path(filename).suffix.lower().lstrip(".")
     if format not in ("auto", suffix, *COLUMNS):
-        raise ValueError(f"format: expected a file that ends in .{format}, got {filename}; rename it")
+        raise ValueError(f"format: expected a file that ends in .{format}, got {escaped(filename)}; rename it")
     if f".{suffix}" not in READERS:
         raise FileError(
             filename, f"unknown extension {f'.{suffix}'!r}", remedy=f"Clouds are read from {' '.join(READERS)}"
