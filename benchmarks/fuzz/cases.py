@@ -18,9 +18,11 @@ from typing import Any
 import job_cases
 import mutations
 import numpy as np
+import open3d_cases
 import oracles
 import other_cases
 import ply_oracle
+import public_cases
 
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.off import read_off, write_off
@@ -212,7 +214,10 @@ def _some_corners(rng: random.Random, data: bytes) -> bytes:
 
 
 CASES = [
-    *(Case(*other) for other in (*other_cases.OTHERS, *job_cases.JOBS)),
+    *(
+        Case(*other)
+        for other in (*other_cases.OTHERS, *job_cases.JOBS, *public_cases.PUBLIC, *open3d_cases.OPEN3D)
+    ),
     Case("OBJ", ".obj", _obj, mutations.text, read_obj, oracles.obj),
     Case("OBJ corners", ".obj", _obj, _some_corners, read_obj, oracles.obj),
     Case("OFF", ".off", _off, mutations.text, read_off, oracles.off),

@@ -23,7 +23,8 @@ def read_image(filename: FilePath) -> Image:
         return Image(image_files.read_depth(filename))
     if header.kind == "png" and header.channels in ALPHA and header.bits == 8:  # JPEG has four channels of ink
         pixels = image_files.decode_texture(filename, Path(filename).read_bytes())
-        return Image(pixels[..., ALPHA[header.channels]])
+        has_alpha = pixels.shape[2] == 4  # false for CMYK
+        return Image(pixels[..., ALPHA[header.channels]] if has_alpha else pixels)
     pixels = image_files.read_color(filename)
     return Image(pixels[..., 0] if header.channels == 1 and _is_gray(filename) else pixels)
 

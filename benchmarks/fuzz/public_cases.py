@@ -1,0 +1,280 @@
+"""Public readers of one file, by format: clouds, meshes, splats, cameras, images, tables, recordings.
+
+The bytes of sound files come from the writers, or are short texts. Formats with an independent parser are in cases.py.
+"""
+
+from __future__ import annotations
+
+import io
+import shutil
+import sqlite3
+import tempfile
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import job_cases
+import mutations
+import numpy as np
+import other_cases
+import PIL.Image
+from job_cases import anything, values
+
+import pointloom as loom
+from pointloom.cli.jobs.evaluate import read_extrinsic
+from pointloom.cli.jobs.stations import read_control, read_targets
+from pointloom.io.pictures.photo_files import read_exif, read_photo
+from pointloom.photogrammetry.depth.estimation import read_distances
+from pointloom.photogrammetry.video.control_files import read_ground_control
+
+Seeds = Callable[[], list[bytes]]
+
+
+def written(suffix: str, *writers: Callable[[Path], Any]) -> Seeds:
+    """The files that functions write to a path with this suffix."""
+
+    def seeds() -> list[bytes]:
+        contents = []
+        with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for number, write in enumerate(writers):
+                write(path := Path(folder) / f"{number}{suffix}")
+                contents.append(path.read_bytes())
+        return contents
+
+    return seeds
+
+
+def text(*contents: str) -> Seeds:
+    """Files of text."""
+    return lambda: [content.encode() for content in contents]
+
+
+def cloud() -> loom.PointCloud:
+    rng = np.random.default_rng(8)
+    return loom.PointCloud(rng.random((6, 3)), colors=rng.random((6, 3)), intensity=np.arange(6, dtype=np.uint16))
+
+
+def mesh(*, textured: bool = False) -> loom.TriangleMesh:
+    made = loom.TriangleMesh.create_box()
+    if textured:
+        made.triangle_uvs = np.random.default_rng(9).random((3 * len(made), 2))
+        made.textures = [np.full((4, 4, 3), 90, np.uint8)]
+    return made
+
+
+def splats() -> loom.GaussianSplats:
+    rng = np.random.default_rng(10)
+    rotations = np.tile([1.0, 0, 0, 0], (4, 1))
+    return loom.GaussianSplats(
+        rng.random((4, 3)), rng.random((4, 3)) + 0.1, rotations, rng.random(4), rng.random((4, 1, 3))
+    )
+
+
+def trajectory(path: Path) -> None:
+    poses = np.tile(np.eye(4), (2, 1, 1))
+    poses[1, 0, 3] = 1.5
+    loom.write_trajectory(path, loom.Trajectory(poses))
+
+
+def camera_list(path: Path) -> None:
+    trajectory(log := path.with_suffix(".log"))
+    import pointloom.open3d as o3d
+
+    o3d.io.write_pinhole_camera_trajectory(path, o3d.io.read_pinhole_camera_trajectory(log))
+
+
+def graph(path: Path) -> None:
+    reg = loom.registration
+    reg.write_pose_graph(path, reg.PoseGraph([reg.PoseGraphNode(), reg.PoseGraphNode()], [reg.PoseGraphEdge(0, 1)]))
+
+
+def polygon(path: Path) -> None:
+    corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0]]
+    loom.SelectionPolygonVolume(corners, "Z", axis_min=0, axis_max=2).to_json(path)
+
+
+def view(path: Path) -> None:
+    camera = loom.PinholeCameraIntrinsic(640, 480, 500.0, 500.0, 319.5, 239.5)
+    pose = np.eye(4)
+    pose[2, 3] = -3
+    loom.write_view(path, loom.View(camera, pose), ([0, 0, 0], [1, 1, 1]))
+
+
+def image(kind: str, mode: str = "RGB", **options: Any) -> bytes:
+    """An image of 8 x 6 pixels."""
+    buffer = io.BytesIO()
+    pixels = np.random.default_rng(11).integers(0, 255, (6, 8, 3), dtype=np.uint8)
+    made = PIL.Image.fromarray(pixels).convert(mode)
+    made.save(buffer, kind, **options)
+    return buffer.getvalue()
+
+
+def photo() -> bytes:
+    """A JPEG with camera, orientation, focal length and position."""
+    exif = PIL.Image.Exif()
+    exif.update({271: "maker", 272: "model", 274: 6})
+    exif.get_ifd(0x8769).update({37386: 4.5, 41989: 28})
+    exif.get_ifd(0x8825).update({1: "N", 2: (47.0, 30.0, 0.0), 3: "E", 4: (8.0, 15.0, 0.0), 6: 430.0})
+    return image("JPEG", exif=exif)
+
+
+def depth_png() -> bytes:
+    buffer = io.BytesIO()
+    PIL.Image.fromarray(np.arange(48, dtype=np.uint16).reshape(6, 8) * 100).save(buffer, "PNG")
+    return buffer.getvalue()
+
+
+def array(values_of_array: Any) -> bytes:
+    buffer = io.BytesIO()
+    np.save(buffer, values_of_array)
+    return buffer.getvalue()
+
+
+def database(path: Path) -> None:
+    """A ROS 2 recording without messages."""
+    with sqlite3.connect(path) as base:
+        base.execute("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT)")
+        base.execute("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)")
+        base.execute("INSERT INTO topics VALUES(1, '/points', 'sensor_msgs/msg/PointCloud2', 'cdr')")
+    base.close()
+
+
+def read_recording(path: Path) -> Any:
+    """Open a recording and list its messages."""
+    recording = loom.open_recording(path)
+    return [[repr(recording), *recording.messages(topic.name)] for topic in recording.topics]
+
+
+def sound_points(path: Path, result: loom.PointCloud) -> str | None:
+    """Check that all attributes have as many rows as the points."""
+    wrong = [name for name, column in result.attributes.items() if len(column) != len(result)]
+    return f"{wrong} have other lengths" if wrong else None
+
+
+def sound_surface(path: Path, result: loom.TriangleMesh) -> str | None:
+    """Check that triangles are indices of vertices."""
+    ends = np.asarray(result.triangles)
+    if ends.size and (ends.min() < 0 or ends.max() >= len(result.vertices)):
+        return "triangle indices are out of range"
+    return None
+
+
+TEXTS = {
+    ".csv": "x,y,z,label\n1,2,3,4\n-1.5,2e3,3,5\n", ".txt": "# x y z\n1 2 3\n4 5 6\n", ".asc": "x y z intensity\n1 2 3 7\n4 5 6 8\n",
+    ".ptx": "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n4 5 6 0.25\n",
+}  # fmt: skip
+OF_TEXT = (".xyz", ".xyzn", ".xyzrgb", ".pts")
+OF_BYTES = (".ply", ".pcd", ".npz", ".las", ".laz", ".copc.laz", ".e57")
+
+
+def write_cloud(path: Path) -> None:
+    """Write a cloud with the arrays that its format stores."""
+    made, suffix = cloud(), path.suffix
+    if suffix in OF_TEXT:
+        normals = np.tile([0, 0, 1.0], (6, 1)) if suffix == ".xyzn" else None
+        made = loom.PointCloud(made.points, normals=normals, colors=made.colors if suffix == ".xyzrgb" else None)
+    loom.write_point_cloud(path, made)
+
+
+def clouds() -> list[Any]:
+    """`loom.read_point_cloud` for each format."""
+    read, name = loom.read_point_cloud, "cloud {}"
+    rows: list[Any] = [
+        (name.format(end), end, written(end, write_cloud), mutations.text, read, sound_points) for end in OF_TEXT
+    ]
+    rows += [(name.format(end), end, written(end, write_cloud), mutations.binary, read, sound_points) for end in OF_BYTES]
+    rows += [(name.format(end), end, text(content), mutations.text, read, sound_points) for end, content in TEXTS.items()]
+    bin_rows = np.arange(12, dtype="<f4").tobytes()
+    return [*rows, (name.format(".bin"), ".bin", lambda: [bin_rows], mutations.binary, read, sound_points)]
+
+
+def meshes() -> list[Any]:
+    """`loom.read_triangle_mesh` for each format."""
+    return [
+        (
+            f"mesh {end}", end,
+            other_cases.gltfs if end == ".gltf" else written(end, lambda p: loom.write_triangle_mesh(p, mesh()),
+                    *([] if end in (".stl", ".off", ".obj") else [lambda p: loom.write_triangle_mesh(p, mesh(textured=True))])),
+            mutations.text if end in (".obj", ".off", ".gltf") else mutations.binary, loom.read_triangle_mesh,
+            sound_surface,
+        )
+        for end in (".ply", ".obj", ".stl", ".off", ".glb", ".gltf")
+    ]  # fmt: skip
+
+
+def splat_files() -> list[Any]:
+    """`loom.read_splats` for each format."""
+    return [
+        (
+            f"splats {end}", end, written(end, lambda p: loom.write_splats(p, splats())), mutations.binary,
+            loom.read_splats, anything,
+        )
+        for end in (".ply", ".splat", ".spz")
+    ]  # fmt: skip
+
+
+GCP = "EPSG:32632\n447000 5260000 410 320 240 a.jpg A\n447000 5260000 410 100 240 b.jpg A\n"
+GCP_CSV = "# crs EPSG:25832\nname,x,y,z,picture,column,row\nA,447000,5260000,410,a.jpg,320,240\nmark B b.jpg 1 2\n"
+CONTROL = "name,x,y,z,sigma\nA,1,2,3,0.01\nB,4,5,6,0.02\n"
+TARGETS = "station,name,x,y,z\n0,A,1,2,3\n1,A,4,5,6\n"
+MATRIX = "1 0 0 0\n0 1 0 0\n0 0 1 2\n0 0 0 1\n"
+POSITIONS = "a 1 0 0\nb 3 0 0.5\n"
+NAMES = ["0001_a.jpg", "0002_b.jpg"]
+
+
+def _places(path: Path) -> Any:
+    return loom.sfm.read_picture_places([path])
+
+
+# name, suffix, seeds, mutate, read, oracle: as in cases.Case
+PUBLIC = [
+    *clouds(),
+    *meshes(),
+    *splat_files(),
+    ("chunks of LAS", ".laz", written(".laz", write_cloud), mutations.binary, lambda p: list(loom.read_las_chunks(p)),
+     anything),
+    ("COPC", ".copc.laz", written(".copc.laz", write_cloud), mutations.binary, loom.read_copc, sound_points),
+    ("detail tree", ".ply", written(".ply", write_cloud), mutations.binary, loom.DetailTree.from_file, anything),
+    ("stations .e57", ".e57", written(".e57", write_cloud), mutations.binary, loom.read_stations, anything),
+    ("stations .ptx", ".ptx", text(TEXTS[".ptx"]), mutations.text, loom.read_stations, anything),
+    ("trajectory .json", ".json", written(".json", camera_list), values, loom.read_trajectory, anything),
+    ("pose graph", ".json", written(".json", graph), values, loom.registration.read_pose_graph, anything),
+    ("polygon volume", ".json", written(".json", polygon), values, loom.SelectionPolygonVolume.from_json, anything),
+    ("view", ".json", written(".json", view), values, loom.read_view, anything),
+    ("positions", ".txt", text(POSITIONS), mutations.text,
+     lambda p: loom.registration.read_positions(p, NAMES), anything),
+    ("cameras of frames", ".json", job_cases.transforms, values, loom.read_cameras, anything),
+    ("color .png", ".png", lambda: [image("PNG"), image("PNG", "P")], mutations.binary, loom.read_color, anything),
+    ("color .jpg", ".jpg", lambda: [image("JPEG"), image("JPEG", "CMYK")], mutations.binary, loom.read_color, anything),
+    ("depth .png", ".png", lambda: [depth_png()], mutations.binary, loom.read_depth, anything),
+    ("depth .npy", ".npy", lambda: [array(np.ones((3, 4), np.float32))], mutations.binary, loom.read_depth, anything),
+    ("photo .tif", ".tif", lambda: [image("TIFF"), image("TIFF", compression="tiff_lzw")], mutations.binary,
+     read_photo, anything),
+    ("photo .webp", ".webp", lambda: [image("WEBP"), image("WEBP", "RGBA")], mutations.binary, read_photo, anything),
+    ("EXIF", ".jpg", lambda: [photo()], mutations.binary, read_exif, anything),
+    ("positions of photos", ".jpg", lambda: [photo()], mutations.binary, _places, anything),
+    ("recording .db3", ".db3", written(".db3", database), mutations.binary, read_recording, anything),
+    ("ground control", ".txt", text(GCP), mutations.text, read_ground_control, anything),
+    ("ground control .csv", ".csv", text(GCP_CSV), mutations.text, read_ground_control, anything),
+    ("scale bars", ".txt", text("bar A B 2 0.01\nmark A a.jpg 1 2\nmark B a.jpg 3 4\nmark A b.jpg 1 2\nmark B b.jpg 3 4\n"), mutations.text,
+     lambda p: read_ground_control(None, scale_bars=p), anything),
+    ("control of stations", ".csv", text(CONTROL), mutations.text, read_control, anything),
+    ("targets of stations", ".csv", text(TARGETS), mutations.text,
+     lambda p: read_targets(p, ["A", "B"]), anything),
+    ("extrinsic", ".txt", text(MATRIX), mutations.text, read_extrinsic, anything),
+    ("distances", ".txt", text("u v meters\n1 2 3.5\n2 3 4\n"), mutations.text, read_distances, anything),
+    ("steps of a job", ".toml", job_cases.steps, mutations.text,
+     lambda p: loom.tiling.plan_tiles(_survey(), p, _new_folder(p)), anything),
+]  # fmt: skip
+
+
+def _survey() -> list[Path]:
+    return [job_cases.job().parent / "in.laz"]
+
+
+def _new_folder(path: Path) -> Path:
+    shutil.rmtree(folder := path.parent / "planned", ignore_errors=True)
+    return folder
+
