@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import folder_cases
 import job_cases
 import mutations
 import numpy as np
@@ -216,7 +217,13 @@ def _some_corners(rng: random.Random, data: bytes) -> bytes:
 CASES = [
     *(
         Case(*other)
-        for other in (*other_cases.OTHERS, *job_cases.JOBS, *public_cases.PUBLIC, *open3d_cases.OPEN3D)
+        for other in (
+            *other_cases.OTHERS,
+            *job_cases.JOBS,
+            *public_cases.PUBLIC,
+            *folder_cases.FOLDERS,
+            *open3d_cases.OPEN3D,
+        )
     ),
     Case("OBJ", ".obj", _obj, mutations.text, read_obj, oracles.obj),
     Case("OBJ corners", ".obj", _obj, _some_corners, read_obj, oracles.obj),

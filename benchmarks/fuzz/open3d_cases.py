@@ -73,7 +73,8 @@ def write_parameters(path: Path) -> None:
 
 def write_map(path: Path) -> None:
     table = core.HashMap(4, core.int32, (3,), [core.float32, core.int64], [(2,), ()])
-    table.insert(core.Tensor(np.arange(9, dtype=np.int32).reshape(3, 3)), [core.Tensor(np.ones((3, 2), np.float32)), core.Tensor(np.arange(3))])
+    values_of_keys = [core.Tensor(np.ones((3, 2), np.float32)), core.Tensor(np.arange(3))]
+    table.insert(core.Tensor(np.arange(9, dtype=np.int32).reshape(3, 3)), values_of_keys)
     table.save(path)
 
 
@@ -147,6 +148,7 @@ def sound_surface(path: Path, made: Any) -> str | None:
 
 
 io, tio = o3d.io, o3d.t.io
+CAMERA = o3d.camera.PinholeCameraIntrinsic(9, 8, 7, 7, 4, 3)
 BOTH = (lambda p: write_grid(p), lambda p: write_grid(p, ascii=True))
 LINES = (lambda p: write_lines(p), lambda p: write_lines(p, ascii=True))
 MESH = written(".ply", lambda p: loom.write_triangle_mesh(p, mesh()))
@@ -184,8 +186,8 @@ OPEN3D = [
     ("open3d image .jpg", ".jpg", lambda: [image("JPEG"), image("JPEG", "L"), image("JPEG", "CMYK")], mutations.binary,
      tio.read_image, anything),
     ("open3d intrinsic", ".json",
-     written(".json", lambda p: io.write_pinhole_camera_intrinsic(p, o3d.camera.PinholeCameraIntrinsic(9, 8, 7, 7, 4, 3))),
-     values, io.read_pinhole_camera_intrinsic, anything),
+     written(".json", lambda p: io.write_pinhole_camera_intrinsic(p, CAMERA)), values,
+     io.read_pinhole_camera_intrinsic, anything),
     ("open3d parameters", ".json", written(".json", write_parameters), values, io.read_pinhole_camera_parameters,
      anything),
     ("open3d trajectory .json", ".json", written(".json", camera_list), values, io.read_pinhole_camera_trajectory,

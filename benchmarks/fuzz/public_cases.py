@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import io
 import shutil
-import sqlite3
 import tempfile
 import warnings
 from collections.abc import Callable
@@ -132,13 +131,27 @@ def array(values_of_array: Any) -> bytes:
     return buffer.getvalue()
 
 
-def database(path: Path) -> None:
-    """A ROS 2 recording without messages."""
-    with sqlite3.connect(path) as base:
-        base.execute("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT)")
-        base.execute("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)")
-        base.execute("INSERT INTO topics VALUES(1, '/points', 'sensor_msgs/msg/PointCloud2', 'cdr')")
-    base.close()
+def recording(suffix: str) -> Seeds:
+    """A recording of two texts, of ROS 1 (.bag) or ROS 2 (.mcap, .db3)."""
+
+    def seeds() -> list[bytes]:
+        from rosbags import rosbag1, rosbag2
+        from rosbags.typesys import Stores, get_typestore
+
+        kind, is_first = "std_msgs/msg/String", suffix == ".bag"
+        store = get_typestore(Stores.ROS1_NOETIC if is_first else Stores.ROS2_HUMBLE)
+        plugin = rosbag2.StoragePlugin.MCAP if suffix == ".mcap" else rosbag2.StoragePlugin.SQLITE3
+        encode = store.serialize_ros1 if is_first else store.serialize_cdr
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / f"run{suffix if is_first else ''}"
+            with rosbag1.Writer(path) if is_first else rosbag2.Writer(path, version=9, storage_plugin=plugin) as writer:
+                connection = writer.add_connection("/text", kind, typestore=store)
+                for second in range(2):
+                    message = store.types[kind](f"text {second}")
+                    writer.write(connection, (second + 1) * 10**9, encode(message, kind))
+            return [(path if is_first else next(path.glob(f"*{suffix}"))).read_bytes()]
+
+    return seeds
 
 
 def read_recording(path: Path) -> Any:
@@ -162,7 +175,8 @@ def sound_surface(path: Path, result: loom.TriangleMesh) -> str | None:
 
 
 TEXTS = {
-    ".csv": "x,y,z,label\n1,2,3,4\n-1.5,2e3,3,5\n", ".txt": "# x y z\n1 2 3\n4 5 6\n", ".asc": "x y z intensity\n1 2 3 7\n4 5 6 8\n",
+    ".csv": "x,y,z,label\n1,2,3,4\n-1.5,2e3,3,5\n", ".txt": "# x y z\n1 2 3\n4 5 6\n",
+    ".asc": "x y z intensity\n1 2 3 7\n4 5 6 8\n",
     ".ptx": "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n4 5 6 0.25\n",
 }  # fmt: skip
 OF_TEXT = (".xyz", ".xyzn", ".xyzrgb", ".pts")
@@ -184,23 +198,32 @@ def clouds() -> list[Any]:
     rows: list[Any] = [
         (name.format(end), end, written(end, write_cloud), mutations.text, read, sound_points) for end in OF_TEXT
     ]
-    rows += [(name.format(end), end, written(end, write_cloud), mutations.binary, read, sound_points) for end in OF_BYTES]
-    rows += [(name.format(end), end, text(content), mutations.text, read, sound_points) for end, content in TEXTS.items()]
+    rows += [
+        (name.format(end), end, written(end, write_cloud), mutations.binary, read, sound_points) for end in OF_BYTES
+    ]
+    rows += [
+        (name.format(end), end, text(content), mutations.text, read, sound_points) for end, content in TEXTS.items()
+    ]
     bin_rows = np.arange(12, dtype="<f4").tobytes()
     return [*rows, (name.format(".bin"), ".bin", lambda: [bin_rows], mutations.binary, read, sound_points)]
 
 
+def write_mesh(path: Path) -> None:
+    loom.write_triangle_mesh(path, mesh())
+
+
+def write_textured(path: Path) -> None:
+    loom.write_triangle_mesh(path, mesh(textured=True))
+
+
 def meshes() -> list[Any]:
     """`loom.read_triangle_mesh` for each format."""
+    seeds = {end: written(end, write_mesh) for end in (".obj", ".stl", ".off")}
+    seeds |= {end: written(end, write_mesh, write_textured) for end in (".ply", ".glb")} | {".gltf": other_cases.gltfs}
     return [
-        (
-            f"mesh {end}", end,
-            other_cases.gltfs if end == ".gltf" else written(end, lambda p: loom.write_triangle_mesh(p, mesh()),
-                    *([] if end in (".stl", ".off", ".obj") else [lambda p: loom.write_triangle_mesh(p, mesh(textured=True))])),
-            mutations.text if end in (".obj", ".off", ".gltf") else mutations.binary, loom.read_triangle_mesh,
-            sound_surface,
-        )
-        for end in (".ply", ".obj", ".stl", ".off", ".glb", ".gltf")
+        (f"mesh {end}", end, made, mutations.text if end in (".obj", ".off", ".gltf") else mutations.binary,
+         loom.read_triangle_mesh, sound_surface)
+        for end, made in seeds.items()
     ]  # fmt: skip
 
 
@@ -216,6 +239,7 @@ def splat_files() -> list[Any]:
 
 
 GCP = "EPSG:32632\n447000 5260000 410 320 240 a.jpg A\n447000 5260000 410 100 240 b.jpg A\n"
+BARS = "bar A B 2 0.01\nmark A a.jpg 1 2\nmark B a.jpg 3 4\nmark A b.jpg 1 2\nmark B b.jpg 3 4\n"
 GCP_CSV = "# crs EPSG:25832\nname,x,y,z,picture,column,row\nA,447000,5260000,410,a.jpg,320,240\nmark B b.jpg 1 2\n"
 CONTROL = "name,x,y,z,sigma\nA,1,2,3,0.01\nB,4,5,6,0.02\n"
 TARGETS = "station,name,x,y,z\n0,A,1,2,3\n1,A,4,5,6\n"
@@ -255,10 +279,11 @@ PUBLIC = [
     ("photo .webp", ".webp", lambda: [image("WEBP"), image("WEBP", "RGBA")], mutations.binary, read_photo, anything),
     ("EXIF", ".jpg", lambda: [photo()], mutations.binary, read_exif, anything),
     ("positions of photos", ".jpg", lambda: [photo()], mutations.binary, _places, anything),
-    ("recording .db3", ".db3", written(".db3", database), mutations.binary, read_recording, anything),
+    *((f"recording {end}", end, recording(end), mutations.binary, read_recording, anything)
+      for end in (".bag", ".mcap", ".db3")),
     ("ground control", ".txt", text(GCP), mutations.text, read_ground_control, anything),
     ("ground control .csv", ".csv", text(GCP_CSV), mutations.text, read_ground_control, anything),
-    ("scale bars", ".txt", text("bar A B 2 0.01\nmark A a.jpg 1 2\nmark B a.jpg 3 4\nmark A b.jpg 1 2\nmark B b.jpg 3 4\n"), mutations.text,
+    ("scale bars", ".txt", text(BARS), mutations.text,
      lambda p: read_ground_control(None, scale_bars=p), anything),
     ("control of stations", ".csv", text(CONTROL), mutations.text, read_control, anything),
     ("targets of stations", ".csv", text(TARGETS), mutations.text,
@@ -277,4 +302,3 @@ def _survey() -> list[Path]:
 def _new_folder(path: Path) -> Path:
     shutil.rmtree(folder := path.parent / "planned", ignore_errors=True)
     return folder
-

@@ -22,7 +22,7 @@ from ...core.checks import check_finite, check_numeric
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.json_files import check_keys, read_json_object
-from ...core.paths import path_of
+from ...core.paths import input_path, path_of
 from ...io.optional_imports import foreign_errors
 from ...io.points.npz import read_member
 from .posed_pictures import PosedCamera, check_cameras, check_sources
@@ -229,7 +229,7 @@ def _read_map(path: Path, intrinsic: PinholeCameraIntrinsic) -> DepthMap:
     arrays = {}
     try:
         with (
-            path.open("rb") as file,
+            input_path(path).open("rb") as file,
             foreign_errors(path, "is not an intact archive", remedy=AGAIN),
             zipfile.ZipFile(file) as archive,
         ):

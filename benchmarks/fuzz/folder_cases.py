@@ -1,0 +1,237 @@
+"""Readers of folders: models, data sets, depth maps, paged volumes, recordings, jobs.
+
+A sound folder is made once. One file of it is damaged at a time, in a copy. Plans and tasks of jobs are changed in
+their database. The error must name a file of the copy.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import functools
+import json
+import shutil
+import sqlite3
+import tempfile
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import mutations
+import numpy as np
+from job_cases import anything, arrays, check_other_files, values
+
+import pointloom as loom
+from pointloom.datasets.scenes.room import write_room_sequence
+from pointloom.photogrammetry.mvs.depth_maps import DepthMap
+from pointloom.tiling.manifest import NAME, canonical, hash_of
+
+Make = Callable[[Path], Any]
+VOXEL = 0.1  # [m] of the job of fusion
+
+
+@functools.cache
+def made(make: Make) -> Path:
+    """A folder that a function fills; it is removed when the process ends."""
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        make(folder / "sound")
+    return folder / "sound"
+
+
+@contextlib.contextmanager
+def copied(path: Path, make: Make) -> Any:
+    """A copy of a folder. Errors that name a file of the copy, or of the sound folder, name the damaged file, too."""
+    folder = path.parent / "copy"
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(made(make), folder)
+    try:
+        yield folder
+    except loom.FileError as error:
+        text = str(error)
+        if str(folder) not in text and str(made(make)) not in text:
+            raise ValueError(f"the error names no file of the folder: {text}") from error
+        raise loom.FileError(path, error.reason) from error
+
+
+def member(
+    name: str, make: Make, file: str, mutate: mutations.Mutation, read: Callable[[Path], Any]
+) -> tuple[Any, ...]:
+    """A case: one file of a folder is damaged."""
+
+    def read_copy(path: Path) -> Any:
+        with copied(path, make) as folder:
+            shutil.copyfile(path, folder / file)
+            return read(folder)
+
+    return name, Path(file).suffix or ".bin", lambda: [(made(make) / file).read_bytes()], mutate, read_copy, anything
+
+
+def _model(folder: Path, format: str) -> None:
+    rng = np.random.default_rng(13)
+    lens = loom.CameraModel("SIMPLE_RADIAL", 64, 48, [50.0, 32.0, 24.0, -0.05])
+    poses = np.tile(np.eye(4), (2, 1, 1))
+    poses[1, 0, 3] = 0.5
+    points, rows = rng.random((3, 3)) + np.array([0, 0, 2]), [(i, j) for i in range(2) for j in range(3)]
+    model = loom.SfmModel(
+        ["a.jpg", "b.jpg"], [lens, lens], poses, points, rng.integers(0, 255, (3, 3)).astype(np.uint8), rng.random(3),
+        rows, rng.random((6, 2)) * 40,
+    )  # fmt: skip
+    loom.write_colmap_model(folder, model, format=format)
+
+
+def text_model(folder: Path) -> None:
+    _model(folder, "txt")
+
+
+def binary_model(folder: Path) -> None:
+    _model(folder, "bin")
+
+
+def room(folder: Path) -> None:
+    write_room_sequence(folder, frame_count=3, width=32, height=24)
+
+
+def tum(folder: Path) -> None:
+    """A data set in the layout of TUM."""
+    for kind, ending in (("rgb", "color"), ("depth", "depth")):
+        (folder / kind).mkdir(parents=True)
+        lines = []
+        for i, path in enumerate(sorted(made(room).glob(f"*.{ending}.png"))):
+            shutil.copyfile(path, folder / kind / f"{i}.png")
+            lines.append(f"{i}.0 {kind}/{i}.png\n")
+        (folder / f"{kind}.txt").write_text("".join(lines))
+    poses = "".join(f"{i}.0 {i} 0 0 0 0 0 1\n" for i in range(3))
+    (folder / "groundtruth.txt").write_text(poses)
+
+
+def recorded(folder: Path) -> None:
+    loom.record_frames(loom.open_frames(made(room)), folder)
+
+
+def read_dataset(folder: Path) -> Any:
+    """Open a data set and read all frames."""
+    return _frames_of(loom.open_dataset(folder))
+
+
+def read_tum(folder: Path) -> Any:
+    """The same in the layout of TUM, whose default camera has another size."""
+    return _frames_of(loom.open_dataset(folder, intrinsic=loom.PinholeCameraIntrinsic(32, 24, 30, 30, 15.5, 11.5)))
+
+
+def _frames_of(dataset: Any) -> list[Any]:
+    return [repr(dataset), dataset.notes, [dataset.read(i) for i in range(len(dataset))]]
+
+
+def depth_maps(folder: Path) -> None:
+    camera = loom.mvs.PosedCamera(loom.PinholeCameraIntrinsic(8, 6, 10.0, 10.0, 3.5, 2.5), np.eye(4))
+    one = DepthMap(np.ones((6, 8)), np.tile([0, 0, -1.0], (6, 8, 1)), np.ones((6, 8)))
+    loom.mvs.DepthMaps([camera, camera], [(1,), (0,)], [one, one], folder=folder)
+
+
+def read_maps(folder: Path) -> Any:
+    return list(loom.mvs.DepthMaps.open(folder))
+
+
+def paged(folder: Path) -> None:
+    volume = loom.PagedTSDFVolume(folder, voxel_size=0.1, page_blocks=1)
+    camera = loom.PinholeCameraIntrinsic(16, 12, 15, 15, 7.5, 5.5)
+    volume.integrate(np.full((12, 16), 900, np.uint16), camera, np.eye(4), np.full((12, 16, 3), 9, np.uint8))
+    volume.save()
+
+
+def read_paged(folder: Path) -> Any:
+    return loom.PagedTSDFVolume.load(folder).extract_triangle_mesh(0.0)
+
+
+def scans(folder: Path) -> None:
+    rng = np.random.default_rng(14)
+    folder.mkdir()
+    ground = np.column_stack([rng.random((600, 2)) * 4, np.zeros(600)])
+    wall = np.column_stack([rng.random(400) * 4, np.zeros(400), rng.random(400) * 2])
+    for number in range(2):
+        points = np.concatenate([ground, wall]) + np.array([0.05 * number, 0, 0])
+        loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(points))
+
+
+def registration(folder: Path) -> None:
+    """A planned job of two scans."""
+    loom.tiling.plan_registration(sorted(made(scans).iterdir()), folder, voxel_size=0.2, pairs=[(0, 1)])
+
+
+def fusion(folder: Path) -> None:
+    """A planned job of three frames."""
+    loom.tiling.plan_fusion(made(room), folder, voxel_size=VOXEL, size=8.0)
+
+
+def _rows(make: Make, query: str) -> list[bytes]:
+    with contextlib.closing(sqlite3.connect(made(make) / NAME)) as base:
+        return [text.encode() for (text,) in base.execute(query)]
+
+
+def _work_off(folder: Path, finish: Callable[..., Any]) -> Path:
+    loom.tiling.job_status(folder)
+    if loom.tiling.run_job(folder).is_finished:
+        finish(folder)
+    return folder
+
+
+def in_job(name: str, make: Make, finish: Callable[..., Any], column: str) -> tuple[Any, ...]:
+    """A case: the plan of a job, or the input of all its tasks, is changed in its manifest, and the job is run."""
+    query = "SELECT value FROM meta WHERE key = 'plan'" if column == "plan" else "SELECT told FROM tasks"
+
+    def run(path: Path) -> Path:
+        (path.parent / "kept").write_text("mine")
+        text = path.read_bytes().decode("utf-8", "replace").replace("\0", "")
+        with copied(path, make) as folder:
+            with contextlib.closing(sqlite3.connect(folder / NAME)) as base:
+                if column == "plan":
+                    with contextlib.suppress(ValueError, RecursionError):
+                        plan = json.loads(text)
+                        text = canonical(plan)
+                        base.execute("UPDATE meta SET value = ? WHERE key = 'hash'", (hash_of(plan),))
+                    base.execute("UPDATE meta SET value = ? WHERE key = 'plan'", (text,))
+                else:
+                    base.execute("UPDATE tasks SET told = ?", (text,))
+                base.commit()
+            return _work_off(folder, finish)
+
+    def check(path: Path, folder: Path) -> str | None:
+        folder.rename(folder.with_name("job"))
+        return check_other_files(path, folder)
+
+    return name, ".json", lambda: _rows(make, query), values, run, check
+
+
+def finish_fusion(folder: Path) -> Any:
+    return loom.tiling.finish_fusion(folder, folder / "mesh.ply")
+
+
+COLMAP = loom.read_colmap_model
+ROOM, TUM = "data set, {}", "TUM, {}"
+
+# name, suffix, seeds, mutate, read, oracle: as in cases.Case
+FOLDERS = [
+    *(member(f"COLMAP {name}.txt", text_model, f"{name}.txt", mutations.text, COLMAP)
+      for name in ("cameras", "images", "points3D")),
+    *(member(f"COLMAP {name}.bin", binary_model, f"{name}.bin", mutations.binary, COLMAP)
+      for name in ("cameras", "images", "points3D")),
+    member(ROOM.format("camera"), room, "camera-intrinsics.json", values, read_dataset),
+    member(ROOM.format("pose"), room, "frame-000001.pose.txt", mutations.text, read_dataset),
+    member(ROOM.format("depth"), room, "frame-000001.depth.png", mutations.binary, read_dataset),
+    member(ROOM.format("color"), room, "frame-000001.color.png", mutations.binary, read_dataset),
+    member(TUM.format("list"), tum, "depth.txt", mutations.text, read_tum),
+    member(TUM.format("poses"), tum, "groundtruth.txt", mutations.text, read_tum),
+    member("depth maps, index", depth_maps, "depth_maps.json", values, read_maps),
+    member("depth maps, map", depth_maps, "000000.npz", arrays, read_maps),
+    member("recorded frames, times", recorded, "frame-times.txt", mutations.text, read_dataset),
+    member("paged volume, state", paged, "volume.npz", arrays, read_paged),
+    member("paged volume, page", paged, "00000001.npz", arrays, read_paged),
+    in_job("job of registration, plan", registration, loom.tiling.finish_registration, "plan"),
+    in_job("job of registration, task", registration, loom.tiling.finish_registration, "told"),
+    in_job("job of fusion, plan", fusion, finish_fusion, "plan"),
+    in_job("job of fusion, task", fusion, finish_fusion, "told"),
+]  # fmt: skip
