@@ -28,6 +28,7 @@ from pointloom.photogrammetry.mvs.depth_maps import DepthMap
 from pointloom.tiling.manifest import NAME, canonical, hash_of
 
 Make = Callable[[Path], Any]
+_ALLOWED = ("FileError", "DatasetError", "ValueError")  # of a task with damaged input
 VOXEL = 0.1  # [m] of the job of fusion
 
 
@@ -44,16 +45,15 @@ def made(make: Make) -> Path:
 
 @contextlib.contextmanager
 def copied(path: Path, make: Make) -> Any:
-    """A copy of a folder. Errors that name a file of the copy, or of the sound folder, name the damaged file, too."""
-    folder = path.parent / "copy"
+    """A copy of a folder beside the damaged file. Errors must name a file, and get the name of the damaged one."""
+    folder = path.parent / "job"
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(made(make), folder)
     try:
         yield folder
     except loom.FileError as error:
-        text = str(error)
-        if str(folder) not in text and str(made(make)) not in text:
-            raise ValueError(f"the error names no file of the folder: {text}") from error
+        if not Path(error.path).is_absolute():
+            raise ValueError(f"the error names no file: {error}") from error
         raise loom.FileError(path, error.reason) from error
 
 
@@ -173,8 +173,13 @@ def _rows(make: Make, query: str) -> list[bytes]:
 
 
 def _work_off(folder: Path, finish: Callable[..., Any]) -> Path:
+    """Run a job. Raises RuntimeError if a task failed by another error than a documented one."""
     loom.tiling.job_status(folder)
-    if loom.tiling.run_job(folder).is_finished:
+    status = loom.tiling.run_job(folder)
+    for error in status.troubles.values():
+        if not error.startswith(_ALLOWED):
+            raise RuntimeError(error)
+    if status.is_finished:
         finish(folder)
     return folder
 
@@ -199,11 +204,7 @@ def in_job(name: str, make: Make, finish: Callable[..., Any], column: str) -> tu
                 base.commit()
             return _work_off(folder, finish)
 
-    def check(path: Path, folder: Path) -> str | None:
-        folder.rename(folder.with_name("job"))
-        return check_other_files(path, folder)
-
-    return name, ".json", lambda: _rows(make, query), values, run, check
+    return name, ".json", lambda: _rows(make, query), values, run, check_other_files
 
 
 def finish_fusion(folder: Path) -> Any:
