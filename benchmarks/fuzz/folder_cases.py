@@ -167,6 +167,55 @@ def fusion(folder: Path) -> None:
     loom.tiling.plan_fusion(made(room), folder, voxel_size=VOXEL, size=8.0)
 
 
+def run_registration(folder: Path) -> None:
+    """The job with prepared scans, whose pairs wait."""
+    shutil.copytree(made(registration), folder)
+    loom.tiling.run_job(folder)
+    _change(folder, "DELETE FROM tasks WHERE stage > 1", "UPDATE tasks SET state = 'waiting', found = NULL WHERE stage")
+
+
+def run_fusion(folder: Path) -> None:
+    """The job with all cubes done."""
+    shutil.copytree(made(fusion), folder)
+    loom.tiling.run_job(folder)
+
+
+CHAIN = [
+    {"step": "voxel_down_sample", "voxel_size": 0.5},
+    {"step": "cluster_dbscan", "eps": 2.0, "min_points": 3},
+    {"step": "rasterize", "cell": 1.0, "name": "dtm"},
+]
+
+
+def run_tiles(folder: Path) -> None:
+    """A job of four tiles with sorted points and labels, whose tiles wait for their last pass."""
+    points = np.random.default_rng(15).random((400, 3)) * (20, 20, 2)
+    loom.write_point_cloud(folder.parent / "in.laz", loom.PointCloud(points))
+    loom.tiling.plan_tiles([folder.parent / "in.laz"], CHAIN, folder, size=10.0)
+    loom.tiling.run_tiles(folder)
+
+
+def wait_again(folder: Path, number: int) -> Path:
+    """Set all tiles of a finished job to waiting in this pass, and run it."""
+    _change(folder, f"UPDATE tiles SET state = 'waiting', pass = {number}", "DELETE FROM checksums")
+    return _tiles_done(folder)
+
+
+def _tiles_done(folder: Path) -> Path:
+    status = loom.tiling.run_tiles(folder)
+    _check_errors(status.troubles)
+    if status.is_finished:
+        loom.tiling.finish_tiles(folder, overwrite=True)
+    return folder
+
+
+def _change(folder: Path, *statements: str) -> None:
+    with contextlib.closing(sqlite3.connect(folder / NAME)) as base:
+        for statement in statements:
+            base.execute(statement)
+        base.commit()
+
+
 def _rows(make: Make, query: str) -> list[bytes]:
     with contextlib.closing(sqlite3.connect(made(make) / NAME)) as base:
         return [text.encode() for (text,) in base.execute(query)]
@@ -176,17 +225,23 @@ def _work_off(folder: Path, finish: Callable[..., Any]) -> Path:
     """Run a job. Raises RuntimeError if a task failed by another error than a documented one."""
     loom.tiling.job_status(folder)
     status = loom.tiling.run_job(folder)
-    for error in status.troubles.values():
-        if not error.startswith(_ALLOWED):
-            raise RuntimeError(error)
+    _check_errors(status.troubles)
     if status.is_finished:
         finish(folder)
     return folder
 
 
+def _check_errors(errors: dict[str, str]) -> None:
+    for error in errors.values():
+        if not error.startswith(_ALLOWED):
+            raise RuntimeError(error)
+
+
 def in_job(name: str, make: Make, finish: Callable[..., Any], column: str) -> tuple[Any, ...]:
-    """A case: the plan of a job, or the input of all its tasks, is changed in its manifest, and the job is run."""
-    query = "SELECT value FROM meta WHERE key = 'plan'" if column == "plan" else "SELECT told FROM tasks"
+    """A case: the plan of a job, or a column of the tasks of its last stage, is changed, and the job is run."""
+    rows = f"{column} IS NOT NULL AND stage = (SELECT MAX(stage) FROM tasks WHERE {column} IS NOT NULL)"
+    of_tasks = f"SELECT {column} FROM tasks WHERE {rows}"
+    query = "SELECT value FROM meta WHERE key = 'plan'" if column == "plan" else of_tasks
 
     def run(path: Path) -> Path:
         (path.parent / "kept").write_text("mine")
@@ -200,7 +255,7 @@ def in_job(name: str, make: Make, finish: Callable[..., Any], column: str) -> tu
                         base.execute("UPDATE meta SET value = ? WHERE key = 'hash'", (hash_of(plan),))
                     base.execute("UPDATE meta SET value = ? WHERE key = 'plan'", (text,))
                 else:
-                    base.execute("UPDATE tasks SET told = ?", (text,))
+                    base.execute(f"UPDATE tasks SET {column} = ? WHERE {rows}", (text,))
                 base.commit()
             return _work_off(folder, finish)
 
@@ -235,4 +290,18 @@ FOLDERS = [
     in_job("job of registration, task", registration, loom.tiling.finish_registration, "told"),
     in_job("job of fusion, plan", fusion, finish_fusion, "plan"),
     in_job("job of fusion, task", fusion, finish_fusion, "told"),
+    in_job("job of registration, result", run_registration, loom.tiling.finish_registration, "found"),
+    in_job("job of fusion, result", run_fusion, finish_fusion, "found"),
+    member("job of registration, surface", run_registration, "surfaces/0.npz", arrays,
+           lambda folder: _work_off(folder, loom.tiling.finish_registration)),
+    member("job of fusion, cube", run_fusion, "cubes/0_0_0.npz", arrays, finish_fusion),
+    member("job of tiles, buckets", run_tiles, "buckets/000000/index.json", values, lambda f: wait_again(f, 0)),
+    member("job of tiles, blocks", run_tiles, "buckets/000000/0.blocks", mutations.binary, lambda f: wait_again(f, 0)),
+    member("job of tiles, labels", run_tiles, "left/1/0.npy", mutations.binary, lambda f: wait_again(f, 1)),
+    member("job of tiles, joined labels", run_tiles, "joined/1/0.npy", mutations.binary, lambda f: wait_again(f, 1)),
+    member("job of tiles, summary", run_tiles, "joined/1/whole.json", values, lambda f: wait_again(f, 1)),
+    member("job of tiles, tile", run_tiles, "tiles/0_0.laz", mutations.binary,
+           lambda folder: loom.tiling.finish_tiles(folder, overwrite=True)),
+    member("job of tiles, raster", run_tiles, "rasters/dtm/0_0.tif", mutations.binary,
+           lambda folder: loom.tiling.finish_tiles(folder, overwrite=True)),
 ]  # fmt: skip

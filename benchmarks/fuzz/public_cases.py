@@ -252,6 +252,17 @@ def _places(path: Path) -> Any:
     return loom.sfm.read_picture_places([path])
 
 
+def _plan(path: Path) -> Any:
+    """Plan a job with steps. Errors may name a file that the steps name."""
+    shutil.rmtree(folder := path.parent / "planned", ignore_errors=True)
+    try:
+        return loom.tiling.plan_tiles([job_cases.job().parent / "in.laz"], path, folder)
+    except loom.FileError as error:
+        if error.path == str(path) or not Path(error.path).is_absolute():
+            raise
+        raise loom.FileError(path, str(error)) from error
+
+
 # name, suffix, seeds, mutate, read, oracle: as in cases.Case
 PUBLIC = [
     *clouds(),
@@ -290,15 +301,5 @@ PUBLIC = [
      lambda p: read_targets(p, ["A", "B"]), anything),
     ("extrinsic", ".txt", text(MATRIX), mutations.text, read_extrinsic, anything),
     ("distances", ".txt", text("u v meters\n1 2 3.5\n2 3 4\n"), mutations.text, read_distances, anything),
-    ("steps of a job", ".toml", job_cases.steps, mutations.text,
-     lambda p: loom.tiling.plan_tiles(_survey(), p, _new_folder(p)), anything),
+    ("steps of a job", ".toml", job_cases.steps, mutations.text, _plan, anything),
 ]  # fmt: skip
-
-
-def _survey() -> list[Path]:
-    return [job_cases.job().parent / "in.laz"]
-
-
-def _new_folder(path: Path) -> Path:
-    shutil.rmtree(folder := path.parent / "planned", ignore_errors=True)
-    return folder
