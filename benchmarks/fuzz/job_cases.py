@@ -183,7 +183,7 @@ def saved(make: Callable[[Path], Any]) -> Callable[[], list[bytes]]:
     return seeds
 
 
-def _volume(path: Path) -> None:
+def write_volume(path: Path) -> None:
     volume = loom.TSDFVolume(voxel_size=0.1)
     camera = loom.PinholeCameraIntrinsic(16, 12, 15, 15, 7.5, 5.5)
     volume.integrate(np.full((12, 16), 900, np.uint16), camera, np.eye(4), np.full((12, 16, 3), 9, np.uint8))
@@ -298,7 +298,7 @@ JOBS = [
     ("transforms.json", ".json", transforms, values, read_transforms, anything),
     ("configuration", ".json", configs, values, loom.reconstruction.ReconstructionConfig.read, anything),
     ("depth bundle", ".npz", bundles, arrays, loom.mvs.read_depth_bundle, anything),
-    ("volume", ".npz", saved(_volume), arrays, loom.TSDFVolume.load, anything),
+    ("volume", ".npz", saved(write_volume), arrays, loom.TSDFVolume.load, anything),
     ("occupancy grid", ".npz", saved(_grid), arrays, loom.OccupancyGrid.load, anything),
     ("distance field", ".npz", saved(_field), arrays, loom.DistanceField.load, anything),
     ("control grid", ".npz", saved(_control), arrays, read_control_grid, anything),

@@ -18,7 +18,7 @@ import mutations
 import numpy as np
 import other_cases
 import PIL.Image
-from job_cases import anything, values
+from job_cases import anything, arrays, values
 
 import pointloom as loom
 from pointloom.cli.jobs.evaluate import read_extrinsic
@@ -26,6 +26,7 @@ from pointloom.cli.jobs.stations import read_control, read_targets
 from pointloom.io.pictures.photo_files import read_exif, read_photo
 from pointloom.photogrammetry.depth.estimation import read_distances
 from pointloom.photogrammetry.video.control_files import read_ground_control
+from pointloom.visualization.viewer.view_files import read_geometry
 
 Seeds = Callable[[], list[bytes]]
 
@@ -272,6 +273,9 @@ PUBLIC = [
      anything),
     ("COPC", ".copc.laz", written(".copc.laz", write_cloud), mutations.binary, loom.read_copc, sound_points),
     ("detail tree", ".ply", written(".ply", write_cloud), mutations.binary, loom.DetailTree.from_file, anything),
+    ("detail tree .xyz", ".xyz", written(".xyz", write_cloud), mutations.text, loom.DetailTree.from_file, anything),
+    ("viewed file .npz", ".npz", written(".npz", write_cloud, job_cases.write_volume), arrays, read_geometry, anything),
+    ("viewed file .json", ".json", written(".json", camera_list, polygon), values, read_geometry, anything),
     ("stations .e57", ".e57", written(".e57", write_cloud), mutations.binary, loom.read_stations, anything),
     ("stations .ptx", ".ptx", text(TEXTS[".ptx"]), mutations.text, loom.read_stations, anything),
     ("trajectory .json", ".json", written(".json", camera_list), values, loom.read_trajectory, anything),

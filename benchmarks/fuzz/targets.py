@@ -23,7 +23,8 @@ class LeftOut(str):
 PARAMETERS = re.compile(r"path|file|folder|bytes|database|scans")
 TYPES = re.compile(r"PathLike|FilePath|\bPath\b|\bbytes\b")
 WRITERS = re.compile(r"\.(write_\w+|write|save\w*|to_json|capture_\w+|export_\w+|record\w*|screenshot|add_\w+)$")
-OPENERS = {"input_path", "open_source", "read_json_object", "read_text", "read_bytes", "connect", "ZipFile", "load"}
+OPENERS = {"input_path", "open_source", "read_json_object", "read_text", "read_bytes", "read_arrays", "read_npy",
+           "read_part_of_job"}  # fmt: skip
 HOLDERS = {"np", "sqlite3", "zipfile"}  # of `load`, `connect` and `ZipFile`
 
 CLOUDS = ("cloud .ply", "cloud .pcd", "cloud .npz", "cloud .xyz", "cloud .xyzn", "cloud .xyzrgb", "cloud .pts",
@@ -48,7 +49,6 @@ BY_ONNX = LeftOut("networks are read by ONNX Runtime (SECURITY.md)")
 OF_MEMORY = LeftOut("takes objects in memory; the path is of an output")
 BY_COLMAP = LeftOut("COLMAP's database, which the same process has written")
 OF_JOB = LeftOut("continues a job from records with digests of files; a damaged record is computed again")
-OF_SAMPLES = LeftOut("contains paths of files and reads none")
 
 PUBLIC: dict[str, tuple[str, ...] | LeftOut] = {
     "loom.AzureKinectCamera": OF_SDK,
@@ -155,7 +155,133 @@ PUBLIC: dict[str, tuple[str, ...] | LeftOut] = {
     "o3d.visualization.RenderOption.load_from_json": ("open3d options",),
     "o3d.visualization.read_selection_polygon_volume": ("open3d polygon",),
 }  # fmt: skip
-SAMPLES = "o3d.data."  # classes of data sets: `OF_SAMPLES`
+SAMPLES = "o3d.data."  # classes of paths of files, which read none
+
+
+JOB_TILES = ("job of tiles, buckets", "job of tiles, blocks", "job of tiles, labels", "job of tiles, joined labels",
+             "job of tiles, summary", "job of tiles, tile", "job of tiles, raster")  # fmt: skip
+OF_PACKAGE = LeftOut("files of the package itself")
+OF_WRITER = LeftOut("reads what the same call has written")
+OF_SYSTEM = LeftOut("files of the operating system")
+OF_PAGE = LeftOut("a page, image or video that the same call has written")
+
+MODULES: dict[str, tuple[str, ...] | LeftOut] = {
+    "cameras/camera.py": ("camera .json",),
+    "cameras/pose_text.py": ("trajectory .log", "extrinsic"),
+    "cameras/trajectory.py": POSES,
+    "cli/jobs/info.py": ("camera .json", *POSES, *CLOUDS, *MESHES),
+    "cli/jobs/stations.py": ("control of stations", "targets of stations"),
+    "cli/shell/chapters.py": OF_PACKAGE,
+    "cli/shell/help_commands.py": OF_PACKAGE,
+    "cli/shell/pipes.py": LeftOut("copies standard input to a file, which a reader reads"),
+    "core/atomic.py": OF_WRITER,
+    "core/cuda_driver.py": OF_SYSTEM,
+    "core/json_files.py": ("camera .json",),
+    "core/open3d_names.py": OF_PACKAGE,
+    "core/records.py": OF_JOB,
+    "core/stages.py": OF_JOB,
+    "datasets/array_cache.py": LeftOut("a cache of made scenes in the user's own folder"),
+    "datasets/public/fetching.py": LeftOut("checks a digest before a file is read"),
+    "io/bags/bag1.py": RECORDINGS,
+    "io/bags/db3.py": RECORDINGS,
+    "io/bags/mcap.py": RECORDINGS,
+    "io/frames/dataset_layouts.py": DATASETS,
+    "io/frames/datasets.py": DATASETS,
+    "io/meshes/glb.py": ("mesh .glb", "GLB"),
+    "io/meshes/gltf_file.py": ("mesh .gltf", "glTF"),
+    "io/meshes/obj.py": ("mesh .obj", "OBJ", "OBJ corners"),
+    "io/meshes/off.py": ("mesh .off", "OFF"),
+    "io/meshes/stl.py": ("mesh .stl", "STL"),
+    "io/meshes/tables.py": ("mesh .ply",),
+    "io/models/camera_files.py": ("cameras of frames",),
+    "io/models/colmap_binary.py": MODELS,
+    "io/models/colmap_text.py": MODELS,
+    "io/models/frame_cameras.py": ("transforms.json", "cameras of frames"),
+    "io/models/metashape.py": ("Metashape",),
+    "io/pictures/image_files.py": (*IMAGES, *DEPTHS),
+    "io/pictures/photo_files.py": ("photo .tif", "photo .webp", "EXIF"),
+    "io/pictures/texture_files.py": MESHES,
+    "io/points/archives.py": ("volume", "occupancy grid", "distance field", "control grid"),
+    "io/points/copc.py": ("COPC",),
+    "io/points/copc_nodes.py": ("COPC",),
+    "io/points/e57.py": ("cloud .e57",),
+    "io/points/e57_writer.py": OF_WRITER,
+    "io/points/header_units.py": ("cloud .ply", "cloud .pcd"),
+    "io/points/in_parts.py": ("detail tree",),
+    "io/points/kitti_bin.py": ("cloud .bin",),
+    "io/points/las.py": ("cloud .las",),
+    "io/points/laszip.py": ("cloud .laz",),
+    "io/points/laz_chunks.py": ("chunks of LAS",),
+    "io/points/npz.py": ("cloud .npz", "NPZ", "open3d tensor"),
+    "io/points/pcd.py": ("cloud .pcd", "PCD"),
+    "io/points/ply.py": ("cloud .ply", "PLY mesh, text", "PLY mesh, binary"),
+    "io/points/ptx.py": ("cloud .ptx",),
+    "io/points/text.py": ("cloud .xyz", "XYZ"),
+    "io/points/text_parts.py": ("detail tree .xyz",),
+    "io/points/text_table.py": ("cloud .csv", "CSV"),
+    "io/source.py": CLOUDS,
+    "io/splats/splat_ply.py": ("splats .ply",),
+    "io/splats/splat_rows.py": ("splats .splat",),
+    "io/splats/spz.py": ("splats .spz",),
+    "open3d/core/hash_map.py": ("open3d hash map", "open3d hash set"),
+    "open3d/core/tensor.py": ("open3d tensor",),
+    "open3d/io/bytes.py": ("open3d bytes ply", "open3d contents"),
+    "open3d/io/cameras.py": ("open3d parameters", "open3d trajectory .json"),
+    "open3d/io/images.py": ("open3d image .png", "open3d image .jpg"),
+    "open3d/io/ply_elements.py": ("open3d line set", "open3d voxel grid"),
+    "open3d/io/registration.py": ("open3d feature",),
+    "open3d/io/shapes.py": ("open3d mesh",),
+    "open3d/io/voxel_grids.py": ("open3d octree",),
+    "open3d/t/io/clouds.py": ("open3d tensor cloud .ply",),
+    "open3d/t/io/meshes.py": ("open3d tensor mesh .npz",),
+    "open3d/visualization/render_option.py": ("open3d options",),
+    "open3d/visualization/visualizer.py": OF_PAGE,
+    "pcd/polygon_volume.py": ("polygon volume",),
+    "photogrammetry/depth/estimation.py": ("distances",),
+    "photogrammetry/depth/network.py": BY_ONNX,
+    "photogrammetry/depth/photos.py": ("EXIF", *IMAGES),
+    "photogrammetry/mvs/depth_bundles.py": ("depth bundle",),
+    "photogrammetry/mvs/depth_maps.py": MAPS,
+    "photogrammetry/mvs/plane_search.py": OF_WRITER,
+    "photogrammetry/sfm/colmap_cameras.py": BY_COLMAP,
+    "photogrammetry/sfm/colmap_jobs.py": BY_COLMAP,
+    "photogrammetry/sfm/colmap_worker.py": BY_COLMAP,
+    "photogrammetry/sfm/guided_matches.py": BY_COLMAP,
+    "photogrammetry/sfm/limited_process.py": OF_SYSTEM,
+    "photogrammetry/sfm/masks.py": IMAGES,
+    "photogrammetry/sfm/matches.py": BY_COLMAP,
+    "photogrammetry/sfm/picture_choice.py": IMAGES,
+    "photogrammetry/sfm/training_folder.py": LeftOut("copies images that were read before"),
+    "photogrammetry/sfm/triangulation.py": BY_COLMAP,
+    "photogrammetry/sfm/video_files.py": LeftOut("videos are decoded by ffmpeg; the file's first bytes are compared"),
+    "photogrammetry/video/control_files.py": ("ground control", "ground control .csv", "scale bars"),
+    "photogrammetry/video/known_motion.py": LeftOut("copies images that were read before"),
+    "registration/deformable/control_grid_files.py": ("control grid",),
+    "registration/pose_graphs/pose_graph_files.py": ("pose graph",),
+    "rgbd/reconstruction/config.py": ("configuration",),
+    "tiling/border_merging.py": JOB_TILES,
+    "tiling/buckets.py": JOB_TILES,
+    "tiling/jobs/fused_mesh.py": ("job of fusion, cube", "job of fusion, result"),
+    "tiling/jobs/scans.py": ("job of registration, surface", "job of registration, result"),
+    "tiling/label_join.py": OF_WRITER,
+    "tiling/manifest.py": (*TILES, *JOBS),
+    "tiling/polygons.py": ("area",),
+    "tiling/schema.py": LeftOut("a database in memory"),
+    "tiling/sources.py": ("VPC",),
+    "tiling/steps/parse.py": ("steps", "steps of a job"),
+    "tiling/work_tile.py": JOB_TILES,
+    "visualization/page/sources.py": OF_PACKAGE,
+    "visualization/recording/cell_output.py": OF_PAGE,
+    "visualization/recording/shared_player.py": OF_PAGE,
+    "visualization/recording/writers.py": OF_PAGE,
+    "visualization/render/lettering.py": OF_PACKAGE,
+    "visualization/render/open3d_views.py": ("view",),
+    "visualization/viewer/draw.py": OF_PAGE,
+    "visualization/viewer/panel.py": OF_PAGE,
+    "visualization/viewer/tools/stage.py": OF_PAGE,
+    "visualization/viewer/view_files.py": ("viewed file .npz", "viewed file .json"),
+}
+TRUSTED = "kernels/"  # modules of caches and archives of kernels, which are trusted (SECURITY.md)
 
 
 def public_readers(loom: ModuleType, o3d: ModuleType) -> Iterator[str]:
@@ -217,3 +343,22 @@ def _opens(call: ast.Call) -> bool:
         return isinstance(function, ast.Attribute) and getattr(function.value, "id", "") in HOLDERS
     is_binary = any(isinstance(each, ast.Constant) and each.value == "rb" for each in call.args)
     return name in OPENERS or (name == "open" and is_binary)
+
+
+def uncovered(root: Path, loom: ModuleType, o3d: ModuleType, cases: set[str]) -> list[str]:
+    """Differences between the two lists, the code and the names of the cases, one line each."""
+    readers, modules = set(public_readers(loom, o3d)), opening_modules(root)
+    modules = {name for name in modules if not name.startswith(TRUSTED)}
+    lines = [f"{name}: reads a file, and is not in the list" for name in sorted(readers - PUBLIC.keys())]
+    lines += [f"{name}: opens a file, and is not in the list" for name in sorted(modules - MODULES.keys())]
+    lines += [f"{name}: is in the list, and is no public reader" for name in sorted(PUBLIC.keys() - readers)]
+    lines += [f"{name}: is in the list, and opens no file" for name in sorted(MODULES.keys() - modules)]
+    used: set[str] = set()
+    for name, value in (PUBLIC | MODULES).items():
+        if isinstance(value, LeftOut):
+            lines += [] if value else [f"{name}: has neither a case nor a reason"]
+            continue
+        used |= set(value)
+        lines += [f"{name}: there is no case {case!r}" for case in value if case not in cases]
+        lines += [] if value else [f"{name}: has neither a case nor a reason"]
+    return [*lines, *(f"{case!r}: no reader of the list has this case" for case in sorted(cases - used))]

@@ -6,6 +6,7 @@ Files and the join's folder appear atomically and reproducibly. The join memory-
 from __future__ import annotations
 
 import json
+import math
 import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,8 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write
+from ..core.checks import MAX_COUNT
 from ..core.errors import FileError
+from ..core.json_files import check_keys, json_count, read_json_object
 from ..core.paths import job_file
+from ..io.npy_header import read_npy_header
+from ..io.points.npz import read_npy
 from .manifest import DAMAGE
 
 LEFT, JOINED = "left", "joined"
@@ -64,9 +69,9 @@ class BorderData:
         remedy = "Plan it again in another folder"
         try:
             with path.open("rb") as file:
-                names = np.lib.format.read_array(file).tolist()
                 data = np.memmap(path, np.uint8, "r")
-                arrays = {name: _mapped(data, file) for name in names}
+                names = _mapped(data, file, "U").reshape(-1).tolist()
+                arrays = {name: _mapped(data, file, "biuf") for name in names}
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}", remedy=remedy) from error
         except DAMAGE as error:
@@ -76,13 +81,12 @@ class BorderData:
         return arrays
 
 
-def _mapped(data: NDArray[np.uint8], file: BinaryIO) -> NDArray[Any]:
-    """Map the array at the file position, which advances behind it."""
-    version = np.lib.format.read_magic(file)
-    if version != (1, 0):
-        raise ValueError(f"an array of version {version}")
-    shape, _, kind = np.lib.format.read_array_header_1_0(file)
-    begin, size = file.tell(), int(np.prod(shape)) * kind.itemsize
+def _mapped(data: NDArray[np.uint8], file: BinaryIO, kinds: str) -> NDArray[Any]:
+    """Map the array at the file position, which advances behind it. Raises ValueError for types of other kinds."""
+    shape, _, kind = read_npy_header(file)
+    if kind.kind not in kinds or min(shape, default=0) < 0:
+        raise ValueError(f"an array of {kind} {list(shape)}")
+    begin, size = file.tell(), math.prod(shape) * kind.itemsize
     if len(data) < begin + size:
         raise ValueError("the file is truncated")
     file.seek(begin + size)
@@ -114,9 +118,13 @@ def join_step(folder: Path, number: int, step: Any, left: BorderData, owner: str
 def read_joined(folder: Path, number: int, tile: int) -> tuple[int, NDArray[Any] | None]:
     """Global count of a join, and its result for a tile or None. FileError if unreadable."""
     join_folder = folder / JOINED / str(number)
-    try:
-        count = int(json.loads((join_folder / SUMMARY).read_text(encoding="utf-8"))["count"])
-        path = join_folder / f"{tile}.npy"
-        return count, np.load(path) if path.exists() else None
-    except (OSError, *DAMAGE) as error:
-        raise FileError(join_folder, f"cannot be read: {error}", remedy="Plan it again in another folder") from error
+    summary, path = join_folder / SUMMARY, join_folder / f"{tile}.npy"
+    content = read_json_object(summary)
+    check_keys(summary, content, required={"count"})
+    count = json_count(summary, content["count"], MAX_COUNT, where="key count")
+    if not path.exists():
+        return count, None
+    labels = read_npy(path)
+    if labels.ndim != 1 or labels.dtype.kind not in "iu":
+        raise FileError(path, f"expected integers of shape [n], got {labels.dtype} {list(labels.shape)}")
+    return count, labels

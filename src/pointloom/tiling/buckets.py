@@ -273,8 +273,8 @@ def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any
             body, packed_numbers = stream.read(body_size), stream.read(numbers_size)
             if zlib.crc32(packed_numbers, zlib.crc32(body)) != checksum:
                 raise FileError(path, "is damaged: a block does not match its checksum", where=f"at {stream.tell()}")
-            block = np.frombuffer(_unpacked(path, file, body, count, how), file.layout.dtype())
             steps = np.frombuffer(_inflated(path, packed_numbers, 8 * count), np.uint8).reshape(8, -1).T
+            block = np.frombuffer(_unpacked(path, file, body, count, how), file.layout.dtype())  # as many rows
             numbers = np.cumsum(np.ascontiguousarray(steps).view(np.uint64).ravel(), dtype=np.uint64)
             keep = inside(positions_of(file, block), window)
             blocks.append((block[keep], numbers[keep]))

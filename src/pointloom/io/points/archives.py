@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import zipfile
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import input_path
 from ..optional_imports import foreign_errors
-from .npz import read_member
+from .npz import read_arrays, read_member
 
 Arrays = dict[str, NDArray[Any]]
 Expected = Mapping[str, tuple[Any, tuple[int, ...]]]  # type and shape of each array
@@ -45,6 +46,20 @@ def read_archive(
         raise FileError(path, reason)
     if reason := find_fault(arrays):
         raise FileError(path, reason, remedy="The file was changed after it was saved")
+    return arrays
+
+
+def read_part_of_job(
+    path: Path, what: str, expected_of: Callable[[Arrays], Expected], find_fault: Callable[[Arrays], str], remedy: str
+) -> Arrays:
+    """The validated arrays of an archive without `format`, which a task of a job wrote, as in `read_archive`."""
+    try:
+        arrays = read_arrays(path)
+    except FileError as error:
+        reason = f"{what} cannot be read: {error.reason}"
+        raise FileError(path, reason, where=error.where, remedy=remedy) from error
+    if reason := find_wrong_array(arrays, expected_of(arrays)) or find_fault(arrays):
+        raise FileError(path, f"{what} cannot be read: {reason}", remedy=remedy)
     return arrays
 
 

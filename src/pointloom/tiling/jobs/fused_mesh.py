@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from collections.abc import Iterator
-from contextlib import closing
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,13 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_folder, atomic_write, check_folder, check_writable
+from ...core.checks import MAX_COUNT, shown
 from ...core.errors import FileError, FilePath
+from ...core.json_files import json_count
 from ...core.paths import path_of
 from ...io.meshes.mesh_formats import MESH_READERS
+from ...io.points.archives import Arrays, Expected, read_part_of_job, rows_of
 from ...io.points.ply import write_ply_mesh, write_ply_mesh_parts
 from ...io.table import MeshTable
 from ...kernels.volumes.block_surface import EDGES
-from ..manifest import Manifest
+from ..manifest import NAME, Manifest
 from .fusion import Cube, FusionJob, surface_path
 from .job import done_in
 from .run_jobs import finished_job
@@ -28,32 +29,31 @@ RESULT = "mesh.ply"
 LISTING = "parts.json"  # of a folder of parts
 
 
-class _Surface:
-    """Arrays of a cube's file, read on demand."""
+def _surface(folder: Path, name: str) -> Arrays:
+    """The arrays of a cube's file. Raises FileError for other types, shapes and indices than `write_surface` writes."""
+    remedy = "Plan and run the job again in another folder"
+    path = surface_path(folder, name)
+    return read_part_of_job(path, "a cube's surface", _arrays_of_cube, _find_wrong_number, remedy)
 
-    def __init__(self, folder: Path, name: str):
-        self._path = surface_path(folder, name)
-        try:
-            self._file = zipfile.ZipFile(self._path)
-        except (OSError, zipfile.BadZipFile) as error:
-            raise self._error(error) from error
 
-    def __contains__(self, name: str) -> bool:
-        return f"{name}.npy" in self._file.namelist()
+def _arrays_of_cube(arrays: Arrays) -> Expected:
+    vertices, shared = (rows_of(arrays, key) for key in ("vertices", "shared"))
+    expected: dict[str, Any] = {"vertices": (np.float32, (vertices, 3)), "shared": (np.int64, (shared,))}
+    expected |= {"triangles": (np.int32, (rows_of(arrays, "triangles"), 3))}
+    expected |= {"blocks": (np.int64, (shared,)), "places": (np.int32, (shared,))}
+    return expected | ({"colors": (np.float32, (vertices, 3))} if "colors" in arrays else {})
 
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        try:
-            with self._file.open(f"{name}.npy") as member:
-                return np.lib.format.read_array(member, allow_pickle=False)  # type: ignore[arg-type]
-        except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
-            raise self._error(error) from error
 
-    def close(self) -> None:
-        self._file.close()
-
-    def _error(self, error: Exception) -> FileError:
-        remedy = "Plan and run the job again in another folder"
-        return FileError(self._path, f"a cube's surface cannot be read: {error}", remedy=remedy)
+def _find_wrong_number(arrays: Arrays) -> str:
+    """Why arrays of the right shape are invalid, or ""."""
+    vertices = len(arrays["vertices"])
+    for name in ("triangles", "shared"):
+        numbers = arrays[name]
+        if numbers.size and not 0 <= numbers.min() <= numbers.max() < vertices:
+            return f"{name}: expected indices of {vertices} vertices, got {numbers.min()}..{numbers.max()}"
+    if arrays["places"].size and not 0 <= arrays["places"].min() <= arrays["places"].max() < EDGES:
+        return f"places: expected numbers from 0 to {EDGES - 1}"
+    return "" if np.isfinite(arrays["vertices"]).all() else "vertices: expected finite numbers"
 
 
 class _Sides(NamedTuple):
@@ -68,7 +68,7 @@ class _Numbered(NamedTuple):
     """A cube's surface, the global numbers of its vertices (int64), and those that are new."""
 
     name: str
-    arrays: _Surface
+    arrays: Arrays
     numbers: NDArray[np.int64]
     is_new: NDArray[np.bool_]
 
@@ -120,8 +120,8 @@ def _write_parts(path: Path, job: FusionJob, cubes: list[tuple[str, Cube]], over
     listing = []
     with atomic_folder(path, LISTING, overwrite=overwrite) as part:
         for name, cube in cubes:
-            with closing(_Surface(job.folder, name)) as arrays:
-                table = _table(job, arrays, slice(None), np.asarray(arrays["triangles"]))
+            arrays = _surface(job.folder, name)
+            table = _table(job, arrays, slice(None), arrays["triangles"])
             write_ply_mesh(part / f"{name}.ply", table)
             ends = [table.vertices.min(axis=0).tolist(), table.vertices.max(axis=0).tolist()]
             sizes = {"vertices": len(table.vertices), "triangles": len(table.triangles)}
@@ -145,7 +145,7 @@ def _write_mesh(path: Path, job: FusionJob, cubes: list[tuple[str, Cube]], overw
     write_ply_mesh_parts(path, parts, (vertices, triangles), overwrite=overwrite)
 
 
-def _table(job: FusionJob, arrays: _Surface, rows: Any, triangles: NDArray[Any]) -> MeshTable:
+def _table(job: FusionJob, arrays: Arrays, rows: Any, triangles: NDArray[Any]) -> MeshTable:
     origin, vertices = job.origin, arrays["vertices"][rows]
     colors = arrays["colors"][rows] if "colors" in arrays else None
     return MeshTable(vertices + origin if origin.any() else vertices, triangles, vertex_colors=colors)
@@ -156,16 +156,16 @@ def _numbered(folder: Path, cubes: list[tuple[str, Cube]]) -> Iterator[_Numbered
     begin, sides = 0, dict[Cube, _Sides]()
     for name, cube in cubes:
         sides = {other: side for other, side in sides.items() if other[0] >= cube[0] - 1}
-        with closing(_Surface(folder, name)) as arrays:
-            shared, blocks, edges = (np.asarray(arrays[key]) for key in ("shared", "blocks", "places"))
-            near = [sides[other] for other in _around(cube) if other in sides]
-            known = _match(near, blocks, edges)
-            is_new = np.ones(len(arrays["vertices"]), bool)
-            is_new[shared[known >= 0]] = False
-            numbers = begin + np.cumsum(is_new) - 1
-            numbers[shared[known >= 0]] = known[known >= 0]
-            sides[cube] = _Sides(blocks, edges, numbers[shared])
-            yield _Numbered(name, arrays, numbers, is_new)
+        arrays = _surface(folder, name)
+        shared, blocks, edges = (arrays[key] for key in ("shared", "blocks", "places"))
+        near = [sides[other] for other in _around(cube) if other in sides]
+        known = _match(near, blocks, edges)
+        is_new = np.ones(len(arrays["vertices"]), bool)
+        is_new[shared[known >= 0]] = False
+        numbers = begin + np.cumsum(is_new) - 1
+        numbers[shared[known >= 0]] = known[known >= 0]
+        sides[cube] = _Sides(blocks, edges, numbers[shared])
+        yield _Numbered(name, arrays, numbers, is_new)
         begin += int(is_new.sum())
 
 

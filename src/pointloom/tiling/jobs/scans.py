@@ -7,7 +7,6 @@ poses; "loops" registers these. Results are bitwise those of `register_fragments
 
 from __future__ import annotations
 
-import zipfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -21,6 +20,7 @@ from ...core.checks import LARGEST_NUMBER, check_count, check_positive, check_ri
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.paths import job_file, path_of
+from ...io.points.archives import Arrays, Expected, read_part_of_job, rows_of
 from ...io.points.point_cloud import read_point_cloud
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import matmul, norm
@@ -61,6 +61,7 @@ from ..plan_check import (
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 SURFACES = "surfaces"  # folder of thinned scans
+_AGAIN = "Plan the scans again in another folder"
 MAX_CACHED = 2  # described scans cached per process: one pair. Consecutive pairs often share a scan
 NEAR = 12  # default neighbors by position
 STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # reason for the pairs of a stage
@@ -216,13 +217,9 @@ class RegistrationJob(Job):
 
     def _surface(self, scan: int) -> PointCloud:
         path, where = self._surface_path(scan), resolve_device(self.device)
-        try:
-            with path.open("rb") as file, np.load(file) as stored:
-                arrays = {name: upload(stored[name], vec3, where) for name in ("points", "normals")}
-                return PointCloud._from_device_arrays(arrays, stored["origin"])
-        except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
-            remedy = "Plan the scans again in another folder"
-            raise FileError(path, f"a scan's surface cannot be read: {error}", remedy=remedy) from error
+        stored = read_part_of_job(path, "a scan's surface", _arrays_of_surface, _find_infinite, _AGAIN)
+        arrays = {name: upload(stored[name], vec3, where) for name in ("points", "normals")}
+        return PointCloud._from_device_arrays(arrays, stored["origin"])
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
         (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])
@@ -336,6 +333,16 @@ def _solve_graph(
     pairs = [pair_of(row) for row in inputs["pairs"]]
     information = [np.array(row["information"]) for row in inputs["pairs"]]
     return poses_from_pairs(extents, pairs, information, size, free), pairs, information
+
+
+def _arrays_of_surface(arrays: Arrays) -> Expected:
+    rows = (np.float32, (rows_of(arrays, "points"), 3))
+    return {"points": rows, "normals": rows, "origin": (np.float64, (3,))}
+
+
+def _find_infinite(arrays: Arrays) -> str:
+    wrong = [name for name in ("points", "origin") if not np.isfinite(arrays[name]).all()]
+    return f"{wrong[0]}: expected finite numbers" if wrong else ""
 
 
 def pair_of(entry: dict[str, Any]) -> FragmentPair:
