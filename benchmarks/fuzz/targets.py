@@ -8,6 +8,7 @@ with the reason. Functions that only write are recognized by their names (`WRITE
 from __future__ import annotations
 
 import ast
+import functools
 import inspect
 import re
 from collections.abc import Iterator
@@ -25,6 +26,7 @@ TYPES = re.compile(r"PathLike|FilePath|\bPath\b|\bbytes\b")
 WRITERS = re.compile(r"\.(write_\w+|write|save\w*|to_json|capture_\w+|export_\w+|record\w*|screenshot|add_\w+)$")
 OPENERS = {"input_path", "open_source", "read_json_object", "read_text", "read_bytes", "read_arrays", "read_npy",
            "read_part_of_job"}  # fmt: skip
+_MAY_OPEN = re.compile("|".join([*OPENERS, r'"rb"', r"\.(?:load|connect|ZipFile)\("]))
 HOLDERS = {"np", "sqlite3", "zipfile"}  # of `load`, `connect` and `ZipFile`
 
 CLOUDS = ("cloud .ply", "cloud .pcd", "cloud .npz", "cloud .xyz", "cloud .xyzn", "cloud .xyzrgb", "cloud .pts",
@@ -317,14 +319,17 @@ def _members(module: ModuleType, prefix: str) -> Iterator[tuple[str, Any]]:
             yield f"{prefix}.{name}", value
 
 
-def opening_modules(root: Path) -> set[str]:
+@functools.cache
+def opening_modules(root: Path) -> frozenset[str]:
     """The modules of pointloom that open an input file, as paths in the package. Follows links."""
     package, found = root / "src" / "pointloom", set()
     for path in _files(package):
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        if any(isinstance(node, ast.Call) and _opens(node) for node in ast.walk(tree)):
-            found.add(path.relative_to(package).as_posix())
-    return found
+        text = path.read_text(encoding="utf-8")
+        if _MAY_OPEN.search(text):
+            tree = ast.parse(text)
+            if any(isinstance(node, ast.Call) and _opens(node) for node in ast.walk(tree)):
+                found.add(path.relative_to(package).as_posix())
+    return frozenset(found)
 
 
 def _files(folder: Path) -> Iterator[Path]:

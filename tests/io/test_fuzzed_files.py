@@ -1,4 +1,4 @@
-"""Damaged files are rejected or read correctly: a short run of benchmarks/fuzz, and a test of its oracles."""
+"""Damaged files are rejected or read correctly: a short run of benchmarks/fuzz, its list of readers, its oracles."""
 
 import sys
 import warnings
@@ -8,8 +8,12 @@ from types import ModuleType
 
 import pytest
 
+import pointloom as loom
+import pointloom.open3d as o3d
+
 FOLDER = Path(__file__).resolve().parents[2] / "benchmarks" / "fuzz"
-NAMES = ("run", "cases", "job_cases", "mutations", "oracles", "other_cases", "ply_oracle")
+NAMES = ("run", "cases", "folder_cases", "job_cases", "mutations", "open3d_cases", "oracles", "other_cases")
+NAMES += ("ply_oracle", "public_cases", "targets")
 CASES = ("OBJ", "OBJ corners", "OFF", "STL", "PLY mesh, text", "PLY mesh, binary", "PCD")
 JOBS = ("area", "steps", "transforms.json", "configuration", "depth bundle", "occupancy grid", "control grid")
 GLTF = ("GLB", "glTF")
@@ -38,6 +42,47 @@ def test_damaged_files_are_rejected_or_read_correctly(fuzz, name, tmp_path):
     results = fuzz.fuzz(case_of(fuzz, name), range(60), 0, tmp_path)
     assert [entry for entry in results if entry[1] not in ("refused", "read")] == []
     assert {what for _, what, _ in results} == {"refused", "read"}
+
+
+# One input of each open3d case and of some others takes a second. The nightly run has thousands of all cases.
+GROUPS = {"pointloom.open3d": "open3d ", "clouds": "cloud ", "meshes": "mesh "}
+
+
+@pytest.mark.parametrize("begin", GROUPS.values(), ids=GROUPS)
+def test_public_readers_reject_or_read_damaged_files(fuzz, begin, tmp_path):
+    cases = [case for case in fuzz.CASES if case.name.startswith(begin)]
+    numbers = range(1, 8, 2)  # damaged, not only truncated
+    wrong = [(case.name, *entry) for case in cases for entry in fuzz.fuzz(case, numbers, 3, tmp_path)]
+    assert cases and [entry for entry in wrong if entry[2] not in ("refused", "read")] == []
+
+
+@pytest.mark.slow
+def test_all_other_readers_reject_or_read_damaged_files(fuzz, tmp_path):
+    rest = [case for case in fuzz.CASES if not case.name.startswith(("job of", *GROUPS.values(), *CASES, *JOBS))]
+    wrong = [(case.name, *entry) for case in rest for entry in fuzz.fuzz(case, range(1, 8, 2), 3, tmp_path)]
+    assert [entry for entry in wrong if entry[2] not in ("refused", "read")] == []
+
+
+def test_every_function_that_reads_has_a_case_or_a_reason(fuzz):
+    import targets
+
+    cases = {case.name for case in fuzz.CASES}
+    assert targets.uncovered(FOLDER.parents[1], loom, o3d, cases) == []
+
+
+def test_a_reader_without_a_case_is_reported(fuzz, monkeypatch):
+    import targets
+
+    cases = {case.name for case in fuzz.CASES}
+    monkeypatch.delitem(targets.PUBLIC, "o3d.io.read_octree")
+    monkeypatch.delitem(targets.MODULES, "open3d/io/ply_elements.py")
+    monkeypatch.setitem(targets.PUBLIC, "loom.read_view", ())
+    lines = targets.uncovered(FOLDER.parents[1], loom, o3d, cases)
+    assert {line.split(":")[0] for line in lines} == {
+        "o3d.io.read_octree",
+        "open3d/io/ply_elements.py",
+        "loom.read_view",
+    }
 
 
 @pytest.mark.parametrize("name", CASES)

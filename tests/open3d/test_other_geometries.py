@@ -448,6 +448,109 @@ def test_damaged_files_are_reported(octree, tmp_path):
             o3d.io.read_octree(path)
 
 
+LEAF = {"class_name": "OctreePointColorLeafNode", "color": [1, 0, 0], "indices": [0]}
+
+
+def inner(*children):
+    return {"class_name": "OctreeInternalNode", "children": [*children] + [{}] * (8 - len(children))}
+
+
+@pytest.mark.parametrize(
+    ("wrong", "where", "expected"),
+    [
+        ({"class_name": "Foo"}, "class_name", "expected 'Octree'"),
+        ({"max_depth": 1.0}, "max_depth", "expected an integer from 0"),
+        ({"max_depth": True}, "max_depth", "expected an integer from 0"),
+        ({"max_depth": 10**9}, "max_depth", "expected an integer from 0"),
+        ({"origin": [0, 0]}, "origin", "expected a list of 3 numbers"),
+        ({"origin": [0, 0, 1e200]}, "origin", "expected finite numbers"),
+        ({"size": "1"}, "size", "expected finite numbers"),
+        ({"more": 1}, "more", "is unknown"),
+        ({"tree": inner("OctreeColorLeafNode")}, r"tree\.children\[0\]", "expected an object"),
+        ({"tree": {"class_name": ["OctreeColorLeafNode"]}}, r"tree\.class_name", "expected one of"),
+        ({"tree": inner(inner(inner(LEAF)))}, r"tree\.children\[0\]\.children\[0\]\.children", "max_depth"),
+        ({"tree": inner({"class_name": "OctreeColorLeafNode"})}, r"tree\.children\[0\]\.color", "missing"),
+        ({"tree": LEAF | {"color": [1, -5, 0]}}, r"tree\.color", "in 0..1"),
+        ({"tree": LEAF | {"color": [1, True, 0]}}, r"tree\.color", "finite numbers"),
+        *(
+            ({"tree": LEAF | {"indices": value}}, r"tree\.indices", "expected a")
+            for value in ([10**30], [1.7], [[1, 2], [3, 4]], [-5], ["0"], [True], 3)
+        ),
+    ],
+)
+def test_wrong_values_of_an_octree_are_named(tmp_path, wrong, where, expected):
+    path = tmp_path / "tree.json"
+    path.write_text(
+        json.dumps({"class_name": "Octree", "origin": [0, 0, 0], "size": 1.0, "max_depth": 2, "tree": {}} | wrong)
+    )
+    with pytest.raises(loom.FileError, match=rf"tree\.json \(key {where}.*\): .*{expected}"):
+        o3d.io.read_octree(path)
+
+
+def test_only_readable_octrees_are_written(tmp_path):
+    tree = G.Octree(1, [0, 0, 0], 1)
+    leaf = G.OctreeColorLeafNode
+    tree.insert_point([0.1] * 3, leaf.get_init_function(), leaf.get_update_function([9, 0, 0]))
+    with pytest.raises(ValueError, match=r"octree: key tree\.children\[0\]\.color: expected red"):
+        o3d.io.write_octree(tmp_path / "tree.json", tree)
+    assert not list(tmp_path.iterdir())
+
+
+GRID = """ply
+format ascii 1.0
+element origin 1
+property double x
+property double y
+property double z
+element rotation 1
+{rotation}element voxel_size 1
+property double val
+element vertex {count}
+property double x
+property double y
+property double z
+property float red
+property float green
+property float blue
+end_header
+{values}
+"""
+ROTATION = "".join(f"property double r{row}{column}\n" for row in range(3) for column in range(3))
+SOUND = {"origin": "0 0 0", "rotation": "1 0 0 0 1 0 0 0 1", "size": "0.25", "cell": "1 0 0 255 0 9"}
+
+
+@pytest.mark.parametrize(
+    ("part", "value", "where"),
+    [
+        *(("cell", f"{x} 0 0 0 0 0", r"element vertex, row 0, property x\): expected integers") for x in
+          ("nan", "inf", "1e30", "3000000000", "0.7")),
+        *(("cell", f"1 0 0 0 {green} 0", r"element vertex, row 0, property green\): expected colors") for green in
+          ("nan", "256", "-1")),
+        ("cell", "1 0 0 0 0 0\n1 0 0 0 0 9", "expected each voxel once"),
+        *(("size", value, "voxel_size") for value in ("0", "-1", "nan", "inf")),
+        *(("origin", f"0 {y} 0", r"element origin, row 0, property y\): expected finite") for y in ("nan", "1e300")),
+        *(("rotation", f"1 0 0 0 1 0 0 0 {r}", "rotation") for r in ("nan", "2", "-1")),
+    ],
+)  # fmt: skip
+def test_wrong_values_of_a_voxel_grid_are_named(tmp_path, part, value, where):
+    path = tmp_path / "grid.ply"
+    for values in (SOUND, SOUND | {part: value}):
+        count = values["cell"].count("\n") + 1
+        path.write_text(GRID.format(rotation=ROTATION, count=count, values="\n".join(values.values())))
+        if values is SOUND:
+            (voxel,) = o3d.io.read_voxel_grid(path).get_voxels()
+            np.testing.assert_allclose(voxel.color, [1, 0, 9 / 255])
+            assert voxel.grid_index.tolist() == [1, 0, 0]
+        else:
+            with pytest.raises(loom.FileError, match=rf"grid\.ply.*{where}"):
+                o3d.io.read_voxel_grid(path)
+
+
+def test_an_empty_voxel_grid_is_read_as_written(tmp_path):
+    o3d.io.write_voxel_grid(tmp_path / "grid.ply", VoxelGrid())
+    assert not o3d.io.read_voxel_grid(tmp_path / "grid.ply").has_voxels()
+
+
 def test_bounds_are_those_of_the_cube_and_motions_raise(octree):
     np.testing.assert_allclose(octree.get_max_bound() - octree.get_min_bound(), octree.size)
     np.testing.assert_allclose(octree.get_center(), octree.origin + octree.size / 2)

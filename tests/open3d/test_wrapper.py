@@ -1,6 +1,7 @@
 """Objects of pointloom.open3d wrap pointloom objects: arrays, vectors, and contents of files."""
 
 import copy
+import json
 import pickle
 import subprocess
 import sys
@@ -323,6 +324,53 @@ def test_line_sets_are_read_as_written(rng, tmp_path, is_text, is_colored):
     np.testing.assert_array_equal(again.lines, lines.lines)
     assert again.has_colors() == is_colored
     np.testing.assert_allclose(again.colors, lines.colors, atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("rows", "where"),
+    [
+        ("0 0 nan\n1 0 0\n0 1", r"element vertex, row 0, property z\): expected finite"),
+        *((f"0 0 0\n1 0 0\n0 {end}", r"element edge, row 0, property vertex2\): expected integers from 0 to 1")
+          for end in ("2", "-1", "0.5", "nan")),
+    ],
+)  # fmt: skip
+def test_wrong_values_of_a_line_set_are_named(tmp_path, rows, where):
+    names = {"vertex 2": ("x", "y", "z"), "edge 1": ("vertex1", "vertex2")}
+    head = [f"element {of}\n" + "".join(f"property double {p}\n" for p in each) for of, each in names.items()]
+    (tmp_path / "lines.ply").write_text(f"ply\nformat ascii 1.0\n{''.join(head)}end_header\n{rows}\n")
+    with pytest.raises(loom.FileError, match=rf"lines\.ply.*{where}"):
+        o3d.io.read_line_set(tmp_path / "lines.ply")
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"\1\0\0\0", np.array([1, 2], "<i4").tobytes() + np.array([0, np.nan]).tobytes()]
+)
+def test_damaged_features_are_named(tmp_path, data):
+    (tmp_path / "a.bin").write_bytes(data)
+    with pytest.raises(loom.FileError, match=r"a\.bin.*expected"):
+        o3d.io.read_feature(tmp_path / "a.bin")
+
+
+def test_errors_of_bytes_name_the_argument_and_no_temporary_file():
+    with pytest.raises(loom.FileError, match=r"^bytes \(line 1\)") as caught:
+        o3d.io.read_point_cloud_from_bytes(b"1 2 x\n", "mem::xyz")
+    assert "cloud." not in str(caught.value)
+    with pytest.raises(TypeError, match="bytes: expected"):
+        o3d.io.read_point_cloud_from_bytes("1 2 3", "mem::xyz")
+
+
+@pytest.mark.parametrize(
+    ("wrong", "where"),
+    [({"extrinsic": [2.0] * 16}, "extrinsic"), ({"class_name": "PinholeCamera"}, "class_name"),
+     ({"version_major": True}, "version_major")],
+)  # fmt: skip
+def test_wrong_values_of_camera_parameters_are_named(tmp_path, wrong, where):
+    path, parameters = tmp_path / "camera.json", o3d.camera.PinholeCameraParameters()
+    parameters.intrinsic = o3d.camera.PinholeCameraIntrinsic(64, 48, 50, 50, 31.5, 23.5)
+    o3d.io.write_pinhole_camera_parameters(path, parameters)
+    path.write_text(json.dumps(json.loads(path.read_text()) | wrong))
+    with pytest.raises(loom.FileError, match=rf"camera\.json \(key {where}\)"):
+        o3d.io.read_pinhole_camera_parameters(path)
 
 
 def test_files_without_lines_are_reported(colored, tmp_path):

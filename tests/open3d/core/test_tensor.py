@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import pointloom as loom
 import pointloom.open3d.core as o3c
 
 TYPES = ("float32", "float64", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64", "bool")
@@ -280,6 +281,47 @@ def test_rows_stay_when_the_buffers_grow_and_copies_are_independent(device, tmp_
     stored = o3c.HashMap.load(tmp_path / "table.npz")
     assert (stored.size(), stored.capacity(), len(stored.value_tensors())) == (1, 1, 1)
     assert stored.value_tensor()[stored.find(o3c.Tensor([-7]))[0]].numpy().tolist() == [[3, 4]]
+
+
+KEYS, ONE = np.array([[3], [1]], np.int32), np.array([1])
+
+
+@pytest.mark.parametrize(
+    ("arrays", "expected"),
+    [
+        ({"key": KEYS}, "n_values"),
+        ({"key": KEYS, "n_values": ONE}, "n_values"),
+        ({"key": KEYS.astype(float), "n_values": ONE - 1}, "key.*expected integers"),
+        ({"key": np.array(3), "n_values": ONE - 1}, "key.*expected integers"),
+        ({"key": KEYS[[0, 0]], "n_values": ONE - 1}, "key.*duplicate"),
+        ({"key": KEYS, "n_values": ONE, "value_001": KEYS}, "value_000"),
+        ({"key": KEYS, "n_values": ONE, "value_000": KEYS[:1]}, "value_000.*expected 2 rows"),
+        ({"key": KEYS, "n_values": ONE, "value_000": KEYS.astype(np.float16)}, "float16"),
+        ({"key": KEYS, "n_values": np.array([0.0])}, "n_values"),
+    ],
+)
+def test_wrong_arrays_of_a_map_are_named(tmp_path, arrays, expected):
+    np.savez(tmp_path / "table.npz", **arrays)
+    with pytest.raises(loom.FileError, match=rf"table\.npz.*{expected}"):
+        o3c.HashMap.load(tmp_path / "table.npz")
+
+
+def test_values_of_any_number_of_axes_are_loaded_and_a_set_takes_none(tmp_path):
+    values = np.arange(2 * 16, dtype=np.float32).reshape(2, 2, 2, 2, 2, 1)
+    np.savez(tmp_path / "table.npz", key=KEYS, n_values=ONE, value_000=values)
+    table = o3c.HashMap.load(tmp_path / "table.npz")
+    np.testing.assert_array_equal(table.value_tensor()[table.find(o3c.Tensor(KEYS))[0]].numpy(), values)
+    with pytest.raises(loom.FileError, match="expected keys without values"):
+        o3c.HashSet.load(tmp_path / "table.npz")
+
+
+@pytest.mark.parametrize("values", [np.array("text"), np.array([1j]), np.zeros(2, np.float16), np.zeros(1, "i4,f4")])
+def test_arrays_that_are_no_tensor_are_named(tmp_path, values):
+    np.save(tmp_path / "a.npy", values)
+    for data in ((tmp_path / "a.npy").read_bytes(), b"", b"\x93NUMPY"):
+        (tmp_path / "a.npy").write_bytes(data)
+        with pytest.raises(loom.FileError, match=r"a\.npy"):
+            o3c.Tensor.load(tmp_path / "a.npy")
 
 
 def test_a_set_has_keys_only():
