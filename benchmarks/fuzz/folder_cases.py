@@ -95,6 +95,14 @@ def room(folder: Path) -> None:
     write_room_sequence(folder, frame_count=3, width=32, height=24)
 
 
+def matrix_room(folder: Path) -> None:
+    """The room with its camera as a text of 3 x 3 numbers."""
+    shutil.copytree(made(room), folder)
+    K = json.loads((folder / "camera-intrinsics.json").read_text())["intrinsic_matrix"]
+    (folder / "camera-intrinsics.json").unlink()
+    (folder / "camera-intrinsics.txt").write_text("".join(f"{K[i]} {K[i + 3]} {K[i + 6]}\n" for i in range(3)))
+
+
 def tum(folder: Path) -> None:
     """A data set in the layout of TUM."""
     for kind, ending in (("rgb", "color"), ("depth", "depth")):
@@ -276,6 +284,7 @@ FOLDERS = [
     *(member(f"COLMAP {name}.bin", binary_model, f"{name}.bin", mutations.binary, COLMAP)
       for name in ("cameras", "images", "points3D")),
     member(ROOM.format("camera"), room, "camera-intrinsics.json", values, read_dataset),
+    member(ROOM.format("matrix"), matrix_room, "camera-intrinsics.txt", mutations.text, read_dataset),
     member(ROOM.format("pose"), room, "frame-000001.pose.txt", mutations.text, read_dataset),
     member(ROOM.format("depth"), room, "frame-000001.depth.png", mutations.binary, read_dataset),
     member(ROOM.format("color"), room, "frame-000001.color.png", mutations.binary, read_dataset),

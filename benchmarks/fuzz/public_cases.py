@@ -22,6 +22,7 @@ from job_cases import anything, arrays, values
 
 import pointloom as loom
 from pointloom.cli.jobs.evaluate import read_extrinsic
+from pointloom.cli.jobs.info import describe
 from pointloom.cli.jobs.stations import read_control, read_targets
 from pointloom.io.pictures.photo_files import read_exif, read_photo
 from pointloom.photogrammetry.depth.estimation import read_distances
@@ -253,6 +254,16 @@ def _places(path: Path) -> Any:
     return loom.sfm.read_picture_places([path])
 
 
+def _describe_folder(path: Path) -> Any:
+    shutil.rmtree(folder := path.parent / "several", ignore_errors=True)
+    folder.mkdir()
+    shutil.copyfile(path, folder / path.name)
+    report = describe(folder)
+    if "Error" in str(report.broken) and "FileError" not in str(report.broken):
+        raise ValueError(report.broken)
+    return [repr(report), report.fields(), report.to_dict()]
+
+
 def _plan(path: Path) -> Any:
     """Plan a job with steps. Errors may name a file that the steps name."""
     shutil.rmtree(folder := path.parent / "planned", ignore_errors=True)
@@ -304,6 +315,9 @@ PUBLIC = [
     ("targets of stations", ".csv", text(TARGETS), mutations.text,
      lambda p: read_targets(p, ["A", "B"]), anything),
     ("extrinsic", ".txt", text(MATRIX), mutations.text, read_extrinsic, anything),
+    ("described .txt", ".txt", text(MATRIX, "525 0 80\n0 525 60\n0 0 1\n"), mutations.text, describe, anything),
+    ("described .json", ".json", written(".json", camera_list, graph, polygon, view), values, describe, anything),
+    ("described folder", ".ply", written(".ply", write_cloud), mutations.binary, _describe_folder, anything),
     ("distances", ".txt", text("u v meters\n1 2 3.5\n2 3 4\n"), mutations.text, read_distances, anything),
     ("steps of a job", ".toml", job_cases.steps, mutations.text, _plan, anything),
 ]  # fmt: skip

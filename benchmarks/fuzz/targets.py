@@ -36,7 +36,7 @@ MESHES = ("mesh .ply", "mesh .obj", "mesh .stl", "mesh .off", "mesh .glb", "mesh
 POSES = ("trajectory .log", "trajectory .tum", "trajectory .kitti", "trajectory .json")
 MODELS = ("COLMAP cameras.txt", "COLMAP images.txt", "COLMAP points3D.txt", "COLMAP cameras.bin", "COLMAP images.bin",
           "COLMAP points3D.bin")  # fmt: skip
-DATASETS = ("data set, camera", "data set, pose", "data set, depth", "data set, color", "TUM, list", "TUM, poses",
+DATASETS = ("data set, camera", "data set, matrix", "data set, pose", "data set, depth", "data set, color", "TUM, list", "TUM, poses",
             "recorded frames, times")  # fmt: skip
 IMAGES = ("color .png", "color .jpg")
 DEPTHS = ("depth .png", "depth .npy")
@@ -171,7 +171,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "cameras/camera.py": ("camera .json",),
     "cameras/pose_text.py": ("trajectory .log", "extrinsic"),
     "cameras/trajectory.py": POSES,
-    "cli/jobs/info.py": ("camera .json", *POSES, *CLOUDS, *MESHES),
+    "cli/jobs/info.py": ("described .txt", "described .json", "described folder"),
     "cli/jobs/stations.py": ("control of stations", "targets of stations"),
     "cli/shell/chapters.py": OF_PACKAGE,
     "cli/shell/help_commands.py": OF_PACKAGE,

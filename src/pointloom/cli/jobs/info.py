@@ -23,7 +23,7 @@ from ...cameras.pose_text import parse_floats, read_lines, read_pose
 from ...cameras.trajectory import read_trajectory
 from ...core.atomic import restore_folder
 from ...core.coordinates import describe_bounds, split_origin
-from ...core.errors import FileError
+from ...core.errors import FileError, values_of_file
 from ...core.json_files import read_json_object
 from ...core.reports import Assessed, Fields, Report
 from ...core.wording import format_triple
@@ -42,7 +42,7 @@ from ...io.points.las_crs import crs_name
 from ...io.points.las_units import units_of
 from ...io.points.ptx import describe_ptx
 from ...io.points.scan_files import natural_key
-from ...io.table import MeshTable
+from ...io.table import MeshTable, PointTable
 from .facts import (
     Camera,
     CameraMatrix,
@@ -180,6 +180,11 @@ def _describe_file(path: Path) -> Facts:
 
 def _describe_table(path: Path, columns: Sequence[str] | None = None) -> Cloud | Mesh:
     table = tables.read_table(path, columns)
+    with values_of_file(path):  # coordinates beyond float32
+        return _facts_of(table)
+
+
+def _facts_of(table: PointTable | MeshTable) -> Cloud | Mesh:
     if isinstance(table, MeshTable):
         named = {"normals": table.vertex_normals, "colors": table.vertex_colors, **table.attributes}
         named["texture_coordinates"] = table.triangle_uvs
