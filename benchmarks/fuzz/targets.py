@@ -36,8 +36,8 @@ MESHES = ("mesh .ply", "mesh .obj", "mesh .stl", "mesh .off", "mesh .glb", "mesh
 POSES = ("trajectory .log", "trajectory .tum", "trajectory .kitti", "trajectory .json")
 MODELS = ("COLMAP cameras.txt", "COLMAP images.txt", "COLMAP points3D.txt", "COLMAP cameras.bin", "COLMAP images.bin",
           "COLMAP points3D.bin")  # fmt: skip
-DATASETS = ("data set, camera", "data set, matrix", "data set, pose", "data set, depth", "data set, color", "TUM, list", "TUM, poses",
-            "recorded frames, times")  # fmt: skip
+DATASETS = ("data set, camera", "data set, matrix", "data set, pose", "data set, depth", "data set, color", "TUM, list",
+            "TUM, poses", "recorded frames, times")  # fmt: skip
 IMAGES = ("color .png", "color .jpg")
 DEPTHS = ("depth .png", "depth .npy")
 TILES = ("plan of a manifest", "manifest")

@@ -353,6 +353,41 @@ def test_points_that_are_not_finite_are_dropped_on_request(tmp_path):
     assert rows.numpy().ravel().tolist() == [0, 2, 4]
 
 
+@pytest.mark.parametrize("name", ["values", "keys", "__class__", "positions"])
+def test_names_that_a_map_of_tensors_uses_itself_are_reported(tmp_path, name):
+    arrays = {"points": np.zeros((2, 3)), name: np.zeros(2)}
+    np.savez(tmp_path / "a.npz", **arrays)
+    with pytest.raises(FileError, match=rf"a\.npz.*{name}"):
+        io.read_point_cloud(tmp_path / "a.npz")
+
+
+SURFACE = {"vertices": np.eye(3, dtype=np.float32), "triangles": np.array([[0, 1, 2]])}
+
+
+@pytest.mark.parametrize(
+    ("wrong", "expected"),
+    [
+        ({"vertices": np.eye(3, dtype=int)}, "vertices.*expected floats"),
+        ({"vertices": np.full((3, 3), np.nan)}, "vertices, row 0.*expected finite"),
+        ({"vertices": np.zeros((3, 2))}, "vertices.*expected floats"),
+        ({"triangles": np.array([[0, 1, 3]])}, "triangles, row 0.*expected indices of 3"),
+        ({"triangles": np.array([[0, -1, 2]])}, "triangles, row 0.*expected indices of 3"),
+        ({"triangles": np.array([[0.0, 1, 2]])}, "triangles.*expected integers"),
+        ({"vertex_heat": np.zeros(2)}, "vertex_heat.*expected 3 rows"),
+        ({"triangle_heat": np.zeros(3)}, "triangle_heat.*expected 1 rows"),
+        ({"vertex_heat": np.zeros(3, np.float16)}, "heat.*float16"),
+        ({"vertex_clear": np.zeros(3)}, "clear"),
+        ({"tex_albedo": np.zeros((4, 4))}, "tex_albedo"),
+    ],
+)
+def test_wrong_arrays_of_a_mesh_are_named(tmp_path, wrong, expected):
+    np.savez(tmp_path / "mesh.npz", **SURFACE)
+    assert io.read_triangle_mesh(tmp_path / "mesh.npz").vertex._count() == 3
+    np.savez(tmp_path / "mesh.npz", **(SURFACE | wrong))
+    with pytest.raises(FileError, match=rf"mesh\.npz.*{expected}"):
+        io.read_triangle_mesh(tmp_path / "mesh.npz")
+
+
 def test_a_cloud_of_positions_and_an_empty_one_are_written(tmp_path):
     io.write_point_cloud(tmp_path / "a.ply", g.PointCloud(np.zeros((2, 3))))
     io.write_point_cloud(tmp_path / "b.ply", g.PointCloud())
