@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.registration.globally.global_registration import _is_equal
 from pointloom.registration.evidence import Evidence
+from pointloom.registration.globally.global_registration import _is_equal
 
 from .hilly_clouds import hills, misplacement, uneven_ground
 from .poses import moved, random_pose

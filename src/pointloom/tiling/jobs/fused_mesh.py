@@ -11,16 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_folder, atomic_write, check_folder, check_writable
-from ...core.checks import MAX_COUNT, shown
 from ...core.errors import FileError, FilePath
-from ...core.json_files import json_count
 from ...core.paths import path_of
 from ...io.meshes.mesh_formats import MESH_READERS
 from ...io.points.archives import Arrays, Expected, read_part_of_job, rows_of
 from ...io.points.ply import write_ply_mesh, write_ply_mesh_parts
 from ...io.table import MeshTable
 from ...kernels.volumes.block_surface import EDGES
-from ..manifest import NAME, Manifest
+from ..manifest import Manifest
 from .fusion import Cube, FusionJob, surface_path
 from .job import done_in
 from .run_jobs import finished_job
