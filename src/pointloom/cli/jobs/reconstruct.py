@@ -9,7 +9,7 @@ from typing import Any
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
-from ...core.reports import Fields
+from ...core.reports import Fields, with_warnings
 from ...core.timing import Clock
 from ...core.wording import plain
 from ...core.work_folder import check_work_folder
@@ -77,7 +77,7 @@ class ReconstructReport(FramesReport):
         fields = self.result.fields(self.rate)
         return [
             *self.folder.among(fields, before="path" if self.rate is not None else "fragments"),
-            *(self.result.error.fields() if self.result.error else []),
+            *(with_warnings(self.result.error.fields(), self.result.error) if self.result.error else []),
             *self.ending(),
         ]
 

@@ -11,7 +11,7 @@ from ...cameras.pose_files import check_trajectory_output, write_poses
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
-from ...core.reports import Fields
+from ...core.reports import Fields, with_warnings
 from ...core.timing import Clock
 from ...core.wording import plain
 from ...rgbd.slam.focal_check import FocalCheck, check_focal
@@ -42,7 +42,7 @@ class TrackReport(FramesReport):
         return [
             *self.folder.among(self.path.fields(self.rate), before="path"),
             ("model", f"voxels of {self.path.voxel_size * 1000:g} mm"),
-            *(self.path.error.fields() if self.path.error else []),
+            *(with_warnings(self.path.error.fields(), self.path.error) if self.path.error else []),
             *self.ending(),
         ]
 

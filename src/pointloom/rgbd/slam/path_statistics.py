@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,7 +21,8 @@ def error_against_truth(
     if len(pairs) < MIN_PAIRS:
         return None
     estimate, truth = (Trajectory(np.array(side)) for side in zip(*pairs, strict=True))
-    return evaluate_trajectory(estimate, truth, align=True)
+    error = evaluate_trajectory(estimate, truth, align=True)
+    return dataclasses.replace(error, estimate_count=len(poses), truth_count=len(poses))
 
 
 def path_length(poses: NDArray[np.float64]) -> float:
