@@ -32,6 +32,7 @@ class TexturedMesh(Report, Assessed):
         depth_max: Maximum depth of used pixels [m].
         turned, moved: Mean rotation [degrees] and translation [m] of the poses.
         size, texel_share: Texels per side, and fraction of texels seen. None without a texture.
+        source_warnings: Failed checks of the frames: an assumed or doubtful camera, or mostly unpaired images.
         reliable, warnings: True if all quality checks passed, and those that failed.
     """
 
@@ -43,6 +44,7 @@ class TexturedMesh(Report, Assessed):
     moved: float
     size: int | None = None
     texel_share: float | None = None
+    source_warnings: tuple[str, ...] = ()
 
     @property
     def frame_count(self) -> int:
@@ -74,7 +76,7 @@ class TexturedMesh(Report, Assessed):
                 f"the images do not agree better than before (residual {before:.4f} to {after:.4f}): the pose errors "
                 "are too large, or the colors change with the lighting. Compare with method='none'"
             )
-        return tuple(reasons)
+        return (*reasons, *self.source_warnings)
 
     def to_dict(self) -> dict[str, Any]:
         colors, shape = self.colors, self.colors.mesh

@@ -14,7 +14,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_name, check_positive, check_progress, check_rigid, shown
 from ...core.progress import ReportProgress
 from ...io.frames.datasets import Frame
-from ...io.frames.frames import depth_unit
+from ...io.frames.frames import depth_unit, source_warnings
 from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
@@ -78,7 +78,9 @@ def texture_mesh(
     report("colors", 0, 0)
     colors = _color(mesh, images, path, frames.intrinsic, method, farthest)
     rotated, moved = mean_motion(path, colors.trajectory)
-    result = TexturedMesh(colors.mesh, colors, method, farthest, rotated, moved)
+    result = TexturedMesh(
+        colors.mesh, colors, method, farthest, rotated, moved, source_warnings=source_warnings(frames)
+    )
     if size is None:
         return result
     report("texture", 0, 0)

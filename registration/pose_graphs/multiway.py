@@ -52,7 +52,10 @@ Matrices = NDArray[np.float64]
 
 ALL_PAIRS = 40  # maximum clouds for all pairs: 780
 NEARBY = 5  # following clouds tried with each, if there are more
-MAX_LISTED = 5  # clouds that a warning names
+# Minimum fraction of the source's voxels on the target of a pair in the graph. Below it, practically no surface is
+# shared, so the clouds do not support the relative pose.
+MIN_FITNESS = 0.02
+MAX_LISTED = 5  # clouds or pairs that a warning names
 LEVEL_ENOUGH = 1e-6  # [rad] maximum tilt of known level poses
 
 
@@ -69,6 +72,8 @@ class FragmentsResult(Report, Assessed):
         pairs: The accepted pairs.
         voxel_size: Voxel edge [m] of the registration.
         free: Free motions of the poses; None: all.
+        reliable, warnings: True if all quality checks passed, and those that failed: clouds that are not placed, pairs
+            of the pose graph whose clouds hardly overlap, and an optimization that did not converge.
     """
 
     poses: Matrices
@@ -83,17 +88,36 @@ class FragmentsResult(Report, Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks, each with its remedy. Empty if the result is reliable."""
-        lost = np.flatnonzero(~self.placed).tolist()
-        of_all = f"{len(lost)} of {len(self.placed)} clouds ({few_of([str(i) for i in lost], MAX_LISTED)})"
-        remedy = "Use more neighbors or another voxel_size, pass known pairs, or add clouds between them"
-        unconnected = f"{of_all} match none of the others, so their poses are unknown. {remedy}"
-        return (*failed(unconnected if lost else None), *self.graph_warnings)
+        return failed(self._why_not_placed(), *self.graph_warnings)
 
     @property
     def graph_warnings(self) -> tuple[str, ...]:
         """Failed quality checks of the pose graph of the placed clouds."""
         report = self.pose_graph.report
-        return report.warnings if isinstance(report, GlobalOptimizationReport) else ()
+        optimization = report.warnings if isinstance(report, GlobalOptimizationReport) else ()
+        return failed(self._why_no_overlap(), *optimization)
+
+    def _why_not_placed(self) -> str | None:
+        lost = np.flatnonzero(~self.placed).tolist()
+        if not lost:
+            return None
+        of_all = f"{len(lost)} of {len(self.placed)} clouds ({few_of([str(i) for i in lost], MAX_LISTED)})"
+        remedy = "Use more neighbors or another voxel_size, pass known pairs, or add clouds between them"
+        return f"{of_all} match none of the others, so their poses are unknown. {remedy}"
+
+    def _why_no_overlap(self) -> str | None:
+        members = np.flatnonzero(self.placed).tolist()
+        used = {(members[edge.source_node_id], members[edge.target_node_id]) for edge in self.pose_graph.edges}
+        empty = [
+            f"{p.source} and {p.target}"
+            for p in self.pairs
+            if (p.source, p.target) in used and not p.fitness >= MIN_FITNESS
+        ]
+        if not empty:
+            return None
+        remedy = "Check the poses of the known pairs, or use a larger voxel_size"
+        which = few_of(empty, MAX_LISTED)
+        return f"the clouds of {len(empty)} pairs hardly overlap at their relative poses ({which}). {remedy}"
 
     @property
     def trajectory(self) -> Trajectory:

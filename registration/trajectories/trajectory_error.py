@@ -117,8 +117,8 @@ class TrajectoryError(Report, Assessed):
         if self.aligned_by not in ("se3", "sim3") or count >= MIN_POSES:
             return None
         return (
-            f"an alignment of {count} poses makes the errors too small, since so few can be aligned with nearly any "
-            f"path: compare at least {MIN_POSES} poses"
+            f"the errors of so few poses ({count}) are too small after an alignment, which fits nearly any path to them: "
+            f"compare at least {MIN_POSES}"
         )
 
     def _other_sensor(self) -> str | None:

@@ -77,7 +77,8 @@ def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     kitchen, options = real_file("rgbd-7scenes-redkitchen"), FolderOptions(every=50)
     outputs = ModelOutputs(tmp_path / "kitchen.ply")
     report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_dict()
-    assert (report["reliable"], report["frames"]) == (True, 6)
+    (warning,) = report["warnings"]  # the folder has no camera file
+    assert "(the default of 7-Scenes)" in warning and report["frames"] == 6
     assert report["used_share"] > 0.8 and report["triangles"] > 10_000
     assert (np.array(report["bounds"]["min"]) > [-3, -2, 0]).all()
     assert (np.array(report["bounds"]["max"]) < [2, 2, 4.5]).all()
@@ -599,7 +600,7 @@ def test_a_few_real_frames_become_a_mesh(scan_file, tmp_path, folder, words, tra
         words = [*words, "--intrinsic", camera]
     result = run("reconstruct", scan_file(folder), "-o", tmp_path / "mesh.ply", *words, "--json", "--device", "cpu")
     report = json.loads(result.stdout)
-    assert result.exit_code == (3 if report["lost"] else 0) and report["tracked"] >= tracked
+    assert result.exit_code == (3 if report["lost"] or not words else 0) and report["tracked"] >= tracked
     assert report["triangles"] > 3000
 
 

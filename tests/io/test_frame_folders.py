@@ -16,6 +16,7 @@ from pointloom.cli.shell.cli import cli
 from pointloom.core.errors import DatasetError, FileError
 from pointloom.io.frames.dataset_layouts import associate, list_redwood, list_seven_scenes, list_tum
 from pointloom.io.frames.datasets import open_dataset, open_frames
+from pointloom.io.frames.frames import source_warnings
 from pointloom.io.frames.rgbd_sources import RGBDSource
 from pointloom.io.pictures.image_files import write_png
 
@@ -243,11 +244,13 @@ def test_a_file_like_a_camera_that_is_not_read_is_reported_with_the_default(tmp_
     folder = make("7scenes", tmp_path / "set", 1)
     for path in folder.glob("*.png"):
         write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
-    assert open_dataset(folder).reliable
+    dataset = open_dataset(folder)
+    assert not dataset.reliable and "contains no camera file, so it is assumed" in dataset.warnings[0]
     (folder / name).write_text("fx: 500\n")
     dataset = open_dataset(folder)
     assert dataset.intrinsic_source == "the default of 7-Scenes"
-    assert dataset.warnings == (f"{name} is beside the frames, but was not read; pass it as intrinsic=",)
+    assert f"it is assumed: {name} is beside the frames" in dataset.warnings[0]
+    assert open_dataset(folder, intrinsic=PinholeCameraIntrinsic.prime_sense_default()).reliable
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -591,6 +594,9 @@ def test_tum_reports_frames_without_a_partner(tmp_path):
     assert [frame.name for frame in frames] == ["100.000000"]
     reasons = [text.split(": ")[1] for text in left_out]
     assert reasons == ["no color within 0.02 s", "no color within 0.02 s", "no pose within 0.02 s"]
+    (warning,) = source_warnings(open_dataset(folder, intrinsic=SMALL))
+    assert "only 1 of 3 frames have all images and a pose at their time" in warning
+    assert source_warnings(open_dataset(make("tum", tmp_path / "all"), intrinsic=SMALL, every=3)) == ()
 
 
 def test_association_agrees_with_trying_all_pairs():

@@ -54,7 +54,7 @@ def test_fragments_in_any_order_are_aligned_to_the_first(device, fragments):
     order = [3, 0, 4, 1, 2]
     clouds = [loom.PointCloud(fragments.clouds[k], device=device) for k in order]
     result = reg.register_fragments(clouds, voxel_size=0.06)
-    assert result.placed.all() and result.reference == 0 and (result.groups == 0).all()
+    assert result.placed.all() and result.reference == 0 and (result.groups == 0).all() and result.reliable
     np.testing.assert_array_equal(result.poses[0], np.eye(4))
     assert worst_shift(result.poses, fragments.poses[order], list(range(5)), fragments.clouds[order[0]][::50]) < 0.01
     assert len(result.pose_graph.nodes) == 5 and len(result.pairs) >= 4
@@ -74,7 +74,7 @@ def test_a_cloud_without_overlap_is_excluded_and_reported(fragments, rng):
 def test_a_single_cloud_defines_its_frame():
     result = reg.register_fragments([loom.PointCloud(np.random.default_rng(0).random((500, 3)))], voxel_size=0.1)
     np.testing.assert_array_equal(result.poses, np.eye(4)[None])
-    assert result.placed.tolist() == [True] and not result.pairs
+    assert result.placed.tolist() == [True] and not result.pairs and result.reliable
 
 
 def test_empty_clouds_are_excluded(fragments):
@@ -90,6 +90,14 @@ def test_a_known_pair_is_refined_without_a_search(fragments):
     result = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
     assert seen == [("pairs", 0, 0)] and [(pair.source, pair.target) for pair in result.pairs] == [(1, 0)]
     assert worst_shift(result.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
+
+
+def test_a_known_pair_without_overlap_is_unreliable(fragments):
+    far = np.eye(4)
+    far[0, 3] = 50.0
+    clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
+    result = reg.register_fragments(clouds, voxel_size=0.06, known=[reg.FragmentPair(1, 0, far, 0.0, 1.0)])
+    assert result.placed.all() and not result.reliable and "(1 and 0)" in result.warnings[0]
 
 
 SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ear_back", "top2", "top3")

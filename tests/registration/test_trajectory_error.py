@@ -186,6 +186,36 @@ def test_times_that_are_not_in_seconds_are_named(unit, factor):
     assert len(evaluate_trajectory(other, other).pairs) == 9
 
 
+@pytest.mark.parametrize("align", [None, "first", True])
+@pytest.mark.parametrize("matches", [1, 2, 5, 20])
+def test_errors_of_a_fraction_of_the_poses_are_unreliable(rng, align, matches):
+    truth, times = random_walk(rng, 50), np.arange(50) * 0.1
+    apart = np.where(np.arange(50) % (50 // matches) == 0, times, times + 1e4)
+    apart[np.flatnonzero(apart < 1e4)[matches:]] += 1e4
+    error = evaluate_trajectory(Trajectory(truth, apart), Trajectory(truth, times), align=align)
+    assert len(error.pairs) == matches and not error.reliable
+    assert f"only {matches} of 50 poses match in time" in error.warnings[0] and f"{matches} of 50 poses" in str(error)
+    report = error.to_dict()
+    assert (report["compared"], report["estimate_poses"], report["truth_poses"]) == (matches, 50, 50)
+
+
+@pytest.mark.parametrize(
+    ("estimate", "truth", "reliable"),
+    [
+        (np.arange(50), np.arange(0, 50, 4), True),  # a slower truth
+        (np.arange(0, 50, 4), np.arange(50), True),
+        (np.arange(10, 30), np.arange(50), True),  # of a part of the recording
+        (np.arange(50), np.arange(20), False),  # only the start has a truth
+        (np.arange(9), np.arange(9), False),
+        (np.arange(10), np.arange(10), True),
+    ],
+)
+def test_rates_and_ends_of_the_paths_may_differ(rng, estimate, truth, reliable):
+    path = random_walk(rng, 50)
+    a, b = (Trajectory(path[rows], rows * 0.1) for rows in (estimate, truth))
+    assert evaluate_trajectory(a, b).reliable == reliable
+
+
 def test_a_path_that_lost_frames_gets_advice_on_matching(rng):
     truth, frames = Trajectory(random_walk(rng, 9)), np.array([0, 1, 4, 5, 8])
     estimate = Trajectory(truth.poses[frames], ids=np.stack([frames, frames, frames + 1], axis=1))

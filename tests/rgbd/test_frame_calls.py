@@ -145,6 +145,40 @@ def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_pa
         assert f"  {label} " in str(result)
 
 
+def texture(frames: Any, _: Path) -> Any:
+    triangle = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
+    return loom.color_map.texture_mesh(triangle, frames, method="none")
+
+
+def fuse_by_cubes(frames: Any, job: Path) -> Any:
+    loom.tiling.plan_fusion(frames.folder, job, voxel_size=0.1, intrinsic=frames.intrinsic)
+    return loom.tiling.run_job(job)
+
+
+SMALL_FRAGMENTS = ReconstructionConfig(depth_max=4.0, tsdf_voxel_size=0.1)
+CALLS = {
+    "fuse": lambda frames, _: loom.fuse(frames, voxel_size=0.1),
+    "fuse, refined": lambda frames, _: loom.fuse(frames, voxel_size=0.1, refine=True),
+    "track": lambda frames, _: loom.track(frames, voxel_size=0.1),
+    "reconstruct": lambda frames, _: loom.reconstruct(frames, voxel_size=0.1),
+    "by fragments": lambda frames, work: loom.reconstruct(frames, fragments=FragmentOptions(work, SMALL_FRAGMENTS)),
+    "run_system": lambda frames, work: loom.reconstruction.run_system(frames, SMALL_FRAGMENTS, work),
+    "texture_mesh": texture,
+    "tiling": fuse_by_cubes,
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_results_of_frames_with_a_doubtful_camera_are_unreliable(folder, tmp_path, name):
+    camera = loom.PinholeCameraIntrinsic(CAMERA.width, CAMERA.height, CAMERA.fx, CAMERA.fy, 0.0, 0.0)
+    result = CALLS[name](loom.open_dataset(folder, intrinsic=camera), tmp_path / "work")
+    assert not result.reliable
+    assert [
+        warning for warning in result.warnings if warning.startswith("the camera may be wrong (the intrinsic given)")
+    ]
+    assert result.to_dict()["reliable"] is False
+
+
 class Damaged:
     """Frames that can be read by index, except some."""
 

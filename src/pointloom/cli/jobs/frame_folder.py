@@ -15,14 +15,7 @@ from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds
 from ...io.bags.recording import is_recording, open_recording
 from ...io.frames.datasets import RGBDDataset, open_dataset, open_frames
-from ...io.frames.frames import (
-    camera_line,
-    camera_problem,
-    describe_camera,
-    describe_folder,
-    open_folder,
-    why_incomplete,
-)
+from ...io.frames.frames import camera_line, describe_camera, describe_folder, open_folder, why_incomplete
 from .job import Done, JobReport
 
 
@@ -82,12 +75,9 @@ class FrameFolder(Assessed):
             raise FileError(path, "contains no poses", remedy=remedy) from error
 
     @property
-    def camera_problem(self) -> str | None:
-        return camera_problem(self.dataset, describe_camera(self.dataset, self.intrinsic)["source"])
-
-    @property
     def warnings(self) -> tuple[str, ...]:
-        return failed(why_incomplete(self.dataset), self.camera_problem)
+        """Omitted frames. The results of the frames report doubts about the camera."""
+        return failed(why_incomplete(self.dataset))
 
     def done(self, command: str, clock: Clock, files: Iterable[str], *warnings: str | None) -> Done:
         return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), failed(*warnings))

@@ -87,7 +87,8 @@ def register_in_job(
             write_poses_and_graph(job, result, output, graph)
     names = tuple(path.name for path in paths)
     lost = [Path(path).name for path in result.not_placed]
-    done = job.done(placement_warning(lost, len(names), is_written), *result.graph_warnings)
+    unplaced = placement_warning(lost, len(names), is_written)
+    done = job.done(unplaced, *result.graph_warnings, *status.warnings)
     return PlacedReport(done, where, voxel_size, True, names, result.points, result, status.notes)
 
 

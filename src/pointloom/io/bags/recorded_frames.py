@@ -165,6 +165,7 @@ class RecordedFrames(Assessed):
         depth_scale: 1000, as integer depth is millimeters.
         depth, color: The topics. None without color.
         left_out: Images without a partner in time.
+        pairing: Number of frames that were paired by time, and of possible ones. Empty without color.
         layout: "recording".
         intrinsic_source: Source of the camera.
         warnings: Why the camera may belong to other images. Empty if no check failed.
@@ -187,6 +188,7 @@ class RecordedFrames(Assessed):
         self._kinds = recording.topic_types()
         self._lock = threading.Lock()
         self.left_out: list[str] = []
+        self.pairing: tuple[int, ...] = ()
         self._rows = self._pairs(tolerance)[::every]
         self.warnings, self.intrinsic_source = (), "given"
         self.intrinsic = intrinsic or self._find_camera()
@@ -238,6 +240,7 @@ class RecordedFrames(Assessed):
         color = self._stamped(self.color)
         times = [np.array([time for time, _ in side]) for side in (depth, color)]
         pairs = associate(times[0], times[1], tolerance)
+        self.pairing = len(pairs), min(len(depth), len(color))
         for i, (time, _) in enumerate(depth):
             if i not in pairs:
                 self.left_out.append(f"{self.depth} at {time:.6f} s: no color within {tolerance:g} s")

@@ -43,12 +43,13 @@ class FrameFiles:
 class Demand:
     """Requirements on frames: `poses` are "needed", "taken" if present, or "ignored".
     `skip_missing` skips incomplete frames instead of rejecting the folder, `keep_lost` keeps frames with a lost pose.
-    `left_out` collects skipped frames with reasons."""
+    `left_out` collects skipped frames with reasons, `pairing` the number of frames paired by time and of possible ones."""
 
     poses: str = "needed"
     skip_missing: bool = False
     keep_lost: bool = False
     left_out: list[str] = dataclasses.field(default_factory=list)
+    pairing: list[int] = dataclasses.field(default_factory=list)
 
     def miss(self, path: Path, reason: str, remedy: str) -> None:
         """Reject the folder for a missing file, or skip the frame."""
@@ -270,6 +271,7 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
             folder / "rgb.txt", "missing, although there is rgb/", remedy="It contains the times of color"
         )
     frames, left_out = [], demand.left_out
+    sides = [len(depth_times)] + [len(color_names)] * (color_of is not None) + [len(poses)] * (demand.poses == "needed")
     for i, (time, name) in enumerate(zip(depth_times.tolist(), depth_names, strict=True)):
         T_world_camera, color = _pose_at(pose_times, poses, time), None
         if T_world_camera is None and demand.poses == "needed":
@@ -288,6 +290,7 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
     if not frames:
         reason = f"no depth map has a pose and color within {TUM_TOLERANCE} s; the first: {left_out[0]}"
         raise DatasetError(folder, reason, remedy="The clocks of depth.txt, rgb.txt and groundtruth.txt must agree")
+    demand.pairing.extend((len(frames), min(sides)))
     return frames, left_out
 
 

@@ -150,7 +150,9 @@ def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: f
     if layout == "7scenes":
         intrinsic, source = PinholeCameraIntrinsic(640, 480, 585.0, 585.0, 320.0, 240.0), "the default of 7-Scenes"
     unread = sorted(path.name for path in folder.iterdir() if _LIKE_A_CAMERA.fullmatch(path.name) and path.is_file())
-    warning = f"{unread[0]} is beside the frames, but was not read; pass it as intrinsic=" if unread else ""
+    warning = "the folder contains no camera file, so it is assumed; pass intrinsic=, or add a camera-intrinsics.json"
+    if unread:
+        warning = f"it is assumed: {unread[0]} is beside the frames, but was not read; pass it as intrinsic="
     return FoundCamera(intrinsic, source, depth_scale, warning)
 
 
@@ -231,8 +233,10 @@ class RGBDDataset(Assessed):
         frames: The files, in order of capture.
         left_out: Skipped files with the reason: unpaired TUM files and, with `skip_missing`, incomplete frames.
         intrinsic_source: Source of the camera.
-        warnings: Why the camera may belong to other images. Empty if no check failed.
+        warnings: Why the camera may be wrong: assumed, since no file contains it, or that of other images. Empty if no
+            check failed.
         resize_color: Resize color to the size of depth.
+        pairing: Number of frames that were paired by time, and of possible ones. Empty for other layouts.
     """
 
     folder: Path
@@ -244,6 +248,7 @@ class RGBDDataset(Assessed):
     intrinsic_source: str = ""
     warnings: tuple[str, ...] = ()
     resize_color: bool = False
+    pairing: tuple[int, ...] = ()
 
     def __len__(self) -> int:
         return len(self.frames)
@@ -443,7 +448,8 @@ def _open(
             remedy="Give intrinsic= of these images; intrinsic.scaled(factor) adapts one to resized images",
         )
     warnings = failed(camera_source.warning)
-    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, camera_source.source, warnings, resize)
+    found = demand.left_out, camera_source.source, warnings, resize, tuple(demand.pairing)
+    return RGBDDataset(folder, layout, camera, scale, frames, *found)
 
 
 def _is_complete(frame: FrameFiles, demand: Demand) -> bool:

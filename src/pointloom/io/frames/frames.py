@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
+from ...core.matched_counts import why_few_matched
+from ...core.reports import failed
 from ...core.wording import format_share
 from .datasets import RGBDDataset, open_frames
 from .rgbd_sources import RGBDSource
@@ -156,6 +158,17 @@ def camera_problem(dataset: Any, source: str) -> str | None:
     """Why the camera may belong to other images, or None."""
     problem = "; ".join(dataset.warnings)
     return f"the camera may be wrong ({source}): {problem}" if problem else None
+
+
+def source_warnings(frames: Any) -> tuple[str, ...]:
+    """Failed checks of a source of frames: a doubtful camera, and mostly unpaired images."""
+    unpaired, camera = None, None
+    if pairing := getattr(frames, "pairing", ()):
+        remedy = "check that the clocks of depth, color and poses agree"
+        unpaired = why_few_matched(*pairing, "frames have all images and a pose at their time", remedy)
+    if getattr(frames, "warnings", ()):
+        camera = camera_problem(frames, getattr(frames, "intrinsic_source", "") or "of the frames")
+    return failed(unpaired, camera)
 
 
 def why_out_of_range(depth_share: float, used_share: float, depth_max: float) -> str | None:

@@ -23,6 +23,7 @@ from ...io.frames.frames import (
     depth_unit,
     measured_shares,
     read_frames,
+    source_warnings,
 )
 from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
@@ -108,7 +109,8 @@ def fuse(
     clock.stop("extract")
     share_off, extent = None if refine else check.share_off(fold.volume), check.seen_extent()
     clock.stop("check")
-    return FusionResult(mesh, fold.volume, poses, max_depth, *shares, threshold, fold.refinement, share_off, extent)
+    figures = threshold, fold.refinement, share_off, extent, source_warnings(frames)
+    return FusionResult(mesh, fold.volume, poses, max_depth, *shares, *figures)
 
 
 class _AsGiven:

@@ -35,6 +35,7 @@ class FusionResult(Assessed):
         refinement: Result of the pose refinement, if any.
         share_off: Median fraction of pixels off the surface at the given poses. None if unknown.
         seen_extent: Longest side of the observed scene [m]. None if not measured.
+        source_warnings: Failed checks of the frames: an assumed or doubtful camera, or mostly unpaired images.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -59,6 +60,7 @@ class FusionResult(Assessed):
     refinement: PoseRefinement | None = None
     share_off: float | None = None
     seen_extent: float | None = None
+    source_warnings: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         return in_columns(with_warnings(self.fields(), self))
@@ -89,7 +91,7 @@ class FusionResult(Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         refinement = () if self.refinement is None else self.refinement.warnings
-        return failed(self._why_no_surface, *refinement, self._why_contradicted)
+        return failed(self._why_no_surface, *refinement, self._why_contradicted, *self.source_warnings)
 
     @property
     def _why_contradicted(self) -> str | None:

@@ -12,7 +12,7 @@ from ...core.paths import refuse_link
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, peak_bytes
 from ...io.frames.datasets import open_frames
-from ...io.frames.frames import FrameSource
+from ...io.frames.frames import FrameSource, source_warnings
 from ...io.frames.recordings import record_frames
 from ...io.frames.rgbd_sources import RGBDSource
 from .config import ReconstructionConfig
@@ -108,7 +108,8 @@ def run_system(
         clock.stop("integrate")
     cost: dict[str, Any] = {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
     figures = None if bent is None else bent.figures
-    return report_of(os.fspath(folder), len(frames), fragment_set, placement, scene, slac=figures, **cost)
+    cost |= {"slac": figures, "source_warnings": source_warnings(source)}
+    return report_of(os.fspath(folder), len(frames), fragment_set, placement, scene, **cost)
 
 
 def _readable(source: Any, job: JobFiles, resume: bool, report_progress: ReportProgress) -> FrameSource:

@@ -147,6 +147,7 @@ def report_of(
     slac: dict[str, Any] | None,
     seconds: dict[str, float],
     peak_bytes: int,
+    source_warnings: tuple[str, ...] = (),
 ) -> SystemReport:
     registered = [False] * len(fragment_set.fragments) if placement is None else placement.placed.tolist()
     lost = _lost_frames(fragment_set, registered, scene)
@@ -178,7 +179,7 @@ def report_of(
         trajectory_error=error,
         resumed=fragment_set.resumed,
         files=tuple(os.fspath(path) for path in files),
-        warnings=_warnings(lost, scene, frame_count),
+        warnings=(*_warnings(lost, scene, frame_count), *source_warnings),
         slac=slac,
         seconds=seconds,
         peak_bytes=peak_bytes,

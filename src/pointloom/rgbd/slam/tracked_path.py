@@ -54,6 +54,7 @@ class TrackedPath(Assessed):
         drifted: Uncertain frames whose accumulated deviation is too large.
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
             lost for long.
+        source_warnings: Failed checks of the frames: an assumed or doubtful camera, or mostly unpaired images.
         joins: A MapJoin for each two maps with a relative pose: the evidence, and the reason if rejected.
     """
 
@@ -79,6 +80,7 @@ class TrackedPath(Assessed):
     joins: tuple[MapJoin, ...] = ()
     covered: tuple[int, ...] = ()
     notes: tuple[str, ...] = ()
+    source_warnings: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         return in_columns([*self.fields(), ("model", f"voxels of {self.voxel_size * 1000:g} mm")])
@@ -110,7 +112,7 @@ class TrackedPath(Assessed):
         if unreadable := self.unreadable:
             first = next(iter(unreadable.values()))
             reasons.append(f"{len(unreadable)} of {count} frames cannot be read and are left out: {first}")
-        return tuple(reasons)
+        return (*reasons, *self.source_warnings)
 
     def _apart(self) -> str:
         numbers_by_map = [_numbers(path) for path in self.other_maps]

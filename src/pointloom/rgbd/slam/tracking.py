@@ -25,6 +25,7 @@ from ...io.frames.frames import (
     depth_unit,
     measured_shares,
     read_frames_or_errors,
+    source_warnings,
 )
 from ...io.frames.rgbd_sources import RGBDSource
 from .dense_slam import DenseSLAM
@@ -123,7 +124,8 @@ def track_with(
         raise ValueError("frames: expected at least one frame, got none")
     slam.join_maps()
     clock.stop("track")
-    return tally.path(voxel_size=voxel_size, depth_max=depth_max, device=str(device))
+    sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": str(device)}
+    return tally.path(**sizes, source_warnings=source_warnings(frames))
 
 
 def make_slam(

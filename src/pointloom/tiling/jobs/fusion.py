@@ -26,7 +26,7 @@ from ...core.coordinates import split_origin
 from ...core.errors import FileError, FilePath
 from ...core.paths import job_file, path_of, plain_name
 from ...io.frames.datasets import Frame, RGBDDataset, open_frames
-from ...io.frames.frames import depth_unit, read_in_order
+from ...io.frames.frames import depth_unit, read_in_order, source_warnings
 from ...kernels.linear_algebra import inv
 from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 from ...meshing.volume.surface_weights import min_weight
@@ -133,6 +133,9 @@ class FusionJob(Job):
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         notes = [f"left out: {name}" for name in self.plan["left_out"]]
         return notes + [f"left out: {reason}" for task in done(0) for reason in task.result["left_out"]]
+
+    def warnings(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+        return [*source_warnings(self.frames)]
 
     def _look(self, inputs: dict[str, Any]) -> dict[str, Any]:
         """Cubes that frames touch, and those with blocks beyond the extra layer."""

@@ -12,6 +12,7 @@ import sqlite3
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
@@ -19,6 +20,7 @@ from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
+from ...core.reports import Assessed, quality
 from ...core.wording import plain
 from ..job_folder import make_folder
 from ..manifest import FINAL_STATES, NAME, Manifest, damage_as_file_errors, new_manifest
@@ -74,9 +76,13 @@ class Job(ABC):
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         return []
 
+    def warnings(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+        """Failed quality checks of the input and of finished tasks."""
+        return []
+
 
 @dataclass(frozen=True)
-class JobStatus:
+class JobStatus(Assessed):
     """Progress of a job.
 
     Attributes:
@@ -87,6 +93,8 @@ class JobStatus:
         is_finished: True if all stages are done.
         troubles: (task, error) of failed and quarantined tasks.
         notes: What was skipped, and why.
+        task_warnings: Failed quality checks of the input and of finished tasks.
+        reliable, warnings: True if no task failed and all quality checks passed so far; else the reasons.
     """
 
     folder: str
@@ -100,16 +108,21 @@ class JobStatus:
     is_finished: bool
     troubles: dict[str, str]
     notes: tuple[str, ...]
+    task_warnings: tuple[str, ...] = ()
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return (*(f"{name}: {error}" for name, error in self.troubles.items()), *self.task_warnings)
 
     def to_dict(self) -> dict[str, Any]:
-        return plain(asdict(self))
+        return plain(asdict(self)) | quality(self)
 
     def __str__(self) -> str:
         total = self.waiting + self.running + self.done + self.failed + self.aside
         parts = [f"{self.job}: {self.done} of {total} tasks done" + ("" if self.is_finished else f", at {self.stage}")]
         counts = {"waiting": self.waiting, "running": self.running, "failed": self.failed, "quarantined": self.aside}
         parts += [f"{count} {name}" for name, count in counts.items() if count]
-        lines = [*(f"{name}: {error}" for name, error in self.troubles.items()), *self.notes]
+        lines = [*self.warnings, *self.notes]
         return escaped("; ".join(parts)) + "".join(f"\n  {escaped(line)}" for line in lines)
 
 
@@ -203,7 +216,8 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
     left = sum(counts[state] for state in counts if state not in ("done", "empty"))
     bad = manifest.rows("SELECT name, error FROM tasks WHERE state IN ('failed', 'aside') ORDER BY id")
     with damage_as_file_errors(manifest.folder / NAME):
-        notes = tuple(job.notes(lambda earlier: done_in(manifest, job, earlier)))
+        done = partial(done_in, manifest, job)
+        notes, warnings = tuple(job.notes(done)), tuple(job.warnings(done))
     return JobStatus(
         folder=str(manifest.folder),
         job=job.KIND,
@@ -212,6 +226,7 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
         is_finished=not left and stage == len(job.STAGES) - 1,
         troubles={row["name"]: row["error"] or "" for row in bad},
         notes=notes,
+        task_warnings=warnings,
     )
 
 

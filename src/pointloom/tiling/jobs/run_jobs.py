@@ -81,12 +81,11 @@ class SequencesJob(Job):
         return figures | {"warnings": list(report.warnings)} | {"left_out": source.left_out, "stamp": stamp}
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        """Unreliable sequences and skipped frames."""
-        notes = []
-        for task in done(0):
-            notes += [f"{task.name}: {warning}" for warning in task.result["warnings"]]
-            notes += [f"{task.name}: left out: {reason}" for reason in task.result["left_out"]]
-        return notes
+        """Skipped frames."""
+        return [f"{task.name}: left out: {reason}" for task in done(0) for reason in task.result["left_out"]]
+
+    def warnings(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+        return [f"{task.name}: {warning}" for task in done(0) for warning in task.result["warnings"]]
 
 
 def plan_sequences(
@@ -203,7 +202,7 @@ def run_job(
         progress: Called with the stage, its finished tasks and its task count.
 
     Returns:
-        A JobStatus. Check `failed` and `aside`.
+        A JobStatus. Check `is_finished` and `reliable`.
 
     Raises:
         FileError: If there is no plan, its files or version changed, or workers cannot be started.

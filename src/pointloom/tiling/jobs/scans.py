@@ -146,13 +146,13 @@ class RegistrationJob(Job):
         (graph,) = done(3)
         return [_task(pair_of(entry), is_known=False) for entry in graph.result["candidates"]]
 
-    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+    def warnings(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         scans = list(done(0))
         names = [self.plan["scans"][task.inputs["scan"]] for task in scans]
         units = sorted({task.result["unit"] for task in scans if task.result["unit"]})
-        notes = [f"the scans are in different units, {' and '.join(units)}"] if len(units) > 1 else []
+        warnings = [f"the scans are in different units, {' and '.join(units)}"] if len(units) > 1 else []
         few = [name for name, task in zip(names, scans, strict=True) if not task.result["voxels"]]
-        return [*notes, *(f"{name}: has no surface with voxels of {self.size:g}" for name in few)]
+        return [*warnings, *(f"{name}: has no surface with voxels of {self.size:g}" for name in few)]
 
     def _first_pairs(self, scans: Sequence[Done]) -> list[tuple[int, int]]:
         plan, count = self.plan, len(scans)
