@@ -32,7 +32,7 @@ class TexturedMesh(Report, Assessed):
         depth_max: Maximum depth of used pixels [m].
         turned, moved: Mean rotation [degrees] and translation [m] of the poses.
         size, texel_share: Texels per side, and fraction of texels seen. None without a texture.
-        source_warnings: Failed checks of the frames: an assumed or doubtful camera, or mostly unpaired images.
+        source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
         reliable, warnings: True if all quality checks passed, and those that failed.
     """
 

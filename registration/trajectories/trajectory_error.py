@@ -117,8 +117,8 @@ class TrajectoryError(Report, Assessed):
         if self.aligned_by not in ("se3", "sim3") or count >= MIN_POSES:
             return None
         return (
-            f"the errors of so few poses ({count}) are too small after an alignment, which fits nearly any path to them: "
-            f"compare at least {MIN_POSES}"
+            f"the errors of so few poses ({count}) are too small after an alignment, which fits nearly any path to "
+            f"them: compare at least {MIN_POSES}"
         )
 
     def _other_sensor(self) -> str | None:

@@ -146,8 +146,7 @@ def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_pa
 
 
 def texture(frames: Any, _: Path) -> Any:
-    triangle = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
-    return loom.color_map.texture_mesh(triangle, frames, method="none")
+    return loom.color_map.texture_mesh(loom.fuse(frames, voxel_size=0.1).mesh, frames, method="none")
 
 
 def fuse_by_cubes(frames: Any, job: Path) -> Any:
@@ -173,9 +172,7 @@ def test_results_of_frames_with_a_doubtful_camera_are_unreliable(folder, tmp_pat
     camera = loom.PinholeCameraIntrinsic(CAMERA.width, CAMERA.height, CAMERA.fx, CAMERA.fy, 0.0, 0.0)
     result = CALLS[name](loom.open_dataset(folder, intrinsic=camera), tmp_path / "work")
     assert not result.reliable
-    assert [
-        warning for warning in result.warnings if warning.startswith("the camera may be wrong (the intrinsic given)")
-    ]
+    assert any(line.startswith("the camera may be wrong (the intrinsic given)") for line in result.warnings)
     assert result.to_dict()["reliable"] is False
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from .wording import format_share
 
-# Minimum fraction of the possible matches. With fewer, most of the data has no partner: a figure of the rest says
-# little about all of it, and the clocks or names probably differ.
+# Minimum fraction of the possible matches. With fewer, most of the data has no partner: figures of the rest do
+# not describe it, and the clocks or names probably differ.
 MIN_MATCHED = 0.5
 
 

@@ -76,7 +76,7 @@ class FrameFolder(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Omitted frames. The results of the frames report doubts about the camera."""
+        """Omitted frames. The results of the frames report an assumed or implausible camera."""
         return failed(why_incomplete(self.dataset))
 
     def done(self, command: str, clock: Clock, files: Iterable[str], *warnings: str | None) -> Done:

@@ -43,7 +43,9 @@ class FrameFiles:
 class Demand:
     """Requirements on frames: `poses` are "needed", "taken" if present, or "ignored".
     `skip_missing` skips incomplete frames instead of rejecting the folder, `keep_lost` keeps frames with a lost pose.
-    `left_out` collects skipped frames with reasons, `pairing` the number of frames paired by time and of possible ones."""
+    `left_out` collects skipped frames with reasons, `pairing` the numbers of frames paired by time and of possible
+    ones.
+    """
 
     poses: str = "needed"
     skip_missing: bool = False

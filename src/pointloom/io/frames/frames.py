@@ -161,7 +161,7 @@ def camera_problem(dataset: Any, source: str) -> str | None:
 
 
 def source_warnings(frames: Any) -> tuple[str, ...]:
-    """Failed checks of a source of frames: a doubtful camera, and mostly unpaired images."""
+    """Failed checks of a source of frames: an assumed or implausible camera, and mostly unpaired images."""
     unpaired, camera = None, None
     if pairing := getattr(frames, "pairing", ()):
         remedy = "check that the clocks of depth, color and poses agree"

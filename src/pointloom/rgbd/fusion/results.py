@@ -35,7 +35,7 @@ class FusionResult(Assessed):
         refinement: Result of the pose refinement, if any.
         share_off: Median fraction of pixels off the surface at the given poses. None if unknown.
         seen_extent: Longest side of the observed scene [m]. None if not measured.
-        source_warnings: Failed checks of the frames: an assumed or doubtful camera, or mostly unpaired images.
+        source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -54,7 +54,7 @@ class TrackedPath(Assessed):
         drifted: Uncertain frames whose accumulated deviation is too large.
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
             lost for long.
-        source_warnings: Failed checks of the frames: an assumed or doubtful camera, or mostly unpaired images.
+        source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
         joins: A MapJoin for each two maps with a relative pose: the evidence, and the reason if rejected.
     """
 
