@@ -32,13 +32,13 @@ from ..core.units import common_unit
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
+from ..kernels.arrays.duplicates import first_occurrences
 from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.arrays.subsets import draw_rows, other_rows, sort_rows, step_rows
 from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import float64, int32, vec3
 from ..kernels.memory import cast, download, full, upload
-from ..kernels.sampling.duplicates import first_occurrences
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, nearest_to_middles, trace_voxels
