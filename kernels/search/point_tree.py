@@ -60,6 +60,7 @@ class PointTree:
     def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
         hilbert = HilbertOrder(points, curve)
         self.source, self.device = points, points.device
+        self.is_searched_for_copies, self.copies, self.distinct = False, None, None  # of distinct_points.py
         self.low, self.high = hilbert.low, hilbert.high
         self.count, self.order, self.curve = hilbert.finite_count, hilbert.order, hilbert.curve
         sizes, first = level_sizes(-(-self.count // BUCKET))
