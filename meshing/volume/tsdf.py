@@ -32,6 +32,7 @@ from ...kernels.volumes.block_rows import SeenBlocks
 from ...kernels.volumes.block_surface import BlockSurface
 from ...kernels.volumes.device_frames import DeviceFrames
 from ...kernels.volumes.integrate import Frame, integrate_depth
+from ...kernels.volumes.removal import remove_depth
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, touched_blocks
 from ...kernels.volumes.voxel_blocks import VoxelBlocks
 from ...pcd.cloud import PointCloud
@@ -202,6 +203,23 @@ class TSDFVolume(ScanIntegration, HintedNames):
         count = self._fold(depth, depth_scale, depth_max, intrinsic, T, pixels)
         self._frames, self._next = after, None
         return count
+
+    def _remove_device_frame(
+        self, depth: Any, intrinsic: PinholeCameraIntrinsic, T_world_camera: NDArray[Any], pixels: Any, depth_max: float
+    ) -> None:
+        """Undo `_integrate_device_frame` of the same frame at the same pose, up to rounding. `depth` is in meters."""
+        frames, T = self._current_frames, np.array(T_world_camera, np.float64)
+        T[:3, 3] -= self.origin
+        after = _Frames(frames.count - 1, frames.origin, frames.colored)
+        metric, largest = depth_images.metric_depth(depth, 1.0, depth_max)
+        frame = Frame(metric, depth_images.largest_depth(largest), intrinsic, pixels)
+        self._next = (self._blocks.frame_count + 1, after)
+        if frame.farthest > 0:
+            sizes = self.truncation, self.voxel_size
+            keys: Any = self._filter_keys(touched_blocks(metric, frame.farthest, intrinsic, T, *sizes))
+            if keys.size:
+                remove_depth(keys, frame, inv(T), self._blocks)
+        self._frames, self._next = after, None
 
     def _pixels_of(self, image: RGBDImage, color: ArrayLike | None) -> Any:
         """Colors of an image on the device. None if the volume keeps none, or others are given."""

@@ -9,7 +9,8 @@ from scipy.spatial import cKDTree
 import pointloom as loom
 from pointloom.cameras.images import upload_raw_depth
 from pointloom.kernels.images.depth import largest_depth, metric_depth
-from pointloom.kernels.lang import uint16
+from pointloom.kernels.lang import uint8, uint16
+from pointloom.kernels.memory import upload
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
 
 from ..registration.poses import as_pose
@@ -53,6 +54,36 @@ class Reference:
 
     def arrays(self):
         return [np.stack([self.blocks[key][i] for key in sorted(self.blocks)]) for i in range(4)]
+
+
+def test_a_removed_frame_leaves_the_voxels_of_the_others(device, rng):
+    frames = list(scenes.small_frames(rng, 6))
+    partial, complete = (loom.TSDFVolume(voxel_size=0.02, device=device) for _ in range(2))
+    for k, (depth, T, color) in enumerate(frames):
+        for volume in (partial, complete)[k in (1, 4) :]:
+            volume.integrate(depth, SMALL, np.linalg.inv(T), color=color)
+    emptied = complete.copy()
+    for volume, numbers in ((complete, (1, 4)), (emptied, range(6))):
+        for k in numbers:
+            depth, T, color = frames[k]
+            raw, scale, farthest, *_ = upload_raw_depth(depth, None, 3.0, volume.device)
+            pixels = upload(color.reshape(-1, 3), uint8, volume.device)
+            T = np.linalg.inv(np.linalg.inv(T))
+            volume._remove_device_frame(metric_depth(raw, scale, farthest)[0], SMALL, T, pixels, farthest)
+    assert (partial.frame_count, complete.frame_count, emptied.frame_count) == (4, 4, 0)
+    assert scenes.voxels_of(emptied)[2].max() == 0 and not len(emptied.extract_triangle_mesh(0))
+    expected, result = (
+        {tuple(block): rest for block, *rest in zip(*scenes.voxels_of(volume), strict=True)}
+        for volume in (partial, complete)
+    )
+    for block, (distances, weights, colors) in result.items():
+        if block not in expected:
+            assert weights.max() == 0
+            continue
+        kept, seen = expected[block], weights > 0
+        np.testing.assert_array_equal(weights, kept[1])
+        np.testing.assert_allclose(distances[seen], kept[0][seen], atol=2e-6)
+        assert np.abs(colors[seen].astype(float) - kept[2][seen]).max(initial=0) <= 257 / 8, "an eighth of a level"
 
 
 @pytest.mark.parametrize(("voxel_size", "truncation"), [(0.02, 0.08), (0.05, 0.05), (0.03, 0.4)])

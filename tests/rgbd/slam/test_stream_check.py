@@ -130,10 +130,13 @@ def test_depth_two_frames_late_is_uncertain_from_the_first_frame():
     late = [changed(f, depth=source[k].depth, timestamp=k / 30) for k, f in enumerate(source[2:])]
     slam = begun("cpu")
     assert "tracked" not in statuses(slam.run(late)) and "depth is 0.07 s late" in slam.stream.problem
+    assert not any(r.fused and not r.has_drifted for r in slam.results)
+    assert slam.volume.frame_count == sum(r.fused for r in slam.results) and slam.model.frame_count > 10
 
 
-def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
-    source, slam = frames(*range(4)), begun(device)
+@pytest.mark.parametrize("submap_frames", [None, 2])
+def test_reported_frames_are_uncertain_and_withdrawn_from_the_surface(device, submap_frames):
+    source, slam = frames(*range(4)), begun(device, submap_frames=submap_frames)
     slam.run(source[:3])
     slam.stream.lag.current = Apart(1, 3, 30.0, 1.0)
     result = slam.step(source[3])
@@ -143,6 +146,13 @@ def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
     )
     assert (result.status, result.warnings, result.fused) == ("uncertain", (message,), False)
     assert statuses(slam.results) == ["tracked", "uncertain", "uncertain", "uncertain"]
+    assert [r.fused for r in slam.results] == [True, False, False, False] and slam.volume.frame_count == 1
+    alone = begun(device, submap_frames=submap_frames)
+    alone.run(source[:1])
+    for close in (lambda _: None, loom.slam.DenseSLAM.close_loops)[: 1 if submap_frames is None else 2]:
+        close(slam), close(alone)
+        vertices, expected = (np.sort(each.extract_triangle_mesh(0).vertices, axis=0) for each in (slam, alone))
+        np.testing.assert_allclose(vertices, expected, atol=1e-5)
     assert str(Apart(1, 3, -30.0, np.nan)).startswith("depth is 30.0 frames early")
 
 

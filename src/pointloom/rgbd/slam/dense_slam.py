@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import operator
+from collections import deque
 from collections.abc import Iterable
 from typing import Any
 
@@ -32,9 +33,8 @@ from .keyframes import Keyframes
 from .loops import LoopClosure, close_loops, corrected_trajectory, fuse_submaps
 from .map_joins import MapJoin
 from .map_merging import Joining
-from .maps import Maps, SlamMap, map_sizes
+from .maps import FusedFrame, Maps, SlamMap, map_sizes
 from .model import Model
-from .moving_objects import Movers
 from .results import TrackingResult, with_pose
 from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
@@ -42,6 +42,9 @@ from .tracker import Tracker, clean_pose
 
 Pose = NDArray[np.float64]
 
+# Fused frames that can be withdrawn, 2 MB each at 640 x 480. A time offset is detected after 20 to 25 frames with
+# rotation. Earlier frames before it had no rotation, so their color and depth agree.
+MAX_UNCHECKED = 90
 YOUNG = 60  # frames in which a model with moving objects restarts: two seconds at 30 Hz
 
 
@@ -118,6 +121,7 @@ class DenseSLAM(Serialized):
         self.results: list[TrackingResult] = []
         self.stream, self.foreground, self.fixed_parts = StreamCheck(), Foreground(), FixedParts()
         self._latest: tuple[Any, SensorFrame] | None = None
+        self._unchecked: deque[FusedFrame] = deque(maxlen=MAX_UNCHECKED)
         self._maps = Maps(self._new_map)
         self._joining = Joining(self._maps, self.results, self._seed)
 
@@ -163,7 +167,7 @@ class DenseSLAM(Serialized):
     @property
     def volume(self) -> TSDFVolume:
         """The volume of the largest map, to which `trajectory` and the surface refer."""
-        return self._largest.model.volume
+        return self._largest.model.surface_volume
 
     @property
     def _largest(self) -> SlamMap:
@@ -246,6 +250,8 @@ class DenseSLAM(Serialized):
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
         here = self._maps.here
+        if prepared.pixels is not None:  # without color the streams cannot be compared
+            self._unchecked.append(FusedFrame(result.index, here, depth, pixels, result.pose))
         if here.recorder is not None:
             with unwatched():
                 record_frame(here.recorder, prepared, depth, pixels, result)
@@ -314,10 +320,11 @@ class DenseSLAM(Serialized):
             raise ValueError("submap_frames: no frame was fused yet, so there is no submap; call run or step first")
         report_progress = check_progress(progress)
         self.join_maps()
+        self._unchecked.clear()  # the poses change
         largest = self._largest
         with unwatched():
             for other in self._maps.searchable:
-                if other is not largest and other.model.frame_count:
+                if other is not largest and other.model.surface_volume.frame_count:
                     close_and_correct(other, self.results, report_progress)
             closed = close_and_correct(largest, self.results, report_progress)
         report("loops", slam=self, closure=closed)
@@ -394,12 +401,21 @@ class DenseSLAM(Serialized):
         self.fixed_parts.set_pose(pose)
 
     def _note_offset(self) -> None:
-        """Mark earlier frames whose color and depth turn out to be apart in time as uncertain."""
+        """Withdraw earlier frames whose color and depth turn out to be apart in time, and mark them as uncertain."""
         apart = self.stream.lag.current
+        first = self.stream.lag.synchronized if apart is None else apart.first
+        while self._unchecked and self._unchecked[0].index < first:
+            self._unchecked.popleft()
         if apart is None:
             return
-        for i in range(apart.first, len(self.results)):
-            if self.results[i].is_tracked:
+        withdrawn = [frame.index for frame in self._unchecked if frame.owner in self._maps.searchable]
+        for frame in self._unchecked:
+            if frame.index in withdrawn:
+                frame.owner.withdraw(frame)
+                self.results[frame.index] = dataclasses.replace(self.results[frame.index], fused=False)
+        self._unchecked.clear()
+        for i in range(first, len(self.results)):
+            if self.results[i].is_tracked and not self.results[i].fused:
                 self.results[i] = dataclasses.replace(self.results[i], status="uncertain", warnings=(str(apart),))
 
     def _restarts(self, frame: SensorFrame) -> bool:
@@ -415,6 +431,7 @@ class DenseSLAM(Serialized):
         if pose is None or self.model.frame_count > YOUNG:
             return False
         self._maps.here.begin_again(clean_pose(pose), self._new_recorder(self.model))
+        self._unchecked.clear()
         return True
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
@@ -468,6 +485,6 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
     recorder.submaps = [
         dataclasses.replace(submap, T_world_submap=T) for submap, T in zip(submaps, closure.T_world_submap, strict=True)
     ]
-    model.volume, model.movers = fuse_submaps(recorder.submaps), Movers()
+    model.replace(fuse_submaps(recorder.submaps))
     model.current_frame_pose = corrected(model.current_frame_pose, len(results))
     return closure

@@ -98,7 +98,7 @@ def model_by_slam(
 
 def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tuple[TSDFVolume, SlamAccount]:
     volume = slam.volume  # without loop closures the tracked volume is kept
-    if not slam.model.frame_count:
+    if not volume.frame_count:
         return volume, SlamAccount(path)
     closure = slam.close_loops(progress=progress)
     counts: dict[str, Any] = {"submap_count": len(closure.T_world_submap), "refused_loop_count": len(closure.refused)}

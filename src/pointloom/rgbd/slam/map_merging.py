@@ -15,7 +15,6 @@ from .frames import SensorFrame
 from .loop_pairs import Candidate, Loop, SubmapSurface, refine, verify_far
 from .map_joins import MIN_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
 from .maps import Maps, SlamMap, map_sizes
-from .moving_objects import Movers
 from .results import TrackingResult, with_pose
 from .submaps import Submap
 from .tracker import AGREED, clean_pose, join_covariance
@@ -56,7 +55,7 @@ def _pieces(known: SlamMap, results: list[TrackingResult]) -> list[Submap]:
     if not fused:
         return []
     frames, poses = [result.index for result in fused], [result.pose for result in fused]
-    return [Submap(known.model.volume, np.eye(4), np.array(frames), np.array(poses), follows=False)]
+    return [Submap(known.model.surface_volume, np.eye(4), np.array(frames), np.array(poses), follows=False)]
 
 
 def _distinct(loops: list[Loop], submap_poses: list[Pose]) -> list[Pose]:
@@ -90,8 +89,10 @@ def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results:
             for submap in source.recorder.finish()
         ]
         target.recorder.take_over(moved)
-    model = target.model
-    model.volume, model.movers = fuse_volumes([model.volume, source.model.volume], np.array([np.eye(4), T])), Movers()
+    model, other, poses = target.model, source.model, np.array([np.eye(4), T])
+    complete = model.surface_volume is model.volume and other.surface_volume is other.volume
+    surface = None if complete else fuse_volumes([model.surface_volume, other.surface_volume], poses)
+    model.replace(fuse_volumes([model.volume, other.volume], poses), surface)
 
 
 def hand_over(target: SlamMap, source: SlamMap, T_target_source: Pose) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,16 @@ LONGEST_TRIAL = 30  # maximum frames of a trial
 MAX_MAPS = 4  # kept with a model; beyond it the smallest inactive one is freed
 
 
+class FusedFrame(NamedTuple):
+    """A frame as it was fused into the map `owner`: its number, depth [m], colors or None, and pose."""
+
+    index: int
+    owner: SlamMap
+    depth: Any
+    pixels: Any
+    pose: Pose
+
+
 class SlamMap:
     """A model with its own coordinates, numbered from 0, with keyframes, tracker, and submap recorder or None."""
 
@@ -41,6 +52,12 @@ class SlamMap:
         self.model.begin_anew(pose)
         self.keyframes, self.recorder = Keyframes(self.model.device, self.keyframes.seed), recorder
         self.tracker = Tracker(self.model, self.keyframes)
+
+    def withdraw(self, frame: FusedFrame) -> None:
+        """Remove a frame from the surface and the submaps. Tracking continues with the complete model."""
+        self.model.withdraw(frame.depth, frame.pixels, frame.pose)
+        if self.recorder is not None:
+            self.recorder.withdraw(frame.index, frame.depth, frame.pose, frame.pixels)
 
     def leave(self) -> None:
         """Mark the camera as lost here since it continues in another map."""

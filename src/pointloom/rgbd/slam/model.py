@@ -51,7 +51,8 @@ class Model(Serialized):
 
     Attributes:
         current_frame_pose: Pose of the last integrated frame; initially T_init.
-        volume: The TSDFVolume.
+        volume: The TSDFVolume for tracking.
+        surface_volume: The TSDFVolume of the surface: `volume` without frames that were withdrawn.
         movers: The detector of moving objects. Empty if disabled.
 
     Raises:
@@ -92,6 +93,7 @@ class Model(Serialized):
         self.current_frame_pose = np.eye(4) if T_init is None else check_rigid("T_init", T_init)
         self.volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, device=device)
         self.device = self.volume.device
+        self._without: TSDFVolume | None = None  # the volume without withdrawn frames, if there are any
         self.leave_out_moving, self.movers = bool(leave_out_moving), Movers()
         self._view = compared_camera(intrinsic)
 
@@ -100,13 +102,27 @@ class Model(Serialized):
 
     @property
     def frame_count(self) -> int:
-        """Number of integrated frames."""
+        """Number of integrated frames, with those that were withdrawn."""
         return self.volume.frame_count
+
+    @property
+    def surface_volume(self) -> TSDFVolume:
+        return self.volume if self._without is None else self._without
+
+    def replace(self, volume: TSDFVolume, surface: TSDFVolume | None = None) -> None:
+        """Replace the volume, and that of the surface if it is another one."""
+        self.volume, self._without, self.movers = volume, surface, Movers()
+
+    def withdraw(self, depth: Any, pixels: Any, pose: Pose) -> None:
+        """Remove what `fuse` returned for a frame from the surface. Tracking continues with the complete volume."""
+        if self._without is None:
+            self._without = self.volume.copy()
+        self._without._remove_device_frame(depth, self.intrinsic, pose, pixels, self.depth_max)
 
     def begin_anew(self, pose: Pose) -> None:
         """Reset the volume. The next frame is at the given T_world_camera."""
         sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
-        self.volume, self.movers = TSDFVolume(**sizes, device=self.device), Movers()
+        self.replace(TSDFVolume(**sizes, device=self.device))
         self.current_frame_pose = pose
 
     def prepare(self, frame: Any) -> SensorFrame:
@@ -155,7 +171,8 @@ class Model(Serialized):
         elif self.frame_count and pixels is None:
             pixels = self._own_colors(pose)
         depth = prepared.still if prepared.still is not None else self.movers.still_depth(prepared, pose)
-        self.volume._integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+        for volume in [self.volume] + [self._without] * (self._without is not None):
+            volume._integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
         if self.leave_out_moving:
             self.movers.add(prepared, pose)
         self.current_frame_pose = pose
@@ -194,11 +211,11 @@ class Model(Serialized):
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh. See `TSDFVolume.extract_triangle_mesh`."""
-        return self.volume.extract_triangle_mesh(weight_threshold)
+        return self.surface_volume.extract_triangle_mesh(weight_threshold)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
         """The surface as points. See `TSDFVolume.extract_point_cloud`."""
-        return self.volume.extract_point_cloud(weight_threshold)
+        return self.surface_volume.extract_point_cloud(weight_threshold)
 
     @property
     def threshold(self) -> float:

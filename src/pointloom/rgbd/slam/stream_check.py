@@ -200,6 +200,7 @@ class StreamLag:
     Attributes:
         apart: The stretches of frames that are apart in time.
         current: The one of the last frame. None if it is synchronized, or if that is unknown.
+        synchronized: The first frame that is not known to be synchronized.
     """
 
     def __init__(self) -> None:
@@ -209,7 +210,7 @@ class StreamLag:
         self._rotations: list[Rotations | None] = []
         self._times: list[float | None] = []
         self._costs: list[Floats] = []
-        self._count = self._synchronized = 0
+        self._count = self.synchronized = 0
 
     def add(self, pyramid: OdometryFrame | None, time: float | None) -> Rotations | None:
         """Add the next frame, None without color. Returns its rotations from the previous frame."""
@@ -248,7 +249,7 @@ class StreamLag:
         step = self._step()
         is_short = abs(delay) < SHORT_FRAMES if math.isnan(step) else abs(delay) * step < SHORT or abs(delay) < 0.5
         if is_short:
-            self._synchronized, self.current = max(self._count - RECENT, 0), None
+            self.synchronized, self.current = max(self._count - RECENT, 0), None
         elif mean[FARTHEST] > max(BESIDE * mean[best], MIN_RESIDUAL) and not self._has_ended(best):
             self._note(delay, delay * step)
 
@@ -257,13 +258,13 @@ class StreamLag:
         residual, count, _ = np.sum(self._costs[-RECENT:], axis=0)
         is_together = count[FARTHEST] >= RECENT and BESIDE * residual[FARTHEST] < residual[best]
         if self.current is not None and is_together:
-            self._synchronized, self.current = max(self._count - RECENT, 0), None
+            self.synchronized, self.current = max(self._count - RECENT, 0), None
         return is_together
 
     def _note(self, delay: float, seconds: float) -> None:
         last = self._count - 1
         if self.current is None:
-            self.current = Apart(self._synchronized, last, delay, seconds)
+            self.current = Apart(self.synchronized, last, delay, seconds)
             self.apart.append(self.current)
         else:
             first = self.current.first

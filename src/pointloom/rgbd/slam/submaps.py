@@ -15,7 +15,7 @@ from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
 from ...core.serialized import Serialized
-from ...kernels.linear_algebra import matmul, norm
+from ...kernels.linear_algebra import inv, matmul, norm
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
@@ -239,6 +239,18 @@ class SubmapRecorder(Serialized):
         recording.latest = pose
         recording.numbers.append(number)
         recording.poses.append(pose)
+
+    def withdraw(self, number: int, depth: Any, pose: Matrix, pixels: Any) -> None:
+        """Remove a frame from the volumes that contain it. Its pose remains, to connect the submaps.
+
+        `depth` [m] and `pixels` are those of `add`, on the device. The submaps have the poses that they had then.
+        """
+        known = [(recording.volume, recording.T_world_submap, recording.numbers) for recording in self._open]
+        known += [(submap.volume, submap.T_world_submap, submap.frames.tolist()) for submap in self.submaps]
+        for volume, T_world_submap, numbers in known:
+            if number in numbers:
+                T = inv(matmul(invert_pose(pose), T_world_submap))
+                volume._remove_device_frame(depth, self._intrinsic, T, pixels, self._depth_max)
 
     def _fullness(self, recording: _Recording) -> float:
         return max(len(recording.numbers) / self._max_frames, recording.way / self._max_way)
