@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_direction, check_finite, check_numeric, check_positive, check_rows
 from ..core.devices import check_same_device
+from ..core.matched_counts import why_few_matched
+from ..core.reports import AssessedRecord, failed
 from ..core.units import common_unit
 from ..kernels.array_types import Integers, Vectors
 from ..kernels.arrays.side_by_side import read_together
@@ -24,7 +26,7 @@ MIN_POINTS = 4  # per cylinder: a spread of fewer is unreliable
 
 
 @dataclass(frozen=True, eq=False)
-class M3C2Result:
+class M3C2Result(AssessedRecord):
     """M3C2 distances at n core points.
 
     Attributes:
@@ -42,6 +44,13 @@ class M3C2Result:
     scales: NDArray[np.float64]
     spreads: NDArray[np.float64]
     counts: NDArray[np.int32]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable."""
+        count, measured = len(self.distances), int(np.isfinite(self.distances).sum())
+        remedy = "use a larger max_distance or larger radii, and align both epochs"
+        return failed(why_few_matched(measured, count, "core points have a distance", remedy))
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:

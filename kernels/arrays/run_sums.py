@@ -30,8 +30,8 @@ def sum_columns_kernel(
     mean: int,
     totals: array(dtype=float64, ndim=2),
 ):
-    """Sum of each column over each run, or mean over its finite rows (NaN if none).
-    Sums of means are compensated (Neumaier 1974), so means of large numbers, such as epoch times, are exact to 1 ulp."""
+    """Sum of each column over each run, or mean over its finite rows (NaN if none). Sums of means are compensated
+    (Neumaier 1974), so means of large numbers, such as epoch times, are exact to 1 ulp."""
     i = tid()
     run = i // columns
     column = i % columns

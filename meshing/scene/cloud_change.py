@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_positive
 from ...core.devices import check_same_device
+from ...core.matched_counts import why_few_matched
+from ...core.reports import AssessedRecord, failed
 from ...core.units import common_unit
 from ...kernels.lang import float64
 from ...kernels.memory import download, upload
@@ -26,7 +28,7 @@ from ..mesh.mesh_arrays import check_mesh
 
 
 @dataclass(frozen=True, eq=False)
-class CloudToMeshResult:
+class CloudToMeshResult(AssessedRecord):
     """Distances of n points from a mesh.
 
     Attributes:
@@ -43,6 +45,13 @@ class CloudToMeshResult:
     spreads: NDArray[np.float64]
     counts: NDArray[np.int32]
     beside: NDArray[np.bool_]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable."""
+        count, measured = len(self.distances), int(np.isfinite(self.distances).sum())
+        remedy = "use a larger max_distance, and align the cloud with the mesh"
+        return failed(why_few_matched(measured, count, "points have a distance", remedy))
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:

@@ -56,7 +56,7 @@ class FragmentOverlap(NamedTuple):
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class RefinementReport:
+class RefinementReport(AssessedRecord):
     """Report of a fragment alignment.
 
     Attributes:
@@ -72,3 +72,15 @@ class RefinementReport:
     correspondences: NDArray[np.int64]
     stretch: NDArray[np.float64]
     turns: NDArray[np.int64]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable."""
+        if self.overlaps and not any(overlap.used for overlap in self.overlaps):
+            return ("no two fragments overlap at their poses, so nothing was aligned: check the pose graph",)
+        before, after = (float(self.rmse[0]), float(self.rmse[-1])) if len(self.rmse) else (0.0, 0.0)
+        if after > before:
+            return (
+                f"the fragments are farther apart than before ({before:.3g} to {after:.3g} m): use more iterations",
+            )
+        return ()

@@ -23,12 +23,15 @@ from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_list, check_name, check_positive, check_seed, check_shape, shown
 from ...core.errors import FileError
+from ...core.matched_counts import why_few_matched
 from ...core.paths import path_of
+from ...core.reports import AssessedRecord, failed
 from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import det, matmul, norm
 from ..rigid import fit_pose, scale_of
 
-MIN_PAIRS = 3  # minimum pairs
+MIN_PAIRS = 3  # minimum pairs. They leave 2 of 9 numbers, so their residuals are small even if one is wrong
+MAX_ROTATION_UNCERTAINTY = 5.0  # [degrees] 9 cm per meter from the cameras
 TRIPLES = 2000  # with half outliers, one triple of eight is correct
 CHUNK = 256  # triples per block
 SIGMAS = 2.5  # outlier threshold in standard deviations
@@ -42,7 +45,7 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
 @dataclass(frozen=True)
-class SimilarityFit:
+class SimilarityFit(AssessedRecord):
     """Similarity that aligns a model with given positions.
 
     Attributes:
@@ -53,6 +56,8 @@ class SimilarityFit:
         inliers: Mask of the positions used by the fit, shape [n].
         rmse: Root mean square residual of the inliers.
         rotation_uncertainty: Standard deviation [degrees] of the rotation about the least determined axis.
+        possible_count: Number of images that could have a position: all images, or all given positions if fewer.
+        reliable, warnings: True if all quality checks passed, and those that failed.
     """
 
     transformation: NDArray[np.float64]
@@ -62,6 +67,24 @@ class SimilarityFit:
     inliers: NDArray[np.bool_]
     rmse: float
     rotation_uncertainty: float
+    possible_count: int = 0
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        count, used = len(self.names), int(self.inliers.sum())
+        remedy = "use the names or numbers of the images"
+        few_names = why_few_matched(count, self.possible_count, "positions have the name of an image", remedy)
+        outliers = why_few_matched(
+            used, count, "positions agree with the model", "check them, or use a larger max_error"
+        )
+        redundant = None
+        if used == MIN_PAIRS:
+            redundant = f"the fit to {used} positions cannot be checked: give more"
+        turned = None
+        if self.rotation_uncertainty > MAX_ROTATION_UNCERTAINTY:
+            degrees = f"{self.rotation_uncertainty:.2g} degrees"
+            turned = f"the positions determine the rotation only to {degrees}: give positions farther from the line"
+        return failed(few_names, outliers, redundant, turned)
 
 
 def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, distance: float) -> float:
@@ -161,7 +184,9 @@ def fit_to_positions(
     residuals = _distances(source, target, T)
     rmse = math.sqrt(float((residuals[inliers] ** 2).mean()))
     scale = scale_of(T)
-    return SimilarityFit(T, scale, names, residuals, inliers, rmse, _uncertainty(scale * source[inliers], rmse))
+    uncertainty = _uncertainty(scale * source[inliers], rmse)
+    possible = min(len(model.names), len(positions))
+    return SimilarityFit(T, scale, names, residuals, inliers, rmse, uncertainty, possible)
 
 
 def _check_model(model: Any) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 from ..core.errors import FileError, FilePath
 from ..core.escaped_text import escaped
 from ..core.paths import path_of
+from ..core.reports import Assessed, quality
 from ..core.wording import plain
 from .manifest import NAME, Manifest, damage_as_file_errors, files_of
 from .sources import check_unchanged, original_path
@@ -16,7 +17,7 @@ from .steps.parse import KNOWN
 
 
 @dataclass(frozen=True)
-class TileStatus:
+class TileStatus(Assessed):
     """Progress of a job of tiles.
 
     Attributes:
@@ -52,8 +53,13 @@ class TileStatus:
         """True if every tile is done or empty."""
         return not (self.waiting or self.running or self.failed or self.aside)
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed and quarantined tiles, and files that cannot be sorted, each with the error."""
+        return tuple(f"{name}: {error}" for name, error in self.troubles.items())
+
     def to_dict(self) -> dict[str, Any]:
-        return plain(asdict(self))
+        return plain(asdict(self)) | quality(self)
 
     def __str__(self) -> str:
         tiles = self.waiting + self.running + self.done + self.empty + self.failed + self.aside

@@ -52,10 +52,10 @@ def test_a_picture_becomes_a_cloud_in_meters(folder):
 
 def test_the_unit_is_reported_arbitrary_without_references(folder):
     result = run(*words(folder))
-    assert result.exit_code == 0, result.stderr
+    assert result.exit_code == 3 and "shapes are distorted if it differs; pass intrinsic (--intrinsic)" in result.stderr
     for part in (
         "units arbitrary: the nearest pixel is at 1; --align gives meters", "from assumed 60 degrees",
-        "shapes are distorted if the camera differs: give --intrinsic", "CPUExecutionProvider", "Apache-2.0",
+        "CPUExecutionProvider", "Apache-2.0",
         "518 x 518, 518 x 518 for the network",
     ):  # fmt: skip
         assert part in result.stdout
@@ -102,13 +102,14 @@ def test_a_folder_keeps_names_and_takes_references_by_name(folder):
         Image.fromarray(PICTURE).save(pictures / name)
         shutil.copy(folder / "z.npy", sensors / f"{name[0]}.npy")
     (pictures / "notes.txt").write_text("no picture")
-    report = answer(*words(folder, "--align", sensors, picture="pictures", output="clouds"))
+    report = unreliable(*words(folder, "--align", sensors, picture="pictures", output="clouds"))
+    assert "the camera is assumed 60 degrees" in str(report["warnings"])
     assert names_in(folder / "clouds") == ["a.ply", "b.ply", "c.ply"]
     assert [each["picture"] for each in report["pictures"]] == [str(pictures / n) for n in ("a.png", "b.jpg", "c.PNG")]
     assert all(each["is_metric"] for each in report["pictures"])
     assert "exists already" in refusal(*words(folder, picture="pictures", output="clouds"))
     shown = run(*words(folder, "--force", picture="pictures", output="clouds"))
-    assert shown.exit_code == 0
+    assert shown.exit_code == 3
     assert "a.png" in shown.stdout
     assert "units arbitrary" in shown.stdout
 
@@ -203,7 +204,7 @@ def test_a_full_disk_leaves_no_half_cloud(folder, monkeypatch):
 
 
 def test_other_formats_and_existing_files(folder):
-    assert answer(*words(folder, output="out.npz"))["reliable"]
+    assert "the camera is assumed" in str(unreliable(*words(folder, output="out.npz"))["warnings"])
     assert len(loom.read_point_cloud(folder / "out.npz")) > 0.9 * SIDE**2
     assert "exists already" in refusal(*words(folder, output="out.npz"))
     assert json.loads(run(*words(folder, "--json", "--force", output="out.npz")).stdout)["command"] == "depth"

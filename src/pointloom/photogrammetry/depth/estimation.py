@@ -20,6 +20,7 @@ from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.paths import input_path
 from ...core.progress import ReportProgress
+from ...core.reports import Assessed, failed
 from ...core.wording import few_of
 from ...io.models.colmap import read_colmap_model
 from ...io.models.sfm_model import SfmModel
@@ -208,11 +209,27 @@ DEEPEST = (
 )
 FLYING_JUMP = 0.03  # minimum relative inverse depth difference of a flying pixel to both surfaces
 BLUR = 3  # network pixels of the transition between two surfaces
+FEW_INLIERS = 0.3  # fraction of the references below which the result is unreliable
 MAX_RADIUS = 32  # [px] 512 loads per pixel
 
 
+def estimate_warnings(inlier_share: float | None, references: int, intrinsic_source: str) -> tuple[str, ...]:
+    few = assumed = None
+    if inlier_share is not None and inlier_share < FEW_INLIERS:
+        few = (
+            f"only {inlier_share:.0%} of the {references} references agree with the map within 10%: check that they "
+            "belong to this image, and that the preset matches the model"
+        )
+    if not _is_known(intrinsic_source):
+        assumed = (
+            f"the camera is {intrinsic_source}, since the image has no EXIF focal length: shapes are distorted if it "
+            "differs; pass intrinsic (--intrinsic)"
+        )
+    return failed(few, assumed)
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
-class DepthEstimate:
+class DepthEstimate(Assessed):
     """Estimated depth of an image.
 
     Args:
@@ -245,6 +262,11 @@ class DepthEstimate:
     enlargement: float
     references: int = 0
     tiles: tuple[int, int] | None = None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy. Empty if the result is reliable."""
+        return estimate_warnings(self.inlier_share, self.references, self.intrinsic_source)
 
     def __repr__(self) -> str:
         height, width = self.depth.shape

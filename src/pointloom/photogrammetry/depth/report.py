@@ -10,9 +10,8 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.escaped_text import escaped
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_bytes, format_seconds, format_share
-from .estimation import ARBITRARY, DepthEstimate
+from .estimation import ARBITRARY, DepthEstimate, estimate_warnings
 
-FEW_INLIERS = 0.3  # fraction of the references below which the result is unreliable
 FEW_POINTS = 0.2  # fraction of the pixels
 
 
@@ -66,12 +65,7 @@ class PictureDepth(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        reasons, share = [], self.inlier_share
-        if share is not None and share < FEW_INLIERS:
-            reasons.append(
-                f"only {share:.0%} of the {self.references} references agree with the map within 10%: check that they "
-                "belong to this image, and that the preset matches the model"
-            )
+        reasons = [*estimate_warnings(self.inlier_share, self.references, self.intrinsic_source)]
         if self.point_share < FEW_POINTS:
             reasons.append(f"only {self.point_share:.1%} of the pixels became points: keep edges, or align")
         return tuple(reasons)
@@ -105,8 +99,6 @@ class PictureDepth(Assessed):
     def fields(self) -> Fields:
         camera = self.intrinsic
         seen = f"{camera.width} x {camera.height}, f {camera.fx:.6g} {camera.fy:.6g}, from {self.intrinsic_source}"
-        if self.intrinsic_source.startswith("assumed"):
-            seen += "\nshapes are distorted if the camera differs: give --intrinsic"
         size = "{} x {}, {} x {} for the network".format(*self.size, *self.input_size)
         if self.tiles is not None:
             size += "\n{} of {} tiles agree with the map of the complete image".format(*self.tiles)

@@ -338,8 +338,8 @@ def _aligned(path: FilePath, model: SfmModel) -> Fit:
     agreement = KnownPlaces(
         len(alignment.names), left_out, alignment.rmse, float(np.linalg.norm(np.ptp(known, axis=0)))
     )
-    problem = _problem(agreement, path)
-    return Fit(alignment.transformation, METRES, alignment.scale, "align", agreement, failed(problem))
+    warnings = failed(_problem(agreement, path), *alignment.warnings)
+    return Fit(alignment.transformation, METRES, alignment.scale, "align", agreement, warnings)
 
 
 def _problem(agreement: KnownPlaces, path: FilePath) -> str | None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...core.escaped_text import escaped
-from ...core.reports import Assessed, Fields, Report, quality
+from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.wording import format_bytes, format_seconds, plain
 from .fragments import FragmentSet
 from .frames import LostFrame
@@ -179,7 +179,7 @@ def report_of(
         trajectory_error=error,
         resumed=fragment_set.resumed,
         files=tuple(os.fspath(path) for path in files),
-        warnings=(*_warnings(lost, scene, frame_count), *source_warnings),
+        warnings=(*_warnings(lost, scene, frame_count), *_graph_warnings(placement, slac), *source_warnings),
         slac=slac,
         seconds=seconds,
         peak_bytes=peak_bytes,
@@ -216,6 +216,11 @@ def _warnings(lost: list[LostRun], scene: Scene | None, frame_count: int) -> tup
         where = f"from {lost[0].first} on" if len(lost) == 1 else f"{len(lost)} runs, the first at {lost[0].first}"
         reasons.append(f"{count} of {frame_count} frames are not in the model ({where}): {lost[0].reason}")
     return tuple(reasons)
+
+
+def _graph_warnings(placement: Placement | None, slac: dict[str, Any] | None) -> tuple[str, ...]:
+    report = None if placement is None else placement.pose_graph.report
+    return failed(*getattr(report, "warnings", ()), _slac_line(slac) if slac and not slac["edges"] else None)
 
 
 def _slac_line(figures: dict[str, Any]) -> str:

@@ -30,6 +30,7 @@ class SlamAccount(Assessed):
         loops: Accepted loop closures (target, source).
         refused_loop_count: Number of rejected pairs.
         corrected: Maximum displacement of a frame [m].
+        loop_warnings: Failed quality checks of the pose graph.
     """
 
     path: TrackedPath
@@ -37,6 +38,7 @@ class SlamAccount(Assessed):
     loops: tuple[tuple[int, int], ...] = ()
     refused_loop_count: int = 0
     corrected: float = 0.0
+    loop_warnings: tuple[str, ...] = ()
 
     @property
     def trajectory(self) -> Trajectory:
@@ -56,7 +58,7 @@ class SlamAccount(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return self.path.warnings
+        return (*self.path.warnings, *self.loop_warnings)
 
     def to_dict(self) -> dict[str, Any]:
         return self.path.to_dict() | self.loops_to_dict() | quality(self)
@@ -102,6 +104,7 @@ def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tupl
         return volume, SlamAccount(path)
     closure = slam.close_loops(progress=progress)
     counts: dict[str, Any] = {"submap_count": len(closure.T_world_submap), "refused_loop_count": len(closure.refused)}
+    counts["loop_warnings"] = getattr(closure.pose_graph.report, "warnings", ())
     if not closure.loops:
         return volume, SlamAccount(path, **counts)
     loops = tuple((loop.target, loop.source) for loop in closure.loops)
