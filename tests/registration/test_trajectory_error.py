@@ -328,6 +328,23 @@ def test_few_positions_of_some_images_suffice():
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("chosen", "unknown", "message"),
+    [
+        (range(0, 40, 4), 0, None),
+        (range(0, 40, 4), 300, "only 10 of 40 positions have the name of an image"),
+        ((0, 12, 30), 0, "the fit to 3 positions cannot be checked"),
+    ],
+)
+def test_a_fit_to_a_fraction_of_the_positions_is_unreliable(chosen, unknown, message):
+    model, T = curved_path(), similarity()
+    known = list(positions_of(model, T).items())
+    given = dict(known[k] for k in chosen) | {f"other_{k}": np.zeros(3) for k in range(unknown)}
+    fit = fit_to_positions(model, given)
+    assert fit.reliable == (message is None) and (message or "") in " ".join(fit.warnings)
+    assert fit.to_dict()["warnings"] == [*fit.warnings]
+
+
 def test_the_rotation_uncertainty_matches_many_trials():
     """About the axis of an almost straight path it is large, and the reported value matches."""
     model = curved_path(30)
