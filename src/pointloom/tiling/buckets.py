@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.las import COLORS, LasFile, open_las
+from ..io.points.npz import MAX_DEFLATE_RATIO
 from .manifest import DAMAGE, is_dead
 
 FOLDER, INDEX = "buckets", "index.json"
@@ -266,6 +267,10 @@ def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any
             if len(head) < _BLOCK.size or head[:4] != _MARK:
                 raise FileError(path, "is damaged", where=f"byte {stream.tell() - len(head)}")
             _, count, body_size, numbers_size, how, x0, y0, x1, y1, checksum = _BLOCK.unpack(head)
+            left = path.stat().st_size - stream.tell()
+            if body_size + numbers_size > left or 8 * count > MAX_DEFLATE_RATIO * numbers_size:
+                reason = f"is damaged: a block of {count} rows in {body_size} and {numbers_size} bytes, {left} are left"
+                raise FileError(path, reason, where=f"byte {stream.tell()}")
             size += count
             if x1 < window[0] or y1 < window[1] or x0 >= window[2] or y0 >= window[3]:
                 stream.seek(body_size + numbers_size, 1)

@@ -30,7 +30,7 @@ from ..source import open_source
 from ..table import PointTable
 
 # Deflate needs at least one bit for 129 bytes, so its output is below 1032 times its input.
-_MAX_DEFLATE_RATIO = 1032
+MAX_DEFLATE_RATIO = 1032
 
 MAX_AXES = 32  # maximum number of array axes, as in NumPy 1
 
@@ -116,7 +116,7 @@ def name_rules(table: PointTable) -> NameRules:
 
 def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
     """Read one array after checking its header, directory entry and stored bytes."""
-    possible = info.compress_size * (1 if info.compress_type == zipfile.ZIP_STORED else _MAX_DEFLATE_RATIO)
+    possible = info.compress_size * (1 if info.compress_type == zipfile.ZIP_STORED else MAX_DEFLATE_RATIO)
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise FileError(path, f"member {name!r} is compressed in an unknown way", where=f"byte {info.header_offset}")
     if info.compress_size > path_of(path).stat().st_size or info.file_size > possible:
