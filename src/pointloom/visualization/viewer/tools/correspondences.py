@@ -143,7 +143,7 @@ def register_from_pairs(
         )
     report_pose(result.transformation)
     is_open = bool(len(result.degenerate_directions))
-    warnings = ("the clouds do not determine all motions",) if is_open else ()
+    warnings = ("the clouds do not determine all motions",) if is_open else result.warnings
     pose = result.transformation.copy()
     return PairRegistration(fit, pose, result.fitness, result.inlier_rmse, distance, True, warnings)
 
