@@ -3,6 +3,7 @@
 import builtins
 import importlib
 import io
+import os
 import re
 import sys
 import warnings
@@ -16,14 +17,18 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.core.units import LengthUnit
+from pointloom.io import source
 from pointloom.io.attribute_names import NameRules, is_word, new_names
+from pointloom.io.meshes.mesh_formats import MESH_READERS
 from pointloom.io.meshes.tables import write_cloud_table
 from pointloom.io.points.formats import READERS, write_table
+from pointloom.io.points.in_parts import open_in_parts
 from pointloom.io.points.las import read_las
 from pointloom.io.points.npz import read_npz, write_npz
 from pointloom.io.points.pcd import write_pcd
 from pointloom.io.points.ply import read_ply, write_ply
 from pointloom.io.points.scan_files import list_scans
+from pointloom.io.points.text_parts import TextInParts
 from pointloom.io.table import PointTable
 from pointloom.registration import run_odometry
 
@@ -669,3 +674,91 @@ def test_folders_that_are_none_are_named(tmp_path):
     with pytest.raises(ValueError, match="timestamps:"):
         run_odometry([loom.PointCloud([[1, 2, 3]])], timestamps=[0.0, 1.0])
     assert len(run_odometry([])) == 0
+
+
+def cut(path):
+    os.truncate(path, 100)
+
+
+def grow(path):
+    with path.open("ab") as file:
+        file.write(b"1 2 3\n")
+
+
+def write_over(path):
+    """Other content of the same size. The time may be that of the first content, since clocks of files are coarse."""
+    status, size = path.stat(), path.stat().st_size
+    with path.open("r+b") as file:
+        file.write(bytes(size))
+    os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns + 10**9))
+
+
+def write_points(path, count):
+    points = np.random.default_rng(0).normal(size=(count, 3))
+    vectors = {".xyzn": {"normals": points}, ".xyzrgb": {"colors": points % 1}}
+    loom.write_point_cloud(path, loom.PointCloud(points, **vectors.get(path.suffix, {})))
+
+
+CHANGES = [cut, grow, write_over]
+CHANGED = "was changed while it was read: expected .* bytes, got "
+
+
+@pytest.fixture
+def change_after_opening(monkeypatch):
+    """Change files when they have been opened, once."""
+
+    def arrange(change):
+        class Changing(source.SourceFile):
+            def __init__(self, path):
+                super().__init__(path)
+                monkeypatch.setattr(source, "SourceFile", source.SourceFile.__bases__[0])
+                change(path)
+
+        monkeypatch.setattr(source, "SourceFile", Changing)
+
+    return arrange
+
+
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("suffix", [*READERS, *MESH_READERS, "_binary.stl"])
+def test_a_file_that_changes_while_it_is_read_is_an_error(suffix, change, tmp_path, change_after_opening):
+    path = tmp_path / f"a{suffix}"
+    if suffix == ".ptx":
+        path.write_text("3\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n" + "1 2 3 0.5\n" * 3)
+    elif suffix == ".bin":
+        path.write_bytes(np.random.default_rng(0).normal(size=(300, 4)).astype("<f4").tobytes())
+    elif suffix in READERS and suffix not in (".csv", ".txt", ".asc"):
+        write_points(path, 300)
+    elif suffix in READERS:
+        path.write_text("x y z\n" + "1.5 2.5 3.5\n" * 300)
+    else:
+        loom.write_triangle_mesh(path, loom.TriangleMesh.create_sphere(1.0, 5))
+    reader = READERS.get(suffix) or MESH_READERS[path.suffix]
+    reader(path)
+    change_after_opening(change)
+    with pytest.raises(FileError, match=CHANGED):
+        reader(path)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("suffix", [".ply", ".pcd", ".las", ".laz", ".xyz"])
+def test_a_file_that_changes_between_its_parts_is_an_error(suffix, change, tmp_path, monkeypatch):
+    monkeypatch.setattr("pointloom.io.points.text_parts.BLOCK", 1000)
+    path = tmp_path / f"a{suffix}"
+    write_points(path, 300)
+    parts = (TextInParts(path) if suffix == ".xyz" else open_in_parts(path)).parts(10)
+    assert len(next(parts).points)
+    change(path)
+    with pytest.raises(FileError, match=CHANGED):
+        list(parts)
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".las", ".xyz"])
+def test_a_file_that_is_replaced_between_its_parts_is_read_to_its_end(suffix, tmp_path):
+    path, other = tmp_path / f"a{suffix}", tmp_path / f"b{suffix}"
+    for file, count in ((path, 300), (other, 7)):
+        write_points(file, count)
+    parts = (TextInParts(path) if suffix == ".xyz" else open_in_parts(path)).parts(10)
+    first = next(parts)
+    other.replace(path)
+    assert len(first.points) + sum(len(part.points) for part in parts) == 300

@@ -123,9 +123,10 @@ class SourceFile:
     def reopen(self) -> IO[bytes]:
         """The same file as a stream. Raises `FileError` if the name belongs to another file by now."""
         stream = self.path.open("rb")
-        if _Stamp.of(os.fstat(stream.fileno())) != self._stamp:
+        now = _Stamp.of(os.fstat(stream.fileno()))
+        if now != self._stamp:
             stream.close()
-            raise self._changed(self.path.stat().st_size)
+            raise self._changed(now.size)
         return stream
 
     def check_name(self) -> None:

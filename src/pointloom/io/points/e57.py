@@ -111,6 +111,7 @@ def open_e57(path: str | os.PathLike[str]) -> Iterator[tuple[Any, list[Any]]]:
     libe57 = import_for(path, "pye57.libe57", "e57")
     with foreign_errors(path, "is not an intact E57 file"):
         image = libe57.ImageFile(os.fspath(path), "r")
+    source.check_name()
     try:
         with foreign_errors(path, "its list of scans is damaged"):
             data = image.root()["data3D"]

@@ -31,8 +31,11 @@ def with_header_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Call
     def decorate(reader: Callable[..., T]) -> Callable[..., T]:
         @functools.wraps(reader)
         def read(path: str | os.PathLike[str], **options: Any) -> T:
+            source = open_source(path)
+            unit = unit_in_header(source, form)
             table = reader(path, **options)
-            return replace(table, unit=unit_in_header(open_source(path), form))
+            source.check_name()
+            return replace(table, unit=unit)
 
         return read
 
