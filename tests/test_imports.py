@@ -3,8 +3,10 @@
 import ast
 import gc
 import re
+import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -13,6 +15,10 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from scipy.sparse.csgraph import connected_components
+
+from pointloom import atomic_imports
+
+from .sigint import sigint_enabled
 
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "src" / "pointloom"
@@ -437,3 +443,78 @@ def test_public_packages_show_their_public_names_alone():
     with pytest.raises(AttributeError, match=r"'border_merging': it is a private module$"):
         loom.tiling.border_merging  # noqa: B018
     assert loom.registration is sys.modules["pointloom.registration"]
+
+
+INTERRUPTED = "import os, signal\nos.kill(os.getpid(), signal.SIGINT)\nimport half.rest\nis_complete = True\n"
+
+
+@pytest.fixture
+def half(tmp_path, monkeypatch):
+    """A package that Ctrl-C interrupts while it is imported."""
+    (tmp_path / "half").mkdir()
+    (tmp_path / "half" / "__init__.py").write_text(INTERRUPTED)
+    (tmp_path / "half" / "rest.py").write_text("")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(atomic_imports, "PACKAGES", {*atomic_imports.PACKAGES, "half"})
+    yield "half"
+    for name in ("half", "half.rest"):
+        sys.modules.pop(name, None)
+
+
+@pytest.mark.parametrize("in_thread", [False, True])
+def test_an_import_is_complete_before_ctrl_c_is_handled(half, in_thread):
+    thread = threading.Thread(target=__import__, args=(half,))
+    with sigint_enabled():
+        with pytest.raises(KeyboardInterrupt):
+            if in_thread:
+                thread.start()
+                thread.join()
+            else:
+                __import__(half)
+            threading.Event().wait(60)
+        __import__(half)  # waits for the thread
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert sys.modules[half].is_complete
+    assert sys.modules[half].__loader__ is sys.modules[half].__spec__.loader
+    assert not isinstance(sys.modules[half].__loader__, atomic_imports._Loader)
+
+
+def test_a_handler_that_ends_the_process_is_not_deferred(half):
+    def end(number, frame):
+        raise SystemExit
+
+    end.ends_process = True
+    before = signal.signal(signal.SIGINT, end)
+    try:
+        with pytest.raises(SystemExit):
+            __import__(half)
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+FIRST_CALL = """
+import os, signal, sys, time
+import numpy as np, pointloom as loom
+signal.signal(signal.SIGINT, signal.default_int_handler)
+armed = True
+def press(event, arguments):
+    global armed
+    if armed and event == "import" and arguments[0] == sys.argv[1]:
+        armed = False
+        os.kill(os.getpid(), signal.SIGINT)
+sys.addaudithook(press)
+def count():
+    return len(loom.PointCloud(np.arange(30.0).reshape(10, 3)).voxel_down_sample(1.0))
+try:
+    count()
+    time.sleep(60)
+except KeyboardInterrupt:
+    print("interrupted", count())
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("module", ["warp._src.context", "warp._src.builtins", "pointloom.kernels.lang"])
+def test_the_first_call_works_after_ctrl_c(module):
+    done = subprocess.run([sys.executable, "-c", FIRST_CALL, module], capture_output=True, text=True, timeout=300)
+    assert (done.stdout, done.returncode) == ("interrupted 10\n", 0), done.stderr
