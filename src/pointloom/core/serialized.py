@@ -48,7 +48,7 @@ class Serialized:
 
 
 def one_at_a_time(function: Method) -> Method:
-    """A method that holds the lock of its object. For private methods that other objects call."""
+    """Acquire the lock of the object for a method. Needed for private methods that other objects call."""
 
     @functools.wraps(function)
     def call(self: Any, *args: Any, **options: Any) -> Any:
@@ -60,7 +60,7 @@ def one_at_a_time(function: Method) -> Method:
 
 @contextlib.contextmanager
 def locked_objects(objects: Iterable[Serialized]) -> Iterator[None]:
-    """Hold the locks of several objects, in the same order for all callers."""
+    """Acquire the locks of several objects, in the same order for all callers."""
     with contextlib.ExitStack() as stack:
         for each in sorted(objects, key=id):
             stack.enter_context(each._lock)
