@@ -13,8 +13,10 @@ import numpy as np
 
 _LENGTHS = {(1, 0): "<H", (2, 0): "<I"}
 _MAX_LENGTH = 10_000  # [B] NumPy's own limit for untrusted files
-_VALUE = r"'[^'\\]*'|True|False|\((?:\s*(?:[0-9]+L?|True|False)\s*,?)*\s*\)"
-_HEADER = re.compile(rf"\s*\{{(?:\s*'\w+'\s*:\s*(?:{_VALUE})\s*,?)*\s*\}}\s*")
+# Possessive quantifiers: without them, a damaged header takes time that is exponential in its length.
+_EXTENT = r"(?:[0-9]{1,19}+L?|True|False)"  # 19 digits: more than any count needs
+_VALUE = rf"'[^'\\]*+'|True|False|\((?:\s*+{_EXTENT}\s*+,?)*+\s*+\)"
+_HEADER = re.compile(rf"\s*+\{{(?:\s*+'\w++'\s*+:\s*+(?:{_VALUE})\s*+,?)*+\s*+\}}\s*+")
 _STRUCTURED = re.compile(r"\s*\{\s*'descr'\s*:\s*\[")
 
 

@@ -324,6 +324,17 @@ def test_arrays_that_are_no_tensor_are_named(tmp_path, values):
             o3c.Tensor.load(tmp_path / "a.npy")
 
 
+HEADERS = ["{'shape': (" + "9" * 9000, "{" + "'a':True  " * 800 + "!", "{'a': (" + "1  " * 2500 + "!"]
+
+
+@pytest.mark.parametrize("text", HEADERS, ids=["digits", "keys", "numbers"])
+def test_damaged_headers_are_rejected_in_linear_time(tmp_path, text):
+    """Backtracking would take longer than the age of the universe."""
+    (tmp_path / "a.npy").write_bytes(b"\x93NUMPY\1\0" + len(text).to_bytes(2, "little") + text.encode())
+    with pytest.raises(loom.FileError, match=r"a\.npy.*header is damaged"):
+        o3c.Tensor.load(tmp_path / "a.npy")
+
+
 def test_a_set_has_keys_only():
     keys = o3c.Tensor([[1, 2, 3], [2, 3, 4], [1, 2, 3]], o3c.int16)
     table = o3c.HashSet(1, o3c.int16, (3,))
