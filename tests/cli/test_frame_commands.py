@@ -459,7 +459,7 @@ def test_a_short_blank_gap_is_a_note(sequence_folder, tmp_path):
 class Closure:
     """A synthetic result of `close_loops`: each loop lifts the last submap by 6 cm."""
 
-    refused, loops = (), ()
+    refused, loops, pose_graph = (), (), SimpleNamespace(report=None)
 
     def __init__(self, submaps, **_):
         self.T_world_submap = np.array([submap.T_world_submap for submap in submaps])
@@ -493,14 +493,16 @@ def test_loops_correct_all_frames_between(sequence_folder, tmp_path, made_up, co
 
 
 def test_without_loops_the_surface_is_not_rebuilt():
-    slam = SimpleNamespace(volume="tracked", model=SimpleNamespace(frame_count=1))
+    tracked, rebuilt = SimpleNamespace(frame_count=1), SimpleNamespace(frame_count=2)
+    slam = SimpleNamespace(volume=tracked)
 
     def close_loops(progress):
-        slam.volume = "rebuilt"
-        return SimpleNamespace(T_world_submap=[0], refused=[], loops=[])
+        slam.volume = rebuilt
+        graph = SimpleNamespace(report=None)
+        return SimpleNamespace(T_world_submap=[0], refused=[], loops=[], pose_graph=graph)
 
     slam.close_loops = close_loops
-    assert looped_model._close_loops(slam, None, None)[0] == "tracked"
+    assert looped_model._close_loops(slam, None, None)[0] == tracked
 
 
 def test_an_unreadable_frame_does_not_shift_other_poses(sequence_folder, tmp_path, made_up):

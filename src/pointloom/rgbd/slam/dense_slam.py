@@ -485,6 +485,6 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
     recorder.submaps = [
         dataclasses.replace(submap, T_world_submap=T) for submap, T in zip(submaps, closure.T_world_submap, strict=True)
     ]
-    model.replace(fuse_submaps(recorder.submaps))
+    model._replace_volume(fuse_submaps(recorder.submaps))
     model.current_frame_pose = corrected(model.current_frame_pose, len(results))
     return closure

@@ -92,7 +92,7 @@ def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results:
     model, other, poses = target.model, source.model, np.array([np.eye(4), T])
     complete = model.surface_volume is model.volume and other.surface_volume is other.volume
     surface = None if complete else fuse_volumes([model.surface_volume, other.surface_volume], poses)
-    model.replace(fuse_volumes([model.volume, other.volume], poses), surface)
+    model._replace_volume(fuse_volumes([model.volume, other.volume], poses), surface)
 
 
 def hand_over(target: SlamMap, source: SlamMap, T_target_source: Pose) -> None:

@@ -55,9 +55,9 @@ class SlamMap:
 
     def withdraw(self, frame: FusedFrame) -> None:
         """Remove a frame from the surface and the submaps. Tracking continues with the complete model."""
-        self.model.withdraw(frame.depth, frame.pixels, frame.pose)
+        self.model._withdraw(frame.depth, frame.pixels, frame.pose)
         if self.recorder is not None:
-            self.recorder.withdraw(frame.index, frame.depth, frame.pose, frame.pixels)
+            self.recorder._withdraw(frame.index, frame.depth, frame.pose, frame.pixels)
 
     def leave(self) -> None:
         """Mark the camera as lost here since it continues in another map."""

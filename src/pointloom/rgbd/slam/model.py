@@ -109,11 +109,11 @@ class Model(Serialized):
     def surface_volume(self) -> TSDFVolume:
         return self.volume if self._without is None else self._without
 
-    def replace(self, volume: TSDFVolume, surface: TSDFVolume | None = None) -> None:
+    def _replace_volume(self, volume: TSDFVolume, surface: TSDFVolume | None = None) -> None:
         """Replace the volume, and that of the surface if it is another one."""
         self.volume, self._without, self.movers = volume, surface, Movers()
 
-    def withdraw(self, depth: Any, pixels: Any, pose: Pose) -> None:
+    def _withdraw(self, depth: Any, pixels: Any, pose: Pose) -> None:
         """Remove what `fuse` returned for a frame from the surface. Tracking continues with the complete volume."""
         if self._without is None:
             self._without = self.volume.copy()
@@ -122,7 +122,7 @@ class Model(Serialized):
     def begin_anew(self, pose: Pose) -> None:
         """Reset the volume. The next frame is at the given T_world_camera."""
         sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
-        self.replace(TSDFVolume(**sizes, device=self.device))
+        self._replace_volume(TSDFVolume(**sizes, device=self.device))
         self.current_frame_pose = pose
 
     def prepare(self, frame: Any) -> SensorFrame:

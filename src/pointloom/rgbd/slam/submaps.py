@@ -240,7 +240,7 @@ class SubmapRecorder(Serialized):
         recording.numbers.append(number)
         recording.poses.append(pose)
 
-    def withdraw(self, number: int, depth: Any, pose: Matrix, pixels: Any) -> None:
+    def _withdraw(self, number: int, depth: Any, pose: Matrix, pixels: Any) -> None:
         """Remove a frame from the volumes that contain it. Its pose remains, to connect the submaps.
 
         `depth` [m] and `pixels` are those of `add`, on the device. The submaps have the poses that they had then.
