@@ -138,7 +138,7 @@ def without_copies(tree: PointTree) -> PointTree:
 
 def _distinct_of(tree: PointTree, copies: Copies) -> DistinctPoints:
     if tree.distinct is None:
-        tree.distinct = _select_distinct(tree.source, copies.firsts)
+        tree.distinct = _select_distinct(tree, copies.firsts)
     return tree.distinct
 
 
@@ -183,10 +183,11 @@ def _count_copies(points: Points) -> Copies:
     return Copies(firsts, counts, int(download(most)[0]))  # sync
 
 
-def _select_distinct(points: Points, firsts: Integers) -> DistinctPoints:
+def _select_distinct(tree: PointTree, firsts: Integers) -> DistinctPoints:
     mask, ranks = (empty(firsts.size, kind, firsts.device) for kind in (uint8, int32))
     launch(mask_heads_kernel, firsts.size, [firsts, mask, ranks])
     heads, rows = positions_of(mask), empty(firsts.size, int32, firsts.device)
     inclusive_scan(ranks, ranks)
     launch(number_copies_kernel, firsts.size, [firsts, ranks, rows])
-    return DistinctPoints(PointTree(gather_rows(points, heads)), heads, rows)
+    # on the same curve, which decides ties
+    return DistinctPoints(PointTree(gather_rows(tree.source, heads), tree.curve), heads, rows)
