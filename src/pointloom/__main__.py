@@ -13,7 +13,7 @@ def _leave(number: int, frame: FrameType | None) -> None:
     os._exit(INTERRUPTED)
 
 
-_leave.ends_process = True  # imports do not defer it
+vars(_leave)["ends_process"] = True  # imports do not defer it
 
 
 def main() -> None:

@@ -94,7 +94,7 @@ class SourceFile:
         """Fill an array of bytes from byte `begin`."""
         if begin + len(values) > len(self):
             raise ValueError(f"{begin + len(values) - len(self)} bytes are missing")
-        buffer, at = memoryview(values), 0
+        buffer, at = values.data, 0
         while at < len(buffer):
             part = buffer[at : at + _MAX_READ]
             if not (count := self._read_part(part, begin + at)):

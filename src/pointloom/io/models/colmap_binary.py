@@ -188,14 +188,14 @@ def read_points(path: Path) -> Points:
 
 
 def _find_records(file: _Reader, count: int, data: NDArray[np.uint8]) -> NDArray[np.int64]:
-    starts, at = [0] * count, file.at
+    starts, at, view = [0] * count, file.at, data.data
     unpack, size, last = _COUNT.unpack_from, _STEP.itemsize, file.size - 8
     for i in range(count):
         starts[i] = at
         at += _LENGTH_AT
         if at > last:
             raise FileError(file.path, "ends within a point", where=f"byte {starts[i]}", remedy=_CUT)
-        at += 8 + size * unpack(data, at)[0]
+        at += 8 + size * unpack(view, at)[0]
     file.at = at
     if at > file.size:
         begin = starts[-1]

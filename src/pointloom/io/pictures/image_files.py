@@ -26,7 +26,6 @@ from ...core.errors import FileError
 from ...core.paths import input_path
 from ..npy_header import read_npy_header
 from ..optional_imports import foreign_errors
-from ..source import Source
 from .png_stream import PNG_MAGIC, checked_png, parse_png_header
 
 JPEG_MAGIC = b"\xff\xd8\xff"
@@ -260,7 +259,7 @@ def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 
 
-def texture_size(path: str | os.PathLike[str], data: Source | memoryview) -> tuple[int, int]:
+def texture_size(path: str | os.PathLike[str], data: bytes | memoryview) -> tuple[int, int]:
     """Width and height of an image that `decode_texture` accepts, without decoding it."""
     plugin = _plugin_of(path, data)
     if plugin is None:
@@ -365,7 +364,7 @@ def _open_picture(
         return plugin(file)
 
 
-def _plugin_of(path: str | os.PathLike[str], data: Source | bytes | memoryview) -> type[ImageFile.ImageFile] | None:
+def _plugin_of(path: str | os.PathLike[str], data: bytes | memoryview) -> type[ImageFile.ImageFile] | None:
     """Pillow's class for a TIFF, BMP or TGA file (TGA by its extension only). None for other formats."""
     start = bytes(data[:4])
     if start in (b"II*\0", b"MM\0*"):

@@ -17,7 +17,7 @@ from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
-from ..source import Source, open_source
+from ..source import open_source
 from .image_files import decode_texture, encode_png, texture_size
 
 # Maximum pixels of a mesh's textures: 16 pages of 8192 x 8192, 3 GiB as RGB.
@@ -76,7 +76,7 @@ def read_textures(
 
 
 def decode_textures(
-    path: str | os.PathLike[str], given: Mapping[_Key, tuple[str | os.PathLike[str], Source | memoryview]]
+    path: str | os.PathLike[str], given: Mapping[_Key, tuple[str | os.PathLike[str], bytes | memoryview]]
 ) -> dict[_Key, NDArray[np.uint8]]:
     """Decode images by key, each once, read-only. Raises `FileError` before decoding if the total is too large."""
     sizes = [texture_size(name, data) for name, data in given.values()]

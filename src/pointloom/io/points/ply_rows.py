@@ -192,7 +192,7 @@ class _BinaryRows:
                 code = (">" if count.byteorder == ">" else "<") + _STRUCT_CODES[f"{count.kind}{count.itemsize}"]
                 steps.append((skip, Struct(code).unpack_from, count.itemsize, prop.dtype.itemsize))
                 skip = 0
-        rest, first, end, at = memoryview(self._rest), self._begin, len(self._source), self._offset
+        rest, first, end, at = self._rest.data, self._begin, len(self._source), self._offset
         starts = array("q")  # grows with the rows that were found
         for row in range(element.count):
             starts.append(at)
