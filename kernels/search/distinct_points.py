@@ -153,7 +153,8 @@ def by_distinct_points(
     values, distinct = measure(tree, *given), distinct_points(tree, max_nn)
     if distinct is None:
         return values
-    copies, picks = tree.copies, positions(tree.source.size, tree.device)
+    copies, picks = copies_of(tree), positions(tree.source.size, tree.device)
+    assert copies is not None and max_nn is not None
     known = [copies.firsts, copies.counts, distinct.rows, _limit(max_nn), picks]
     launch_over_leaves(pick_results_kernel, tree, max_nn, [squared_radius(radius), *known])
     others = measure(distinct.tree, *(gather_rows(values, distinct.firsts) for values in given))
@@ -184,7 +185,7 @@ def _count_copies(points: Points) -> Copies:
 
 
 def _select_distinct(tree: PointTree, firsts: Integers) -> DistinctPoints:
-    mask, ranks = (empty(firsts.size, kind, firsts.device) for kind in (uint8, int32))
+    mask, ranks = empty(firsts.size, uint8, firsts.device), empty(firsts.size, int32, firsts.device)
     launch(mask_heads_kernel, firsts.size, [firsts, mask, ranks])
     heads, rows = positions_of(mask), empty(firsts.size, int32, firsts.device)
     inclusive_scan(ranks, ranks)

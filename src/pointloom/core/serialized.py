@@ -37,8 +37,8 @@ class Serialized:
             if name.startswith("_") and name not in _OPERATORS:
                 continue
             if isinstance(value, property):
-                parts = (part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel))
-                setattr(cls, name, property(*parts, value.__doc__))
+                get, change, delete = (part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel))
+                setattr(cls, name, property(get, change, delete, value.__doc__))
             elif inspect.isfunction(value):
                 setattr(cls, name, one_at_a_time(value))
 

@@ -165,7 +165,8 @@ def source_warnings(frames: Any) -> tuple[str, ...]:
     unpaired, camera = None, None
     if pairing := getattr(frames, "pairing", ()):
         remedy = "check that the clocks of depth, color and poses agree"
-        unpaired = why_few_matched(*pairing, "frames have all images and a pose at their time", remedy)
+        paired, possible = pairing
+        unpaired = why_few_matched(paired, possible, "frames have all images and a pose at their time", remedy)
     if getattr(frames, "warnings", ()):
         camera = camera_problem(frames, getattr(frames, "intrinsic_source", "") or "of the frames")
     return failed(unpaired, camera)

@@ -404,15 +404,15 @@ class DenseSLAM(Serialized):
         """Withdraw earlier frames whose color and depth turn out to be apart in time, and mark them as uncertain."""
         apart = self.stream.lag.current
         first = self.stream.lag.synchronized if apart is None else apart.first
-        while self._unchecked and self._unchecked[0].index < first:
+        while self._unchecked and self._unchecked[0].number < first:
             self._unchecked.popleft()
         if apart is None:
             return
-        withdrawn = [frame.index for frame in self._unchecked if frame.owner in self._maps.searchable]
+        withdrawn = [frame.number for frame in self._unchecked if frame.owner in self._maps.searchable]
         for frame in self._unchecked:
-            if frame.index in withdrawn:
+            if frame.number in withdrawn:
                 frame.owner.withdraw(frame)
-                self.results[frame.index] = dataclasses.replace(self.results[frame.index], fused=False)
+                self.results[frame.number] = dataclasses.replace(self.results[frame.number], fused=False)
         self._unchecked.clear()
         for i in range(first, len(self.results)):
             if self.results[i].is_tracked and not self.results[i].fused:

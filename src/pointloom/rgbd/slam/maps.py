@@ -30,7 +30,7 @@ MAX_MAPS = 4  # kept with a model; beyond it the smallest inactive one is freed
 class FusedFrame(NamedTuple):
     """A frame as it was fused into the map `owner`: its number, depth [m], colors or None, and pose."""
 
-    index: int
+    number: int
     owner: SlamMap
     depth: Any
     pixels: Any
@@ -57,7 +57,7 @@ class SlamMap:
         """Remove a frame from the surface and the submaps. Tracking continues with the complete model."""
         self.model._withdraw(frame.depth, frame.pixels, frame.pose)
         if self.recorder is not None:
-            self.recorder._withdraw(frame.index, frame.depth, frame.pose, frame.pixels)
+            self.recorder._withdraw(frame.number, frame.depth, frame.pose, frame.pixels)
 
     def leave(self) -> None:
         """Mark the camera as lost here since it continues in another map."""

@@ -171,7 +171,8 @@ class Model(Serialized):
         elif self.frame_count and pixels is None:
             pixels = self._own_colors(pose)
         depth = prepared.still if prepared.still is not None else self.movers.still_depth(prepared, pose)
-        for volume in [self.volume] + [self._without] * (self._without is not None):
+        volumes = [self.volume] if self._without is None else [self.volume, self._without]
+        for volume in volumes:
             volume._integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
         if self.leave_out_moving:
             self.movers.add(prepared, pose)
