@@ -212,7 +212,6 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "io/points/in_parts.py": ("detail tree",),
     "io/points/kitti_bin.py": ("cloud .bin",),
     "io/points/las.py": ("cloud .las",),
-    "io/points/laszip.py": ("cloud .laz",),
     "io/points/laz_chunks.py": ("chunks of LAS",),
     "io/points/npz.py": ("cloud .npz", "NPZ", "open3d tensor"),
     "io/points/pcd.py": ("cloud .pcd", "PCD"),

@@ -281,8 +281,9 @@ def test_fuse_reports_unmatched_frames(tmp_path):
         write_png(folder / "depth" / f"{time}.png", np.full((480, 640), 5000, np.uint16))
     (folder / "depth.txt").write_text("".join(f"{time} depth/{time}.png\n" for time in (1, 2, 3)))
     (folder / "groundtruth.txt").write_text("".join(f"{time} 0 0 0 0 0 0 1\n" for time in (1, 3)))
-    shown = output_of("fuse", folder, "-o", tmp_path / "out.ply", "--voxel", "0.05")
-    assert "1 left out, the first depth/2.png: no pose within 0.02 s" in shown
+    result = run("fuse", folder, "-o", tmp_path / "out.ply", "--voxel", "0.05")
+    assert "1 left out, the first depth/2.png: no pose within 0.02 s" in result.stdout
+    assert result.exit_code == 3 and "the camera may be wrong (the default of tum)" in result.stderr
 
 
 def test_doctor_runs_a_kernel_and_reports_the_number_of_threads(monkeypatch):

@@ -38,7 +38,9 @@ class Serialized:
                 continue
             if isinstance(value, property):
                 get, change, delete = (part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel))
-                setattr(cls, name, property(get, change, delete, value.__doc__))
+                made = property(get, change, delete, value.__doc__)
+                made.__set_name__(cls, name)  # for error messages
+                setattr(cls, name, made)
             elif inspect.isfunction(value):
                 setattr(cls, name, one_at_a_time(value))
 
