@@ -726,7 +726,13 @@ def test_a_file_that_changes_while_it_is_read_is_an_error(suffix, change, tmp_pa
     if suffix == ".ptx":
         path.write_text("3\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n" + "1 2 3 0.5\n" * 3)
     elif suffix == ".bin":
-        path.write_bytes(np.random.default_rng(0).random((301, 4)).astype("<f4").tobytes())
+        path.write_bytes(
+            np.random.default_rng(0)
+            .uniform(-50, 50, (301, 4))
+            .clip([-50] * 3 + [0.1], [50] * 3 + [0.9])
+            .astype("<f4")
+            .tobytes()
+        )
     elif suffix in READERS and suffix not in (".csv", ".txt", ".asc"):
         write_points(path, 300)
     elif suffix in READERS:
