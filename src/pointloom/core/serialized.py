@@ -37,8 +37,8 @@ class Serialized:
             if name.startswith("_") and name not in _OPERATORS:
                 continue
             if isinstance(value, property):
-                get, change, delete = (part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel))
-                made = property(get, change, delete, value.__doc__)
+                parts: list[Any] = [part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel)]
+                made: Any = property(*parts, value.__doc__)
                 made.__set_name__(cls, name)  # for error messages
                 setattr(cls, name, made)
             elif inspect.isfunction(value):
