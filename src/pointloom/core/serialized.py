@@ -7,6 +7,7 @@ import functools
 import inspect
 import threading
 from collections.abc import Callable, Iterable, Iterator
+from types import FunctionType
 from typing import Any, Self, TypeVar, cast
 
 Method = TypeVar("Method", bound=Callable[..., Any])
@@ -52,12 +53,14 @@ class Serialized:
 def one_at_a_time(function: Method) -> Method:
     """Acquire the lock of the object for a method. Needed for private methods that other objects call."""
 
-    @functools.wraps(function)
     def call(self: Any, *args: Any, **options: Any) -> Any:
         with self._lock:
             return function(self, *args, **options)
 
-    return cast(Method, call)
+    # with the globals of the method, by which warnings recognize the caller's line
+    home = cast(FunctionType, function).__globals__
+    made = FunctionType(cast(FunctionType, call).__code__, home, function.__name__, None, call.__closure__)
+    return cast(Method, functools.wraps(function)(made))
 
 
 @contextlib.contextmanager

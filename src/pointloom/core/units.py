@@ -24,11 +24,7 @@ _NEAR_SHARE = 1e-5  # relative tolerance of a rounded length against the unit na
 
 
 _FOR_USERS = ("pointloom.cli.", "pointloom.open3d.")  # packages that only forward user calls
-_AROUND_CALLS = (  # decorators of operations
-    "pointloom.core.dropped_results",
-    "pointloom.core.argument_errors",
-    "pointloom.core.serialized",
-)
+_AROUND_CALLS = ("pointloom.core.dropped_results", "pointloom.core.argument_errors")  # decorators of operations
 _PASSED_OVER = ("pointloom.", "numpy.", "contextlib")  # modules where warnings are never the user's
 
 

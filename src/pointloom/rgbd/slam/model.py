@@ -107,6 +107,7 @@ class Model(Serialized):
 
     @property
     def surface_volume(self) -> TSDFVolume:
+        """The surface: `volume` without the frames that were withdrawn."""
         return self.volume if self._without is None else self._without
 
     def _replace_volume(self, volume: TSDFVolume, surface: TSDFVolume | None = None) -> None:
