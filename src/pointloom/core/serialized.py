@@ -39,7 +39,7 @@ class Serialized:
                 continue
             if isinstance(value, property):
                 parts: list[Any] = [part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel)]
-                made: Any = property(*parts, value.__doc__)
+                made: Any = property(parts[0], parts[1], parts[2], value.__doc__)
                 made.__set_name__(cls, name)  # for error messages
                 setattr(cls, name, made)
             elif inspect.isfunction(value):
