@@ -231,7 +231,7 @@ def test_a_damaged_surface_is_named(frames, tmp_path):
     by_cubes(frames, job, size=2.0)
     path = max((job / "cubes").iterdir(), key=lambda path: path.stat().st_size)
     path.write_bytes(path.read_bytes()[:1000])
-    with pytest.raises(FileError, match=rf"{path.name}:"):
+    with pytest.raises(FileError, match=rf"{path.name} \(byte 1000\): a cube's surface cannot be read"):
         loom.tiling.finish_fusion(job)
 
 
