@@ -77,8 +77,7 @@ def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     kitchen, options = real_file("rgbd-7scenes-redkitchen"), FolderOptions(every=50)
     outputs = ModelOutputs(tmp_path / "kitchen.ply")
     report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_dict()
-    (warning,) = report["warnings"]  # the folder has no camera file
-    assert "(the default of 7-Scenes)" in warning and report["frames"] == 6
+    assert (report["reliable"], report["frames"]) == (True, 6)
     assert report["used_share"] > 0.8 and report["triangles"] > 10_000
     assert (np.array(report["bounds"]["min"]) > [-3, -2, 0]).all()
     assert (np.array(report["bounds"]["max"]) < [2, 2, 4.5]).all()
