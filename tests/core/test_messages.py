@@ -5,6 +5,7 @@ import inspect
 import io
 import json
 import logging
+import operator
 import os
 import pickle
 import re
@@ -231,6 +232,10 @@ POINT, BOX = np.zeros((1, 3)), loom.TriangleMesh.create_box
 TensorMap = o3d.t.geometry.TensorMap
 
 
+def cloud_of(name, kind):
+    return loom.PointCloud(POINT, **{name: np.zeros(1, kind)})
+
+
 def missing_tensor(name):
     with pytest.raises(KeyError) as caught:
         TensorMap("positions")[name]
@@ -268,6 +273,20 @@ def tensor_lines(name):
     return made
 
 
+def logged_by_program(text):
+    records = []
+    handler = logging.Handler()
+    handler.emit = lambda record: records.append(handler.format(record))
+    for name in ("pointloom", "pointloom.viewer"):
+        logger = logging.getLogger(name)
+        logger.addHandler(handler)
+        try:
+            logger.error("%s failed", text)
+        finally:
+            logger.removeHandler(handler)
+    return "".join(records)
+
+
 TEXTS = {
     "an error": lambda text, _: str(FileError(text, text, where=text, remedy=text)),
     "an error from another process": lambda text, _: str(pickle.loads(pickle.dumps(FileError(text, text)))),
@@ -283,6 +302,11 @@ TEXTS = {
     "a configuration": lambda text, _: refused(ReconstructionConfig.from_names, {text: 1}),
     "a recording": lambda text, _: repr(Recording(Path(text.replace("\0", "")), [])),
     "a name of a job": lambda text, _: str(JobStatus("", text, "", 0, 0, 0, 0, 0, False, {}, ())),
+    "an attribute of a wrong length": lambda text, _: refused(
+        operator.setitem, loom.PointCloud(POINT), text, np.zeros(3)
+    ),
+    "an attribute of a mesh": lambda text, _: refused(operator.setitem, BOX().vertex_attributes, text, np.zeros(3)),
+    "clouds of other types": lambda text, _: refused(operator.add, *(cloud_of(text, kind) for kind in ("f4", "f8"))),
     "a scale bar": lambda text, _: str(ScaleBar(text, "b", 1.0)),
     "a tensor map": lambda text, _: repr(TensorMap(text, {text: o3d.core.Tensor([1])})),
     "a missing tensor": lambda text, _: missing_tensor(text),
@@ -292,6 +316,7 @@ TEXTS = {
     "a mesh of tensors": lambda text, _: repr(tensor_mesh(text)),
     "lines of tensors": lambda text, _: repr(tensor_lines(text)),
     "a material": lambda text, _: repr(type(o3d.t.geometry.TriangleMesh().material)(text)),
+    "a log of a program": lambda text, _: logged_by_program(text),
 }
 
 

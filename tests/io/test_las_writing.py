@@ -535,6 +535,28 @@ def test_old_scan_angles_are_converted_to_the_new_formats(rng, tmp_path):
     np.testing.assert_array_equal(np.sort(np.rint(angles * 0.006)), np.sort(cloud["scan_angle_rank"]))
 
 
+@pytest.mark.parametrize("suffix", [".las", ".laz", ".copc.laz"])
+@pytest.mark.parametrize("formats", [(1, 6), (8, 3), (5, 10), (0, 7)])
+def test_clouds_of_old_and_new_point_formats_keep_common_dimensions(rng, tmp_path, formats, suffix):
+    clouds, records = [], []
+    for k, number in enumerate(formats):
+        records.append(make(tmp_path / f"{k}.las", number, 50, rng))
+        clouds.append(loom.read_point_cloud(tmp_path / f"{k}.las"))
+        clouds[-1]["row"] = np.arange(50 * k, 50 * k + 50)
+    loom.write_point_cloud(tmp_path / f"both{suffix}", clouds[0] + clouds[1], scale=0.1)
+    las = laspy.read(tmp_path / f"both{suffix}")
+    las.points = las.points[np.argsort(las["row"])]
+    for name in ("return_number", "number_of_returns", "classification", "synthetic", "key_point", "withheld"):
+        np.testing.assert_array_equal(las[name], np.concatenate([record[name] for record in records]))
+    old = [number < 6 for number in formats]
+    angles = [r["scan_angle_rank"] if o else r["scan_angle"] * 0.006 for r, o in zip(records, old, strict=True)]
+    overlap = [r["classification"] == 12 if o else r["overlap"] for r, o in zip(records, old, strict=True)]
+    channel = [np.zeros(50) if o else r["scanner_channel"] for r, o in zip(records, old, strict=True)]
+    np.testing.assert_allclose(np.asarray(las["scan_angle"]) * 0.006, np.concatenate(angles), rtol=0, atol=0.0031)
+    np.testing.assert_array_equal(las["overlap"], np.concatenate(overlap))
+    np.testing.assert_array_equal(las["scanner_channel"], np.concatenate(channel))
+
+
 def test_scan_angles_of_attributes_that_only_new_formats_store_are_converted(rng, tmp_path):
     make(tmp_path / "old.las", 1, 20, rng)
     cloud = loom.read_point_cloud(tmp_path / "old.las")

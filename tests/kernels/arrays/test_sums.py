@@ -1,6 +1,7 @@
 """Prefix sums, running sums, sums over runs, medians and quantiles: those of NumPy, and an error at 32-bit overflow."""
 
 import itertools
+import math
 
 import numpy as np
 import pytest
@@ -137,6 +138,16 @@ def test_a_mean_leaves_out_rows_that_are_not_finite(device):
     for means in (average_vec3(upload(values, vec3, device), *where), sum_columns(rows, *where, mean=True)):
         assert means.numpy()[0].tolist() == [2, 2, 2] and np.isnan(means.numpy()[1]).all()
     assert np.isnan(sum_columns(rows, *where).numpy()[0]).tolist() == [True, False, False]
+
+
+@pytest.mark.parametrize("offset", [1.7e9, -1.7e18])
+def test_means_of_large_numbers_are_exact(device, rng, offset):
+    values = offset + rng.random((20_000, 2)) * abs(offset) * 1e-9
+    values[5, 0] = 1e30 * np.sign(offset)
+    where = [upload(np.array(a), int32, device) for a in (np.arange(20_000), [0, 6, 20_000])]
+    means = sum_columns(upload(values, float64, device), *where, mean=True).numpy()
+    expected = [[math.fsum(column) / len(part) for column in part.T] for part in (values[:6], values[6:])]
+    np.testing.assert_array_max_ulp(means, np.array(expected), 1)
 
 
 SHARES = (0.0, 0.02, 0.3, 0.5, 0.98, 1.0)
