@@ -15,6 +15,7 @@ from ..kernels.features.eigen_features import measure_curvature, measure_shapes
 from ..kernels.features.fpfh import compute_features, mask_points
 from ..kernels.lang import int32
 from ..kernels.memory import upload
+from ..kernels.search.distinct_points import without_copies
 from ..kernels.search.point_tree import PointTree
 from .cached_tree import check_extent
 from .cloud import PointCloud
@@ -63,7 +64,7 @@ def compute_fpfh_feature(
     masked = mask_points(cloud._device_array("points"), normals)
     tree = cloud.search_tree() if masked is None else PointTree(masked)
     check_extent("cloud", tree.low, tree.high, tree.source)
-    warn_of_short("radius", tree, radius, cloud.unit, "the features are zeros")
+    warn_of_short("radius", without_copies(tree), radius, cloud.unit, "the features are zeros")
     return hand_out(compute_features(tree, normals, search_radius, count, rows), cloud.array_library)
 
 

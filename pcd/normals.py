@@ -21,6 +21,7 @@ from ..core.dropped_results import returns_new
 from ..kernels.arrays.select import gather_rows
 from ..kernels.extent.masks import usable_rows
 from ..kernels.memory import download
+from ..kernels.search.distinct_points import without_copies
 from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normal_agreement import share_of_opposed_normals
@@ -46,11 +47,12 @@ class Normals(Selection):
 
         Args:
             radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
-            max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
+            max_nn: Maximum neighbors, including the point itself. If None: all within the radius. Copies of a position
+                that would fill more than a fifth of a neighborhood count once in it.
 
         Returns:
-            The cloud with unit normals (n, 3); (0, 0, 1) with fewer than 3 neighbors, NaN for points that are not
-            finite. Existing normals determine the sign. Otherwise it is Open3D's, which is not consistent. Orient with
+            The cloud with unit normals (n, 3); (0, 0, 1) with fewer than 3 distinct neighbors, NaN for non-finite
+            points. Existing normals determine the sign. Otherwise it is Open3D's, which is not consistent. Orient with
             `orient_normals_towards_camera_location` (a scan), `orient_normals_to_align_with_direction` (terrain) or
             `orient_normals_consistent_tangent_plane`.
 
@@ -61,10 +63,9 @@ class Normals(Selection):
             UnitWarning: If hardly any point has a neighbor in the radius, which suggests another unit.
         """
         search_radius, count = check_search(radius, max_nn)
-        points = self._arrays["points"]
         tree = self.search_tree()
-        warn_of_short("radius", tree, radius, self.unit, "normals are (0, 0, 1)")
-        normals = estimate_normals(tree, points, count, search_radius)
+        warn_of_short("radius", without_copies(tree), radius, self.unit, "normals are (0, 0, 1)")
+        normals = estimate_normals(tree, count, search_radius)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
         return self._with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
@@ -94,7 +95,8 @@ class Normals(Selection):
 
         Args:
             radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
-            max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
+            max_nn: Maximum neighbors, including the point itself. If None: all within the radius. Copies of a position
+                that would fill more than a fifth of a neighborhood count once in it.
 
         Returns:
             The cloud with `covariances`, divided by the count as in Open3D; identity with fewer than 3 neighbors, NaN
@@ -110,8 +112,9 @@ class Normals(Selection):
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
         """
         search_radius, count = check_search(radius, max_nn)
-        points = self._arrays["points"]
-        covariances = estimate_covariances(self.search_tree(), points, count, search_radius)
+        tree = self.search_tree()
+        warn_of_short("radius", without_copies(tree), radius, self.unit, "covariances are the identity or zero")
+        covariances = estimate_covariances(tree, count, search_radius)
         return self._with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
 
     @returns_new
@@ -291,7 +294,7 @@ class Normals(Selection):
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
         tree, normals = self.search_tree(), self._arrays.get("normals")
         if normals is None:
-            normals = estimate_normals(tree, tree.source, NORMAL_NEIGHBORS, math.inf)
+            normals = estimate_normals(tree, NORMAL_NEIGHBORS, math.inf)
         return self._moved(average_by_sides(tree, normals, count, search_radius, spatial, across))
 
     @returns_new

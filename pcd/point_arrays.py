@@ -44,7 +44,7 @@ class Attributes(MutableMapping[str, NDArray[Any]]):
 
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if name in VECTORS:
-            raise KeyError(f"{name}: assign cloud.{name}")
+            raise KeyError(escaped(f"{name}: assign cloud.{name}"))
         self._cloud[name] = values
 
     def __delitem__(self, name: str) -> None:
@@ -386,7 +386,9 @@ class PointArrays(InUnit, KnownNames):
 
     def _set(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
-            raise TypeError(f"{name}: expected an array, got a PointCloud. Pass one of its arrays: other[{name!r}]")
+            raise TypeError(
+                f"{escaped(name)}: expected an array, got a PointCloud. Pass one of its arrays: other[{name!r}]"
+            )
         if is_on_gpu(values):
             self._arrays[name] = self._taken(name, values)
             return
@@ -398,11 +400,12 @@ class PointArrays(InUnit, KnownNames):
             colors = check_colors(name, check_rows(name, values, 3, rows=len(self)))
             self._arrays[name] = upload(colors, vec3, self.device, copied=is_copied)
         else:
-            column = check_numeric(name, values)
+            column = check_numeric(escaped(name), values)
             if column.ndim not in (1, 2) or len(column) != len(self):
-                raise ValueError(f"{name}: expected shape [{len(self)}] or [{len(self)}, c], got {list(column.shape)}")
+                expected = f"[{len(self)}] or [{len(self)}, c]"
+                raise ValueError(f"{escaped(name)}: expected shape {expected}, got {list(column.shape)}")
             if column.dtype.itemsize > 8:
-                raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
+                raise TypeError(f"{escaped(name)}: expected numbers of 64 bits at most, got {column.dtype}")
             kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
             self._arrays[name] = upload(column, kind, self.device, copied=is_copied)
 

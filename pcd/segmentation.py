@@ -19,6 +19,7 @@ from ..kernels.features.eigen_features import measure_curvature
 from ..kernels.lang import int32
 from ..kernels.linear_algebra import matmul, norm
 from ..kernels.memory import full
+from ..kernels.search.distinct_points import distinct_points
 from ..kernels.search.tree_search import search_nearest
 from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
@@ -184,6 +185,11 @@ class Segmentation(Selection):
         search_radius = math.inf if radius is None else check_positive("radius", radius)
         points = self._arrays["points"]
         normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        distinct = distinct_points(self.search_tree(), neighbor_count)
+        if distinct is not None:  # copies of a position have no other neighbors
+            first_points = self._select_rows(distinct.firsts)
+            limits_of_planes = normal_variance_threshold_deg, coplanarity_deg, outlier_ratio, min_plane_edge_length
+            return first_points.detect_planar_patches(*limits_of_planes, min_num_points, radius=radius, max_nn=max_nn)
         rows = usable_rows(points, normals)
         if rows.size < min_count:
             return []
@@ -536,14 +542,22 @@ class Segmentation(Selection):
                 raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {min_size}, got {max_size}")
         count = check_count("max_nn", max_nn, minimum=2)
         normals = self._required_array("normals", NORMALS)
-        nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
-        curvature = measure_curvature(self.search_tree(), math.inf, count)
-        cosine = math.cos(math.radians(angle))
-        labels, _ = grow_regions(
-            normals, curvature, nearest, cosine, limit, min(min_size, MAX_SIZE), min(max_size, MAX_SIZE)
-        )
+        sizes = min(min_size, MAX_SIZE), min(max_size, MAX_SIZE)
+        limits = math.cos(math.radians(angle)), limit, *sizes
+        distinct = distinct_points(self.search_tree(), count)
+        if distinct is None:
+            labels = self._grow_regions(normals, count, limits)
+        else:  # copies of a position have no other neighbors
+            first_points, firsts = self._select_rows(distinct.firsts), distinct.firsts
+            labels = first_points._grow_regions(gather_rows(normals, firsts), count, limits)
+            labels = gather_rows(labels, distinct.rows)
         report("clusters", cloud=self, labels=labels)
         return self._handed_out(labels)
+
+    def _grow_regions(self, normals: Any, count: int, limits: tuple[float, float, int, int]) -> Any:
+        nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
+        curvature = measure_curvature(self.search_tree(), math.inf, count)
+        return grow_regions(normals, curvature, nearest, *limits)[0]
 
 
 def _check_angle(name: str, degrees: Any) -> float:

@@ -26,18 +26,19 @@ from ..core.checks import (
 )
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
+from ..core.escaped_text import escaped
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..core.units import common_unit
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
+from ..kernels.arrays.duplicates import first_occurrences
 from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.arrays.subsets import draw_rows, other_rows, sort_rows, step_rows
 from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import float64, int32, vec3
 from ..kernels.memory import cast, download, full, upload
-from ..kernels.sampling.duplicates import first_occurrences
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, nearest_to_middles, trace_voxels
@@ -45,6 +46,7 @@ from ..kernels.search.neighbor_distances import average_distances, mask_up_to, m
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .las_attributes import with_common_las_attributes
 from .length_checks import check_order, warn_of_far, warn_of_long, warn_of_short
 from .point_arrays import VECTORS, PointArrays, check_cloud
 from .polygon_volume import SelectionPolygonVolume, mask_volume
@@ -85,7 +87,8 @@ class Selection(PointArrays):
 
         Keeps the attributes that all non-empty clouds have, as Open3D's `+`. The origin is that of the largest cloud.
         Others are converted in float64. The unit is that of the clouds with a known unit. If these differ, a
-        UnitWarning is issued and the unit is unknown. O(total) time and memory.
+        UnitWarning is issued and the unit is unknown. If some clouds have LAS's `scan_angle_rank` (whole degrees) and
+        others `scan_angle` (steps of 0.006 degrees), all get `scan_angle`. O(total) time and memory.
 
         Args:
             clouds: At least one, all on one device.
@@ -109,7 +112,7 @@ class Selection(PointArrays):
         for cloud in given:
             check_cloud("clouds", cloud)
             check_same_device("clouds", cloud.device, given[0].device)
-        parts = [cloud for cloud in given if len(cloud)] or given[:1]
+        parts = with_common_las_attributes([cloud for cloud in given if len(cloud)] or given[:1])
         total = sum(map(len, parts))
         if total > MAX_POINTS:
             raise ValueError(f"clouds: expected at most 2^31 - 1 points, got {total:,}. Keep them in several clouds")
@@ -602,7 +605,7 @@ def _check_alike(name: str, rows: Sequence[Any]) -> None:
     for values in rows:
         if values.dtype != first.dtype:
             given = f"{first.dtype.__name__} and {values.dtype.__name__}"
-            raise TypeError(f"{name}: expected one type in all clouds, got {given}; convert one")
+            raise TypeError(f"{escaped(name)}: expected one type in all clouds, got {given}; convert one")
         if values.shape[1:] != first.shape[1:]:
             given = f"{[*first.shape[1:]]} and {[*values.shape[1:]]}"
             raise ValueError(

@@ -17,6 +17,7 @@ from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.quantiles import median_above_zero
 from ..kernels.lang import float32, int32
 from ..kernels.memory import full
+from ..kernels.search.distinct_points import without_copies
 from ..kernels.search.neighbor_distances import nearest_distances
 from ..kernels.segmentation.plane_fit import label_rows
 from ..kernels.segmentation.shape_models import CONE, NUMBERS, PLANE
@@ -128,7 +129,8 @@ def detect_shapes(
     search, limits = search_of(cloud, limits)
     if search.rows.size >= min_points and search.size > 0:
         if epsilon is None:
-            apart = nearest_distances(cloud.search_tree(), cloud._device_array("points"), others=True, missing=0.0)
+            tree = without_copies(cloud.search_tree())
+            apart = nearest_distances(tree, tree.source, others=True, missing=0.0)
             epsilon = STEPS * float(median_above_zero(apart) or limits.distance)
         rounds = _Rounds(search, limits, kind_numbers, min_points, epsilon, max_samples, chance, start, labels)
         report_progress("shapes", 0, len(cloud))

@@ -30,11 +30,13 @@ def sum_columns_kernel(
     mean: int,
     totals: array(dtype=float64, ndim=2),
 ):
-    """Sum of each column over each run, or mean over its finite rows (NaN if none)."""
+    """Sum of each column over each run, or mean over its finite rows (NaN if none). Sums of means are compensated
+    (Neumaier 1974), so means of large numbers, such as epoch times, are exact to 1 ulp."""
     i = tid()
     run = i // columns
     column = i % columns
     total = float64(0.0)
+    lost = float64(0.0)
     count = float64(0.0)
     for j in range(starts[run], starts[run + 1]):
         row = order[j]
@@ -44,9 +46,18 @@ def sum_columns_kernel(
                 if not isfinite(values[row, k]):
                     is_counted = 0
         if is_counted == 1:
-            total += values[row, column]
+            value = values[row, column]
+            new_total = total + value
+            if mean == 1:
+                if abs(total) >= abs(value):
+                    lost += (total - new_total) + value
+                else:
+                    lost += (value - new_total) + total
+            total = new_total
             count += 1.0
     if mean == 1:
+        if isfinite(lost):  # not if the sum overflows
+            total += lost
         total = total / count
     totals[run, column] = total
 

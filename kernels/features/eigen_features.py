@@ -13,6 +13,7 @@ from ..array_types import Array2, Device, Scalars
 from ..arrays.packed_keys import key_number
 from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, sqrt, struct, tid, vec3d
 from ..memory import empty, full
+from ..search.distinct_points import by_distinct_points
 from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import LARGEST_SQDIST
@@ -161,6 +162,12 @@ def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict
     """Eigenvalues (n, 3), largest first, and SHAPES (n), float32 by name. NaN for fewer than three neighbors. `max_nn`
     includes the point itself. None takes all within `radius` [m] (exclusive).
     """
+    names = ("eigenvalues", *SHAPES)
+    found = by_distinct_points(tree, max_nn, radius, lambda tree: _measure_shapes(tree, radius, max_nn))
+    return dict(zip(names, found, strict=True))
+
+
+def _measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> list[Scalars | Array2[float32]]:
     around = Neighborhood(tree, radius, max_nn)
     sums = sum_neighbor_moments(around)
     shapes = Shapes(tree.source.size, tree.device)
@@ -170,11 +177,16 @@ def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict
         ends = empty(tree.count, float32, tree.device)
         around.visit(find_ends_kernel, around.positions, [max_nn, around.max_sqdist, ends])
     launch(measure_shapes_kernel, tree.count, [sums, ends, tree.order, shapes])
-    return {name: getattr(shapes, name) for name in ("eigenvalues", *SHAPES)}
+    return [getattr(shapes, name) for name in ("eigenvalues", *SHAPES)]
 
 
 def measure_curvature(tree: "PointTree", radius: float, max_nn: int | None) -> Scalars:
     """Surface variation of each neighborhood, float32 (n), 0 .. 1/3. NaN as in `measure_shapes`."""
+    (curvature,) = by_distinct_points(tree, max_nn, radius, lambda tree: [_measure_curvature(tree, radius, max_nn)])
+    return curvature
+
+
+def _measure_curvature(tree: "PointTree", radius: float, max_nn: int | None) -> Scalars:
     sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
     curvature = full(tree.source.size, NAN, float32, tree.device)
     launch(measure_curvature_kernel, tree.count, [sums, tree.order, curvature])

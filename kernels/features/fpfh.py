@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from ..array_types import Array2, Indices, Integers, Points, Vectors
 from ..arrays.lanes import sum_of_lanes
 from ..arrays.packed_keys import key_index, key_number
-from ..arrays.select import gather_vec3_kernel, number_rows_kernel, positions_of
+from ..arrays.select import gather_rows, gather_vec3_kernel, number_rows_kernel, positions_of
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
     NAN,
@@ -34,6 +34,7 @@ from ..lang import (
     vector,
 )
 from ..memory import cast, download, empty, zeros
+from ..search.distinct_points import by_distinct_points, distinct_points
 from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of, store_members
 from ..search.point_tree import LEAF
@@ -406,13 +407,27 @@ def compute_features(
     """Fast point feature histograms, float32 (n, 33) or (rows, 33). NaN for points without finite position and normal.
     The tree's points must pass `mask_points`; `max_nn` includes the point itself; `radius` [m] is exclusive.
     """
-    n, device = tree.source.size, tree.device
+    n = tree.source.size
     if max(n, 0 if rows is None else rows.size) > MAX_POINTS:
         raise ValueError(f"features of {n} points: one array holds those of {MAX_POINTS}; split the cloud")
-    sorted_normals = empty(tree.count, vec3, device)
+    if rows is not None and distinct_points(tree, max_nn) is None:
+        return _compute_chosen(tree, _in_tree_order(tree, normals), radius, max_nn, rows)
+
+    def compute(tree: "PointTree", normals: Vectors) -> list[Array2[float32]]:
+        return [_compute_all(tree, _in_tree_order(tree, normals), radius, max_nn)]
+
+    (features,) = by_distinct_points(tree, max_nn, radius, compute, normals)
+    return features if rows is None else gather_rows(features, rows)
+
+
+def _in_tree_order(tree: "PointTree", normals: Vectors) -> Vectors:
+    sorted_normals = empty(tree.count, vec3, tree.device)
     launch(gather_vec3_kernel, tree.count, [normals, tree.order, sorted_normals])
-    if rows is not None:
-        return _compute_chosen(tree, sorted_normals, radius, max_nn, rows)
+    return sorted_normals
+
+
+def _compute_all(tree: "PointTree", sorted_normals: Vectors, radius: float, max_nn: int | None) -> Array2[float32]:
+    n, device = tree.source.size, tree.device
     features = empty((n, COLUMNS), float32, device)
     neighborhood = Neighborhood(tree, radius, max_nn)
     histograms = count_angles(neighborhood, sorted_normals, neighborhood.positions)

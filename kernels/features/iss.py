@@ -10,6 +10,7 @@ from ..arrays.select import positions_of
 from ..lang import array, float64, func, int32, int64, kernel, launch, reduce, reduction, sqrt, tid, uint8, vec3, vector
 from ..memory import download, empty, zeros
 from ..search.bucket_walk import points_within
+from ..search.distinct_points import without_copies
 from ..search.nearest_point import find_nearest
 from ..search.neighbor_limits import Neighborhood
 from ..search.point_tree import BUCKET, PointTree
@@ -92,7 +93,8 @@ def keep_maxima_kernel(
 
 
 def mean_spacing(tree: PointTree) -> float:
-    """Mean distance [m] of finite points to the nearest other point. 0 if there are none (sync)."""
+    """Mean distance [m] of the finite positions to the nearest other one. 0 if there are none (sync)."""
+    tree = without_copies(tree)
     if tree.count == 0:
         return 0.0
     points = tree.source

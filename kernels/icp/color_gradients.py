@@ -27,6 +27,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
+from ..search.distinct_points import by_distinct_points
 from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
@@ -130,11 +131,21 @@ def estimate_color_gradients(
     """(intensities, gradients per meter, orthogonal to the normal). Zero gradients for fewer than 4 neighbors
     (including itself) with a finite color within `radius` [m], or without a normal.
     """
-    device, intensities = tree.device, average_colors(colors)
+    intensities = average_colors(colors)
+
+    def fit(tree: PointTree, normals: Vectors, intensities: Scalars) -> list[Vectors]:
+        return [_fit_gradients(tree, normals, intensities, radius, max_nn)]
+
+    (gradients,) = by_distinct_points(tree, max_nn, radius, fit, normals, intensities)
+    return intensities, gradients
+
+
+def _fit_gradients(tree: PointTree, normals: Vectors, intensities: Scalars, radius: float, max_nn: int) -> Vectors:
+    device = tree.device
     count, gradients = tree.count, zeros(tree.source.size, vec3, device)
     sorted_normals, sorted_intensities = empty(count, vec3, device), empty(count, float32, device)
     launch(gather_vec3_kernel, count, [normals, tree.order, sorted_normals])
     launch(gather_intensities_kernel, count, [intensities, tree.order, sorted_intensities])
     arguments = [squared_radius(radius), sorted_normals, sorted_intensities, gradients]
     launch_over_leaves(fit_gradients_kernel, tree, max_nn, arguments)
-    return intensities, gradients
+    return gradients

@@ -24,6 +24,7 @@ from ..lang import (
     vec3d,
 )
 from ..memory import empty
+from ..search.distinct_points import distinct_points
 from ..surface.normals import estimate_normals
 
 if TYPE_CHECKING:
@@ -76,9 +77,9 @@ def plane_covariances_from_normals(normals: Vectors, epsilon: float) -> Array2[f
 
 def plane_covariances(tree: "PointTree", k: int = 20, epsilon: float = 1e-3) -> Array2[float32]:
     """Covariances (n, 9) of planes fitted to the k nearest points, or identity for fewer than 5 neighbors."""
-    points = tree.source
-    normals = estimate_normals(tree, points, k, INFINITY)
+    points, normals = tree.source, estimate_normals(tree, k, INFINITY)
+    distinct = distinct_points(tree, k)
     covariances = empty((points.size, 9), float32, points.device)
-    known = min(k, tree.count) >= MIN_NEIGHBORS
+    known = min(k, tree.count if distinct is None else distinct.tree.count) >= MIN_NEIGHBORS
     launch(cover_planes_kernel, points.size, [normals, int(known), epsilon, covariances])
     return covariances

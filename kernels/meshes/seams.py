@@ -5,13 +5,13 @@ are ignored. About 50 B per half-edge.
 """
 
 from ..array_types import Indices, Points, Triangles
+from ..arrays.duplicates import find_equal_points
 from ..arrays.select import positions_of
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, int32, int64, kernel, launch, tid, uint8, vec3i
 from ..memory import empty
-from ..sampling.duplicates import find_equal_points
 from .mesh_edges import edge_key, key_bits, sorted_edges
 from .mesh_topology import corner_vertex, next_corner
 

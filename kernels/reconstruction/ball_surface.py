@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from ..algebra.transform import widen
 from ..array_types import Bytes, Indices, Mask, Points, Scalars, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
+from ..arrays.duplicates import first_occurrences, same_point
 from ..arrays.select import gather_rows, positions_of, positions_of_each
 from ..arrays.sort import argsort_keys, positions
 from ..lang import (
@@ -33,7 +34,6 @@ from ..lang import (
 from ..memory import copy, download, empty, full, zeros
 from ..meshes.mesh_edits import gather_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
-from ..sampling.duplicates import first_occurrences, same_point
 from ..search.point_tree import PointTree
 from ..search.tree_search import count_within_kernel, squared_radius
 from .ball_faces import BallPoints, list_faces

@@ -23,6 +23,7 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, full
+from .distinct_points import by_distinct_points
 from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .group_search import launch_over_leaves, nearest_of_leaves
 from .nearest_point import find_nearest
@@ -93,7 +94,15 @@ def root_distances_kernel(
 
 
 def average_distances(tree: PointTree, k: int) -> Doubles:
-    """Mean distance [m] to the k nearest points including itself, float64 (n). NaN for non-finite points."""
+    """Mean distance [m] to the k nearest points including itself, float64 (n). NaN for non-finite points.
+
+    Copies of a position count once in neighborhoods that they fill (`by_distinct_points`).
+    """
+    (means,) = by_distinct_points(tree, k, INFINITY, lambda tree: [_average_distances(tree, k)])
+    return means
+
+
+def _average_distances(tree: PointTree, k: int) -> Doubles:
     points, device = tree.source, tree.device
     means = full(points.size, NAN, float64, device)
     if tree.count == 0:

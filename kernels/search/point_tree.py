@@ -6,6 +6,7 @@ point. Box distances use the same unfused operations as point distances and mono
 """
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -60,6 +61,9 @@ class PointTree:
     def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
         hilbert = HilbertOrder(points, curve)
         self.source, self.device = points, points.device
+        self.is_searched_for_copies = False
+        self.copies: Any = None  # as are `distinct`, of distinct_points.py
+        self.distinct: Any = None
         self.low, self.high = hilbert.low, hilbert.high
         self.count, self.order, self.curve = hilbert.finite_count, hilbert.order, hilbert.curve
         sizes, first = level_sizes(-(-self.count // BUCKET))

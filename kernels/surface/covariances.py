@@ -5,9 +5,10 @@ Moments are integer sums of quantized differences to the point, so they are inde
 """
 
 from ..algebra.moments import add_integer_moments, covariance_of, in_meters, integer_moments, moments, steps_for
-from ..array_types import Array2, Points
+from ..array_types import Array2
 from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
+from ..search.distinct_points import by_distinct_points
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, PointTree, square_distance, widest_square
 from ..search.tree_search import squared_radius
@@ -68,8 +69,14 @@ def fill_missing_covariances_kernel(points: array(dtype=vec3), covariances: arra
             covariances[i, j] = NAN
 
 
-def estimate_covariances(tree: PointTree, points: Points, max_nn: int | None, radius: float) -> Array2[float32]:
+def estimate_covariances(tree: PointTree, max_nn: int | None, radius: float) -> Array2[float32]:
     """Covariances [m^2] of the neighbors of a tree's points, float32 (n, 9). Limits as of `estimate_normals`."""
+    (covariances,) = by_distinct_points(tree, max_nn, radius, lambda tree: [_fit_covariances(tree, max_nn, radius)])
+    return covariances
+
+
+def _fit_covariances(tree: PointTree, max_nn: int | None, radius: float) -> Array2[float32]:
+    points = tree.source
     covariances = empty((points.size, 9), float32, points.device)
     if max_nn is None:
         max_sqdist = squared_radius(radius)

@@ -9,8 +9,10 @@ from ..algebra.transform import widen
 from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import sum_each
+from ..arrays.select import gather_rows
 from ..lang import INFINITY, array, dot, float64, func, int32, isfinite, kernel, tid, vec3
 from ..memory import zeros
+from ..search.distinct_points import distinct_points
 from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
@@ -69,6 +71,10 @@ def count_sides_kernel(
 
 def share_of_opposed_normals(tree: PointTree, points: Points, normals: Vectors, k: int) -> float:
     """Fraction of opposed pairs among the counted ones, 0 if there are none. `k` neighbors without the point itself."""
+    distinct = distinct_points(tree, k + 1)
+    if distinct is not None:
+        tree, points = distinct.tree, distinct.tree.source
+        normals = gather_rows(normals, distinct.firsts)
     counted, opposed = (zeros(points.size, int32, points.device) for _ in range(2))
     launch_over_leaves(count_sides_kernel, tree, k + 1, [squared_radius(INFINITY), normals, counted, opposed])
     pairs, against = sum_each(counted, opposed)  # sync

@@ -14,6 +14,7 @@ from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
+from ..search.distinct_points import by_distinct_points
 from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import farthest_key, launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import BUCKET, PointTree, widest_square
@@ -98,9 +99,17 @@ def fill_missing_normals_kernel(points: array(dtype=vec3), normals: array(dtype=
         normals[i] = vec3(NAN, NAN, NAN)
 
 
-def estimate_normals(tree: PointTree, points: Points, max_nn: int | None, radius: float) -> Vectors:
-    """Normals of a tree's points; `max_nn` (None: all) includes the point itself, `radius` [m] is exclusive."""
-    device = points.device
+def estimate_normals(tree: PointTree, max_nn: int | None, radius: float) -> Vectors:
+    """Normals of a tree's points; `max_nn` (None: all) includes the point itself, `radius` [m] is exclusive.
+
+    Copies of a position count once in neighborhoods that they fill (`by_distinct_points`).
+    """
+    (normals,) = by_distinct_points(tree, max_nn, radius, lambda tree: [_fit_normals(tree, max_nn, radius)])
+    return normals
+
+
+def _fit_normals(tree: PointTree, max_nn: int | None, radius: float) -> Vectors:
+    points, device = tree.source, tree.device
     normals = empty(points.size, vec3, device)
     max_sqdist = squared_radius(radius)
     if max_nn is None:

@@ -14,6 +14,7 @@ from ..arrays.packed_keys import key_index
 from ..lang import INFINITY, array, dot, exp, float64, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3d
 from ..memory import copy, empty
 from ..search.bucket_walk import points_within
+from ..search.distinct_points import by_distinct_points
 from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.neighbor_lists import list_neighbors
@@ -198,29 +199,52 @@ def project_to_planes(
     three neighbors and non-finite points stay. `fitted` is undefined without `normals`.
     """
     spatial = 0.0 if radius == INFINITY else 2.0 * falloff_of(radius)
-    rule = _smooth(tree, max_nn, radius, SmoothingPass(tree.source, normals, spatial=spatial, to_plane=True))
-    return rule.moved, rule.fitted
+
+    def project(tree: PointTree, *normals: Vectors) -> list[Points | Vectors]:
+        given = normals[0] if normals else None
+        rule = _smooth(tree, max_nn, radius, SmoothingPass(tree.source, given, spatial=spatial, to_plane=True))
+        return [rule.moved, rule.fitted][: 1 + len(normals)]
+
+    known = [] if normals is None else [normals]
+    moved, *fitted = by_distinct_points(tree, max_nn, radius, project, *known)
+    return moved, fitted[0] if fitted else moved
 
 
 def average_by_sides(
     tree: PointTree, normals: Vectors, max_nn: int | None, radius: float, sigma_s: float, sigma_r: float
 ) -> Points:
     """Bilateral mean of the neighbors, deviations [m] in distance and height. Points without a normal stay."""
-    rule = SmoothingPass(tree.source, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
-    return _smooth(tree, max_nn, radius, rule).moved
+
+    def average(tree: PointTree, normals: Vectors) -> list[Points]:
+        rule = SmoothingPass(tree.source, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
+        return [_smooth(tree, max_nn, radius, rule).moved]
+
+    (moved,) = by_distinct_points(tree, max_nn, radius, average, normals)
+    return moved
 
 
 def average_passes(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Points:
     """One pass per factor, with a new search of the nearest neighbors in each."""
-    points = tree.source
+    points, k = tree.source, neighbor_count + 1
     for number, factor in enumerate(factors):
         now = tree if number == 0 else PointTree(points)
-        points = _smooth(now, neighbor_count + 1, INFINITY, SmoothingPass(points, None, own=1.0, factor=factor)).moved
+
+        def average(tree: PointTree, factor: float = factor) -> list[Points]:
+            return [_smooth(tree, k, INFINITY, SmoothingPass(tree.source, None, own=1.0, factor=factor)).moved]
+
+        (points,) = by_distinct_points(now, k, INFINITY, average)
     return points
 
 
 def average_passes_fixed(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Vectors:
     """As `average_passes` with the neighbors of the first pass, 4 B per neighbor."""
+    (moved,) = by_distinct_points(
+        tree, neighbor_count + 1, INFINITY, lambda tree: [_average_fixed(tree, factors, neighbor_count)]
+    )
+    return moved
+
+
+def _average_fixed(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Vectors:
     device, points = tree.device, tree.source
     moved = empty(points.size, vec3, device)
     copy(moved, points, count=points.size)

@@ -10,10 +10,10 @@ import warp as wp
 
 from ...core.checks import check_color, check_count, check_positive, check_progress
 from ...core.progress import ReportProgress
+from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.sort import positions
 from ...kernels.memory import check_room, download
 from ...kernels.meshes.merge_vertices import rename_corners
-from ...kernels.sampling.duplicates import find_equal_points
 from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
 from ...kernels.textures.charts import compute_uvs, cut_charts, find_twins
 from ...kernels.textures.color_outliers import keep_likely

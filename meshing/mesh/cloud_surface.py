@@ -114,10 +114,11 @@ def create_surface(
     made = _Made(TriangleMesh(device=cloud.device)) if empty else _make(points, method, settings)
     made.mesh.unit = cloud.unit
     report("check", 0, 0)
-    mesh, made_up = _without_made_up(points, made, method, settings)
-    off, support = _find_fit(points, mesh)
+    positions = points.remove_duplicated_points()  # copies would make the spacing 0
+    mesh, made_up = _without_made_up(positions, made, method, settings)
+    off, support = _find_fit(positions, mesh)
     if made.cut is not None:
-        made_up = _with_remedy(points, made.cut, made_up, support, settings["density_quantile"])
+        made_up = _with_remedy(positions, made.cut, made_up, support, settings["density_quantile"])
     return SurfaceResult(
         mesh=mesh.to(mesh.device, arrays=cloud.array_library),
         method=method,

@@ -29,6 +29,7 @@ from ...core.checks import (
 from ...core.coordinates import origin_under
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
+from ...core.escaped_text import escaped
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
@@ -403,7 +404,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             KeyError: If the mesh has no such array.
         """
         if check_name("name", name) not in self._arrays:
-            raise KeyError(f"{name}: expected one of the mesh's arrays: {', '.join(self._arrays)}")
+            raise KeyError(f"{escaped(name)}: expected one of the mesh's arrays: {', '.join(self._arrays)}")
         return self._arrays[name]
 
     @returns_new
@@ -634,7 +635,7 @@ def _joined_columns(name: str, columns: list[Any]) -> Any:
     for column in columns:
         if column.dtype != first.dtype:
             kinds = f"{first.dtype.__name__} and {column.dtype.__name__}"
-            raise TypeError(f"{name}: expected one dtype in all meshes, got {kinds}. Convert one of them")
+            raise TypeError(f"{escaped(name)}: expected one dtype in all meshes, got {kinds}. Convert one of them")
         if column.shape[1:] != first.shape[1:]:
             raise ValueError(
                 f"{name}: expected rows of one shape, got {list(first.shape[1:])} and {list(column.shape[1:])}"

@@ -61,13 +61,13 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
 
     def _taken(self, name: str, values: Any) -> wp.array:
         if is_on_gpu(values):
-            return take_column(name, values, self._device, self._count)
-        column = check_numeric(name, values)
+            return take_column(escaped(name), values, self._device, self._count)
+        column = check_numeric(escaped(name), values)
         if column.ndim not in (1, 2) or len(column) != self._count:
             expected = f"[{self._count}] or [{self._count}, c], one row per {self._of}"
-            raise ValueError(f"{name}: expected shape {expected}, got {list(column.shape)}")
+            raise ValueError(f"{escaped(name)}: expected shape {expected}, got {list(column.shape)}")
         if column.dtype.itemsize > 8:
-            raise TypeError(f"{name}: expected numbers of at most 64 bits, got {column.dtype}")
+            raise TypeError(f"{escaped(name)}: expected numbers of at most 64 bits, got {column.dtype}")
         kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
         return upload(column, kind, self._device, copied=library_of(values) == NUMPY)
 

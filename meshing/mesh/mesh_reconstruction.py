@@ -28,6 +28,7 @@ from ...core.units import common_unit, warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.array_types import Indices
 from ...kernels.arrays.bounds import bound_points
+from ...kernels.arrays.duplicates import first_occurrences
 from ...kernels.arrays.prefix_sum import scan_together
 from ...kernels.arrays.quantiles import median_above_zero, quantiles_of
 from ...kernels.arrays.select import gather_rows
@@ -42,7 +43,6 @@ from ...kernels.reconstruction.ball_surface import RollingBall, count_around
 from ...kernels.reconstruction.envelope import Envelope
 from ...kernels.reconstruction.poisson import mean_length, reconstruct_poisson
 from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, bound_samples, sample_rows
-from ...kernels.sampling.duplicates import first_occurrences
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...kernels.search.neighbor_distances import nearest_distances
 from ...kernels.volumes.marching_cubes import extract_surface

@@ -7,6 +7,7 @@ from typing import Any
 import warp as wp
 
 from ...core.devices import check_same_device
+from ...core.escaped_text import escaped
 from ...kernels.lang import int32, vec2, vec3, vec3i
 
 PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
@@ -26,7 +27,7 @@ def check_attributes(attributes: dict[str, wp.array], count: int, device: Any) -
     for name, values in attributes.items():
         check_same_device(name, device, values.device)
         if values.ndim not in (1, 2) or values.shape[0] != count:
-            raise ValueError(f"{name}: expected scalars [{count}] or [{count}, c], got {values}")
+            raise ValueError(f"{escaped(name)}: expected scalars [{count}] or [{count}, c], got {values}")
 
 
 def as_triples(triangles: wp.array) -> wp.array:

@@ -28,6 +28,7 @@ from ...core.gpu_arrays import take_indices, take_mask
 from ...kernels.array_types import Mask
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.select import gather_rows, invert_mask, positions_of, positions_of_each
 from ...kernels.arrays.sort import positions
 from ...kernels.arrays.subsets import other_rows
@@ -43,7 +44,6 @@ from ...kernels.meshes.level_cut import LevelCut
 from ...kernels.meshes.mesh_components import Parts
 from ...kernels.meshes.mesh_edits import mask_and_index, renumber_triangles
 from ...kernels.meshes.trim import mask_trimmed
-from ...kernels.sampling.duplicates import find_equal_points
 from ...pcd.bounding_box import BoundingBox
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.line_set import LineSet

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.array_types import Indices, Mask, Triangles
+from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.prefix_sum import sum_counts
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.arrays.sort import positions
@@ -21,7 +22,6 @@ from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
 from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles, repeated_positions
 from ...kernels.meshes.part_votes import keep_alone, mark_open_sides
 from ...kernels.meshes.sheets import Sheets, mask_loose
-from ...kernels.sampling.duplicates import find_equal_points
 from .covered_parts import Copies, find_covered, find_doubled
 from .doubled_edges import part_doubled_edges
 from .mesh_selection import MeshSelection

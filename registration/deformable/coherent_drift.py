@@ -300,7 +300,7 @@ class _DriftRegistration:
             T,
             _moved(self.source, T, field),
             float(np.sqrt(self.variance)) / self.unit,
-            float(np.nanmedian(target.compute_nearest_neighbor_distance())),
+            float(np.nanmedian(target.remove_duplicated_points().compute_nearest_neighbor_distance())),
             self.matched,
             self.taken,
             converged,

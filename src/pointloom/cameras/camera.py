@@ -21,7 +21,7 @@ from ..core.checks import LARGEST_NUMBER as LARGEST_NUMBER
 from ..core.checks import check_count, check_number, check_positive, check_shape
 from ..core.dropped_results import returns_new
 from ..core.errors import FileError
-from ..core.json_files import check_keys, read_json_object
+from ..core.json_files import check_keys, json_numbers, read_json_object
 from ..core.paths import path_of
 
 # Metadata keys of Open3D and its recorders that do not change the projection. Any other key raises,
@@ -274,10 +274,5 @@ def intrinsic_to_json(intrinsic: PinholeCameraIntrinsic) -> dict[str, Any]:
 
 def read_json_matrix(path: str | os.PathLike[str], values: Any, side: int, *, where: str) -> NDArray[np.float64]:
     """The square matrix of a column-major JSON list."""
-    if not isinstance(values, list) or len(values) != side * side:
-        given = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
-        raise FileError(path, f"expected a list of {side * side} numbers, got {given}", where=where)
-    for value in values:
-        if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > LARGEST_NUMBER:
-            raise FileError(path, f"expected finite numbers, got {str(value)[:40]!r}", where=where)
-    return np.array(values, np.float64).reshape(side, side).T
+    numbers = json_numbers(path, values, side * side, where=where)
+    return np.array(numbers, np.float64).reshape(side, side).T

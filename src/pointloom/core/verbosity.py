@@ -22,6 +22,21 @@ LOGGER = logging.getLogger("pointloom")
 LOG_INTERVAL = 3.0  # [s] before a call reports progress, and between reports
 
 
+def _escape_record(record: logging.LogRecord) -> bool:
+    """Escape control characters in a record, for handlers of the program."""
+    try:
+        text = record.getMessage()
+    except (TypeError, ValueError):  # reported by the handler
+        return True
+    if (safe := escaped(text, lines=True)) != text:
+        record.msg, record.args = safe, ()
+    return True
+
+
+for _name in ("pointloom", "pointloom.viewer"):  # filters do not apply to the loggers below
+    logging.getLogger(_name).addFilter(_escape_record)
+
+
 class VerbosityLevel(enum.Enum):
     """Verbosity levels, as in Open3D. Each includes the previous ones.
 

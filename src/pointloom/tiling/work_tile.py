@@ -22,6 +22,7 @@ from ..io.points.las_writer import fits_steps, with_scan_angle, write_las
 from ..io.points.point_cloud import cloud_of, table_of
 from ..io.table import PointTable
 from ..kernels.memory import download
+from ..kernels.search.distinct_points import distinct_points
 from ..kernels.search.hilbert_order import HilbertCurve, levels_for
 from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.neighbor_counts import mask_crowded
@@ -175,19 +176,28 @@ def _adopt_tree(plan: Plan, part: Part) -> None:
 
 
 def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, radius: float, window: Any) -> None:
-    """Raise HaloError unless each wanted point has k points nearer than missing data."""
+    """Raise HaloError unless each wanted point has k points nearer than missing data.
+
+    If copies of a position may fill neighborhoods, k positions.
+    """
     if not np.isfinite(window).any():
         return  # complete
-    crowded = download(mask_crowded(part.cloud.search_tree(), radius, k)) != 0
+    cloud, tree = part.cloud, part.cloud.search_tree()
+    distinct = distinct_points(tree, k)
+    if distinct is None:
+        crowded = download(mask_crowded(tree, radius, k)) != 0
+    else:
+        cloud = cloud.select_by_index(download(distinct.firsts))
+        crowded = download(mask_crowded(distinct.tree, radius, k))[download(distinct.rows)] != 0
     uncertain = np.flatnonzero(wanted & ~crowded)
     if not len(uncertain):
         return
     positions = part.cloud.points[uncertain]
     edges = np.array(window)
     free = np.minimum(positions[:, :2] - edges[:2], edges[2:] - positions[:, :2]).min(axis=1) - part.spread - plan.slack
-    if k > len(part.cloud):
+    if k > len(cloud):
         raise HaloError(number)
-    result = NearestNeighborSearch(part.cloud).knn_search(positions, k)
+    result = NearestNeighborSearch(cloud).knn_search(positions, k)
     farthest = np.sqrt(np.asarray(result.sqdists, np.float64)[:, -1]) * RADIUS_SLACK
     if not (farthest < free).all():
         raise HaloError(number)

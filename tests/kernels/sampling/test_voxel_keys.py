@@ -8,9 +8,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from pointloom.kernels.arrays import first_rows
+from pointloom.kernels.arrays.duplicates import first_occurrences
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
-from pointloom.kernels.sampling.duplicates import first_occurrences
 from pointloom.kernels.sampling.voxel_keys import VoxelGroups
 
 

@@ -20,8 +20,9 @@ from ...cameras.camera import PinholeCameraIntrinsic, intrinsic_to_json, read_js
 from ...core.atomic import atomic_write
 from ...core.checks import check_finite, check_numeric
 from ...core.errors import FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.json_files import check_keys, read_json_object
-from ...core.paths import path_of
+from ...core.paths import input_path, path_of
 from ...io.optional_imports import foreign_errors
 from ...io.points.npz import read_member
 from .posed_pictures import PosedCamera, check_cameras, check_sources
@@ -155,7 +156,7 @@ class DepthMaps(Sequence[DepthMap]):
 
     def __repr__(self) -> str:
         count = f"{len(self)} picture{'' if len(self) == 1 else 's'}"
-        return f"DepthMaps({count}{'' if self.folder is None else f' in {self.folder}'})"
+        return escaped(f"DepthMaps({count}{'' if self.folder is None else f' in {self.folder}'})")
 
     def __len__(self) -> int:
         return len(self.cameras)
@@ -228,7 +229,7 @@ def _read_map(path: Path, intrinsic: PinholeCameraIntrinsic) -> DepthMap:
     arrays = {}
     try:
         with (
-            path.open("rb") as file,
+            input_path(path).open("rb") as file,
             foreign_errors(path, "is not an intact archive", remedy=AGAIN),
             zipfile.ZipFile(file) as archive,
         ):

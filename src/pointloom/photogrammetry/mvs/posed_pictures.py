@@ -123,8 +123,7 @@ def check_sources(name: str, values: Any, count: int) -> tuple[tuple[int, ...], 
     for i, numbers in enumerate(lists):
         where = f"{name}[{i}]"
         sources = [check_count(where, n, minimum=0) for n in check_list(where, numbers, "image numbers")]
-        wrong = [n for n in sources if n >= count or n == i or sources.count(n) > 1]
-        if wrong:
+        if len(set(sources)) < len(sources) or any(n >= count or n == i for n in sources):
             raise ValueError(f"{where}: expected other images, 0 to {count - 1}, each once, got {sources}")
         out.append(tuple(sources))
     return tuple(out)

@@ -1,10 +1,10 @@
 """First occurrences of points with equal coordinate bits (zero equals minus zero)."""
 
 from ..array_types import Cells, Indices, Points
-from ..arrays.first_rows import first_rows, mask_first_rows
-from ..arrays.select import positions_of
 from ..lang import array, float_bits, func, int64, kernel, launch, tid, vec3, vec3i
 from ..memory import empty
+from .first_rows import first_rows, mask_first_rows
+from .select import positions_of
 
 LOW_WORD = 0xFFFFFFFF
 MINUS_ZERO = 0x80000000
