@@ -1,5 +1,5 @@
-"""The benchmarks on the GPU beside the baselines, one process per operation, most informative first, within a time
-limit.
+"""The benchmarks on the GPU beside the baselines, one process per operation, within a time limit: those with a baseline
+on the GPU first, then by the date of their last measurement, the oldest first.
 
     python -m gpu_kit.benches STATE SECONDS
 
@@ -22,7 +22,7 @@ from contest import operations, versions
 from report import collect, table
 
 from gpu_kit import device as devices
-from gpu_kit.documents import keep_part
+from gpu_kit.documents import keep_part, last_measured
 from gpu_kit.runner import MORE
 
 ORDER = [
@@ -37,7 +37,7 @@ AT_LEAST, AT_MOST = 15.0, 80.0  # seconds per operation
 
 
 def chosen() -> dict[str, str]:
-    """Operations and their modules: those with a baseline on the GPU first, then in order; unlisted ones are last."""
+    """Operations and their modules, in order."""
     known = operations()
     modules: dict[str, str] = {}
     for prefix in DRY_ORDER if devices.is_dry() else [*ORDER, ""]:
@@ -45,7 +45,8 @@ def chosen() -> dict[str, str]:
             if name.startswith(prefix) or module == f"bench_{prefix}":
                 modules.setdefault(name, module)
     on_gpu = {name: any("cuda" in peer.devices for peer in known[name][1].contestants[1:]) for name in modules}
-    return dict(sorted(modules.items(), key=lambda each: not on_gpu[each[0]]))
+    dates = last_measured("benchmarks", "operations")
+    return dict(sorted(modules.items(), key=lambda each: (not on_gpu[each[0]], dates.get(each[0], ""))))
 
 
 def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | None, str]:

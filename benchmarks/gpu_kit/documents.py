@@ -34,6 +34,24 @@ def keep_part(state: Path, device: Device, name: str, content: Any) -> None:
     write_json(state / "parts" / f"{name}.json", {**about, "content": content})
 
 
+def saved_runs() -> list[dict[str, Any]]:
+    """The documents of all runs, the oldest first."""
+    return sorted(
+        (json.loads(path.read_text()) for path in RESULTS.glob("gpu-run-*.json")), key=lambda run: run["date"]
+    )
+
+
+def last_measured(*part: str) -> dict[str, str]:
+    """Date of the newest run with a result, by entry of a part. Entries with an error do not count."""
+    dates: dict[str, str] = {}
+    for run in saved_runs():
+        entries: Any = run
+        for name in part:
+            entries = entries.get(name, {})
+        dates |= {name: run["date"] for name, entry in entries.items() if "error" not in entry}
+    return dates
+
+
 def refuse_emulated(device: dict[str, Any]) -> None:
     """Raise an error for the emulated device.
 

@@ -5,7 +5,6 @@ Of several runs of a chip the newest one that has a row counts, by date.
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,8 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks"))
 from pages import replaced_between  # noqa: E402
+
+from gpu_kit.documents import saved_runs  # noqa: E402
 
 PAGE = ROOT / "docs" / "gpu.md"
 CONSTANTS = {  # name of a constant: description, unit and divisor of the value
@@ -28,12 +29,6 @@ CONSTANTS = {  # name of a constant: description, unit and divisor of the value
     "LINK_FRESH": ("to new host memory, by Warp", "GB/s", 1e9),
     "LINK_PAGEABLE": ("from host memory", "GB/s", 1e9),
 }
-
-
-def runs() -> list[dict[str, Any]]:
-    """The documents of all runs, the oldest first."""
-    paths = (ROOT / "benchmarks" / "results").glob("gpu-run-*.json")
-    return sorted((json.loads(path.read_text()) for path in paths), key=lambda run: run["date"])
 
 
 def merged(documents: list[dict[str, Any]], *path: str) -> dict[str, Any]:
@@ -74,7 +69,7 @@ def operations(documents: list[dict[str, Any]]) -> list[str]:
         "|---|---|---|---|---|---|",
     ]
     for key, row in sorted(merged(documents, "operations").items()):
-        if "error" in row:
+        if "kernels" not in row:
             continue
         name, size = key.rsplit(" ", 1)
         longest = row["kernels"][0]
@@ -93,7 +88,7 @@ def operations(documents: list[dict[str, Any]]) -> list[str]:
 
 
 def main() -> int:
-    documents, page = runs(), PAGE.read_text()
+    documents, page = saved_runs(), PAGE.read_text()
     for name, make in (("constants", constants), ("beside", beside), ("operations", operations)):
         page = replaced_between(page, name, "\n".join(make(documents)))
     if "--check" in sys.argv:

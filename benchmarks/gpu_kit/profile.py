@@ -6,6 +6,8 @@
 
 Caller: the median of some synchronized calls on existing data. Device: the total duration of kernels, copies and fills,
 including those in graphs, measured by CUPTI through torch's profiler. Without torch there is only the caller's time.
+All calls are timed before the first one is profiled, since CUPTI stays attached and slows later launches
+(pytorch/pytorch#144455). The oldest measurements are repeated first.
 """
 
 from __future__ import annotations
@@ -21,12 +23,11 @@ from pathlib import Path
 from typing import Any
 
 from gpu_kit import device as devices
-from gpu_kit.documents import keep_part
+from gpu_kit.documents import keep_part, last_measured
 from gpu_kit.runner import MORE
 
 ROUNDS, WARM_UP, ENOUGH = 7, 2, 6.0  # timed calls, calls before them, and maximum total seconds
 FRESH = ("tree",)  # operations whose result is cached are prepared again for each call
-MAX_KERNELS = 25
 DRY_OPERATIONS = {"voxel_down_sample": 3000, "normals_k30": 3000}
 
 
@@ -36,7 +37,13 @@ def runs() -> list[tuple[str, int]]:
 
     if devices.is_dry():
         return list(DRY_OPERATIONS.items())
-    return [(operation.name, size) for operation in OPERATIONS.values() for size in operation.sizes]
+    known = last_measured("operations")
+    sizes = [(operation.name, size) for operation in OPERATIONS.values() for size in operation.sizes]
+    return sorted(sizes, key=lambda each: known.get(key_of(*each), ""))
+
+
+def key_of(name: str, size: int) -> str:
+    return f"{name} {size}"
 
 
 def timed(name: str, size: int) -> tuple[list[float], Callable[[], Any]]:
@@ -106,20 +113,24 @@ def plain(name: str) -> str:
     return own.rpartition("_")[0] if separator else name
 
 
-def measured(name: str, size: int) -> dict[str, Any]:
-    """The times of an operation."""
-    seconds, call = timed(name, size)
-    result: dict[str, Any] = {"caller_ms": 1e3 * statistics.median(seconds), "best_ms": 1e3 * min(seconds)}
+def call_times(name: str, size: int) -> dict[str, Any]:
+    """The caller's times of an operation."""
+    seconds, _ = timed(name, size)
+    return {"caller_ms": 1e3 * statistics.median(seconds), "best_ms": 1e3 * min(seconds)}
+
+
+def device_times(name: str, size: int) -> dict[str, Any]:
+    """The device's times of an operation, by kernel; empty without a profiler."""
+    _, call = timed(name, size)
     try:
         rows = kernels_of(call)
     except Exception as error:  # of the profiler: the caller's time remains valid
         traceback.print_exc(limit=4)
-        rows, result["profiler"] = None, f"{type(error).__name__}: {str(error)[:200]}"
-    if rows:
-        result["device_ms"] = sum(row["us"] for row in rows) / 1e3
-        result["launches"] = sum(row["launches"] for row in rows)
-        result["kernels"] = rows[:MAX_KERNELS]
-    return result
+        return {"profiler": f"{type(error).__name__}: {str(error)[:200]}"}
+    if not rows:
+        return {}
+    total = sum(row["us"] for row in rows) / 1e3
+    return {"device_ms": total, "launches": sum(row["launches"] for row in rows), "kernels": rows}
 
 
 def described(name: str, size: int, result: dict[str, Any]) -> str:
@@ -167,25 +178,28 @@ def main() -> int:
             once(words)
         else:
             name, _, size = words[0].partition("=")
-            print(json.dumps(measured(name, int(size)) | {"bounds": bounds_in_use()}))
+            times = call_times(name, int(size)) | device_times(name, int(size))
+            print(json.dumps(times | {"bounds": bounds_in_use()}))
         return 0
     state, end = Path(first), time.monotonic() + float(words[0])
     saved = state / "parts" / "operations.json"
     results: dict[str, Any] = json.loads(saved.read_text())["content"] if saved.exists() else {}
-    for name, size in runs():
-        key = f"{name} {size}"
-        if key in results:
-            continue
-        if time.monotonic() > end:
-            print("no time left before", key)
-            return MORE
-        try:
-            results[key] = measured(name, size)
-        except Exception as error:
-            traceback.print_exc(limit=4)
-            results[key] = {"error": f"{type(error).__name__}: {str(error)[:400]}"}
-        print(described(name, size, results[key]), flush=True)
-        keep_part(state, device, "operations", results)
+    for measure in (call_times, device_times):
+        for name, size in runs():
+            result = results.setdefault(key_of(name, size), {})
+            if "error" in result or measure.__name__ in result.get("steps", []):
+                continue
+            if time.monotonic() > end:
+                print("no time left before", measure.__name__, name, size)
+                return MORE
+            try:
+                result |= measure(name, size)
+            except Exception as error:
+                traceback.print_exc(limit=4)
+                result["error"] = f"{type(error).__name__}: {str(error)[:400]}"
+            result.setdefault("steps", []).append(measure.__name__)
+            print(described(name, size, result), flush=True)
+            keep_part(state, device, "operations", results)
     return 1 if any("error" in each for each in results.values()) else 0
 
 
