@@ -32,13 +32,14 @@ CONSTANTS = {  # name of a constant: description, unit and divisor of the value
 
 
 def merged(documents: list[dict[str, Any]], *path: str) -> dict[str, Any]:
-    """The entries of a part of all runs, the newest of each name."""
+    """The entries of a part of all runs: of each name the newest one, of entries with fields each field's newest."""
     result: dict[str, Any] = {}
     for document in documents:
         part: Any = document
         for name in path:
             part = part.get(name, {})
-        result |= part
+        for name, entry in part.items():
+            result[name] = result.get(name, {}) | entry if isinstance(entry, dict) else entry
     return result
 
 
@@ -69,7 +70,7 @@ def operations(documents: list[dict[str, Any]]) -> list[str]:
         "|---|---|---|---|---|---|",
     ]
     for key, row in sorted(merged(documents, "operations").items()):
-        if "kernels" not in row:
+        if "kernels" not in row or "best_ms" not in row:
             continue
         name, size = key.rsplit(" ", 1)
         longest = row["kernels"][0]
@@ -87,9 +88,20 @@ def operations(documents: list[dict[str, Any]]) -> list[str]:
     return lines
 
 
+def boxes(documents: list[dict[str, Any]]) -> list[str]:
+    """The searches with one box and two boxes per eight lanes."""
+    lines = ["| operation | points | one box, ms | two boxes, ms | ratio |", "|---|---|---|---|---|"]
+    rows = merged(documents, "comparisons", "two boxes per eight lanes")
+    for key, row in sorted(rows.items(), key=lambda entry: (entry[0].split()[0], int(entry[0].split()[1]))):
+        name, size = key.split()
+        before, after = row["before_ms"], row["after_ms"]
+        lines.append(f"| {name} | {int(size):,} | {before:.2f} | {after:.2f} | {before / after:.2f} |")
+    return lines
+
+
 def main() -> int:
     documents, page = saved_runs(), PAGE.read_text()
-    for name, make in (("constants", constants), ("beside", beside), ("operations", operations)):
+    for name, make in (("constants", constants), ("beside", beside), ("operations", operations), ("boxes", boxes)):
         page = replaced_between(page, name, "\n".join(make(documents)))
     if "--check" in sys.argv:
         if page != PAGE.read_text():

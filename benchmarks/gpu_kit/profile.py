@@ -1,13 +1,13 @@
 """Operations on the GPU (gpu_operations.py): times of the caller, and times of the kernels by name.
 
-    python -m gpu_kit.profile STATE SECONDS
+    python -m gpu_kit.profile STATE SECONDS call|device     one of the two measurements
     python -m gpu_kit.profile --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer
     python -m gpu_kit.profile --json NAME=SIZE              one call's times as a line of JSON
 
 Caller: the median of some synchronized calls on existing data. Device: the total duration of kernels, copies and fills,
 including those in graphs, measured by CUPTI through torch's profiler. Without torch there is only the caller's time.
-All calls are timed before the first one is profiled, since CUPTI stays attached and slows later launches
-(pytorch/pytorch#144455). The oldest measurements are repeated first.
+They are two processes: CUPTI stays attached and slows later launches (pytorch/pytorch#144455), and it does not resolve
+graphs created before. The oldest measurements are repeated first.
 """
 
 from __future__ import annotations
@@ -82,7 +82,6 @@ def kernels_of(call: Callable[[], Any]) -> list[dict[str, Any]] | None:
         return None
     import warp as wp
 
-    torch.cuda.init()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "trace.json"
         with profile(activities=[ProfilerActivity.CPU, ProfilerActivity.CUDA]) as profiler:
@@ -121,7 +120,7 @@ def call_times(name: str, size: int) -> dict[str, Any]:
 
 def device_times(name: str, size: int) -> dict[str, Any]:
     """The device's times of an operation, by kernel; empty without a profiler."""
-    _, call = timed(name, size)
+    _, call = timed(name, size)  # warm
     try:
         rows = kernels_of(call)
     except Exception as error:  # of the profiler: the caller's time remains valid
@@ -137,9 +136,11 @@ def described(name: str, size: int, result: dict[str, Any]) -> str:
     """Describe the times, with the longest kernels below."""
     if "error" in result:
         return f"{name}, {size:,}: FAILED {result['error']}"
-    line = f"{name}, {size:,}: caller {result['caller_ms']:.3f} ms (best {result['best_ms']:.3f})"
+    line = f"{name}, {size:,}:"
+    if "caller_ms" in result:
+        line += f" caller {result['caller_ms']:.3f} ms (best {result['best_ms']:.3f});"
     if "device_ms" in result:
-        line += f"; device {result['device_ms']:.3f} ms in {result['launches']} launches"
+        line += f" device {result['device_ms']:.3f} ms in {result['launches']} launches"
     rows = [
         f"    {row['kernel'][:44]:44} x{row['launches']:<5} {row['us']:10.1f} us, registers {row['registers']}"
         for row in result.get("kernels", [])[:5]
@@ -178,28 +179,27 @@ def main() -> int:
             once(words)
         else:
             name, _, size = words[0].partition("=")
-            times = call_times(name, int(size)) | device_times(name, int(size))
+            times = device_times(name, int(size)) or call_times(name, int(size))
             print(json.dumps(times | {"bounds": bounds_in_use()}))
         return 0
     state, end = Path(first), time.monotonic() + float(words[0])
+    measure, field = {"call": (call_times, "caller_ms"), "device": (device_times, "device_ms")}[words[1]]
     saved = state / "parts" / "operations.json"
     results: dict[str, Any] = json.loads(saved.read_text())["content"] if saved.exists() else {}
-    for measure in (call_times, device_times):
-        for name, size in runs():
-            result = results.setdefault(key_of(name, size), {})
-            if "error" in result or measure.__name__ in result.get("steps", []):
-                continue
-            if time.monotonic() > end:
-                print("no time left before", measure.__name__, name, size)
-                return MORE
-            try:
-                result |= measure(name, size)
-            except Exception as error:
-                traceback.print_exc(limit=4)
-                result["error"] = f"{type(error).__name__}: {str(error)[:400]}"
-            result.setdefault("steps", []).append(measure.__name__)
-            print(described(name, size, result), flush=True)
-            keep_part(state, device, "operations", results)
+    for name, size in runs():
+        result = results.setdefault(key_of(name, size), {})
+        if "error" in result or field in result:
+            continue
+        if time.monotonic() > end:
+            print("no time left before", name, size)
+            return MORE
+        try:
+            result |= measure(name, size)
+        except Exception as error:
+            traceback.print_exc(limit=4)
+            result["error"] = f"{type(error).__name__}: {str(error)[:400]}"
+        print(described(name, size, result), flush=True)
+        keep_part(state, device, "operations", results)
     return 1 if any("error" in each for each in results.values()) else 0
 
 

@@ -75,7 +75,7 @@ def line(operation: str, bound: int, result: dict[str, Any]) -> str:
     if "error" in result:
         return f"{operation:18} {named:12} FAILED {result['error']}"
     kernels = ", ".join(f"{row['kernel']} {row['us']:.0f} us at {row['registers']}" for row in result["kernels"])
-    return f"{operation:18} {named:12} {result.get('device_ms', result['caller_ms']):9.3f} ms  {kernels}"
+    return f"{operation:18} {named:12} {result.get('device_ms') or result['caller_ms']:9.3f} ms  {kernels}"
 
 
 def main() -> int:
