@@ -9,7 +9,7 @@ points (CPU) or a warp's 32 (CUDA) share a traversal.
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
-from ..arrays.lanes import high_of_eight, low_of_eight, max_of_eight
+from ..arrays.lanes import max_of_eight
 from ..lang import (
     INFINITY,
     array,
@@ -33,7 +33,7 @@ from ..lang import (
     vector,
 )
 from ..search.bucket_walk import children_within, next_step, start_traversal, traversal
-from ..search.lane_search import nearby_children, nearby_nodes, sqdist_of
+from ..search.lane_search import boxes_of_eight, nearby_children, nearby_nodes, sqdist_of, two_boxes
 from ..search.nearest_point import closest_leaf, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
 from ..search.point_tree import BUCKET, FAN, LEAF, measure_box, square_distance
@@ -295,10 +295,12 @@ def match_points_kernel(matches: Matches, forest: PointForest):
 
 @cuda_func
 def next_bucket_of_lanes(
-    step: traversal, a: vec3, b: vec3, bound: float, target: int, forest: PointForest
+    step: traversal, around: two_boxes, bound: float, target: int, forest: PointForest
 ) -> traversal:
     nodes = target * HEIGHTS
-    return next_step(step, forest.roots[target], partial(nearby_nodes, forest.levels, nodes, forest.boxes, a, b, bound))
+    return next_step(
+        step, forest.roots[target], partial(nearby_nodes, forest.levels, nodes, forest.boxes, around, bound)
+    )
 
 
 @match_points_kernel.on_cuda
@@ -340,23 +342,18 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
     while searching != 0:
         leader = lowest_bit(searching)
         shared = shuffle(target, leader)
-        low = vec3(INFINITY, INFINITY, INFINITY)
-        high = vec3(-INFINITY, -INFINITY, -INFINITY)
         limit = -1.0
         is_shared = 1 if is_searching == 1 and target == shared else 0
         if is_shared == 1:
-            low = q
-            high = q
             limit = limit_beside(best, second, margin)
         searching = searching ^ ballot(is_shared)
-        a = low_of_eight(low)
-        b = high_of_eight(high)
+        around = boxes_of_eight(q, is_shared)
         widest = max_of_eight(limit)
         first_bucket = forest.levels[shared * HEIGHTS]
         step = start_traversal(shuffle(bucket, leader))
         while int(step[0]) <= forest.roots[shared]:
             record = first_bucket + int(step[2])
-            near = nearby_children(forest.boxes, record, a, b, widest)
+            near = nearby_children(forest.boxes, record, around, widest)
             for child in bits_of(near):
                 if ballot(1 if measure_box(forest.boxes, record, child, q, q) < limit else 0) != 0:
                     first = record * BUCKET + child * LEAF
@@ -373,7 +370,7 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
                                 second = min(second, bits)
                         limit = limit_beside(best, second, margin)
             widest = max_of_eight(limit)
-            step = next_bucket_of_lanes(step, a, b, widest, shared, forest)
+            step = next_bucket_of_lanes(step, around, widest, shared, forest)
         if is_shared == 1:
             matches.nearest[row] = pair
             lower = sqrt(limit)

@@ -35,8 +35,10 @@ from .group_scratch import GroupScratch
 from .k_nearest import search_k_nearest
 from .neighbor_keys import GUESSES, keep_up_to, limit_nearest
 from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_box, square_distance
+from .tree_walk import lowest_bit
 
 eight_points = vector(24, float32)
+two_boxes = vector(12, float32)
 SURFACE = 0.0025  # [1] a bucket's squared diagonal times k times this is the squared radius of k points on a plane
 SPARE = 1.5  # safety factor of the expected squared radius
 MAX_GROWTH = 8.0  # maximum growth of a squared radius per step
@@ -51,10 +53,41 @@ def point_of_lane(p: vec3, owner: int) -> vec3:
 
 
 @cuda_func
-def nearby_children(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
-    """`children_within` with one child per lane. Bits are set for children near any group of eight lanes."""
-    sqdist = measure_box(boxes, node, lane() & (FAN - 1), a, b)
-    near = ballot(1 if sqdist <= bound else 0)
+def boxes_of_eight(p: vec3, is_used: int) -> two_boxes:
+    """Two boxes of the used points of eight lanes: low and high corners. The points are split where neighboring lanes
+    are farthest apart, since the curve can jump within a leaf and one box would contain a large part of the cloud."""
+    own = lane() & (FAN - 1)
+    after = point_of_lane(p, min(lane() + 1, WARP - 1))
+    gap = square_distance(p, after) if own < FAN - 1 else -1.0
+    largest = max_of_eight(gap)
+    widest = ballot(1 if gap == largest else 0) >> (lane() - own)
+    is_before = 1 if own <= lowest_bit(widest & BYTE) else 0
+    nowhere = vec3(INFINITY, INFINITY, INFINITY)
+    low = nowhere
+    high = -nowhere
+    low_after = nowhere
+    high_after = -nowhere
+    if is_used == 1:
+        if is_before == 1:
+            low = p
+            high = p
+        else:
+            low_after = p
+            high_after = p
+    a = low_of_eight(low)
+    b = high_of_eight(high)
+    c = low_of_eight(low_after)
+    d = high_of_eight(high_after)
+    return two_boxes(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], d[0], d[1], d[2])
+
+
+@cuda_func
+def nearby_children(boxes: array(dtype=float32), node: int, around: two_boxes, bound: float) -> int:
+    """`children_within` with one child per lane. Bits are set for children near the boxes of any eight lanes."""
+    child = lane() & (FAN - 1)
+    a = measure_box(boxes, node, child, vec3(around[0], around[1], around[2]), vec3(around[3], around[4], around[5]))
+    b = measure_box(boxes, node, child, vec3(around[6], around[7], around[8]), vec3(around[9], around[10], around[11]))
+    near = ballot(1 if min(a, b) <= bound else 0)
     near = near | (near >> (2 * FAN))
     return (near | (near >> FAN)) & BYTE
 
@@ -64,26 +97,24 @@ def nearby_nodes(
     levels: array(dtype=int32),
     first: int,
     boxes: array(dtype=float32),
-    a: vec3,
-    b: vec3,
+    around: two_boxes,
     bound: float,
     level: int,
     node: int,
 ) -> int:
     """`nearby_children` for a node given by its level. The levels of its tree start at `first`."""
-    return nearby_children(boxes, levels[first + level] + node, a, b, bound)
+    return nearby_children(boxes, levels[first + level] + node, around, bound)
 
 
 @cuda_func
-def next_bucket_of_lanes(step: traversal, a: vec3, b: vec3, bound: float, tree: PointTree) -> traversal:
-    return next_step(step, tree.root, partial(nearby_nodes, tree.levels, 0, tree.boxes, a, b, bound))
+def next_bucket_of_lanes(step: traversal, around: two_boxes, bound: float, tree: PointTree) -> traversal:
+    return next_step(step, tree.root, partial(nearby_nodes, tree.levels, 0, tree.boxes, around, bound))
 
 
 @cuda_func
 def list_leaves(p: vec3, max_sqdist: float, start: int, tree: PointTree, scratch: GroupScratch, listing: int) -> int:
     """List the leaves near the lanes' points by boxes of eight lanes. Return the count, partial beyond `gather`."""
-    a = low_of_eight(p)
-    b = high_of_eight(p)
+    around = boxes_of_eight(p, 1)
     widest = max_of_eight(max_sqdist)
     own = lane()
     sync_lanes()  # after lanes have read the previous list
@@ -91,12 +122,12 @@ def list_leaves(p: vec3, max_sqdist: float, start: int, tree: PointTree, scratch
     step = start_traversal(start)
     while int(step[0]) <= tree.root and size <= scratch.gather:
         bucket = int(step[2])
-        near = nearby_children(tree.boxes, bucket, a, b, widest)
+        near = nearby_children(tree.boxes, bucket, around, widest)
         slot = size + bit_count(near & ((1 << own) - 1))
         if own < FAN and ((near >> own) & 1) == 1 and slot < scratch.gather:
             scratch.ids[listing + slot] = bucket * BUCKET + own * LEAF
         size += bit_count(near)
-        step = next_bucket_of_lanes(step, a, b, widest, tree)
+        step = next_bucket_of_lanes(step, around, widest, tree)
     sync_lanes()
     return size
 

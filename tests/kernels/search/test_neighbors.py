@@ -2,17 +2,19 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.features.fpfh import count_angles, sum_histograms
-from pointloom.kernels.lang import array, cpu_compiler, float32, int32, kernel, launch, tid, vec3
+from pointloom.kernels.lang import WARP, array, cpu_compiler, float32, int32, kernel, lane, launch, shuffle, tid, vec3
 from pointloom.kernels.memory import download, empty, full, upload
 from pointloom.kernels.search import group_scratch, nearest_point
 from pointloom.kernels.search.group_scratch import GroupScratch
 from pointloom.kernels.search.group_search import gather_candidates
+from pointloom.kernels.search.lane_search import list_leaves
 from pointloom.kernels.search.nearest_point import NO_POINT, find_nearest
 from pointloom.kernels.search.neighbor_limits import Neighborhood
-from pointloom.kernels.search.point_tree import LEAF, PointTree
+from pointloom.kernels.search.point_tree import BUCKET, LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.kernels.surface.neighbor_moments import sum_neighbor_moments
 
@@ -180,3 +182,55 @@ def test_too_many_candidates_do_not_overflow_the_scratch_memory(compiler, rng, m
     assert int(download(sizes)[0]) == 2 * LEAF + 1
     for row in (scratch.xs, scratch.ys, scratch.zs):
         assert (download(row)[2 * LEAF :] == 0.5).all()
+
+
+@kernel
+def count_leaves_kernel(
+    sqdists: array(dtype=float32), tree: PointTree, scratch: GroupScratch, sizes: array(dtype=int32)
+):
+    i = tid()
+    sizes[i // WARP] = 0  # warps search on CUDA alone
+
+
+@count_leaves_kernel.on_cuda
+def count_leaves_of_lanes_kernel(
+    sqdists: array(dtype=float32), tree: PointTree, scratch: GroupScratch, sizes: array(dtype=int32)
+):
+    i = tid()
+    rank = min(i, tree.count - 1)
+    start = shuffle(rank // BUCKET, 0)
+    size = list_leaves(tree.points[rank], sqdists[rank], start, tree, scratch, (i // WARP) * scratch.gather)
+    if lane() == 0:
+        sizes[i // WARP] = size
+
+
+def scene_points(name, rng, count=20_000):
+    """Points of a bumpy surface, of a spinning LiDAR in a room, or in a cube [m]."""
+    if name == "cube":
+        return rng.random((count, 3))
+    if name == "surface":
+        xy = rng.uniform(-2, 2, (count, 2))
+        return np.column_stack([xy, 0.2 * np.sin(3 * xy[:, 0]) * np.cos(2 * xy[:, 1])])
+    azimuth, ring = np.divmod(np.arange(count), 32)
+    azimuth, slope = 2 * np.pi * azimuth * 32 / count, np.tan(np.radians(-25 + 40 * ring / 31))
+    x, y = np.cos(azimuth), np.sin(azimuth)
+    flat = np.minimum(12 / np.maximum(np.abs(x), 1e-9), 7 / np.maximum(np.abs(y), 1e-9))  # [m] to the walls
+    flat = np.where(slope < 0, np.minimum(flat, -1.7 / np.minimum(slope, -1e-9)), flat)  # or the floor
+    return np.column_stack([x * flat, y * flat, slope * flat]) + rng.normal(0, 0.01, (count, 3))
+
+
+@pytest.mark.parametrize("scene", ["surface", "lidar", "cube"])
+def test_no_warp_has_many_more_leaves_than_the_others(device, scene, rng):
+    """The curve jumps within some leaves. One box for such a leaf would contain much of the cloud, and its warp would
+    run alone on the GPU, with 20 to 74 times the mean number of leaves."""
+    tree = tree_of(device, scene_points(scene, rng))
+    if not tree.device.is_cuda:
+        pytest.skip("warps search on CUDA alone")
+    points = tree.points.numpy()[: tree.count]
+    sqdists = upload(cKDTree(points).query(points, 20)[0][:, -1] ** 2, float32, tree.device)
+    scratch, warps = GroupScratch(tree.device, tree.count, 20), -(-tree.count // WARP)
+    sizes = empty(warps, int32, tree.device)
+    scratch.gather, scratch.ids = 2000, empty(2000 * warps, int32, tree.device)
+    launch(count_leaves_kernel, warps * WARP, [sqdists, tree, scratch, sizes])
+    leaves = download(sizes)
+    assert leaves.min() >= 1 and leaves.max() < 6 * leaves.mean()
