@@ -116,10 +116,18 @@ def test_a_bounded_query_ends(tmp_path):
             base.execute("WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT max(x) FROM c")
 
 
-FRAGMENTS = loom.reconstruction.ReconstructionConfig(template_fragment_pointcloud="a/b/%03d.ply")
+TEMPLATES = ("fragment_pointcloud", "fragment_posegraph", "fragment_posegraph_optimized", "global_posegraph_optimized",
+             "refined_posegraph", "refined_posegraph_optimized", "global_mesh", "global_traj")  # fmt: skip
+
+
+def reconstruction(root, template=TEMPLATES[0]):
+    name = "a/b/%03d.ply" if "fragment" in template else "a/b/000.ply"
+    return JobFiles.make(root, loom.reconstruction.ReconstructionConfig(**{f"template_{template}": name}))
+
+
 FOLDERS_OF_JOBS = {
     "file": lambda root: job_file(root / "a" / "b" / "000.ply", root),
-    "reconstruction": lambda root: JobFiles.make(root, FRAGMENTS),
+    **{template: functools.partial(reconstruction, template=template) for template in TEMPLATES},
     "stages": lambda root: Chain(root, ["a"], resume=True, progress=lambda *step: None),
 }
 
@@ -143,7 +151,7 @@ def test_folders_of_jobs_with_links_at_any_level_are_not_used(tmp_path, use):
 
 def test_a_file_in_place_of_a_folder_of_a_job_is_an_error(tmp_path):
     (tmp_path / "a").write_text("")
-    for use in (FOLDERS_OF_JOBS["file"], FOLDERS_OF_JOBS["reconstruction"]):
+    for use in (FOLDERS_OF_JOBS["file"], reconstruction):
         with pytest.raises(FileError, match=r"/a(/b)?: cannot be created: "):
             use(tmp_path)
 

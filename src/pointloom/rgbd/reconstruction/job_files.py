@@ -22,8 +22,9 @@ class JobFiles:
         if not isinstance(config, ReconstructionConfig):
             raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
         job = cls(path_of(folder, "folder"), config)
-        graphs = job.fragment_graph(0), job.fragment_graph_optimized(0)
-        for path in (job.fragment_cloud(0), *graphs, job.scene_mesh, job.trajectory, job.record("fragment", 0)):
+        fragment = job.fragment_cloud(0), job.fragment_graph(0), job.fragment_graph_optimized(0)
+        scene = job.scene_graph, job.refined_graph, job.refined_graph_optimized, job.scene_mesh, job.trajectory
+        for path in (*fragment, *scene, job.record("fragment", 0)):
             refuse_links(job_file(path, job.root).parent)
             if not os.access(path.parent, os.W_OK | os.X_OK):
                 raise FileError(path.parent, "is not writable", remedy="Choose another folder")
