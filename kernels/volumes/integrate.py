@@ -21,6 +21,7 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    mat33d,
     struct,
     tid,
     uint8,
@@ -37,6 +38,7 @@ from .voxel_blocks import COLOR_SCALE, VoxelBlocks
 CPU_RUN = 8  # rows per thread: the pose is applied once per 64 voxels
 CUDA_GROUPS = 264  # groups of 512 threads: capacity of 132 SMs. Each processes several blocks of a frame
 MAX_WEIGHT = 65535.0
+COLOR_LIMIT = 65535.0  # removals may lead beyond it by rounding
 NEAREST = 1.0e-6  # [m] keeps the division finite for voxels behind the camera, which are not used
 UNSEEN = -2.0  # below every truncated distance
 run_values = vector(64, float32)  # of CPU_RUN rows
@@ -61,13 +63,19 @@ class Frame:
 
 
 @func
-def fold_color(voxel: int, pixel: int, frame: Frame, blocks: VoxelBlocks):
-    """Fold a pixel's color into a voxel's mean, before its weight changes."""
+def changed_mean(mean: float, w: float, value: float, change: float) -> float:
+    """The mean of `w` values after one is added (`change` 1.0) or removed (-1.0)."""
+    return (mean * w + change * value) / (w + change)
+
+
+@func
+def change_color(voxel: int, pixel: int, change: float, frame: Frame, blocks: VoxelBlocks):
+    """Add a pixel's color to a voxel's mean or remove it, as in `changed_mean`, before its weight changes."""
     w = float(blocks.weights[voxel])
     for c in range(3):
         shade = float(frame.pixels[pixel, c]) * COLOR_SCALE
-        mean = float(blocks.colors[voxel, c]) * w + shade
-        blocks.colors[voxel, c] = uint16(mean / (w + 1.0) + 0.5)
+        mean = changed_mean(float(blocks.colors[voxel, c]), w, shade, change)
+        blocks.colors[voxel, c] = uint16(smaller(larger(mean, 0.0), COLOR_LIMIT) + 0.5)
 
 
 @func
@@ -81,6 +89,25 @@ def margin_of(u: float, v: float, right: float, bottom: float, z: float, d: floa
     """Positive if a voxel is observed: in the image, before the camera, measured, and not behind the truncation."""
     inside = smaller(smaller(u, right - u), smaller(v, bottom - v))
     return smaller(inside, smaller(smaller(z, d), d - z + truncation))
+
+
+@func
+def project_voxel(i: int, block: int, R: mat33d, t: vec3d, frame: Frame, blocks: VoxelBlocks) -> vec3:
+    """The position (u, v) of a voxel in the image, from the image's corner [px], and its depth [m]."""
+    row = float(i // SIDE % SIDE)
+    j = float(i % SIDE)
+    size = blocks.voxel_size
+    corner = key_block(blocks.keys[block]) * SIDE
+    x = corner[0] + i // ROWS % SIDE
+    p = narrow(R @ (vec3d(float64(x), float64(corner[1]), float64(corner[2])) * size) + t)
+    p0 = p[0] + float(R[0, 1] * size) * row
+    p1 = p[1] + float(R[1, 1] * size) * row
+    p2 = p[2] + float(R[2, 1] * size) * row
+    depth_z = p2 + float(R[2, 2] * size) * j
+    scale = 1.0 / larger(depth_z, NEAREST)
+    u = (p0 + float(R[0, 2] * size) * j) * scale * float(frame.camera.fx) + (float(frame.camera.cx) + 0.5)
+    v = (p1 + float(R[1, 2] * size) * j) * scale * float(frame.camera.fy) + (float(frame.camera.cy) + 0.5)
+    return vec3(u, v, depth_z)
 
 
 @func
@@ -152,14 +179,14 @@ def integrate_depth_kernel(
             if frame.has_color == 1:
                 for j in range(SIDE):
                     if values[at + j] > UNSEEN:
-                        fold_color(base + j, pixels_seen[at + j], frame, blocks)
+                        change_color(base + j, pixels_seen[at + j], 1.0, frame, blocks)
             for j in range(SIDE):
                 old = blocks.distances[base + j]
                 w = float(blocks.weights[base + j])
                 new = old
                 heavier = w
                 if values[at + j] > UNSEEN:
-                    new = (old * w + values[at + j]) / (w + 1.0)
+                    new = changed_mean(old, w, values[at + j], 1.0)
                     heavier = min(w + 1.0, MAX_WEIGHT)
                 blocks.distances[base + j] = new
                 blocks.weights[base + j] = uint16(heavier)
@@ -177,10 +204,6 @@ def integrate_voxels_kernel(
     """One thread per voxel of every `stride`-th touched block."""
     i = tid()
     note_frame(i, counts, record, blocks)
-    x = i // ROWS % SIDE
-    row = i // SIDE % SIDE
-    j = i % SIDE
-    size = blocks.voxel_size
     R = recorded_rotation(record, INTO_CAMERA)
     t = recorded_translation(record, INTO_CAMERA)
     width = frame.camera.width
@@ -192,23 +215,18 @@ def integrate_voxels_kernel(
         block = touched[at]
         at += stride
         voxel = block * BLOCK_VOXELS + i % BLOCK_VOXELS
-        corner = key_block(blocks.keys[block]) * SIDE
-        p = narrow(R @ (vec3d(float64(corner[0] + x), float64(corner[1]), float64(corner[2])) * size) + t)
-        p0 = p[0] + float(R[0, 1] * size) * float(row)
-        p1 = p[1] + float(R[1, 1] * size) * float(row)
-        p2 = p[2] + float(R[2, 1] * size) * float(row)
-        depth_z = p2 + float(R[2, 2] * size) * float(j)
-        scale = 1.0 / larger(depth_z, NEAREST)
-        u = (p0 + float(R[0, 2] * size) * float(j)) * scale * float(frame.camera.fx) + (float(frame.camera.cx) + 0.5)
-        v = (p1 + float(R[1, 2] * size) * float(j)) * scale * float(frame.camera.fy) + (float(frame.camera.cy) + 0.5)
+        at_pixel = project_voxel(i, block, R, t, frame, blocks)
+        u = at_pixel[0]
+        v = at_pixel[1]
+        depth_z = at_pixel[2]
         pixel = pixel_of(u, v, right, bottom, width)
         d = frame.depth[pixel]
         if margin_of(u, v, right, bottom, depth_z, d, truncation) > 0.0:
             value = smaller((d - depth_z) * (1.0 / truncation), 1.0)
             if frame.has_color == 1:
-                fold_color(voxel, pixel, frame, blocks)
+                change_color(voxel, pixel, 1.0, frame, blocks)
             w = float(blocks.weights[voxel])
-            blocks.distances[voxel] = (blocks.distances[voxel] * w + value) / (w + 1.0)
+            blocks.distances[voxel] = changed_mean(blocks.distances[voxel], w, value, 1.0)
             blocks.weights[voxel] = uint16(min(w + 1.0, MAX_WEIGHT))
 
 

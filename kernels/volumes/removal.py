@@ -9,26 +9,12 @@ color level, times the ratio of the weights before and after all removals. One t
 import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
-from ..algebra.transform import narrow
 from ..array_types import Keys
-from ..arrays.block_keys import key_block
-from ..lang import array, float64, func, int32, kernel, launch, tid, uint16, vec3d
+from ..lang import array, float64, int32, kernel, launch, tid, uint16
 from .frame_record import INTO_CAMERA, recorded_rotation, recorded_translation
-from .integrate import NEAREST, Frame, margin_of, note_frame, pixel_of
-from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE
-from .voxel_blocks import COLOR_SCALE, VoxelBlocks
-
-COLOR_LIMIT = 65535.0
-
-
-@func
-def remove_color(voxel: int, pixel: int, frame: Frame, blocks: VoxelBlocks):
-    """Remove a pixel's color from a voxel's mean, before its weight changes to at least 1."""
-    w = float(blocks.weights[voxel])
-    for c in range(3):
-        shade = float(frame.pixels[pixel, c]) * COLOR_SCALE
-        rest = (float(blocks.colors[voxel, c]) * w - shade) / (w - 1.0)
-        blocks.colors[voxel, c] = uint16(smaller(larger(rest, 0.0), COLOR_LIMIT) + 0.5)
+from .integrate import Frame, change_color, changed_mean, margin_of, note_frame, pixel_of, project_voxel
+from .tsdf_blocks import BLOCK_VOXELS
+from .voxel_blocks import VoxelBlocks
 
 
 @kernel
@@ -44,23 +30,11 @@ def remove_depth_kernel(
     note_frame(i, counts, record, blocks)
     block = touched[i // BLOCK_VOXELS]
     voxel = block * BLOCK_VOXELS + i % BLOCK_VOXELS
-    x = i // ROWS % SIDE
-    row = i // SIDE % SIDE
-    j = i % SIDE
-    size = blocks.voxel_size
     R = recorded_rotation(record, INTO_CAMERA)
-    corner = key_block(blocks.keys[block]) * SIDE
-    p = narrow(
-        R @ (vec3d(float64(corner[0] + x), float64(corner[1]), float64(corner[2])) * size)
-        + recorded_translation(record, INTO_CAMERA)
-    )
-    p0 = p[0] + float(R[0, 1] * size) * float(row)
-    p1 = p[1] + float(R[1, 1] * size) * float(row)
-    p2 = p[2] + float(R[2, 1] * size) * float(row)
-    depth_z = p2 + float(R[2, 2] * size) * float(j)
-    scale = 1.0 / larger(depth_z, NEAREST)
-    u = (p0 + float(R[0, 2] * size) * float(j)) * scale * float(frame.camera.fx) + (float(frame.camera.cx) + 0.5)
-    v = (p1 + float(R[1, 2] * size) * float(j)) * scale * float(frame.camera.fy) + (float(frame.camera.cy) + 0.5)
+    at_pixel = project_voxel(i, block, R, recorded_translation(record, INTO_CAMERA), frame, blocks)
+    u = at_pixel[0]
+    v = at_pixel[1]
+    depth_z = at_pixel[2]
     width = frame.camera.width
     truncation = float(blocks.truncation)
     right = float(width)
@@ -72,9 +46,9 @@ def remove_depth_kernel(
         value = smaller((d - depth_z) * (1.0 / truncation), 1.0)
         rest = 0.0
         if w > 1.0:
-            rest = smaller(larger((blocks.distances[voxel] * w - value) / (w - 1.0), -1.0), 1.0)
+            rest = smaller(larger(changed_mean(blocks.distances[voxel], w, value, -1.0), -1.0), 1.0)
             if frame.has_color == 1:
-                remove_color(voxel, pixel, frame, blocks)
+                change_color(voxel, pixel, -1.0, frame, blocks)
         blocks.distances[voxel] = rest
         blocks.weights[voxel] = uint16(w - 1.0)
 

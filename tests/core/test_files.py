@@ -13,11 +13,14 @@ import pytest
 import pointloom as loom
 from pointloom.core import work_folder
 from pointloom.core.errors import FileError
+from pointloom.core.paths import job_file
 from pointloom.core.sqlite_files import protect
+from pointloom.core.stages import Chain
 from pointloom.io.frames.depth_cameras import driver_errors
 from pointloom.io.optional_imports import foreign_errors, ignored_errors
 from pointloom.io.source import content_errors
 from pointloom.photogrammetry.sfm.colmap_jobs import open_database
+from pointloom.rgbd.reconstruction.job_files import JobFiles
 from pointloom.tiling.manifest import NAME, Manifest, new_manifest, read_plan
 
 PATHS = ("PathLike", "FilePath")
@@ -111,6 +114,46 @@ def test_a_bounded_query_ends(tmp_path):
         protect(base, tmp_path / "a.db", is_bounded=True)
         with pytest.raises(sqlite3.OperationalError):
             base.execute("WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT max(x) FROM c")
+
+
+TEMPLATES = ("fragment_pointcloud", "fragment_posegraph", "fragment_posegraph_optimized", "global_posegraph_optimized",
+             "refined_posegraph", "refined_posegraph_optimized", "global_mesh", "global_traj")  # fmt: skip
+
+
+def reconstruction(root, template=TEMPLATES[0]):
+    name = "a/b/%03d.ply" if "fragment" in template else "a/b/000.ply"
+    return JobFiles.make(root, loom.reconstruction.ReconstructionConfig(**{f"template_{template}": name}))
+
+
+FOLDERS_OF_JOBS = {
+    "file": lambda root: job_file(root / "a" / "b" / "000.ply", root),
+    **{template: functools.partial(reconstruction, template=template) for template in TEMPLATES},
+    "stages": lambda root: Chain(root, ["a"], resume=True, progress=lambda *step: None),
+}
+
+
+@pytest.mark.parametrize("use", FOLDERS_OF_JOBS.values(), ids=FOLDERS_OF_JOBS)
+def test_folders_of_jobs_with_links_at_any_level_are_not_used(tmp_path, use):
+    """The folder itself may be a link of the user."""
+    other, root = tmp_path / "other", tmp_path / "job"
+    (tmp_path / "disk").mkdir()
+    other.mkdir()
+    root.symlink_to(tmp_path / "disk")
+    for name in ("a", "a/b", "a/b/000.ply"):
+        (root / name).parent.mkdir(exist_ok=True)
+        (root / name).symlink_to(other)
+        with pytest.raises(FileError, match=rf"job/{name}: is a symbolic link"):
+            use(root)
+        (root / name).unlink()
+    use(root)
+    assert not [*other.iterdir()]
+
+
+def test_a_file_in_place_of_a_folder_of_a_job_is_an_error(tmp_path):
+    (tmp_path / "a").write_text("")
+    for use in (FOLDERS_OF_JOBS["file"], reconstruction):
+        with pytest.raises(FileError, match=r"/a(/b)?: cannot be created: "):
+            use(tmp_path)
 
 
 def test_a_locked_folder_is_in_use_for_other_runs(tmp_path):

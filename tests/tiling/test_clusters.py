@@ -147,6 +147,57 @@ def test_the_intermediate_file_of_a_tile_is_checked_against_the_manifest(files, 
     assert not [*(tmp_path / "job" / "joined").iterdir()]
 
 
+CHANGED = """
+import os, sys
+from pathlib import Path
+import numpy as np
+from pointloom import FileError
+from pointloom.tiling.border_merging import BorderData, write_border_data
+folder = Path(sys.argv[1])
+changes = {
+    "truncated": lambda path: os.truncate(path, 5000),
+    "extended": lambda path: os.truncate(path, path.stat().st_size + 1),
+    "overwritten": lambda path: (path.open("r+b").write(bytes(9000)), os.utime(path, ns=(1, 1))),
+}
+for name, change in changes.items():
+    write_border_data(folder, 1, 7, {"count": np.array([4]), "keys": np.arange(1 << 20)})
+    tile = BorderData(folder, 1, {7: 4})[7]
+    assert tile["keys"][5] == 5 and tile["keys"][-1] == (1 << 20) - 1
+    change(folder / "left" / "1" / "7.npy")
+    try:
+        tile["keys"][1 << 18 :].sum()
+    except FileError as error:
+        print(name, error)
+"""
+
+
+def test_border_data_that_another_program_changes_are_an_error(tmp_path):
+    """In another process: with memory maps, the first change ended it (SIGBUS)."""
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, "-c", CHANGED, str(tmp_path)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True, timeout=120)
+    lines = done.stdout.splitlines()
+    assert [line.split()[0] for line in lines] == ["truncated", "extended", "overwritten"]
+    assert all("/7.npy: was changed while it was read: expected 8,3" in line for line in lines)
+
+
+@pytest.mark.parametrize("change", [lambda path: os.truncate(path, path.stat().st_size // 2), os.unlink])
+def test_labels_that_another_program_changes_are_an_error(files, tmp_path, monkeypatch, change):
+    monkeypatch.setattr(label_join, "MAX_RANKED", 7)
+    rank = label_join._rank_stretch
+
+    def changed(left, folder, *arguments):
+        for path in folder.iterdir() if arguments[-1] else ():
+            change(path)
+        return rank(left, folder, *arguments)
+
+    monkeypatch.setattr(label_join, "_rank_stretch", changed)
+    loom.tiling.plan_tiles(files, [DBSCAN], tmp_path / "job", size=21.0)
+    with pytest.raises(loom.FileError, match=r"\.ranks.* expected"):
+        loom.tiling.run_tiles(tmp_path / "job")
+    assert not [*(tmp_path / "job" / "joined").iterdir()]
+
+
 @pytest.mark.parametrize(("step", "max_clusters"), [(DBSCAN, 2), pytest.param(EUCLIDEAN, 7, marks=pytest.mark.slow)])
 def test_the_order_of_clusters_is_independent_of_the_sort_batch_size(files, tmp_path, monkeypatch, step, max_clusters):
     monkeypatch.setattr(label_join, "MAX_RANKED", max_clusters)
@@ -197,7 +248,7 @@ loom.tiling.run_tiles(sys.argv[1])
     ("module", "name"),
     [
         ("tasks", "join_step"),  # all tiles finished the first pass, nothing is joined
-        ("label_join", "_rank_stretch"),  # arrays of the tiles exist without labels
+        ("label_join", "_rank_stretch"),  # the clusters are joined but have no numbers
         ("border_merging", "json"),  # all files are written but not renamed yet
         ("border_merging", "Joined"),  # the file is renamed, the manifest is not updated
         ("work_tile", "read_joined"),  # in the second pass

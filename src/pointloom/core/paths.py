@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import stat
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +36,17 @@ def input_path(path: Any) -> Path:
     return given
 
 
+@contextlib.contextmanager
+def os_errors(path: Path, verb: str) -> Iterator[None]:
+    """Convert errors of the operating system to `FileError`; `verb` is what cannot be done, such as "written"."""
+    try:
+        yield
+    except OSError as error:
+        if error.strerror is None:  # raised by another package
+            raise
+        raise FileError(error.filename or path, f"cannot be {verb}: {error.strerror}") from error
+
+
 def refuse_link(path: Path) -> Path:
     """The path of a job file. Raises `FileError` for a symbolic link, which would redirect writes and removals."""
     if path.is_symlink():
@@ -42,19 +54,23 @@ def refuse_link(path: Path) -> Path:
     return path
 
 
-def refuse_links(folder: Path) -> None:
+def refuse_links(folder: Path, *, recursive: bool = False) -> None:
     """Raise `FileError` if a folder of a job contains a symbolic link. The folder itself may be one of the user."""
-    for path in folder.iterdir():
-        refuse_link(path)
+    with os_errors(folder, "read"):
+        for path in folder.iterdir():
+            if refuse_link(path).is_dir() and recursive:
+                refuse_links(path, recursive=True)
 
 
-def job_file(path: Path) -> Path:
-    """The path of a file to write in a job's folder, which is created. Raises `FileError` for links."""
-    try:
-        refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(path.parent, f"cannot be created: {error.strerror or error}") from error
-    return refuse_link(path)
+def job_file(path: Path, root: Path | None = None) -> Path:
+    """The path of a file to write in a job's folder, which is created. Raises `FileError` for links below `root`, which
+    is by default the folder that contains the file's folder."""
+    at = path.parent.parent if root is None else root
+    with os_errors(path.parent, "created"):
+        for name in path.relative_to(at).parts:
+            at = refuse_link(at / name)
+        path.parent.mkdir(parents=True, exist_ok=True)
+    return path
 
 
 def plain_name(path: Path, name: Any, *, remedy: str = "") -> str:

@@ -14,9 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from . import observers
-from .errors import FileError
 from .json_files import read_json_object
-from .paths import refuse_link
+from .paths import os_errors, refuse_links
 from .progress import ReportProgress
 from .records import RECORDS, digest_of, read_record, record_file, write_record
 from .timing import Clock, peak_bytes_of_all
@@ -74,9 +73,8 @@ class Chain:
     def __init__(self, root: Path, names: Sequence[str], *, resume: bool, progress: ReportProgress):
         self.root, self.made = root, dict[str, StageResult]()
         self._resume, self._progress = resume, progress
-        with _os_errors_as_file_errors(root):
-            for path in root.rglob("*"):
-                refuse_link(path)
+        with os_errors(root, "written"):
+            refuse_links(root, recursive=True)
             (root / RECORDS).mkdir(exist_ok=True)
             for name in names:
                 _remove(root / f"{name}{PART}")
@@ -134,7 +132,7 @@ class Chain:
         folder, part = self.root / stage.name, self.root / f"{stage.name}{PART}"
         record = record_file(self.root, stage.name)
         clock = Clock()
-        with _os_errors_as_file_errors(part):
+        with os_errors(part, "written"):
             try:
                 part.mkdir()
                 with self._going(stage) as going:
@@ -158,16 +156,6 @@ class Chain:
 
     def _report_progress(self, name: str, step: str, done: int, total: int) -> None:
         self._progress(name if step in ("", name) else f"{name}: {step}", done, total)
-
-
-@contextlib.contextmanager
-def _os_errors_as_file_errors(path: Path) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        if error.strerror is None:
-            raise
-        raise FileError(error.filename or path, f"cannot be written: {error.strerror}") from error
 
 
 def _remove(folder: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, NamedTuple, cast
@@ -9,6 +11,9 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.errors import FileError
+from .npy_header import MAX_HEADER_BYTES, read_npy_header
+from .optional_imports import foreign_errors
 from .source import SourceFile
 from .table import PointTable
 
@@ -68,6 +73,43 @@ class FixedRows:
             rows = slice(begin, min(begin + size, self.count))
             table_of(self.columns(rows, buffer), _part(result, rows))
         return result
+
+
+class StoredArray:
+    """An array of a .npy file, whose rows are read when they are used: `len`, rows and slices as of an array.
+
+    Args:
+        source: The file.
+        begin: The byte where the array's header begins.
+        kinds: Allowed kinds of values, as letters of NumPy. `FileError` is raised for others and for truncated arrays.
+    """
+
+    def __init__(self, source: SourceFile, begin: int = 0, kinds: str = "biuf"):
+        stream = io.BytesIO(source[begin : begin + MAX_HEADER_BYTES])
+        where = f"byte {begin}"
+        with foreign_errors(source.path, f"the header of the array at {where} is damaged"):
+            self.shape, is_by_columns, self.dtype = read_npy_header(stream)
+        width = math.prod(self.shape[1:])
+        if self.dtype.kind not in kinds or not self.shape or not width or (is_by_columns and len(self.shape) > 1):
+            reason = f"expected rows of numbers, got an array of {self.dtype} {list(self.shape)}"
+            raise FileError(source.path, reason, where=where)
+        first, size = begin + stream.tell(), math.prod(self.shape) * self.dtype.itemsize
+        if size > len(source) - first:
+            reason = f"is truncated: an array of {self.dtype} {list(self.shape)} needs {size:,} bytes, "
+            raise FileError(source.path, f"{reason}but has {max(len(source) - first, 0):,}", where=where)
+        self.end, self._source, self._first = first + size, source, first
+        self._row_bytes = width * self.dtype.itemsize
+        self._rows = FixedRows(source, first, len(self), self._row_bytes, {"": Column(self.dtype, 0, width)})
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __getitem__(self, rows: int | slice) -> Any:
+        if isinstance(rows, slice):
+            return self._rows.columns(rows)[""].reshape(-1, *self.shape[1:])
+        begin = self._first + range(len(self))[rows] * self._row_bytes
+        row = self._source[begin : begin + self._row_bytes]  # from the window of the file, for binary searches
+        return np.frombuffer(row, self.dtype).reshape(self.shape[1:])[()]
 
 
 def _stretched(table: PointTable, count: int) -> PointTable:

@@ -13,6 +13,7 @@ import numpy as np
 
 _LENGTHS = {(1, 0): "<H", (2, 0): "<I"}
 _MAX_LENGTH = 10_000  # [B] NumPy's own limit for untrusted files
+MAX_HEADER_BYTES = 12 + _MAX_LENGTH  # with the signature, the version and the length
 # Possessive quantifiers: without them, a damaged header takes time that is exponential in its length.
 _EXTENT = r"(?:[0-9]{1,19}+L?|True|False)"  # 19 digits: more than any count needs
 _VALUE = rf"'[^'\\]*+'|True|False|\((?:\s*+{_EXTENT}\s*+,?)*+\s*+\)"

@@ -1,18 +1,17 @@
 """Border data that tiles leave for a joined step, and the join.
 
-Files and the join's folder appear atomically and reproducibly. The join memory-maps all files.
+Files and the join's folder appear atomically and reproducibly. The join reads parts of the files when it uses them.
 """
 
 from __future__ import annotations
 
 import json
-import math
 import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,9 +21,9 @@ from ..core.checks import MAX_COUNT
 from ..core.errors import FileError
 from ..core.json_files import check_keys, json_count, read_json_object
 from ..core.paths import job_file
-from ..io.npy_header import read_npy_header
+from ..io.fixed_rows import StoredArray
 from ..io.points.npz import read_npy
-from .manifest import DAMAGE
+from ..io.source import open_source
 
 LEFT, JOINED = "left", "joined"
 SUMMARY = "whole.json"
@@ -56,41 +55,29 @@ class BorderData:
     def __contains__(self, tile: int) -> bool:
         return tile in self._counts
 
-    def __getitem__(self, tile: int) -> dict[str, NDArray[Any]]:
+    def __getitem__(self, tile: int) -> dict[str, StoredArray]:
         """Arrays of a tile. FileError if missing, damaged or not as in the manifest."""
         return self._open(tile)
 
-    def __iter__(self) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
+    def __iter__(self) -> Iterator[tuple[int, dict[str, StoredArray]]]:
         for tile in self.tiles:
             yield tile, self._open(tile)
 
-    def _read(self, tile: int) -> dict[str, NDArray[Any]]:
+    def _read(self, tile: int) -> dict[str, StoredArray]:
         path = self.path / f"{tile}.npy"
         remedy = "Plan it again in another folder"
         try:
-            with path.open("rb") as file:
-                data = np.memmap(path, np.uint8, "r")
-                names = _mapped(data, file, "U").reshape(-1).tolist()
-                arrays = {name: _mapped(data, file, "biuf") for name in names}
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}", remedy=remedy) from error
-        except DAMAGE as error:
-            raise FileError(path, f"is damaged: {error}", remedy=remedy) from error
-        if "count" not in arrays or arrays["count"].tolist() != [self._counts[tile]]:
+            source = open_source(path)
+            names = StoredArray(source, kinds="U")
+            arrays, end = dict[str, StoredArray](), names.end
+            for name in names[:].reshape(-1).tolist():
+                arrays[name] = StoredArray(source, end)
+                end = arrays[name].end
+        except FileError as error:
+            raise FileError(path, error.reason, where=error.where, remedy=remedy) from error
+        if "count" not in arrays or arrays["count"][:].tolist() != [self._counts[tile]]:
             raise FileError(path, f"is not the border data that tile {tile} wrote for the join", remedy=remedy)
         return arrays
-
-
-def _mapped(data: NDArray[np.uint8], file: BinaryIO, kinds: str) -> NDArray[Any]:
-    """Map the array at the file position, which advances behind it. Raises ValueError for types of other kinds."""
-    shape, _, kind = read_npy_header(file)
-    if kind.kind not in kinds or min(shape, default=0) < 0:
-        raise ValueError(f"an array of {kind} {list(shape)}")
-    begin, size = file.tell(), math.prod(shape) * kind.itemsize
-    if len(data) < begin + size:
-        raise ValueError("the file is truncated")
-    file.seek(begin + size)
-    return np.asarray(data[begin : begin + size]).view(kind).reshape(shape)
 
 
 def join_step(folder: Path, number: int, step: Any, left: BorderData, owner: str) -> Joined:

@@ -1,12 +1,14 @@
 """Join clusters of tiles: a point in two clusters merges them.
 
 Clusters seen by one tile are complete. Halo points of the others are listed with their home tile, and each point common
-to clusters of two tiles is a link. Memory: 40 B per such cluster, 30 B per link. Lists are mapped. Clusters are
-numbered by (major, minor) keys, sizes and first points, in bounded parts of that order.
+to clusters of two tiles is a link. Memory: 40 B per such cluster, 30 B per link, 20 B per cluster of one tile. Clusters
+are numbered by (major, minor) keys, sizes and first points, in bounded parts of that order. Each part appends the
+numbers of complete clusters to a file per tile, since their list has the same order.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
+from ..io.source import changed_error, open_source
 from .border_merging import BorderData
 
 MAX_RANKED = 1 << 22  # approximate number of clusters sorted at a time
@@ -67,8 +70,8 @@ def join_labels(left: BorderData, folder: Path, bounds: tuple[int, int], by_size
     firsts, sizes = np.full(group_count, NEVER), np.zeros(group_count, np.int64)
     for tile, arrays in left:
         mine = sets[begins[tile] : begins[tile] + len(arrays["edge"])]
-        np.minimum.at(firsts, mine, arrays["edge_firsts"])
-        np.add.at(sizes, mine, arrays["edge_sizes"])
+        np.minimum.at(firsts, mine, arrays["edge_firsts"][:])
+        np.add.at(sizes, mine, arrays["edge_sizes"][:])
     selected = np.flatnonzero((firsts != NEVER) & (sizes >= bounds[0]) & (sizes <= bounds[1]))
     majors = -sizes[selected] if by_size else np.zeros(len(selected), np.int64)
     order = np.lexsort((firsts[selected], majors))
@@ -76,17 +79,16 @@ def join_labels(left: BorderData, folder: Path, bounds: tuple[int, int], by_size
     total = len(selected) + sum(len(arrays["closed"]) for _, arrays in left)
     kind = np.int32 if total <= MAX_INT32 else np.int64
     names = np.full(group_count, -1, kind)
-    for tile, arrays in left:
-        if arrays["count"][0]:
-            made = np.lib.format.open_memmap(folder / f"{tile}.npy", "w+", kind, (int(arrays["count"][0]),))
-            made[:] = -1
     begin = 0
     for stretch in _stretches(left, groups, total):
         begin = _rank_stretch(left, folder, groups, (selected, names), stretch, begin)
     for tile, arrays in left:
-        if len(arrays["edge"]):
-            made = np.load(folder / f"{tile}.npy", mmap_mode="r+")
-            made[arrays["edge"]] = names[sets[begins[tile] : begins[tile] + len(arrays["edge"])]]
+        if count := int(arrays["count"][0]):
+            labels = np.full(count, -1, kind)
+            labels[arrays["closed"][:]] = _read_ranks(_rank_file(folder, tile), kind, len(arrays["closed"]))
+            labels[arrays["edge"][:]] = names[sets[begins[tile] : begins[tile] + len(arrays["edge"])]]
+            np.save(folder / f"{tile}.npy", labels)
+            _rank_file(folder, tile).unlink(missing_ok=True)
     return total
 
 
@@ -94,17 +96,18 @@ def _links(left: BorderData, begins: dict[int, int]) -> NDArray[np.int64]:
     """Pairs of border clusters with a common point, (2, n)."""
     links = [np.empty((2, 0), np.int64)]
     for tile, arrays in left:
-        owners = np.asarray(arrays["borrowed_tiles"])
+        owners = arrays["borrowed_tiles"][:]
         homes, cuts = np.unique(owners, return_index=True)
         for home, begin, end in zip(homes.tolist(), cuts.tolist(), [*cuts[1:].tolist(), len(owners)], strict=False):
             if home not in left:
                 raise _disagreement(left, tile, home)
             other, keys = left[home], arrays["borrowed_keys"][begin:end]
-            at = np.searchsorted(other["lent_keys"], keys)
-            there = at < len(other["lent_keys"])
-            if not (there.all() and np.array_equal(other["lent_keys"][at], keys)):
+            lent_keys = other["lent_keys"][:]
+            at = np.searchsorted(lent_keys, keys)
+            there = at < len(lent_keys)
+            if not (there.all() and np.array_equal(lent_keys[at], keys)):
                 raise _disagreement(left, tile, home)
-            pairs = np.stack([arrays["borrowed"][begin:end] + begins[tile], other["lent"][at] + begins[home]])
+            pairs = np.stack([arrays["borrowed"][begin:end] + begins[tile], other["lent"][:][at] + begins[home]])
             links.append(np.unique(pairs, axis=1))
     return np.concatenate(links, axis=1)
 
@@ -142,14 +145,14 @@ def _count_before(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise:
     """Number of keys before a cut."""
     if cut is None:
         return otherwise
-    low, high = (int(np.searchsorted(keys[0], cut[0], side)) for side in ("left", "right"))
-    return low + int(np.searchsorted(keys[1][low:high], cut[1]))
+    low, high = bisect_left(keys[0], cut[0]), bisect_right(keys[0], cut[0])
+    return bisect_left(keys[1], cut[1], low, high)
 
 
 def _rank_stretch(
     left: BorderData, folder: Path, groups: _Keys, named: tuple[Any, Any], stretch: tuple[Any, Any], begin: int
 ) -> int:
-    """Number the clusters of a part from `begin` on. Returns the next number."""
+    """Number the clusters of a part from `begin` on, and append to `_rank_file`s. Returns the next number."""
     selected, names = named
     owners, lows, pieces = [], [], []
     for tile, keys in [(None, groups), *((tile, (arrays["majors"], arrays["minors"])) for tile, arrays in left)]:
@@ -170,6 +173,20 @@ def _rank_stretch(
         if tile is None:
             names[selected[mine]] = labels
         else:
-            made = np.load(folder / f"{tile}.npy", mmap_mode="r+")
-            made[left[tile]["closed"][mine]] = labels
+            with _rank_file(folder, tile).open("ab") as file:
+                file.write(labels.astype(names.dtype).tobytes())
     return begin + len(ranks)
+
+
+def _rank_file(folder: Path, tile: int) -> Path:
+    """The file with the numbers of a tile's complete clusters, in the order of their list."""
+    return folder / f"{tile}.ranks"
+
+
+def _read_ranks(path: Path, kind: Any, count: int) -> NDArray[Any]:
+    if not count:
+        return np.empty(0, kind)
+    source, expected = open_source(path), count * np.dtype(kind).itemsize
+    if len(source) != expected:
+        raise changed_error(path, expected, len(source))
+    return source.array(kind, count)

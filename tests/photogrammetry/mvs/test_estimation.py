@@ -1,6 +1,8 @@
 """Depth of posed photographs: choice of sources, accuracy, reproducibility, resumed searches, masks."""
 
 import hashlib
+import os
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -227,6 +229,20 @@ def test_truncated_files_are_matched_again(tmp_path):
     files[1].write_bytes(b"")
     np.save(files[2], np.zeros((3, 4), np.float32))
     assert digest(estimate(three(), **options)) == digest(expected)
+
+
+@pytest.mark.parametrize(
+    "change", [lambda path: os.truncate(path, 400), lambda path: np.save(path, [1.0]), Path.unlink]
+)
+@pytest.mark.parametrize("options", [{"going": "planes"}, {"folder": "planes", "device_bytes": 0}])
+def test_planes_that_another_program_changes_are_an_error(tmp_path, monkeypatch, options, change):
+    def progress(name, done, total):
+        if done == 3:  # the planes of the first phase are complete
+            change(min((tmp_path / "planes").rglob("0-0*.npy")))
+
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(loom.FileError, match=r"0-0+\.npy.*Run it again"):
+        estimate(three(), sources=None, progress=progress, **options)
 
 
 @pytest.fixture(scope="module")

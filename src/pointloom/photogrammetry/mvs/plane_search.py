@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...io.fixed_rows import StoredArray
+from ...io.source import open_source
 from ...kernels.array_types import Array1
 from ...kernels.lang import launch, vec4
 from ...kernels.memory import clone, download, empty, upload
@@ -37,7 +40,7 @@ class StoredPlanes:
     camera: PinholeCameraIntrinsic
 
     def read(self) -> Any:
-        return np.load(self.planes) if isinstance(self.planes, Path) else self.planes
+        return _stored(self.planes, self.camera)[:] if isinstance(self.planes, Path) else self.planes
 
     def on(self, device: Any) -> Array1[vec4]:
         """A modifiable copy of the planes on the device."""
@@ -62,11 +65,10 @@ class PlaneFiles:
             return None
         path = self._path(phase, index)
         try:
-            planes = np.load(path, mmap_mode="r", allow_pickle=False)
-        except (OSError, ValueError, EOFError):
+            _stored(path, camera)
+        except FileError:
             return None
-        fits = planes.shape == (camera.width * camera.height, 4) and planes.dtype == np.float32
-        return StoredPlanes(path, camera) if fits else None
+        return StoredPlanes(path, camera)
 
     def last_complete(
         self, scales: Sequence[float], cameras: Sequence[PosedCamera], sources: Sequence[Sequence[int]]
@@ -84,6 +86,20 @@ class PlaneFiles:
     def _path(self, phase: int, index: int) -> Path:
         assert self.folder is not None
         return self.folder / f"{phase}-{index:06d}.npy"
+
+
+def _stored(path: Path, camera: PinholeCameraIntrinsic) -> StoredArray:
+    """The planes of an image in a file. Raises `FileError` if the file is missing, damaged or of another image."""
+    remedy = "Run it again: planes that cannot be read are computed again"
+    try:
+        planes = StoredArray(open_source(path))
+    except FileError as error:
+        raise FileError(path, error.reason, where=error.where, remedy=remedy) from error
+    size = camera.width * camera.height
+    if planes.shape != (size, 4) or planes.dtype != np.float32:
+        reason = f"expected planes float32 [{size}, 4], got {planes.dtype} {list(planes.shape)}"
+        raise FileError(path, reason, remedy=remedy)
+    return planes
 
 
 Matrix = NDArray[np.float64]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of, refuse_link, refuse_links
+from ...core.paths import job_file, path_of, refuse_links
 from ...core.records import record_file
 from .config import ReconstructionConfig
 
@@ -22,15 +22,10 @@ class JobFiles:
         if not isinstance(config, ReconstructionConfig):
             raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
         job = cls(path_of(folder, "folder"), config)
-        graphs = job.fragment_graph(0), job.fragment_graph_optimized(0)
-        for path in (job.fragment_cloud(0), *graphs, job.scene_mesh, job.trajectory, job.record("fragment", 0)):
-            try:
-                for parent in [*path.relative_to(job.root).parents][-2::-1]:
-                    refuse_link(job.root / parent)
-                path.parent.mkdir(parents=True, exist_ok=True)
-                refuse_links(path.parent)
-            except OSError as error:
-                raise FileError(path.parent, f"cannot be created: {error.strerror or error}") from error
+        fragment = job.fragment_cloud(0), job.fragment_graph(0), job.fragment_graph_optimized(0)
+        scene = job.scene_graph, job.refined_graph, job.refined_graph_optimized, job.scene_mesh, job.trajectory
+        for path in (*fragment, *scene, job.record("fragment", 0)):
+            refuse_links(job_file(path, job.root).parent)
             if not os.access(path.parent, os.W_OK | os.X_OK):
                 raise FileError(path.parent, "is not writable", remedy="Choose another folder")
         return job

@@ -137,7 +137,7 @@ def _grid_path(job: JobFiles) -> Path:
 
 
 def _write(job: JobFiles, bent: BentPlacement) -> None:
-    paths, placement = [job_file(path) for path in (job.slac_graph, _grid_path(job))], bent.placement
+    paths, placement = [job_file(path, job.root) for path in (job.slac_graph, _grid_path(job))], bent.placement
     write_pose_graph(paths[0], placement.pose_graph)
     write_control_grid(paths[1], bent.grid)
     result = {"poses": placement.poses.tolist(), "before": placement.before, "figures": bent.figures}

@@ -128,7 +128,7 @@ def integrate_scene(
     ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
     write_trajectory(job.trajectory, Trajectory(poses, ids=ids))
     mesh_path = job.scene_mesh if len(mesh) else None
-    cloud_path = job_file(job.slac_cloud) if len(mesh) and is_cloud_wanted else None
+    cloud_path = job_file(job.slac_cloud, job.root) if len(mesh) and is_cloud_wanted else None
     if cloud_path is not None:
         write_point_cloud(cloud_path, volume.extract_point_cloud(threshold))
     scene = Scene(mesh_path, job.trajectory, indices, poses, lost, figures, cloud_path)
