@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.progress import ReportProgress
+from ..core.reports import Assessed, failed, quality
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.quantiles import median_above_zero
 from ..kernels.lang import float32, int32
@@ -39,26 +40,38 @@ WORTH = dict(enumerate((1.0, 0.97, 0.95, 0.9, 0.85)))
 
 
 @dataclass(frozen=True, eq=False)
-class DetectedShapes:
+class DetectedShapes(Assessed):
     """Result of `detect_shapes`.
 
     Attributes:
         labels: int32 (n,), shape index of each point, -1 for none.
         shapes: In order of detection, mostly by decreasing size.
         distances: float32 (n,), signed distance of each point from its shape [m], NaN for none.
+        undecided: Kinds of which a shape may be missed, because `num_iterations` samples do not reach `probability`.
     """
 
     labels: NDArray[np.int32]
     shapes: list[Shape]
     distances: NDArray[np.float32]
+    undecided: tuple[str, ...] = ()
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks of the search and of each shape. Empty if all are reliable."""
+        missed = f"shapes may be missed ({', '.join(self.undecided)}): use more num_iterations, or a larger min_support"
+        each = [f"shape {k} ({shape.kind}): {one}" for k, shape in enumerate(self.shapes) for one in shape.warnings]
+        return failed(missed if self.undecided else None, *each)
 
     def __str__(self) -> str:
         lines = [f"{k}: {shape}" for k, shape in enumerate(self.shapes)]
+        lines += [f"shapes may be missed: {', '.join(self.undecided)}"] if self.undecided else []
         return "\n".join([*lines, f"{int((self.labels < 0).sum()):,} of {len(self.labels):,} points are in no shape"])
 
     def to_dict(self) -> dict[str, Any]:
-        """Shapes and number of unassigned points in JSON's types."""
-        return {"shapes": [shape.to_dict() for shape in self.shapes], "unlabeled": int((self.labels < 0).sum())}
+        """Shapes and number of unassigned points in JSON's types, with `reliable` and `warnings`."""
+        shapes = [shape.to_dict() for shape in self.shapes]
+        rest = {"unlabeled": int((self.labels < 0).sum()), "undecided": list(self.undecided)}
+        return {"shapes": shapes, **rest, **quality(self)}
 
 
 @explain_argument_errors
@@ -99,7 +112,8 @@ def detect_shapes(
         progress: Called with ("shapes", assigned points, points).
 
     Returns:
-        DetectedShapes: labels, shapes and distances. `shape.warnings` lists failed checks.
+        DetectedShapes: labels, shapes and distances. `warnings` lists failed checks of the search and of all shapes,
+        `shape.warnings` those of one shape.
 
     Raises:
         ValueError: If the cloud has no normals, a kind is unknown, or an argument is out of range.
@@ -126,6 +140,7 @@ def detect_shapes(
     labels = full(len(cloud), -1, int32, cloud.device)
     distances = full(len(cloud), math.nan, float32, cloud.device)
     shapes: list[Shape] = []
+    undecided: tuple[str, ...] = ()
     search, limits = search_of(cloud, limits)
     if search.rows.size >= min_points and search.size > 0:
         if epsilon is None:
@@ -139,7 +154,8 @@ def detect_shapes(
             shapes.append(shape_of(rounds.search, candidate, rounds.limits, cloud.origin, search))
             rounds.remove(candidate, len(shapes) - 1)
             report_progress("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
-    return DetectedShapes(cloud._handed_out(labels), shapes, cloud._handed_out(distances))
+        undecided = rounds.undecided() if len(shapes) < largest else ()
+    return DetectedShapes(cloud._handed_out(labels), shapes, cloud._handed_out(distances), undecided)
 
 
 class _Rounds:
@@ -197,6 +213,12 @@ class _Rounds:
             for kind in self._kinds
             if self._drawn[kind] < self._max_samples and not self._is_safe(self._min_points, kind)
         ]
+
+    def undecided(self) -> tuple[str, ...]:
+        """Kinds without enough samples to find every shape of the remaining points at the required probability."""
+        if self.search.rows.size < self._min_points:
+            return ()
+        return tuple(KINDS[kind] for kind in self._kinds if not self._is_safe(self._min_points, kind))
 
     def _is_safe(self, count: int, kind: int) -> bool:
         """True if a shape of `count` points would have been found with the required probability."""

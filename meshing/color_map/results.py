@@ -10,9 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
+from ...core.reports import Assessed, failed, quality
+from ...core.wording import format_share, plain
 from ...kernels.memory import download
 from ...kernels.textures.posed_pictures import PosedPictures, Warps, unwarp_pixels
 from ..mesh.mesh import TriangleMesh
+
+# Thresholds of the quality checks.
+FEW_SEEN = 0.3  # fraction of the vertices seen
+BLIND = 0.5  # fraction of the frames that see nothing of the mesh
+WON = 0.99  # maximum ratio of residuals after and before, unless the residual is
+AGREED = 0.01  # below this: the level of 8-bit colors and their noise
 
 
 class NothingSeenError(ValueError):
@@ -20,7 +28,7 @@ class NothingSeenError(ValueError):
 
 
 @dataclass(frozen=True, eq=False)
-class ColorMapResult:
+class ColorMapResult(Assessed):
     """A colored mesh and the refined poses; unpacks as (mesh, trajectory), as in Open3D.
 
     Attributes:
@@ -48,6 +56,53 @@ class ColorMapResult:
     def __repr__(self) -> str:
         residuals = f"residual {self.residual_before:.4g} to {self.residual:.4g}"
         return f"ColorMapResult({self.mesh!r}, {len(self.view_counts)} images, {residuals})"
+
+    @property
+    def seen_share(self) -> float:
+        """Fraction of the vertices seen in an image."""
+        return float(self.seen.mean())
+
+    @property
+    def blind_count(self) -> int:
+        """Number of images that see nothing of the mesh."""
+        return int((self.view_counts == 0).sum())
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks, each with its remedy. Empty if the result is reliable."""
+        return self.failed_checks("maximum_allowable_depth", "maximum_iteration=0", is_refined=self.iterations > 0)
+
+    def failed_checks(self, limit: str, unrefined: str, *, is_refined: bool) -> tuple[str, ...]:
+        """The warnings, with the names of the arguments for the depth limit and for colors without refinement."""
+        blind, count = self.blind_count, len(self.view_counts)
+        before, after = self.residual_before, self.residual
+        few = (
+            f"the frames show only {format_share(self.seen_share)} of the vertices: use more frames, raise {limit}, or "
+            "check that mesh and poses belong together"
+        )
+        worse = (
+            f"the images do not agree better than before (residual {before:.4f} to {after:.4f}): the pose errors are "
+            f"too large, or the colors change with the lighting. Compare with {unrefined}"
+        )
+        return failed(
+            few if self.seen_share < FEW_SEEN else None,
+            f"{blind} of {count} frames show nothing of the mesh" if blind > BLIND * count else None,
+            worse if is_refined and before > AGREED and after > WON * before else None,
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """The measures in JSON types, with `reliable` and `warnings`."""
+        figures = {
+            "vertices": len(self.seen),
+            "frames": len(self.view_counts),
+            "seen_share": self.seen_share,
+            "blind_frames": self.blind_count,
+            "residual_before": self.residual_before,
+            "residual": self.residual,
+            "iterations": self.iterations,
+            **quality(self),
+        }
+        return plain(figures)
 
     def warp(self, index: int) -> NDArray[np.float64]:
         """Anchor positions of an image [px], float64 (rows, columns, 2). Empty without warps."""

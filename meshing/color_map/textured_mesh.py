@@ -14,12 +14,6 @@ from ...kernels.linear_algebra import inv, matmul
 from ..mesh.mesh import TriangleMesh
 from .results import ColorMapResult
 
-# Thresholds of the quality checks.
-FEW_SEEN = 0.3  # fraction of the vertices seen
-BLIND = 0.5  # fraction of the frames that see nothing of the mesh
-WON = 0.99  # maximum ratio of residuals after and before, unless the residual is
-AGREED = 0.01  # below this: the level of 8-bit colors and their noise
-
 
 @dataclass(frozen=True)
 class TexturedMesh(Report, Assessed):
@@ -53,29 +47,17 @@ class TexturedMesh(Report, Assessed):
     @property
     def seen_share(self) -> float:
         """Fraction of the vertices seen in a frame."""
-        return float(self.colors.seen.mean())
+        return self.colors.seen_share
 
     @property
     def blind_frames(self) -> int:
         """Number of frames that see nothing of the mesh."""
-        return int((self.colors.view_counts == 0).sum())
+        return self.colors.blind_count
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        reasons = []
-        if self.seen_share < FEW_SEEN:
-            reasons.append(
-                f"the frames show only {format_share(self.seen_share)} of the vertices: use more frames, raise "
-                "depth_max, or check that mesh and poses belong together"
-            )
-        if self.blind_frames > BLIND * self.frame_count:
-            reasons.append(f"{self.blind_frames} of {self.frame_count} frames show nothing of the mesh")
-        before, after = self.colors.residual_before, self.colors.residual
-        if self.method != "none" and before > AGREED and after > WON * before:
-            reasons.append(
-                f"the images do not agree better than before (residual {before:.4f} to {after:.4f}): the pose errors "
-                "are too large, or the colors change with the lighting. Compare with method='none'"
-            )
+        refined = self.method != "none"
+        reasons = self.colors.failed_checks("depth_max", "method='none'", is_refined=refined)
         return (*reasons, *self.source_warnings)
 
     def to_dict(self) -> dict[str, Any]:

@@ -13,10 +13,9 @@ from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
-from .mesh_repair import MeshRepairReport
+from .mesh_repair import MAX_LOST, MeshRepairReport
 
 MAX_GONE = 0.02  # fraction of triangles without a partner: above, parts of the surface may be missing
-MAX_LOST = 0.01  # fraction of the area, without copies
 MAX_MERGED = 0.5  # fraction of the vertices: above, the merge distance probably has another unit
 
 # Changes by the repair, in words. The other fields of its report are final states.

@@ -13,7 +13,9 @@ from ...core.array_libraries import view_as
 from ...core.checks import check_positive
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
+from ...core.reports import AssessedRecord, failed
 from ...core.units import common_unit
+from ...core.wording import format_share
 from ...kernels.array_types import Mask
 from ...kernels.arrays.concatenation import concatenate_points
 from ...kernels.arrays.row_numbers import pair_up
@@ -46,6 +48,7 @@ if TYPE_CHECKING:
 MAX_INT32 = 2**31 - 1
 MANIFOLD = 2  # triangles per edge of a closed surface
 ROUNDING = 1e-9  # relative, of area sums
+MAX_LOST = 0.01  # fraction of the area, without copies, above which parts of the surface may be missing
 
 
 class EdgeCounts(NamedTuple):
@@ -57,7 +60,7 @@ class EdgeCounts(NamedTuple):
 
 
 @dataclass(frozen=True)
-class MeshRepairReport:
+class MeshRepairReport(AssessedRecord):
     """Counts of the changes that `repair` made, and the remaining defects.
 
     Attributes:
@@ -76,6 +79,7 @@ class MeshRepairReport:
         holes_left: Remaining holes of up to `hole_size`. None if holes were not filled.
         non_manifold_vertices: Vertices whose triangles are not connected by edges.
         zero_area_triangles: Triangles without area that remain, because removing them would open the mesh.
+        area_in: Area of the finite triangles of the input [m^2].
 
     Example:
         >>> import pointloom as loom
@@ -102,6 +106,19 @@ class MeshRepairReport:
     holes_left: int | None
     non_manifold_vertices: int
     zero_area_triangles: int
+    area_in: float = 0.0
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable. `clean_mesh` also compares it with the input."""
+        lost = format_share(min(self.lost_area / self.area_in, 1.0)) if self.area_in > 0 else ""
+        return failed(
+            f"{lost} of the area was lost: compare it with the input (compare_meshes)"
+            if self.area_in > 0 and self.lost_area > MAX_LOST * self.area_in
+            else None,
+            f"{self.holes_left:,} holes are left open" if self.holes_left else None,
+            None if self.is_orientable else "a part is not orientable, like a Moebius strip, so it has no inside",
+        )
 
 
 class MeshRepair(MeshMeasures):
@@ -377,6 +394,7 @@ class MeshRepair(MeshMeasures):
             mesh, filled, left = mesh._fill(size)
         added = len(mesh) - flipped.size
         mesh, orientable = mesh._nested(flipped)
+        area_in = self._finite_area()
         report = MeshRepairReport(
             removed_non_finite_triangles=len(self) - len(finite),
             merged_vertices=stitched.merged + before - finite._vertex_count,
@@ -388,7 +406,8 @@ class MeshRepair(MeshMeasures):
             filled_holes=filled,
             added_triangles=added + stitched.halved,
             removed_vertices=stitched.unused,
-            lost_area=_difference(self._finite_area(), stitched.copied_area + area),
+            lost_area=_difference(area_in, stitched.copied_area + area),
+            area_in=area_in,
             is_orientable=orientable,
             holes_left=left,
             **mesh._findings(),

@@ -26,6 +26,8 @@ from ..mesh.finite_corners import check_finite_corners
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_arrays import check_mesh
 
+ALIGN = "align the cloud with the mesh"
+
 
 @dataclass(frozen=True, eq=False)
 class CloudToMeshResult(AssessedRecord):
@@ -50,8 +52,11 @@ class CloudToMeshResult(AssessedRecord):
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks. Empty if the result is reliable."""
         count, measured = len(self.distances), int(np.isfinite(self.distances).sum())
-        remedy = "use a larger max_distance, and align the cloud with the mesh"
-        return failed(why_few_matched(measured, count, "points have a distance", remedy))
+        remedy = f"use a larger max_distance, and {ALIGN}"
+        above = measured - int((np.isfinite(self.distances) & self.beside).sum())
+        inside, crop = "distances are not from the border of the mesh", f"crop both, and {ALIGN}"
+        few = why_few_matched(measured, count, "points have a distance", remedy)
+        return failed(few, why_few_matched(above, measured, inside, crop))
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:

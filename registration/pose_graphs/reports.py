@@ -10,6 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.reports import AssessedRecord, failed
+from ...core.wording import few_of
+
+MAX_LISTED = 6  # fragments named in a warning
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,9 +81,13 @@ class RefinementReport(AssessedRecord):
         """Failed quality checks. Empty if the result is reliable."""
         if self.overlaps and not any(overlap.used for overlap in self.overlaps):
             return ("no two fragments overlap at their poses, so nothing was aligned: check the pose graph",)
+        fragments = {end for overlap in self.overlaps for end in overlap[:2]}
+        paired = [overlap for overlap in self.overlaps if overlap.used and overlap.correspondences]
+        lost = sorted(fragments - {end for overlap in paired for end in overlap[:2]})
+        apart = f"{len(lost)} fragments ({few_of([str(number) for number in lost], MAX_LISTED)}) overlap with no other"
         before, after = (float(self.rmse[0]), float(self.rmse[-1])) if len(self.rmse) else (0.0, 0.0)
-        if after > before:
-            return (
-                f"the fragments are farther apart than before ({before:.3g} to {after:.3g} m): use more iterations",
-            )
-        return ()
+        worse = f"the fragments are farther apart than before ({before:.3g} to {after:.3g} m): use more iterations"
+        return failed(
+            f"{apart} at their poses, so they were not aligned: check the pose graph" if lost else None,
+            worse if after > before else None,
+        )

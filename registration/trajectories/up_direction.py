@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.reports import Assessed
+from ...core.reports import AssessedRecord
 from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import eigh, matmul, norm
 
@@ -31,7 +31,7 @@ _CUT = 2.5 * 1.4826  # in median deviations, for outliers
 
 
 @dataclass(frozen=True, eq=False)
-class UpDirection(Assessed):
+class UpDirection(AssessedRecord):
     """Up direction of a model.
 
     Attributes:

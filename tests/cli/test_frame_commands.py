@@ -458,7 +458,7 @@ def test_a_short_blank_gap_is_a_note(sequence_folder, tmp_path):
 class Closure:
     """A synthetic result of `close_loops`: each loop lifts the last submap by 6 cm."""
 
-    refused, loops, pose_graph = (), (), SimpleNamespace(report=None)
+    refused, loops, graph_warnings = (), (), ()
 
     def __init__(self, submaps, **_):
         self.T_world_submap = np.array([submap.T_world_submap for submap in submaps])
@@ -497,11 +497,11 @@ def test_without_loops_the_surface_is_not_rebuilt():
 
     def close_loops(progress):
         slam.volume = rebuilt
-        graph = SimpleNamespace(report=None)
-        return SimpleNamespace(T_world_submap=[0], refused=[], loops=[], pose_graph=graph)
+        return SimpleNamespace(T_world_submap=[0], refused=[], loops=[], graph_warnings=("not converged",))
 
     slam.close_loops = close_loops
-    assert looped_model._close_loops(slam, None, None)[0] == tracked
+    volume, account = looped_model._close_loops(slam, None, None)
+    assert volume == tracked and account.loop_warnings == ("not converged",)
 
 
 def test_an_unreadable_frame_does_not_shift_other_poses(sequence_folder, tmp_path, made_up):

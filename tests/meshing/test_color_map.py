@@ -256,6 +256,20 @@ def test_images_without_improved_agreement_are_unreliable():
     assert "6 of 10 frames" in str(warnings("rigid", 0.05, 0.0, blind=6))
 
 
+def test_color_maps_report_what_the_images_contradict():
+    images, path = [np.full((48, 64, 3), 200, np.uint8)] * 2, loom.Trajectory([POSE] * 2)
+    good = loom.color_map.run_rigid_optimizer(wall(), images, path, intrinsic=CAMERA)
+    assert good.reliable and good.to_dict()["warnings"] == []
+    for text, values in {
+        "frames show only 0.0% of the vertices": {"seen": np.arange(143) < 0},
+        "2 of 2 frames show nothing": {"view_counts": np.zeros(2, np.int64)},
+        "Compare with maximum_iteration=0": {"residual_before": 0.05, "residual": 0.0499, "iterations": 5},
+    }.items():
+        result = dataclasses.replace(good, **values)
+        assert not result.reliable and text in str(result.warnings)
+        assert result.to_dict()["warnings"] == list(result.warnings)
+
+
 def test_invalid_frames_are_rejected_by_name():
     gray = loom.frames_from([(None, np.full((48, 64), 1000, np.uint16))], CAMERA)
     for given, poses, message in (

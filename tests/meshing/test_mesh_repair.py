@@ -127,6 +127,7 @@ def test_holes_with_non_finite_or_too_many_vertices_are_skipped_and_counted(devi
     assert len(mesh.fill_holes()) == count
     report = mesh.repair(hole_size=2)[1]
     assert (report.holes_left, report.filled_holes, report.boundary_edges) == (1, 0, count)
+    assert report.warnings == ("1 holes are left open",) and report.to_dict()["reliable"] is False
 
 
 def test_new_triangles_take_texture_from_the_boundary(device):
@@ -173,6 +174,7 @@ def test_repairs_of_any_mesh_are_manifold_with_a_correct_report(triangles, hole_
     assert len(repaired.vertices) == left + report.split_vertices
     assert report.is_watertight == repaired.is_watertight()
     assert report.is_orientable == repaired.is_orientable() == (is_consistent(repaired.triangles) or len(repaired) == 0)
+    assert report.is_orientable != ("a part is not orientable" in str(report.warnings))
     assert report.boundary_edges == len(repaired.get_boundary_edges())
     assert report.non_manifold_vertices == len(repaired.get_non_manifold_vertices())
     assert (report.holes_left is None) == (hole_size is None)
@@ -199,7 +201,7 @@ def test_damaged_meshes_are_restored(device, name):
     assert repaired.get_surface_area() == pytest.approx(meant.get_surface_area(), rel=1e-6)
     local = TriangleMesh(meant.vertices, meant.triangles)
     assert repaired._signed_volume() == pytest.approx(local._signed_volume(), rel=1e-4)
-    assert report.lost_area == 0 and report.removed_crowding_triangles == 0
+    assert report.lost_area == 0 and report.removed_crowding_triangles == 0 and report.reliable
     assert len(repaired) - report.added_triangles == len(meant)
 
 
@@ -232,6 +234,7 @@ def test_a_single_unpaired_triangle_is_removed_and_a_sheet_stays(device):
     fin = TriangleMesh(np.vstack([ball.vertices, tip]), np.vstack([ball.triangles, [[*ball.triangles[20][:2], 62]]]))
     repaired, report = fin.to(device).repair()
     assert report.removed_crowding_triangles == 1 and report.lost_area > 0 and repaired.is_watertight()
+    assert "of the area was lost: compare it with the input" in report.warnings[0]
     wall = fin._with_arrays()
     triangles = np.vstack([fin.triangles, [[62, ball.triangles[20][0], 63]]])
     wall = TriangleMesh(np.vstack([fin.vertices, 3 * tip]), triangles)

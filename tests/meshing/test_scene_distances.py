@@ -358,6 +358,9 @@ def test_points_beside_an_open_mesh_are_flagged(device):
     result = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), mesh)
     assert result.beside.tolist() == [True, True, True, False]
     assert result.is_significant.tolist() == [False, False, False, True]
+    assert result.warnings[0].startswith("only 1 of 4 distances are not from the border of the mesh (25.0%)")
+    over = loom.change.cloud_to_mesh(loom.PointCloud(points[-1:] * 3, device=device), mesh)
+    assert over.reliable and not result.reliable
 
 
 def test_neighbors_determine_the_noise(device, rng):
@@ -385,6 +388,7 @@ def test_undefined_distances_are_nan(device):
     points = [[15, 15, 50], [np.nan, 0, 0], [15, 15, 1.2]]
     result = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), mesh, max_distance=10)
     assert np.isnan(result.distances).tolist() == [True, True, False]
+    assert "only 1 of 3 points have a distance (33.3%): use a larger max_distance" in result.warnings[0]
     assert result.is_significant.tolist()[:2] == [False, False]
     empty = loom.TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32), device=device)
     assert np.isnan(loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), empty).distances).all()

@@ -113,6 +113,15 @@ def test_long_cylinder_counts_each_point_once(device):
         assert np.abs(result.counts[:, k] - counts).max() <= 1 and (result.counts[:, k] == counts).mean() > 0.9
 
 
+def test_epochs_of_which_few_points_have_a_distance_are_reported(device):
+    epochs = [epoch(k, count=4000, at=(0, 0, z)) for k, z in enumerate((0, 0, 9))]
+    first, second, away = (loom.PointCloud(points, device=device) for points in epochs)
+    options = {"normal_radii": RADII, "cylinder_radius": CYLINDER, "max_distance": MAX_DISTANCE}
+    good, far = (loom.change.m3c2(first, other, **options) for other in (second, away))
+    assert good.reliable and good.warnings == () and not far.reliable
+    assert "of 4,000 core points have a distance (0.0%): use a larger max_distance" in far.warnings[0]
+
+
 def test_empty_cylinders_and_non_finite_points_have_no_distance(device):
     first, cores = epoch(0), [[15.0, 15, 0], [np.nan, 0, 0], [15, 15, 500]]
     result = compared(first, first + np.array([0, 0, 90]), device, core_points=loom.PointCloud(cores, device=device))

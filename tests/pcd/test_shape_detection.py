@@ -55,9 +55,24 @@ def test_same_seed_gives_the_same_shapes_and_progress_is_reported(device):
 def test_a_hall_of_planes_has_no_round_shape_that_is_sure(device, rng):
     floor, wall = (made_shape("plane", 3000, rng, 0.004, motion=False)[0] for _ in range(2))
     cloud = loom.PointCloud(np.vstack([floor, wall[:, [2, 0, 1]]]), device=device).estimate_normals()
-    assert [shape.kind for shape in loom.detect_shapes(cloud, 0.01).shapes] == ["plane", "plane"]
+    planes = loom.detect_shapes(cloud, 0.01)
+    assert [shape.kind for shape in planes.shapes] == ["plane", "plane"] and planes.reliable and not planes.undecided
     round_ones = loom.detect_shapes(cloud, 0.01, kinds=("sphere", "cylinder"), num_iterations=500, max_radius=3.0)
     assert not any(shape.reliable for shape in round_ones.shapes), round_ones
+    assert not round_ones.reliable and round_ones.to_dict()["warnings"] == list(round_ones.warnings)
+    assert all(
+        f"shape {k} ({one.kind}): {one.warnings[0]}" in round_ones.warnings for k, one in enumerate(round_ones.shapes)
+    )
+
+
+def test_too_few_samples_are_reported(device, rng):
+    floor = made_shape("plane", 3000, rng, 0.004, motion=False)[0]
+    cloud = loom.PointCloud(np.vstack([floor, floor.max() * rng.random((3000, 3))]), device=device).estimate_normals()
+    result = loom.detect_shapes(cloud, 0.01, kinds=("plane", "sphere"), num_iterations=20)
+    assert result.undecided == ("plane", "sphere") and not result.reliable
+    assert "shapes may be missed (plane, sphere): use more num_iterations" in result.warnings[0]
+    assert "shapes may be missed" in str(result)
+    assert not loom.detect_shapes(cloud, 0.01, kinds=("plane", "sphere")).undecided
 
 
 def test_separate_regions_are_two_shapes(device, rng):

@@ -102,6 +102,17 @@ def test_a_body_rotated_by_180_degrees_is_registered():
 
 
 @LONG
+@pytest.mark.parametrize(("last", "warns"), [(1, True), (30, False)])
+def test_a_last_stiffness_that_does_not_converge_is_reported(device, swaying, last, warns):
+    """Earlier stiffnesses need not converge: they only give the start of the next one."""
+    cloud, scan = (loom.PointCloud(points, device=device) for points in swaying[:2])
+    first = bend(cloud, scan, stiffness=[10.0, 0.1], max_iterations=last, tolerance=0.02)
+    assert first.last_converged is not warns and first.reliable is not warns
+    assert ("not converged after 2 steps: use more max_iterations" in first.warnings) is warns
+    assert first.to_dict()["reliable"] is not warns
+
+
+@LONG
 def test_a_rigid_motion_is_reported(device, swaying):
     body, _, _ = swaying
     cloud = loom.PointCloud(body, device=device)

@@ -1,5 +1,7 @@
 """SLAC aligns fragments: camera distortion is removed, undistorted fragments stay, problems are reported."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -156,6 +158,23 @@ def test_an_edge_that_contradicts_the_poses_is_pruned_and_reported():
     assert [overlap.used for overlap in solved.report.overlaps] == [True, True, False]
     assert solved.report.overlaps[2].fitness < 0.3 and solved.report.overlaps[2].correspondences == 0
     assert solved.report.overlaps[0].correspondences > 500
+
+
+@pytest.mark.parametrize("run", [slac.run_slac_optimizer_for_fragments, run_rigid_optimizer_for_fragments])
+def test_fragments_that_overlap_with_no_other_are_reported(run):
+    def report_of(clouds, graph):
+        solved = run(clouds, graph)
+        return (solved[0] if isinstance(solved, tuple) else solved).report
+
+    clouds, graph = two()
+    assert report_of(clouds, graph).reliable
+    graph.nodes.append(PoseGraphNode(as_pose(shift=[40.0, 0, 0])))
+    graph.edges.append(PoseGraphEdge(1, 2, as_pose(shift=[40.0, 0, 0])))
+    report = report_of([*clouds, clouds[0]], graph)
+    assert not report.reliable and "1 fragments (2) overlap with no other" in report.warnings[0]
+    unused = [overlap._replace(used=False) for overlap in report.overlaps]
+    assert "no two fragments overlap at their poses" in dataclasses.replace(report, overlaps=unused).warnings[0]
+    assert "farther apart than before" in str(dataclasses.replace(report, rmse=np.array([0.1, 0.2])).warnings)
 
 
 def test_unconnected_fragments_stay():

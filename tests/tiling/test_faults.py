@@ -179,10 +179,12 @@ def test_a_task_that_kills_its_workers_is_quarantined(job):
             manifest.release_claims()
     status = loom.tiling.run_tiles(job)
     assert (status.aside, status.waiting) == (1, 0) and "died 3 times" in status.troubles["0_0"]
+    assert not status.reliable and status.warnings[0].startswith("0_0: ") and "died 3 times" in status.warnings[0]
     with pytest.raises(FileError, match="/job:"):
         loom.tiling.finish_tiles(job)
     retry_tiles(job)
-    assert loom.tiling.run_tiles(job).is_finished
+    status = loom.tiling.run_tiles(job)
+    assert status.is_finished and status.reliable and status.warnings == ()
 
 
 def test_the_death_of_a_distributing_run_counts_against_no_tile(job):
@@ -205,6 +207,7 @@ def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
     loom.tiling.plan_tiles(files, [{"step": "function", "call": fails_in_the_east, "reach": 0}], job, size=20.0)
     status = loom.tiling.run_tiles(job)
     assert status.failed and status.done and "no points in the east" in str(status)
+    assert len(status.warnings) == status.failed and status.to_dict()["reliable"] is False
     monkeypatch.delenv("POINTLOOM_TEST_FAILS")
     retry_tiles(job)
     assert loom.tiling.run_tiles(job).is_finished

@@ -110,6 +110,7 @@ def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, p
     choice = loom.sfm.choose_frames(video, tmp_path / "out here", **how)
     assert (choice.kind, choice.reader, choice.frame_count, choice.frames_promised) == ("video", reader, 40, 40)
     assert len(choice.names) >= 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.notes == ()
+    assert choice.reliable
     assert sorted(path.name for path in (tmp_path / "out here").iterdir()) == list(choice.names)
     for name, number in zip(choice.names, choice.numbers, strict=True):
         assert name == f"frame_{number:06d}.png"
@@ -131,7 +132,8 @@ def test_a_truncated_video_reports_the_missing_frames(make_video, panned, tmp_pa
     cut.write_bytes(complete.read_bytes()[: complete.stat().st_size // 2])
     choice = loom.sfm.choose_frames(cut, tmp_path / "out", reader=reader)
     assert 30 < choice.frame_count < 90 and choice.frames_promised == 120
-    assert f"the video is damaged or truncated: {choice.frame_count} of 120 frames were decoded" in choice.notes[0]
+    assert f"the video is damaged or truncated: {choice.frame_count} of 120 frames were decoded" in choice.warnings[0]
+    assert choice.to_dict()["reliable"] is False and choice.notes == ()
 
 
 @READERS
@@ -313,7 +315,9 @@ def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("view 0.png", "view 3.png")
     assert set(choice.left_out) == {"view 1.png", "view 2.png", "lens cap.png"}
-    assert "3 images left out, since unusable" in choice.notes[0] and "wall.nef" in choice.notes[1]
+    assert "1 image black, or of one brightness, and left out: lens cap.png" in choice.notes[0]
+    assert "wall.nef" in choice.notes[1] and not choice.reliable
+    assert choice.warnings[0].startswith("2 of 5 images cannot be read and are left out: view 2.png (")
 
 
 def test_photographs_of_several_sizes_are_reported(panned, tmp_path):

@@ -165,7 +165,7 @@ def test_truncated_files_and_those_of_another_kind_are_excluded_and_named(tmp_pa
     (source / f"bad.{kind}").write_bytes(data)
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("good.png",) and list(choice.left_out) == [f"bad.{kind}"]
-    assert f"bad.{kind}" in choice.notes[0]
+    assert f"1 of 2 images cannot be read and are left out: bad.{kind} (" in choice.warnings[0]
     if kind == "dng" and share is not None:
         assert choice.left_out["bad.dng"].split(":")[0] == ("cut off" if share else "empty")
 

@@ -65,6 +65,7 @@ def test_each_stage_reports_its_results(stages):
     assert (stages.matches.pairs, stages.matches.pair_count) == ("exhaustive", COUNT * (COUNT - 1) // 2)
     assert stages.matches.verified_count == 28 and stages.matches.isolated == ()
     assert stages.result.quality.model_sizes == (COUNT,)
+    assert stages.features.reliable and stages.matches.reliable
     assert all(peak > 2**20 for peak in (stages.features.peak_bytes, stages.matches.peak_bytes))
     for stage, total in (("features", COUNT), ("pairs", 28), ("model", COUNT)):
         steps = [step for step in stages.steps if step[0] == stage]
@@ -135,8 +136,10 @@ def test_blank_images_give_no_model_but_a_warning(tmp_path):
     result = map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
     assert result.model is None and len(result.missing) == 3
     assert "none of the 3 images could be registered" in str(result.warnings)
+    assert "3 of 3 images have fewer than 50 features (view 0.png, view 1.png, " in str(features.warnings)
+    assert "3 of 3 images have no verified matches (view 0.png, view 1.png, " in str(matched.warnings)
     for report in (features, matched, result):
-        assert json.loads(json.dumps(report.to_dict(), allow_nan=False))
+        assert json.loads(json.dumps(report.to_dict(), allow_nan=False))["reliable"] is False
 
 
 @pytest.mark.parametrize(

@@ -30,6 +30,7 @@ def film(tmp_path):
 def quick(monkeypatch):
     """Fast stages; `ran` lists the stages that ran, and the other attributes set their results."""
     state = SimpleNamespace(ran=[], registered=COUNT, reasons=[], only_rotated=False, share=0.6, triangles=2, fail=None)
+    state.damage = []
 
     def stage(name):
         def wrapped(make):
@@ -52,7 +53,7 @@ def quick(monkeypatch):
         count = min(COUNT, max_frames)
         for number in range(0, 10 * count, 10):
             (folder / motion.PICTURES / f"frame_{number:06d}.png").write_bytes(source.read_bytes() + b"%d" % number)
-        return {"kept": count, "frames": 80, "notes": ["the video is damaged: 80 of 90 frames were decoded"]}
+        return {"kept": count, "frames": 80, "notes": ["80 of 90 suitable frames are used"], "warnings": state.damage}
 
     @stage("features")
     def find_features(folder, report, *, frames, intrinsic, seed):

@@ -112,7 +112,8 @@ def test_a_check_point_does_not_move_the_model():
     before = fit_control(checks=("E",))
     after = fit_control(checks=("E",), wrong=[("E", (0.0, 0.0, 5.0))])
     np.testing.assert_array_equal(before.T_world_model, after.T_world_model)
-    assert after.reliable
+    assert before.reliable and "check points contradict the model, E by 5 m" in str(after.warnings)
+    assert after.to_dict()["control"]["reliable"] is False
     np.testing.assert_allclose(row(after, "E").residual, (0, 0, -5), atol=1e-3)
     assert "standard deviations off" in row(after, "E").warnings[0]
 
@@ -268,7 +269,9 @@ def test_bars_beside_points_sharpen_the_scale_and_a_wrong_one_is_named():
     assert wrong.control.bars[0].use == "unused" and "A to C is" in str(wrong.warnings)
     assert errors(wrong, MODEL, POSES)[2] < 0.3
     check = fit_control(bars=[bar("A", "E")], checks=("E",))
-    assert check.control.bars[0].use == "check" and abs(check.control.bars[0].error) < 1e-6
+    assert check.control.bars[0].use == "check" and abs(check.control.bars[0].error) < 1e-6 and check.reliable
+    wrong = fit_control(bars=[bar("A", "E", 2.0)], checks=("E",))
+    assert "scale bars of check points contradict the model, A to E is" in str(wrong.warnings)
 
 
 def test_too_few_points_beside_bars_are_ignored_with_a_note():

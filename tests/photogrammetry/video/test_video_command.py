@@ -79,7 +79,7 @@ def test_the_summary_reports_the_use_of_the_pictures(quick, film, output):
     result = run("video", film, "-o", output)
     assert result.exit_code == 0, result.stderr
     texts = ("8 of 8 registered, chosen from 80, on ", "60.0% confirmed", "arbitrary: give --scale", "depth 0.0, ")
-    assert all(text in result.stdout for text in (*texts, "80 of 90 frames were decoded"))
+    assert all(text in result.stdout for text in (*texts, "80 of 90 suitable frames are used"))
 
 
 @pytest.mark.parametrize(
@@ -141,8 +141,9 @@ def test_a_camera_that_only_rotated_gives_no_mesh(quick, film, output, tmp_path)
 
 def test_an_unreliable_mesh_is_written_with_advice(quick, film, output):
     quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
-    first, second = unreliable("video", film, "-o", output)["warnings"]
-    assert first == "only 4 of 8 pictures could be placed: film more slowly"
+    quick.damage = ["the video is damaged or truncated: 80 of 90 frames were decoded"]
+    first, damage, second = unreliable("video", film, "-o", output)["warnings"]
+    assert [damage] == quick.damage and first == "only 4 of 8 pictures could be placed: film more slowly"
     assert "the depth of only 15.0% of the pixels" in second
     assert output.exists()
 

@@ -8,6 +8,7 @@ import pytest
 
 from pointloom.datasets.scenes.room import LOOPS, room_loop_sequence, surface_errors
 from pointloom.io.frames.rgbd_sources import RGBDSource
+from pointloom.registration.pose_graphs.reports import GlobalOptimizationReport
 from pointloom.registration.rigid import invert_pose, pose_error, pose_of
 from pointloom.rgbd.slam import loops as loops_module
 from pointloom.rgbd.slam.loops import close_loops, corrected_trajectory, fuse_submaps
@@ -43,6 +44,7 @@ def test_closing_loops_removes_drift_from_the_trajectory(closed):
     before, after = trajectory_error(tracked, true), trajectory_error(poses, true)
     assert before > 0.015 and after < 0.01 and after < before / 2
     assert len(closure.loops) >= len(submaps) and (closure.groups == 0).all()
+    assert closure.reliable and len(closure.reports) == 1
 
 
 @pytest.mark.slow
@@ -145,6 +147,11 @@ def test_unconnected_submaps_form_their_own_group(device):
     closure = close_loops([far, parts[0]], voxel_size=0.1)
     assert closure.groups.tolist() == [0, 1] and closure.loops == []
     assert (closure.T_world_submap == [far.T_world_submap, parts[0].T_world_submap]).all()
+    assert "the submaps form 2 groups (1, 1) that neither tracking nor a loop connects" in str(closure.warnings)
+    assert closure.to_dict()["reliable"] is False
+    report = GlobalOptimizationReport(9, 1.0, 0.9, 1.0, False, "", np.zeros(0, np.int64), np.zeros(0, np.int64))
+    unfinished = dataclasses.replace(closure, groups=np.zeros(2, np.int64), reports=(report, report))
+    assert "did not converge within 9 iterations" in str(unfinished.warnings) and len(unfinished.warnings) == 1
 
 
 def test_frames_move_with_their_submaps():

@@ -159,6 +159,9 @@ def test_wrong_pairs_are_reported_and_leave_the_picked_pose():
     far = [[90, 0, 0], [91, 0, 0], [90, 1, 0]]
     result = register_from_pairs(target, target, target.points[[0, 500, 3000]], far, max_correspondence_distance=0.1)
     assert not result.refined and result.fitness == 0 and "check the pairs" in result.warnings[0]
+    options = {"max_correspondence_distance": 0.1, "refine": False}
+    unrefined = register_from_pairs(target, target, target.points[[0, 500, 3000]], far, **options)
+    assert unrefined.warnings == result.warnings and not unrefined.reliable
 
 
 FRONT = View(loom.PinholeCameraIntrinsic(641, 481, 500.0, 500.0, 320.0, 240.0), np.eye(4))  # along z, from the origin

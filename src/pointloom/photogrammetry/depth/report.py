@@ -94,6 +94,7 @@ class PictureDepth(Assessed):
             "kept_share": self.point_share,
             "files": list(self.files),
             "picture": self.picture,
+            **quality(self),
         }
 
     def fields(self) -> Fields:

@@ -15,6 +15,7 @@ from ...core.checks import check_count, check_name, check_progress, check_seed, 
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
+from ...core.reports import Assessed, quality
 from ...core.timing import Clock
 from ...io.pictures.image_files import read_picture_header
 from ...kernels.language.cpu_pool import usable_cores
@@ -24,6 +25,7 @@ from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
 from .picture_folder import UPRIGHT, check_path, is_gray_16, list_pictures, read_lens, read_orientation, scaled_size
+from .picture_writing import some_of
 
 CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
@@ -40,7 +42,7 @@ _FEW = 50  # features below which an image is hardly ever registered
 
 
 @dataclasses.dataclass(frozen=True)
-class FeatureReport:
+class FeatureReport(Assessed):
     """Result of `find_features`.
 
     Args:
@@ -69,12 +71,23 @@ class FeatureReport:
     def poor_names(self) -> tuple[str, ...]:
         return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _FEW)
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable."""
+        if not (poor := self.poor_names):
+            return ()
+        names = escaped(some_of(list(poor)))
+        return (
+            f"{len(poor)} of {len(self.names)} images have fewer than {_FEW} features ({names}), "
+            "too few for a pose: take sharp images of a scene with texture, and check the masks",
+        )
+
     def to_dict(self) -> dict[str, Any]:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
         more = {"camera_count": self.camera_count, "on_gpu": self.on_gpu, "notes": list(self.notes)}
-        return fields | lists | {"sizes": sizes} | more
+        return fields | lists | {"sizes": sizes} | more | quality(self)
 
 
 def find_features(

@@ -5,9 +5,11 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+from ...core.reports import Assessed, quality
+
 
 @dataclasses.dataclass(frozen=True)
-class FrameChoice:
+class FrameChoice(Assessed):
     """Selected images of a video or folder.
 
     Args:
@@ -24,6 +26,7 @@ class FrameChoice:
         notes: Remarks.
         seconds: Run time [s].
         peak_bytes: Peak memory of the decoder [B].
+        warnings: Failed quality checks: a damaged or truncated video, or images that cannot be read.
     """
 
     source: str
@@ -39,8 +42,11 @@ class FrameChoice:
     notes: tuple[str, ...] = ()
     seconds: float = 0.0
     peak_bytes: int = 0
+    warnings: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "numbers": list(self.numbers), "notes": list(self.notes)}
-        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | lists | {"sizes": sizes}
+        return (
+            {f.name: getattr(self, f.name) for f in dataclasses.fields(self)} | lists | {"sizes": sizes} | quality(self)
+        )

@@ -10,7 +10,9 @@ from typing import Any
 
 from ...core.checks import check_count, check_positive, check_progress, shown
 from ...core.errors import FileError, FilePath
+from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
+from ...core.reports import failed
 from ...core.timing import Clock
 from .frame_choice import FrameChoice
 from .frame_picker import ANALYSIS_SIZE, FramePicker, spaced
@@ -44,8 +46,9 @@ def choose_video_frames(
         frames_promised=video.promised,
         blurred_count=picker.blurred,
         left_out={str(number): "black, or of one brightness" for number in picker.blank},
-        notes=tuple(_notes(video, picker, count, len(numbers), decoder_message)),
+        notes=tuple(_notes(picker, len(numbers))),
         peak_bytes=max(peak, peak_of_writing),
+        warnings=failed(_why_damaged(video, count, decoder_message)),
     )
 
 
@@ -80,15 +83,18 @@ def _write(
         return names, sizes, frames.peak_bytes
 
 
-def _notes(video: VideoFile, picker: FramePicker, count: int, chosen: int, decoder_message: str) -> list[str]:
-    notes, decoder_message = [], decoder_message.split(" / ")[0]
+def _why_damaged(video: VideoFile, count: int, decoder_message: str) -> str | None:
+    message = escaped(decoder_message.split(" / ")[0])
     promised = video.promised or 0
     # Duration times mean rate is off by a frame or two in intact videos.
     if count < promised - (0 if video.is_counted else 2):
-        complaint = f" ({decoder_message})" if decoder_message else ""
-        notes.append(f"the video is damaged or truncated: {count} of {promised} frames were decoded{complaint}")
-    elif decoder_message:
-        notes.append(f"the video is damaged: {decoder_message}")
+        complaint = f" ({message})" if message else ""
+        return f"the video is damaged or truncated: {count} of {promised} frames were decoded{complaint}"
+    return f"the video is damaged: {message}" if message else None
+
+
+def _notes(picker: FramePicker, chosen: int) -> list[str]:
+    notes = []
     if picker.blank:
         numbers = some_of([str(number) for number in picker.blank])
         notes.append(f"{counted(len(picker.blank), 'frame')} black or blank and left out: {numbers}")

@@ -21,13 +21,16 @@ from numpy.typing import NDArray
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_progress, check_seed
 from ...core.errors import FilePath
+from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
+from ...core.reports import Assessed, quality
 from ...core.timing import Clock
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
 from .picture_folder import check_path
+from .picture_writing import some_of
 
 Descriptors = NDArray[np.uint8]
 WORDS = 64
@@ -130,7 +133,7 @@ _MAX_OVERLAP = 30  # powers of two
 
 
 @dataclasses.dataclass(frozen=True)
-class MatchReport:
+class MatchReport(Assessed):
     """Result of `match`.
 
     Args:
@@ -142,6 +145,7 @@ class MatchReport:
         isolated: Names of images without a verified pair.
         seconds: Run time [s].
         peak_bytes: Peak memory of COLMAP [B].
+        picture_count: Number of images. 0 if unknown.
     """
 
     database: str
@@ -152,9 +156,21 @@ class MatchReport:
     isolated: tuple[str, ...]
     seconds: float
     peak_bytes: int
+    picture_count: int = 0
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable."""
+        if not self.isolated:
+            return ()
+        count = f"{len(self.isolated)} of {self.picture_count}" if self.picture_count else f"{len(self.isolated)}"
+        return (
+            f"{count} images have no verified matches ({escaped(some_of(list(self.isolated)))}), so they cannot get a "
+            "pose: take images that overlap by two thirds, or use pairs='exhaustive'",
+        )
 
     def to_dict(self) -> dict[str, Any]:
-        return dataclasses.asdict(self) | {"isolated": list(self.isolated)}
+        return dataclasses.asdict(self) | {"isolated": list(self.isolated), **quality(self)}
 
 
 def match(
@@ -186,7 +202,7 @@ def match(
         progress: Called with ("pairs", done, all).
 
     Returns:
-        The number of verified pairs, and the images without any.
+        The number of verified pairs, and the images without any, which make it unreliable.
 
     Raises:
         FileError: No such database, pycolmap is missing, COLMAP failed or passed a limit, or the disk is full.
@@ -232,7 +248,7 @@ def match(
     report("pairs", pair_count, pair_count)
     clock.stop("pairs")
     seconds = clock.seconds["pairs"]
-    return MatchReport(os.fspath(target), pairs, pair_count, verified, match_count, isolated, seconds, peak)
+    return MatchReport(os.fspath(target), pairs, pair_count, verified, match_count, isolated, seconds, peak, count)
 
 
 def _resolved_pairs(pairs: str, kind: str, count: int) -> str:

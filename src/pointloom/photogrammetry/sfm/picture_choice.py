@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from ...core.errors import FileError
+from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
+from ...core.reports import failed
 from ...io.optional_imports import ignored_errors
 from ...io.pictures.image_files import PictureHeader
 from ...io.pictures.photo_files import is_photo, read_exif
@@ -37,6 +39,7 @@ _GRAY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
 _BITS = 8
 _TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
 _COPIED_TAGS = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
+BLANK = "black, or of one brightness"
 _LONGEST_EXIF = 65_000  # bytes. A JPEG segment stores up to 65533
 _SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
 
@@ -57,7 +60,7 @@ def choose_pictures(source: Path, wanted: Wanted, report: ReportProgress) -> Fra
             left_out[paths[number].name] = error.reason
             continue
         if is_blank(thumbnail(_gray(pixels))):
-            left_out[paths[number].name] = "black, or of one brightness"
+            left_out[paths[number].name] = BLANK
             continue
         name, size = _write(paths[number], headers[number], pixels, stems[number], wanted)
         names.append(name)
@@ -82,6 +85,7 @@ def choose_pictures(source: Path, wanted: Wanted, report: ReportProgress) -> Fra
             + _lenses([paths[n] for n in numbers])
             + orientation_warnings([paths[n] for n in numbers])
         ),
+        warnings=failed(_why_unreadable(len(chosen), left_out)),
     )
 
 
@@ -145,15 +149,20 @@ def _notes(
     notes = []
     if chosen < count:
         notes.append(f"{chosen} of {count} images are used, evenly spaced in the order of their names (max_frames)")
-    if left_out:
-        parts = [f"{name} ({reason})" for name, reason in left_out.items()]
-        notes.append(f"{counted(len(left_out), 'image')} left out, since unusable: {some_of(parts)}")
+    if blank := [name for name, reason in left_out.items() if reason == BLANK]:
+        notes.append(f"{counted(len(blank), 'image')} {BLANK}, and left out: {some_of(blank)}")
     if others := unread_pictures(source):
         notes.append(f"left out, since the format is not supported, convert to PNG or JPEG: {some_of(others)}")
     if len(sizes) > 1:
         parts = [f"{number} of {width} x {height}" for (width, height), number in sizes.most_common()]
         notes.append(f"images of {len(sizes)} sizes, each treated as a separate camera: {some_of(parts)}")
     return notes
+
+
+def _why_unreadable(count: int, left_out: dict[str, str]) -> str | None:
+    parts = [f"{name} ({reason})" for name, reason in left_out.items() if reason != BLANK]
+    names = escaped(some_of(parts))
+    return f"{len(parts)} of {count} images cannot be read and are left out: {names}" if parts else None
 
 
 def _lenses(paths: list[Path]) -> list[str]:

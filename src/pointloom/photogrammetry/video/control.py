@@ -116,7 +116,8 @@ def _by_points(
     gps = None
     if coordinates.frame is not None and image_positions is not None:
         gps = _gaps(model, image_positions, coordinates.frame, fit.T)
-    problems = [_why_wrong(rows, wrong), _why_off(rows, worse, len(used)), bars.problem(fit.T), _why_far(gps, control)]
+    problems = [_why_wrong(rows, wrong), _why_off(rows, worse, len(used)), _why_checks_contradict(rows)]
+    problems += [bars.problem(fit.T), bars.problem_of_checks(fit.T), _why_far(gps, control)]
     notes = (_off(rows, worse),) if MIN_REPORTED_RATIO < worse <= ROUGH else ()
     sigmas = np.sqrt(np.diag(fit.covariance))
     tilt, yaw = math.degrees(float(sigmas[1:3].max())), math.degrees(float(sigmas[3]))
@@ -166,13 +167,14 @@ def _residual(
     sigma = np.sqrt(np.maximum(known[0] ** 2 + (-spread if use == CONTROL else spread), 0))
     warnings = [f"without the marks in {', '.join(marked.left_out)}"] if marked.left_out else []
     off = float(deviations(fit, position[None], target[None], known)[0])
+    contradicts = use == UNUSED or (is_check and off > ROUGH)
     if use == UNUSED:
         warnings.append(f"contradicts the others, {off:.0f} standard deviations off")
-    elif is_check and off > ROUGH:
+    elif contradicts:
         warnings.append(f"{off:.0f} standard deviations off")
-    return ControlResidual(
-        point.name, use, fit.of(position[None])[0] - target, sigma, marked.rms, len(marked.errors), tuple(warnings)
-    )
+    gap = fit.of(position[None])[0] - target
+    views = len(marked.errors)
+    return ControlResidual(point.name, use, gap, sigma, marked.rms, views, tuple(warnings), contradicts)
 
 
 def _why_wrong(rows: tuple[ControlResidual, ...], wrong: set[str]) -> str:
@@ -180,6 +182,14 @@ def _why_wrong(rows: tuple[ControlResidual, ...], wrong: set[str]) -> str:
         return ""
     details = ", ".join(f"{row.name} by {np.linalg.norm(row.residual):.3g} m" for row in rows if row.name in wrong)  # pyright: ignore[reportArgumentType, reportCallIssue]
     return f"control points contradict the others and were excluded, {details}: check their coordinates and marks"
+
+
+def _why_checks_contradict(rows: tuple[ControlResidual, ...]) -> str:
+    far = [row for row in rows if row.use == CHECK and row.contradicts]
+    if not far:
+        return ""
+    details = ", ".join(f"{row.name} by {np.linalg.norm(row.residual):.3g} m" for row in far)  # pyright: ignore[reportArgumentType, reportCallIssue]
+    return f"check points contradict the model, {details}: check their coordinates and marks, and the control points"
 
 
 def _off(rows: tuple[ControlResidual, ...], worse: float) -> str:
@@ -229,7 +239,8 @@ def _by_lengths(control: GroundControl, located: dict[str, MarkedPoint], bars: B
         )
         for p in control.points
     )
-    problems = [reason if control.fitted and not control.why_open() else "", bars.problem(T)]
+    problems = [reason if control.fitted and not control.why_open() else ""]
+    problems += [bars.problem(T), bars.problem_of_checks(T)]
     notes = (f"the points are not used: {control.why_open()}",) if control.fitted and control.why_open() else ()
     return ControlFit(
         None, control.crs, np.zeros(3), T, float(T[0, 0]), sigma, math.nan, math.nan, math.nan, rows, bars.residuals(T),

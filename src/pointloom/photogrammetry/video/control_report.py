@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.escaped_text import escaped
-from ...core.reports import Assessed
+from ...core.reports import Assessed, quality
 from ...pcd.geodesy import WorldFrame
 from .georeference import frame_to_dict
 from .ground_control import ScaleBar
@@ -22,7 +22,7 @@ CONTROL, CHECK, UNUSED = "control", "check", "unused"
 
 
 @dataclass(frozen=True, eq=False)
-class ControlResidual:
+class ControlResidual(Assessed):
     """Residual of a ground control point.
 
     Attributes:
@@ -32,7 +32,8 @@ class ControlResidual:
         sigma: Its expected standard deviation, shape [3] [m].
         pixels: Root mean square reprojection error of its marks [px]. NaN if not triangulated.
         views: Images whose marks are used.
-        warnings: Why it or some marks are unused.
+        warnings: Why it or some marks are unused, or how far a check point is off.
+        contradicts: True if it is off by more than 5 standard deviations, so that the fit is unreliable.
     """
 
     name: str
@@ -42,6 +43,7 @@ class ControlResidual:
     pixels: float
     views: int
     warnings: tuple[str, ...] = ()
+    contradicts: bool = False
 
     def to_dict(self) -> dict[str, Any]:
         return {
@@ -51,7 +53,7 @@ class ControlResidual:
             "sigma_m": None if self.sigma is None else self.sigma.round(6).tolist(),
             "rms_px": number_or_none(self.pixels),
             "views": self.views,
-            "warnings": list(self.warnings),
+            **quality(self),
         }
 
     def __str__(self) -> str:
@@ -63,7 +65,7 @@ class ControlResidual:
 
 
 @dataclass(frozen=True, eq=False)
-class BarResidual:
+class BarResidual(Assessed):
     """Residual of a scale bar.
 
     Attributes:
@@ -71,7 +73,7 @@ class BarResidual:
         estimated: Estimated length [m]. NaN if an end is not triangulated.
         sigma: Standard deviation of estimated minus known length [m].
         use: "control", "check", or "unused".
-        warnings: Why it is unused.
+        warnings: Why it is unused, or how it contradicts the model.
     """
 
     bar: ScaleBar
@@ -93,7 +95,7 @@ class BarResidual:
             "error_m": number_or_none(self.error),
             "sigma_m": number_or_none(self.sigma),
             "use": self.use,
-            "warnings": list(self.warnings),
+            **quality(self),
         }
 
     def __str__(self) -> str:
@@ -188,6 +190,7 @@ class ControlFit(Assessed):
             "points": [point.to_dict() for point in self.points],
             "bars": [bar.to_dict() for bar in self.bars],
             "gps": None if self.gps is None else self.gps.to_dict(),
+            **quality(self),
         }
 
     def __str__(self) -> str:

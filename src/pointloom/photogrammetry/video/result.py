@@ -37,6 +37,7 @@ class VideoFigures:
         vertex_count, triangle_count: Of the mesh.
         floater_count: Removed triangles of small floating parts.
         bounds: Lowest and highest corner of the mesh, "min" and "max". None without vertices.
+        frame_warnings: Failed checks of the recording: a damaged or truncated video, or images that cannot be read.
     """
 
     frame_count: int
@@ -52,6 +53,7 @@ class VideoFigures:
     triangle_count: int | None = None
     floater_count: int | None = None
     bounds: dict[str, Any] | None = None
+    frame_warnings: tuple[str, ...] = ()
 
     @classmethod
     def of_stages(cls, made: Mapping[str, StageResult]) -> VideoFigures:
@@ -64,19 +66,21 @@ class VideoFigures:
             (*frames["notes"], *features, *model.get("notes", ()), *quality.notes),
         )
         model_fields = quality, tuple(model["cameras"]), model["turned"]
+        damage = tuple(frames.get("warnings", ()))  # missing in older records
         if "mesh" not in made:
-            return cls(*taken, *model_fields)
+            return cls(*taken, *model_fields, frame_warnings=damage)
         width, height = made["undistorted"].report["sizes"][0]
         fused, mesh = made["fused"].report, made["mesh"].report
         depth = (width, height), fused["share"], fused["points"]
-        return cls(*taken, *model_fields, *depth, mesh["vertices"], mesh["triangles"], mesh["floaters"], mesh["bounds"])
+        surface = mesh["vertices"], mesh["triangles"], mesh["floaters"], mesh["bounds"]
+        return cls(*taken, *model_fields, *depth, *surface, frame_warnings=damage)
 
     @property
     def is_hopeless(self) -> bool:
         return not self.quality.registered_count or self.only_rotated
 
     def model_warnings(self) -> list[str]:
-        reasons = [*self.quality.warnings]
+        reasons = [*self.quality.warnings, *self.frame_warnings]
         if self.is_hopeless:
             wrong = self.quality.poses is not None and self.quality.poses.are_wrong
             if not wrong and not any("only rotating" in reason for reason in reasons):

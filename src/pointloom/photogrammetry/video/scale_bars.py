@@ -77,25 +77,31 @@ class Bars:
             use = CHECK if self.checks[k] else UNUSED if self.wrong[k] else CONTROL
             warning = self.reasons[k] or "contradicts the others" * self.wrong[k]
             use = UNUSED if self.reasons[k] else use
+            if use == CHECK and self._is_far(k, T):
+                warning = "contradicts the model"
             rows.append(BarResidual(bar, scale * self.length(k), self.sigma(k, T), use, failed(warning)))
         return tuple(rows)
 
     def problem(self, T: Array) -> str:
-        scale = scale_of(T)
-
-        def details(rows: list[int]) -> str:
-            parts = [
-                f"{self.bars[k]} is {scale * self.length(k):.4g} m, given as {self.bars[k].meters:g} m" for k in rows
-            ]
-            return ", ".join(parts)
-
         if wrong := [k for k, is_wrong in enumerate(self.wrong) if is_wrong]:
-            return (
-                f"scale bars contradict the others and were excluded, {details(wrong)}: check their lengths and marks"
-            )
+            what = self._details(wrong, T)
+            return f"scale bars contradict the others and were excluded, {what}: check their lengths and marks"
         if off := [k for k in self.used if self._is_far(k, T)]:
-            return f"scale bars contradict each other, {details(off)}: check their lengths and marks"
+            return f"scale bars contradict each other, {self._details(off, T)}: check their lengths and marks"
         return ""
+
+    def problem_of_checks(self, T: Array) -> str:
+        """Warning about bars of check points, which the fit does not use."""
+        checks = [k for k, ends in enumerate(self.ends) if ends is not None and self.checks[k]]
+        if off := [k for k in checks if self._is_far(k, T)]:
+            return f"scale bars of check points contradict the model, {self._details(off, T)}: check lengths and marks"
+        return ""
+
+    def _details(self, rows: list[int], T: Array) -> str:
+        scale = scale_of(T)
+        return ", ".join(
+            f"{self.bars[k]} is {scale * self.length(k):.4g} m, given as {self.bars[k].meters:g} m" for k in rows
+        )
 
     def _is_far(self, k: int, T: Array) -> bool:
         scale = scale_of(T)

@@ -16,7 +16,7 @@ from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.records import digest_of, digest_of_file
-from ...core.reports import Assessed, failed
+from ...core.reports import Assessed, failed, quality
 from ...core.wording import few_of
 from ...io.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
@@ -214,7 +214,7 @@ class Fit(Assessed):
         if (known := self.known_positions) is not None:
             record |= {"places": known.count, "left_out": list(known.left_out)}
             record |= {"rms_m": known.rms_m, "extent_m": known.extent_m}
-        return record
+        return record | quality(self)
 
     def __str__(self) -> str:
         first, *more = self._line().split("\n")

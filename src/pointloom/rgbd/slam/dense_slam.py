@@ -30,7 +30,8 @@ from .foreground import Foreground
 from .frame_checks import MIN_DEPTH, depth_share, is_determined, judge_drift
 from .frames import SensorFrame
 from .keyframes import Keyframes
-from .loops import LoopClosure, close_loops, corrected_trajectory, fuse_submaps
+from .loop_closure import LoopClosure
+from .loops import close_loops, corrected_trajectory, fuse_submaps
 from .map_joins import MapJoin
 from .map_merging import Joining
 from .maps import FusedFrame, Maps, SlamMap, map_sizes

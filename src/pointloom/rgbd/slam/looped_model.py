@@ -104,7 +104,8 @@ def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tupl
         return volume, SlamAccount(path)
     closure = slam.close_loops(progress=progress)
     counts: dict[str, Any] = {"submap_count": len(closure.T_world_submap), "refused_loop_count": len(closure.refused)}
-    counts["loop_warnings"] = getattr(closure.pose_graph.report, "warnings", ())
+    # Groups of submaps that no loop connects are no failure here: the tracker has relocalized the camera between them.
+    counts["loop_warnings"] = closure.graph_warnings
     if not closure.loops:
         return volume, SlamAccount(path, **counts)
     loops = tuple((loop.target, loop.source) for loop in closure.loops)

@@ -17,8 +17,10 @@ from ...meshing.volume.tsdf import TSDFVolume
 from ...meshing.volume.volume_fusion import fuse_volumes
 from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
+from ...registration.pose_graphs.reports import GlobalOptimizationReport
 from ...registration.rigid import invert_pose, make_pose, rotation_of, rotation_vector
 from ..odometry.results import spread_information
+from .loop_closure import LoopClosure
 from .loop_pairs import (
     FAR,
     MAX_DISTANCE,
@@ -45,25 +47,6 @@ KNOWN = 3.0  # residuals: accuracy of a loop, since depth distortion affects pos
 USUAL = 0.2  # typical drift relative to the maximum
 STILL = 1e-3  # [m] drift of a stationary camera
 ROUNDS = 3  # search and optimization rounds: corrected poses reveal more loops
-
-
-@dataclasses.dataclass(frozen=True, eq=False)
-class LoopClosure:
-    """Submap poses after loop closure.
-
-    Attributes:
-        T_world_submap: Pose of each submap in the given order, float64 [n, 4, 4].
-        groups: Connected component of each submap, int64 [n]. Each keeps the pose of its first submap.
-        loops: Accepted pairs by (target, source).
-        refused: Rejected pairs, each with the reason.
-        pose_graph: The optimized graph, its nodes ordered by first frame.
-    """
-
-    T_world_submap: Matrix
-    groups: NDArray[np.int64]
-    loops: list[Loop]
-    refused: list[Loop]
-    pose_graph: PoseGraph
 
 
 def close_loops(
@@ -153,6 +136,7 @@ class _Search:
         self.refused: dict[tuple[int, int], Loop] = {}
         self.joins: set[tuple[int, int]] = set()  # loops that alone connect two groups
         self.tried: set[tuple[int, int]] = set()  # tried globally
+        self.reports: tuple[GlobalOptimizationReport, ...] = ()
         self.graph = self._optimized()
 
     def run(self) -> None:
@@ -236,7 +220,8 @@ class _Search:
             preference_loop_closure=preference,
             reference_node=0,
         )
-        return _optimize_groups(self.poses, edges, self._groups(), option)
+        graph, self.reports = _optimize_groups(self.poses, edges, self._groups(), option)
+        return graph
 
     def _tracked_edge(self, a: int, b: int, way: float) -> PoseGraphEdge:
         T = matmul(invert_pose(self.submaps[a].T_world_submap), self.submaps[b].T_world_submap)
@@ -255,13 +240,14 @@ class _Search:
             return dataclasses.replace(loop, source=int(index[loop.source]), target=int(index[loop.target]))
 
         refused = [self.refused[pair] for pair in sorted(self.refused, key=lambda pair: (pair[1], pair[0]))]
-        return LoopClosure(poses, groups, [given(p) for p in self.loops], [given(p) for p in refused], self.graph)
+        loops, rejected = ([given(loop) for loop in pairs] for pairs in (self.loops, refused))
+        return LoopClosure(poses, groups, loops, rejected, self.graph, self.reports)
 
 
 def _optimize_groups(
     poses: Matrix, edges: list[PoseGraphEdge], groups: NDArray[np.int64], option: GlobalOptimizationOption
-) -> PoseGraph:
-    graph = PoseGraph([PoseGraphNode(pose) for pose in poses])
+) -> tuple[PoseGraph, tuple[GlobalOptimizationReport, ...]]:
+    graph, reports = PoseGraph([PoseGraphNode(pose) for pose in poses]), []
     for group in np.unique(groups):
         members = np.flatnonzero(groups == group)
         number = {int(m): i for i, m in enumerate(members)}
@@ -271,13 +257,14 @@ def _optimize_groups(
             if e.source_node_id in number
         ]
         solved = global_optimization(PoseGraph([PoseGraphNode(poses[m]) for m in members], group_edges), option=option)
+        reports.append(solved.report)
         for m, node in zip(members, solved.nodes, strict=True):
             graph.nodes[m] = node
         for e in solved.edges:
             ends = int(members[e.source_node_id]), int(members[e.target_node_id])
             graph.edges.append(dataclasses.replace(e, source_node_id=ends[0], target_node_id=ends[1]))
         graph.report = solved.report if len(members) == len(poses) else None
-    return graph
+    return graph, tuple(reports)
 
 
 def _point_information(surface: SubmapSurface) -> Matrix:

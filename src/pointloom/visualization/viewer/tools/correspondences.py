@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ....core.atomic import atomic_write
 from ....core.checks import check_finite, check_positive, check_rows
+from ....core.reports import Assessed
 from ....pcd.cloud import PointCloud
 from ....pcd.point_spacing import distance_of_nearest, probe_points
 from ....pcd.search import NearestNeighborSearch
@@ -68,7 +69,7 @@ def fit_pairs(source: Any, target: Any) -> PairFit:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class PairRegistration:
+class PairRegistration(Assessed):
     """Registration of two clouds from picked pairs.
 
     Attributes:
@@ -78,7 +79,7 @@ class PairRegistration:
         inlier_rmse: RMSE of the correspondences [m].
         distance: Maximum correspondence distance [m].
         refined: True if `transformation` is the result of ICP.
-        warnings: Why the refinement failed or is uncertain. Empty if no check failed.
+        warnings: Why the pose is uncertain, or the refinement failed. Empty if no check failed.
     """
 
     fit: PairFit
@@ -121,12 +122,12 @@ def register_from_pairs(
         distance = check_positive("max_correspondence_distance", max_correspondence_distance)
     before = evaluate_registration(thin_source, thin_target, distance, fit.transformation)
     unrefined = PairRegistration(fit, fit.transformation, before.fitness, before.inlier_rmse, distance, False)
-    if not refine:
-        return unrefined
     if before.fitness == 0:
         return dataclasses.replace(
             unrefined, warnings=("the clouds have no correspondences at this pose; check the pairs",)
         )
+    if not refine:
+        return dataclasses.replace(unrefined, warnings=before.warnings)
     thin_target, method = _method(thin_target)
     result = registration_icp(
         thin_source,
