@@ -215,7 +215,7 @@ def match(
     limits = check_limits(max_seconds, max_memory)
     source, target = check_path("database", database), check_writable(check_path("matches", matches))
     with open_database(source) as connection:
-        (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
+        count = len(names_by_number(connection, source))
     kind = _kind_of(source)
     pairs = _resolved_pairs(pairs, kind, count)
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
