@@ -20,9 +20,11 @@ import numpy as np
 from folder_cases import made, member
 from job_cases import anything, arrays, values
 from PIL import Image
+from public_cases import array
 
 import pointloom as loom
 from pointloom.datasets.scenes.room import write_room_sequence
+from pointloom.photogrammetry.mvs.plane_search import PlaneFiles
 
 _CONFIG = loom.reconstruction.ReconstructionConfig(n_frames_per_fragment=3, tsdf_voxel_size=0.04, depth_max=4.0)
 _SQL: list[Any] = [None, 0, -1, 1, 7, 2**31, 2**62, -(2**63), 1e300, -0.5, "", "x", "../x", "a\x1b[31m", b"", b"\0" * 7]
@@ -137,6 +139,18 @@ def _change(rng: random.Random, base: sqlite3.Connection) -> None:
         base.execute(f"UPDATE {table} SET {column} = ? {where}", (value,))
 
 
+def checkpoints() -> list[bytes]:
+    """The planes of an image during a search of depth maps."""
+    return [array(np.random.default_rng(18).random((48, 4), np.float32))]
+
+
+def read_checkpoint(path: Path) -> Any:
+    """Read the planes, or None for a damaged file, whose phase is then repeated."""
+    shutil.copyfile(path, path.with_name("0-000000.npy"))
+    planes = PlaneFiles(path.parent).read(0, 0, loom.PinholeCameraIntrinsic(8, 6, 5.0, 5.0, 3.5, 2.5))
+    return None if planes is None else planes.read()
+
+
 def of_database(name: str, make: Callable[[Path], Any], mutate: mutations.Mutation, read: Any) -> tuple[Any, ...]:
     return name, ".db", lambda: [(made(make) / "x.db").read_bytes()], mutate, read, anything
 
@@ -159,6 +173,7 @@ STAGES = [
     resumed("video, model", video, "model/sparse/images.bin", mutations.binary, run_video),
     resumed("video, depth", video, "depth/maps/000000.npz", arrays, run_video),
     resumed("video, mesh", video, "mesh/mesh.ply", mutations.binary, run_video),
+    ("checkpoint of a search", ".npy", checkpoints, mutations.binary, read_checkpoint, anything),
     of_database("features, bytes", features, mutations.binary, read_features),
     of_database("features, cells", features, cells, read_features),
     of_database("matches, bytes", matches, mutations.binary, read_matches),

@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import struct
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -16,12 +17,14 @@ from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.picture_names import number_of
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.core.errors import FileError
+from pointloom.io.bags.mcap import read_mcap
 from pointloom.io.meshes import obj
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.off import read_off, write_off
 from pointloom.io.meshes.stl import read_stl, write_stl
+from pointloom.io.models import colmap_binary, colmap_text
 from pointloom.io.models.metashape import read_metashape_cameras
 from pointloom.io.pictures.image_files import read_color
 from pointloom.io.points import text_table as tables
@@ -361,6 +364,27 @@ def _gltf(n: int, **parts: object) -> bytes:
     return json.dumps(content | parts).encode()
 
 
+def _record(kind: int, content: bytes) -> bytes:
+    return struct.pack("<BQ", kind, len(content)) + content
+
+
+def _chunks(n: int) -> bytes:
+    """An MCAP file of this number of chunks of one message each, with their indexes."""
+    text = struct.Struct("<I").pack
+    channel = struct.pack("<HH", 1, 0) + text(2) + b"/a" + text(3) + b"cdr" + text(0)
+    parts = [b"\x89MCAP0\r\n", _record(4, channel)]
+    for time in range(n):
+        message = _record(5, struct.pack("<HIQQ", 1, 0, time, time))
+        head = struct.pack("<QQQI", time, time, len(message), 0) + text(0) + struct.pack("<Q", len(message))
+        parts += [_record(6, head + message), _record(7, struct.pack("<HIQQ", 1, 16, time, 0))]
+    return b"".join([*parts, _record(15, bytes(4)), _record(2, bytes(20)), parts[0]])
+
+
+def _pictures(n: int) -> bytes:
+    parts = [struct.pack("<I7dI", k, 1, *[0] * 6, 1) + b"%d.png\0" % k + bytes(8) for k in range(n)]
+    return struct.pack("<Q", n) + b"".join(parts)
+
+
 def _names(path: Path) -> None:
     read_positions(path, [f"{line.split()[0]}.jpg" for line in path.read_text().splitlines()])
 
@@ -380,6 +404,14 @@ REPEATED: dict[str, tuple[Callable[[int], bytes], Callable[[Path], object]]] = {
         read_glb,
     ),
     "libraries.obj": (lambda n: b"mtllib libraries.obj\n" * n + OBJ + b"usemtl a\nf 1 2 3\n", read_obj),
+    "chunks.mcap": (_chunks, read_mcap),
+    "images.bin": (_pictures, colmap_binary.read_pictures),
+    "images.txt": (
+        lambda n: b"".join(b"%d 1 0 0 0 0 0 0 1 %d.png\n\n" % (k, k) for k in range(n)), colmap_text.read_pictures
+    ),
+    "frames.txt": (
+        lambda n: b"".join(b"%d 1 1 0 0 0 0 0 0 1 CAMERA 1 %d\n" % (k, k) for k in range(n)), colmap_text.read_frames
+    ),
     "names.txt": (lambda n: b"".join(b"%d %d 0 0\n" % (k, k) for k in range(n)), _names),
 }  # fmt: skip
 

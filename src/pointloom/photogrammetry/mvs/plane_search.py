@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...io.optional_imports import foreign_errors
 from ...kernels.array_types import Array1
 from ...kernels.lang import launch, vec4
 from ...kernels.memory import clone, download, empty, upload
@@ -62,8 +64,9 @@ class PlaneFiles:
             return None
         path = self._path(phase, index)
         try:
-            planes = np.load(path, mmap_mode="r", allow_pickle=False)
-        except (OSError, ValueError, EOFError):
+            with foreign_errors(path, "cannot be read"):  # NumPy's errors for damaged headers are of any class
+                planes = np.load(path, mmap_mode="r", allow_pickle=False)
+        except FileError:
             return None
         fits = planes.shape == (camera.width * camera.height, 4) and planes.dtype == np.float32
         return StoredPlanes(path, camera) if fits else None

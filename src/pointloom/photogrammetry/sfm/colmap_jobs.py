@@ -141,7 +141,7 @@ def names_by_number(database: sqlite3.Connection, path: Path) -> dict[int, str]:
     """The names of the images by their numbers, which ascend. Raises `FileError` for values of other types."""
     rows = database.execute("SELECT image_id, name FROM images ORDER BY image_id").fetchall()
     for number, name in rows:
-        if type(number) is not int or not isinstance(name, str):
+        if type(number) is not int or not isinstance(name, str) or not name or "\0" in name:
             reason = f"expected a number and a name per image, got {number!r} and {name!r}"
             raise FileError(path, reason[:200], remedy=_NEW_DATABASE)
     return dict(rows)
