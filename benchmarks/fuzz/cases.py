@@ -17,6 +17,7 @@ from typing import Any
 
 import folder_cases
 import job_cases
+import media_cases
 import mutations
 import numpy as np
 import open3d_cases
@@ -24,6 +25,7 @@ import oracles
 import other_cases
 import ply_oracle
 import public_cases
+import stage_cases
 
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.off import read_off, write_off
@@ -222,6 +224,8 @@ CASES = [
             *job_cases.JOBS,
             *public_cases.PUBLIC,
             *folder_cases.FOLDERS,
+            *stage_cases.STAGES,
+            *media_cases.MEDIA,
             *open3d_cases.OPEN3D,
         )
     ),

@@ -117,6 +117,7 @@ def _be_a_child(case: Case, numbers: range, seed: int, folder: Path, log: Path) 
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     code = 1
     try:
+        case.seeds()  # without the time limit, since a job may have to run first
         with log.open("a") as file:
             for number in numbers:
                 signal.alarm(SECONDS)

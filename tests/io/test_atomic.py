@@ -262,6 +262,34 @@ def write_folder(path, content):
         (folder / "marker").write_text(content)
 
 
+@pytest.mark.parametrize("why", ["the parent is read-only", "it is a mount point"])
+def test_an_empty_folder_that_cannot_be_renamed_is_filled(tmp_path, access, monkeypatch, why):
+    path = tmp_path / "parent" / "out"
+    path.mkdir(parents=True)
+    if why == "it is a mount point":
+        monkeypatch.setattr(os.path, "ismount", lambda each: Path(each) == path)
+    else:
+        path.parent.chmod(0o555)
+    (path / f".out.{'0' * 16}.part").mkdir()  # of a killed process
+    before, seen = path.stat().st_ino, []
+    rename = Path.rename
+    monkeypatch.setattr(Path, "rename", lambda self, target: [seen.append(self.name), rename(self, target)][1])
+    with pytest.raises(KeyboardInterrupt), atomic_folder(path, "marker") as folder:
+        (folder / "marker").write_text("half")
+        raise KeyboardInterrupt
+    assert len([*path.iterdir()]) == 1
+    with atomic_folder(path, "marker") as folder:
+        for name in ("a", "marker", "z"):
+            (folder / name).write_text("new")
+        assert folder.parent == path
+    assert path.stat().st_ino == before and sorted(seen) == ["a", "marker", "z"] and seen[-1] == "marker"
+    assert (path / "marker").read_text() == "new" and len([*path.parent.iterdir()]) == 1
+    with pytest.raises(loom.FileError, match=r"is not writable|is a mount point") as error:
+        write_folder(path, "newer")
+    assert "empty this one first" in str(error.value) and (path / "marker").read_text() == "new"
+    path.parent.chmod(0o755)
+
+
 KILLED = """
 import os, sys
 from pointloom.core import atomic

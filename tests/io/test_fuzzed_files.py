@@ -1,5 +1,7 @@
 """Damaged files are rejected or read correctly: a short run of benchmarks/fuzz, its list of readers, its oracles."""
 
+import importlib.util
+import shutil
 import sys
 import warnings
 from collections.abc import Iterator
@@ -13,7 +15,7 @@ import pointloom.open3d as o3d
 
 FOLDER = Path(__file__).resolve().parents[2] / "benchmarks" / "fuzz"
 NAMES = ("run", "cases", "folder_cases", "job_cases", "mutations", "open3d_cases", "oracles", "other_cases")
-NAMES += ("ply_oracle", "public_cases", "targets")
+NAMES += ("ply_oracle", "media_cases", "public_cases", "stage_cases", "targets")
 CASES = ("OBJ", "OBJ corners", "OFF", "STL", "PLY mesh, text", "PLY mesh, binary", "PCD")
 JOBS = ("area", "steps", "transforms.json", "configuration", "depth bundle", "occupancy grid", "control grid")
 GLTF = ("GLB", "glTF")
@@ -56,9 +58,25 @@ def test_public_readers_reject_or_read_damaged_files(fuzz, begin, tmp_path):
     assert cases and [entry for entry in wrong if entry[2] not in ("refused", "read")] == []
 
 
+# Begins of the names of cases whose complete files are made by another package or program.
+NEEDED = {"network": "onnxruntime", "photo .dng": "rawpy", "photo .heic": "pi_heif", "features,": "pycolmap",
+          "matches,": "pycolmap", "video,": "pycolmap", "video .": "ffmpeg"}  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("begin", NEEDED)
+def test_files_for_other_packages_are_rejected_or_read(fuzz, begin, tmp_path):
+    if importlib.util.find_spec(NEEDED[begin]) is None and shutil.which(NEEDED[begin]) is None:
+        pytest.skip(f"{NEEDED[begin]} is not installed")
+    cases = [case for case in fuzz.CASES if case.name.startswith(begin)]
+    wrong = [(case.name, *entry) for case in cases for entry in fuzz.fuzz(case, range(1, 8, 2), 3, tmp_path)]
+    assert cases and [entry for entry in wrong if entry[2] not in ("refused", "read")] == []
+
+
 @pytest.mark.slow
 def test_all_other_readers_reject_or_read_damaged_files(fuzz, tmp_path):
-    rest = [case for case in fuzz.CASES if not case.name.startswith(("job of", *GROUPS.values(), *CASES, *JOBS))]
+    others = ("job of", *GROUPS.values(), *CASES, *JOBS, *NEEDED)
+    rest = [case for case in fuzz.CASES if not case.name.startswith(others)]
     wrong = [(case.name, *entry) for case in rest for entry in fuzz.fuzz(case, range(1, 8, 2), 3, tmp_path)]
     assert [entry for entry in wrong if entry[2] not in ("refused", "read")] == []
 

@@ -2,9 +2,11 @@
 
 import contextlib
 import json
+import struct
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,13 +17,17 @@ from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.picture_names import number_of
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.core.errors import FileError
+from pointloom.io.bags.mcap import read_mcap
+from pointloom.io.meshes import obj
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.off import read_off, write_off
 from pointloom.io.meshes.stl import read_stl, write_stl
+from pointloom.io.models import colmap_binary, colmap_text
 from pointloom.io.models.metashape import read_metashape_cameras
 from pointloom.io.pictures.image_files import read_color
+from pointloom.io.points import text_table as tables
 from pointloom.io.points.e57 import read_e57
 from pointloom.io.points.e57_writer import write_e57
 from pointloom.io.points.las import read_las
@@ -258,11 +264,7 @@ def test_random_bytes_are_a_file_error(name, valid_files):
 RUNS = {
     "digits.xyz": (lambda run: b"1 2 3\n" + b"1" * run + b"x 2 3\n", read_text),
     "ones.jpg": (lambda run: SCAN + b"\xff" * run + b"\0", read_color),
-    "continued.obj": (lambda run: b"f 1 2 3" + b" \\\n" * run, read_obj),
-    "columns.csv": (
-        lambda run: b"x,y,z" + b"".join(b",c%d" % k for k in range(run // 10)) + b",x\n1", read_text_table
-    ),
-}  # fmt: skip
+}
 SCAN = b"\xff\xd8\xff\xc0\0\x0b\x08\0\x08\0\x08\x01\x01\x11\0\xff\xda\0\x08\x01\x01\0\0\x3f\0"  # one of 8 x 8 pixels
 
 
@@ -274,6 +276,71 @@ def test_a_long_run_takes_linear_time(tmp_path, name):
     with pytest.raises(FileError, match=name):
         read(tmp_path / name)
     assert number_of("1" * 1_000_000 + "x") is None
+
+
+class Name(str):
+    """A name that counts its comparisons."""
+
+    compared = 0
+
+    def __eq__(self, other: object) -> bool:
+        Name.compared += 1
+        return str(self) == str(other)
+
+    __hash__ = str.__hash__
+
+
+class Line(bytes):
+    """Bytes that count what concatenations copy. Their parts are of the same class."""
+
+    copied = 0
+
+    def partition(self, mark: Any) -> Any:
+        return tuple(map(Line, super().partition(mark)))
+
+    def rstrip(self, *signs: Any) -> "Line":
+        return Line(super().rstrip(*signs))
+
+    def __getitem__(self, part: Any) -> Any:
+        return Line(super().__getitem__(part))
+
+    def __add__(self, other: Any) -> "Line":
+        Line.copied += len(self) + len(other)
+        return Line(super().__add__(other))
+
+    def __radd__(self, other: Any) -> "Line":
+        return Line(other) + self
+
+
+def _comparisons(folder: Path, count: int, patch: pytest.MonkeyPatch) -> int:
+    """The comparisons of column names for a file with this number of columns, of which two have one name."""
+    canonical = tables._canonical
+    patch.setattr(tables, "_canonical", lambda name: Name(canonical(name)))
+    names = [*"xyz", *(f"c{k}" for k in range(count)), "x"]
+    (folder / "columns.csv").write_text(",".join(names) + "\n" + ",".join("1" * len(names)) + "\n")
+    Name.compared = 0
+    with pytest.raises(FileError, match="two columns are named x"):
+        read_text_table(folder / "columns.csv")
+    return Name.compared
+
+
+def _copies(folder: Path, count: int, patch: pytest.MonkeyPatch) -> int:
+    """The bytes that are copied to join this number of continued lines."""
+    joined = obj._joined
+    patch.setattr(obj, "_joined", lambda path, lines: joined(path, [*map(Line, lines)]))
+    (folder / "continued.obj").write_bytes(OBJ + b"f 1 2 3" + b" \\\n" * count + b"\n")
+    Line.copied = 0
+    assert len(read_obj(folder / "continued.obj").triangles) == 1
+    return Line.copied
+
+
+@pytest.mark.parametrize("operations", [_comparisons, _copies])
+def test_names_are_compared_and_lines_copied_in_proportion_to_their_number(tmp_path, operations):
+    counts = []
+    for count in (100, 400):
+        with pytest.MonkeyPatch.context() as patch:
+            counts.append(operations(tmp_path, count, patch))
+    assert counts[1] <= 5 * counts[0] + 100
 
 
 XYZ = b"property float x\nproperty float y\nproperty float z\n"
@@ -297,6 +364,27 @@ def _gltf(n: int, **parts: object) -> bytes:
     return json.dumps(content | parts).encode()
 
 
+def _record(kind: int, content: bytes) -> bytes:
+    return struct.pack("<BQ", kind, len(content)) + content
+
+
+def _chunks(n: int) -> bytes:
+    """An MCAP file of this number of chunks of one message each, with their indexes."""
+    text = struct.Struct("<I").pack
+    channel = struct.pack("<HH", 1, 0) + text(2) + b"/a" + text(3) + b"cdr" + text(0)
+    parts = [b"\x89MCAP0\r\n", _record(4, channel)]
+    for time in range(n):
+        message = _record(5, struct.pack("<HIQQ", 1, 0, time, time))
+        head = struct.pack("<QQQI", time, time, len(message), 0) + text(0) + struct.pack("<Q", len(message))
+        parts += [_record(6, head + message), _record(7, struct.pack("<HIQQ", 1, 16, time, 0))]
+    return b"".join([*parts, _record(15, bytes(4)), _record(2, bytes(20)), parts[0]])
+
+
+def _pictures(n: int) -> bytes:
+    parts = [struct.pack("<I7dI", k, 1, *[0] * 6, 1) + b"%d.png\0" % k + bytes(8) for k in range(n)]
+    return struct.pack("<Q", n) + b"".join(parts)
+
+
 def _names(path: Path) -> None:
     read_positions(path, [f"{line.split()[0]}.jpg" for line in path.read_text().splitlines()])
 
@@ -316,6 +404,14 @@ REPEATED: dict[str, tuple[Callable[[int], bytes], Callable[[Path], object]]] = {
         read_glb,
     ),
     "libraries.obj": (lambda n: b"mtllib libraries.obj\n" * n + OBJ + b"usemtl a\nf 1 2 3\n", read_obj),
+    "chunks.mcap": (_chunks, read_mcap),
+    "images.bin": (_pictures, colmap_binary.read_pictures),
+    "images.txt": (
+        lambda n: b"".join(b"%d 1 0 0 0 0 0 0 1 %d.png\n\n" % (k, k) for k in range(n)), colmap_text.read_pictures
+    ),
+    "frames.txt": (
+        lambda n: b"".join(b"%d 1 1 0 0 0 0 0 0 1 CAMERA 1 %d\n" % (k, k) for k in range(n)), colmap_text.read_frames
+    ),
     "names.txt": (lambda n: b"".join(b"%d %d 0 0\n" % (k, k) for k in range(n)), _names),
 }  # fmt: skip
 

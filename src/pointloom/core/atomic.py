@@ -255,37 +255,66 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
         raise FileError(path, "is not a folder", remedy="Give the name of a folder")
     if not parent.is_dir():
         raise FileError(path, f"the folder {parent} does not exist", remedy="Make the folder first")
-    if path.is_dir() and any(path.iterdir()):
+    is_filled = path.is_dir() and any(not _is_part(entry.name, target) for entry in path.iterdir())
+    if is_filled:
         if not (path / marker).is_file():
             raise FileError(path, f"contains other files: there is no {marker}", remedy="Give another folder")
         if not overwrite:
             raise FileError(path, "exists already", remedy=_REPLACE)
     if status is not None and not os.access(target, os.W_OK):
         raise FileError(path, "is read-only", remedy="Change its permissions, or give another name")
-    if not os.access(parent, os.W_OK | os.X_OK):
-        raise FileError(path, f"the folder {parent} is not writable", remedy="Choose another folder")
+    remedy = "Choose another folder" + ", or empty this one first" * is_filled
+    if (status is None or is_filled) and not os.access(parent, os.W_OK | os.X_OK):
+        raise FileError(path, f"the folder {parent} is not writable", remedy=remedy)
+    if is_filled and os.path.ismount(target):
+        raise FileError(path, "is a mount point, which cannot be replaced", remedy=remedy)
     return path
+
+
+def _is_part(name: str, folder: Path) -> bool:
+    """True for the hidden folder in which `atomic_folder` writes, also that of a killed process."""
+    return re.fullmatch(rf"\.{re.escape(_short_name(folder.absolute()))}\.[0-9a-f]{{16}}\.part", name) is not None
 
 
 @contextlib.contextmanager
 def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Iterator[Path]:
     """A folder that appears when the block succeeds and is removed otherwise.
-    New folders get default permissions. Replaced folders keep theirs. After a crash during replacement, the next
-    `check_folder` or `restore_folder` restores the previous folder."""
+    New folders get default permissions. Replaced folders keep theirs. An empty folder that cannot be renamed (its
+    parent is read-only, or it is a mount point) is filled by renaming each entry, `marker` last. After a crash during
+    replacement, the next `check_folder` or `restore_folder` restores the previous folder."""
     path = check_folder(path, marker, overwrite=overwrite)
     target = _behind_links(path)
-    mode, part = _mode_of(target), part_name(target)
+    mode, parent = _mode_of(target), target.absolute().parent
+    is_fixed = os.path.ismount(target) or not os.access(parent, os.W_OK | os.X_OK)
+    part = part_name(target / target.absolute().name if is_fixed else target)
     try:
         part.mkdir(0o777 if mode is None else mode | 0o700)
         yield part
         check_folder(path, marker, overwrite=overwrite)
-        if (status := _status_of(path, target)) is not None:
-            _take_metadata(part, target, status)
-        _replace_folder(part, target)
+        if is_fixed:
+            _fill_folder(part, target, marker)
+        else:
+            if (status := _status_of(path, target)) is not None:
+                _take_metadata(part, target, status)
+            _replace_folder(part, target)
     except BaseException as error:
         shutil.rmtree(part, ignore_errors=True)
         if isinstance(error, OSError) and error.strerror:
             raise FileError(path, f"cannot be written: {error.strerror}") from error
+        raise
+
+
+def _fill_folder(part: Path, target: Path, marker: str) -> None:
+    """Move the entries of a folder into an empty one, which is empty again on failure."""
+    names = sorted((path.name for path in part.iterdir()), key=marker.__eq__)
+    try:
+        for name in names:
+            (part / name).rename(target / name)
+        part.rmdir()
+    except BaseException:
+        for name in names:
+            if os.path.lexists(target / name) and not os.path.lexists(part / name):
+                (target / name).rename(part / name)
         raise
 
 

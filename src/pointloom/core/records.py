@@ -1,6 +1,6 @@
 """Records of job stages: digests of inputs and output files, so that later runs can reuse results.
 
-A record is written last. Files without a valid record, or with another digest, are recomputed.
+A record is written last, with a digest of itself. Files without a valid record, or with another digest, are recomputed.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ RECORDS = "records"  # name of the subfolder of a job
 VERSION = 1  # incremented if a stage's output for equal inputs changes
 DIGEST_BYTES = 16
 CHUNK = 1 << 20  # [B]
+_DIGEST = "digest"  # of all other entries of a record
 
 
 def digest_of(values: Any) -> str:
@@ -51,7 +52,8 @@ def write_record(
     except OSError as error:
         raise FileError(error.filename or path, f"cannot be read: {error.strerror or error}") from error
     content = {"version": VERSION, "stage": stage, "made_from": made_from, "files": digests, "result": result}
-    text = json.dumps(content, indent=1, allow_nan=False) + "\n"
+    content = json.loads(json.dumps(content, allow_nan=False))  # tuples become lists, as when it is read
+    text = json.dumps(content | {_DIGEST: digest_of(content)}, indent=1) + "\n"
     with atomic_write(path) as file:
         file.write(text.encode())
 
@@ -62,6 +64,8 @@ def read_record(path: Path, stage: str, root: Path, made_from: str | None = None
         content = read_json_object(path)
     except FileError:
         return None
+    if content.pop(_DIGEST, None) != digest_of(content):  # changed after it was written
+        return None
     expected = {"version": VERSION, "stage": stage} | ({} if made_from is None else {"made_from": made_from})
     if any(content.get(key) != value for key, value in expected.items()):
         return None
@@ -70,6 +74,6 @@ def read_record(path: Path, stage: str, root: Path, made_from: str | None = None
         return None
     try:
         fits = all(digest_of_file(root / name) == digest for name, digest in files.items())
-    except OSError:
+    except (OSError, ValueError):  # also a name that the system rejects
         return None
     return result | {"made_from": content.get("made_from")} if fits else None

@@ -1,5 +1,6 @@
 """Every public call of structure from motion rejects invalid arguments by name."""
 
+import contextlib
 import itertools
 import sqlite3
 from pathlib import Path
@@ -78,6 +79,30 @@ def test_the_table_names_every_argument_of_every_public_call():
 
 
 test_good_arguments_are_accepted, test_hostile_values_are_rejected_by_name = argument_tests(TABLE)
+
+
+@pytest.mark.parametrize("change", [
+    "UPDATE images SET name = x'ff'", "UPDATE images SET name = ''",
+    "UPDATE images SET image_id = 'x'", "ALTER TABLE images RENAME COLUMN name TO other", "DROP TABLE descriptors",
+    "INSERT INTO descriptors VALUES (1, 2, 128, x'00')", "INSERT INTO descriptors VALUES (1, 0, 0, x'0001')",
+    "INSERT INTO descriptors VALUES (2, 'x', 128, 'text')", "UPDATE two_view_geometries SET pair_id = 'x'",
+    "UPDATE two_view_geometries SET rows = 'x'", "DROP TABLE images",
+])  # fmt: skip
+def test_values_of_other_types_in_a_database_are_errors_that_name_it(things, tmp_path, change):
+    database = tmp_path / "changed.db"
+    database.write_bytes(things["database"].read_bytes())
+    with contextlib.closing(sqlite3.connect(database)) as connection, connection:
+        connection.execute(change)
+    with pytest.raises(loom.FileError, match=r"changed\.db|out\.db"):
+        loom.sfm.match(database, tmp_path / "out.db", pairs="retrieval")
+
+
+def test_a_database_without_images_has_no_pairs(things, tmp_path):
+    database = tmp_path / "empty.db"
+    database.write_bytes(things["database"].read_bytes())
+    with contextlib.closing(sqlite3.connect(database)) as connection, connection:
+        connection.execute("DELETE FROM images")
+    assert loom.sfm.match(database, tmp_path / "out.db", pairs="retrieval").pair_count == 0
 
 
 def test_a_mapper_is_chosen_by_how_many_pictures_there_are(monkeypatch, things):

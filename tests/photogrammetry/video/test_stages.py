@@ -1,6 +1,7 @@
 """A stage is complete or absent, and is remade only if its inputs changed; the stages after the model."""
 
 import errno
+import json
 import os
 from pathlib import Path
 
@@ -92,7 +93,9 @@ def test_only_what_changed_is_made_again(tmp_path, changed, ran):
     assert files_in(tmp_path / "resumed") == files_in(tmp_path / "whole")
 
 
-@pytest.mark.parametrize("damage", ["cut off", "removed", "record cut off", "record removed", "folder removed"])
+@pytest.mark.parametrize(
+    "damage", ["cut off", "removed", "record cut off", "record changed", "record removed", "folder removed"]
+)
 def test_a_damaged_stage_is_made_again(tmp_path, damage):
     Job(tmp_path).run()
     complete, text, record = files_in(tmp_path), tmp_path / "second/deep/text", tmp_path / "records/second.json"
@@ -100,6 +103,9 @@ def test_a_damaged_stage_is_made_again(tmp_path, damage):
         text.write_text("a")
     elif damage == "record cut off":
         record.write_text(record.read_text()[:40])
+    elif damage == "record changed":
+        content = json.loads(record.read_text())
+        record.write_text(json.dumps(content | {"result": content["result"] | {"told": None}}))
     elif damage == "folder removed":
         text.unlink()
         text.parent.rmdir()

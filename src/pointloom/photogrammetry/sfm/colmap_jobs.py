@@ -25,6 +25,7 @@ _WORKER = Path(__file__).with_name("colmap_worker.py")
 _POLL_INTERVAL = 0.5  # [s]
 _PEEK_INTERVAL = 0.01  # [s]
 _READ_AT_ONCE = 1 << 16
+_NEW_DATABASE = "sfm.find_features creates one"
 _LITTLE_SPACE = 1 << 20  # [B] free space that counts as a full disk
 _SPACE = "Free some space, or work in another folder"
 _FULL_DISK = ("disk is full", "No space left", "disk I/O error")
@@ -124,15 +125,26 @@ def open_database(path: Path) -> Iterator[sqlite3.Connection]:
     """Open COLMAP's database for reading, even while COLMAP writes to it."""
     if not path.is_file():
         reason = "is not a COLMAP database" if path.exists() else "does not exist"
-        raise FileError(path, reason, remedy="sfm.find_features creates one")
+        raise FileError(path, reason, remedy=_NEW_DATABASE)
     try:
         with contextlib.closing(sqlite3.connect(f"file:{quote(os.fspath(path))}?mode=ro", uri=True)) as database:
             protect(database, path)
-            check_no_code(database, path, remedy="sfm.find_features creates one")
+            check_no_code(database, path, remedy=_NEW_DATABASE)
             yield database
-    except sqlite3.Error as error:
-        reason = f"cannot be read as a COLMAP database: {error}"
-        raise FileError(path, reason, remedy="sfm.find_features creates one") from error
+    except FileError:
+        raise
+    except (sqlite3.Error, TypeError, ValueError, OverflowError) as error:  # SQLite stores any type in any column
+        raise FileError(path, f"cannot be read as a COLMAP database: {error}", remedy=_NEW_DATABASE) from error
+
+
+def names_by_number(database: sqlite3.Connection, path: Path) -> dict[int, str]:
+    """The names of the images by their numbers, which ascend. Raises `FileError` for values of other types."""
+    rows = database.execute("SELECT image_id, name FROM images ORDER BY image_id").fetchall()
+    for number, name in rows:
+        if type(number) is not int or not isinstance(name, str) or not name or "\0" in name:
+            reason = f"expected a number and a name per image, got {number!r} and {name!r}"
+            raise FileError(path, reason[:200], remedy=_NEW_DATABASE)
+    return dict(rows)
 
 
 def count_rows(path: Path, table: str) -> int:

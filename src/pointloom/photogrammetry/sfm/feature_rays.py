@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.errors import FileError
-from .colmap_jobs import open_database
+from .colmap_jobs import names_by_number, open_database
 
 DESCRIPTOR = 128  # numbers per descriptor
 WIDEST = np.tan(np.radians(75.0))  # tan of 75 degrees: beyond it a fisheye pixel spans many pinhole pixels
@@ -34,7 +34,7 @@ class FeatureRays:
 def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[CameraModel]) -> FeatureRays:
     pixels, descriptors = [], []
     with open_database(database) as connection:
-        numbers = dict(connection.execute("SELECT name, image_id FROM images").fetchall())
+        numbers = {name: number for number, name in names_by_number(connection, database).items()}
         for name in names:
             if name not in numbers:
                 raise FileError(database, f"contains no image {name}", remedy="sfm.find_features creates one")

@@ -16,7 +16,7 @@ from ...core.timing import Clock
 from ...io.models.colmap import read_colmap_model
 from ...io.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
-from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
+from .colmap_jobs import MAX_SECONDS, names_by_number, open_database, run_job, scratch_beside
 from .frames import check_option
 from .limited_process import check_limits
 from .model_quality import ModelQuality, assess_model
@@ -133,7 +133,7 @@ def choose_mapper(picture_count: int) -> str:
 
 def _names_of(database: Path) -> list[str]:
     with open_database(database) as connection:
-        names = [name for (name,) in connection.execute("SELECT name FROM images")]
+        names = list(names_by_number(connection, database).values())
         (tried,) = connection.execute("SELECT count(*) FROM two_view_geometries").fetchone()
     if not tried and len(names) > 1:
         raise FileError(database, "contains no matches", remedy="sfm.match computes them")

@@ -20,12 +20,12 @@ from numpy.typing import NDArray
 
 from ...core.atomic import check_writable
 from ...core.checks import check_count, check_progress, check_seed
-from ...core.errors import FilePath
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, quality
 from ...core.timing import Clock
-from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, names_by_number, open_database, run_job
 from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
@@ -44,12 +44,15 @@ FINE = 4095  # quantization steps of a description
 
 def read_descriptors(database: Path) -> dict[int, Descriptors]:
     query = "SELECT image_id, rows, data FROM images LEFT JOIN descriptors USING (image_id) ORDER BY image_id"
+    descriptors = {}
     with open_database(database) as connection:
-        rows = connection.execute(query).fetchall()
-    return {
-        number: np.frombuffer(data or b"", np.uint8).reshape(count or 0, -1 if count else LENGTH)
-        for number, count, data in rows
-    }
+        for number, count, data in connection.execute(query):
+            values = np.frombuffer(data or b"", np.uint8)
+            if len(values) != LENGTH * (count or 0):
+                reason = f"is damaged: expected {count} descriptors of image {number}, got {len(values)} bytes"
+                raise FileError(database, reason, remedy="sfm.find_features creates one")
+            descriptors[int(number)] = values.reshape(-1, LENGTH)
+    return descriptors
 
 
 def nearest_words(descriptors: Descriptors, words: Descriptors) -> NDArray[np.int64]:
@@ -92,7 +95,7 @@ def describe(descriptors: Descriptors, words: Descriptors) -> NDArray[np.float64
 
 def alike_pictures(sets: Sequence[Descriptors], neighbors: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
     """Up to `neighbors` most similar other images for each, by descriptors uint8 [n, length], the best first."""
-    learned = learn_words(sets, words, seed)
+    learned = learn_words(sets, words, seed) if sets else ()
     if not len(learned):
         return [[] for _ in sets]
     table = np.stack([describe(each, learned) for each in sets])
@@ -228,7 +231,7 @@ def match(
     limits = check_limits(max_seconds, max_memory)
     source, target = check_path("database", database), check_writable(check_path("matches", matches))
     with open_database(source) as connection:
-        (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
+        count = len(names_by_number(connection, source))
     kind = _kind_of(source)
     pairs = _resolved_pairs(pairs, kind, count)
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
@@ -283,7 +286,7 @@ def pairs_of(database: Path, pairs: str, overlap: int) -> NDArray[np.int64]:
     """Image numbers of all pairs, or of those 1, 2, 4, ... apart in the order of names: [p, 2]."""
     with open_database(database) as connection:
         rows = connection.execute("SELECT image_id FROM images ORDER BY name").fetchall()
-    numbers = np.array([number for (number,) in rows], np.int64)
+        numbers = np.array([number for (number,) in rows], np.int64)
     first, second = np.triu_indices(len(numbers), 1)
     if pairs == "sequential":
         near = np.isin(second - first, 1 << np.arange(overlap))
@@ -307,7 +310,8 @@ def _named_by_numbers(database: Path) -> Iterator[None]:
 def _verified_pairs(database: Path) -> tuple[int, int, tuple[str, ...]]:
     with open_database(database) as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries WHERE rows > 0").fetchall()
-        names = dict(connection.execute("SELECT image_id, name FROM images ORDER BY image_id").fetchall())
-    paired = {number for pair, _ in rows for number in divmod(pair, PAIR)}
+        names = names_by_number(connection, database)
+        paired = {number for pair, _ in rows for number in divmod(pair, PAIR)}
+        match_count = sum(count for _, count in rows)
     isolated = tuple(name for number, name in names.items() if number not in paired)
-    return len(rows), sum(count for _, count in rows), isolated
+    return len(rows), match_count, isolated

@@ -22,7 +22,7 @@ from scipy.spatial import KDTree
 
 from ...core.errors import FileError
 from ...io.models.sfm_model import SfmModel
-from .colmap_jobs import open_database
+from .colmap_jobs import names_by_number, open_database
 from .feature_rays import DESCRIPTOR, focal_of, table_of
 from .matches import PAIR
 
@@ -110,7 +110,7 @@ class _Picture:
 def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
     """Check a model with the matches that it was made from. None for features other than SIFT."""
     with open_database(database) as connection:
-        numbers = dict(connection.execute("SELECT name, image_id FROM images").fetchall())
+        numbers = {name: number for number, name in names_by_number(connection, database).items()}
         pictures = []
         for k, name in enumerate(model.names):
             keypoints = table_of(connection, "keypoints", numbers[name], np.float32, database)
@@ -129,8 +129,9 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
         for (key,) in connection.execute(query, (MIN_SHARED,)).fetchall():
             first, second = divmod(key, PAIR)
             if first in indices and second in indices:
+                i, j = indices[first], indices[second]
                 found = table_of(connection, "two_view_geometries", key, np.uint32, database, column="pair_id")
-                pairs[indices[first], indices[second]] = found.astype(np.int64)
+                pairs[i, j] = _checked_matches(found, pictures[i], pictures[j], database)
     links, tracks = np.zeros((len(model), len(model)), bool), [np.zeros((0, 2), np.int64)]
     firsts = np.concatenate([[0], np.cumsum([len(each.pixels) for each in pictures])])
     for (i, j), matches in pairs.items():
@@ -149,6 +150,15 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
         float(np.median([pictures[k].shift for k in repeating])),
         _baselines(model, pictures, repeating),
     )
+
+
+def _checked_matches(found: Any, first: _Picture, second: _Picture, database: Path) -> NDArray[np.int64]:
+    counts = len(first.pixels), len(second.pixels)
+    if found.shape[1] != 2 or not (found < counts).all():
+        raise FileError(
+            database, "is damaged: matches of features that it does not contain", remedy="Run sfm.match again"
+        )
+    return found.astype(np.int64)
 
 
 def _picture(model: SfmModel, number: int, keypoints: Array, descriptors: NDArray[np.uint8]) -> _Picture:
