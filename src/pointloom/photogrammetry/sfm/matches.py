@@ -95,7 +95,9 @@ def describe(descriptors: Descriptors, words: Descriptors) -> NDArray[np.float64
 
 def alike_pictures(sets: Sequence[Descriptors], neighbors: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
     """Up to `neighbors` most similar other images for each, by descriptors uint8 [n, length], the best first."""
-    learned = learn_words(sets, words, seed) if sets else ()
+    if not sets:
+        return []
+    learned = learn_words(sets, words, seed)
     if not len(learned):
         return [[] for _ in sets]
     table = np.stack([describe(each, learned) for each in sets])
