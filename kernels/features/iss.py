@@ -93,8 +93,11 @@ def keep_maxima_kernel(
 
 
 def mean_spacing(tree: PointTree) -> float:
-    """Mean distance [m] of the finite positions to the nearest other one. 0 if there are none (sync)."""
-    tree = without_copies(tree)
+    """Mean distance [m] of finite points to the nearest other one, 0 for copies, as in Open3D; of the positions if at
+    least half of the points are copies. 0 if there are none (sync)."""
+    positions = without_copies(tree)
+    if 2 * positions.count <= tree.count:
+        tree = positions
     if tree.count == 0:
         return 0.0
     points = tree.source
