@@ -110,6 +110,7 @@ DECIMATION = (
     "each round takes an independent set of the cheapest edges, about one in ten of those it looks at. Of the time on "
     "one core, 25 to 30 % is their selection and 15 to 22 % costs of edges."
 )
+SPREAD = "{} in the run before, on the same processor. Two runs differ by up to a fifth."
 PROCESSOR = "Not profiled on this processor. On an AMD EPYC (commit 714f22aa, 26 November 2026) the factor was {}."
 PYTHON_LAUNCH = "Numba compiles the call, too: its launch has no checks of arguments in Python."
 
@@ -161,6 +162,10 @@ REASONS: dict[tuple[str, str], str] = {
         [("launch_of_one_thread", "1 thread"), ("launch_shared", "4096 threads"), ("transform_kernel", "1k")],
         PYTHON_LAUNCH,
     ),
+    ("alpha_shape", "bunny 8k, 6 mm"): SPREAD.format(4.3),
+    ("knn20_query", "lidar returns"): SPREAD.format(2.06),
+    ("m3c2", "1M, 100k cores"): SPREAD.format(10.3),
+    ("normals_hybrid", "200k"): SPREAD.format(5.3),
     ("depth_to_cloud_with_normals", "30 frames"): PROCESSOR.format(4.0),
     ("mesh_clean", "76k"): PROCESSOR.format(3.4),
     ("register_globally", "200k, 5 cm"): PROCESSOR.format(3.4),
