@@ -82,6 +82,7 @@ def kernels_of(call: Callable[[], Any]) -> list[dict[str, Any]] | None:
         return None
     import warp as wp
 
+    torch.cuda.init()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "trace.json"
         with profile(activities=[ProfilerActivity.CPU, ProfilerActivity.CUDA]) as profiler:
@@ -179,7 +180,8 @@ def main() -> int:
             once(words)
         else:
             name, _, size = words[0].partition("=")
-            times = device_times(name, int(size)) or call_times(name, int(size))
+            times = device_times(name, int(size))
+            times = times if "device_ms" in times else times | call_times(name, int(size))
             print(json.dumps(times | {"bounds": bounds_in_use()}))
         return 0
     state, end = Path(first), time.monotonic() + float(words[0])
