@@ -26,7 +26,7 @@ DECIDES = "compared with a limit alone: no bit of it is in a result"
 ALLOWED = {
     ("core/checks.py", "check_transformation"): DECIDES,
     ("kernels/language/taichi_compiler.py", "dot"): "device code of Taichi",
-    ("kernels/linear_algebra.py", "_with_signs"): "only the signs are used",
+    ("kernels/linear_algebra.py", "eigh"): "only the signs are used",
     ("kernels/reconstruction/octree_levels.py", "*"): "whole numbers",
     ("meshing/scene/pinhole_rays.py", "*"): DECIDES,
     ("registration/icp/constraint.py", "_check_prior"): DECIDES,
