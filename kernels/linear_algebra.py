@@ -2,7 +2,7 @@
 
 BLAS and LAPACK select code by processor, so the last bits of their results vary. These functions take the arguments of
 NumPy's functions of the same names and are bitwise reproducible across processors. Elimination and eigenvalues are
-compiled kernels of one thread (`algebra/small_matrices.py`), on arrays that are kept for the next call.
+compiled kernels of one thread (`small_matrices.py`), on arrays that are kept for the next call.
 """
 
 from __future__ import annotations
@@ -13,12 +13,11 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import warp as wp
 from numpy.typing import NDArray
 
-from .algebra.small_matrices import Eigenproblems, decompose_kernel, eliminate_kernel
 from .launches import bind
-from .memory import empty, host_view
+from .memory import host_view
+from .small_matrices import Eigenproblems, Systems, decompose_kernel, eliminate_kernel
 
 Array = NDArray[np.float64]
 EPSILON = float(np.finfo(np.float64).eps)
@@ -95,26 +94,26 @@ def det(A: Any) -> Any:
 class _Systems:
     """Arrays of systems [A, X], shape (b, n, n + k), and their elimination."""
 
-    def __init__(self, shape: tuple[int, ...]) -> None:
-        systems, failed = empty(shape, wp.float64, "cpu"), empty(1, wp.int32, "cpu")
-        self.systems, self.failed = host_view(systems), host_view(failed)
-        self.run = bind(eliminate_kernel, [systems, failed])
+    def __init__(self, shape: tuple[int, int, int]) -> None:
+        p = Systems(shape)
+        self.run = bind(eliminate_kernel, [p])
+        self.systems, self.failed = host_view(p.systems), host_view(p.failed)
 
 
 class _Decompositions:
     """Arrays of symmetric matrices, shape (b, n, n), and their decomposition."""
 
-    def __init__(self, shape: tuple[int, ...]) -> None:
+    def __init__(self, shape: tuple[int, int, int]) -> None:
         p = Eigenproblems(*shape[:2])
         self.run = bind(decompose_kernel, [p])
         self.matrices, self.lapack, self.rows = (host_view(a) for a in (p.matrices, p.lapack, p.rows))
         self.values, self.failed = host_view(p.values), host_view(p.failed)
 
 
-_idle: dict[tuple[type, tuple[int, ...]], list[Any]] = {}  # arrays that no call is using
+_idle: dict[tuple[type, tuple[int, int, int]], list[Any]] = {}  # arrays that no call is using
 
 
-def _arrays_for(kind: type, shape: tuple[int, ...]) -> tuple[Any, Callable[[Any], None]]:
+def _arrays_for(kind: type, shape: tuple[int, int, int]) -> tuple[Any, Callable[[Any], None]]:
     """Arrays for one call, and a function that keeps them for the next. A signal handler or a second thread that calls
     in between gets others.
     """
@@ -157,7 +156,7 @@ def eigh(A: Any) -> tuple[Array, Array]:
     A = np.asarray(A, np.float64)
     if not A.size:
         return np.zeros(A.shape[:-1]), np.zeros(A.shape)
-    arrays, keep = _arrays_for(_Decompositions, (A.size // A.shape[-1] ** 2, *A.shape[-2:]))
+    arrays, keep = _arrays_for(_Decompositions, (A.size // A.shape[-1] ** 2, A.shape[-1], A.shape[-1]))
     arrays.matrices.reshape(A.shape)[:] = A
     with contextlib.suppress(np.linalg.LinAlgError):  # of entries that are not finite
         arrays.lapack.reshape(A.shape)[:] = np.linalg.eigh(A)[1]

@@ -1,7 +1,7 @@
 """Elimination and eigenvalues of small float64 matrices for the host (`kernels/linear_algebra.py`), on one thread."""
 
-from ..lang import array, float64, func, int32, isfinite, kernel, sqrt, struct, tid
-from ..memory import empty
+from .lang import array, float64, func, int32, isfinite, kernel, sqrt, struct, tid
+from .memory import empty
 
 EPSILON = 2.220446049250313e-16
 NEGLIGIBLE = 1e-30  # off-diagonal entry, relative to the largest entry
@@ -9,39 +9,51 @@ MAX_STEPS = 60  # per eigenvalue. Two or three are usual
 SEPARATED = 1e-6  # relative difference above which eigenvalues have individual eigenvectors
 
 
+@struct
+class Systems:
+    """Systems [A, X], shape (b, n, n + k), whose right sides X are replaced by the solutions. `failed[0]` is 1 if a
+    matrix is singular.
+    """
+
+    systems: array(dtype=float64, ndim=3)
+    failed: array(dtype=int32)
+
+    def __init__(self, shape: tuple[int, int, int]) -> None:
+        self.systems, self.failed = empty(shape, float64, "cpu"), empty(1, int32, "cpu")
+
+
 @kernel(for_cpu=True)
-def eliminate_kernel(systems: array(dtype=float64, ndim=3), failed: array(dtype=int32)):
-    """Replace the right sides X of systems [A, X] by the solutions. `failed[0]` is 1 if a matrix is singular."""
+def eliminate_kernel(p: Systems):
     thread = tid()
-    failed[0] = 0
-    n = systems.shape[1]
-    width = systems.shape[2]
-    for b in range(thread, systems.shape[0]):
+    p.failed[0] = 0
+    n = p.systems.shape[1]
+    width = p.systems.shape[2]
+    for b in range(thread, p.systems.shape[0]):
         for k in range(n):
             best = k + 0
-            largest = abs(systems[b, k, k])
+            largest = abs(p.systems[b, k, k])
             for i in range(k + 1, n):
-                size = abs(systems[b, i, k])
+                size = abs(p.systems[b, i, k])
                 if largest == largest and (size > largest or size != size):
                     best = i
                     largest = size
             if largest == 0.0:
-                failed[0] = 1
+                p.failed[0] = 1
             for c in range(width):
-                entry = systems[b, best, c]
-                systems[b, best, c] = systems[b, k, c]
-                systems[b, k, c] = entry
+                entry = p.systems[b, best, c]
+                p.systems[b, best, c] = p.systems[b, k, c]
+                p.systems[b, k, c] = entry
             for i in range(k + 1, n):
-                factor = systems[b, i, k] / systems[b, k, k]
+                factor = p.systems[b, i, k] / p.systems[b, k, k]
                 for c in range(k, width):
-                    systems[b, i, c] = systems[b, i, c] - factor * systems[b, k, c]
+                    p.systems[b, i, c] = p.systems[b, i, c] - factor * p.systems[b, k, c]
         for step in range(n):
             k = n - 1 - step
             for c in range(n, width):
-                solution = systems[b, k, c] / systems[b, k, k]
-                systems[b, k, c] = solution
+                solution = p.systems[b, k, c] / p.systems[b, k, k]
+                p.systems[b, k, c] = solution
                 for i in range(k):
-                    systems[b, i, c] = systems[b, i, c] - systems[b, i, k] * solution
+                    p.systems[b, i, c] = p.systems[b, i, c] - p.systems[b, i, k] * solution
 
 
 @struct
