@@ -17,10 +17,10 @@ from .array_types import Device
 from .language import cpu_code, kernel_cache, pool_code, taichi_compiler, warp_compiler
 from .language.arguments import MAX_THREADS, checked_arguments
 from .language.compile_notices import announced, compiling
-from .language.cuda_launches import UNFIT, PreparedKernel, PreparedSum
+from .language.cuda_launches import UNFIT, Flattener, PreparedKernel, PreparedSum, flattener
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
-from .language.prepared_launches import TaichiLaunch, WarpLaunch
+from .language.prepared_launches import FlatLaunch, TaichiLaunch, WarpLaunch
 from .language.segment_launches import PreparedSegmentSum, launch_segments
 from .language.warp_parts import launches_plainly
 from .memory import empty, zeros
@@ -104,6 +104,34 @@ def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence
     except UNFIT:
         return False
     return True
+
+
+def _is_launched_flat(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> bool:
+    """Use a prepared CPU launch. False, without effect, if there is none or the arguments need conversion."""
+    prepared: tuple[Flattener, FlatLaunch] | None = kernel.prepared.get("cpu")
+    if prepared is None or not 0 < thread_count <= MAX_THREADS or current_cpu_compiler() != "warp":
+        return False
+    flatten, launched = prepared
+    try:
+        flat = flatten(arguments)
+        with lock:
+            if _sequence is not None:
+                return False
+            launched(flat, thread_count)
+    except UNFIT:
+        return False
+    return True
+
+
+def _flattened(kernel: Kernel, arguments: Sequence[Any], values: Sequence[Any]) -> tuple[Flattener, FlatLaunch] | None:
+    """A prepared CPU launch. None if these arguments do not show that it is equivalent."""
+    launch = _by_warp[kernel]
+    with contextlib.suppress(*UNFIT):
+        flatten = flattener(kernel.types, wp.get_device("cpu"), kernel.field_paths, len(kernel.takes))
+        if isinstance(launch, WarpLaunch) and launch.layout:
+            made = FlatLaunch(launch)
+            return (flatten, made) if made.packs_as(launch, flatten(arguments), values) else None
+    return None
 
 
 def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
@@ -204,6 +232,8 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
         kernel = kernel.twin
         if _is_launched_prepared(kernel, thread_count, arguments, home):
             return
+    elif _is_launched_flat(kernel, thread_count, arguments):
+        return
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
@@ -215,6 +245,8 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
                     kernel.prepared[device.alias] = PreparedKernel.of(kernel, thread_count, values, device)
         elif current_cpu_compiler() == "warp":
             _run_on_cpu(kernel, values, thread_count)
+            if "cpu" not in kernel.prepared:
+                kernel.prepared["cpu"] = _flattened(kernel, arguments, values)
         else:
             chunks = taichi_compiler.start().chunks(thread_count)
             annotations = taichi_compiler.CHUNKS.values()

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .kept_arrays import KeptArrays
 from .launches import bind
 from .memory import host_view
 from .small_matrices import Eigenproblems, Systems, decompose_kernel, eliminate_kernel
@@ -94,7 +95,7 @@ def det(A: Any) -> Any:
 class _Systems:
     """Arrays of systems [A, X], shape (b, n, n + k), and their elimination."""
 
-    def __init__(self, shape: tuple[int, int, int]) -> None:
+    def __init__(self, *shape: int) -> None:
         p = Systems(shape)
         self.run = bind(eliminate_kernel, [p])
         self.systems, self.failed = host_view(p.systems), host_view(p.failed)
@@ -103,27 +104,14 @@ class _Systems:
 class _Decompositions:
     """Arrays of symmetric matrices, shape (b, n, n), and their decomposition."""
 
-    def __init__(self, shape: tuple[int, int, int]) -> None:
-        p = Eigenproblems(*shape[:2])
+    def __init__(self, count: int, n: int) -> None:
+        p = Eigenproblems(count, n)
         self.run = bind(decompose_kernel, [p])
         self.matrices, self.lapack, self.rows = (host_view(a) for a in (p.matrices, p.lapack, p.rows))
         self.values, self.failed = host_view(p.values), host_view(p.failed)
 
 
-_idle: dict[tuple[type, tuple[int, int, int]], list[Any]] = {}  # arrays that no call is using
-
-
-def _arrays_for(kind: type, shape: tuple[int, int, int]) -> tuple[Any, Callable[[Any], None]]:
-    """Arrays for one call, and a function that keeps them for the next. A signal handler or a second thread that calls
-    in between gets others.
-    """
-    if math.prod(shape) > MAX_KEPT:
-        return kind(shape), lambda _: None
-    idle = _idle.setdefault((kind, shape), [])
-    try:
-        return idle.pop(), idle.append
-    except IndexError:
-        return kind(shape), idle.append
+_systems, _decompositions = KeptArrays(_Systems), KeptArrays(_Decompositions)
 
 
 def solve(A: Any, b: Any) -> Array:
@@ -132,12 +120,14 @@ def solve(A: Any, b: Any) -> Array:
     if b.ndim == 1:
         return solve(A, b[:, None])[:, 0]
     n, shape = A.shape[-1], np.broadcast_shapes(A.shape[:-2], b.shape[:-2])
-    arrays, keep = _arrays_for(_Systems, (math.prod(shape), n, n + b.shape[-1]))
+    sizes = (math.prod(shape), n, n + b.shape[-1])
+    arrays = _systems.take(*sizes)
     systems = arrays.systems.reshape(*shape, n, n + b.shape[-1])
     systems[..., :n], systems[..., n:] = A, b
     arrays.run()
     is_singular, solution = arrays.failed[0], systems[..., n:].copy()
-    keep(arrays)
+    if systems.size <= MAX_KEPT:
+        _systems.keep(arrays, *sizes)
     if is_singular:
         raise np.linalg.LinAlgError("Singular matrix")
     return solution
@@ -156,14 +146,16 @@ def eigh(A: Any) -> tuple[Array, Array]:
     A = np.asarray(A, np.float64)
     if not A.size:
         return np.zeros(A.shape[:-1]), np.zeros(A.shape)
-    arrays, keep = _arrays_for(_Decompositions, (A.size // A.shape[-1] ** 2, A.shape[-1], A.shape[-1]))
+    sizes = (A.size // A.shape[-1] ** 2, A.shape[-1])
+    arrays = _decompositions.take(*sizes)
     arrays.matrices.reshape(A.shape)[:] = A
     with contextlib.suppress(np.linalg.LinAlgError):  # of entries that are not finite
         arrays.lapack.reshape(A.shape)[:] = np.linalg.eigh(A)[1]
     arrays.run()
     failed, values = arrays.failed[0], arrays.values.reshape(A.shape[:-1]).copy()
     vectors = arrays.rows.reshape(A.shape).swapaxes(-2, -1).copy("K")
-    keep(arrays)
+    if A.size <= MAX_KEPT:
+        _decompositions.keep(arrays, *sizes)
     if failed:
         problem = "of a matrix with entries that are not finite" if failed < 0 else "did not converge"
         raise np.linalg.LinAlgError(f"Eigenvalues {problem}")

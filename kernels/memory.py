@@ -103,6 +103,8 @@ def check_room(device: Device, size: int, what: str) -> None:
 
 def _new(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
     """Uninitialized array. None if Warp must allocate it."""
+    if isinstance(device, str) and device == "cpu":
+        device = wp.get_device("cpu")
     if device is None or isinstance(device, str):
         return None
     if device.is_cuda:
@@ -179,15 +181,17 @@ def upload(
     values: np.ndarray, dtype: type[Element], device: Device | str, *, copied: bool = True
 ) -> DeviceArray[Element, Any]:
     """Copy a NumPy array to a device as `dtype` (vectors take the last axis). A CPU view if `copied` is False."""
-    scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
-    values = np.ascontiguousarray(values, dtype=scalar)
+    kind = device_arrays.element_kind(dtype)
+    values = np.ascontiguousarray(values, dtype=kind.scalar)
     if values.size == 0:
-        width = len(getattr(dtype, "_shape_", ()))
+        width = len(kind.inner)
         shape = values.shape[: values.ndim - width] if width else values.shape
         return empty(shape, dtype, device)
+    if isinstance(device, str) and device == "cpu":
+        device = wp.get_device("cpu")
     if not copied:  # an axis of one element may have any stride, which Warp treats as non-contiguous
         values = values.reshape(-1).reshape(values.shape)
-    inner = getattr(dtype, "_shape_", ())
+    inner = kind.inner
     outer = values.shape[: values.ndim - len(inner)]
     if outer and values.shape == (*outer, *inner):
         if getattr(device, "is_cpu", False):
@@ -195,6 +199,8 @@ def upload(
                 out = empty(outer, dtype, device)
                 np.copyto(host_view(out), values)
                 return out
+            if (made := device_arrays.over(values, dtype, device)) is not None:  # type: ignore[arg-type]
+                return made
         elif (created := _new(outer, dtype, device)) is not None:
             with lock_for(device):
                 if device_copies.is_written(created, values):
@@ -214,10 +220,14 @@ def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device
 
 def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
     """Copy the first `count` elements of one array to another on the same device, starting at element `offset`."""
-    if count:
-        with lock_for(target.device):
-            if not device_copies.is_copied(target, source, count, offset):
-                wp.copy(target, source, dest_offset=offset, count=count)
+    if not count:
+        return
+    if target.device.is_cpu and source.device.is_cpu and target.ndim == source.ndim == 1:
+        host_view(target)[offset : offset + count] = host_view(source)[:count]
+        return
+    with lock_for(target.device):
+        if not device_copies.is_copied(target, source, count, offset):
+            wp.copy(target, source, dest_offset=offset, count=count)
 
 
 def fill_column(target: Any, column: int, source: wp.array) -> None:

@@ -18,7 +18,7 @@ class Systems:
     systems: array(dtype=float64, ndim=3)
     failed: array(dtype=int32)
 
-    def __init__(self, shape: tuple[int, int, int]) -> None:
+    def __init__(self, shape: tuple[int, ...]) -> None:
         self.systems, self.failed = empty(shape, float64, "cpu"), empty(1, int32, "cpu")
 
 

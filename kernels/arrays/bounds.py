@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..array_types import Array1, Integers, Points
+from ..kept_arrays import KeptArrays
 from ..lang import (
     INFINITY,
     WARP,
@@ -23,7 +24,7 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import download, empty, full
+from ..memory import download, empty, full, host_view
 from .lanes import LANE_BITS, lane_max_corner, lane_min_corner
 from .runs import Runs, elements_of, row_of
 
@@ -127,9 +128,23 @@ def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
     return bound_each([points])[0]
 
 
+_extremes = KeptArrays(lambda: empty(WIDTH, int32, "cpu"))
+
+
+def _box_on_cpu(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
+    runs, extremes = Runs(points.size, points.device, RUN), _extremes.take()
+    host_view(extremes)[:] = NOTHING
+    launch(bound_points_kernel, runs.threads, [points, runs, extremes])
+    box = box_of(host_view(extremes))
+    _extremes.keep(extremes)
+    return box
+
+
 def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, int]]:
     """As `bound_points` for several arrays on one device. One sync."""
     device = clouds[0].device
+    if len(clouds) == 1 and device.is_cpu:
+        return [_box_on_cpu(clouds[0])]
     runs = [Runs(points.size, device, RUN) for points in clouds]
     ends = np.cumsum([run.rows * WIDTH for run in runs]).tolist()
     extremes = full(ends[-1], NOTHING, int32, device)
@@ -141,10 +156,10 @@ def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, i
 
 def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     rows = extremes.reshape(-1, WIDTH)
-    count = int((rows[:, 6].astype(np.int64) - NOTHING).sum())
+    count = sum(rows[:, 6].tolist()) - NOTHING * len(rows)
     if not count:
         return np.full(3, np.inf, np.float32), np.full(3, -np.inf, np.float32), 0
-    bits = rows[:, :6].max(axis=0)
+    bits = rows[0, :6] if len(rows) == 1 else rows[:, :6].max(axis=0)
     ends = (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32)
     # + 0: normalizes minus zero
     return np.float32(0) - ends[:3], ends[3:] + np.float32(0), count

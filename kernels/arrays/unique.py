@@ -10,7 +10,6 @@ from ..array_types import AnyArray, Indices, Integers, Keys, LongIntegers
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import copy, download, empty, full, rows_of, upload
 from .prefix_sum import inclusive_scan
-from .select import gather_rows, positions_of
 from .side_by_side import read_together
 from .sort import argsort_keys
 
@@ -92,12 +91,10 @@ class UniqueKeys:
             self.beside = download(beside).tolist()  # sync
         marks = empty(keys.size, uint8, device)
         launch(mark_run_starts_kernel, keys.size, [sorted_keys, marks])
-        heads = positions_of(marks)
-        self.count = heads.size
-        self.keys = gather_rows(sorted_keys, heads)
-        self.starts = empty(self.count + 1, int32, device)
-        copy(self.starts, heads, count=self.count)
-        copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
+        heads = np.flatnonzero(download(marks))
+        self.count = len(heads)
+        self.keys = upload(download(sorted_keys)[heads], int64, device, copied=False)
+        self.starts = upload(np.append(heads, keys.size), int32, device, copied=False)
 
     def _find_at_once(self, sorted_keys: Keys, beside: Integers | None, padded: bool) -> None:
         keys, starts, summary = write_heads(sorted_keys, beside, padded=padded)
@@ -122,11 +119,13 @@ class UniqueKeys:
         """Remove a key if it is the last. Its positions stay at the end of `order`."""
         if not self.count:
             return
-        last = self._last if self._last is not None else int(download(self.keys[self.count - 1 :])[0])
+        last = self._last
+        if last is None:
+            last = int(download(rows_of(self.keys, self.count - 1, self.count))[0])
         if last == key:
             self._last = None
             self.count -= 1
-            self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
+            self.keys, self.starts = rows_of(self.keys, 0, self.count), rows_of(self.starts, 0, self.count + 1)
 
 
 def cut_together(groups: Sequence[UniqueKeys], *beside: AnyArray) -> list[NDArray[Any]]:

@@ -7,6 +7,7 @@ of Warp 1.19 (warp_parts.py). Warp itself is used if they differ or if it has ho
 
 from __future__ import annotations
 
+import functools
 import math
 import struct
 from typing import Any
@@ -87,6 +88,18 @@ class Kind:
             raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
         return address
 
+    def over(self, values: np.ndarray) -> Any:
+        """An array over the memory of a contiguous NumPy array, which it keeps alive. On the CPU."""
+        _ = self._like or self.new((0,) * self.axes, (0,) * self.axes, 0)
+        shape = values.shape[: self.axes]
+        state, strides = self._like.copy(), strides_of(shape, self.element_bytes)  # type: ignore[union-attr]
+        state["ptr"], state["capacity"], state["size"] = values.ctypes.data, values.nbytes, math.prod(shape)
+        state["shape"], state["strides"], state["_ref"], state["deleter"] = shape, strides, values, None
+        state["packed_"] = self.pack(state["ptr"], *shape, *strides, self.axes)
+        array = _bare(_array)
+        array.__dict__ = state
+        return array
+
     def at(self, parent: Any, address: int | None, shape: Shape, strides: Shape, size: int) -> Any:
         """A view of the memory of another array, which it keeps alive."""
         state = parent.__dict__.copy()
@@ -98,6 +111,12 @@ class Kind:
         view = _bare(_array)
         view.__dict__ = state
         return view
+
+
+@functools.cache
+def element_kind(dtype: Any) -> Kind:
+    """Kind of an element type, for its properties that do not depend on axes and device."""
+    return Kind(dtype, 1, None)
 
 
 _kinds: dict[tuple[Any, int, str], Kind] = {}
@@ -134,6 +153,14 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
         return kind.new(shape, strides, size)
 
 
+def over(values: np.ndarray, dtype: Any, device: Any) -> Any:
+    """A CPU array over the memory of a contiguous NumPy array (n, ..., *element). None if Warp has to create it."""
+    kind = kind_of(dtype, values.ndim - len(element_kind(dtype).inner), device)
+    if not 0 < kind.axes <= warp_parts.MAX_AXES or not warp_parts.makes_arrays_plainly(device):
+        return None
+    return kind.over(values) if values.nbytes and max(values.shape) < MAX_EXTENT else None
+
+
 def rows_of(values: Any, first: int, last: int) -> Any:
     kind, first, last = getattr(values, "kind_", None), int(first), int(last)  # addresses are plain numbers
     if kind is None or not 0 <= first < last <= values.shape[0]:
@@ -164,7 +191,14 @@ def reinterpreted(parent: Any, first: int, dtype: Any, shape: int | Shape) -> An
 
 def _kind_and_strides(dtype: Any, shape: Shape, device: Any) -> tuple[Kind, Shape]:
     kind = kind_of(dtype, len(shape), device)
-    return kind, tuple(kind.element_bytes * math.prod(shape[k + 1 :]) for k in range(len(shape)))
+    return kind, strides_of(shape, kind.element_bytes)
+
+
+def strides_of(shape: Shape, size: int) -> Shape:
+    """Strides of contiguous elements of a size [B]."""
+    if len(shape) == 1:
+        return (size,)
+    return tuple(size * math.prod(shape[k + 1 :]) for k in range(len(shape)))
 
 
 class _Releases:

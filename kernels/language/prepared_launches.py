@@ -8,14 +8,16 @@ Arguments.py does. Take the lock.
 from __future__ import annotations
 
 import ctypes
+import re
 import struct
 import weakref
 from collections.abc import Callable, Sequence
+from time import perf_counter
 from typing import Any, NamedTuple
 
 import warp as wp
 
-from . import cpu_code, cpu_pool
+from . import cpu_code, cpu_pool, warp_parts
 from .arguments import array_of, check_scalar_count, type_of
 from .kernel_cache import CachedKernel
 from .pool_code import filled_with
@@ -23,6 +25,8 @@ from .signatures import FLOATS, Type
 
 FORMATS = {"float32": "f", "float64": "d", "int8": "b", "int16": "h", "int32": "i", "int64": "q"}
 FORMATS |= {f"u{name}": code.upper() for name, code in FORMATS.items() if name.startswith("int")}
+ARRAY_FORMAT = re.compile(r"Q8x\d+i\d+x\d+i\d+xH2x(x{4})?")  # of an array in WarpLaunch.layout
+SHORT = 20e-6  # [s] a launch by the pool takes 5 to 15 us longer if its workers sleep
 
 
 class Parameter(NamedTuple):
@@ -133,6 +137,46 @@ def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tupl
         layout += f"Q8x{extents}{rest}x{extents}{rest}xH2x"
     layout += "x" * (ctypes.sizeof(kind) - struct.calcsize(layout))
     return struct.Struct(layout), bytes(filled)
+
+
+class FlatLaunch:
+    """Launches of a kernel whose arguments are flattened to bytes and numbers. They share one buffer: take the lock.
+
+    A launch that should take less than `SHORT` runs on the calling thread, by the time per thread of the last launch.
+    """
+
+    def __init__(self, launch: WarpLaunch) -> None:
+        self._forward, self._address, self._keep_alive = launch._forward, launch._address, launch._keep_alive
+        self._layout = struct.Struct(ARRAY_FORMAT.sub(f"{warp_parts.DESCRIPTION_BYTES}s", launch.layout))
+        self._one = cpu_code.full_bounds(1)
+        self._idle: Any = None
+        self._seconds = SHORT  # of a thread
+
+    def packs_as(self, launch: WarpLaunch, flat: Sequence[Any], values: Sequence[Any]) -> bool:
+        """True if flattened arguments are packed as the other launch packs the values."""
+        return self._layout.size == len(packed := launch._packed(values)) and self._layout.pack(*flat) == packed
+
+    def __call__(self, flat: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
+        """Launch, as WarpLaunch.bound does. Raises struct.error or OverflowError (not launched)."""
+        # Detached while in use: a signal handler may launch the same kernel in between.
+        buffer, self._idle = self._idle, None
+        if buffer is None:
+            buffer = ctypes.create_string_buffer(self._layout.size)
+        self._layout.pack_into(buffer, 0, *flat)
+        count = thread_count + last_count
+        pool = None if count == 1 else cpu_pool.pool()
+        start = perf_counter()
+        if pool is None or self._seconds * count < SHORT:
+            bounds = self._one if count == 1 else cpu_code.full_bounds(count)
+            self._forward(ctypes.byref(bounds), ctypes.byref(buffer))
+        else:
+            arguments = ctypes.addressof(buffer)
+            if thread_count:
+                pool.share(self._address, arguments, thread_count, 0)
+            if last_count:
+                pool.share(self._address, arguments, last_count, thread_count)
+        self._seconds = (perf_counter() - start) / count
+        self._idle = buffer
 
 
 class Recorder:

@@ -15,6 +15,7 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.language import device_lock
 from pointloom.kernels.language.cuda_launches import CudaLaunch
+from pointloom.kernels.language.prepared_launches import FlatLaunch
 
 pytestmark = pytest.mark.both_compilers
 SOURCE = """
@@ -165,6 +166,8 @@ def test_a_reduction_is_bitwise_identical_in_every_run(kernels, device, rng):
 def ran(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     compilers = []
+    prepared = FlatLaunch.__call__
+    monkeypatch.setattr(FlatLaunch, "__call__", lambda *a: compilers.append("warp") or prepared(*a))
     for name in ("_run_on_cpu", "_run_taichi"):
         run = getattr(launches, name)
         kind = "warp" if name == "_run_on_cpu" else "taichi"
@@ -269,7 +272,8 @@ def test_compilers_are_locked_while_another_thread_may_launch(kernels, device, m
 
     for name in ("_run_on_cpu", "_run_on_cuda", "_run_taichi"):
         monkeypatch.setattr(launches, name, watched(getattr(launches, name)))
-    monkeypatch.setattr(CudaLaunch, "__call__", watched(CudaLaunch.__call__))
+    for kind in (CudaLaunch, FlatLaunch):
+        monkeypatch.setattr(kind, "__call__", watched(kind.__call__))
     a, out = arrays(device)
     lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out])
     assert locked == [True]

@@ -1,0 +1,100 @@
+"""Stable sort of a few keys on one CPU thread: less than the launches and waits of a parallel sort."""
+
+from ..array_types import Device, Indices, Integers
+from ..kept_arrays import KeptArrays
+from ..lang import array, func, int32, int64, struct
+from ..memory import empty, host_view, rows_of
+
+MAX_FEW = 4096  # keys: beyond it, sorting on all cores wins (4 cores, 2026-11-28)
+DIGIT = 8  # bits of a radix pass
+BUCKETS = 256
+
+
+@struct
+class FewKeys:
+    """Keys to sort. Then `order`: their positions by key, stable; `starts`: starts of equal keys in it, then the end;
+    `counts[0]`: the number of distinct keys. `others` and `positions` are scratch.
+    """
+
+    keys: array(dtype=int64)
+    others: array(dtype=int64)
+    order: array(dtype=int32)
+    positions: array(dtype=int32)
+    starts: array(dtype=int32)
+    counts: array(dtype=int32)
+
+    def __init__(self) -> None:
+        self.keys, self.others = (empty(MAX_FEW, int64, "cpu") for _ in range(2))
+        self.positions, self.counts = empty(MAX_FEW, int32, "cpu"), empty(BUCKETS, int32, "cpu")
+        self.count_view = host_view(self.counts)
+
+    def into(self, count: int, device: Device) -> "FewKeys":
+        """Allocate the results for some keys."""
+        results = empty(2 * count + 1, int32, device)
+        self.order, self.starts = rows_of(results, 0, count), rows_of(results, count, 2 * count + 1)
+        return self
+
+    def taken(self) -> tuple[Indices, Integers, int]:
+        """The results: order, starts, and the number of distinct keys."""
+        count, order, starts = int(self.count_view[0]), self.order, self.starts
+        del self.order, self.starts  # these arrays are the caller's
+        return order, rows_of(starts, 0, count + 1), count
+
+
+few_keys = KeptArrays(FewKeys)
+
+
+@func
+def pass_few(n: int, shift: int, few: FewKeys) -> int:
+    """One radix pass from `keys`, `order` to `others`, `positions`, copied back. Returns the nonempty buckets."""
+    for digit in range(BUCKETS):
+        few.counts[digit] = 0
+    for i in range(n):
+        digit = int((few.keys[i] >> int64(shift)) & int64(BUCKETS - 1))
+        few.counts[digit] = few.counts[digit] + 1
+    begin = int(0)
+    nonempty = int(0)
+    for digit in range(BUCKETS):
+        size = few.counts[digit]
+        few.counts[digit] = begin
+        begin += size
+        nonempty += min(size, 1)
+    if nonempty > 1:
+        for i in range(n):
+            digit = int((few.keys[i] >> int64(shift)) & int64(BUCKETS - 1))
+            at = few.counts[digit]
+            few.counts[digit] = at + 1
+            few.others[at] = few.keys[i]
+            few.positions[at] = few.order[i]
+        for i in range(n):
+            few.keys[i] = few.others[i]
+            few.order[i] = few.positions[i]
+    return nonempty
+
+
+@func
+def sort_few(n: int, bit_count: int, few: FewKeys):
+    """Sort non-negative keys of some bits, and their positions by them."""
+    for i in range(n):
+        few.order[i] = i
+    passes = (bit_count + DIGIT - 1) // DIGIT
+    for k in range(passes):
+        _ = pass_few(n, DIGIT * k, few)
+
+
+@func
+def group_few(n: int, skipped: int64, few: FewKeys):
+    """Starts of equal sorted keys. Those of `skipped`, which must be the last, are left out."""
+    count = int(0)
+    end = int(0)
+    for i in range(n):
+        if few.keys[i] != skipped:
+            end = i + 1
+            is_first = i == 0
+            if i > 0:
+                is_first = few.keys[i] != few.keys[i - 1]
+            if is_first:
+                few.starts[count] = i
+                count += 1
+    few.starts[count] = end
+    few.counts[0] = count
