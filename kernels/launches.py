@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import contextvars
+import functools
 import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
@@ -45,9 +46,15 @@ def cpu_compiler(name: str) -> Iterator[None]:
         _compiler.reset(token)
 
 
+@functools.cache
+def compiler_of_environment() -> str:
+    """POINTLOOM_CPU at the first launch, or "warp": reading it takes a quarter of a launch."""
+    return os.environ.get("POINTLOOM_CPU") or "warp"
+
+
 def current_cpu_compiler() -> str:
     """The compiler of CPU launches, "warp" or "taichi" (see `cpu_compiler`). Raises RuntimeError if unusable."""
-    wanted = _compiler.get() or os.environ.get("POINTLOOM_CPU") or "warp"
+    wanted = _compiler.get() or compiler_of_environment()
     if wanted not in ("warp", "taichi"):
         raise RuntimeError(f"POINTLOOM_CPU: expected warp or taichi, got {wanted!r}")
     if wanted == "taichi":

@@ -110,7 +110,8 @@ def _new(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
     if device.is_cuda:
         if why_no_cuda_here():
             return None
-        _keep_pool(device)
+        if device.alias not in _pools:
+            _keep_pool(device)
     try:
         return device_arrays.new(shape, dtype, device)
     except RuntimeError:

@@ -12,6 +12,7 @@ from ..kernels.linear_algebra import cube_root, det, inv, matmul, norm
 
 Matrix = NDArray[np.float64]
 ROUNDED = 1e-12  # deviation of R R^T above which it is rounded to fewer digits than float64
+UPPER = np.triu_indices(6)
 SMALL_ANGLE = 1e-6  # [rad] below it second-order series are exact in float64
 
 
@@ -91,15 +92,16 @@ def invert_pose(T: Matrix) -> Matrix:
 
 def adjoint_of(T: Matrix) -> Matrix:
     """Adjoint of a pose, [6, 6], for twists."""
-    R = T[:3, :3]
-    return np.block([[R, np.zeros((3, 3))], [matmul(skew(T[:3, 3]), R), R]])
+    R, adjoint = T[:3, :3], np.zeros((6, 6))
+    adjoint[:3, :3], adjoint[3:, :3], adjoint[3:, 3:] = R, matmul(skew(T[:3, 3]), R), R
+    return adjoint
 
 
 def symmetric_matrices(triangles: NDArray[np.float64]) -> Matrix:
     """Symmetric 6x6 matrices [n, 6, 6] of row-major upper triangles [n, 21]."""
     M = np.zeros((len(triangles), 6, 6))
-    M[:, *np.triu_indices(6)] = triangles
-    return M + np.triu(M, 1).transpose(0, 2, 1)
+    M[:, UPPER[0], UPPER[1]] = M[:, UPPER[1], UPPER[0]] = triangles
+    return M
 
 
 def nearest_rotation(M: Matrix) -> Matrix:

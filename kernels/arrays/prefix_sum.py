@@ -7,6 +7,7 @@ import warp as wp
 
 from ..array_types import Array, Integers, LongIntegers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
+from ..language import device_copies
 from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of, upload, zeros
 from .runs import Runs, elements_of, row_of
@@ -69,6 +70,8 @@ def copy_middle_kernel(offsets: array(dtype=int32), slot: int, totals: array(dty
 
 def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
     """(offsets (n + 1), total): exclusive prefix sums of int32 counts. One sync. Raises ValueError above 2^31 - 1."""
+    if counts.device.is_cpu:
+        return offsets_of(counts), _checked(int(download(counts).sum(dtype=np.int64)))
     offsets, parts = scan_unread(counts)
     return offsets, _checked(total_of(download(parts)))  # sync
 
@@ -78,17 +81,15 @@ def scan_unread(counts: Integers) -> tuple[Integers, LongIntegers]:
     device, n = counts.device, counts.size
     if n == 0:
         return zeros(1, int32, device), zeros(1, int64, device)
-    offsets, runs = empty(n + 1, int32, device), Runs(n, device, RUN)
+    runs = Runs(n, device, RUN)
     parts = zeros(runs.rows, int64, device)
     if device.is_cuda:
+        offsets = empty(n + 1, int32, device)
         launch(start_offsets_kernel, runs.threads, [counts, runs, parts, offsets])
         inclusive_scan(counts, rows_of(offsets, 1, n + 1))
         return offsets, parts
-    host = host_view(offsets)
-    host[0] = 0
-    np.cumsum(download(counts), out=host[1:], dtype=np.int32)
     host_view(parts)[0] = download(counts).sum(dtype=np.int64)
-    return offsets, parts
+    return offsets_of(counts), parts
 
 
 def total_of(parts: np.ndarray) -> int:
@@ -113,13 +114,15 @@ def scan_two(counts: Integers) -> tuple[Integers, int, int]:
 
 def offsets_of(counts: Integers) -> Integers:
     """Offsets only, without sync, if the sum is known to be below 2^31."""
-    offsets = zeros(counts.size + 1, int32, counts.device)
-    if not counts.size:
+    if counts.device.is_cpu:
+        offsets = empty(counts.size + 1, int32, counts.device)
+        host = host_view(offsets)
+        host[0] = 0
+        np.cumsum(download(counts), out=host[1:], dtype=np.int32)
         return offsets
-    if counts.device.is_cuda:
+    offsets = zeros(counts.size + 1, int32, counts.device)
+    if counts.size:
         inclusive_scan(counts, rows_of(offsets, 1, offsets.size))
-    else:
-        np.cumsum(download(counts), out=host_view(offsets)[1:], dtype=np.int32)
     return offsets
 
 
@@ -167,7 +170,8 @@ def _checked(total: int) -> int:
 def inclusive_scan(counts: Array, sums: Array) -> None:
     """sums[i] = counts[0] + ... + counts[i] by Warp's scan on CUDA; int32 device arrays (n), which may be the same."""
     with lock_for(counts.device), counts.device.context_guard:  # Warp scans on the current GPU
-        wp.utils.array_scan(counts, sums, inclusive=True)
+        if not device_copies.is_scanned(counts, sums):
+            wp.utils.array_scan(counts, sums, inclusive=True)
 
 
 def sum_counts(counts: Integers) -> int:

@@ -14,7 +14,7 @@ import warp as wp
 
 from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
-from ..language import cpu_pool
+from ..language import cpu_pool, device_copies
 from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of
 from .radix_sort import radix_argsort
@@ -112,4 +112,5 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
 
 def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> None:
     with lock_for(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
-        wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)
+        if not device_copies.is_sorted(keys, values, count, bit_count):
+            wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)

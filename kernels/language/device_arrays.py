@@ -134,15 +134,18 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
     if not warp_parts.makes_arrays_plainly(device):
         return None
     if type(shape) is int:
-        kind = kind_of(dtype, 1, device)
-        shape, strides, size = (shape,), (kind.element_bytes,), shape * kind.element_bytes
+        kind = _kinds.get((dtype, 1, device.alias)) or kind_of(dtype, 1, device)
+        size = shape * kind.element_bytes
+        is_fit = 0 <= shape < MAX_EXTENT
+        shape, strides = (shape,), (kind.element_bytes,)
     else:
         shape = tuple(map(int, shape))  # type: ignore[arg-type]
         if not 0 < len(shape) <= warp_parts.MAX_AXES:
             return None
         kind, strides = _kind_and_strides(dtype, shape, device)
         size = shape[0] * strides[0]
-    if min(shape) < 0 or max(shape) >= MAX_EXTENT or strides[0] >= MAX_EXTENT:
+        is_fit = min(shape) >= 0 and max(shape) < MAX_EXTENT and strides[0] < MAX_EXTENT
+    if not is_fit:
         return None
     if device.is_cpu:
         return kind.new(shape, strides, size)

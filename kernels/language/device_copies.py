@@ -1,4 +1,4 @@
-"""Fast fills and copies on, to, and from a GPU by Warp's native calls on the same stream.
+"""Fast fills, copies, scans and sorts on, to, and from a GPU by Warp's native calls on the same stream.
 
 Functions return False or None without any effect if Warp has to do it, such as during a recording. Take the lock.
 """
@@ -9,6 +9,7 @@ import ctypes
 from typing import Any
 
 import numpy as np
+import warp as wp
 from numpy.typing import NDArray
 
 from . import warp_parts
@@ -91,6 +92,26 @@ def fetched(values: Any) -> NDArray[Any] | None:
     if not core.wp_cuda_stream_synchronize(stream):  # sync
         raise RuntimeError(f"Failed to synchronize stream on device {device}: {device.runtime.get_error_string()}")
     return out
+
+
+def is_scanned(counts: Any, sums: Any) -> bool:
+    """Inclusive prefix sums of int32 numbers. Take the context of the device, too."""
+    if not _is_plain(counts) or not _is_plain(sums) or not counts.dtype is sums.dtype is wp.int32:
+        return False
+    if counts.device is not sums.device or not 0 < counts.size == sums.size:
+        return False
+    done = warp_parts.core().wp_array_scan_int_device(counts.ptr, sums.ptr, counts.size, 4, 4, 1, True)
+    return _checked(done, counts.device)
+
+
+def is_sorted(keys: Any, values: Any, count: int, bit_count: int) -> bool:
+    """Sort int64 keys and int32 values in place, with room for twice `count`. Take the context of the device, too."""
+    if not _is_plain(keys) or not _is_plain(values) or keys.dtype is not wp.int64 or values.dtype is not wp.int32:
+        return False
+    if keys.device is not values.device or not 0 < 2 * count <= min(keys.size, values.size) or not bit_count:
+        return False
+    warp_parts.core().wp_radix_sort_pairs_int64_device(keys.ptr, values.ptr, count, 0, bit_count, 4)
+    return True
 
 
 def _checked(done: Any, device: Any) -> bool:

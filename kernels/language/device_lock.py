@@ -18,7 +18,7 @@ from typing import Any
 import warp as wp
 
 from ..array_types import Device
-from .streams import NonBlockingStream, note_use, order_releases
+from .streams import NonBlockingStream, note_use, order_releases, used
 
 lock = threading.RLock()
 _memory_of_host: AbstractContextManager[Any] = nullcontext()
@@ -75,6 +75,12 @@ def release_under_lock(
     if _is_without_cuda:
         return  # owned by the parent
     note_use(device)
+    if sets_context and not waiting and not used and lock.acquire(blocking=False):
+        try:
+            release(address, size)
+        finally:
+            lock.release()
+        return
     waiting.append((None if sets_context else device, release, address, size))
     if lock.acquire(blocking=False):
         try:

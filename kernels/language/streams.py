@@ -21,7 +21,7 @@ _NON_BLOCKING = 1  # CU_STREAM_NON_BLOCKING
 _NO_TIMING = 2  # CU_EVENT_DISABLE_TIMING
 
 # Non-blocking streams in use that no release has waited for: by handle the GPU, and whether the stream exists
-_used: dict[int, tuple[Any, Callable[[], Any]]] = {}
+used: dict[int, tuple[Any, Callable[[], Any]]] = {}
 
 
 class NonBlockingStream(wp.Stream):
@@ -48,9 +48,11 @@ class NonBlockingStream(wp.Stream):
 def note_use(device: Any) -> None:
     """Note that the current stream may have to be waited for before a release."""
     stream = device.stream
+    if getattr(stream, "_is_blocking", None) is True:  # known to Warp
+        return
     if not isinstance(stream, NonBlockingStream) and not _blocks(stream):
         is_torchs = getattr(stream, "_torch_stream", None) is not None  # which it never releases
-        _used[stream.cuda_stream] = device, (lambda: True) if is_torchs else weakref.ref(stream)
+        used[stream.cuda_stream] = device, (lambda: True) if is_torchs else weakref.ref(stream)
 
 
 def _blocks(stream: Any) -> bool:
@@ -65,8 +67,8 @@ def order_releases() -> None:
     """Make the legacy stream, which releases memory, wait for all non-blocking streams in use. If a stream's object is
     gone, the host waits. Recording streams are left out."""
     remaining = {}
-    while _used:
-        handle, (device, stream) = _used.popitem()
+    while used:
+        handle, (device, stream) = used.popitem()
         with device.context_guard:
             if stream() is None:
                 _check(device, driver().cuCtxSynchronize())  # sync
@@ -76,7 +78,7 @@ def order_releases() -> None:
                 wait_for(None, handle, device)
             if is_recorded or handle == device.stream.cuda_stream:
                 remaining[handle] = device, stream
-    _used.update(remaining)
+    used.update(remaining)
 
 
 def wait_for(stream: int | None, other: int, device: Any) -> None:

@@ -44,6 +44,8 @@ FUNCTIONS = {  # of the native library, with their argument types
     "wp_memcpy_d2h": 5,
     "wp_memcpy_h2d": 5,
     "wp_cuda_stream_synchronize": 1,
+    "wp_array_scan_int_device": 7,
+    "wp_radix_sort_pairs_int64_device": 6,
 }
 
 

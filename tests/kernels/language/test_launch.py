@@ -164,7 +164,7 @@ def test_a_reduction_is_bitwise_identical_in_every_run(kernels, device, rng):
 
 @pytest.fixture
 def ran(monkeypatch):
-    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.setattr(launches, "compiler_of_environment", lambda: "warp")
     compilers = []
     prepared = FlatLaunch.__call__
     monkeypatch.setattr(FlatLaunch, "__call__", lambda *a: compilers.append("warp") or prepared(*a))
@@ -233,14 +233,14 @@ print([name for name in ("taichi", "scipy.spatial", "scipy.sparse", "PIL", "rich
 
 @pytest.mark.slow
 def test_a_first_operation_loads_neither_taichi_nor_scipy(monkeypatch):
-    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.setattr(launches, "compiler_of_environment", lambda: "warp")
     done = subprocess.run([sys.executable, "-c", FIRST], capture_output=True, text=True, timeout=300, check=False)
     assert (done.returncode, done.stdout.strip()) == (0, "[]"), done.stderr
 
 
 @pytest.mark.slow
 def test_threads_that_launch_a_kernel_first_at_once_make_it_once(write_kernels, monkeypatch):
-    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.setattr(launches, "compiler_of_environment", lambda: "warp")
     kernel = write_kernels("first_at_once", SOURCE).double_kernel
     made, make = [], kernel.make
     kernel.make = lambda target: made.append(target) or make(target)

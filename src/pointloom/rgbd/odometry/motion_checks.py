@@ -160,5 +160,7 @@ def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:
     n = v[at.INLIERS]
     c = v[at.POINTS : at.POINTS + 3] / n
     spread = np.sqrt(max((v[at.POINTS + 3] + v[at.POINTS + 6] + v[at.POINTS + 8]) / n - matmul(c, c), 1e-12))
-    cross = np.array([[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]])
-    return np.block([[np.eye(3) / spread, np.zeros((3, 3))], [cross / spread, np.eye(3)]])
+    b = np.eye(6)
+    b[3:, :3] = [[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]]
+    b[:, :3] /= spread
+    return b
