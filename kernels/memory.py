@@ -110,8 +110,7 @@ def _new(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
     if device.is_cuda:
         if why_no_cuda_here():
             return None
-        if device.alias not in _pools:
-            _keep_pool(device)
+        _keep_pool(device)
     try:
         return device_arrays.new(shape, dtype, device)
     except RuntimeError:
