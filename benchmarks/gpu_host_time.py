@@ -33,7 +33,7 @@ from typing import Any
 ROOT, DEVICE = Path(__file__).parents[1], "cuda:0"
 CALIBRATION, WARM_UP, IN_A_ROW, PROFILED, PROFILE_LINES = 20_000, 2, 10, 20, 45
 COUNTS = ("launches", "graphs", "graphs made", "copies to host", "copies to device", "allocations", "waits")
-WAITING = ("register_globally", "odometry, a scan")  # synchronize dozens of times per call: caches are cold
+WAITING = ("register_globally", "odometry, a scan", "slam frame", "ransac", "planar patches")  # synchronize dozens of times per call: caches are cold
 clock = time.thread_time
 
 
@@ -111,6 +111,7 @@ def install() -> tuple[Any, Inside]:
 
 def cloud_operations() -> dict[str, Callable[[], Any]]:
     """Operations on a cloud with an existing tree."""
+    import numpy as np
     import scenes
 
     import pointloom as loom
@@ -118,11 +119,14 @@ def cloud_operations() -> dict[str, Callable[[], Any]]:
     cloud = loom.PointCloud(scenes.bumpy_surface(3000, 0), device=DEVICE).to(DEVICE, arrays="warp")
     facing = cloud.estimate_normals(max_nn=30)
     search = loom.NearestNeighborSearch(cloud)
+    rooms = loom.PointCloud(np.concatenate([scenes.bumpy_surface(2000, k) + 3 * k for k in range(3)]), device=DEVICE)
+    rooms = rooms.estimate_normals(max_nn=20)
     return {
         "normals k30": lambda: cloud.estimate_normals(max_nn=30),
         "voxel_down_sample": lambda: cloud.voxel_down_sample(0.2),
         "knn 20": lambda: search.knn_search(cloud.array("points"), 20),
         "statistical outliers": lambda: cloud.remove_statistical_outlier(20, 2.0),
+        "planar patches": lambda: rooms.detect_planar_patches(max_nn=20),
         "dbscan": lambda: cloud.cluster_dbscan(0.1, 8),
         "fpfh": lambda: loom.compute_fpfh_feature(facing, radius=0.3, max_nn=50),
     }
@@ -145,7 +149,10 @@ def registration_operations() -> dict[str, Callable[[], Any]]:
     run = reg.LidarOdometry(voxel_size=1.0, device=DEVICE)
     left = iter(scans)
     run.register(next(left))
+    features = [loom.compute_fpfh_feature(c.estimate_normals(max_nn=20), radius=0.4, max_nn=60) for c in (source, target)]
+    pairs = reg.registration_ransac_based_on_feature_matching
     return {
+        "ransac": lambda: pairs(source, target, *features, True, 0.15, seed=2),
         "icp plane, 20 steps": lambda: reg.registration_icp(source, target, 0.3, None, plane, steps),
         "gicp, 20 steps": lambda: reg.registration_icp(source, target, 0.3, None, general, steps),
         "register_globally": lambda: reg.register_globally(source, target, voxel_size=0.15),
@@ -155,8 +162,11 @@ def registration_operations() -> dict[str, Callable[[], Any]]:
 
 def frame_operations() -> dict[str, Callable[[], Any]]:
     """Depth images, volumes and rays."""
+    from types import SimpleNamespace
+
     import numpy as np
     import scenes
+    from bench_slam import room_frames
     from mesh_scenes import scene_in_pointloom, wavy_mesh
 
     import pointloom as loom
@@ -171,7 +181,12 @@ def frame_operations() -> dict[str, Callable[[], Any]]:
     scene = scene_in_pointloom(wavy_mesh(24), DEVICE)
     rng = np.random.default_rng(0)
     rays = np.concatenate([rng.random((2_000, 3)) * 4 - 2, rng.standard_normal((2_000, 3))], axis=1).astype(np.float32)
+    room = room_frames(WARM_UP + 14, 160, 120)
+    slam = loom.slam.DenseSLAM(room.camera, voxel_size=0.04, device=DEVICE)
+    left = iter([SimpleNamespace(depth=d, color=c) for d, c in zip(room.depths, room.colors, strict=True)])
+    slam.step(next(left))
     return {
+        "slam frame": lambda: slam.step(next(left)),
         "tsdf integrate": lambda: volume.integrate(frames.depths[1], camera, frames.extrinsics[1], **scale),
         "tsdf mesh": lambda: volume.extract_triangle_mesh(0),
         "rgbd frame": lambda: loom.odometry.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE),

@@ -24,7 +24,7 @@ from .language.module_loading import load_module
 from .language.prepared_launches import FlatLaunch, TaichiLaunch, WarpLaunch
 from .language.segment_launches import PreparedSegmentSum, launch_segments
 from .language.warp_parts import launches_plainly
-from .memory import empty, zeros
+from .memory import empty, rows_of, zeros
 
 if TYPE_CHECKING:
     from .array_types import Array1, Integers
@@ -130,14 +130,17 @@ def _is_launched_flat(kernel: Kernel, thread_count: int, arguments: Sequence[Any
     return True
 
 
-def _flattened(kernel: Kernel, arguments: Sequence[Any], values: Sequence[Any]) -> tuple[Flattener, FlatLaunch] | None:
-    """A prepared CPU launch. None if these arguments do not show that it is equivalent."""
-    launch = _by_warp[kernel]
+def _flattened(
+    what: Kernel | Reduction, arguments: Sequence[Any], values: Sequence[Any], rest: Sequence[Any] = ()
+) -> tuple[Flattener, FlatLaunch] | None:
+    """A prepared CPU launch. None if these arguments do not show that it is equivalent. `rest`: further arguments."""
+    launch = _by_warp[what]
     with contextlib.suppress(*UNFIT):
-        flatten = flattener(kernel.types, wp.get_device("cpu"), kernel.field_paths, len(kernel.takes))
+        flatten = flattener(what.types, wp.get_device("cpu"), what.field_paths, len(what.takes))
         if isinstance(launch, WarpLaunch) and launch.layout:
             made = FlatLaunch(launch)
-            return (flatten, made) if made.packs_as(launch, flatten(arguments), values) else None
+            flat = [*flatten(arguments), *(getattr(value, "packed_", value) for value in rest)]
+            return (flatten, made) if made.packs_as(launch, flat, [*values, *rest]) else None
     return None
 
 
@@ -266,13 +269,13 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
         total = _prepared_sum(reduction, count, arguments, home)
         if total is not None:
             return total
+    elif (total := _flat_sum(reduction, count, arguments)) is not None:
+        return total
     values, device = checked_arguments(reduction, count, arguments)
     if count == 0:
         return zeros(1, reduction.vector, device)
-    out = empty(1, reduction.vector, device)
     size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
-    blocks = -(-count // size)
-    partials = empty(blocks, reduction.vector, device)
+    blocks, partials, out = _arrays_of_sum(reduction, count, size, device)
     with lock:
         if device.is_cuda:
             kernels, inputs = reduction.cuda, [*values, count, partials]
@@ -283,11 +286,48 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
                     folded = [blocks, partials, out]
                     reduction.prepared[device.alias] = PreparedSum.of(reduction, inputs, folded, device)
         elif current_cpu_compiler() == "warp":
-            _run_on_cpu(reduction, [*values, count, BLOCK, blocks, partials, out], blocks, 1)
+            rest = [count, BLOCK, blocks, partials, out]
+            _run_on_cpu(reduction, [*values, *rest], blocks, 1)
+            if "cpu" not in reduction.prepared:
+                reduction.prepared["cpu"] = _flattened(reduction, arguments, values, rest)
         else:
             chunks = taichi_compiler.start().chunks(blocks)
             _run_taichi_sum(reduction, [*values, count, BLOCK, partials, out, *chunks])
     return out
+
+
+def _arrays_of_sum(reduction: Reduction, count: int, size: int, device: Device) -> tuple[int, wp.array, Any]:
+    """Number of partial sums over `size` elements each, their array, and that of the total, in one allocation."""
+    blocks = -(-count // size)
+    sums = empty(blocks + 1, reduction.vector, device)
+    return blocks, rows_of(sums, 1, blocks + 1), rows_of(sums, 0, 1)
+
+
+def _flat_sum(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any] | None:
+    """The sum by a prepared CPU launch. None, without effect, if there is none or the arguments need conversion."""
+    if reduction.prepared.get("cpu") is None or not 0 < count <= MAX_THREADS:
+        return None
+    blocks, partials, out = _arrays_of_sum(reduction, count, BLOCK, wp.get_device("cpu"))
+    return out if _is_summed_flat(reduction, arguments, [count, BLOCK, blocks, partials, out], blocks, 1) else None
+
+
+def _is_summed_flat(
+    reduction: Reduction, arguments: Sequence[Any], rest: Sequence[Any], blocks: int, sums: int
+) -> bool:
+    """Use a prepared CPU launch. False, without effect, if there is none or the arguments need conversion."""
+    prepared: tuple[Flattener, FlatLaunch] | None = reduction.prepared.get("cpu")
+    if prepared is None or current_cpu_compiler() != "warp":
+        return False
+    flatten, launched = prepared
+    try:
+        flat = [*flatten(arguments), *(getattr(value, "packed_", value) for value in rest)]
+        with lock:
+            if _sequence is not None:
+                return False
+            launched(flat, blocks, sums)
+    except UNFIT:
+        return False
+    return True
 
 
 def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
@@ -297,9 +337,7 @@ def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], de
         return None
     try:
         flat = prepared.flatten(arguments)
-        out = empty(1, reduction.vector, device)
-        blocks = -(-count // warp_compiler.REDUCTION_BLOCK)
-        partials = empty(blocks, reduction.vector, device)
+        blocks, partials, out = _arrays_of_sum(reduction, count, warp_compiler.REDUCTION_BLOCK, device)
         with lock:
             prepared.sum(count, flat, blocks, partials, out)
     except UNFIT:
@@ -319,6 +357,9 @@ def reduce_segments(
         prepared: PreparedSegmentSum | None = reduction.prepared.get(home.alias)
         if prepared is not None and prepared.is_launched(arguments, blocks, live, partials, out):
             return
+    rest = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live, blocks.count, partials, out]
+    if out.device.is_cpu and _is_summed_flat(reduction, arguments, rest, blocks.count, out.size):
+        return
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     with lock:
         if device.is_cuda:
@@ -328,12 +369,12 @@ def reduce_segments(
                     made = PreparedSegmentSum.of(reduction, values, blocks, live, partials, out)
                     reduction.prepared[device.alias] = made
         elif current_cpu_compiler() == "warp":
-            tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]
-            _run_on_cpu(reduction, [*values, *tables, blocks.count, partials, out], blocks.count, out.size)
+            _run_on_cpu(reduction, [*values, *rest], blocks.count, out.size)
+            if "cpu" not in reduction.prepared:
+                reduction.prepared["cpu"] = _flattened(reduction, arguments, values, rest)
         else:
             chunks = taichi_compiler.start().chunks(blocks.count)
-            tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]
-            _run_taichi_sum(reduction, [*values, *tables, partials, out, out.size, *chunks])
+            _run_taichi_sum(reduction, [*values, *rest[:5], partials, out, out.size, *chunks])
 
 
 def loop_while(condition: Integers, body: Callable[[], None]) -> None:
