@@ -5,10 +5,12 @@ the mean over the nearest surface. Holes neither count nor spread. Planes are fi
 (Holzer et al. 2012), which are linear on planes and, for stereo and structured light, uniformly noisy.
 """
 
+from collections.abc import Hashable
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array_types import Array2, Device, Points, Scalars
+from ..array_types import AnyArray, Array2, Device, Points, Scalars
 from ..images.depth import BLUE, GREEN, RED, intensity_of
 from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
@@ -23,6 +25,22 @@ NO_DEPTH = 1.0e30  # [m] result without valid pixels
 NO_COLOR = -1.0  # brightness of pixels without color
 MIN_SINE = 0.08  # of the angle between surface and view: flatter ones have no reliable plane
 MIN_SUPPORT = 0.55  # fraction of a window's pixels required for a plane
+
+
+_tables: dict[Hashable, tuple[AnyArray, AnyArray]] = {}  # layouts and lenses, since all frames of a camera share them
+MAX_TABLES = 32
+
+
+def _tables_of(layout: np.ndarray, lenses: np.ndarray, device: Device) -> tuple[AnyArray, AnyArray]:
+    """Layout and lenses on a device, the same arrays for the same numbers. Each stream has its own."""
+    stream = device.stream.cuda_stream if device.is_cuda else 0
+    key = layout.tobytes(), lenses.tobytes(), device.alias, stream
+    tables = _tables.get(key)
+    if tables is None:
+        if len(_tables) >= MAX_TABLES:
+            _tables.clear()
+        tables = _tables[key] = upload(layout, vec4i, device), upload(lenses, vec4, device)
+    return tables
 
 
 @struct
@@ -42,8 +60,8 @@ class FrameLevels:
         counts = self.counts = self.sizes[:, 0] * self.sizes[:, 1]
         self.firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
         self.host_lenses = np.asarray(lenses, np.float64)
-        self.layout = upload(np.column_stack([self.sizes, self.firsts, counts]), vec4i, device)
-        self.lenses = upload(self.host_lenses, vec4, device)
+        table = np.column_stack([self.sizes, self.firsts, counts])
+        self.layout, self.lenses = _tables_of(table, self.host_lenses, device)
         total = int(counts.sum())
         self.depth, self.brightness = empty(total, float32, device), empty(total, float32, device)
         self.planes = empty(total, vec4, device)
