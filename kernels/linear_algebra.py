@@ -8,6 +8,7 @@ compiled kernels of one thread (`small_matrices.py`), on arrays that are kept fo
 from __future__ import annotations
 
 import contextlib
+import functools
 import math
 from collections.abc import Callable
 from typing import Any
@@ -119,7 +120,9 @@ def solve(A: Any, b: Any) -> Array:
     A, b = np.asarray(A, np.float64), np.asarray(b, np.float64)
     if b.ndim == 1:
         return solve(A, b[:, None])[:, 0]
-    n, shape = A.shape[-1], np.broadcast_shapes(A.shape[:-2], b.shape[:-2])
+    n, shape = A.shape[-1], ()
+    if A.ndim > 2 or b.ndim > 2:
+        shape = np.broadcast_shapes(A.shape[:-2], b.shape[:-2])
     sizes = (math.prod(shape), n, n + b.shape[-1])
     arrays = _systems.take(*sizes)
     systems = arrays.systems.reshape(*shape, n, n + b.shape[-1])
@@ -135,7 +138,13 @@ def solve(A: Any, b: Any) -> Array:
 
 def inv(A: Any) -> Array:
     """Inverse of matrices of shape (..., n, n). Raises LinAlgError if singular."""
-    return solve(A, np.eye(np.shape(A)[-1]))
+    A = np.asarray(A, np.float64)
+    return solve(A, _identity(A.shape[-1]))
+
+
+@functools.lru_cache(maxsize=16)
+def _identity(n: int) -> Array:
+    return np.eye(n)
 
 
 def eigh(A: Any) -> tuple[Array, Array]:
