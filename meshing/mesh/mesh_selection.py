@@ -248,13 +248,15 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_non_manifold_edges().triangles.tolist()
             [[0, 1, 3], [0, 1, 4]]
         """
-        crowded, plain = crowded_edges.find_at_crowded_edges(self._arrays["triangles"], self._vertex_count)
-        if not crowded.size:
+        crowded = crowded_edges.CrowdedTriangles(self._arrays["triangles"], self._vertex_count)
+        if not crowded.rows.size:
             return self._with_arrays()
-        mesh = self if plain.size == len(self) else self._with_arrays(**self._triangles_at(plain))
-        return mesh._without(
-            crowded_edges.mask_crowding(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"])
-        )
+        mesh = self
+        if crowded.plain.size < len(self):
+            mesh = self._with_arrays(**self._triangles_at(crowded.plain))
+            crowded = crowded_edges.CrowdedTriangles(mesh._arrays["triangles"], self._vertex_count)
+        vertices, triangles = mesh._arrays["vertices"], mesh._arrays["triangles"]
+        return mesh._without(crowded_edges.mask_crowding(vertices, triangles, crowded))
 
     def _merge_close(self, name: str, distance: Any) -> Self:
         """`merge_close_vertices`; `name` is the argument named in errors."""
