@@ -12,7 +12,7 @@ from ..array_types import Array1, Integers, Positions, Triangles
 from ..arrays.prefix_sum import offsets_of
 from ..lang import array, float64, int32, kernel, launch, struct, tid, vec2, vec3d, vec3i
 from ..memory import copy, empty, full, zeros
-from ..meshes.mesh_edges import MeshEdges, count_sharers, opposite_vertex
+from ..meshes.mesh_edges import MeshEdges, SortedEdges, count_sharers, opposite_vertex
 from ..meshes.mixed_rows import MixedRows, with_vertices_on_edges
 from ..meshes.vertex_neighbors import VertexNeighbors
 
@@ -42,9 +42,10 @@ class EdgeSplit:
     numbers: array(dtype=int32)
     middles: array(dtype=int32)
 
-    def __init__(self, triangles: Triangles, vertex_count: int) -> None:
+    def __init__(self, triangles: Triangles, vertex_count: int, in_order: SortedEdges | None = None) -> None:
+        """Number the new vertices. `in_order`: known result of `sorted_edges`."""
         device, half_edge_count = triangles.device, 3 * triangles.size
-        self.edges = MeshEdges(triangles, vertex_count)  # sync
+        self.edges = MeshEdges(triangles, vertex_count, in_order=in_order)  # sync
         firsts = zeros(half_edge_count, int32, device)
         launch(mark_first_half_edges_kernel, self.edges.count, [self.edges, firsts])
         offsets = offsets_of(firsts)
