@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from ...kernels.array_types import Array, Indices
-from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import vec3
 from ...kernels.meshes import merge_vertices
 from ...kernels.meshes.mesh_edges import SortedEdges, sorted_edges
@@ -41,7 +41,7 @@ def sew(mesh: MeshType) -> Sewn[MeshType]:
     numbers, count = merge_vertices.number_owners(owners)  # sync
     if count == owners.size:
         return Sewn(mesh, None, in_order)
-    owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+    owner_rows = merge_vertices.list_owners(owners, numbers, count)
     rows = mesh._vertices_at(owner_rows)
     means = {name: values for name, values in mesh._per_vertex().items() if values.dtype == vec3}
     unit = [name == "vertex_normals" for name in means]

@@ -199,7 +199,7 @@ class MeshSelection(MeshArrays):
         """
         owners = find_equal_points(self._arrays["vertices"])
         new_indices, count = merge_vertices.number_owners(owners)  # sync
-        owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+        owner_rows = merge_vertices.list_owners(owners, new_indices, count)
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
         return self._with_arrays(triangles=triangles, **self._vertices_at(owner_rows))
 
@@ -277,7 +277,7 @@ class MeshSelection(MeshArrays):
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
         arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
         if self._attributes["vertex_attributes"]:
-            owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+            owner_rows = merge_vertices.list_owners(owners, new_indices, count)
             arrays |= self._attributes_at("vertex_attributes", owner_rows)
         return self._with_arrays(triangles=triangles, **arrays)
 
@@ -304,7 +304,8 @@ class MeshSelection(MeshArrays):
         return self._arrays["vertices"].size
 
     def _without(self, mask: wp.array) -> Self:
-        return self._with_arrays(**self._triangles_at(positions_of(invert_mask(mask))))  # sync
+        rows = mesh_edits.unmarked_rows(mask)  # sync
+        return self._with_arrays(**({} if rows.size == mask.size else self._triangles_at(rows)))
 
     @returns_new
     def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:
