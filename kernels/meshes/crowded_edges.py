@@ -13,7 +13,7 @@ from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, float_bits, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import empty, full, zeros
 from .clean_triangles import uses_vertex_twice
-from .mesh_edges import find_edges, run_indices
+from .mesh_edges import find_edges
 from .surface_samples import measure_areas
 
 MANIFOLD = 2  # maximum number of triangles at an edge
@@ -23,12 +23,14 @@ FEW = 1 << 11  # triangles that one CPU thread decides faster than rounds on two
 
 
 @kernel
-def spread_edges_kernel(edges: UniqueKeys, edge_of: array(dtype=int32), of_half_edge: array(dtype=int32)):
-    """Edge of each half-edge if it is crowded, else -1."""
+def spread_edges_kernel(edges: UniqueKeys, of_half_edge: array(dtype=int32)):
+    """Edge of each half-edge if it is crowded, else -1. One thread per edge."""
     i = tid()
-    e = edge_of[i]
-    crowded = edges.starts[e + 1] - edges.starts[e] > MANIFOLD
-    of_half_edge[edges.order[i]] = e if crowded else -1
+    first = edges.starts[i]
+    last = edges.starts[i + 1]
+    edge = i if last - first > MANIFOLD else -1
+    for j in range(first, last):
+        of_half_edge[edges.order[j]] = edge
 
 
 @kernel
@@ -152,9 +154,8 @@ def mask_removed_kernel(rows: array(dtype=int32), states: array(dtype=int32), ma
 def _crowded_edges_of(triangles: Triangles, vertex_count: int) -> tuple[Indices, int]:
     """(Edges of half-edges, -1 if not crowded; a number beyond all edges.)"""
     edges = find_edges(triangles, vertex_count, padded=True)
-    edge_of = run_indices(edges, 3 * triangles.size)
     of_half_edge = empty(3 * triangles.size, int32, triangles.device)
-    launch(spread_edges_kernel, of_half_edge.size, [edges, edge_of, of_half_edge])
+    launch(spread_edges_kernel, edges.count, [edges, of_half_edge])
     return of_half_edge, edges.count
 
 
