@@ -10,6 +10,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..core.attribute_hints import HintedNames
+from ..core.coordinates import finite_rows
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.extent.central_hull import find_central_hull
@@ -141,7 +142,7 @@ def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Ext
         coordinates = matmul(arms, along)
         return Extremes(np.array(sorted({int(coordinates.argmin()), int(coordinates.argmax())})), none, 1)
     perpendicular = across[widths.argmax()] / widths.max()
-    if len(positions) > 3 and np.abs(matmul(arms, np.cross(along, perpendicular))).max() > tolerance:
+    if len(positions) > 3 and np.abs(matmul(arms, _cross_rows(along[None], perpendicular[None])[0])).max() > tolerance:
         return None
     hull = _run_qhull(np.column_stack([matmul(arms, along), matmul(arms, perpendicular)]), "Qt")
     assert hull is not None  # not collinear
@@ -156,27 +157,41 @@ def orient(
 ) -> NDArray[np.int32]:
     """Orient Qhull's triangles counterclockwise seen from their normals' side."""
     a, b, c = (positions[triangles[:, k]] for k in range(3))
-    backward = np.einsum("ij,ij->i", np.cross(b - a, c - a), planes[:, :3]) < 0
+    backward = np.einsum("ij,ij->i", _cross_rows(b - a, c - a), planes[:, :3]) < 0
     oriented = triangles.copy()
     oriented[backward, 1:] = triangles[backward, 2:0:-1]
     return oriented
 
 
+def _cross_rows(u: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """`np.cross` of rows (n, 3), bitwise identical, in half the time for few rows."""
+    crosses = np.empty_like(u)
+    for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
+        crosses[:, k] = u[:, i] * v[:, j] - u[:, j] * v[:, i]
+    return crosses
+
+
 def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDArray[np.int64], NDArray[np.float64]]:
     """Hull of vec3 points: extremes, indices and positions of the candidate points. ValueError if none is finite."""
-    low, high, finite = bound_points(points)
-    if not finite:
-        raise ValueError("points: expected at least one finite point, got none")
-    low, high = low.astype(np.float64), high.astype(np.float64)
-    half = (high - low) / 2
-    rows = np.arange(points.size)
-    if points.size >= FEW and (half > 0).all():
-        scaled = scale_points(points, (low + high) / 2, 1 / half)
-        rows = outer_rows(scaled)
-    near = download(gather_rows(points, upload(rows, int32, points.device))).astype(np.float64)
-    is_finite = np.isfinite(near).all(axis=1)
+    rows, near = _candidates(points)
+    is_finite = finite_rows(near)
     rows, near = rows[is_finite], near[is_finite]
+    if not len(rows):
+        raise ValueError("points: expected at least one finite point, got none")
     return find_extremes(near, joggle, ROUNDING * float(np.abs(near).max())), rows, near
+
+
+def _candidates(points: wp.array) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Ascending indices and positions of vec3 points among which are all finite hull vertices: all if there are few."""
+    chosen, rows = points, np.arange(points.size)
+    if points.size >= FEW:
+        low, high, count = bound_points(points)  # sync
+        low, high = low.astype(np.float64), high.astype(np.float64)
+        half = (high - low) / 2
+        if count and (half > 0).all():
+            rows = outer_rows(scale_points(points, (low + high) / 2, 1 / half))
+            chosen = gather_rows(points, upload(rows, int32, points.device))
+    return rows, download(chosen).astype(np.float64).reshape(-1, 3)  # sync
 
 
 def outer_rows(points: wp.array) -> NDArray[np.int64]:

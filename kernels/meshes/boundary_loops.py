@@ -2,8 +2,8 @@
 
 Successors along the boundary are found by rotation around each vertex. Loops are ranked by pointer jumping (Wyllie
 1979) in log2 n passes. A loop that passes a vertex twice is split there by one thread per loop. Paths end at
-non-manifold or inconsistently oriented edges and form chains, not loops. About 60 B per boundary half-edge and 8 B per
-half-edge.
+non-manifold or inconsistently oriented edges and form chains, not loops. On the CPU one thread follows few half-edges.
+About 60 B per boundary half-edge and 8 B per half-edge.
 """
 
 import numpy as np
@@ -14,11 +14,13 @@ from ..arrays.select import gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys, cut_together
 from ..lang import Kernel, array, func, int32, int64, kernel, launch, tid, uint8, vec3i
-from ..memory import clone, empty, full
+from ..memory import clone, download, empty, full, upload
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_indices
 from .mesh_topology import corner_vertex, next_corner
 
 BORDER, BLOCKED = -1, -2  # stored for a half-edge without an opposite
+UNSEEN, CHAIN, LOOP = 0, 1, 2  # states of a half-edge: not visited, not on a loop, on a loop
+FEW = 1 << 14  # half-edges that one thread follows faster than two jump: 2.2 to 3.2 ms, 0.2 to 0.6 for 30 (2026-11-28)
 
 
 @kernel
@@ -168,8 +170,45 @@ def _jump(kernel: Kernel, jumps: Integers, values: LongIntegers) -> tuple[Intege
     return jumps, values
 
 
+@kernel
+def trace_loops_kernel(
+    vertices: array(dtype=int32),
+    nexts: array(dtype=int32),
+    leaders: array(dtype=int64),
+    before: array(dtype=int64),
+    states: array(dtype=uint8),
+):
+    """Follow all paths by one thread. On loops: leaders, and half-edges from the leader on. `states` become CHAIN or
+    LOOP."""
+    i = tid()
+    for h in range(i, nexts.shape[0]):
+        if int(states[h]) == UNSEEN:
+            leader = pack_bits(vertices[h], h)
+            at = h
+            going = 1
+            while going == 1:
+                states[at] = uint8(CHAIN)
+                leader = min(leader, pack_bits(vertices[at], at))
+                at = nexts[at]
+                going = 0
+                if at >= 0:
+                    if int(states[at]) == UNSEEN:
+                        going = 1
+            if at == h:
+                at = int(leader & 0xFFFFFFFF)
+                distance = int64(0)
+                while int(states[at]) == CHAIN:
+                    states[at] = uint8(LOOP)
+                    leaders[at] = leader
+                    before[at] = distance
+                    distance += 1
+                    at = nexts[at]
+
+
 def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]:
     """Loops among distinct successors, each from its lowest vertex on, sorted: (rows int32 [k], padded UniqueKeys)."""
+    if not nexts.device.is_cuda and nexts.size <= FEW:
+        return _rank_few(vertices, nexts)
     device, count = nexts.device, nexts.size
     leaders = empty(count, int64, device)
     launch(begin_leaders_kernel, count, [vertices, leaders])
@@ -185,6 +224,20 @@ def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]
     rows = gather_rows(rows, argsort_keys(before, max(1, count.bit_length()))[1])
     loops = UniqueKeys(gather_rows(leaders, rows), padded=True)
     return gather_rows(rows, loops.order), loops
+
+
+def _rank_few(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]:
+    """`rank_loops` on the CPU by one thread."""
+    device, count = nexts.device, nexts.size
+    leaders, before = empty(count, int64, device), empty(count, int64, device)
+    states = full(count, UNSEEN, uint8, device)
+    launch(trace_loops_kernel, min(1, count), [vertices, nexts, leaders, before, states])
+    rows = np.flatnonzero(download(states) == LOOP)
+    keys = download(leaders)[rows]
+    order = np.lexsort([download(before)[rows], keys])
+    sorted_keys: LongIntegers = upload(keys[order], int64, device)
+    in_order = sorted_keys, upload(order, int32, device)
+    return upload(rows[order], int32, device), UniqueKeys(sorted_keys, in_order=in_order, padded=True)
 
 
 @kernel

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..algebra.transform import widen
 from ..array_types import Array1, Indices, Integers, Points, Triangles
-from ..arrays.concatenation import concatenate_rows
+from ..arrays.concatenation import concatenate_rows, joined_rows
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import (
@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from .holes import BoundaryLoops
 
 
+SHORT = 32  # vertices of a loop whose 5,000 triangles one CPU thread weighs faster than 30 launches do (2026-11-28)
 STEPS = 256.0  # quantization of bends in 0..2: the first step is 5 degrees, later ones are smaller
 
 
@@ -133,17 +134,12 @@ def square_side(a: vec3d, b: vec3d) -> float64:
     return dot(d, d)
 
 
-@kernel
-def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, span: int):
-    """Best triangle at each chord that spans `span` sides. Shorter chords are complete."""
-    p = tid()
-    first = loops.starts[loops.owners[p]]
-    count = loops.starts[loops.owners[p] + 1] - first
-    i = p - first
-    j = i + span
-    if j >= count:
-        return
-    base = loops.cells[loops.owners[p]]
+@func
+def weigh_chord(edge_keys: array(dtype=int64), bits: int, loops: Loops, loop: int, i: int, j: int):
+    """Best triangle at the chord between vertices i and j of a loop. Shorter chords are complete."""
+    first = loops.starts[loop]
+    count = loops.starts[loop + 1] - first
+    base = loops.cells[loop]
     at = base + i * count + j
     a = loops.points[first + i]
     c = loops.points[first + j]
@@ -184,6 +180,26 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
     loops.sizes[at] = best_size
     loops.normals[at] = best_normal
     loops.tips[at] = best
+
+
+@kernel
+def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, span: int):
+    """Weigh the chords that span `span` sides."""
+    p = tid()
+    loop = loops.owners[p]
+    i = p - loops.starts[loop]
+    if i + span < loops.starts[loop + 1] - loops.starts[loop]:
+        weigh_chord(edge_keys, bits, loops, loop, i, i + span)
+
+
+@kernel
+def weigh_loops_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops):
+    """Weigh all chords of a loop, shorter ones first. One thread per loop."""
+    loop = tid()
+    count = loops.starts[loop + 1] - loops.starts[loop]
+    for span in range(2, count):
+        for i in range(count - span):
+            weigh_chord(edge_keys, bits, loops, loop, i, i + span)
 
 
 @kernel
@@ -249,7 +265,10 @@ def close_loops(
     device, counts = triangles.device, all_loops.counts[batch]
     loops, bits = Loops(all_loops, batch, counts), key_bits(vertices.size)
     launch(begin_loops_kernel, loops.owners.size, [vertices, triangles, loops])
-    for span in range(2, int(counts.max())):
+    longest = int(counts.max())
+    if longest <= SHORT and not device.is_cuda:
+        launch(weigh_loops_kernel, len(counts), [all_loops.edge_keys, bits, loops])
+    for span in range(2, longest if longest > SHORT or device.is_cuda else 0):
         launch(weigh_chords_kernel, loops.owners.size, [all_loops.edge_keys, bits, loops, span])
     mask = empty(len(batch), uint8, device)
     launch(mark_closed_kernel, len(batch), [loops, mask])
@@ -394,13 +413,13 @@ class Filling:
         ]
         if not parts:
             return 0
-        pieces, corners, of_loop = (concatenate_rows(rows) for rows in list(zip(*parts, strict=True))[:3])
+        pieces, corners, of_loop = (joined_rows(rows) for rows in list(zip(*parts, strict=True))[:3])
         closed = sum(count for *_, count in parts)
         pieces, corners, waiting = drop_conflicts(pieces, corners, of_loop, len(all_loops.counts), vertices.size)
         self.filled += closed - waiting
         self.left -= closed - waiting
         self.triangles = concatenate_rows([self.triangles, pieces])
-        self.corners = concatenate_rows([self.corners, corners])
+        self.corners = concatenate_rows([self.corners, corners]) if self.corners.size else corners
         return waiting
 
 

@@ -7,12 +7,15 @@ vertex.
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+
 from ..algebra.transform import narrow, widen
-from ..array_types import Indices, Integers, Mask, Triangles, Vectors
+from ..array_types import Indices, Integers, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, int32, int64, kernel, launch, length, tid, uint8, vec3, vec3d, vec3i
-from ..memory import empty
+from ..memory import download, empty, upload
 
 
 @kernel
@@ -68,10 +71,15 @@ def number_owners(owners: Indices) -> tuple[Integers, int]:
     return exclusive_scan(marks)
 
 
-def mask_owners(owners: Indices) -> Mask:
-    mask = empty(owners.size, uint8, owners.device)
+def list_owners(owners: Indices, indices: Integers, count: int) -> Indices:
+    """Vertices that are their own owners, int32 ascending, by the result of `number_owners`."""
+    device = owners.device
+    if not device.is_cuda:
+        steps = download(indices)
+        return upload(np.flatnonzero(steps[1:] != steps[:-1]).astype(np.int32), int32, device)
+    mask = empty(owners.size, uint8, device)
     launch(mask_owners_kernel, owners.size, [owners, mask])
-    return mask
+    return positions_of(mask, count)
 
 
 def rename_corners(triangles: Triangles, owners: Indices, indices: Integers) -> Triangles:

@@ -52,16 +52,21 @@ def key_bits(vertex_count: int) -> int:
     return max(1, vertex_count.bit_length())
 
 
-def sorted_edges(triangles: Triangles, vertex_count: int) -> tuple[LongIntegers, Indices]:
+SortedEdges = tuple[LongIntegers, Indices]
+
+
+def sorted_edges(triangles: Triangles, vertex_count: int) -> SortedEdges:
     """(keys, half-edges) of the triangles, sorted by edge, ascending within an edge."""
     keys, bits = empty(3 * triangles.size, int64, triangles.device), key_bits(vertex_count)
     launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
     return argsort_pairs(keys, bits, vertex_count)
 
 
-def find_edges(triangles: Triangles, vertex_count: int, padded: bool = False) -> UniqueKeys:
-    """Edges as UniqueKeys of half-edges. One sync, none if padded."""
-    keys, order = sorted_edges(triangles, vertex_count)
+def find_edges(
+    triangles: Triangles, vertex_count: int, padded: bool = False, in_order: SortedEdges | None = None
+) -> UniqueKeys:
+    """Edges as UniqueKeys of half-edges. One sync, none if padded. `in_order`: known result of `sorted_edges`."""
+    keys, order = in_order or sorted_edges(triangles, vertex_count)
     return UniqueKeys(keys, 2 * key_bits(vertex_count), (keys, order), padded=padded)
 
 
@@ -96,8 +101,10 @@ class MeshEdges:
     starts: array(dtype=int32)
     half_edges: array(dtype=int32)
 
-    def __init__(self, triangles: Triangles, vertex_count: int, padded: bool = False) -> None:
-        device, edges = triangles.device, find_edges(triangles, vertex_count, padded)
+    def __init__(
+        self, triangles: Triangles, vertex_count: int, padded: bool = False, in_order: SortedEdges | None = None
+    ) -> None:
+        device, edges = triangles.device, find_edges(triangles, vertex_count, padded, in_order)
         self.count, self.starts, self.half_edges, self.summary = edges.count, edges.starts, edges.order, edges.summary
         self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
         bits = key_bits(vertex_count)

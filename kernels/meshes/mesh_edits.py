@@ -3,11 +3,13 @@
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+
 from ..array_types import Array1, Cells, Indices, Integers, Mask, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.select import gather_rows, invert_mask, positions_of
 from ..lang import array, atomic_min, int32, kernel, launch, tid, uint8, vec2, vec3, vec3i
-from ..memory import empty, full, zeros
+from ..memory import download, empty, full, upload, zeros
 
 
 @kernel
@@ -233,6 +235,13 @@ def gather_triangles(triangles: Triangles, rows: Indices) -> Triangles:
     gathered = empty(rows.size, vec3i, triangles.device)
     launch(gather_triangles_kernel, rows.size, [triangles, rows, gathered])
     return gathered
+
+
+def unmarked_rows(mask: Mask) -> Indices:
+    """Positions, int32 ascending, where a uint8 mask is zero. One sync."""
+    if mask.device.is_cuda:
+        return positions_of(invert_mask(mask))  # sync
+    return upload(np.flatnonzero(download(mask) == 0).astype(np.int32), int32, mask.device)
 
 
 def keep_triangles(triangles: Triangles, mask: Mask) -> Triangles:

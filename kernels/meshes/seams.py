@@ -12,7 +12,7 @@ from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, int32, int64, kernel, launch, tid, uint8, vec3i
 from ..memory import empty
-from .mesh_edges import edge_key, key_bits, sorted_edges
+from .mesh_edges import SortedEdges, edge_key, key_bits, sorted_edges
 from .mesh_topology import corner_vertex, next_corner
 
 
@@ -73,11 +73,11 @@ def unite_ends_kernel(
             unite(parents, b, c)
 
 
-def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
-    """Lowest vertex at each surface position, int32 [m]. None without a boundary."""
+def find_seams(vertices: Points, triangles: Triangles, in_order: SortedEdges | None = None) -> Indices | None:
+    """Lowest vertex at each surface position, int32 [m]. None without a boundary. `in_order`: known `sorted_edges`."""
     device, count = triangles.device, vertices.size
     border = empty(3 * triangles.size, uint8, device)
-    launch(mark_border_kernel, border.size, [*sorted_edges(triangles, count), border])
+    launch(mark_border_kernel, border.size, [*(in_order or sorted_edges(triangles, count)), border])
     rows, bits = positions_of(border), key_bits(count)  # sync
     if not rows.size:
         return None

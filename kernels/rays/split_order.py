@@ -22,11 +22,23 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import full
+from ..memory import empty, fill
 
 RUN = 512  # points bounded per thread, on CUDA per warp: few atomics
 STEP_BITS = 16  # of a coordinate in its run's box
 STEPS = 65535.0
+
+
+@func
+def widen_run(run: int, a: vec3, b: vec3, part: int, size: int, low: array(dtype=float32), high: array(dtype=float32)):
+    """Include the box of a part in that of its run. The only part of a run sets it."""
+    for axis in range(3):
+        if part == size:
+            low[3 * run + axis] = a[axis]
+            high[3 * run + axis] = b[axis]
+        else:
+            atomic_min(low, 3 * run + axis, a[axis])
+            atomic_max(high, 3 * run + axis, b[axis])
 
 
 @kernel
@@ -38,7 +50,7 @@ def bound_runs_kernel(
     low: array(dtype=float32),
     high: array(dtype=float32),
 ):
-    """Shrink the box of a run around one of its parts (integer atomics)."""
+    """Box of each run; if a run has several parts, it is shrunk to each of them (atomics, in any order)."""
     i = tid()
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
@@ -46,10 +58,7 @@ def bound_runs_kernel(
         p = points[order[j]]
         a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
         b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-    run = i * part // size
-    for axis in range(3):
-        atomic_min(low, 3 * run + axis, a[axis])
-        atomic_max(high, 3 * run + axis, b[axis])
+    widen_run(i * part // size, a, b, part, size, low, high)
 
 
 @bound_runs_kernel.on_cuda
@@ -75,9 +84,7 @@ def bound_runs_by_lanes_kernel(
     a = lane_min_corner(a)
     b = lane_max_corner(b)
     if i % WARP == 0:
-        for axis in range(3):
-            atomic_min(low, 3 * (head // size) + axis, a[axis])
-            atomic_max(high, 3 * (head // size) + axis, b[axis])
+        widen_run(head // size, a, b, part, size, low, high)
 
 
 @func
@@ -117,13 +124,16 @@ def order_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
     half = unit
     while 2 * half < count:
         half *= 2
+    room = 3 * -(-count // (2 * unit))  # for the boxes of the smallest runs
+    low, high, keys = empty(room, float32, device), empty(room, float32, device), SortKeys(count, device)
     while half >= unit and count > unit:
         size = 2 * half
         runs, part = -(-count // size), min(RUN, size)
-        low, high = full(3 * runs, float("inf"), float32, device), full(3 * runs, float("-inf"), float32, device)
+        if part < size:
+            fill(low, float("inf"))
+            fill(high, float("-inf"))
         threads = -(-count // part) * (WARP if device.is_cuda else 1)
         launch(bound_runs_kernel, threads, [points, order, part, size, low, high])
-        keys = SortKeys(count, device)
         launch(key_positions_kernel, count, [points, order, size, low, high, keys])
         _, permutation = keys.sort(STEP_BITS + max(1, (runs - 1).bit_length()))
         order = gather_rows(order, permutation)

@@ -8,6 +8,7 @@ record: CUDA launches cover the maximum. About 300 B per triangle.
 
 import copy
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from ..array_types import Array1, Integers, Positions, Triangles, Vectors
 from ..arrays.loop_scan import LoopScan
 from ..arrays.packed_keys import NO_KEY
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2, vec2i, vec3d, vec3i
-from ..memory import clone, empty, fill, full, host_view, upload, zeros
+from ..memory import clone, empty, fill, full, host_view, rows_of, upload, zeros
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from .quadrics import quadric
 
@@ -73,6 +74,7 @@ class CollapseMesh:
         numbers = np.zeros(NUMBERS, np.int32)
         numbers[[TRIANGLES, SLOTS, VERTICES, SEAMS, EVERY]] = triangles.size, triangles.size, positions.size, 1, 1
         self.numbers = upload(numbers, int32, device)
+        self.record = None if device.is_cuda else host_view(self.numbers)
         self.has_uvs, self.has_materials = int(uvs is not None), int(materials is not None)
         self.uvs = empty(1, vec2, device) if uvs is None else clone(uvs)
         self.materials = empty(1, int32, device) if materials is None else clone(materials)
@@ -86,7 +88,7 @@ class CollapseMesh:
 
     def live(self, number: int, capacity: int) -> int:
         """Number of threads for a count in the record: exact on the CPU, `capacity` on CUDA."""
-        return capacity if self.numbers.device.is_cuda else int(host_view(self.numbers)[number])
+        return capacity if self.record is None else int(self.record[number])
 
     def twin(self) -> "CollapseMesh":
         """A copy with room for all arrays that change, sharing the record."""
@@ -119,7 +121,7 @@ class CollapseMesh:
     def join_corners(self, partners: Integers, other: "CollapseMesh", scan: LoopScan) -> None:
         """Update corner lists. `partners`: vertex whose corners each takes over; -2 - v if v keeps its own, else -1."""
         count = self.live(VERTICES, self.positions.size)
-        counts = other.starts[1:]
+        counts = rows_of(other.starts, 1, other.starts.size)
         launch(count_corners_kernel, count, [self, partners, counts])
         scan.run(counts, counts, count)
         launch(join_corners_kernel, count, [self, partners, other.starts, other.corners, other.spokes])
@@ -129,6 +131,14 @@ class CollapseMesh:
             )
         else:
             self.exchange(other, LISTS)
+
+
+def fill_first(values: Any, count: int, value: int) -> None:
+    """Fill the first elements of an array, on CUDA all, by counts of `live`."""
+    if values.device.is_cuda:
+        fill(values, value)
+    else:
+        host_view(values)[:count] = value
 
 
 @func

@@ -33,7 +33,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import empty, fill, full, host_view, zeros
+from ..memory import empty, full, host_view, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .collapse_mesh import (
     BENDING,
@@ -53,6 +53,7 @@ from .collapse_mesh import (
     CollapseMesh,
     edge_at,
     edge_valence,
+    fill_first,
     last_corner,
     uv_at,
 )
@@ -272,7 +273,7 @@ class EdgeCollapse:
         if mesh.has_uvs:
             launch(merge_uvs_kernel, count, [mesh, edges, self._shares, self._tips, twin.uvs])
             launch(take_uvs_kernel, count, [mesh, edges, twin.uvs, mesh.uvs])
-        fill(self._partners[:vertices], -1)
+        fill_first(self._partners, vertices, -1)
         outputs = [self._partners, mesh.positions, mesh.quadrics, mesh.triangles, mesh.keys, self.moved]
         launch(collapse_edges_kernel, count, [mesh, edges, *outputs])
         mesh.join_corners(self._partners, twin, self._scan)
@@ -533,12 +534,12 @@ class EdgeChoice:
         """Select independent `edges` (owners) in passes; sets `mesh.touched` and the keys of rejected edges. Keys and
         spokes of the twin are scratch memory."""
         count, vertices = mesh.live(EDGES, edges.size), mesh.live(VERTICES, mesh.positions.size)
-        fill(self.chosen[:count], 0)
-        fill(mesh.touched[:vertices], 0)
-        lowest, keys, ends = self._lowest[:vertices], twin.keys, twin.spokes
+        fill_first(self.chosen, count, 0)
+        fill_first(mesh.touched, vertices, 0)
+        keys, ends = twin.keys, twin.spokes
         launch(list_edges_kernel, count, [mesh, edges, keys, ends])
         for _ in range(passes):
-            fill(lowest, NO_KEY)
+            fill_first(self._lowest, vertices, NO_KEY)
             launch(take_edges_kernel, count, [mesh.numbers, ends, mesh.touched, keys, self._lowest])
             arguments = [mesh, edges, ends, self._lowest, keys, mesh.keys, self.chosen, mesh.touched]
             launch(choose_edges_kernel, count, arguments)
@@ -653,10 +654,9 @@ class CollapseRounds:
         picked = mesh.live(PICKED, self.picked.size)
         rows = [self.considered.rows, self.picked_list.rows, numbers, PICKED, self.picked]
         launch(take_rows_kernel, picked, rows)
-        if not self.running.device.is_cuda:
-            record = host_view(numbers)
-            if 2 * picked <= record[TRIANGLES] - self.target:  # as is_cut
-                record[CHOSEN] = picked
+        if mesh.record is not None:
+            if 2 * picked <= mesh.record[TRIANGLES] - self.target:  # as is_cut
+                mesh.record[CHOSEN] = picked
                 return self.picked
         self.bins.mark_cheapest(mesh, self.picked, picked, self.taken)
         self.taken_list.find(self.taken, picked, numbers, CHOSEN)
@@ -670,12 +670,12 @@ class CollapseRounds:
         self.collapse.run(mesh, self.twin, self.choose())
         mesh.find_features(self.collapse.moved, self.collapse.capacity)
         launch(judge_round_kernel, 1, [mesh, self.stops_at_limit, mesh.numbers, self.running])
-        if self.running.device.is_cuda or host_view(mesh.numbers)[EVERY]:
+        if mesh.record is None or mesh.record[EVERY]:
             mesh.find_all_features()
         self.squeeze()
 
     def squeeze(self) -> None:
-        mesh, on_cuda = self.mesh, self.running.device.is_cuda
-        if on_cuda or host_view(mesh.numbers)[SQUEEZE]:
+        mesh = self.mesh
+        if mesh.record is None or mesh.record[SQUEEZE]:
             self.squeezing.run(mesh, self.twin)
         launch(end_round_kernel, 1, [mesh, self.squeezing.ranks, self.target, mesh.numbers, self.running])

@@ -5,14 +5,30 @@ previous one and sums over ascending neighbors in float64. Only the result is ro
 Non-finite or isolated vertices are unchanged.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-from ..array_types import Positions, Triangles
-from ..lang import Kernel, array, dot, float64, func, isfinite, kernel, launch, sqrt, struct, tid, vec3d
-from ..memory import empty
-from ..meshes.mesh_edges import MeshEdges
+from ..array_types import Integers, Positions, Triangles
+from ..lang import (
+    Kernel,
+    array,
+    dot,
+    float64,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    loop_while,
+    sqrt,
+    struct,
+    tid,
+    vec3d,
+)
+from ..memory import empty, full
+from ..meshes.mesh_edges import MeshEdges, SortedEdges
 from ..meshes.vertex_neighbors import VertexNeighbors
 
+MIN_REPEATED = 3  # periods of passes that are worth a loop on the CPU
 NEAREST = 1.0e-12  # added to distances [m] in weights, so that coincident vertices have finite ones
 
 
@@ -115,23 +131,58 @@ def approach_mean_position_kernel(rule: FilterPass, factor: float64, out: array(
     out[i] = p
 
 
+@kernel
+def count_down_kernel(remaining: array(dtype=int32)):
+    i = tid()
+    remaining[i] = remaining[i] - 1
+
+
+class _Filter:
+    """Values by name with a second buffer each, which a pass writes before the two are exchanged."""
+
+    def __init__(self, around: VertexNeighbors, positions: Positions, values: dict[str, Positions]) -> None:
+        self.around, self.positions, self.values = around, positions, values
+        self._others = {name: empty(rows.size, vec3d, rows.device) for name, rows in values.items()}
+
+    def run(self, kernel_of_pass: Kernel, factor: float) -> None:
+        rule = FilterPass(self.around, self.values.get("vertices", self.positions))
+        for name, before in self.values.items():
+            after = self._others[name]
+            if kernel_of_pass is approach_mean_kernel and before is rule.positions:
+                launch(approach_mean_position_kernel, before.size, [rule, factor, after])
+            else:
+                launch(kernel_of_pass, before.size, [rule, before, factor, after])
+        self.values, self._others = self._others, self.values
+
+    def run_all(self, passes: Sequence[tuple[Kernel, float]]) -> None:
+        for kernel_of_pass, factor in passes:
+            self.run(kernel_of_pass, factor)
+
+
 def filter_values(
     triangles: Triangles,
     positions: Positions,
     names: Iterable[str],
     wide: dict[str, Positions],
-    passes: Iterable[tuple[Kernel, float]],
+    passes: Sequence[tuple[Kernel, float]],
+    iterations: int,
+    in_order: SortedEdges | None = None,
 ) -> dict[str, Positions]:
-    """Apply passes (kernel, factor) to vec3d [m] arrays; "vertices" are the positions of the next pass. One sync."""
-    around = VertexNeighbors(MeshEdges(triangles, positions.size), positions.size)
-    values = {name: wide[name] for name in names}
-    for kernel_of_pass, factor in passes:
-        rule = FilterPass(around, values.get("vertices", positions))
-        for name, before in list(values.items()):
-            after = empty(before.size, vec3d, before.device)
-            if kernel_of_pass is approach_mean_kernel and before is rule.positions:
-                launch(approach_mean_position_kernel, before.size, [rule, factor, after])
-            else:
-                launch(kernel_of_pass, before.size, [rule, before, factor, after])
-            values[name] = after
-    return values
+    """Apply passes (kernel, factor) to vec3d [m] arrays, and overwrite these; "vertices" are the positions of the next
+    pass. One sync. `in_order`: known result of `sorted_edges`."""
+    around = VertexNeighbors(MeshEdges(triangles, positions.size, in_order=in_order), positions.size)
+    smoothed = _Filter(around, positions, {name: wide[name] for name in names})
+    period = list(passes) if len(passes) % 2 == 0 else [*passes, *passes]  # ends with the buffers that it began with
+    periods, rest = divmod(iterations * len(passes), len(period))
+    if positions.device.is_cuda or periods < MIN_REPEATED:
+        smoothed.run_all(period * periods)
+    else:
+        remaining: Integers = full(1, periods, int32, positions.device)
+
+        def run_period() -> None:
+            smoothed.run_all(period)
+            launch(count_down_kernel, 1, [remaining])
+
+        loop_while(remaining, run_period)  # repeats the launches of the first period
+    smoothed.run_all(period[:rest])
+    return smoothed.values

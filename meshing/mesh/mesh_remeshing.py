@@ -27,6 +27,7 @@ from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec3d
 from ...kernels.memory import check_room, download, fill, upload, zeros
 from ...kernels.meshes import clean_triangles
+from ...kernels.meshes.mesh_edges import SortedEdges
 from ...kernels.meshes.mesh_measures import measure
 from ...kernels.rays.surface_positions import SurfacePositions
 from ...kernels.rays.triangle_tree import TriangleTree
@@ -44,7 +45,7 @@ from ...kernels.remeshing.vertex_values import narrow_directions, narrow_rows, w
 from .mesh_attributes import each
 from .mesh_measures import MeshMeasures
 from .mesh_rows import PER_VERTEX, TEXTURE
-from .mesh_seams import sew
+from .mesh_seams import Sewn, sew
 from .surface_values import with_attributes_of, with_vectors_of
 from .vertex_numbers import check_finite_vertices, check_vertices
 
@@ -279,10 +280,13 @@ class MeshRemeshing(MeshMeasures):
             [1.0, 6.0, 1.0, 4.0, 4.0, 0.0]
         """
         count = check_count("number_of_iterations", number_of_iterations, minimum=0)
-        return (sew(self).mesh if count and len(self) else self)._subdivided(count, subdivision.mask, 0)
+        sewn = sew(self) if count and len(self) else Sewn(self, None)
+        return sewn.mesh._subdivided(count, subdivision.mask, 0, sewn.in_order)
 
-    def _subdivided(self, iterations: int, rule: Callable[..., list[Any]], first_new: int) -> Self:
-        """Apply a subdivision rule. Normals before `first_new` stay unchanged."""
+    def _subdivided(
+        self, iterations: int, rule: Callable[..., list[Any]], first_new: int, in_order: SortedEdges | None = None
+    ) -> Self:
+        """Apply a subdivision rule. Normals before `first_new` stay unchanged. `in_order`: known `sorted_edges`."""
         count = check_count("number_of_iterations", iterations, minimum=0)
         if count == 0 or not len(self):
             return self._with_arrays()
@@ -296,7 +300,7 @@ class MeshRemeshing(MeshMeasures):
         values = [widen_rows(arrays[name]) for name in names]
         for _ in range(count):
             triangles = arrays["triangles"]
-            split = subdivision.EdgeSplit(triangles, values[0].size)
+            split, in_order = subdivision.EdgeSplit(triangles, values[0].size, in_order), None
             values = rule(triangles, split, values)
             arrays["triangles"] = subdivision.split_triangles(triangles, split)
             if arrays["vertex_attributes"]:
@@ -432,7 +436,7 @@ class MeshRemeshing(MeshMeasures):
         sewn = sew(self)
         arrays = sewn.mesh._device_arrays
         wide = {name: widen_rows(arrays[name]) for name in {"vertices", *names}}
-        values = filter_values(arrays["triangles"], wide["vertices"], names, wide, passes * count)
+        values = filter_values(arrays["triangles"], wide["vertices"], names, wide, passes, count, sewn.in_order)
         narrow: dict[str, Any] = {}
         for name, rows in values.items():
             if name == "vertex_normals":

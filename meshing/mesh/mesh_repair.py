@@ -443,8 +443,9 @@ class MeshRepair(MeshMeasures):
             arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], filling.corners)
         if "triangle_material_ids" in self._arrays:
             arrays["triangle_material_ids"] = spread_ids(self._arrays["triangle_material_ids"], filling.corners)
-        sources = spread_ids(positions(len(self), self._device), filling.corners)
-        arrays |= self._attributes_at("triangle_attributes", sources)
+        if self._attributes["triangle_attributes"]:
+            sources = spread_ids(positions(len(self), self._device), filling.corners)
+            arrays |= self._attributes_at("triangle_attributes", sources)
         return self._with_arrays(**arrays), filling.filled, filling.left
 
     def _flipped(self, flips: Mask) -> Self:

@@ -199,7 +199,7 @@ class MeshSelection(MeshArrays):
         """
         owners = find_equal_points(self._arrays["vertices"])
         new_indices, count = merge_vertices.number_owners(owners)  # sync
-        owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+        owner_rows = merge_vertices.list_owners(owners, new_indices, count)
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
         return self._with_arrays(triangles=triangles, **self._vertices_at(owner_rows))
 
@@ -248,13 +248,15 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_non_manifold_edges().triangles.tolist()
             [[0, 1, 3], [0, 1, 4]]
         """
-        crowded, plain = crowded_edges.find_at_crowded_edges(self._arrays["triangles"], self._vertex_count)
-        if not crowded.size:
+        crowded = crowded_edges.CrowdedTriangles(self._arrays["triangles"], self._vertex_count)
+        if not crowded.rows.size:
             return self._with_arrays()
-        mesh = self if plain.size == len(self) else self._with_arrays(**self._triangles_at(plain))
-        return mesh._without(
-            crowded_edges.mask_crowding(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"])
-        )
+        mesh = self
+        if crowded.plain.size < len(self):
+            mesh = self._with_arrays(**self._triangles_at(crowded.plain))
+            crowded = crowded_edges.CrowdedTriangles(mesh._arrays["triangles"], self._vertex_count)
+        vertices, triangles = mesh._arrays["vertices"], mesh._arrays["triangles"]
+        return mesh._without(crowded_edges.mask_crowding(vertices, triangles, crowded))
 
     def _merge_close(self, name: str, distance: Any) -> Self:
         """`merge_close_vertices`; `name` is the argument named in errors."""
@@ -275,7 +277,7 @@ class MeshSelection(MeshArrays):
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
         arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
         if self._attributes["vertex_attributes"]:
-            owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+            owner_rows = merge_vertices.list_owners(owners, new_indices, count)
             arrays |= self._attributes_at("vertex_attributes", owner_rows)
         return self._with_arrays(triangles=triangles, **arrays)
 
@@ -302,7 +304,8 @@ class MeshSelection(MeshArrays):
         return self._arrays["vertices"].size
 
     def _without(self, mask: wp.array) -> Self:
-        return self._with_arrays(**self._triangles_at(positions_of(invert_mask(mask))))  # sync
+        rows = mesh_edits.unmarked_rows(mask)  # sync
+        return self._with_arrays(**({} if rows.size == mask.size else self._triangles_at(rows)))
 
     @returns_new
     def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:

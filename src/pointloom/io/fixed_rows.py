@@ -66,8 +66,10 @@ class FixedRows:
 
     def table(self, table_of: Callable[[Mapping[str, NDArray[Any]], PointTable | None], PointTable]) -> PointTable:
         """Read all rows by block; `table_of` writes the table of some rows into parts of the result."""
-        result = _stretched(table_of(self.columns(slice(0)), None), self.count)
         size = max(_BLOCK_BYTES // max(self._row_bytes, 1), 1)
+        if self.count <= size:
+            return table_of(self.columns(), None)
+        result = _stretched(table_of(self.columns(slice(0)), None), self.count)
         buffer = np.empty(min(size, self.count) * self._row_bytes, np.uint8)
         for begin in range(0, self.count, size):
             rows = slice(begin, min(begin + size, self.count))

@@ -207,39 +207,49 @@ _Table = TypeVar("_Table")
 def content_errors(path: Any) -> Iterator[None]:
     """Convert errors that damaged content causes in our code or NumPy to FileError: a safety net below the readers.
     IndexError and TypeError pass, as they indicate bugs. A file that was changed meanwhile raises FileError, too."""
-    handled, before = sys.exception(), _stamp_of(path)
+    handled, stamp = sys.exception(), _PathStamp(path)
     try:
         yield
     except PointloomError as error:
         if isinstance(error, FileError):
-            _check_changed(path, before, error)
+            stamp.check_unchanged(error)
         raise
     except MemoryError as error:
         remedy = "Split it into smaller files, or read it on a machine with more"
         raise FileError(path, "needs more memory than is available", remedy=remedy) from error
     except (ValueError, ArithmeticError, RecursionError) as error:
         _pass_signals(error, handled)
-        _check_changed(path, before, error)
+        stamp.check_unchanged(error)
         reason = str(error).split("\n")[0] or type(error).__name__
         raise FileError(path, f"cannot be read: {reason}"[:300]) from error
-    _check_changed(path, before)
+    stamp.check_unchanged()
 
 
-def _stamp_of(path: Any) -> _Stamp | None:
-    try:
-        return _Stamp.of(path_of(path).stat())
-    except (OSError, TypeError, ValueError):  # reported by the reader
-        return None
+class _PathStamp:
+    """The stamp of the file that a path names. None if it has none, which the reader reports."""
 
+    def __init__(self, path: Any) -> None:
+        self._given = path
+        try:
+            self._path: Path | None = path_of(path)
+        except TypeError:
+            self._path = None
+        self._before = self._read()
 
-def _check_changed(path: Any, before: _Stamp | None, error: Exception | None = None) -> None:
-    """Raise `FileError` if a file was changed since `before`. A complete result of a replaced file is kept."""
-    after = _stamp_of(path)
-    if before is None or after is None or after == before:
-        return
-    is_same_file = (after.device, after.inode) == (before.device, before.inode)
-    if is_same_file or error is not None:
-        raise changed_error(path, before.size, after.size) from error
+    def _read(self) -> _Stamp | None:
+        try:
+            return None if self._path is None else _Stamp.of(self._path.stat())
+        except (OSError, ValueError):
+            return None
+
+    def check_unchanged(self, error: Exception | None = None) -> None:
+        """Raise `FileError` if the file has changed. A complete result of a replaced file is kept."""
+        before, after = self._before, self._read()
+        if before is None or after is None or after == before:
+            return
+        is_same_file = (after.device, after.inode) == (before.device, before.inode)
+        if is_same_file or error is not None:
+            raise changed_error(self._given, before.size, after.size) from error
 
 
 def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
@@ -256,17 +266,13 @@ def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
 def open_source(path: str | os.PathLike[str]) -> SourceFile:
     """Open a regular, non-empty file for reading at any offset."""
     path = path_of(path)
-    restore_folder(path.parent)
     handled = sys.exception()
     try:
-        status = path.stat()
-        if stat.S_ISDIR(status.st_mode):
-            raise FileError(path, "is a folder", remedy="Give the name of a file")
-        if not stat.S_ISREG(status.st_mode):
-            raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
-        if status.st_size == 0:
-            raise FileError(path, "is empty", where="byte 0")
-        return SourceFile(path)
+        try:
+            return _opened(path)
+        except FileNotFoundError:
+            restore_folder(path.parent)
+            return _opened(path)
     except FileNotFoundError as error:
         raise FileError(path, "does not exist") from error
     except (OSError, ValueError) as error:
@@ -274,6 +280,17 @@ def open_source(path: str | os.PathLike[str]) -> SourceFile:
             raise
         _pass_signals(error, handled)
         raise FileError(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
+
+
+def _opened(path: Path) -> SourceFile:
+    status = path.stat()
+    if stat.S_ISDIR(status.st_mode):
+        raise FileError(path, "is a folder", remedy="Give the name of a file")
+    if not stat.S_ISREG(status.st_mode):
+        raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
+    if status.st_size == 0:
+        raise FileError(path, "is empty", where="byte 0")
+    return SourceFile(path)
 
 
 def _pass_signals(error: BaseException, handled: BaseException | None) -> None:

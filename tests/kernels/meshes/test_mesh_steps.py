@@ -5,9 +5,10 @@ import heapq
 import numpy as np
 import pytest
 
+from pointloom import TriangleMesh
 from pointloom.kernels.lang import float64, int32, int64, uint8, vec3, vec3d, vec3i
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.meshes import poisson_disk
+from pointloom.kernels.meshes import boundary_loops, crowded_edges, holes, poisson_disk
 from pointloom.kernels.meshes.clean_triangles import join_masks, mask_repeats
 from pointloom.kernels.meshes.mesh_components import has_marked
 from pointloom.kernels.meshes.mesh_edges import MeshEdges, count_sharers
@@ -17,6 +18,7 @@ from pointloom.kernels.meshes.mixed_rows import MixedRows
 from pointloom.kernels.meshes.part_votes import follow_majority, keep_alone
 from pointloom.kernels.meshes.pseudonormals import volume_of_shell
 from pointloom.kernels.meshes.sheets import OpenEdges
+from pointloom.kernels.remeshing import mesh_filters, subdivision
 from pointloom.kernels.search import neighbor_limits
 from pointloom.kernels.search.point_tree import PointTree
 
@@ -169,3 +171,32 @@ def test_more_pairs_than_fit_are_counted_and_refused(device, rng, monkeypatch):
     with pytest.raises(poisson_disk.CrowdedError) as caught:
         by_rounds(rng.random((100, 3)), 10, 3.0, device)
     assert caught.value.pair_count == 9900
+
+
+@pytest.mark.parametrize(
+    ("module", "limit", "value", "operation"),
+    [
+        (boundary_loops, "FEW", -1, lambda mesh: mesh.fill_holes()),
+        (holes, "SHORT", 0, lambda mesh: mesh.fill_holes()),
+        (crowded_edges, "FEW", 0, lambda mesh: mesh.remove_non_manifold_edges()),
+        (subdivision, "FEW", 0, lambda mesh: mesh.subdivide_midpoint()),
+        (subdivision, "FEW", 0, lambda mesh: mesh.subdivide_loop(2)),
+        (mesh_filters, "MIN_REPEATED", 100, lambda mesh: mesh.filter_smooth_taubin(7)),
+        (mesh_filters, "MIN_REPEATED", 100, lambda mesh: mesh.filter_smooth_simple(7)),
+        (mesh_filters, "MIN_REPEATED", 100, lambda mesh: mesh.filter_sharpen(8, 0.01, "color")),
+    ],
+)
+def test_small_meshes_have_the_results_of_the_code_for_large_ones(
+    device, rng, monkeypatch, module, limit, value, operation
+):
+    ball = TriangleMesh.create_sphere(1.0, 12)
+    torn = ball.triangles[rng.random(len(ball.triangles)) < 0.8]
+    torn[::29] = torn[::29, ::-1]
+    crowding = rng.integers(0, len(ball.vertices), (20, 3))
+    colors = rng.random(ball.vertices.shape)
+    mesh = TriangleMesh(ball.vertices, [*torn, *torn[::9, [1, 0, 2]], *crowding], vertex_colors=colors, device=device)
+    small = operation(mesh)
+    monkeypatch.setattr(module, limit, value)
+    large = operation(mesh)
+    for name in ("vertices", "triangles", "vertex_colors"):
+        np.testing.assert_array_equal(getattr(small, name), getattr(large, name))

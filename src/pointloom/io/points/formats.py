@@ -80,9 +80,10 @@ def write_table(
     """Write a table by extension (one of WRITTEN), renaming attributes with a warning if needed (attribute_names.py).
     `ascii` is for .ply and .pcd; `scale`, `offset`, `like` for LAS, see `write_las`; `frames` for .e57, see
     `write_e57`. The octree of .copc.laz is computed on the device."""
-    extension = Path(path).suffix.lower()
+    given = Path(path)
+    extension = given.suffix.lower()
     table = with_fitting_names(path, table, stacklevel=4)
-    if Path(path).name.lower().endswith(COPC):
+    if given.name.lower().endswith(COPC):
         write_copc(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite, device=device)
     elif extension == ".ply":
         ply.write_ply(path, table, ascii=ascii, overwrite=overwrite, comments=unit_comment(table))

@@ -26,16 +26,14 @@ def unit_comment(table: PointTable | MeshTable) -> list[str]:
 
 
 def with_header_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[..., T]]:
-    """Decorator: the reader also reads the unit from the file's header."""
+    """Decorator: the unit is also read from the file's header. The reader gets the open file as `source`."""
 
     def decorate(reader: Callable[..., T]) -> Callable[..., T]:
         @functools.wraps(reader)
         def read(path: str | os.PathLike[str], **options: Any) -> T:
             source = open_source(path)
             unit = unit_in_header(source, form)
-            table = reader(path, **options)
-            source.check_name()
-            return replace(table, unit=unit)
+            return replace(reader(path, source=source, **options), unit=unit)
 
         return read
 

@@ -186,11 +186,12 @@ _TYPES = "i1 u1 i2 u2 i4 u4 i8 u8 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ"
 
 
-def read_pcd(path: str | os.PathLike[str]) -> PointTable:
-    """Read a PCD file in any encoding, as float32 or float64 as stored, with the grid of an organized cloud.
+def read_pcd(path: str | os.PathLike[str], *, source: SourceFile | None = None) -> PointTable:
+    """Read a PCD file in any encoding, as float32 or float64 as stored, with the grid of an organized cloud. `source`:
+    the open file.
     Warns if WIDTH x HEIGHT is 0 and POINTS is not. Compressed files are unpacked in Python at about 10 to 20 MB/s."""
     path = Path(path)
-    source = open_source(path)
+    source = source or open_source(path)
     header = read_header(path, source)
     table = _table(path, source, header)
     table.grid = (header.height, header.width) if header.height > 1 and header.point_count else None

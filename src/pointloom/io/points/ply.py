@@ -138,11 +138,11 @@ _TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
 
 
-def read_ply(path: str | os.PathLike[str]) -> PointTable:
-    """Read the vertices of a PLY file, as float32 if x, y and z are float, else float64.
+def read_ply(path: str | os.PathLike[str], *, source: SourceFile | None = None) -> PointTable:
+    """Read the vertices of a PLY file, as float32 if x, y and z are float, else float64. `source`: the open file.
     Text files need about 25 bytes of memory per number in addition to the result."""
     path = Path(path)
-    source = open_source(path)
+    source = source or open_source(path)
     header = read_header(path, source)
     if not (header.ascii or header.element(path, "vertex").has_lists):
         rows = find_rows(path, source, header, "vertex")
@@ -175,10 +175,13 @@ def _table_of(
     return PointTable(points, normals, colors, attributes)
 
 
-def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
-    """Read a PLY file as a triangle mesh, with values of faces as triangle attributes. Polygons are triangulated."""
+def read_ply_mesh(
+    path: str | os.PathLike[str], *, outside_files: bool = False, source: SourceFile | None = None
+) -> MeshTable:
+    """Read a PLY file as a triangle mesh, with values of faces as triangle attributes. Polygons are triangulated.
+    `source`: the open file."""
     path = Path(path)
-    source = open_source(path)
+    source = source or open_source(path)
     header = read_header(path, source)
     header.element(path, "vertex")
     by_name = {element.name: element for element in header.elements if element.count}

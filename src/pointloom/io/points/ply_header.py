@@ -6,6 +6,7 @@ Greg Turk, "The PLY Polygon File Format" (1994), and the later type names (int8.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any, Literal
 
 import numpy as np
@@ -26,7 +27,14 @@ TYPE_NAMES = dict(zip(list(SCALAR_TYPES.values())[:8], SCALAR_TYPES, strict=Fals
 
 ByteOrder = Literal["=", "<", ">"]
 
+_HEAD_BYTES = 1 << 12  # read at once: headers are shorter, with few exceptions
+
 _BYTE_ORDERS: dict[str, ByteOrder] = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
+
+
+@cache
+def _type_of(name: str, byte_order: ByteOrder) -> np.dtype[Any]:
+    return np.dtype(SCALAR_TYPES[name]).newbyteorder(byte_order)
 
 
 @dataclass(frozen=True)
@@ -110,13 +118,16 @@ def _header_lines(path: Any, source: Source) -> tuple[list[str], int]:
     if not start.startswith(b"ply") or start[3:4] not in (b"\n", b"\r", b" ", b"\t"):
         raise FileError(path, "is not a PLY file: it does not begin with 'ply'", where="byte 0")
     newline = b"\r" if start[3:4] == b"\r" and start[4:5] != b"\n" else b"\n"
+    head = bytes(source[:_HEAD_BYTES])
     lines: list[str] = []
     begin = 0
     while True:
-        end = source.find(newline, begin, MAX_HEADER_BYTES)
+        end = head.find(newline, begin)
+        if end < 0:  # beyond the head
+            end = source.find(newline, begin, MAX_HEADER_BYTES)
         stop = end if end >= 0 else min(len(source), MAX_HEADER_BYTES)
         try:
-            line = bytes(source[begin:stop]).decode("utf-8").strip()
+            line = (head[begin:stop] if stop <= len(head) else bytes(source[begin:stop])).decode("utf-8").strip()
         except UnicodeDecodeError as error:
             location = f"line {len(lines) + 1}, byte {begin + error.start}"
             raise FileError(path, "the header is not UTF-8 text", where=location) from error
@@ -165,10 +176,10 @@ def _parse_property(path: Any, words: list[str], number: int, byte_order: ByteOr
     for word in words[2 if is_list else 1 : -1]:
         if word not in SCALAR_TYPES:
             raise FileError(path, f"property {name!r} has the unknown type {word[:40]!r}", where=where)
-    dtype = np.dtype(SCALAR_TYPES[words[-2]]).newbyteorder(byte_order)
+    dtype = _type_of(words[-2], byte_order)
     if not is_list:
         return Property(name, dtype)
-    count_type = np.dtype(SCALAR_TYPES[words[2]]).newbyteorder(byte_order)
+    count_type = _type_of(words[2], byte_order)
     if count_type.kind == "f":
         raise FileError(path, f"the list {name!r} is counted in {words[2]}, which is not an integer type", where=where)
     return Property(name, dtype, count_type)

@@ -260,11 +260,12 @@ def write_point_cloud(
         >>> len(loom.read_point_cloud("scan.pcd"))
         2
     """
-    if _extension(path) not in WRITTEN:
+    extension = _extension(path)
+    if extension not in WRITTEN:
         remedy = f"Use one of {' '.join(WRITTEN)}"
         raise FileError(path, f"clouds are read from {Path(path).suffix}, but not written to it", remedy=remedy)
     check_cloud("cloud", cloud)
-    if Path(path).suffix.lower() not in (".las", ".laz"):
+    if extension not in (".las", ".laz"):
         for name, value in (("scale", scale), ("like", like)):
             if value is not None:
                 raise ValueError(f"{name}: is for .las and .laz, got {escaped(Path(path).suffix)}")

@@ -179,27 +179,40 @@ def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
     arrays = {
         name: move(cloud._device_array(name), device) for name in ("points", "normals", "colors") if name in cloud
     }
-    colors = arrays.get("colors", empty(0, vec3, device))
-    coloring = None
+    none, coloring = empty(0, vec3, device), None
+    colors = arrays.get("colors", none)
     has_own = "colors" in arrays and style.color is None and style.color_by in (None, "rgb")
     if style.color_by is not None:
         coloring = color_cloud(cloud, style.color_by, colormap=style.colormap, limits=style.limits)
         colors = move(coloring.colors, device)
     elif style.color is not None:
-        colors = empty(0, vec3, device)
-    normals = arrays.get("normals", empty(0, vec3, device))
-    part = _points(arrays["points"], cloud.origin, colors, normals, style, has_own)
-    return [dataclasses.replace(part, coloring=coloring)]
+        colors = none
+    return [_points(arrays["points"], cloud.origin, colors, arrays.get("normals", none), style, has_own, coloring)]
 
 
 def _points(
-    positions: Any, origin: NDArray[np.float64], colors: Any, normals: Any, style: Style, has_own: bool
+    positions: Any,
+    origin: NDArray[np.float64],
+    colors: Any,
+    normals: Any,
+    style: Style,
+    has_own: bool,
+    coloring: Any = None,
 ) -> Points:
     """Points. Their own colors are unlit unless the style requires lighting."""
-    part = Points(positions, origin, colors, normals, size=style.point_size, metric=style.metric)
-    shaded, lit = style.shaded is not False, style.shaded is True or not has_own
-    opacity = 1.0 if style.opacity is None else style.opacity
-    return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded, lit=lit, opacity=opacity)
+    return Points(
+        positions,
+        origin,
+        colors,
+        normals,
+        size=style.point_size,
+        metric=style.metric,
+        shaded=style.shaded is not False,
+        lit=style.shaded is True or not has_own,
+        plain=style.color or Points.plain,
+        coloring=coloring,
+        opacity=1.0 if style.opacity is None else style.opacity,
+    )
 
 
 def _of_splats(splats: GaussianSplats, style: Style, device: Any) -> list[Part]:

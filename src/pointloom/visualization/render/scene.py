@@ -8,6 +8,7 @@ of that buffer (kernels/drawing/layers.py).
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from collections.abc import Sequence
 from typing import Any
@@ -50,6 +51,8 @@ MIN_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
 CLOSING = 2.2  # diameter over the mean point distance: leaves 2 % of gaps between random points
 SPARSE = 0.8  # fraction of image squares in which neighbors must be at most as far apart as the diameter assumes
 MIN_SIZE, MAX_SIZE = 1.5, 16.0  # [px] of automatic point sizes
+_ENDS = np.array([[0, 0, 1, 1, 0, 0, 1, 1], [0, 0, 0, 0, 1, 1, 1, 1], [0, 1, 0, 1, 0, 1, 0, 1]])  # of a box's corners
+_AXES = np.arange(3)[:, None]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -59,12 +62,12 @@ class BoundedPart:
     part: Part
     box: NDArray[np.float64] | None
 
+    @functools.cached_property
     def corners(self) -> NDArray[np.float64]:
         """Corners of the bounds in the world [m], shape (8, 3), or none."""
         if self.box is None:
             return np.empty((0, 3))
-        x, y, z = self.box.T
-        corners = np.array(np.meshgrid(x, y, z)).reshape(3, 8).T + self.part.origin
+        corners = self.box[_ENDS, _AXES].T + self.part.origin
         pose = self.part.pose
         return corners if pose is None else corners @ pose[:3, :3].T + pose[:3, 3]
 
@@ -75,7 +78,7 @@ class Scene:
     def __init__(self, parts: Sequence[Part], device: Any):
         self.device = device
         self.parts = [BoundedPart(part, _box_of(part.positions)) for part in parts]
-        corners = np.concatenate([np.empty((0, 3)), *(bounded.corners() for bounded in self.parts)])
+        corners = np.concatenate([np.empty((0, 3)), *(bounded.corners for bounded in self.parts)])
         self.is_empty = not len(corners)
         self.low = np.zeros(3) if self.is_empty else corners.min(axis=0)
         self.high = np.zeros(3) if self.is_empty else corners.max(axis=0)
@@ -126,6 +129,7 @@ class Drawing:
         self.light = start_light(self.buffer)
         self.left = full(cells[0] * cells[1] if veils or splats else 0, 1.0, float32, self.device)
         self.stop = 0
+        self._views: dict[Part, PartView] = {}  # in cells
         self._draw(veils, [bounded.part for bounded in splats])
 
     def before(self, background: Triple) -> Any:
@@ -195,7 +199,7 @@ class Drawing:
         self, part: Points | Triangles, region: Region, buffer: DepthBuffer, around: DepthBuffer, last_point: int
     ) -> None:
         """Shade the visible pixels of a part in a buffer."""
-        view, veil = self._view_of(part), Veil(part.opacity, self.left)
+        view, veil = self._view_in_cells(part), Veil(part.opacity, self.left)
         if isinstance(part, Points):
             look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain), "shaded": part.shaded}
             how = {"lit": part.lit, "last_point": last_point, "around": around, "veil": veil}
@@ -204,7 +208,7 @@ class Drawing:
             shade_surface(buffer, view, region, self.light, self._surface(part), veil)
 
     def _draw_points(self, bounded: BoundedPart, part: Points, buffer: DepthBuffer) -> Region:
-        view = self._view_of(part)
+        view = self._view_in_cells(part)
         if part.metric and part.size is not None:
             splat = Splat(0.0, part.size / 2 / self.unit * self.camera.fx)
         elif part.size is not None:
@@ -230,7 +234,8 @@ class Drawing:
         return region
 
     def _draw_triangles(self, part: Triangles, region: Region, buffer: DepthBuffer) -> None:
-        draw_triangles(part.positions, part.indices, self._view_of(part), buffer, cull=part.cull, start=region.start)
+        view = self._view_in_cells(part)
+        draw_triangles(part.positions, part.indices, view, buffer, cull=part.cull, start=region.start)
 
     def _draw_lines(self) -> tuple[Lines, Region] | None:
         """Draw all lines as one part. Returns it and its region for shading."""
@@ -240,7 +245,7 @@ class Drawing:
         if not lines:
             return None
         merged = merge_lines(lines, self.scene.middle, self.device)
-        view, drawn = self._view_of(merged), 0
+        view, drawn = self._view_in_cells(merged), 0
         for width in dict.fromkeys(part.width for part in lines):
             count = sum(part.indices.size // 2 for part in lines if part.width == width)
             pen = Pen(max(width * SAMPLES / 2, MIN_RADIUS), self.camera)
@@ -257,12 +262,18 @@ class Drawing:
             raise ValueError(f"geometries: {self.stop:,} points, triangles and lines are more than 2^31 in one picture")
         return start
 
-    def _view_of(self, part: Part, camera: Any = None) -> PartView:
-        """Vertices of a part in camera coordinates (`camera` None: in cells), in units of the scene's size."""
+    def _view_in_cells(self, part: Part) -> PartView:
+        view = self._views.get(part)
+        if view is None:
+            view = self._views[part] = self._view_of(part, self.camera)
+        return view
+
+    def _view_of(self, part: Part, camera: Any) -> PartView:
+        """Vertices of a part in the coordinates of a camera, in units of the scene's size."""
         A, t = _motion_of(part)
         R, eye = self.view.T_world_camera[:3, :3].T, self.view.T_world_camera[:3, 3]
         offset = R @ (A @ part.origin + t - eye) / self.unit
-        return PartView(self.camera if camera is None else camera, R @ A / self.unit, offset)
+        return PartView(camera, R @ A / self.unit, offset)
 
     def _surface(self, part: Triangles) -> Surface:
         uvs, texture = part.uvs, part.texture
@@ -280,7 +291,7 @@ class Drawing:
         """Image rectangle of a part [px]: left, top, right, bottom."""
         camera, T = self.view.intrinsic, self.view.T_world_camera
         full = 0, 0, camera.width, camera.height
-        local = (bounded.corners() - T[:3, 3]) @ T[:3, :3] / self.unit
+        local = (bounded.corners - T[:3, 3]) @ T[:3, :3] / self.unit
         depth = local[:, 2]
         if depth.min() <= 1e-3:
             return full

@@ -56,10 +56,11 @@ class Style:
             object.__setattr__(self, "pose", check_rigid("pose", self.pose))
 
     def over(self, other: Style) -> Style:
-        names = [field.name for field in dataclasses.fields(self) if field.name != "metric"]
-        chosen = {name: getattr(self if getattr(self, name) is not None else other, name) for name in names}
+        """The style with the fields of another one where it has none."""
+        chosen = {name: getattr(self if getattr(self, name) is not None else other, name) for name in _OPTIONAL}
         sized = self if self.point_size is not None else other
         return Style(**chosen, metric=sized.metric)
 
 
+_OPTIONAL = tuple(field.name for field in dataclasses.fields(Style) if field.name != "metric")
 STYLE_KEYS = tuple(field.name for field in dataclasses.fields(Style))

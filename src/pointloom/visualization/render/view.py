@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_rigid, check_rows
-from .open3d_parameters import view_from_open3d, view_to_open3d
+from .open3d_parameters import cross_product, view_from_open3d, view_to_open3d
 
 Triple = tuple[float, float, float]
 Insets = tuple[int, int, int, int]  # [px] left, top, right, bottom
@@ -139,11 +139,11 @@ class Frame:
     def __init__(self, direction: Triple, up: Triple, width: int, height: int, insets: Insets = (0, 0, 0, 0)):
         width, height = check_count("width", width), check_count("height", height)
         forward, up_direction = check_direction("direction", direction), check_direction("up", up)
-        right = np.cross(forward, up_direction)
+        right = cross_product(forward, up_direction)
         if not np.linalg.norm(right) > 1e-9:
             raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
         right = right / np.linalg.norm(right)
-        self.R = np.column_stack([right, np.cross(forward, right), forward])
+        self.R = np.column_stack([right, cross_product(forward, right), forward])
         focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
         self.intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
         left, top, right, bottom = insets
