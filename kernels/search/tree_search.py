@@ -29,7 +29,7 @@ from ..memory import empty, flat, rows_of
 from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
 from .group_search import GUESS, gather_candidates, grown_sqradius, is_repeated, search_member
-from .hilbert_order import argsort_along
+from .hilbert_order import order_queries
 from .lane_search import point_of_lane, search_lanes
 from .neighbor_keys import BOUNDLESS, sort_keys
 from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
@@ -209,7 +209,7 @@ def squared_radius(radius: float) -> float:
 
 
 def order_along_curve(tree: PointTree, queries: Points) -> Indices:
-    return argsort_along(queries, tree.curve)[1]
+    return order_queries(queries, tree.curve)
 
 
 def search_nearest(

@@ -130,8 +130,9 @@ def is_far_from_zero(sample: NDArray[np.float64]) -> bool:
 
 
 def is_plainly_around_zero(points: NDArray[Any]) -> bool:
-    """True only if `is_far_from_zero` is false for the sample of finite points. Decided by quartiles: half of the points
-    are beyond them, so the median deviation is at least the distance from the median to the nearer one."""
+    """True only if `is_far_from_zero` is false for the sample of finite points.
+    Half of the points are beyond the quartiles, so the spread is at least the distance from the median to the nearer
+    one."""
     if points.dtype.itemsize > 8:  # float64 would round small numbers to zero
         return False
     columns = np.array(points[:: len(points) // SPREAD_SAMPLE | 1].T, dtype=np.float64, order="C")
@@ -230,7 +231,9 @@ def usable_points(points: NDArray[Any]) -> NDArray[np.float64]:
     if finite.all() and points.all():
         return points.astype(np.float64)
     used = points != 0
-    return points[finite[:, 0] & finite[:, 1] & finite[:, 2] & (used[:, 0] | used[:, 1] | used[:, 2])].astype(np.float64)
+    return points[finite[:, 0] & finite[:, 1] & finite[:, 2] & (used[:, 0] | used[:, 1] | used[:, 2])].astype(
+        np.float64
+    )
 
 
 def finite_rows(rows: NDArray[Any]) -> NDArray[np.bool_]:
