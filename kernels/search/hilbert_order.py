@@ -4,11 +4,11 @@ Proc. 707, 2004 (AxesToTranspose). Results depend on the curve only in speed.
 
 import numpy as np
 
-from ..array_types import Indices, Integers, LongIntegers, Points
+from ..array_types import Device, Indices, Integers, LongIntegers, Points
 from ..arrays.bounds import bound_points, find_box
-from ..arrays.sort import SortKeys, put_key
+from ..arrays.sort import SortKeys, positions, put_key
 from ..lang import array, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
-from ..memory import empty
+from ..memory import empty, rows_of
 
 LANES = 8  # points per thread, vectorized
 lanes = vector(8, int32)
@@ -233,6 +233,16 @@ def few_keys(points: Points) -> SortKeys:
     return SortKeys(2 * points.size + DIGITS, points.device)
 
 
+_positions: list[Indices] = []  # 0 .. FEW - 1
+
+
+def few_positions(count: int, device: Device) -> Indices:
+    """0 .. count - 1 on the CPU, read only, for 1 .. FEW."""
+    if not _positions:
+        _positions.append(positions(FEW, device))
+    return rows_of(_positions[0], 0, count)
+
+
 def is_few(points: Points) -> bool:
     """True if one thread of the CPU orders the points."""
     return 0 < points.size <= FEW and points.device.is_cpu
@@ -285,6 +295,8 @@ def order_queries(queries: Points, curve: HilbertCurve) -> Indices:
     """An order of queries in which neighbors are near each other, int32 (n). Non-finite points last."""
     if not is_few(queries):
         return argsort_along(queries, curve)[1]
+    if queries.size == 1:
+        return few_positions(1, queries.device)
     order = empty(queries.size, int32, queries.device)
     launch(order_few_kernel, 1, [queries, curve.coarse, few_keys(queries), order])
     return order

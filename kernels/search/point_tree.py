@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from ..algebra.plain_min_max import larger
-from ..array_types import Integers, Points, Scalars
+from ..array_types import Indices, Integers, Points, Scalars
 from ..arrays.duplicates import same_point
-from ..arrays.sort import SortKeys
+from ..arrays.sort import SortKeys, positions
 from ..lang import (
     INFINITY,
     WARP,
@@ -34,10 +34,12 @@ from ..lang import (
 )
 from ..memory import empty, host_view, upload
 from .hilbert_order import (
+    FEW,
     FEW_BITS,
     HilbertCurve,
     HilbertOrder,
     few_keys,
+    few_positions,
     index_of_few,
     is_few,
     levels_for,
@@ -115,6 +117,12 @@ class PointTree:
 
 _ZERO = np.zeros(3, np.float32)
 _OWN_CURVE = HilbertCurve(_ZERO, _ZERO, 0)  # stands for the curve through the points' box
+
+
+def positions_in(tree: PointTree) -> Indices:
+    """0 .. count - 1, read only: int32 (count)."""
+    is_small = tree.device.is_cpu and 0 < tree.count <= FEW
+    return few_positions(tree.count, tree.device) if is_small else positions(tree.count, tree.device)
 
 
 def widest_square(tree: PointTree, max_sqdist: float) -> float:

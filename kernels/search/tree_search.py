@@ -225,12 +225,13 @@ def search_nearest(
     is_self = tree.source.ptr == queries.ptr and tree.source.size == total and total <= step
     for begin in range(0, total, step):
         end = min(total, begin + step)
-        rows = rows_of(queries, begin, end)
+        arrays = [queries, indices, sqdists, counts]
+        rows, *outputs = arrays if end - begin == total else [rows_of(a, begin, end) for a in arrays]
         order = tree.order if is_self else order_along_curve(tree, rows)
-        outputs = [flat(rows_of(a, begin, end)) for a in (indices, sqdists, counts)]
         scratch = GroupScratch(device, end - begin, k)
         for part in scratch.parts():
-            search = [rows, order, end - begin, part, int(is_self), tree, scratch, squared_radius(radius), *outputs]
+            search = [rows, order, end - begin, part, int(is_self), tree, scratch, squared_radius(radius)]
+            search += [flat(output) for output in outputs]
             launch(search_nearest_kernel, part.threads, search)
     return indices, sqdists, counts
 
