@@ -151,6 +151,15 @@ def is_plainly_around_zero(points: NDArray[Any]) -> bool:
     return max(map(abs, medians)) <= FAR_FROM_ZERO * spread
 
 
+def _is_box_around_zero(low: list[float], high: list[float]) -> bool:
+    """True only if the origin of the two corners is zero: `is_plainly_around_zero` without NumPy."""
+    if not all(-ORIGIN_LIMIT <= number <= ORIGIN_LIMIT for number in low + high):
+        return False
+    medians = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    spread = max(min(m - a, b - m) for m, a, b in zip(medians, low, high, strict=True))
+    return max(map(abs, medians)) <= FAR_FROM_ZERO * spread
+
+
 def _rounded(position: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray[np.float64]:
     finest = np.spacing(np.abs(position).max())  # of float64
     steps = np.array([2.0 ** min(0, math.floor(math.log2(max(16 * s, finest)))) if s > 0 else 1.0 for s in spread])
@@ -173,6 +182,8 @@ def origin_under(
     """Origin after an affine map x -> A x + t of the box `low` to `high`; `moved` is the mapped origin, shape (3,)."""
     middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
     corners = np.stack([middle - half, middle + half])
+    if _is_box_around_zero(*corners.tolist()):
+        return np.zeros(3)
     if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
         bounds = f"{corners[0].tolist()}..{corners[1].tolist()}"
         raise ValueError(f"{name}: moves the points to {bounds}, beyond the float32 range about their center")
