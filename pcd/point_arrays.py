@@ -319,7 +319,7 @@ class PointArrays(InUnit, KnownNames):
         cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
     ) -> Self:
         """Create a cloud from device arrays without copies or checks; `points` is vec3 (n,) relative to `origin`."""
-        cloud = cls.__new__(cls)
+        cloud: Any = cls.__new__(cls)
         cloud.__dict__.update(  # without the checks of assignments
             _library=library, _arrays=arrays, _origin=origin, grid=None, _cached_tree=CachedTree(arrays["points"])
         )
@@ -327,7 +327,7 @@ class PointArrays(InUnit, KnownNames):
 
     def _with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
         """Cloud with other device arrays about the same origin. Keeps the search tree if the points are the same."""
-        cloud = self._from_device_arrays(arrays, self._origin, self._library)
+        cloud: Any = self._from_device_arrays(arrays, self._origin, self._library)
         cloud.__dict__.update(grid=grid, _unit=self._unit)
         if arrays["points"] is self._arrays["points"]:
             cloud.__dict__["_cached_tree"] = self._cached_tree
