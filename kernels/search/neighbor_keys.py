@@ -5,7 +5,10 @@ Key j of a row is at `base` + j * `stride`: contiguous on the CPU, interleaved a
 """
 
 from ..arrays.packed_keys import key_limit, key_number
-from ..lang import array, bits_float, float_bits, func, int64
+from ..lang import array, bits_float, float_bits, func, int64, vector
+
+LANES = 8  # keys ranked together, in vector registers
+key_lanes = vector(8, int64)
 
 CLOSE = 1.05  # times the expected squared distance of the k-th neighbor: sufficient in more than half of the cases
 MIDDLE = 1.15  # ... in most
@@ -184,14 +187,18 @@ def keep_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: in
     if key_count > MANY:
         sort_keys(keys, base, stride, key_count)
     else:
-        for a in range(key_count):
-            key = keys[base + a * stride]
-            rank = int64(0)  # as wide as the keys, to share vector registers
+        for block in range((key_count + LANES - 1) // LANES):
+            own = key_lanes(0)
+            ranks = key_lanes(0)  # as wide as the keys, to share vector registers
+            for j in range(LANES):
+                own[j] = keys[base + min(block * LANES + j, key_count - 1) * stride]
             for b in range(key_count):
-                if keys[base + b * stride] < key:
-                    rank += 1
-            if int(rank) < k:
-                keys[base + (room + int(rank)) * stride] = key
+                key = keys[base + b * stride]
+                for j in range(LANES):
+                    ranks[j] = ranks[j] + (int64(1) if key < own[j] else int64(0))
+            for j in range(min(LANES, key_count - block * LANES)):
+                if int(ranks[j]) < k:
+                    keys[base + (room + int(ranks[j])) * stride] = own[j]
         for a in range(left):
             keys[base + a * stride] = keys[base + (room + a) * stride]
     return left
