@@ -140,7 +140,7 @@ class Bounds(Selection, Movable):
         """Change the origin and map the arrays from the old to the new one."""
         arrays = dict(self._arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
-        is_shift = np.array_equal(A, np.eye(3))  # normals and covariances do not change
+        is_shift = len(arrays) == 1 or np.array_equal(A, np.eye(3))  # normals and covariances do not change
         if self.has_normals and not is_shift:
             arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
         if (

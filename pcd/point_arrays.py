@@ -319,18 +319,18 @@ class PointArrays(InUnit, KnownNames):
         cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
     ) -> Self:
         """Create a cloud from device arrays without copies or checks; `points` is vec3 (n,) relative to `origin`."""
-        cloud = cls.__new__(cls)
-        cloud._library = library
-        cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
-        cloud._cached_tree = CachedTree(arrays["points"])
+        cloud: Any = cls.__new__(cls)
+        cloud.__dict__.update(  # without the checks of assignments
+            _library=library, _arrays=arrays, _origin=origin, grid=None, _cached_tree=CachedTree(arrays["points"])
+        )
         return cloud
 
     def _with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
         """Cloud with other device arrays about the same origin. Keeps the search tree if the points are the same."""
-        cloud = self._from_device_arrays(arrays, self._origin, self._library)
-        cloud.grid, cloud._unit = grid, self._unit
+        cloud: Any = self._from_device_arrays(arrays, self._origin, self._library)
+        cloud.__dict__.update(grid=grid, _unit=self._unit)
         if arrays["points"] is self._arrays["points"]:
-            cloud._cached_tree = self._cached_tree
+            cloud.__dict__["_cached_tree"] = self._cached_tree
         return cloud
 
     def _device_array(self, name: str) -> wp.array:

@@ -78,4 +78,4 @@ class InUnit:
 
 def unit_under(unit: LengthUnit | None, A: NDArray[Any]) -> LengthUnit | None:
     """Unit after a map with the 3x3 part A. None if it changes lengths by more than rounding."""
-    return unit if np.abs(matmul(A, A.T) - np.eye(3)).max() <= RIGID_TOLERANCE else None
+    return unit if unit is None or np.abs(matmul(A, A.T) - np.eye(3)).max() <= RIGID_TOLERANCE else None

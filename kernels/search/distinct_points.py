@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from ..array_types import Indices, Integers, Points
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.duplicates import find_equal_points, same_point
+from ..arrays.duplicates import find_equal_points
 from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import gather_rows, positions_of
@@ -20,23 +20,17 @@ from ..lang import array, atomic_add, atomic_max, int32, isfinite, kernel, launc
 from ..memory import download, empty, zeros
 from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .group_search import launch_over_leaves, nearest_of_leaves
-from .point_tree import PointTree
+from .point_tree import PointTree, copies_after
 from .tree_search import squared_radius
 
 MIN_DISTINCT = 5  # positions that determine a plane and its error, as in `plane_covariances`
-WINDOW = 5  # points along the curve: a cell of it may contain several positions
 
 
 @kernel
 def find_adjacent_copies_kernel(tree: PointTree, flag: array(dtype=int32)):
     """1 if a point equals one of the next along the curve. All threads write the same value."""
     i = tid()
-    p = tree.points[i]
-    copies = 0
-    for j in range(i + 1, min(i + WINDOW, tree.count)):
-        if tree.points[j][0] == p[0]:
-            copies += same_point(p, tree.points[j])
-    if copies > 0:
+    if copies_after(i, tree) > 0:
         flag[0] = 1
 
 

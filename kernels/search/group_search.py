@@ -10,7 +10,6 @@ from typing import Any
 
 from ..arrays.lanes import lane_max
 from ..arrays.packed_keys import key_number, pack_key
-from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     WARP,
@@ -33,7 +32,7 @@ from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .k_nearest import search_k_nearest
 from .lane_search import search_lanes
 from .neighbor_keys import BOUNDLESS, keep_nearest, sort_keys, thin_keys
-from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, square_distance
+from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, positions_in, square_distance
 
 SLACK = 1.00001  # covers the float32 rounding of two square roots, a sum and a product
 TINY = 1.0e-37  # [m^2] covers the rounding of subnormal products, which is not relative
@@ -252,7 +251,7 @@ def nearest_of_lanes(
 
 def launch_over_leaves(kernel: Kernel, tree: PointTree, k: int, arguments: Sequence[Any]) -> None:
     """Launch a kernel (LaunchPart, tree, labels, GroupScratch, `arguments`) that loops over `nearest_of_leaves`."""
-    labels = positions(tree.count, tree.device)
+    labels = positions_in(tree)
     scratch = GroupScratch(tree.device, tree.count, min(k, max(1, tree.count)))
     for part in scratch.parts():
         launch(kernel, part.threads, [part, tree, labels, scratch, *arguments])

@@ -12,7 +12,6 @@ import numpy as np
 from ..array_types import Integers
 from ..arrays.lanes import lane_max
 from ..arrays.packed_keys import key_limit, key_number, pack_key
-from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     WARP,
@@ -40,7 +39,7 @@ from .group_search import GUESS, gather_candidates, grown_sqradius, pick_within
 from .k_nearest import search_k_nearest
 from .lane_search import keep_up_to_limit, list_leaves, search_lanes
 from .neighbor_keys import limit_nearest
-from .point_tree import BUCKET, LEAF, PointTree, square_distance
+from .point_tree import BUCKET, LEAF, PointTree, positions_in, square_distance
 from .tree_search import squared_radius
 
 eight_counts = vector(8, int32)
@@ -188,7 +187,7 @@ class Neighborhood:
     def __init__(self, tree: PointTree, radius: float, max_nn: int | None, ranks: Integers | None = None) -> None:
         device, self.tree = tree.device, tree
         self.max_sqdist = squared_radius(radius)
-        self.positions = positions(tree.count, device)
+        self.positions = positions_in(tree)
         self.is_complete = max_nn is None or max_nn >= tree.count
         self.list_size = LIST_SIZE if max_nn is None or self.is_complete else max_nn
         if self.is_complete:

@@ -4,12 +4,11 @@ from collections.abc import Iterator
 
 from ..array_types import Indices
 from ..arrays.packed_keys import key_index
-from ..arrays.sort import positions
 from ..lang import INFINITY, WARP, array, int32, kernel, launch, tid
 from ..memory import empty
 from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .group_search import nearest_of_leaves
-from .point_tree import PointTree
+from .point_tree import PointTree, positions_in
 from .tree_search import squared_radius
 
 MAX_ENTRIES = 2**30  # per part: below the array size limit of a launch
@@ -49,7 +48,7 @@ def list_neighbors(
     Short lists (by `radius` [m] or float32 overflow) are padded with the point itself if `own`, else with -1.
     """
     device, max_sqdist = tree.device, squared_radius(radius)
-    labels = positions(tree.count, device)
+    labels = positions_in(tree)
     step = max(1, max_entries // (k * WARP)) * WARP  # whole groups
     for begin in range(0, tree.count, step):
         rows = min(step, tree.count - begin)

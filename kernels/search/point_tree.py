@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from ..algebra.plain_min_max import larger
-from ..array_types import Integers, Points, Scalars
+from ..array_types import Indices, Integers, Points, Scalars
+from ..arrays.duplicates import same_point
+from ..arrays.sort import SortKeys, positions
 from ..lang import (
     INFINITY,
     WARP,
@@ -30,12 +32,26 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import empty, upload
-from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
+from ..memory import empty, host_view, upload
+from .hilbert_order import (
+    FEW,
+    FEW_BITS,
+    HilbertCurve,
+    HilbertOrder,
+    few_keys,
+    few_positions,
+    index_of_few,
+    is_few,
+    levels_for,
+    locate_on_curve,
+    scale_of_box,
+    sort_few,
+)
 
 LEAF = 8  # points per leaf
 FAN = 8  # leaves per bucket
 BUCKET = LEAF * FAN  # points per bucket
+WINDOW = 5  # points along the curve searched for copies: a cell of it may contain several positions
 ROUNDED_UP = 1.000001  # factor above the float32 rounding of a square
 LARGEST_SQDIST = 3.4028234663852886e38  # [m^2] the largest float32: limit of a traversal without a radius
 SIDES = 6 * FAN  # numbers per node: low x, y, z, high x, y, z of all its children
@@ -59,11 +75,13 @@ class PointTree:
     curve: HilbertCurve
 
     def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
-        hilbert = HilbertOrder(points, curve)
         self.source, self.device = points, points.device
         self.is_searched_for_copies = False
         self.copies: Any = None  # as are `distinct`, of distinct_points.py
         self.distinct: Any = None
+        if is_few(points) and self._is_built_of_few(points, curve):
+            return
+        hilbert = HilbertOrder(points, curve)
         self.low, self.high = hilbert.low, hilbert.high
         self.count, self.order, self.curve = hilbert.finite_count, hilbert.order, hilbert.curve
         sizes, first = level_sizes(-(-self.count // BUCKET))
@@ -79,6 +97,33 @@ class PointTree:
             launch(store_leaves_kernel, sizes[0] * FAN, [points, hilbert.codes, self])
         bound_levels(self.levels, sizes, self.boxes, known=1 if self.device.is_cuda else 0)
 
+    def _is_built_of_few(self, points: Points, curve: HilbertCurve | None) -> bool:
+        """Build the tree of few points in one launch. False if a point is not finite."""
+        count, device, levels = points.size, self.device, levels_for(points.size)
+        sizes = _level_counts(-(-count // BUCKET))
+        self.count, self.root = count, len(sizes) - 1
+        self.levels, self.order = empty(len(sizes) + 1, int32, device), empty(count, int32, device)
+        self.points, self.codes = empty(-(-count // LEAF) * LEAF, vec3, device), empty(sizes[0], int64, device)
+        self.boxes, found = empty(sum(sizes) * SIDES, float32, device), empty(8, float32, device)
+        launch(build_few_kernel, 1, [points, levels, curve or _OWN_CURVE, few_keys(points), self, found])
+        box = host_view(found)
+        if box[6] == 0:
+            return False
+        self.low, self.high = box[:3] + _ZERO, box[3:6] + _ZERO  # as `box_of`: + 0 normalizes minus zero
+        self.curve = curve or HilbertCurve(self.low, self.high, levels)
+        self.is_searched_for_copies = bool(box[7] == 0)
+        return True
+
+
+_ZERO = np.zeros(3, np.float32)
+_OWN_CURVE = HilbertCurve(_ZERO, _ZERO, 0)  # stands for the curve through the points' box
+
+
+def positions_in(tree: PointTree) -> Indices:
+    """0 .. count - 1, read only: int32 (count)."""
+    is_small = tree.device.is_cpu and 0 < tree.count <= FEW
+    return few_positions(tree.count, tree.device) if is_small else positions(tree.count, tree.device)
+
 
 def widest_square(tree: PointTree, max_sqdist: float) -> float:
     """Squared distance [m^2] that bounds both the tree's diameter and `max_sqdist`."""
@@ -88,10 +133,15 @@ def widest_square(tree: PointTree, max_sqdist: float) -> float:
 
 def level_sizes(count: int) -> tuple[list[int], np.ndarray]:
     """Node counts and int32 offsets of each level over `count` lowest nodes."""
+    sizes = _level_counts(count)
+    return sizes, np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
+
+
+def _level_counts(count: int) -> list[int]:
     sizes = [max(1, count)]
     while sizes[-1] > 1:
         sizes.append(-(-sizes[-1] // FAN))
-    return sizes, np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
+    return sizes
 
 
 def bound_levels(levels: Integers, sizes: Sequence[int], boxes: Scalars, known: int) -> None:
@@ -208,10 +258,9 @@ def highest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
     return b
 
 
-@kernel
-def bound_nodes_kernel(level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
-    """Copy the node boxes of the level below into their parents. Missing nodes get empty boxes."""
-    i = tid()
+@func
+def bound_node(i: int, level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
+    """Copy the box of node i of the level below into its parent. A missing node gets an empty box."""
     below = levels[level - 1]
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
@@ -222,6 +271,13 @@ def bound_nodes_kernel(level: int, levels: array(dtype=int32), boxes: array(dtyp
     for axis in range(3):
         boxes[at + axis * FAN] = a[axis]
         boxes[at + (axis + 3) * FAN] = b[axis]
+
+
+@kernel
+def bound_nodes_kernel(level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
+    """Copy the node boxes of the level below into their parents."""
+    i = tid()
+    bound_node(i, level, levels, boxes)
 
 
 @bound_nodes_kernel.on_cuda
@@ -246,6 +302,78 @@ def bound_two_levels_kernel(level: int, levels: array(dtype=int32), boxes: array
     b = lowest_of_lanes(-b, 0, 3)
     if level + 2 < levels.shape[0]:
         write_side(i % FAN, a, -b, (above + parent // FAN) * SIDES + parent % FAN, boxes)
+
+
+@func
+def copies_after(i: int, tree: PointTree) -> int:
+    """How many of the next points along the curve equal point i."""
+    p = tree.points[i]
+    copies = 0
+    for j in range(i + 1, min(i + WINDOW, tree.count)):
+        if tree.points[j][0] == p[0]:
+            copies += same_point(p, tree.points[j])
+    return copies
+
+
+@kernel(for_cpu=True)
+def build_few_kernel(
+    points: array(dtype=vec3),
+    own_levels: int,
+    given: HilbertCurve,
+    keys: SortKeys,
+    tree: PointTree,
+    found: array(dtype=float32),
+):
+    """Build the tree of up to FEW points by one thread, on a given curve unless that has no levels. `found`: box, 1 if
+    all are finite (else the tree is not built), 1 if adjacent points are equal."""
+    i = tid()
+    low = vec3(INFINITY, INFINITY, INFINITY)
+    high = vec3(-INFINITY, -INFINITY, -INFINITY)
+    found[6] = 1.0
+    found[7] = 0.0
+    for j in range(i, tree.count):
+        p = points[j]
+        if not isfinite(p):
+            found[6] = 0.0
+        low = vec3(min(low[0], p[0]), min(low[1], p[1]), min(low[2], p[2]))
+        high = vec3(max(high[0], p[0]), max(high[1], p[1]), max(high[2], p[2]))
+    for axis in range(3):
+        found[axis] = low[axis]
+        found[axis + 3] = high[axis]
+    if found[6] == 1.0:
+        levels = given.levels
+        scale = given.scale
+        start = given.low
+        if levels == 0:
+            levels = own_levels
+            scale = scale_of_box(low, high, levels)
+            start = low + vec3(0.0, 0.0, 0.0)
+        first = sort_few(points, start, scale, levels, keys)
+        buckets = tree.codes.shape[0]
+        for j in range(buckets):
+            tree.codes[j] = keys.keys[first + j * BUCKET] >> int64(FEW_BITS)
+        for j in range(tree.count):
+            tree.order[j] = index_of_few(keys.keys[first + j])
+            tree.points[j] = points[tree.order[j]]
+        for j in range(tree.count, tree.points.shape[0]):
+            tree.points[j] = vec3(INFINITY, INFINITY, INFINITY)
+        for j in range(buckets * FAN):
+            bound_leaf(j, tree.points, tree.count, tree.boxes)
+        size = buckets + 0
+        node = 0
+        for level in range(tree.root + 1):
+            tree.levels[level] = node
+            node += size
+            tree.levels[level + 1] = node
+            if level > 0:
+                for j in range(size * FAN):
+                    bound_node(j, level, tree.levels, tree.boxes)
+            size = (size + FAN - 1) // FAN
+        copies = 0
+        for j in range(tree.count):
+            copies += copies_after(j, tree)
+        if copies > 0:
+            found[7] = 1.0
 
 
 @func

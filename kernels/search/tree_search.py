@@ -25,16 +25,17 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import empty, flat, rows_of
+from ..memory import download, empty, flat, rows_of
 from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
 from .group_search import GUESS, gather_candidates, grown_sqradius, is_repeated, search_member
-from .hilbert_order import argsort_along
+from .hilbert_order import is_few, order_queries
 from .lane_search import point_of_lane, search_lanes
 from .neighbor_keys import BOUNDLESS, sort_keys
 from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
 from .tree_walk import lowest_bit
 
+SLOTS = 64  # neighbors of each of few queries that the count keeps, so that there is one traversal
 MAX_ROWS = 2**31 - 1  # element limit of arrays in a launch
 
 
@@ -201,6 +202,42 @@ def list_within_kernel(
         sqdists[j] = key_number(keys[j])
 
 
+@kernel(for_cpu=True)
+def keep_within_kernel(
+    queries: array(dtype=vec3),
+    query_order: array(dtype=int32),
+    tree: PointTree,
+    max_sqdist: float,
+    counts: array(dtype=int32),
+    kept: array(dtype=int64),
+):
+    """Count as `count_within_kernel`, and keep the keys of up to SLOTS neighbors of each query."""
+    i = tid()
+    q = query_order[i]
+    p = queries[q]
+    count = 0
+    if tree.count > 0 and isfinite(p):
+        for j, sqdist in points_within(find_bucket(p, tree), p, max_sqdist, tree):
+            kept[q * SLOTS + min(count, SLOTS - 1)] = pack_key(sqdist, tree.order[j])
+            count += 1
+    counts[q] = count
+
+
+@kernel(for_cpu=True)
+def list_kept_kernel(
+    offsets: array(dtype=int32),
+    counts: array(dtype=int32),
+    kept: array(dtype=int64),
+    indices: array(dtype=int32),
+    sqdists: array(dtype=float32),
+):
+    i = tid()
+    sort_keys(kept, i * SLOTS, 1, counts[i])
+    for j in range(counts[i]):
+        indices[offsets[i] + j] = key_index(kept[i * SLOTS + j])
+        sqdists[offsets[i] + j] = key_number(kept[i * SLOTS + j])
+
+
 def squared_radius(radius: float) -> float:
     """Largest float32 below radius^2, finite, since Open3D counts neighbors with d^2 < r^2."""
     exact = float(radius) * float(radius)
@@ -209,7 +246,7 @@ def squared_radius(radius: float) -> float:
 
 
 def order_along_curve(tree: PointTree, queries: Points) -> Indices:
-    return argsort_along(queries, tree.curve)[1]
+    return order_queries(queries, tree.curve)
 
 
 def search_nearest(
@@ -225,12 +262,13 @@ def search_nearest(
     is_self = tree.source.ptr == queries.ptr and tree.source.size == total and total <= step
     for begin in range(0, total, step):
         end = min(total, begin + step)
-        rows = rows_of(queries, begin, end)
+        arrays = [queries, indices, sqdists, counts]
+        rows, *outputs = arrays if end - begin == total else [rows_of(a, begin, end) for a in arrays]
         order = tree.order if is_self else order_along_curve(tree, rows)
-        outputs = [flat(rows_of(a, begin, end)) for a in (indices, sqdists, counts)]
         scratch = GroupScratch(device, end - begin, k)
         for part in scratch.parts():
-            search = [rows, order, end - begin, part, int(is_self), tree, scratch, squared_radius(radius), *outputs]
+            search = [rows, order, end - begin, part, int(is_self), tree, scratch, squared_radius(radius)]
+            search += [flat(output) for output in outputs]
             launch(search_nearest_kernel, part.threads, search)
     return indices, sqdists, counts
 
@@ -241,9 +279,16 @@ def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Inte
     order = order_along_curve(tree, queries)
     counts = empty(total, int32, device)
     common = [queries, order, tree]
-    launch(count_within_kernel, total, [*common, max_sqdist, counts])
+    kept = empty(total * SLOTS, int64, device) if is_few(queries) else None
+    if kept is None:
+        launch(count_within_kernel, total, [*common, max_sqdist, counts])
+    else:
+        launch(keep_within_kernel, total, [*common, max_sqdist, counts, kept])
     offsets, neighbor_count = exclusive_scan(counts)
-    keys, indices = empty(neighbor_count, int64, device), empty(neighbor_count, int32, device)
-    sqdists = empty(neighbor_count, float32, device)
+    indices, sqdists = empty(neighbor_count, int32, device), empty(neighbor_count, float32, device)
+    if kept is not None and download(counts).max() <= SLOTS:
+        launch(list_kept_kernel, total, [offsets, counts, kept, indices, sqdists])
+        return indices, sqdists, offsets
+    keys = empty(neighbor_count, int64, device)
     launch(list_within_kernel, total, [*common, max_sqdist, offsets, keys, indices, sqdists])
     return indices, sqdists, offsets

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.core.checks import check_count, check_positive, check_rigid, check_rows, check_seed
+from pointloom.core.checks import check_count, check_positive, check_rigid, check_rows, check_seed, check_transformation
 from pointloom.open3d.utility import Vector3dVector
 
 
@@ -55,6 +55,28 @@ def test_a_pose_with_one_invalid_number_is_rejected(bad):
             continue  # a translation
         with pytest.raises(ValueError, match=r"^T:"):
             check_rigid("T", wrong)
+
+
+@pytest.mark.parametrize("scale", [1e-107, 1e-95, 1e-5, 1.0, 1e90])
+@pytest.mark.parametrize("smallest", [0.0, 1e-17, 1e-14, 1e-3])
+def test_a_transformation_is_invertible_as_by_the_rank_of_numpy(scale, smallest, rng):
+    Q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    T = np.eye(4)
+    T[:3, :3] = scale * Q @ np.diag([1, 0.5, smallest]) @ Q.T
+    if np.linalg.matrix_rank(T[:3, :3]) == 3:
+        assert check_transformation("T", T) is T
+    else:
+        with pytest.raises(ValueError, match=r"^T: expected an invertible matrix"):
+            check_transformation("T", T)
+
+
+@pytest.mark.parametrize("number", [np.nan, np.inf, 1.1e100])
+def test_a_transformation_with_one_invalid_number_is_rejected(number):
+    for entry in np.ndindex(3, 4):
+        T = np.eye(4)
+        T[entry] = number
+        with pytest.raises(ValueError, match=r"^T: expected"):
+            check_transformation("T", T)
 
 
 def test_rows_have_the_requested_width_and_count():

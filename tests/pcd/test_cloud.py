@@ -9,7 +9,15 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.core.coordinates import ORIGIN_LIMIT
+from pointloom.core.coordinates import (
+    ORIGIN_LIMIT,
+    SPREAD_SAMPLE,
+    choose_origin,
+    is_far_from_zero,
+    is_plainly_around_zero,
+    origin_under,
+    sample_points,
+)
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 
@@ -125,6 +133,30 @@ def test_the_origin_stays_at_zero_up_to_its_limit_and_moves_beyond(device):
     at = loom.PointCloud([[ORIGIN_LIMIT, 0, -ORIGIN_LIMIT]], device=device)
     beyond = loom.PointCloud([[ORIGIN_LIMIT + 1, 0, 0], [ORIGIN_LIMIT - 3, 10, 0]], device=device)
     assert at.origin.tolist() == [0, 0, 0] and beyond.origin.tolist() == [ORIGIN_LIMIT - 1, 5, 0]
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32, np.float16, np.int32])
+def test_points_that_are_plainly_around_zero_are_not_far_from_it_by_their_medians(dtype, rng):
+    plain_count = 0
+    for count in [1, 2, 3, 4, 5, 127, 128, 129, 1000] * 20:
+        points = (9 * rng.normal(size=(count, 3)) + 300 * rng.choice([0, 0.3, 1, 2])).astype(dtype)
+        points[rng.random(count) < rng.choice([0, 0.3, 0.6])] = 0
+        points[:1] *= rng.choice([1, 30])
+        if is_plainly_around_zero(points):
+            assert not is_far_from_zero(sample_points(points, SPREAD_SAMPLE))
+            plain_count += 1
+    assert plain_count > 60
+
+
+def test_the_origin_of_a_moved_box_is_that_of_its_corners(rng):
+    far_count = 0
+    for _ in range(200):
+        corners = np.sort(rng.normal(size=(2, 3)) + 10 ** rng.uniform(0, 5) * rng.choice([0, 1], 3), axis=0)
+        middle, half = (corners[0] + corners[1]) / 2, (corners[1] - corners[0]) / 2
+        is_far = choose_origin(np.stack([middle - half, middle + half])).any()
+        assert origin_under("box", np.eye(3), np.zeros(3), *corners, middle).any() == is_far
+        far_count += is_far
+    assert 20 < far_count < 180
 
 
 @pytest.mark.parametrize("extent", [1.0, 100.0, 5000.0])

@@ -16,6 +16,7 @@ from pointloom.kernels.arrays.fingerprint import fingerprint
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search import group_scratch, tree_search
+from pointloom.kernels.search.hilbert_order import FEW
 from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd import cached_tree
@@ -134,6 +135,20 @@ def open3d_neighbors(o3d, points, queries, radii):
         search.fixed_radius_index(float(radius))
         within.append([t.numpy() for t in search.fixed_radius_search(o3d.core.Tensor(queries), float(radius), True)])
     return search.knn_search(o3d.core.Tensor(queries), min(8, len(points)))[1].numpy(), within
+
+
+@pytest.mark.parametrize("count", [1, tree_search.SLOTS, tree_search.SLOTS + 1])
+@pytest.mark.parametrize("query_count", [1, 50, FEW + 1])
+def test_a_radius_that_contains_all_points_lists_them_as_the_k_nearest(device, count, query_count, rng):
+    points, queries = rng.random((count, 3)), rng.random((query_count, 3))
+    queries[1::9] = np.nan
+    search = loom.NearestNeighborSearch(points, device=device)
+    indices, sqdists, counts = search.radius_search(queries, 2.0)
+    expected = search.knn_search(queries, count)
+    np.testing.assert_array_equal(counts, expected.counts)
+    finite = np.isfinite(queries[:, 0])
+    np.testing.assert_array_equal(indices, expected.indices[finite].reshape(-1))
+    np.testing.assert_array_equal(sqdists, expected.sqdists[finite].reshape(-1))
 
 
 def test_the_boundary_of_a_radius_is_excluded_as_in_open3d(device, oracle):

@@ -60,7 +60,10 @@ class KnownNames(HintedNames):
         def __setattr__(self, name: str, value: Any) -> None:
             if not name.startswith("_") and not _declares(type(self), name):
                 raise AttributeError(_message(type(self), name, self._how_to_add.format(name=name)))
-            super().__setattr__(name, value)
+            if self._fixed:
+                super().__setattr__(name, value)
+            else:
+                object.__setattr__(self, name, value)
 
 
 _declared: set[tuple[type, str]] = set()  # cached: a class does not lose a name

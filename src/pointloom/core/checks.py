@@ -20,6 +20,9 @@ MAX_SEED = 2**31 - 1
 MAX_COUNT = 2**31 - 1  # device code counts in 32 bits
 LARGEST_NUMBER = 1e100  # larger than any length in pixels or meters; products of three larger numbers overflow
 RIGID_TOLERANCE = 0.02  # tolerance of R R^T - I: rotations of real data sets are rounded to a few digits
+FEW = 16  # numbers that Python checks faster than NumPy
+CLEARLY_REGULAR = 1e-12  # determinant over the cubed norm: 1,500 times the limit of `matrix_rank`
+SMALLEST_ENTRY = 1e-90  # of a clearly invertible matrix
 SHOWN = 80  # maximum characters of a quoted value
 DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
 
@@ -115,6 +118,8 @@ def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = 
 
 def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
     """Raise if a number is NaN, infinite or beyond 1e100."""
+    if array.size <= FEW and all(-LARGEST_NUMBER <= number <= LARGEST_NUMBER for number in array.ravel().tolist()):
+        return array
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: expected finite numbers, got {shown(array.tolist())}")
     if not (np.abs(array) <= LARGEST_NUMBER).all():
@@ -139,7 +144,7 @@ def check_color(name: str, color: Any) -> NDArray[np.float64]:
         kind = TypeError if isinstance(color, str) else ValueError
         raise kind(f"{name}: expected red, green and blue in 0..1{remedy}, got {shown(color)}")
     rgb = check_shape(name, color, (3,))
-    if not ((rgb >= 0) & (rgb <= 1)).all():
+    if not all(0 <= part <= 1 for part in rgb.tolist()):
         remedy = "; divide 8-bit colors by 255" if (rgb > 1).any() else ""
         raise ValueError(f"{name}: expected 0..1, got {rgb.tolist()}{remedy}")
     return rgb
@@ -341,6 +346,8 @@ def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
     if check_numeric(name, matrix).shape == (3, 3):
         raise ValueError(f"{name}: expected shape [4, 4], got [3, 3]; use rotate(R) for a rotation")
     T = check_shape(name, matrix, (4, 4))
+    if _is_plainly_invertible(T.tolist()):
+        return T
     if not np.isfinite(T).all() or np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-9:
         is_transposed = np.abs(T[:, 3] - (0, 0, 0, 1)).max() <= 1e-9
         remedy = "; pass its transpose: T.T" if is_transposed else ""
@@ -351,3 +358,14 @@ def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
     if np.linalg.matrix_rank(T[:3, :3]) < 3:
         raise ValueError(f"{name}: expected an invertible matrix, got {T.tolist()}")
     return T
+
+
+def _is_plainly_invertible(rows: list[list[float]]) -> bool:
+    """True if a 4x4 matrix is clearly finite, affine and invertible, in a tenth of NumPy's time."""
+    (a, b, c, _), (d, e, f, _), (g, h, i, _), last = rows
+    if last != [0, 0, 0, 1] or not all(abs(number) <= LARGEST_NUMBER for number in (*rows[0], *rows[1], *rows[2])):
+        return False
+    largest = max(map(abs, (a, b, c, d, e, f, g, h, i)))
+    determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    # The norm is at most three times the largest entry. Cubes of smaller entries would underflow.
+    return largest > SMALLEST_ENTRY and abs(determinant) > CLEARLY_REGULAR * (3 * largest) ** 3

@@ -38,7 +38,7 @@ def split_origin(
     """Split points (n, 3) into float32 offsets and an origin (3,), by default that of `choose_origin`.
     Points too far apart raise `ValueError`, or become infinite with a given origin."""
     if origin is None:
-        origin = choose_origin(points)
+        origin = _choose_origin(points, None)
     if not origin.any():
         return np.ascontiguousarray(points, dtype=np.float32), origin
     return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
@@ -50,10 +50,16 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     `steps` (3,) is the coordinate step of a file. An axis whose steps float32 cannot resolve, such as degrees in steps
     of 1e-7, is moved to the median in whole thousands of steps if most points are closer to it. Raises `ValueError`
     beyond float32."""
+    return _choose_origin(points, steps)
+
+
+def _choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None) -> NDArray[np.float64]:
     if not points.size:
         return np.zeros(3)
     low = high = np.zeros(3)
-    is_near = points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT
+    is_near = points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT  # false for NaN
+    if is_near and steps is None and is_plainly_around_zero(points):
+        return low
     if not is_near:
         low, high = finite_box(points)
         max_coordinate = max(np.abs(low).max(), np.abs(high).max())
@@ -74,11 +80,12 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     return origin if steps is None else _refine(origin, sample_points(points), steps)
 
 
-@quiet()
 def warn_if_coarse(name: str, points: NDArray[Any], origin: NDArray[np.float64]) -> None:
     """Warn if points (n, 3) are float32 and so far from zero that digits have been lost."""
     if points.dtype == np.float32 and origin.any():
-        warn_of_steps(name, sample_points(points, SPREAD_SAMPLE))
+        with quiet():
+            sample = sample_points(points, SPREAD_SAMPLE)
+        warn_of_steps(name, sample)
 
 
 @quiet()
@@ -122,6 +129,37 @@ def is_far_from_zero(sample: NDArray[np.float64]) -> bool:
     return bool(spread.any() and np.abs(middle).max() > FAR_FROM_ZERO * spread.max())
 
 
+def is_plainly_around_zero(points: NDArray[Any]) -> bool:
+    """True only if `is_far_from_zero` is false for the sample of finite points.
+    Half of the points are beyond the quartiles, so the spread is at least the distance from the median to the nearer
+    one."""
+    if points.dtype.itemsize > 8:  # float64 would round small numbers to zero
+        return False
+    columns = np.array(points[:: len(points) // SPREAD_SAMPLE | 1].T, dtype=np.float64, order="C")
+    is_used = columns.any(axis=0)
+    if not is_used.all():
+        columns = columns[:, is_used]
+    count = columns.shape[1]
+    if count < 2:  # a single point has no spread
+        return count == 1
+    columns.sort(axis=1)
+    below, first = (count - 1) // 2, count // 4
+    last = min(first + below + 1, count - 1)
+    quartiles, middles = columns[:, (first, last)].tolist(), columns[:, (below, count // 2)].tolist()
+    medians = [(a + b) / 2 for a, b in middles]
+    spread = max(min(m - a, b - m) for m, (a, b) in zip(medians, quartiles, strict=True))
+    return max(map(abs, medians)) <= FAR_FROM_ZERO * spread
+
+
+def _is_box_around_zero(low: list[float], high: list[float]) -> bool:
+    """True only if the origin of the two corners is zero: `is_plainly_around_zero` without NumPy."""
+    if not all(-ORIGIN_LIMIT <= number <= ORIGIN_LIMIT for number in low + high):
+        return False
+    medians = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    spread = max(min(m - a, b - m) for m, a, b in zip(medians, low, high, strict=True))
+    return max(map(abs, medians)) <= FAR_FROM_ZERO * spread
+
+
 def _rounded(position: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray[np.float64]:
     finest = np.spacing(np.abs(position).max())  # of float64
     steps = np.array([2.0 ** min(0, math.floor(math.log2(max(16 * s, finest)))) if s > 0 else 1.0 for s in spread])
@@ -144,6 +182,8 @@ def origin_under(
     """Origin after an affine map x -> A x + t of the box `low` to `high`; `moved` is the mapped origin, shape (3,)."""
     middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
     corners = np.stack([middle - half, middle + half])
+    if _is_box_around_zero(*corners.tolist()):
+        return np.zeros(3)
     if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
         bounds = f"{corners[0].tolist()}..{corners[1].tolist()}"
         raise ValueError(f"{name}: moves the points to {bounds}, beyond the float32 range about their center")
@@ -198,7 +238,13 @@ def sample_points(points: NDArray[Any], size: int = MEDIAN_SAMPLE) -> NDArray[np
 
 
 def usable_points(points: NDArray[Any]) -> NDArray[np.float64]:
-    return points[np.isfinite(points).all(axis=1) & points.any(axis=1)].astype(np.float64)
+    finite = np.isfinite(points)
+    if finite.all() and points.all():
+        return points.astype(np.float64)
+    used = points != 0
+    return points[finite[:, 0] & finite[:, 1] & finite[:, 2] & (used[:, 0] | used[:, 1] | used[:, 2])].astype(
+        np.float64
+    )
 
 
 def finite_rows(rows: NDArray[Any]) -> NDArray[np.bool_]:

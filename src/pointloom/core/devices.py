@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 from .checks import shown
@@ -15,13 +16,13 @@ def resolve_device(device: Any = None) -> Any:
     Raises:
         DeviceError: No such device, or CUDA in a forked process. There is no silent fallback.
     """
+    if device is None or (isinstance(device, str) and device == "cpu"):
+        return _cpu()
     import warp as wp
 
     from ..kernels.language import warp_compiler  # noqa: F401  starts Warp without its banner
     from ..kernels.language.device_lock import why_no_cuda_here
 
-    if device is None:
-        device = "cpu"
     if isinstance(device, str) and device == "auto":
         device = "cuda:0" if wp.get_cuda_device_count() else "cpu"
     try:
@@ -37,6 +38,15 @@ def resolve_device(device: Any = None) -> Any:
     if resolved.is_cuda and why_no_cuda_here():
         raise DeviceError(f"{resolved}: {why_no_cuda_here()}")
     return resolved
+
+
+@functools.cache
+def _cpu() -> Any:
+    import warp as wp
+
+    from ..kernels.language import warp_compiler  # noqa: F401  starts Warp without its banner
+
+    return wp.get_device("cpu")
 
 
 def check_same_device(name: str, left: Any, right: Any) -> None:

@@ -7,8 +7,10 @@ from pointloom.kernels.arrays.bounds import bound_points
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.search import hilbert_order as hilbert
+from pointloom.kernels.search import point_tree
+from pointloom.kernels.search.distinct_points import copies_of
 from pointloom.kernels.search.hilbert_order import hilbert_codes, lanes
-from pointloom.kernels.search.neighbor_keys import thin_keys
+from pointloom.kernels.search.neighbor_keys import BY_INSERTION, sort_keys, thin_keys
 from pointloom.kernels.search.point_forest import HEIGHTS, PointForest
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
 from pointloom.kernels.search.tree_search import squared_radius
@@ -25,6 +27,12 @@ def encode_cells_kernel(cells: array(dtype=int32), levels: int, codes: array(dty
 def thin_kernel(keys: array(dtype=int64), count: int, k: int, max_sqdist: float, counts: array(dtype=int32)):
     i = tid()
     counts[i] = thin_keys(keys, 0, 1, count, k, max_sqdist) + i
+
+
+@kernel
+def sort_kernel(keys: array(dtype=int64), count: int):
+    i = tid()
+    sort_keys(keys, i + 1, 1, count)
 
 
 def codes_of(device, cells, levels):
@@ -133,6 +141,51 @@ def test_boxes_bound_their_points_and_contain_their_positions(device, count, rng
     assert len(behind) == -tree.count % 8 and np.isinf(behind).all()
     np.testing.assert_array_equal(tree_points, points[order].reshape(-1, 3))
     check_levels(tree_points, download(tree.levels), tree.root, download(tree.boxes))
+
+
+SPREADS = {
+    "uniform": lambda rng, count: rng.random((count, 3)),
+    "lattice": lambda rng, count: rng.integers(0, 4, (count, 3)),
+    "copies": lambda rng, count: np.repeat(rng.random((count, 3)), 3, axis=0)[:count],
+    "one position": lambda rng, count: np.full((count, 3), -0.0),
+    "close to each other in a large box": lambda rng, count: np.append(rng.random((count - 1, 3)), [[1e3, 0, 0]], 0),
+    "an extent below the scale's range": lambda rng, count: 1e-34 * (1 + rng.random((count, 3))),
+    "not all finite": lambda rng, count: np.where(rng.random((count, 3)) < 0.1, np.inf, rng.random((count, 3))),
+}
+
+
+@pytest.mark.parametrize("spread", SPREADS)
+@pytest.mark.parametrize("count", [1, LEAF + 1, BUCKET, FAN * BUCKET + 1, hilbert.FEW])
+def test_the_tree_of_few_points_is_that_of_parallel_launches(device, count, spread, rng, monkeypatch):
+    points = upload(SPREADS[spread](rng, count).astype(np.float32), vec3, device)
+    curve = hilbert.HilbertCurve(np.zeros(3, np.float32), np.ones(3, np.float32), 9)
+    few = [(tree, copies_of(tree)) for tree in (PointTree(points), PointTree(points, curve))]
+    monkeypatch.setattr(point_tree, "is_few", lambda _: False)
+    many = [(tree, copies_of(tree)) for tree in (PointTree(points), PointTree(points, curve))]
+    for (a, some), (b, others) in zip(few, many, strict=True):
+        assert (a.count, a.root, a.curve.scale, a.curve.levels) == (b.count, b.root, b.curve.scale, b.curve.levels)
+        assert a.low.tobytes() == b.low.tobytes() and a.high.tobytes() == b.high.tobytes()
+        for name in ("levels", "boxes", "points", "order", "codes"):
+            np.testing.assert_array_equal(download(getattr(a, name)), download(getattr(b, name)))
+        assert (some and some.most) == (others and others.most)
+
+
+@pytest.mark.parametrize("count", [1, 2, 1_000, hilbert.FEW, hilbert.FEW + 1])
+def test_the_order_of_queries_has_each_once_and_the_rest_at_the_end(device, count, rng):
+    queries = rng.normal(size=(count, 3)).astype(np.float32)
+    queries[::7, 1] = np.nan
+    curve = hilbert.HilbertCurve(np.zeros(3, np.float32), np.ones(3, np.float32), 16)
+    order = download(hilbert.order_queries(upload(queries, vec3, device), curve))
+    np.testing.assert_array_equal(np.sort(order), np.arange(count))
+    assert (np.diff(np.isfinite(queries[order, 1]).astype(int)) <= 0).all()
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, BY_INSERTION, BY_INSERTION + 1, 300])
+def test_keys_are_sorted_in_place(device, count, rng):
+    keys = rng.permutation(np.arange(count + 2, dtype=np.int64) << 30)
+    sorted_keys = upload(keys, int64, device)
+    launch(sort_kernel, 1, [sorted_keys, count])
+    np.testing.assert_array_equal(download(sorted_keys), np.concatenate([keys[:1], np.sort(keys[1:-1]), keys[-1:]]))
 
 
 def test_boxes_of_a_forest_are_those_of_each_tree(device, rng):
