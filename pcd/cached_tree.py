@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from ..core.checks import shown
 from ..kernels.arrays.fingerprint import fingerprint
 from ..kernels.memory import download
 from ..kernels.search.point_tree import PointTree
@@ -18,10 +19,13 @@ LARGEST_EXTENT = 1e19  # [m] the squared diagonal of such a box is finite
 
 class CachedTree:
     """An array of points and its search tree, shared by all clouds over the same points. If the array `is_shared` with
-    other code, the tree is rebuilt when the points changed."""
+    other code, the tree is rebuilt when the points changed, unless they are `frozen`: the caller never writes to them.
+    """
 
-    def __init__(self, points: wp.array, *, is_shared: bool = False):
-        self.points, self._is_shared = points, is_shared
+    def __init__(self, points: wp.array, *, is_shared: bool = False, frozen: bool = False):
+        if not isinstance(frozen, bool | np.bool_):
+            raise TypeError(f"frozen: expected True or False, got {shown(frozen)}. Use another name for an attribute")
+        self.points, self._is_shared, self._is_frozen = points, is_shared and not frozen, frozen
         self._tree: PointTree | None = None
         self._mark: int | None = None
 
@@ -31,7 +35,7 @@ class CachedTree:
 
     def share(self) -> wp.array:
         """The points, for code that may write to them."""
-        if not self._is_shared:
+        if not self._is_shared and not self._is_frozen:
             self._is_shared = True
             self._mark = fingerprint(self.points) if self._tree is not None else None
         return self.points

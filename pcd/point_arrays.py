@@ -214,7 +214,7 @@ class PointArrays(InUnit, KnownNames):
         """Get a device array without a copy: `points` (relative to `origin`), `normals`, `colors`, or another name.
 
         Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array. The next
-        operation detects changed points and rebuilds the search tree.
+        operation detects changed points and rebuilds the search tree. Points of a `frozen` cloud are not checked.
         """
         return self._cached_tree.share() if check_name("name", name) == "points" else self._device_array(name)
 
@@ -367,9 +367,15 @@ class PointArrays(InUnit, KnownNames):
         return result.copy() if self._library == NUMPY and not result.flags.owndata else result
 
     def _set_points(
-        self, values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None
+        self,
+        values: Any,
+        origin: NDArray[np.float64] | None,
+        device: Any,
+        *,
+        rows: int | None = None,
+        frozen: bool = False,
     ) -> None:
-        """Set the points on their GPU, or on a device."""
+        """Set the points on their GPU, or on a device. The caller never writes to `frozen` points."""
         is_copied = library_of(values) == NUMPY
         if is_on_gpu(values):
             points, self._origin = take_points("points", values, origin, device, rows=rows)
@@ -382,7 +388,7 @@ class PointArrays(InUnit, KnownNames):
             points: Any = upload(local, vec3, device, copied=is_copied)
             is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
         self._arrays["points"] = points
-        self._cached_tree = CachedTree(points, is_shared=is_shared)
+        self._cached_tree = CachedTree(points, is_shared=is_shared, frozen=frozen)
 
     def _set(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points

@@ -294,6 +294,24 @@ def test_overwritten_points_are_detected(device, rng, builds):
     assert len(builds) == before  # unchanged points are not rebuilt
 
 
+@pytest.mark.parametrize("make", [loom.PointCloud, loom.PointCloud.from_dlpack])
+def test_only_frozen_points_are_not_compared_with_those_of_the_tree(device, rng, monkeypatch, make):
+    first, second = (upload(rng.random((300, 3)).astype(np.float32), vec3, resolve_device(device)) for _ in range(2))
+    cloud = make(first, frozen=True)
+    assert cloud.array("points").ptr == first.ptr
+    tree = cloud.search_tree()
+    with monkeypatch.context() as patch:
+        patch.setattr(cached_tree, "fingerprint", lambda _: pytest.fail("compared"))
+        for one in (cloud, cloud.copy(), cloud.estimate_normals(max_nn=5)):
+            assert one.search_tree() is tree
+    cloud.points = second
+    tree = cloud.search_tree()
+    second.assign(2 * second.numpy())
+    assert cloud.search_tree() is not tree
+    with pytest.raises(TypeError, match=r"^frozen: expected True or False, got"):
+        make(first, frozen=np.zeros(300))
+
+
 def test_pickled_buffers_are_copies(rng):
     cloud, buffers = loom.PointCloud(rng.random((50, 3))), []
     before = cloud.points
