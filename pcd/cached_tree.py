@@ -10,11 +10,52 @@ import warp as wp
 from ..core.checks import shown
 from ..kernels.arrays.fingerprint import fingerprint
 from ..kernels.memory import download
+from ..kernels.search.many_clouds import ManyClouds
+from ..kernels.search.point_forest import PointForest
 from ..kernels.search.point_tree import PointTree
 
 # Squared distances are float32, with full precision from 1.2e-38 to 3.4e38.
 SMALLEST_EXTENT = 1e-13  # [m] a millionth is 1e-19, whose square is the smallest normal number
 LARGEST_EXTENT = 1e19  # [m] the squared diagonal of such a box is finite
+
+
+class _Built:
+    """What was built from an array of points: tree, curve order and forest, None as long as they were not needed."""
+
+    def __init__(self, points: wp.array):
+        self._points = points
+        self._tree: PointTree | None = None
+        self._order: ManyClouds | None = None
+        self._forest: PointForest | None = None
+
+    @property
+    def is_empty(self) -> bool:
+        return self._tree is None and self._order is None
+
+    @property
+    def tree(self) -> PointTree:
+        if self._tree is None:
+            tree = PointTree(self._points)
+            check_extent("points", tree.low, tree.high, self._points)
+            self._tree = tree
+        return self._tree
+
+    def adopt(self, tree: PointTree) -> None:
+        if self._tree is None and tree.source is self._points:
+            self._tree = tree
+
+    @property
+    def order(self) -> ManyClouds:
+        if self._order is None:
+            self._order = ManyClouds([self._points], self._tree)
+        return self._order
+
+    @property
+    def forest(self) -> PointForest:
+        if self._forest is None:
+            tree = self.tree
+            self._forest = PointForest([self._points], tree, order=self.order)
+        return self._forest
 
 
 class CachedTree:
@@ -26,36 +67,41 @@ class CachedTree:
         if not isinstance(frozen, bool | np.bool_):
             raise TypeError(f"frozen: expected True or False, got {shown(frozen)}. Use another name for an attribute")
         self.points, self._is_shared, self._is_frozen = points, is_shared and not frozen, frozen
-        self._tree: PointTree | None = None
+        self._built = _Built(points)
         self._mark: int | None = None
 
     def adopt(self, tree: PointTree) -> None:
-        if self._tree is None and not self._is_shared and tree.source is self.points:
-            self._tree = tree
+        if not self._is_shared:
+            self._built.adopt(tree)
 
     def share(self) -> wp.array:
         """The points, for code that may write to them."""
         if not self._is_shared and not self._is_frozen:
+            self._mark = None if self._built.is_empty else fingerprint(self.points)
             self._is_shared = True
-            self._mark = fingerprint(self.points) if self._tree is not None else None
         return self.points
 
-    @property
-    def known(self) -> PointTree | None:
-        """The cached tree if the points are unchanged, else None."""
-        if self._tree is not None and self._is_shared and fingerprint(self.points) != self._mark:
-            self._tree = None
-        return self._tree
+    def _current(self) -> _Built:
+        """What was built from the current points."""
+        built = self._built
+        if self._is_shared:
+            mark = fingerprint(self.points)
+            if mark != self._mark:
+                built = self._built = _Built(self.points)
+                self._mark = mark
+        return built
 
     def tree(self) -> PointTree:
         """Search tree of the current points: 20 B per point, 12 B of them a copy of the points."""
-        tree = self.known
-        if tree is None:
-            tree = PointTree(self.points)
-            check_extent("points", tree.low, tree.high, self.points)
-            self._tree = tree
-            self._mark = fingerprint(self.points) if self._is_shared else None
-        return tree
+        return self._current().tree
+
+    def order(self) -> ManyClouds:
+        """Current points along the curve, as the source of registrations: 16 B per point."""
+        return self._current().order
+
+    def forest(self) -> PointForest:
+        """Search tree of the current points as the target of registrations: tree and order."""
+        return self._current().forest
 
 
 def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:

@@ -24,6 +24,8 @@ from ..core.html_tables import array_type, html_table
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock_for
 from ..kernels.memory import clone, download, host_view, move, upload
+from ..kernels.search.many_clouds import ManyClouds
+from ..kernels.search.point_forest import PointForest
 from ..kernels.search.point_tree import PointTree
 from .cached_tree import CachedTree
 from .units import InUnit
@@ -351,9 +353,13 @@ class PointArrays(InUnit, KnownNames):
         """Cache an existing tree of the points' own array, if there is none yet."""
         self._cached_tree.adopt(tree)
 
-    @property
-    def _known_search_tree(self) -> PointTree | None:
-        return self._cached_tree.known
+    def _curve_order(self) -> ManyClouds:
+        """Points along the curve, cached: 16 B per point."""
+        return self._cached_tree.order()
+
+    def _search_forest(self) -> PointForest:
+        """Search tree of the points for batched launches, cached: 16 B per point besides the tree."""
+        return self._cached_tree.forest()
 
     def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
         """Points relative to another origin, a device array of vec3."""

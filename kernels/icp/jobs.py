@@ -10,7 +10,7 @@ from ..array_types import Array1
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import array, float64, func, int32, reduce_segments, segment_reduction, struct, tid, vec3, vector
-from ..memory import download, empty, full, zeros
+from ..memory import download, empty, full, upload, zeros
 from ..search.many_clouds import ManyClouds
 from ..search.point_tree import LEAF
 
@@ -47,8 +47,11 @@ class Jobs:
             total = self.counts.sum()
             raise ValueError(f"{total:,} source points in {self.count:,} jobs; register them in parts below 2^31")
         self.firsts = firsts[:-1] * LEAF
+        if self.count == 1:
+            self.group_jobs = zeros(self.group_count, int32, device)  # no upload
+        else:
+            self.group_jobs = upload(np.repeat(np.arange(self.count), groups), int32, device)
         tables = {
-            "group_jobs": (np.repeat(np.arange(self.count), groups), int32),
             "job_groups": (firsts[:-1], int32),
             "job_sources": (self.source_of, int32),
             "job_targets": (self.target_of, int32),
@@ -57,13 +60,15 @@ class Jobs:
         self.blocks = SegmentBlocks(self.firsts, self.counts, device)
 
     def sum_moments(self) -> Array1[Any]:
-        """Sums of positions and squares of each source, first_moments (clouds)."""
+        """Sums of positions and squares of each source, first_moments (clouds), stored with the sources."""
         curve = self.sources
-        blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
-        count = len(curve.counts)
-        partials, out = empty(blocks.count, first_moments, self.device), zeros(count, first_moments, self.device)
-        reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
-        return out
+        if curve.moments is None:
+            blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
+            count = len(curve.counts)
+            partials, out = empty(blocks.count, first_moments, self.device), zeros(count, first_moments, self.device)
+            reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
+            curve.moments = out
+        return curve.moments
 
     def measure_sources(self, moments: Array1[Any]) -> tuple[np.ndarray, np.ndarray]:
         """Mean (jobs, 3) and spread (jobs) [m] of each job's source, float64 on the host."""

@@ -5,6 +5,7 @@ curve through the common box and one sort (40 B per point while it runs, 16 B af
 """
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -44,6 +45,7 @@ class ManyClouds:
             raise ValueError(f"{starts[-1]:,} points in {count:,} clouds; register them in parts below 2^31 points")
         points = joined_rows(clouds) if joined is None else joined
         self.device, self.starts = device, upload(starts, int32, device)
+        self.moments: Any = None  # as of Jobs.sum_moments
         if tree is None:
             keys, bits, rows = self._sort(points, sizes)
         else:

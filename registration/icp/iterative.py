@@ -66,9 +66,10 @@ class IterativeRegistration:
         self.estimation, self.distance, self.degeneracy = estimation, distance, degeneracy
         self._take_clouds(source_clouds, target_clouds)
         sources, targets = self._sides(max_normal_angle is not None)
-        known = self._sources[0]._known_search_tree if len(self._sources) == 1 else None
-        is_complete = sources.points[0] is self._sources[0]._device_array("points")
-        self.source_clouds = ManyClouds(sources.points, known if is_complete else None, sources.joined)
+        is_cached = sources.is_one_complete_cloud
+        self.source_clouds = (
+            sources.clouds[0]._curve_order() if is_cached else ManyClouds(sources.points, joined=sources.joined)
+        )
         source = _point_columns(self.source_clouds, sources.columns)
         forest, gaussians, target = None, None, PointColumns()
         if estimation._target_voxel_size is None:
@@ -254,13 +255,11 @@ class IterativeRegistration:
 
 
 def _grow_forest(targets: Side) -> PointForest:
-    first, points = targets.clouds[0], targets.points
-    is_cached = len(points) == 1 and points[0] is first._device_array("points")
-    tree = first.search_tree() if is_cached else None
-    forest = PointForest(points, tree, targets.joined)
-    if tree is None:
-        clouds = forest.clouds
-        check_extent("targets", clouds.low, clouds.high, clouds.points)
+    if targets.is_one_complete_cloud:
+        return targets.clouds[0]._search_forest()
+    forest = PointForest(targets.points, joined=targets.joined)
+    clouds = forest.clouds
+    check_extent("targets", clouds.low, clouds.high, clouds.points)
     return forest
 
 
