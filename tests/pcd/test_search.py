@@ -16,6 +16,7 @@ from pointloom.kernels.arrays.fingerprint import fingerprint
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search import group_scratch, tree_search
+from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd import cached_tree
@@ -251,6 +252,27 @@ def test_registration_takes_the_trees_that_its_clouds_keep(device, rng, builds):
     registration.registration_generalized_icp(source, target, 0.1)
     assert builds == [800, 700]
     np.testing.assert_array_equal(first.transformation, again.transformation)
+
+
+def test_registrations_of_the_same_clouds_sort_them_once(device, rng, monkeypatch):
+    made, original = [], ManyClouds.__init__
+
+    def counting(self, clouds, *args, **options):
+        made.append([len(points) for points in clouds])
+        original(self, clouds, *args, **options)
+
+    monkeypatch.setattr(ManyClouds, "__init__", counting)
+    points = upload(np.float32(rng.random((300, 3))), vec3, resolve_device(device))
+    source, target = loom.PointCloud(points), loom.PointCloud(rng.random((400, 3)), device=device)
+    results = [loom.registration.registration_icp(source, target, 0.2) for _ in range(2)]
+    loom.registration.evaluate_registration(source.copy(), target, 0.2)
+    assert made == [[300], [400]]
+    np.testing.assert_array_equal(*(result.transformation for result in results))
+    points.assign(np.float32(rng.random((300, 3))))  # shared: the order is made anew
+    result = loom.registration.registration_icp(source, target, 0.2)
+    fresh = loom.registration.registration_icp(loom.PointCloud(source.points, device=device), target, 0.2)
+    assert made[2:] == [[300], [300]]
+    np.testing.assert_array_equal(result.transformation, fresh.transformation)
 
 
 def test_other_points_have_a_tree_of_their_own(device, rng, builds):
