@@ -12,6 +12,9 @@ from ..kernels.linear_algebra import cube_root, det, inv, matmul, norm
 
 Matrix = NDArray[np.float64]
 ROUNDED = 1e-12  # deviation of R R^T above which it is rounded to fewer digits than float64
+# Entries of a symmetric 6x6 matrix in the row-major upper triangle.
+_ROW_STARTS = 0, 5, 9, 12, 14, 15  # less the row number
+_TRIANGLE_INDICES = np.array([[_ROW_STARTS[min(i, j)] + max(i, j) for j in range(6)] for i in range(6)])
 SMALL_ANGLE = 1e-6  # [rad] below it second-order series are exact in float64
 
 
@@ -97,9 +100,7 @@ def adjoint_of(T: Matrix) -> Matrix:
 
 def symmetric_matrices(triangles: NDArray[np.float64]) -> Matrix:
     """Symmetric 6x6 matrices [n, 6, 6] of row-major upper triangles [n, 21]."""
-    M = np.zeros((len(triangles), 6, 6))
-    M[:, *np.triu_indices(6)] = triangles
-    return M + np.triu(M, 1).transpose(0, 2, 1)
+    return triangles[:, _TRIANGLE_INDICES] + 0.0  # no negative zeros
 
 
 def nearest_rotation(M: Matrix) -> Matrix:
