@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..algebra.transform import widen
-from ..array_types import Array1
+from ..array_types import AnyArray, Array1
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import array, float64, func, int32, reduce_segments, segment_reduction, struct, tid, vec3, vector
@@ -35,29 +35,37 @@ class Jobs:
     def __init__(
         self, sources: ManyClouds, targets: "PointForest | None", source_of: ArrayLike, target_of: ArrayLike
     ) -> None:
-        device = sources.device
-        self.sources, self.targets, self.device = sources, targets, device
+        self.sources, self.targets, self.device = sources, targets, sources.device
         self.source_of, self.target_of = np.asarray(source_of, np.int64), np.asarray(target_of, np.int64)
         self.count = len(self.source_of)
-        self.counts = sources.counts[self.source_of]
-        groups = -(-self.counts // LEAF)
-        firsts = np.concatenate([[0], np.cumsum(groups)])
-        self.group_count = int(firsts[-1])
-        if self.group_count * LEAF >= 2**31:
-            total = self.counts.sum()
+        is_single = self.count == len(sources.counts) == 1 and self.target_of[0] == 0
+        tables = sources.single_job if is_single else None
+        if tables is None:
+            tables = self._make_tables()
+        if is_single:
+            sources.single_job = tables
+        self.counts, self.firsts, self.group_count, self.blocks, arrays = tables
+        vars(self).update(arrays)
+
+    def _make_tables(self) -> tuple[np.ndarray, np.ndarray, int, SegmentBlocks, dict[str, AnyArray]]:
+        counts = self.sources.counts[self.source_of]
+        groups = -(-counts // LEAF)
+        starts = np.concatenate([[0], np.cumsum(groups)])
+        firsts, group_count = starts[:-1] * LEAF, int(starts[-1])
+        if group_count * LEAF >= 2**31:
+            total = counts.sum()
             raise ValueError(f"{total:,} source points in {self.count:,} jobs; register them in parts below 2^31")
-        self.firsts = firsts[:-1] * LEAF
-        if self.count == 1:
-            self.group_jobs = zeros(self.group_count, int32, device)  # no upload
-        else:
-            self.group_jobs = upload(np.repeat(np.arange(self.count), groups), int32, device)
         tables = {
-            "job_groups": (firsts[:-1], int32),
+            "job_groups": (starts[:-1], int32),
             "job_sources": (self.source_of, int32),
             "job_targets": (self.target_of, int32),
         }
-        vars(self).update(SideBySide(tables, device).arrays)
-        self.blocks = SegmentBlocks(self.firsts, self.counts, device)
+        arrays = SideBySide(tables, self.device).arrays
+        if self.count == 1:
+            arrays["group_jobs"] = zeros(group_count, int32, self.device)  # no upload
+        else:
+            arrays["group_jobs"] = upload(np.repeat(np.arange(self.count), groups), int32, self.device)
+        return counts, firsts, group_count, SegmentBlocks(firsts, counts, self.device), arrays
 
     def sum_moments(self) -> Array1[Any]:
         """Sums of positions and squares of each source, first_moments (clouds), stored with the sources."""

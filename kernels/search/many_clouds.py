@@ -45,7 +45,8 @@ class ManyClouds:
             raise ValueError(f"{starts[-1]:,} points in {count:,} clouds; register them in parts below 2^31 points")
         points = joined_rows(clouds) if joined is None else joined
         self.device, self.starts = device, upload(starts, int32, device)
-        self.moments: Any = None  # as of Jobs.sum_moments
+        self.moments: Any = None  # as are `single_job`, of Jobs
+        self.single_job: Any = None
         if tree is None:
             keys, bits, rows = self._sort(points, sizes)
         else:

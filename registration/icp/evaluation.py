@@ -82,7 +82,7 @@ def fitness_of(
     return _Evaluation(sources, targets, distance, poses).loop.measure_pairs()[0].tolist()
 
 
-class _Evaluation(MatchedClouds):
+class _Evaluation(MatchedClouds[Matching]):
     """Pairs of checked clouds under their poses [n, 4, 4], in the same launches."""
 
     def __init__(

@@ -40,7 +40,7 @@ DEGENERACY = 5e-3
 STILL = 1e-6
 
 
-class IterativeRegistration(MatchedClouds):
+class IterativeRegistration(MatchedClouds[RegistrationLoop]):
     """ICP jobs over clouds on one device, with `poses` T_target_source of each job, float64 [jobs, 4, 4]."""
 
     def __init__(

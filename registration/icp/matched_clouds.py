@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,11 +24,13 @@ from ..rigid import skew, symmetric_matrices, to_local, to_world
 from .estimation import Columns, TransformationEstimation
 from .preparation import Side, drop_unusable_points, in_sensor_frame, normals_of
 
+Loop = TypeVar("Loop", bound=Matching)
 
-class MatchedClouds:
+
+class MatchedClouds(Generic[Loop]):
     """Jobs over clouds on one device. `loop` has their pairs, `source_clouds` the points in its order."""
 
-    loop: Matching
+    loop: Loop
     source_clouds: ManyClouds
 
     def __init__(
