@@ -71,8 +71,9 @@ class Jobs:
         """Sums of positions and squares of each source, first_moments (clouds), stored with the sources."""
         curve = self.sources
         if curve.moments is None:
-            blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
             count = len(curve.counts)
+            is_own = count == self.count == 1  # the job's elements are those of its source
+            blocks = self.blocks if is_own else SegmentBlocks(curve.bases, curve.counts, self.device)
             partials, out = empty(blocks.count, first_moments, self.device), zeros(count, first_moments, self.device)
             reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
             curve.moments = out
