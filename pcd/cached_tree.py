@@ -19,45 +19,6 @@ SMALLEST_EXTENT = 1e-13  # [m] a millionth is 1e-19, whose square is the smalles
 LARGEST_EXTENT = 1e19  # [m] the squared diagonal of such a box is finite
 
 
-class _Built:
-    """What was built from an array of points: tree, curve order and forest, None as long as they were not needed."""
-
-    def __init__(self, points: wp.array):
-        self._points = points
-        self._tree: PointTree | None = None
-        self._order: ManyClouds | None = None
-        self._forest: PointForest | None = None
-
-    @property
-    def is_empty(self) -> bool:
-        return self._tree is None and self._order is None
-
-    @property
-    def tree(self) -> PointTree:
-        if self._tree is None:
-            tree = PointTree(self._points)
-            check_extent("points", tree.low, tree.high, self._points)
-            self._tree = tree
-        return self._tree
-
-    def adopt(self, tree: PointTree) -> None:
-        if self._tree is None and tree.source is self._points:
-            self._tree = tree
-
-    @property
-    def order(self) -> ManyClouds:
-        if self._order is None:
-            self._order = ManyClouds([self._points], self._tree)
-        return self._order
-
-    @property
-    def forest(self) -> PointForest:
-        if self._forest is None:
-            tree = self.tree
-            self._forest = PointForest([self._points], tree, order=self.order)
-        return self._forest
-
-
 class CachedTree:
     """An array of points and its search tree, shared by all clouds over the same points. If the array `is_shared` with
     other code, the tree is rebuilt when the points changed, unless they are `frozen`: the caller never writes to them.
@@ -67,41 +28,56 @@ class CachedTree:
         if not isinstance(frozen, bool | np.bool_):
             raise TypeError(f"frozen: expected True or False, got {shown(frozen)}. Use another name for an attribute")
         self.points, self._is_shared, self._is_frozen = points, is_shared and not frozen, frozen
-        self._built = _Built(points)
-        self._mark: int | None = None
+        self._tree: PointTree | None = None
+        self._order: ManyClouds | None = None
+        self._forest: PointForest | None = None
+        self._mark: int | None = None  # fingerprint of the points that these were built from
 
     def adopt(self, tree: PointTree) -> None:
-        if not self._is_shared:
-            self._built.adopt(tree)
+        if self._tree is None and not self._is_shared and tree.source is self.points:
+            self._tree = tree
 
     def share(self) -> wp.array:
         """The points, for code that may write to them."""
         if not self._is_shared and not self._is_frozen:
-            self._mark = None if self._built.is_empty else fingerprint(self.points)
+            is_empty = self._tree is None and self._order is None
+            self._mark = None if is_empty else fingerprint(self.points)
             self._is_shared = True
         return self.points
 
-    def _current(self) -> _Built:
-        """What was built from the current points."""
-        built = self._built
-        if self._is_shared:
-            mark = fingerprint(self.points)
-            if mark != self._mark:
-                built = self._built = _Built(self.points)
-                self._mark = mark
-        return built
+    def _drop_outdated(self) -> None:
+        """Drop what was built if shared points have changed."""
+        if self._is_shared and (mark := fingerprint(self.points)) != self._mark:
+            self._tree = self._order = self._forest = None
+            self._mark = mark
 
     def tree(self) -> PointTree:
         """Search tree of the current points: 20 B per point, 12 B of them a copy of the points."""
-        return self._current().tree
+        self._drop_outdated()
+        tree = self._tree
+        if tree is None:
+            tree = PointTree(self.points)
+            check_extent("points", tree.low, tree.high, self.points)
+            self._tree = tree
+        return tree
 
     def order(self) -> ManyClouds:
         """Current points along the curve, as the source of registrations: 16 B per point."""
-        return self._current().order
+        self._drop_outdated()
+        return self._current_order()
 
     def forest(self) -> PointForest:
         """Search tree of the current points as the target of registrations: tree and order."""
-        return self._current().forest
+        tree, forest = self.tree(), self._forest
+        if forest is None:
+            forest = self._forest = PointForest([self.points], tree, order=self._current_order())
+        return forest
+
+    def _current_order(self) -> ManyClouds:
+        order = self._order
+        if order is None:
+            order = self._order = ManyClouds([self.points], self._tree)
+        return order
 
 
 def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:

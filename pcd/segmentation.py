@@ -143,7 +143,7 @@ class Segmentation(Selection):
 
         Unlike Open3D: normals need no consistent side. Planes use medians along the normal; patches merge only into
         patches that they fit, so edges and steps do not join planes. Exact planes are found. Boxes have minimal area to
-        0.1 degrees. 4 B per neighbor and about 190 B per point. Bitwise reproducible. Araujo and Oliveira, "A robust
+        0.1 degrees. 4 B per neighbor and about 170 B per point. Bitwise reproducible. Araujo and Oliveira, "A robust
         statistics approach for plane detection in unorganized point clouds", Pattern Recognition 2020.
 
         Args:

@@ -10,7 +10,7 @@ from ..array_types import AnyArray, Array1
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import array, float64, func, int32, reduce_segments, segment_reduction, struct, tid, vec3, vector
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, full, zeros
 from ..search.many_clouds import ManyClouds
 from ..search.point_tree import LEAF
 
@@ -60,11 +60,11 @@ class Jobs:
             "job_sources": (self.source_of, int32),
             "job_targets": (self.target_of, int32),
         }
+        if self.count != 1:
+            tables["group_jobs"] = (np.repeat(np.arange(self.count), groups), int32)
         arrays = SideBySide(tables, self.device).arrays
         if self.count == 1:
             arrays["group_jobs"] = zeros(group_count, int32, self.device)  # no upload
-        else:
-            arrays["group_jobs"] = upload(np.repeat(np.arange(self.count), groups), int32, self.device)
         return counts, firsts, group_count, SegmentBlocks(firsts, counts, self.device), arrays
 
     def sum_moments(self) -> Array1[Any]:

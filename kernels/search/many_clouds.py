@@ -56,8 +56,11 @@ class ManyClouds:
         buckets = np.maximum(1, -(-self.counts // BUCKET))
         self.bases = np.concatenate([[0], np.cumsum(buckets)[:-1]]) * BUCKET
         self.buckets, total = buckets, int(buckets.sum())
-        tables = [starts, np.repeat(np.arange(count), buckets), self.bases, self.counts]
-        self.starts, self.owners, self.first_positions, self.finite_counts = upload_together(tables, int32, device)
+        owners = np.repeat(np.arange(count), buckets)
+        tables = {"owners": owners, "first_positions": self.bases, "finite_counts": self.counts}
+        if count == 1:
+            tables["starts"] = starts
+        vars(self).update(zip(tables, upload_together([*tables.values()], int32, device), strict=True))
         self.order, self.points = empty(total * BUCKET, int32, device), empty(total * BUCKET, vec3, device)
         launch(gather_points_kernel, self.points.size, [points, rows, self])
         if tree is None:
@@ -78,10 +81,10 @@ class ManyClouds:
         if count == 1:
             self.counts = np.array([finite], np.int64)
             return *keys.sort(bits, starts), bits
-        firsts, counts = upload(starts, int32, device), empty(count, int32, device)
-        launch(mark_segments_kernel, points.size, [firsts, bits, keys])
+        self.starts, counts = upload(starts, int32, device), empty(count, int32, device)
+        launch(mark_segments_kernel, points.size, [self.starts, bits, keys])
         sorted_keys, rows = keys.sort(bits + segment_bits, starts)
-        launch(count_finite_kernel, count, [sorted_keys, firsts, bits, counts])
+        launch(count_finite_kernel, count, [sorted_keys, self.starts, bits, counts])
         self.counts = download(counts).astype(np.int64)  # sync
         return sorted_keys, rows, bits
 

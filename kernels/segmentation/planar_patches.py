@@ -236,13 +236,14 @@ class Runs:
         size, count, device = self.rows.size, self.count, self.device
         if references is None:
             references = upload(self._main_directions(normals), vec3, device)
-        coordinates, sides = (empty(3 * size, float32, device) for _ in range(2))
+        values, statistics = empty(3 * size, float32, device), []
         planes = RunPlanes(empty(count, vec3, device), empty(count, vec3, device), empty(count, float32, device))
-        launch(take_axes_kernel, size, [points, self.rows, coordinates])
-        launch(take_normal_axes_kernel, size, [normals, self.rows, self.runs, references, sides])
-        statistics = [self.statistics(values, 3) for values in (coordinates, sides)]
+        launch(take_axes_kernel, size, [points, self.rows, values])
+        statistics.append(self.statistics(values, 3))
+        launch(take_normal_axes_kernel, size, [normals, self.rows, self.runs, references, values])
+        statistics.append(self.statistics(values, 3))
         launch(finish_planes_kernel, count, [*statistics, references, planes.centers, planes.directions, planes.edges])
-        heights = rows_of(coordinates, 0, size)
+        heights = rows_of(values, 0, size)
         launch(measure_heights_kernel, size, [points, self.rows, self.runs, planes.centers, planes.directions, heights])
         launch(lift_centers_kernel, count, [self.statistics(heights), planes.directions, planes.centers])
         return planes
