@@ -348,13 +348,16 @@ def test_pickled_buffers_are_copies(rng):
 def test_tree_is_freed_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)
-    tree, points = weakref.ref(cloud.search_tree()), weakref.ref(cloud._device_array("points"))
+    loom.registration.registration_icp(cloud, shared, 0.1)
+    cached = cloud.search_tree(), cloud._curve_order(), cloud._search_forest(), cloud._device_array("points")
+    references = [weakref.ref(part) for part in cached]
+    del cached
     gc.disable()  # memory must be freed without the garbage collector, which does not see device memory
     try:
         del cloud
-        assert tree() is not None
+        assert all(reference() is not None for reference in references)
         del shared
-        assert tree() is None and points() is None
+        assert all(reference() is None for reference in references)
     finally:
         gc.enable()
 
