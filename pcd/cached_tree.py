@@ -7,8 +7,11 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from ..core.checks import shown
 from ..kernels.arrays.fingerprint import fingerprint
 from ..kernels.memory import download
+from ..kernels.search.many_clouds import ManyClouds
+from ..kernels.search.point_forest import PointForest
 from ..kernels.search.point_tree import PointTree
 
 # Squared distances are float32, with full precision from 1.2e-38 to 3.4e38.
@@ -18,12 +21,17 @@ LARGEST_EXTENT = 1e19  # [m] the squared diagonal of such a box is finite
 
 class CachedTree:
     """An array of points and its search tree, shared by all clouds over the same points. If the array `is_shared` with
-    other code, the tree is rebuilt when the points changed."""
+    other code, the tree is rebuilt when the points changed, unless they are `frozen`: the caller never writes to them.
+    """
 
-    def __init__(self, points: wp.array, *, is_shared: bool = False):
-        self.points, self._is_shared = points, is_shared
+    def __init__(self, points: wp.array, *, is_shared: bool = False, frozen: bool = False):
+        if not isinstance(frozen, bool | np.bool_):
+            raise TypeError(f"frozen: expected True or False, got {shown(frozen)}. Use another name for an attribute")
+        self.points, self._is_shared, self._is_frozen = points, is_shared and not frozen, frozen
         self._tree: PointTree | None = None
-        self._mark: int | None = None
+        self._order: ManyClouds | None = None
+        self._forest: PointForest | None = None
+        self._mark: int | None = None  # fingerprint of the points that these were built from
 
     def adopt(self, tree: PointTree) -> None:
         if self._tree is None and not self._is_shared and tree.source is self.points:
@@ -31,27 +39,45 @@ class CachedTree:
 
     def share(self) -> wp.array:
         """The points, for code that may write to them."""
-        if not self._is_shared:
+        if not self._is_shared and not self._is_frozen:
+            is_empty = self._tree is None and self._order is None
+            self._mark = None if is_empty else fingerprint(self.points)
             self._is_shared = True
-            self._mark = fingerprint(self.points) if self._tree is not None else None
         return self.points
 
-    @property
-    def known(self) -> PointTree | None:
-        """The cached tree if the points are unchanged, else None."""
-        if self._tree is not None and self._is_shared and fingerprint(self.points) != self._mark:
-            self._tree = None
-        return self._tree
+    def _drop_outdated(self) -> None:
+        """Drop what was built if shared points have changed."""
+        if self._is_shared and (mark := fingerprint(self.points)) != self._mark:
+            self._tree = self._order = self._forest = None
+            self._mark = mark
 
     def tree(self) -> PointTree:
         """Search tree of the current points: 20 B per point, 12 B of them a copy of the points."""
-        tree = self.known
+        self._drop_outdated()
+        tree = self._tree
         if tree is None:
             tree = PointTree(self.points)
             check_extent("points", tree.low, tree.high, self.points)
             self._tree = tree
-            self._mark = fingerprint(self.points) if self._is_shared else None
         return tree
+
+    def order(self) -> ManyClouds:
+        """Current points along the curve, as the source of registrations: 16 B per point."""
+        self._drop_outdated()
+        return self._current_order()
+
+    def forest(self) -> PointForest:
+        """Search tree of the current points as the target of registrations: tree and order."""
+        tree, forest = self.tree(), self._forest
+        if forest is None:
+            forest = self._forest = PointForest([self.points], tree, order=self._current_order())
+        return forest
+
+    def _current_order(self) -> ManyClouds:
+        order = self._order
+        if order is None:
+            order = self._order = ManyClouds([self.points], self._tree)
+        return order
 
 
 def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:

@@ -37,6 +37,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         device: "cpu", "cuda:0" or "auto". If None: the points' GPU, or the CPU.
         origin: Origin of the float32 coordinates [m], shape (3,). If None: chosen.
         unit: Unit of the coordinates, such as "foot". If None: unknown, treated as meters.
+        frozen: Promise that `points` and `array("points")` are never written, see `from_dlpack`.
         **attributes: Other arrays of shape (n,) or (n, c), such as intensity or label.
 
     Raises:
@@ -61,6 +62,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         device: Any = None,
         origin: ArrayLike | None = None,
         unit: str | LengthUnit | None = None,
+        frozen: bool = False,
         **attributes: ArrayLike,
     ):
         if isinstance(points, PointCloud):
@@ -72,7 +74,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         self._arrays, self._library, self.grid, self._unit = {}, library_of(points), None, check_unit("unit", unit)
-        self._set_points(points, start, None if is_on_gpu(points) else where)
+        self._set_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
         if normals is not None:
             self._set("normals", normals)
         if colors is not None:
@@ -81,4 +83,4 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             self._set(name, values)
         if device is not None and where != self.device:  # arrays were on a GPU
             self._arrays = {name: move(values, where) for name, values in self._arrays.items()}
-            self._cached_tree = CachedTree(self._arrays["points"])
+            self._cached_tree = CachedTree(self._arrays["points"], frozen=frozen)

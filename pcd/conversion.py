@@ -212,19 +212,28 @@ class Conversion(Selection):
 
     @classmethod
     def from_dlpack(
-        cls, points: Any, *, normals: Any = None, colors: Any = None, origin: ArrayLike | None = None, **attributes: Any
+        cls,
+        points: Any,
+        *,
+        normals: Any = None,
+        colors: Any = None,
+        origin: ArrayLike | None = None,
+        frozen: bool = False,
+        **attributes: Any,
     ) -> Self:
         """Create a cloud from arrays of another library without a copy: torch, cupy, jax, NumPy, Warp.
 
         Arrays must be contiguous and support DLPack or `__cuda_array_interface__`. In-place changes affect the cloud.
-        Make them only while no operation runs. Later operations detect changed points. An existing
-        NearestNeighborSearch does not.
+        Make them only while no operation runs. Later operations detect changed points by a sum over the points, for
+        which the host waits. With `frozen=True` they do not check. An existing NearestNeighborSearch does not either.
 
         Args:
             points: float32 (n, 3) [m], relative to the origin.
             normals: float32 (n, 3).
             colors: float32 (n, 3), 0..1, not checked.
             origin: Origin of the coordinates [m], shape (3,). If None: zero. float32 resolves 1 mm up to 10 km.
+            frozen: Promise that `points` and `array("points")` are not written as long as this cloud or another cloud
+                over the same points exists. If broken, results are wrong without an error.
             **attributes: Other arrays of shape (n,) or (n, c).
 
         Raises:
@@ -256,7 +265,7 @@ class Conversion(Selection):
                     f"{escaped(name)}: expected {arrays['points'].size} rows, one per point, got {array.shape[0]}"
                 )
         cloud = cls._from_device_arrays(arrays, start, library_of(points))
-        cloud._cached_tree = CachedTree(arrays["points"], is_shared=True)
+        cloud._cached_tree = CachedTree(arrays["points"], is_shared=True, frozen=frozen)
         return cloud
 
     @classmethod

@@ -24,6 +24,8 @@ from ..core.html_tables import array_type, html_table
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock_for
 from ..kernels.memory import clone, download, host_view, move, upload
+from ..kernels.search.many_clouds import ManyClouds
+from ..kernels.search.point_forest import PointForest
 from ..kernels.search.point_tree import PointTree
 from .cached_tree import CachedTree
 from .units import InUnit
@@ -214,7 +216,7 @@ class PointArrays(InUnit, KnownNames):
         """Get a device array without a copy: `points` (relative to `origin`), `normals`, `colors`, or another name.
 
         Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array. The next
-        operation detects changed points and rebuilds the search tree.
+        operation detects changed points and rebuilds the search tree. Points of a `frozen` cloud are not checked.
         """
         return self._cached_tree.share() if check_name("name", name) == "points" else self._device_array(name)
 
@@ -351,9 +353,13 @@ class PointArrays(InUnit, KnownNames):
         """Cache an existing tree of the points' own array, if there is none yet."""
         self._cached_tree.adopt(tree)
 
-    @property
-    def _known_search_tree(self) -> PointTree | None:
-        return self._cached_tree.known
+    def _curve_order(self) -> ManyClouds:
+        """Points along the curve, cached: 16 B per point."""
+        return self._cached_tree.order()
+
+    def _search_forest(self) -> PointForest:
+        """Search tree of the points for batched launches, cached: 16 B per point besides the tree."""
+        return self._cached_tree.forest()
 
     def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
         """Points relative to another origin, a device array of vec3."""
@@ -367,9 +373,15 @@ class PointArrays(InUnit, KnownNames):
         return result.copy() if self._library == NUMPY and not result.flags.owndata else result
 
     def _set_points(
-        self, values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None
+        self,
+        values: Any,
+        origin: NDArray[np.float64] | None,
+        device: Any,
+        *,
+        rows: int | None = None,
+        frozen: bool = False,
     ) -> None:
-        """Set the points on their GPU, or on a device."""
+        """Set the points on their GPU, or on a device. The caller never writes to `frozen` points."""
         is_copied = library_of(values) == NUMPY
         if is_on_gpu(values):
             points, self._origin = take_points("points", values, origin, device, rows=rows)
@@ -382,7 +394,7 @@ class PointArrays(InUnit, KnownNames):
             points: Any = upload(local, vec3, device, copied=is_copied)
             is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
         self._arrays["points"] = points
-        self._cached_tree = CachedTree(points, is_shared=is_shared)
+        self._cached_tree = CachedTree(points, is_shared=is_shared, frozen=frozen)
 
     def _set(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points

@@ -12,7 +12,10 @@ from ..kernels.linear_algebra import cube_root, det, inv, matmul, norm
 
 Matrix = NDArray[np.float64]
 ROUNDED = 1e-12  # deviation of R R^T above which it is rounded to fewer digits than float64
-UPPER = np.triu_indices(6)
+# Entries of a symmetric 6x6 matrix in the row-major upper triangle.
+TRIANGLE_INDICES = np.zeros((6, 6), np.int64)
+TRIANGLE_INDICES[np.triu_indices(6)] = np.arange(21)
+TRIANGLE_INDICES = np.maximum(TRIANGLE_INDICES, TRIANGLE_INDICES.T)
 SMALL_ANGLE = 1e-6  # [rad] below it second-order series are exact in float64
 
 
@@ -99,9 +102,7 @@ def adjoint_of(T: Matrix) -> Matrix:
 
 def symmetric_matrices(triangles: NDArray[np.float64]) -> Matrix:
     """Symmetric 6x6 matrices [n, 6, 6] of row-major upper triangles [n, 21]."""
-    M = np.zeros((len(triangles), 6, 6))
-    M[:, UPPER[0], UPPER[1]] = M[:, UPPER[1], UPPER[0]] = triangles
-    return M
+    return triangles[:, TRIANGLE_INDICES] + 0.0  # no negative zeros
 
 
 def nearest_rotation(M: Matrix) -> Matrix:

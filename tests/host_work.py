@@ -124,7 +124,12 @@ class Operations:
 
 
 def shared_arrays(data: CountedScenes) -> dict[str, Preparation]:
-    """Clouds over arrays of the caller: the constructor, a first operation, and one after the tree has been built."""
+    """Clouds over arrays of the caller: the constructor, a first operation, and operations after the tree has been
+    built, which compare the points with those of the tree unless they are frozen."""
+    again: dict[str, Callable[[Any], Any]] = {
+        "estimate_normals": lambda cloud: cloud.estimate_normals(max_nn=15),
+        "cluster_dbscan": lambda cloud: cloud.cluster_dbscan(0.1, 5),
+    }
 
     def arrays(count: int, library: str) -> tuple[Callable[..., Any], dict[str, Any]]:
         points = scenes.bumpy_surface(count, 90).astype(np.float32)
@@ -142,15 +147,18 @@ def shared_arrays(data: CountedScenes) -> dict[str, Preparation]:
             return lambda: make(**given)
         if title == "constructor and estimate_normals":
             return lambda: make(**given).estimate_normals(max_nn=15)
-        cloud = make(**given)
-        _ = cloud.estimate_normals(max_nn=15)
-        return lambda: cloud.estimate_normals(max_nn=15)
+        cloud, operation = make(**given, frozen=title.endswith("frozen")), again[title.split(" ")[0]]
+        _ = operation(cloud)
+        return lambda: operation(cloud)
 
     libraries = ("NumPy", "Warp") if data.device == CPU else ("Warp",)  # a GPU cannot share arrays of NumPy
     return {
         f"shared {library} arrays, {title}": lambda count, library=library, title=title: work(count, library, title)
         for library in libraries
-        for title in ("constructor", "constructor and estimate_normals", "estimate_normals again")
+        for title in (
+            *("constructor", "constructor and estimate_normals"),
+            *(f"{name} again{frozen}" for name in again for frozen in ("", ", frozen")),
+        )
     }
 
 

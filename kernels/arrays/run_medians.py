@@ -23,33 +23,43 @@ def flip_bits(bits: int) -> int:
 
 
 @kernel
-def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32), keys: SortKeys):
+def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32), run_count: int, keys: SortKeys):
     i = tid()
+    quantity = i // runs.shape[0]
+    run = quantity * run_count + runs[i - quantity * runs.shape[0]]
     number = int64(flip_bits(float_bits(values[i]))) + int64(LOWEST)
-    put_key(i, (int64(runs[i]) << int64(KEY_BITS)) | number, keys)
+    put_key(i, (int64(run) << int64(KEY_BITS)) | number, keys)
+
+
+@func
+def number_of(key: int64) -> float:
+    return bits_float(flip_bits(int((key & int64(LOW_WORD)) - int64(LOWEST))))
 
 
 @kernel
-def pick_numbers_kernel(keys: array(dtype=int64), starts: array(dtype=int32), numbers: array(dtype=float32)):
-    """First numbers of all sorted runs, then the middle ones, then the last."""
+def pick_numbers_kernel(keys: array(dtype=int64), starts: array(dtype=int32), size: int, numbers: array(dtype=float32)):
+    """Of each quantity: first numbers of all sorted runs, then the middle ones, then the last."""
     i = tid()
     runs = starts.shape[0] - 1
-    first = starts[i]
-    last = starts[i + 1] - 1
+    quantity = i // runs
+    run = i - quantity * runs
+    first = quantity * size + starts[run]
+    last = quantity * size + starts[run + 1] - 1
     middle = first + (last + 1 - first) // 2
-    numbers[i] = bits_float(flip_bits(int((keys[first] & int64(LOW_WORD)) - int64(LOWEST))))
-    numbers[runs + i] = bits_float(flip_bits(int((keys[middle] & int64(LOW_WORD)) - int64(LOWEST))))
-    numbers[2 * runs + i] = bits_float(flip_bits(int((keys[last] & int64(LOW_WORD)) - int64(LOWEST))))
+    at = 3 * quantity * runs + run
+    numbers[at] = number_of(keys[first])
+    numbers[at + runs] = number_of(keys[middle])
+    numbers[at + 2 * runs] = number_of(keys[last])
 
 
-def find_statistics(values: Scalars, runs: Integers, starts: Indices) -> Scalars:
-    """As `order_statistics` in one array, without sync."""
+def find_statistics(values: Scalars, runs: Integers, starts: Indices, quantities: int = 1) -> Scalars:
+    """As `order_statistics` in one array, without sync. `values`: those of all points, one quantity after another."""
     device, count = values.device, starts.size - 1
     keys = SortKeys(values.size, device)
-    launch(encode_numbers_kernel, values.size, [values, runs, keys])
-    sorted_keys, _ = keys.sort(KEY_BITS + max(1, count.bit_length()))
-    statistics = empty(3 * count, float32, device)
-    launch(pick_numbers_kernel, count, [sorted_keys, starts, statistics])
+    launch(encode_numbers_kernel, values.size, [values, runs, count, keys])
+    sorted_keys, _ = keys.sort(KEY_BITS + max(1, (quantities * count).bit_length()))
+    statistics = empty(3 * quantities * count, float32, device)
+    launch(pick_numbers_kernel, quantities * count, [sorted_keys, starts, runs.size, statistics])
     return statistics
 
 

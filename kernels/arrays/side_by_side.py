@@ -53,29 +53,27 @@ class SideBySide:
     """Arrays packed into one allocation, by name with element types. Each device view keeps it alive."""
 
     def __init__(self, values: Mapping[str, tuple[ArrayLike, Any]], device: Device) -> None:
-        self._layout: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}
+        hosts = {name: _as_elements(*value) for name, value in values.items()}
+        self._layout: dict[str, tuple[int, int, tuple[int, ...], np.dtype]] = {}  # first byte, size, shape, type
         self._size = 0
-        for name, (value, dtype) in values.items():
-            host = _as_elements(value, dtype)
-            self._layout[name] = (self._size, host.shape, host.dtype)
+        for name, host in hosts.items():
+            self._layout[name] = (self._size, host.nbytes, host.shape, host.dtype)
             self._size += -(-max(host.nbytes, 1) // ALIGNMENT) * ALIGNMENT
-        content = self._content(values)
-        self._buffer = upload(content, uint8, device)
+        self._buffer = upload(self._content(hosts), uint8, device)
         self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
 
-    def _content(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> np.ndarray:
+    def _content(self, hosts: Mapping[str, np.ndarray]) -> np.ndarray:
         content = np.zeros(self._size, np.uint8)
-        for name, (first, _, _) in self._layout.items():
-            host = _as_elements(*values[name])
-            content[first : first + host.nbytes] = host.reshape(-1).view(np.uint8)
+        for name, (first, size, _, _) in self._layout.items():
+            content[first : first + size] = hosts[name].reshape(-1).view(np.uint8)
         return content
 
     def rewrite(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> None:
         """Overwrite all arrays with values of the same shapes in one copy."""
-        write(self._buffer, self._content(values))
+        write(self._buffer, self._content({name: _as_elements(*value) for name, value in values.items()}))
 
     def _part(self, name: str, dtype: type[Element]) -> DeviceArray[Element, Any]:
-        first, shape, _ = self._layout[name]
+        first, _, shape, _ = self._layout[name]
         width = len(getattr(dtype, "_shape_", ()))
         return part_of(self._buffer, first, dtype, shape[: len(shape) - width] if width else shape)
 
@@ -84,8 +82,7 @@ class SideBySide:
         buffer = download(self._buffer)  # sync
         chosen = {}
         for name in names or self._layout:
-            first, shape, dtype = self._layout[name]
-            size = int(np.prod(shape)) * dtype.itemsize
+            first, size, shape, dtype = self._layout[name]
             chosen[name] = buffer[first : first + size].view(dtype).reshape(shape)
         return chosen
 

@@ -1,6 +1,6 @@
 """State of all jobs between iterations, in one allocation with one sync to read."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,14 +20,24 @@ FEW_PAIRS = 5
 free_directions = vector(36, float64)  # up to six unit vectors, one per row
 
 
+def match_states(jobs: "Jobs", poses: np.ndarray) -> SideBySide:
+    """States of one match under poses float64 (jobs, 4, 4), described by `Matches`."""
+    return SideBySide(_match_values(jobs, poses), jobs.device)
+
+
+def _match_values(jobs: "Jobs", poses: np.ndarray) -> dict[str, tuple[np.ndarray, Any]]:
+    return {
+        "poses": (poses, mat44d),
+        "earlier": (poses, mat44d),
+        "live": (np.ones(jobs.count), int32),
+        "margins": (np.zeros(jobs.count), float32),
+    }
+
+
 def job_states(jobs: "Jobs", poses: np.ndarray) -> SideBySide:
     """Initial states for first poses float64 (jobs, 4, 4): a SideBySide described by `Matches` and `Progress`."""
     count = jobs.count
-    values = {
-        "poses": (poses, mat44d),
-        "earlier": (poses, mat44d),
-        "live": (np.ones(count), int32),
-        "margins": (np.zeros(count), float32),
+    values = _match_values(jobs, poses) | {
         "pivots": (np.zeros((count, 3)), vec3d),
         "sizes": (np.zeros(count), float64),
         "source_counts": (np.maximum(jobs.counts, 1), float64),

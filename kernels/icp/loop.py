@@ -1,32 +1,30 @@
 """Batched iterative registration: four launches per iteration for all jobs, without sync on CUDA."""
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..algebra.rigid_solve import TRIANGLE, vec6d
 from ..array_types import AnyArray, Array1, Integers
-from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments
+from ..arrays.side_by_side import SideBySide
+from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments, vec3d
 from ..memory import download, empty, full, zeros
 from .constrained_steps import step_constrained_kernel
 from .correspondences import match_groups_kernel, match_points_kernel
 from .freedom import Freedom
-from .job_states import job_states
+from .job_states import job_states, match_states
 from .jobs import Jobs
 from .matches import Matches, PointColumns
-from .rows import DopplerRule, row_sums, sum_information
+from .robust_weights import L2, Loss
+from .rows import COUNT_AT, DISTANCE_AT, DopplerRule, row_sums, sum_information, sum_point_rows
 from .step import Progress, StepRules, measure_velocities_kernel, step_jobs_kernel
 from .voxel_gaussians import VoxelGaussians, match_voxels_kernel
 
-if TYPE_CHECKING:
-    from .robust_weights import Loss
 
-
-class RegistrationLoop:
-    """Launches of an iteration over all jobs. `poses`: T_target_source about the clouds' origins. Pairs closer than
-    `max_distance` [m] count; `separate_geometry`: degeneracy by other rows than the solve; `per_point`: each
-    point searches on its own.
+class Matching:
+    """Pairs of all jobs under their poses. `poses`: T_target_source about the clouds' origins. Pairs closer than
+    `max_distance` [m] count; `per_point`: each point searches on its own.
     """
 
     def __init__(
@@ -35,22 +33,22 @@ class RegistrationLoop:
         poses: np.ndarray,
         max_distance: float,
         gaussians: VoxelGaussians | None = None,
-        separate_geometry: bool = False,
         per_point: bool | None = None,
     ) -> None:
-        device = jobs.device
-        self.per_point = device.is_cuda if per_point is None else per_point
+        self.per_point = jobs.device.is_cuda if per_point is None else per_point
         self.jobs, self.gaussians = jobs, gaussians
         if gaussians is None:
             assert jobs.targets is not None
             targets, self.target_covariances = jobs.targets.clouds.points, None
         else:
             targets, self.target_covariances = gaussians.unpack()
-        self.states = job_states(jobs, poses)
+        self.states = self._make_states(poses)
         self.matches = Matches(jobs, self.states, max_distance, targets)
-        self.progress = Progress(jobs, self.states, poses, separate_geometry=separate_geometry)
-        self.velocities = zeros(jobs.count, vec6d, device)
-        self.partials = empty(jobs.blocks.count, row_sums, device)
+        self.totals = zeros(jobs.count, row_sums, jobs.device)
+        self.partials = empty(jobs.blocks.count, row_sums, jobs.device)
+
+    def _make_states(self, poses: np.ndarray) -> SideBySide:
+        return match_states(self.jobs, poses)
 
     def match(self) -> None:
         jobs, matches = self.jobs, self.matches
@@ -64,13 +62,49 @@ class RegistrationLoop:
         else:
             launch(match_groups_kernel, jobs.group_count, [matches, jobs.targets])
 
+    def measure_pairs(self) -> tuple[np.ndarray, np.ndarray]:
+        """Fitness and rmse [m] of the pairs of each job, float64 (jobs)."""
+        jobs, matches = self.jobs, self.matches
+        arguments = [matches, Loss(L2, 1.0, 0.0), zeros(jobs.count, vec3d, jobs.device)]
+        reduce_segments(sum_point_rows, jobs.blocks, matches.live, arguments, self.partials, self.totals)
+        sums = download(self.totals)  # sync
+        counts = sums[:, COUNT_AT]
+        return counts / np.maximum(jobs.counts, 1), np.sqrt(sums[:, DISTANCE_AT] / np.maximum(counts, 1))
+
+    def measure_information(self) -> np.ndarray:
+        """Information of the pairs of each job about its target's origin: upper triangles, float64 (jobs, 21)."""
+        jobs = self.jobs
+        live = full(jobs.count, 1, int32, jobs.device)
+        reduce_segments(sum_information, jobs.blocks, live, [self.matches], self.partials, self.totals)
+        return download(self.totals)[:, :TRIANGLE]  # sync
+
+
+class RegistrationLoop(Matching):
+    """Launches of an iteration over all jobs. `separate_geometry`: degeneracy by other rows than the solve."""
+
+    def __init__(
+        self,
+        jobs: Jobs,
+        poses: np.ndarray,
+        max_distance: float,
+        gaussians: VoxelGaussians | None = None,
+        separate_geometry: bool = False,
+        per_point: bool | None = None,
+    ) -> None:
+        super().__init__(jobs, poses, max_distance, gaussians, per_point)
+        self.progress = Progress(jobs, self.states, poses, self.totals, separate_geometry=separate_geometry)
+        self.velocities = zeros(jobs.count, vec6d, jobs.device)
+
+    def _make_states(self, poses: np.ndarray) -> SideBySide:
+        return job_states(self.jobs, poses)
+
     def sum_rows(
         self,
         rows: Reduction,
-        arguments: "Sequence[AnyArray | PointColumns | Loss | DopplerRule | float]",
-        plain_arguments: "Sequence[Integers | Array1[Any] | PointColumns | Loss | DopplerRule | float] | None" = None,
+        arguments: Sequence[AnyArray | PointColumns | Loss | DopplerRule | float],
+        plain_arguments: Sequence[Integers | Array1[Any] | PointColumns | Loss | DopplerRule | float] | None = None,
     ) -> None:
-        """Sum a reduction over all pairs into `progress.totals`; `plain_arguments` without kernels, for degeneracy."""
+        """Sum a reduction over all pairs into `totals`; `plain_arguments` without kernels, for degeneracy."""
         blocks, matches, progress = self.jobs.blocks, self.matches, self.progress
         reduce_segments(rows, blocks, matches.live, [matches, *arguments], self.partials, progress.totals)
         if plain_arguments is not None:
@@ -99,10 +133,3 @@ class RegistrationLoop:
         while is_live:
             iterate()
             is_live = watch()  # sync
-
-    def measure_information(self) -> np.ndarray:
-        """Information of the pairs of each job about its target's origin: upper triangles, float64 (jobs, 21)."""
-        jobs, totals = self.jobs, self.progress.totals
-        live = full(jobs.count, 1, int32, jobs.device)
-        reduce_segments(sum_information, jobs.blocks, live, [self.matches], self.partials, totals)
-        return download(totals)[:, :TRIANGLE]  # sync

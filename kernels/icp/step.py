@@ -5,7 +5,7 @@ Symmetric ICP (Rusinkiewicz 2019, eqs. 10 and 11): the system is moved to the me
 rotates the source, half inversely the target.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from ..algebra.rigid_solve import (
     triangle_index,
     vec6d,
 )
+from ..array_types import Array1
 from ..lang import (
     WARP,
     array,
@@ -181,13 +182,21 @@ class Progress:
     free: array(dtype=free_directions)
     running: array(dtype=int32)
 
-    def __init__(self, jobs: Jobs, states: "SideBySide", poses: np.ndarray, *, separate_geometry: bool = False) -> None:
+    def __init__(
+        self,
+        jobs: Jobs,
+        states: "SideBySide",
+        poses: np.ndarray,
+        totals: Array1[Any],
+        *,
+        separate_geometry: bool = False,
+    ) -> None:
         device, count = jobs.device, jobs.count
         names = ("pivots", "sizes", "source_counts", "iterations", "outcomes", "fitness", "rmse", "free_counts", "free")
         for name in (*names, "running"):
             setattr(self, name, states.arrays[name])
-        self.totals = zeros(count, row_sums, device)
-        self.plain_totals = zeros(count, row_sums, device) if separate_geometry else self.totals
+        self.totals = totals
+        self.plain_totals = zeros(count, row_sums, device) if separate_geometry else totals
         moments = jobs.sum_moments()
         if device.is_cuda:  # avoids a sync
             launch(measure_sources_kernel, count, [jobs, moments, states.arrays["poses"], self])

@@ -10,10 +10,9 @@ import numpy as np
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..algebra.transform import narrow, widen
-from ..array_types import Array1, Integers, Points, Poses
+from ..array_types import Array1, Device, Integers, Poses
 from ..arrays.packed_keys import key_index, key_number
 from ..arrays.segment_blocks import SegmentBlocks
-from ..arrays.select import gather_rows
 from ..arrays.side_by_side import SideBySide
 from ..arrays.sort import positions
 from ..lang import (
@@ -36,9 +35,9 @@ from ..lang import (
     vector,
 )
 from ..linear_algebra import norm
-from ..memory import copy, download, empty, full, zeros
+from ..memory import copy, download, empty, full, rows_of, zeros
 from ..search.bucket_walk import next_bucket, start_traversal, traversal
-from ..search.hilbert_order import HilbertOrder
+from ..search.many_clouds import ManyClouds
 from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, find_bucket, measure_boxes
 from ..search.tree_search import squared_radius
@@ -62,14 +61,14 @@ class PoseFitness:
     source_middle: vec3
     target_middle: vec3
 
-    def __init__(self, source: Points, tree: PointTree) -> None:
-        """Prepare scores of a device array of vec3 against a PointTree."""
-        hilbert = HilbertOrder(source)
-        rows = hilbert.order[: hilbert.finite_count] if hilbert.finite_count else empty(0, int32, source.device)
-        self.source = gather_rows(source, rows)
+    def __init__(self, source: ManyClouds, tree: PointTree) -> None:
+        """Prepare scores of one ordered cloud against a PointTree."""
+        count = int(source.counts[0])
+        self.source = rows_of(source.points, 0, count) if count else empty(0, vec3, source.device)
         self.tree, self.target, self.device = tree, tree.source, source.device
-        self.middles = [middle_of(c.low, c.high) for c in (hilbert, tree)]
-        self.size = half_diagonal(hilbert.low, hilbert.high)
+        self.middles = [middle_of(c.low, c.high) for c in (source, tree)]
+        self.size = half_diagonal(source.low, source.high)
+        self._matching: Matching | None = None
         self.source_middle, self.target_middle = (vec3(*middle) for middle in self.middles)
 
     def count(self, poses: Poses, distance: float) -> np.ndarray:
@@ -87,19 +86,25 @@ class PoseFitness:
         launch(count_matched_kernel, poses.size * runs, [self, run, poses, wanted, squared_radius(distance), counts])
 
     def match(self, pose: Poses, distance: float) -> Array1[Any]:
-        """Sums of `fit_pose` over all matches under one pose, about the centers, then of squared distances [m^2]."""
-        matching = Matching(self)
-        matching.run(pose, distance)
+        """Sums of `fit_pose` over all matches under one pose, about the centers, then of squared distances [m^2].
+        Valid until the next call."""
+        matching = self._prepared_matching()
+        matching.run(self, pose, distance)
         return matching.sums
+
+    def _prepared_matching(self) -> "Matching":
+        if self._matching is None:
+            self._matching = Matching(self.source.size, self.device)
+        return self._matching
 
     def refine(self, pose: Poses, distance: float, steps: int, with_scaling: bool) -> tuple[np.ndarray, int, float]:
         """Fit a pose repeatedly to the nearest points of the whole clouds: (pose, count, squared distances [m^2]).
         Minimizes the truncated sum of squares, which is steadier than the match count. One sync.
         """
-        course, matching = Course(pose, steps), Matching(self)
+        course, matching = Course(pose, steps), self._prepared_matching()
 
         def step() -> None:
-            matching.run(course.poses, distance)
+            matching.run(self, course.poses, distance)
             launch(judge_matches_kernel, 1, [matching.sums, distance * distance, int(with_scaling), course])
 
         if self.device.is_cuda:
@@ -114,18 +119,17 @@ class PoseFitness:
 class Matching:
     """Reusable search and sums for one pose; `sums` of the last run, match_sums (1)."""
 
-    def __init__(self, fitness: PoseFitness) -> None:
-        device, count = fitness.device, fitness.source.size
-        self.fitness, self.sums = fitness, zeros(1, match_sums, device)
+    def __init__(self, count: int, device: Device) -> None:
+        """For `count` source points."""
+        self.sums = zeros(1, match_sums, device)
         self._moved, self._nearest = empty(count, vec3, device), empty(count, int64, device)
         self._order = positions(count, device) if device.is_cuda else None  # source points are in curve order
         self._blocks, self._live = SegmentBlocks([0], [count], device), full(1, 1, int32, device)
         self._partials = empty(self._blocks.count, match_sums, device)
 
-    def run(self, pose: Poses, distance: float) -> None:
+    def run(self, fitness: PoseFitness, pose: Poses, distance: float) -> None:
         """Sum over the matches closer than a distance [m] under a pose, mat44d (1)."""
-        fitness, count = self.fitness, self._moved.size
-        launch(move_points_kernel, count, [fitness, pose, self._moved])
+        launch(move_points_kernel, self._moved.size, [fitness, pose, self._moved])
         find_nearest(fitness.tree, self._moved, radius=distance, order=self._order, nearest=self._nearest)
         reduce_segments(sum_matches, self._blocks, self._live, [fitness, self._nearest], self._partials, self.sums)
 

@@ -5,6 +5,7 @@ curve through the common box and one sort (40 B per point while it runs, 16 B af
 """
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -43,9 +44,11 @@ class ManyClouds:
         if starts[-1] + BUCKET * count >= 2**31:
             raise ValueError(f"{starts[-1]:,} points in {count:,} clouds; register them in parts below 2^31 points")
         points = joined_rows(clouds) if joined is None else joined
-        self.device, self.starts = device, upload(starts, int32, device)
+        self.device = device
+        self.moments: Any = None  # as are `single_job`, of Jobs
+        self.single_job: Any = None
         if tree is None:
-            keys, bits, rows = self._sort(points, sizes)
+            keys, rows, bits = self._sort(points, starts)
         else:
             keys, bits = tree.codes, 0
             self.curve, rows, self.counts = tree.curve, tree.order, np.array([tree.count])
@@ -53,8 +56,11 @@ class ManyClouds:
         buckets = np.maximum(1, -(-self.counts // BUCKET))
         self.bases = np.concatenate([[0], np.cumsum(buckets)[:-1]]) * BUCKET
         self.buckets, total = buckets, int(buckets.sum())
-        tables = [np.repeat(np.arange(count), buckets), self.bases, self.counts]
-        self.owners, self.first_positions, self.finite_counts = upload_together(tables, int32, device)
+        owners = np.repeat(np.arange(count), buckets)
+        tables = {"owners": owners, "first_positions": self.bases, "finite_counts": self.counts}
+        if count == 1:
+            tables["starts"] = starts
+        vars(self).update(zip(tables, upload_together([*tables.values()], int32, device), strict=True))
         self.order, self.points = empty(total * BUCKET, int32, device), empty(total * BUCKET, vec3, device)
         launch(gather_points_kernel, self.points.size, [points, rows, self])
         if tree is None:
@@ -63,25 +69,24 @@ class ManyClouds:
         else:
             self.codes = keys
 
-    def _sort(self, points: Points, sizes: np.ndarray) -> tuple[LongIntegers, int, Integers]:
-        """(keys, code bits, rows) of all points along one curve, cloud by cloud. Counts the finite ones."""
-        device, count = self.device, len(sizes)
+    def _sort(self, points: Points, starts: np.ndarray) -> tuple[LongIntegers, Integers, int]:
+        """(keys, rows, code bits) of all points along one curve, cloud by cloud. Counts the finite ones."""
+        device, count = self.device, len(starts) - 1
         low, high, finite = bound_points(points)  # sync
         self.low, self.high = low, high
         index_bits, segment_bits = max(1, (points.size - 1).bit_length()), (count - 1).bit_length()
         levels = min(MAX_LEVELS, (62 - index_bits - segment_bits) // 3)
         self.curve = HilbertCurve(low, high, levels, is_empty=not finite)
         bits, keys = self.curve.code_bits, encode_points(points, self.curve)
-        if count > 1:
-            launch(mark_segments_kernel, points.size, [self.starts, bits, keys])
-        keys, rows = keys.sort(bits + segment_bits, np.concatenate([[0], np.cumsum(sizes)]))
         if count == 1:
             self.counts = np.array([finite], np.int64)
-        else:
-            counts = empty(count, int32, device)
-            launch(count_finite_kernel, count, [keys, self.starts, bits, counts])
-            self.counts = download(counts).astype(np.int64)  # sync
-        return keys, bits, rows
+            return *keys.sort(bits, starts), bits
+        self.starts, counts = upload(starts, int32, device), empty(count, int32, device)
+        launch(mark_segments_kernel, points.size, [self.starts, bits, keys])
+        sorted_keys, rows = keys.sort(bits + segment_bits, starts)
+        launch(count_finite_kernel, count, [sorted_keys, self.starts, bits, counts])
+        self.counts = download(counts).astype(np.int64)  # sync
+        return sorted_keys, rows, bits
 
     def gather(self, arrays: Sequence[AnyArray]) -> AnyArray:
         """One attribute of all clouds, vec3 or float32 (n, c), in sorted order."""

@@ -36,9 +36,14 @@ class PointForest:
     boxes: array(dtype=float32)
 
     def __init__(
-        self, clouds: Sequence[Vectors], tree: "PointTree | None" = None, joined: Vectors | None = None
+        self,
+        clouds: Sequence[Vectors],
+        tree: "PointTree | None" = None,
+        joined: Vectors | None = None,
+        order: ManyClouds | None = None,
     ) -> None:
-        sorted_clouds = self.clouds = ManyClouds(clouds, tree, joined)
+        """`tree`, `order`: of the only cloud, if they exist. `joined`: the clouds in one array, if there is one."""
+        sorted_clouds = self.clouds = ManyClouds(clouds, tree, joined) if order is None else order
         device, trees = sorted_clouds.device, len(clouds)
         sizes = [sorted_clouds.buckets]
         while sizes[-1].max() > 1:

@@ -2,7 +2,7 @@
 
 Araujo and Oliveira, Pattern Recognition 100, 2020, sections 3.1 and 3.2. The smallest cells with enough points come
 first. Cells with flat descendants are skipped. Planes are medians, tolerances are based on the median absolute
-deviation (MAD). Eleven sorts per level (run_medians.py).
+deviation (MAD). Five sorts per level (run_medians.py).
 """
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,7 +16,7 @@ from ..arrays.run_sums import sum_columns
 from ..arrays.sort import fill_positions_kernel
 from ..lang import array, atomic_add, dot, float32, float64, float_bits, int32, kernel, launch, sqrt, tid, vec3
 from ..linear_algebra import eigh
-from ..memory import download, empty, upload, zeros
+from ..memory import download, empty, rows_of, upload, zeros
 
 if TYPE_CHECKING:
     from .octree_cells import Octree
@@ -42,26 +42,29 @@ def multiply_normals_kernel(normals: array(dtype=vec3), rows: array(dtype=int32)
 
 
 @kernel
-def take_axis_kernel(values: array(dtype=vec3), rows: array(dtype=int32), axis: int, out: array(dtype=float32)):
+def take_axes_kernel(values: array(dtype=vec3), rows: array(dtype=int32), out: array(dtype=float32)):
+    """All x, then all y, then all z."""
     i = tid()
-    out[i] = values[rows[i]][axis]
+    value = values[rows[i]]
+    for axis in range(3):
+        out[axis * rows.shape[0] + i] = value[axis]
 
 
 @kernel
-def take_normal_axis_kernel(
+def take_normal_axes_kernel(
     normals: array(dtype=vec3),
     rows: array(dtype=int32),
     runs: array(dtype=int32),
     references: array(dtype=vec3),
-    axis: int,
     out: array(dtype=float32),
 ):
-    """One component of each normal, oriented to its run's reference."""
+    """The same of the normals, oriented to their run's reference."""
     i = tid()
     n = normals[rows[i]]
     if dot(n, references[runs[i]]) < 0.0:
         n = -n
-    out[i] = n[axis]
+    for axis in range(3):
+        out[axis * rows.shape[0] + i] = n[axis]
 
 
 @kernel
@@ -72,13 +75,13 @@ def measure_points_kernel(
     runs: array(dtype=int32),
     centers: array(dtype=vec3),
     directions: array(dtype=vec3),
-    similarities: array(dtype=float32),
-    distances: array(dtype=float32),
+    measured: array(dtype=float32),
 ):
+    """Similarities of all points, then their distances."""
     i = tid()
     run = runs[i]
-    similarities[i] = abs(dot(directions[run], normals[rows[i]]))
-    distances[i] = abs(dot(directions[run], points[rows[i]] - centers[run]))
+    measured[i] = abs(dot(directions[run], normals[rows[i]]))
+    measured[rows.shape[0] + i] = abs(dot(directions[run], points[rows[i]] - centers[run]))
 
 
 @kernel
@@ -97,16 +100,19 @@ def measure_heights_kernel(
 
 @kernel
 def deviate_kernel(
-    values: array(dtype=float32), runs: array(dtype=int32), medians: array(dtype=float32), out: array(dtype=float32)
+    values: array(dtype=float32), runs: array(dtype=int32), statistics: array(dtype=float32), out: array(dtype=float32)
 ):
+    """Absolute deviations of two quantities from their medians."""
     i = tid()
-    out[i] = abs(values[i] - medians[runs[i]])
+    quantity = i // runs.shape[0]
+    count = statistics.shape[0] // 6
+    median = statistics[(3 * quantity + 1) * count + runs[i - quantity * runs.shape[0]]]
+    out[i] = abs(values[i] - median)
 
 
 @kernel
 def count_outliers_kernel(
-    similarities: array(dtype=float32),
-    distances: array(dtype=float32),
+    measured: array(dtype=float32),
     runs: array(dtype=int32),
     similar: array(dtype=float32),
     near: array(dtype=float32),
@@ -114,14 +120,13 @@ def count_outliers_kernel(
 ):
     i = tid()
     run = runs[i]
-    if similarities[i] < similar[run] or distances[i] > near[run]:
+    if measured[i] < similar[run] or measured[runs.shape[0] + i] > near[run]:
         atomic_add(outliers, run, 1)
 
 
 @kernel
 def claim_seeds_kernel(
-    similarities: array(dtype=float32),
-    distances: array(dtype=float32),
+    measured: array(dtype=float32),
     rows: array(dtype=int32),
     runs: array(dtype=int32),
     similar: array(dtype=float32),
@@ -131,46 +136,37 @@ def claim_seeds_kernel(
 ):
     i = tid()
     run = runs[i]
-    if names[run] >= 0 and similarities[i] >= similar[run] and distances[i] <= near[run]:
+    is_inlier = measured[i] >= similar[run] and measured[runs.shape[0] + i] <= near[run]
+    if names[run] >= 0 and is_inlier:
         labels[rows[i]] = names[run]
 
 
 @kernel
-def note_axis_kernel(
+def finish_planes_kernel(
     coordinates: array(dtype=float32),
     sides: array(dtype=float32),
-    axis: int,
-    middles: array(dtype=float32),
-    means: array(dtype=float32),
-    edges: array(dtype=float32),
-):
-    """One coordinate of each run's center and normal from the order statistics, and its longest edge so far."""
-    i = tid()
-    runs = edges.shape[0]
-    middles[3 * i + axis] = coordinates[runs + i]
-    means[3 * i + axis] = sides[runs + i]
-    edges[i] = max(edges[i], coordinates[2 * runs + i] - coordinates[i])
-
-
-@kernel
-def finish_directions_kernel(
-    middles: array(dtype=float32),
-    means: array(dtype=float32),
     references: array(dtype=vec3),
     centers: array(dtype=vec3),
     directions: array(dtype=vec3),
+    edges: array(dtype=float32),
 ):
-    """Unit normal of each run, or its reference, and its center."""
+    """Center, longest edge, and unit normal or reference of each run from the order statistics of three axes."""
     i = tid()
-    x = means[3 * i]
-    y = means[3 * i + 1]
-    z = means[3 * i + 2]
+    runs = edges.shape[0]
+    x = sides[runs + i]
+    y = sides[4 * runs + i]
+    z = sides[7 * runs + i]
     size = sqrt(x * x + y * y + z * z)
     direction = references[i]
     if size > 0.0:
         direction = vec3(x / size, y / size, z / size)
     directions[i] = direction
-    centers[i] = vec3(middles[3 * i], middles[3 * i + 1], middles[3 * i + 2])
+    centers[i] = vec3(coordinates[runs + i], coordinates[4 * runs + i], coordinates[7 * runs + i])
+    edge = float(0.0)
+    for axis in range(3):
+        at = 3 * axis * runs + i
+        edge = max(edge, coordinates[at + 2 * runs] - coordinates[at])
+    edges[i] = edge
 
 
 @kernel
@@ -181,19 +177,17 @@ def lift_centers_kernel(heights: array(dtype=float32), directions: array(dtype=v
 
 @kernel
 def bound_runs_kernel(
-    similarities: array(dtype=float32),
-    similar_spreads: array(dtype=float32),
-    distances: array(dtype=float32),
-    distance_spreads: array(dtype=float32),
+    statistics: array(dtype=float32),
+    spreads: array(dtype=float32),
     slack: float,
     similar: array(dtype=float32),
     near: array(dtype=float32),
 ):
-    """Limits of each run: median and a number of MADs."""
+    """Limits of each run: median and a number of MADs, of similarities and of distances."""
     i = tid()
     runs = near.shape[0]
-    similar[i] = min(similarities[runs + i] - SPREAD_MAD * similar_spreads[runs + i], MAX_SIMILAR)
-    near[i] = max(distances[runs + i] + SPREAD_MAD * distance_spreads[runs + i], slack)
+    similar[i] = min(statistics[runs + i] - SPREAD_MAD * spreads[runs + i], MAX_SIMILAR)
+    near[i] = max(statistics[4 * runs + i] + SPREAD_MAD * spreads[4 * runs + i], slack)
 
 
 @kernel
@@ -242,45 +236,36 @@ class Runs:
         size, count, device = self.rows.size, self.count, self.device
         if references is None:
             references = upload(self._main_directions(normals), vec3, device)
-        coordinates, sides = (empty(size, float32, device) for _ in range(2))
-        middles, means = (empty(3 * count, float32, device) for _ in range(2))
-        planes = RunPlanes(empty(count, vec3, device), empty(count, vec3, device), zeros(count, float32, device))
-        for axis in range(3):
-            launch(take_axis_kernel, size, [points, self.rows, axis, coordinates])
-            launch(take_normal_axis_kernel, size, [normals, self.rows, self.runs, references, axis, sides])
-            statistics = [self.statistics(values) for values in (coordinates, sides)]
-            launch(note_axis_kernel, count, [*statistics, axis, middles, means, planes.edges])
-        launch(finish_directions_kernel, count, [middles, means, references, planes.centers, planes.directions])
-        launch(
-            measure_heights_kernel, size, [points, self.rows, self.runs, planes.centers, planes.directions, coordinates]
-        )
-        launch(lift_centers_kernel, count, [self.statistics(coordinates), planes.directions, planes.centers])
+        values, statistics = empty(3 * size, float32, device), []
+        planes = RunPlanes(empty(count, vec3, device), empty(count, vec3, device), empty(count, float32, device))
+        launch(take_axes_kernel, size, [points, self.rows, values])
+        statistics.append(self.statistics(values, 3))
+        launch(take_normal_axes_kernel, size, [normals, self.rows, self.runs, references, values])
+        statistics.append(self.statistics(values, 3))
+        launch(finish_planes_kernel, count, [*statistics, references, planes.centers, planes.directions, planes.edges])
+        heights = rows_of(values, 0, size)
+        launch(measure_heights_kernel, size, [points, self.rows, self.runs, planes.centers, planes.directions, heights])
+        launch(lift_centers_kernel, count, [self.statistics(heights), planes.directions, planes.centers])
         return planes
 
-    def statistics(self, values: Scalars) -> Scalars:
-        """Minima, medians, and maxima of all runs: float32 [3 r]."""
-        return find_statistics(values, self.runs, self.starts)
+    def statistics(self, values: Scalars, quantities: int = 1) -> Scalars:
+        """Minima, medians, and maxima of all runs: float32 [3 r], of each quantity [m]."""
+        return find_statistics(values, self.runs, self.starts, quantities)
 
-    def measure(self, points: Points, normals: Vectors, planes: RunPlanes) -> list[Scalars]:
-        """(similarities, distances) of points to their planes, float32 [m]."""
-        out = [empty(self.rows.size, float32, self.device) for _ in range(2)]
-        arguments = [points, normals, self.rows, self.runs, planes.centers, planes.directions, *out]
+    def measure(self, points: Points, normals: Vectors, planes: RunPlanes) -> Scalars:
+        """Similarities, then distances of points to their planes, float32 [2 m]."""
+        out = empty(2 * self.rows.size, float32, self.device)
+        arguments = [points, normals, self.rows, self.runs, planes.centers, planes.directions, out]
         launch(measure_points_kernel, self.rows.size, arguments)
         return out
 
-    def tolerate(self, similarities: Scalars, distances: Scalars, slack: float) -> list[Scalars]:
-        """(similar, near): minimum cosine and maximum distance [m] of each run, float32 [r]."""
+    def tolerate(self, measured: Scalars, slack: float) -> list[Scalars]:
+        """(similar, near): minimum cosine and maximum distance [m] of each run, float32 [r], from medians and MADs."""
         bounds = [empty(self.count, float32, self.device) for _ in range(2)]
-        spreads = [*self.spread(similarities), *self.spread(distances)]
-        launch(bound_runs_kernel, self.count, [*spreads, slack, *bounds])
+        statistics, deviations = self.statistics(measured, 2), empty(measured.size, float32, self.device)
+        launch(deviate_kernel, measured.size, [measured, self.runs, statistics, deviations])
+        launch(bound_runs_kernel, self.count, [statistics, self.statistics(deviations, 2), slack, *bounds])
         return bounds
-
-    def spread(self, values: Scalars) -> list[Scalars]:
-        """Order statistics of each run's values and of their deviations from the median."""
-        statistics, deviations = self.statistics(values), empty(values.size, float32, self.device)
-        medians = statistics[self.count : 2 * self.count]
-        launch(deviate_kernel, values.size, [values, self.runs, medians, deviations])
-        return [statistics, self.statistics(deviations)]
 
     def _main_directions(self, normals: Vectors) -> np.ndarray:
         size = self.rows.size
@@ -308,9 +293,9 @@ class Limits:
         device = points.device
         planes = runs.fit(points, normals)  # sync
         measured = runs.measure(points, normals, planes)
-        bounds = runs.tolerate(measured[0], measured[1], self.slack)
+        bounds = runs.tolerate(measured, self.slack)
         outliers, packed = zeros(runs.count, int32, device), empty((runs.count, PACKED), int32, device)
-        launch(count_outliers_kernel, runs.rows.size, [*measured, runs.runs, *bounds, outliers])
+        launch(count_outliers_kernel, runs.rows.size, [measured, runs.runs, *bounds, outliers])
         launch(pack_planes_kernel, runs.count, [*planes, *bounds, outliers, runs.starts, packed])
         results = np.array(download(packed))  # sync
         numbers = results.view(np.float32)
@@ -319,7 +304,7 @@ class Limits:
         passed = (similar > self.similarity) & (steep < self.coplanarity) & (edges > 0)
         passed &= results[:, 9] <= self.outliers * results[:, 10]
         names = np.where(passed, first + np.cumsum(passed) - 1, -1)
-        arguments = [*measured, runs.rows, runs.runs, *bounds, upload(names, int32, device), labels]
+        arguments = [measured, runs.rows, runs.runs, *bounds, upload(names, int32, device), labels]
         launch(claim_seeds_kernel, runs.rows.size, arguments)
         return passed, (numbers[passed, 0:3], numbers[passed, 3:6], similar[passed], near[passed])
 

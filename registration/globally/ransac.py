@@ -206,7 +206,7 @@ def _register(
 ) -> RegistrationResult:
     checks, device = checks_of(checkers), source.device
     points = source._device_array("points"), target._device_array("points")
-    fitness = PoseFitness(points[0], target.search_tree())
+    fitness = PoseFitness(source._curve_order(), target.search_tree())
     search = PoseSearch(fitness, *points, pairs)
     if search.pairs.count < sample_size:
         return no_pose(f"{sample_size} correspondences of finite points needed, {search.pairs.count} given", source)

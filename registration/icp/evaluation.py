@@ -9,11 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_positive, check_transformation
+from ...kernels.icp.jobs import Jobs
+from ...kernels.icp.loop import Matching
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
 from ..result import RegistrationResult
 from .estimation import TransformationEstimationPointToPoint
-from .iterative import IterativeRegistration
+from .matched_clouds import MatchedClouds, grow_forest, order_points
 
 
 @explain_argument_errors
@@ -42,10 +44,16 @@ def evaluate_registration(
         (0.5, 0.1, [[0, 0]])
     """
     T = np.eye(4) if transformation is None else check_transformation("transformation", transformation)
-    result = _evaluate(source, target, max_correspondence_distance, T).results()[0]
-    result.transformation = T.copy()
-    result.warnings = () if result.fitness else ("no correspondences",)
-    return result
+    evaluation = _evaluate(source, target, max_correspondence_distance, T)
+    (fitness,), (rmse,) = (values.tolist() for values in evaluation.loop.measure_pairs())
+    return RegistrationResult(
+        T.copy(),
+        fitness,
+        rmse,
+        lambda: evaluation._pairs_of(0),
+        warnings=() if fitness else ("no correspondences",),
+        clouds=evaluation._clouds_of(0),
+    )
 
 
 def get_information_matrix_from_point_clouds(
@@ -71,18 +79,23 @@ def fitness_of(
     sources: Sequence[PointCloud], targets: Sequence[PointCloud], distance: float, poses: NDArray[np.float64]
 ) -> list[float]:
     """The fitness of many pairs of checked clouds under their poses [n, 4, 4], in the same launches."""
-    return [result.fitness for result in _evaluate_pairs(sources, targets, distance, poses).results()]
+    return _Evaluation(sources, targets, distance, poses).loop.measure_pairs()[0].tolist()
 
 
-def _evaluate(source: PointCloud, target: PointCloud, distance: float, T: NDArray[np.float64]) -> IterativeRegistration:
+class _Evaluation(MatchedClouds[Matching]):
+    """Pairs of checked clouds under their poses [n, 4, 4], in the same launches."""
+
+    def __init__(
+        self, sources: Sequence[PointCloud], targets: Sequence[PointCloud], distance: float, poses: NDArray[np.float64]
+    ):
+        super().__init__(sources, targets, distance, TransformationEstimationPointToPoint())
+        left, right = self._sides()
+        self.source_clouds = order_points(left)
+        jobs = Jobs(self.source_clouds, grow_forest(right), self.source_of, self.target_of)
+        self.loop = Matching(jobs, self._local_poses(poses), distance)
+        self.loop.match()
+
+
+def _evaluate(source: PointCloud, target: PointCloud, distance: float, T: NDArray[np.float64]) -> _Evaluation:
     check_clouds(source, target)
-    distance = check_positive("max_correspondence_distance", distance)
-    return _evaluate_pairs([source], [target], distance, T[None])
-
-
-def _evaluate_pairs(
-    sources: Sequence[PointCloud], targets: Sequence[PointCloud], distance: float, poses: NDArray[np.float64]
-) -> IterativeRegistration:
-    problem = IterativeRegistration(sources, targets, poses, distance, TransformationEstimationPointToPoint())
-    problem.run(0, 0.0, 0.0)
-    return problem
+    return _Evaluation([source], [target], check_positive("max_correspondence_distance", distance), T[None])

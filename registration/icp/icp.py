@@ -337,7 +337,7 @@ def _jobs_of(
     for name, length in (("sources", len(left)), ("targets", len(right)), ("inits", len(given))):
         if length not in (1, count):
             raise ValueError(f"{name}: expected 1 or {count} for {count} jobs, got {length}")
-    poses = np.array([check_poses(f"inits[{i}]", pose, method) for i, pose in enumerate(given)])
+    poses = given if inits is None else np.array([check_poses(f"inits[{i}]", p, method) for i, p in enumerate(given)])
     for name, clouds in (("sources", left), ("targets", right)):
         for i, cloud in enumerate(clouds):
             check_cloud(f"{name}[{i}]", cloud)

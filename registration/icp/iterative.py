@@ -1,4 +1,4 @@
-"""ICP jobs on the device, shared by single registrations, batches and evaluations."""
+"""ICP jobs on the device, shared by single registrations and batches."""
 
 from __future__ import annotations
 
@@ -8,10 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.array_libraries import NUMPY, hand_out
-from ...core.devices import check_same_device
 from ...kernels.arrays.concatenation import joined_rows
-from ...kernels.arrays.row_numbers import list_partners
 from ...kernels.icp.freedom import Freedom
 from ...kernels.icp.job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
 from ...kernels.icp.jobs import Jobs
@@ -21,17 +18,14 @@ from ...kernels.icp.pair_rejection import PairRejection
 from ...kernels.icp.step import StepRules
 from ...kernels.icp.voxel_gaussians import VoxelGaussians
 from ...kernels.lang import int32
-from ...kernels.linear_algebra import matmul
-from ...kernels.memory import download, empty, upload
+from ...kernels.memory import upload
 from ...kernels.search.many_clouds import ManyClouds
-from ...kernels.search.point_forest import PointForest
-from ...pcd.cached_tree import check_extent
 from ...pcd.cloud import PointCloud
-from ..result import Pairs, RegistrationResult
-from ..rigid import skew, symmetric_matrices, to_local, to_world
+from ..result import RegistrationResult
 from .constraint import Constraint, make_freedom
 from .estimation import Columns, TransformationEstimation
-from .preparation import Side, drop_unusable_points, in_sensor_frame, normals_of, point_weights
+from .matched_clouds import MatchedClouds, grow_forest, names_of, order_points
+from .preparation import Side, point_weights
 
 FAILURES = {
     OUT_OF_ITERATIONS: "ICP did not converge within {} iterations",
@@ -46,7 +40,7 @@ DEGENERACY = 5e-3
 STILL = 1e-6
 
 
-class IterativeRegistration:
+class IterativeRegistration(MatchedClouds[RegistrationLoop]):
     """ICP jobs over clouds on one device, with `poses` T_target_source of each job, float64 [jobs, 4, 4]."""
 
     def __init__(
@@ -63,16 +57,14 @@ class IterativeRegistration:
         constraint: Constraint | None = None,
         weights: ArrayLike | str | None = None,
     ):
-        self.estimation, self.distance, self.degeneracy = estimation, distance, degeneracy
-        self._take_clouds(source_clouds, target_clouds)
+        super().__init__(source_clouds, target_clouds, distance, estimation)
+        self.degeneracy = degeneracy
         sources, targets = self._sides(max_normal_angle is not None)
-        known = self._sources[0]._known_search_tree if len(self._sources) == 1 else None
-        is_complete = sources.points[0] is self._sources[0]._device_array("points")
-        self.source_clouds = ManyClouds(sources.points, known if is_complete else None, sources.joined)
+        self.source_clouds = order_points(sources)
         source = _point_columns(self.source_clouds, sources.columns)
         forest, gaussians, target = None, None, PointColumns()
         if estimation._target_voxel_size is None:
-            forest = _grow_forest(targets)
+            forest = grow_forest(targets)
             target = _point_columns(forest.clouds, targets.columns)
         else:
             gaussians = _make_gaussians(targets, estimation._target_voxel_size)
@@ -94,35 +86,6 @@ class IterativeRegistration:
             sizes = self.loop.progress.sizes if overlap is None else None
             self._rejection = PairRejection(self.loop.matches, pair_limit, normals, sizes=sizes)
 
-    def _take_clouds(self, sources: Sequence[PointCloud], targets: Sequence[PointCloud]) -> None:
-        self._sources, self.source_of = _distinct(sources)
-        self._targets, self.target_of = _distinct(targets)
-        for cloud in (*self._sources, *self._targets):
-            check_same_device("clouds", self._sources[0].device, cloud.device)
-        if self.estimation.in_sensor_frame:
-            names = self._names()
-            self._sources = [in_sensor_frame(c, n) for c, n in zip(self._sources, names[0], strict=True)]
-            self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, names[1], strict=True)]
-
-    def _sides(self, with_normals: bool) -> tuple[Side, Side]:
-        source_names, target_names = self._names()
-        source_columns = self.estimation._source_columns(self._sources, source_names, self.distance)
-        target_columns = self.estimation._target_columns(self._targets, target_names, self.distance)
-        if with_normals:
-            self._add_normals(source_columns, self._sources, source_names)
-            self._add_normals(target_columns, self._targets, target_names)
-        sides = Side(self._sources, source_columns, source_names), Side(self._targets, target_columns, target_names)
-        drop_unusable_points(sides)
-        return sides
-
-    def _names(self) -> tuple[list[str], list[str]]:
-        return _names("source", self.source_of), _names("target", self.target_of)
-
-    def _local_poses(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-        self._source_origins = np.array([cloud.origin for cloud in self._sources])
-        self._target_origins = np.array([cloud.origin for cloud in self._targets])
-        return to_local(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
-
     def _constrain(
         self, constraint: Constraint | None, weights: ArrayLike | str | None, local: NDArray[np.float64]
     ) -> None:
@@ -130,7 +93,7 @@ class IterativeRegistration:
         if constraint is not None:
             self.freedom = self._make_freedom(constraint, local)
         if weights is not None:
-            columns = point_weights(self._sources, weights, _names("source", self.source_of))
+            columns = point_weights(self._sources, weights, names_of("source", self.source_of))
             self.loop.matches.weigh(self.source_clouds.gather(columns))
 
     def _make_freedom(self, constraint: Constraint, local: NDArray[np.float64]) -> Freedom:
@@ -203,10 +166,6 @@ class IterativeRegistration:
             result.check_scale()
         return results
 
-    def _clouds_of(self, job: int) -> tuple[PointCloud, PointCloud, float]:
-        """The clouds of a job as they are now, and the match distance [m]."""
-        return self._sources[self.source_of[job]].copy(), self._targets[self.target_of[job]].copy(), self.distance
-
     def _constraint_results(self) -> list[dict[str, Any]]:
         """Constraint results of each job: free motions, prior directions, and parameters."""
         if self.constraint is None or self.freedom is None:
@@ -215,53 +174,6 @@ class IterativeRegistration:
         pairs = zip(values["states"], values["prior_counts"], strict=True)
         free = self.constraint.free
         return [{"free": free, "prior_count": int(count), "motion": state.copy()} for state, count in pairs]
-
-    def information(self) -> NDArray[np.float64]:
-        """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""
-        matrices = symmetric_matrices(self.loop.measure_information())
-        for job, t in enumerate(self.target_of):
-            shift = np.eye(6)  # G(q + o) = G(q) (I, 0; -[o]x, I)
-            shift[3:, :3] = -skew(self._target_origins[t])
-            matrices[job] = matmul(shift.T, matrices[job], shift)
-        return matrices
-
-    def _world(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-        return to_world(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
-
-    def _pairs_of(self, job: int) -> Pairs:
-        """(source, target) rows of a job's pairs, by source. Target rows are voxels in a voxelized target."""
-        jobs, s = self.loop.jobs, self.source_of[job]
-        count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
-        if not count:  # Warp rejects an empty slice at the end
-            return self._sources[s]._handed_out(empty((0, 2), int32, self._sources[s].device))
-        partners = self.loop.matches.pairs[first : first + count]
-        rows = self.source_clouds.order[base : base + count]
-        library = self._sources[s].array_library
-        if library != NUMPY:
-            target_rows = empty(0, int32, partners.device) if jobs.targets is None else jobs.targets.clouds.order
-            return hand_out(list_partners(len(self._sources[s]), rows, partners, target_rows), library)
-        partners, rows = download(partners), download(rows)
-        paired = partners >= 0
-        target_rows = partners[paired]
-        if jobs.targets is not None:
-            target_rows = download(jobs.targets.clouds.order)[target_rows]
-        pairs = np.stack([rows[paired], target_rows], axis=1).astype(np.int32)
-        return pairs[np.argsort(pairs[:, 0], kind="stable")]
-
-    def _add_normals(self, columns: Columns, clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
-        if "normals" not in columns:
-            columns["normals"] = normals_of(clouds, names, "max_normal_angle")
-
-
-def _grow_forest(targets: Side) -> PointForest:
-    first, points = targets.clouds[0], targets.points
-    is_cached = len(points) == 1 and points[0] is first._device_array("points")
-    tree = first.search_tree() if is_cached else None
-    forest = PointForest(points, tree, targets.joined)
-    if tree is None:
-        clouds = forest.clouds
-        check_extent("targets", clouds.low, clouds.high, clouds.points)
-    return forest
 
 
 def _make_gaussians(targets: Side, voxel_size: float) -> VoxelGaussians:
@@ -272,25 +184,8 @@ def _make_gaussians(targets: Side, voxel_size: float) -> VoxelGaussians:
     return VoxelGaussians(points, covariances, voxel_size, segments=segments, segment_count=len(sizes))
 
 
-def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64]]:
-    indices: dict[int, int] = {}
-    distinct: list[PointCloud] = []
-    numbers = []
-    for cloud in clouds:
-        index = indices.setdefault(id(cloud), len(distinct))
-        if index == len(distinct):
-            distinct.append(cloud)
-        numbers.append(index)
-    return distinct, np.array(numbers, np.int64)
-
-
 def _warnings_of(outcome: int, iterations: int) -> tuple[str, ...]:
     return (FAILURES[outcome].format(iterations),) if outcome in FAILURES else ()
-
-
-def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
-    _, firsts = np.unique(numbers, return_index=True)
-    return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
 
 
 def _point_columns(clouds: ManyClouds, columns: Columns) -> PointColumns:

@@ -66,6 +66,11 @@ class Side:
         self.points = [cloud._device_array("points") for cloud in self.clouds]
         self.joined: wp.array | None = None
 
+    @property
+    def is_one_complete_cloud(self) -> bool:
+        """True for one cloud whose points are all used."""
+        return len(self.points) == 1 and self.points[0] is self.clouds[0]._device_array("points")
+
     def columns_of(self, k: int) -> list[wp.array]:
         return [_as_rows(arrays[k]) for arrays in self.columns.values()]
 

@@ -108,6 +108,19 @@ def everything(library, surface, rng):
     )  # fmt: skip
 
 
+@pytest.mark.parametrize("name", ["dbscan", "nearest", "distance", "outliers", "features", "registered"])
+def test_frozen_points_wait_no_more_than_points_of_the_cloud(everything, emulated, name):
+    waits = {}
+    for title, options in (("shared", {}), ("frozen", {"frozen": True}), ("own", None)):
+        normals = everything.cloud.array("normals")
+        points = everything.points if options is not None else np.asarray(everything.cloud.points)
+        cloud = loom.PointCloud(points, normals=normals, device=DEVICE, **(options or {})).to(DEVICE, arrays="cupy")
+        for _ in range(2):
+            OPERATIONS[name](cloud, everything)
+        waits[title] = emulated.count_requests(lambda cloud=cloud: OPERATIONS[name](cloud, everything))["waits"]
+    assert waits["frozen"] == waits["own"] < waits["shared"]
+
+
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_no_array_goes_through_the_host(everything, traffic, name):
     OPERATIONS[name](everything.cloud, everything)  # what is kept after a first call

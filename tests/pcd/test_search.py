@@ -17,6 +17,7 @@ from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search import group_scratch, tree_search
 from pointloom.kernels.search.hilbert_order import FEW
+from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd import cached_tree
@@ -268,6 +269,27 @@ def test_registration_takes_the_trees_that_its_clouds_keep(device, rng, builds):
     np.testing.assert_array_equal(first.transformation, again.transformation)
 
 
+def test_registrations_of_the_same_clouds_sort_them_once(device, rng, monkeypatch):
+    made, original = [], ManyClouds.__init__
+
+    def counting(self, clouds, *args, **options):
+        made.append([len(points) for points in clouds])
+        original(self, clouds, *args, **options)
+
+    monkeypatch.setattr(ManyClouds, "__init__", counting)
+    points = upload(np.float32(rng.random((300, 3))), vec3, resolve_device(device))
+    source, target = loom.PointCloud(points), loom.PointCloud(rng.random((400, 3)), device=device)
+    results = [loom.registration.registration_icp(source, target, 0.2) for _ in range(2)]
+    loom.registration.evaluate_registration(source.copy(), target, 0.2)
+    assert made == [[300], [400]]
+    np.testing.assert_array_equal(*(result.transformation for result in results))
+    points.assign(np.float32(rng.random((300, 3))))  # shared: the order is made anew
+    result = loom.registration.registration_icp(source, target, 0.2)
+    fresh = loom.registration.registration_icp(loom.PointCloud(source.points, device=device), target, 0.2)
+    assert made[2:] == [[300], [300]]
+    np.testing.assert_array_equal(result.transformation, fresh.transformation)
+
+
 def test_other_points_have_a_tree_of_their_own(device, rng, builds):
     cloud = loom.PointCloud(rng.random((500, 3)), device=device)
     cloud.search_tree()
@@ -309,6 +331,24 @@ def test_overwritten_points_are_detected(device, rng, builds):
     assert len(builds) == before  # unchanged points are not rebuilt
 
 
+@pytest.mark.parametrize("make", [loom.PointCloud, loom.PointCloud.from_dlpack])
+def test_only_frozen_points_are_not_compared_with_those_of_the_tree(device, rng, monkeypatch, make):
+    first, second = (upload(rng.random((300, 3)).astype(np.float32), vec3, resolve_device(device)) for _ in range(2))
+    cloud = make(first, frozen=True)
+    assert cloud.array("points").ptr == first.ptr
+    tree = cloud.search_tree()
+    with monkeypatch.context() as patch:
+        patch.setattr(cached_tree, "fingerprint", lambda _: pytest.fail("compared"))
+        for one in (cloud, cloud.copy(), cloud.estimate_normals(max_nn=5)):
+            assert one.search_tree() is tree
+    cloud.points = second
+    tree = cloud.search_tree()
+    second.assign(2 * second.numpy())
+    assert cloud.search_tree() is not tree
+    with pytest.raises(TypeError, match=r"^frozen: expected True or False, got"):
+        make(first, frozen=np.zeros(300))
+
+
 def test_pickled_buffers_are_copies(rng):
     cloud, buffers = loom.PointCloud(rng.random((50, 3))), []
     before = cloud.points
@@ -323,13 +363,16 @@ def test_pickled_buffers_are_copies(rng):
 def test_tree_is_freed_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)
-    tree, points = weakref.ref(cloud.search_tree()), weakref.ref(cloud._device_array("points"))
+    loom.registration.registration_icp(cloud, shared, 0.1)
+    cached = cloud.search_tree(), cloud._curve_order(), cloud._search_forest(), cloud._device_array("points")
+    references = [weakref.ref(part) for part in cached]
+    del cached
     gc.disable()  # memory must be freed without the garbage collector, which does not see device memory
     try:
         del cloud
-        assert tree() is not None
+        assert all(reference() is not None for reference in references)
         del shared
-        assert tree() is None and points() is None
+        assert all(reference() is None for reference in references)
     finally:
         gc.enable()
 

@@ -15,6 +15,7 @@ from pointloom.kernels.poses.pose_fitness import PoseFitness
 from pointloom.kernels.poses.pose_hypotheses import REFUSED, Checks, Samples, score_poses
 from pointloom.kernels.poses.pose_search import MAX_DISTINCT, RANKED, PoseSearch
 from pointloom.kernels.poses.similar_tuples import similar_tuples
+from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_tree import PointTree
 
 from ...registration.poses import as_pose, moved
@@ -35,7 +36,7 @@ def near_poses(rng, count, angle=0.3, size=0.1):
 
 def search_over(source, target, pairs, device):
     source, target = upload(source, vec3, device), upload(target, vec3, device)
-    fitness = PoseFitness(source, PointTree(target))
+    fitness = PoseFitness(ManyClouds([source]), PointTree(target))
     return PoseSearch(fitness, source, target, upload(pairs, int32, device))
 
 

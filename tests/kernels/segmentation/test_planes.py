@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from pointloom.kernels.arrays.run_medians import order_statistics
+from pointloom.kernels.arrays.run_medians import find_statistics, order_statistics
 from pointloom.kernels.lang import float32, int32, uint8, vec3, vec4d
 from pointloom.kernels.memory import download, upload, write, zeros
 from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid
@@ -136,6 +136,14 @@ def test_order_statistics_of_runs_match_numpy(device, rng, count):
     parts = [np.sort(values[a:b]) for a, b in pairwise(starts)]
     expected = [[p[0] for p in parts], [p[len(p) // 2] for p in parts], [p[-1] for p in parts]]
     np.testing.assert_array_equal(order_statistics(*arrays), expected)
+    several = upload(np.concatenate([values, -values[::-1], values]), float32, device)
+    statistics = download(find_statistics(several, *arrays[1:], 3)).reshape(3, 3, 7)
+    np.testing.assert_array_equal(statistics[0], expected)
+    np.testing.assert_array_equal(statistics[2], expected)
+    other = [np.sort(-values[::-1][a:b]) for a, b in pairwise(starts)]
+    np.testing.assert_array_equal(
+        statistics[1], [[p[0] for p in other], [p[len(p) // 2] for p in other], [p[-1] for p in other]]
+    )
 
 
 def grid_of(heights, device):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -51,6 +53,7 @@ def judge(
         reason = UNDETERMINED
     scale = source.width * source.height / float(source.levels.counts[level])
     shades = v[at.SHADE_COUNT]
+    covariance, check_covariance = covariances_of(alignment.firm, v, (frame_noise(v, uses_brightness), model_noise(v)))
     return OdometryResult(
         transformation=alignment.pose,
         information=np.zeros((6, 6)) if reason else spread_information(inliers, v[POINTS]) * scale,
@@ -63,8 +66,8 @@ def judge(
         smallest_eigenvalue=smallest,
         iterations=alignment.steps,
         contradiction=_contradiction(v, blur),
-        covariance=covariance_of(alignment.firm, v, frame_noise(v, uses_brightness)),
-        check_covariance=covariance_of(alignment.firm, v, model_noise(v)),
+        covariance=covariance,
+        check_covariance=check_covariance,
         unit_covariance=unit_covariance(v),
     )
 
@@ -136,15 +139,22 @@ def model_noise(v: NDArray[np.float64]) -> float:
 
 def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64], noise: float) -> NDArray[np.float64]:
     """Covariance of the motion about the target's camera, rotation first; infinite with too few pixels."""
+    return covariances_of(firm, v, (noise,))[0]
+
+
+def covariances_of(
+    firm: NDArray[np.float64], v: NDArray[np.float64], noises: Sequence[float]
+) -> list[NDArray[np.float64]]:
+    """As `covariance_of` for several noises."""
     n = v[at.INLIERS]
     if n < MIN_INLIER_COUNT or not v[at.PLANES]:
-        return np.full((6, 6), np.inf)
+        return [np.full((6, 6), np.inf) for _ in noises]
     b = _about_middle(v)
     values, vectors = eigh(matmul(b.T, symmetric_matrices(firm[None, :21])[0], b))
     unit = n / SHIFT**2
     information = np.maximum(values - IMITATED * unit, MIN_INFORMATION * unit)
     spread = matmul(b, vectors)
-    return matmul(spread * np.minimum(noise / information, MAX_OPEN**2), spread.T)
+    return [matmul(spread * np.minimum(noise / information, MAX_OPEN**2), spread.T) for noise in noises]
 
 
 def unit_covariance(v: NDArray[np.float64]) -> NDArray[np.float64]:
