@@ -140,7 +140,7 @@ def _flattened(
         if isinstance(launch, WarpLaunch) and launch.layout:
             made = FlatLaunch(launch)
             flat = [*flatten(arguments), *(getattr(value, "packed_", value) for value in rest)]
-            return (flatten, made) if made.packs_as(launch, flat, [*values, *rest]) else None
+            return (flatten, made) if made.packs_as_warp(flat, [*values, *rest]) else None
     return None
 
 

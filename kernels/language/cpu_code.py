@@ -66,6 +66,12 @@ def full_bounds(count: int) -> Any:
     return wp._src.types.launch_bounds_t((count,))
 
 
+@cache
+def single_bounds() -> Any:
+    """Bounds of one thread. Not to be changed."""
+    return full_bounds(1)
+
+
 def part(first: int, count: int) -> Any:
     """Bounds of the part of a launch from thread `first` on."""
     bounds = full_bounds(count)

@@ -61,7 +61,7 @@ class WarpLaunch:
         plan = "".join("a" if p.is_array else "v" if p.is_vector else "s" for p in parameters)
         self._begin(plan, command.hooks.forward, command.module_exec)  # without the arrays of this launch
         self._layout, expected = _read_layout(parameters, command.params[1:])
-        if self._layout is not None and self._packed(values) != expected:
+        if self._layout is not None and self.packed(values) != expected:
             self._layout = None
 
     @classmethod
@@ -76,6 +76,7 @@ class WarpLaunch:
     def _begin(self, plan: str, forward: Any, keep_alive: Any) -> None:
         self.plan, self._forward, self._keep_alive = plan, forward, keep_alive  # keeps the machine code alive
         self._address = ctypes.cast(forward, ctypes.c_void_p).value or 0
+        self._seconds = SHORT  # of a thread, in the last launch
 
     @property
     def symbol(self) -> str:
@@ -86,7 +87,7 @@ class WarpLaunch:
         """`struct` format of the arguments. Empty if Warp's layout differs."""
         return "" if self._layout is None else self._layout.format
 
-    def _packed(self, values: Sequence[Any]) -> bytes:
+    def packed(self, values: Sequence[Any]) -> bytes:
         assert self._layout is not None
         return cpu_code.packed(self.plan, self._layout, values)
 
@@ -94,7 +95,7 @@ class WarpLaunch:
         """A repeatable launch that keeps its arrays alive; `last_count` threads run after all others have ended."""
         if self._layout is not None:
             try:
-                arguments = self._packed(values)
+                arguments = self.packed(values)
             except (struct.error, OverflowError):  # a number beyond float32, an extent beyond 2^31: left to Warp
                 pass
             else:
@@ -103,23 +104,24 @@ class WarpLaunch:
         return wp.launch(self._kernel(), count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
 
     def _bound_packed(self, packed: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
-        forward, address, arguments = self._forward, self._address, ctypes.addressof(packed[1])
-        bounds = ctypes.byref(cpu_code.full_bounds(thread_count + last_count))
-        pointer = ctypes.byref(packed[1])
-        if thread_count <= 1 and last_count <= 1:
-            return lambda _=packed: forward(bounds, pointer)
+        return lambda: self.run(packed[1], thread_count, last_count)
 
-        def run(_: Any = packed) -> None:
-            pool = cpu_pool.pool()
-            if pool is None:
-                forward(bounds, pointer)
-                return
+    def run(self, arguments: Any, thread_count: int, last_count: int) -> None:
+        """Launch with packed arguments. A launch that should take less than `SHORT` runs on the calling thread, by the
+        time per thread of the last launch."""
+        count = thread_count + last_count
+        pool = None if count <= 1 else cpu_pool.pool()
+        start = perf_counter()
+        if pool is None or self._seconds * count < SHORT:
+            bounds = cpu_code.single_bounds() if count == 1 else cpu_code.full_bounds(count)
+            self._forward(ctypes.byref(bounds), ctypes.byref(arguments))
+        else:
+            address = ctypes.addressof(arguments)
             if thread_count:
-                pool.share(address, arguments, thread_count, 0)
+                pool.share(self._address, address, thread_count, 0)
             if last_count:
-                pool.share(address, arguments, last_count, thread_count)
-
-        return run
+                pool.share(self._address, address, last_count, thread_count)
+        self._seconds = (perf_counter() - start) / max(1, count)
 
 
 def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tuple[struct.Struct | None, bytes]:
@@ -140,21 +142,17 @@ def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tupl
 
 
 class FlatLaunch:
-    """Launches of a kernel whose arguments are flattened to bytes and numbers. They share one buffer: take the lock.
-
-    A launch that should take less than `SHORT` runs on the calling thread, by the time per thread of the last launch.
-    """
+    """Launches of a kernel whose arguments are flattened to bytes and numbers. They share one buffer: take the lock."""
 
     def __init__(self, launch: WarpLaunch) -> None:
-        self._forward, self._address, self._keep_alive = launch._forward, launch._address, launch._keep_alive
+        self._launch = launch
         self._layout = struct.Struct(ARRAY_FORMAT.sub(f"{warp_parts.DESCRIPTION_BYTES}s", launch.layout))
-        self._one = cpu_code.full_bounds(1)
         self._idle: Any = None
-        self._seconds = SHORT  # of a thread
 
-    def packs_as(self, launch: WarpLaunch, flat: Sequence[Any], values: Sequence[Any]) -> bool:
-        """True if flattened arguments are packed as the other launch packs the values."""
-        return self._layout.size == len(packed := launch._packed(values)) and self._layout.pack(*flat) == packed
+    def packs_as_warp(self, flat: Sequence[Any], values: Sequence[Any]) -> bool:
+        """True if flattened arguments are packed as the values that they are made of."""
+        packed = self._launch.packed(values)
+        return self._layout.size == len(packed) and self._layout.pack(*flat) == packed
 
     def __call__(self, flat: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
         """Launch, as WarpLaunch.bound does. Raises struct.error or OverflowError (not launched)."""
@@ -163,19 +161,7 @@ class FlatLaunch:
         if buffer is None:
             buffer = ctypes.create_string_buffer(self._layout.size)
         self._layout.pack_into(buffer, 0, *flat)
-        count = thread_count + last_count
-        pool = None if count == 1 else cpu_pool.pool()
-        start = perf_counter()
-        if pool is None or self._seconds * count < SHORT:
-            bounds = self._one if count == 1 else cpu_code.full_bounds(count)
-            self._forward(ctypes.byref(bounds), ctypes.byref(buffer))
-        else:
-            arguments = ctypes.addressof(buffer)
-            if thread_count:
-                pool.share(self._address, arguments, thread_count, 0)
-            if last_count:
-                pool.share(self._address, arguments, last_count, thread_count)
-        self._seconds = (perf_counter() - start) / count
+        self._launch.run(buffer, thread_count, last_count)
         self._idle = buffer
 
 
