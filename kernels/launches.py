@@ -165,7 +165,7 @@ def bind(kernel: Kernel, arguments: Sequence[Any]) -> Callable[[], None]:
     """
     values, _ = checked_arguments(kernel, 1, arguments)
     with lock:
-        return _prepared_on_cpu(kernel, values).bound(values, 1)
+        return _prepared_on_cpu(kernel, values).bound_alone(values)
 
 
 class PlainLaunch:
@@ -177,6 +177,9 @@ class PlainLaunch:
     def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Callable[[], None]:
         """A repeatable launch, as of WarpLaunch."""
         return lambda: wp.launch(self._kernel, thread_count + last_count, values, device="cpu")
+
+    def bound_alone(self, values: Sequence[Any]) -> Callable[[], None]:
+        return self.bound(values, 1)
 
 
 def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:

@@ -106,6 +106,14 @@ class WarpLaunch:
     def _bound_packed(self, packed: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
         return lambda: self.run(packed[1], thread_count, last_count)
 
+    def bound_alone(self, values: Sequence[Any]) -> Callable[[], None]:
+        """A repeatable launch of one thread that keeps its arrays alive."""
+        if self._layout is None:
+            return self.bound(values, 1)
+        packed = values, ctypes.create_string_buffer(self.packed(values))
+        forward, bounds, arguments = self._forward, ctypes.byref(cpu_code.single_bounds()), ctypes.byref(packed[1])
+        return lambda _keep_alive=packed: forward(bounds, arguments)
+
     def run(self, arguments: Any, thread_count: int, last_count: int) -> None:
         """Launch with packed arguments. A launch that should take less than `SHORT` runs on the calling thread, by the
         time per thread of the last launch."""
