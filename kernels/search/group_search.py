@@ -9,24 +9,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..arrays.lanes import lane_max
-from ..arrays.packed_keys import key_number, pack_key
-from ..lang import (
-    INFINITY,
-    WARP,
-    Kernel,
-    array,
-    bits_float,
-    float32,
-    func,
-    int32,
-    int64,
-    lane,
-    launch,
-    loop,
-    sqrt,
-    vec3,
-    vector,
-)
+from ..arrays.packed_keys import key_limit, key_number, pack_key
+from ..lang import INFINITY, WARP, Kernel, array, bits_float, func, int32, int64, lane, launch, loop, sqrt, vec3
 from .bucket_walk import leaves_within
 from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .k_nearest import search_k_nearest
@@ -36,7 +20,6 @@ from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, positions_in, squar
 
 SLACK = 1.00001  # covers the float32 rounding of two square roots, a sum and a product
 TINY = 1.0e-37  # [m^2] covers the rounding of subnormal products, which is not relative
-eight = vector(8, float32)
 FEW = 8  # up to this many excess keys are dropped one by one, without a sort
 GUESS = 1.2  # times the previous group's largest k-th squared distance: 3 % of queries then find fewer than k
 
@@ -107,20 +90,22 @@ def gather_around_leaf(
 
 @func
 def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int, max_sqdist: float) -> int:
-    """Write the keys of candidates within squared distance `max_sqdist` to keys[base:]. Return the count."""
+    """Write the keys of candidates within squared distance `max_sqdist` to keys[base:]. Return the count.
+
+    All keys are written by a loop that is vectorized, then selected without branches.
+    """
+    for j in range(size):
+        x = scratch.xs[first + j] - p[0]
+        y = scratch.ys[first + j] - p[1]
+        z = scratch.zs[first + j] - p[2]
+        scratch.keys[base + j] = pack_key(x * x + y * y + z * z, scratch.ids[first + j])
     key_count = 0
-    sqdists = eight(0.0)
-    for chunk in range((size + LEAF - 1) // LEAF):
-        start = first + chunk * LEAF
-        for j in range(LEAF):
-            x = scratch.xs[start + j] - p[0]
-            y = scratch.ys[start + j] - p[1]
-            z = scratch.zs[start + j] - p[2]
-            sqdists[j] = x * x + y * y + z * z
-        for j in range(min(LEAF, size - chunk * LEAF)):
-            scratch.keys[base + key_count] = pack_key(sqdists[j], scratch.ids[start + j])
-            if sqdists[j] <= max_sqdist:
-                key_count += 1
+    limit = key_limit(max_sqdist)
+    for j in range(size):
+        key = scratch.keys[base + j]
+        scratch.keys[base + key_count] = key
+        if key <= limit:
+            key_count += 1
     return key_count
 
 
