@@ -12,6 +12,7 @@ import re
 import struct
 import weakref
 from collections.abc import Callable, Sequence
+from functools import partial
 from time import perf_counter
 from typing import Any, NamedTuple
 
@@ -104,7 +105,11 @@ class WarpLaunch:
         return wp.launch(self._kernel(), count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
 
     def _bound_packed(self, packed: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
-        return lambda: self.run(packed[1], thread_count, last_count)
+        if thread_count + last_count > 1:
+            return partial(self.run, packed[1], thread_count, last_count, packed)
+        forward, bounds = self._forward, ctypes.byref(cpu_code.full_bounds(thread_count + last_count))
+        arguments = ctypes.byref(packed[1])
+        return lambda _keep_alive=packed: forward(bounds, arguments)
 
     def bound_alone(self, values: Sequence[Any]) -> Callable[[], None]:
         """A repeatable launch of one thread that keeps its arrays alive."""
@@ -114,7 +119,7 @@ class WarpLaunch:
         forward, bounds, arguments = self._forward, ctypes.byref(cpu_code.single_bounds()), ctypes.byref(packed[1])
         return lambda _keep_alive=packed: forward(bounds, arguments)
 
-    def run(self, arguments: Any, thread_count: int, last_count: int) -> None:
+    def run(self, arguments: Any, thread_count: int, last_count: int, _keep_alive: Any = None) -> None:
         """Launch with packed arguments. A launch that should take less than `SHORT` runs on the calling thread, by the
         time per thread of the last launch."""
         count = thread_count + last_count
