@@ -51,6 +51,13 @@ class CachedTree:
             self._tree = self._order = self._forest = None
             self._mark = mark
 
+    @property
+    def known(self) -> PointTree | None:
+        """The cached tree if the points are unchanged, else None."""
+        if self._tree is not None:
+            self._drop_outdated()
+        return self._tree
+
     def tree(self) -> PointTree:
         """Search tree of the current points: 20 B per point, 12 B of them a copy of the points."""
         self._drop_outdated()

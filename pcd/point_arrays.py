@@ -353,6 +353,10 @@ class PointArrays(InUnit, KnownNames):
         """Cache an existing tree of the points' own array, if there is none yet."""
         self._cached_tree.adopt(tree)
 
+    @property
+    def _known_search_tree(self) -> PointTree | None:
+        return self._cached_tree.known
+
     def _curve_order(self) -> ManyClouds:
         """Points along the curve, cached: 16 B per point."""
         return self._cached_tree.order()
