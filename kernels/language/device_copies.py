@@ -9,7 +9,6 @@ import ctypes
 from typing import Any
 
 import numpy as np
-import warp as wp
 from numpy.typing import NDArray
 
 from . import warp_parts
@@ -25,6 +24,12 @@ def _is_plain(values: Any) -> bool:
     """True for a contiguous GPU array without hooks."""
     is_plain = values.is_contiguous and values._grad is None and values.device.is_cuda
     return is_plain and warp_parts.makes_arrays_plainly(values.device)
+
+
+def _has_numbers(values: Any, scalar: Any) -> bool:
+    """True for an array of numbers of a type, not of vectors."""
+    kind = _kind(values)
+    return kind.scalar == scalar and not kind.inner
 
 
 def is_zeroed(values: Any) -> bool:
@@ -96,7 +101,7 @@ def fetched(values: Any) -> NDArray[Any] | None:
 
 def is_scanned(counts: Any, sums: Any) -> bool:
     """Inclusive prefix sums of int32 numbers. Take the context of the device, too."""
-    if not _is_plain(counts) or not _is_plain(sums) or not counts.dtype is sums.dtype is wp.int32:
+    if not (_is_plain(counts) and _is_plain(sums) and _has_numbers(counts, np.int32) and sums.dtype is counts.dtype):
         return False
     if counts.device is not sums.device or not 0 < counts.size == sums.size:
         return False
@@ -106,7 +111,7 @@ def is_scanned(counts: Any, sums: Any) -> bool:
 
 def is_sorted(keys: Any, values: Any, count: int, bit_count: int) -> bool:
     """Sort int64 keys and int32 values in place, with room for twice `count`. Take the context of the device, too."""
-    if not _is_plain(keys) or not _is_plain(values) or keys.dtype is not wp.int64 or values.dtype is not wp.int32:
+    if not (_is_plain(keys) and _is_plain(values) and _has_numbers(keys, np.int64) and _has_numbers(values, np.int32)):
         return False
     if keys.device is not values.device or not 0 < 2 * count <= min(keys.size, values.size) or not bit_count:
         return False

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from .holes import BoundaryLoops
 
 
-SHORT = 32  # vertices of a loop whose 5,000 triangles one CPU thread weighs faster than 30 launches do (2026-11-28)
+SHORT = 32  # vertices of a loop: a thread weighs its triangles in about the time of 30 launches (an estimate)
 STEPS = 256.0  # quantization of bends in 0..2: the first step is 5 degrees, later ones are smaller
 
 

@@ -49,6 +49,8 @@ def nearest_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
     M = np.asarray(M, np.float64)
     sizes = _sizes(M)
     is_regular = det(M) > NEARLY_SINGULAR * sizes**3
+    if is_regular.all():
+        return _polar_factors(np.ldexp(M, 1 - np.frexp(sizes[:, None, None])[1]))
     R = np.empty(M.shape)
     R[is_regular] = _polar_factors(np.ldexp(M[is_regular], 1 - np.frexp(sizes[is_regular, None, None])[1]))
     R[~is_regular] = _best_rotations(M[~is_regular])
