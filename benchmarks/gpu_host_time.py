@@ -33,7 +33,8 @@ from typing import Any
 ROOT, DEVICE = Path(__file__).parents[1], "cuda:0"
 CALIBRATION, WARM_UP, IN_A_ROW, PROFILED, PROFILE_LINES = 20_000, 2, 10, 20, 45
 COUNTS = ("launches", "graphs", "graphs made", "copies to host", "copies to device", "allocations", "waits")
-WAITING = ("register_globally", "odometry, a scan", "slam frame", "ransac", "planar patches")  # synchronize dozens of times per call: caches are cold
+# Operations that synchronize dozens of times per call: caches are cold.
+WAITING = ("register_globally", "odometry, a scan", "slam frame", "ransac", "planar patches")
 clock = time.thread_time
 
 
@@ -149,7 +150,8 @@ def registration_operations() -> dict[str, Callable[[], Any]]:
     run = reg.LidarOdometry(voxel_size=1.0, device=DEVICE)
     left = iter(scans)
     run.register(next(left))
-    features = [loom.compute_fpfh_feature(c.estimate_normals(max_nn=20), radius=0.4, max_nn=60) for c in (source, target)]
+    facing = [cloud.estimate_normals(max_nn=20) for cloud in (source, target)]
+    features = [loom.compute_fpfh_feature(cloud, radius=0.4, max_nn=60) for cloud in facing]
     pairs = reg.registration_ransac_based_on_feature_matching
     return {
         "ransac": lambda: pairs(source, target, *features, True, 0.15, seed=2),
