@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from .kept_arrays import KeptArrays
 from .launches import bind
 from .memory import host_view
-from .small_matrices import Eigenproblems, Systems, decompose_kernel, eliminate_kernel
+from .small_matrices import Eigenproblems, Systems, decompose_kernel, solve_systems_kernel
 
 Array = NDArray[np.float64]
 EPSILON = float(np.finfo(np.float64).eps)
@@ -98,7 +98,7 @@ class _Systems:
 
     def __init__(self, *shape: int) -> None:
         p = Systems(shape)
-        self.run = bind(eliminate_kernel, [p])
+        self.run = bind(solve_systems_kernel, [p])
         self.systems, self.failed = host_view(p.systems), host_view(p.failed)
 
 

@@ -23,7 +23,7 @@ class Systems:
 
 
 @kernel(for_cpu=True)
-def eliminate_kernel(p: Systems):
+def solve_systems_kernel(p: Systems):
     thread = tid()
     p.failed[0] = 0
     n = p.systems.shape[1]

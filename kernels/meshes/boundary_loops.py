@@ -170,7 +170,7 @@ def _jump(kernel: Kernel, jumps: Integers, values: LongIntegers) -> tuple[Intege
     return jumps, values
 
 
-@kernel
+@kernel(for_cpu=True)
 def trace_loops_kernel(
     vertices: array(dtype=int32),
     nexts: array(dtype=int32),

@@ -192,7 +192,7 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
         weigh_chord(edge_keys, bits, loops, loop, i, i + span)
 
 
-@kernel
+@kernel(for_cpu=True)
 def weigh_loops_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops):
     """Weigh all chords of a loop, shorter ones first. One thread per loop."""
     loop = tid()

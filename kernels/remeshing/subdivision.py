@@ -38,7 +38,7 @@ def number_edges_kernel(
         middles[edges.half_edges[j]] = number
 
 
-@kernel
+@kernel(for_cpu=True)
 def number_in_order_kernel(edges: MeshEdges, base: int, numbers: array(dtype=int32), middles: array(dtype=int32)):
     """Number all edges by one thread; `middles` begin as the edge whose first half-edge each is, or -1."""
     i = tid()
