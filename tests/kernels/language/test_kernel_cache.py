@@ -48,7 +48,7 @@ def run(cache: Path, program: str = WORK) -> str:
 @pytest.mark.slow
 def test_the_second_process_compiles_nothing_and_is_bitwise_identical(cache):
     first, second = run(cache).split(), run(cache).split()
-    assert int(first[0]) >= int(first[1]) > 5 and (int(second[0]), second[1:]) == (0, first[1:])
+    assert int(first[0]) >= int(first[1]) > 2 and (int(second[0]), second[1:]) == (0, first[1:])
 
 
 HARMS = {
