@@ -5,7 +5,7 @@ from ..kept_arrays import KeptArrays
 from ..lang import array, func, int32, int64, struct
 from ..memory import empty, host_view, rows_of
 
-MAX_FEW = 4096  # keys: beyond it, sorting on all cores wins (4 cores, 2026-11-28)
+MAX_FEW = 4096  # keys that one thread sorts: 3,000 points take 0.15 ms, 0.25 ms in parallel (2 cores, 2026-11-28)
 DIGIT = 8  # bits of a radix pass
 BUCKETS = 256
 

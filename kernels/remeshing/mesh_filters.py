@@ -28,7 +28,7 @@ from ..memory import empty, full
 from ..meshes.mesh_edges import MeshEdges, SortedEdges
 from ..meshes.vertex_neighbors import VertexNeighbors
 
-MIN_REPEATED = 3  # periods of passes that are worth a loop on the CPU
+MIN_REPEATED = 3  # periods of passes that are worth a loop on the CPU (an estimate)
 NEAREST = 1.0e-12  # added to distances [m] in weights, so that coincident vertices have finite ones
 
 
