@@ -42,6 +42,9 @@ def give_back(device: Device) -> int:
     """Release unused pool memory of a GPU to the system (sync) and return the bytes. 0 on GPUs without arrays."""
     for let_go in on_give_back:
         let_go()
+    if device.is_cuda:
+        with lock_for(device):
+            device_arrays.drop_block(device)
     return pools.trim(device) if device.is_cuda and device.alias in _pools else 0
 
 
@@ -147,7 +150,7 @@ def zeros(shape: int | tuple[int, ...], dtype: Any, device: Device) -> Any:
     created = _new(shape, dtype, device)
     if created is not None:
         with lock_for(device):
-            if not device_copies.is_zeroed(created):
+            if not device_arrays.is_zero(created) and not device_copies.is_zeroed(created):
                 created.zero_()
         return created
     with _Allocation(device):

@@ -22,6 +22,8 @@ from .streams import note_use
 
 Shape = tuple[int, ...]
 MAX_EXTENT = 2**31
+BLOCK, ALIGNMENT = 1 << 17, 256  # bytes of a block of small arrays, and between their addresses, as of cudaMalloc
+small = BLOCK // 8  # largest array in a block [bytes]: one of them keeps at most eight times its size, or a block
 _DESCRIPTIONS = [struct.Struct(f"=Q8x{n}i{16 - 4 * n}x{n}i{16 - 4 * n}xH6x") for n in range(warp_parts.MAX_AXES + 1)]
 _OF_PART = dict.fromkeys(("ctype", "deleter", "_allocator", "_array_interface", "_memory_kind"))
 _array: Any = wp.array
@@ -57,8 +59,9 @@ class Kind:
         array.packed_ = self.pack(array.ptr or 0, *array.shape, *array.strides, self.axes)
         array.kind_ = self
 
-    def new(self, shape: Shape, strides: Shape, size: int) -> Any:
-        """An uninitialized array. Take the lock. Raises RuntimeError if device memory is exhausted."""
+    def new(self, shape: Shape, strides: Shape, size: int, block: _Block | None = None) -> Any:
+        """An uninitialized array, or a zeroed one in a block. Take the lock. Raises RuntimeError if device memory is
+        exhausted."""
         like = self._like
         if like is None:
             like = dict(vars(wp.empty((0,) * self.axes, dtype=self.dtype, device=self.device)))
@@ -67,8 +70,11 @@ class Kind:
                 releases = _releases_of(self.device)
                 like |= {"_allocator": releases, "deleter": releases.deallocate}
             self._like = like
-        address = self._allocated(size) if size else None
         state = like.copy()
+        if block is None:
+            address = self._allocated(size) if size else None
+        else:
+            address, state["deleter"], state["block_"] = block.take(size), None, block.array
         state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
         state["shape"], state["strides"] = shape, strides
         state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
@@ -153,7 +159,45 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
         if waiting:
             device_lock.release_pending()
         note_use(device)
-        return kind.new(shape, strides, size)
+        return kind.new(shape, strides, size, _block_for(device, size) if 0 < size <= small else None)
+
+
+class _Block:
+    """Memory for the next small arrays of a stream: an allocation with its release takes four times as long as a part
+    of a block. It is zero, no part is used twice, and it is released with the last of them."""
+
+    def __init__(self, device: Any) -> None:
+        self.array = kind_of(wp.uint8, 1, device).new((BLOCK,), (1,), BLOCK)
+        self.first, self.end = self.array.ptr, self.array.ptr + BLOCK
+        warp_parts.core().wp_memset_device(device.context, self.first, 0, BLOCK, warp_parts.CURRENT_STREAM)
+
+    def take(self, size: int) -> int:
+        """The address of the next part."""
+        address = self.first
+        self.first += -(-size // ALIGNMENT) * ALIGNMENT
+        return address
+
+
+def _block_for(device: Any, size: int) -> _Block | None:
+    """The block of the current stream, with room for an array. None if the stream is not Warp's own, or if Warp records
+    one of the device: a graph must allocate its arrays itself. Take the lock."""
+    stream = device.stream
+    if not stream.owner or device.captures:
+        return None
+    block = stream.__dict__.get("block_")
+    if block is None or block.first + size > block.end:
+        block = stream.block_ = _Block(device)
+    return block
+
+
+def is_zero(values: Any) -> bool:
+    """True if a new array is part of a block."""
+    return "block_" in values.__dict__
+
+
+def drop_block(device: Any) -> None:
+    """Start a new block with the next array of the current stream. Take the lock."""
+    device.stream.__dict__.pop("block_", None)
 
 
 def over(values: np.ndarray, dtype: Any, device: Any) -> Any:

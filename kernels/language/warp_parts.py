@@ -31,7 +31,11 @@ ARRAY = {  # attributes of an array: all that a copy for another address has to 
     *("_allocator", "_grad", "capacity", "ctype", "deleter", "device", "dtype", "is_contiguous", "ndim", "ptr"),
     *("shape", "size", "strides"),
 }
-DEVICE = ("_custom_allocator", "alias", "context", "current_allocator", "mempool_allocator", "ordinal", "stream")
+DEVICE = (
+    *("_custom_allocator", "alias", "captures", "context", "current_allocator", "mempool_allocator", "ordinal"),
+    "stream",
+)
+STREAM = ("owner",)
 LAUNCH = ("block_dim", "bounds", "cluster_dim", "grid_stride", "hooks", "max_blocks", "module_exec", "params")
 HOOKS = ("det_launch_meta", "forward", "forward_smem_bytes")
 FUNCTIONS = {  # of the native library, with their argument types
@@ -64,6 +68,7 @@ def missing() -> list[str]:
     array = wp.empty(0, dtype=wp.int32, device="cpu")
     names += [f"array.{name}" for name in sorted(ARRAY - set(vars(array)))]
     names += [f"Device.{name}" for name in DEVICE if not _has(context.Device, name)]
+    names += [f"Stream.{name}" for name in STREAM if not _has(wp.Stream, name)]
     names += [f"Launch.{name}" for name in LAUNCH if not _has(context.Launch, name)]
     names += [f"KernelHooks.{name}" for name in HOOKS if not _has(context.KernelHooks, name)]
     names += [] if hasattr(context, "CpuDefaultAllocator") else ["CpuDefaultAllocator"]
