@@ -44,7 +44,7 @@ def give_back(device: Device) -> int:
         let_go()
     if device.is_cuda:
         with lock_for(device):
-            device_arrays.drop_block(device)
+            device_arrays.drop_blocks(device)
     return pools.trim(device) if device.is_cuda and device.alias in _pools else 0
 
 

@@ -22,8 +22,10 @@ from .streams import note_use
 
 Shape = tuple[int, ...]
 MAX_EXTENT = 2**31
-BLOCK, ALIGNMENT = 1 << 17, 256  # bytes of a block of small arrays, and between their addresses, as of cudaMalloc
-small = BLOCK // 8  # largest array in a block [bytes]: one of them keeps at most eight times its size, or a block
+ALIGNMENT = 256  # bytes between addresses of arrays in a block, as of cudaMalloc
+# (largest array in a block, bytes of the block). One array keeps its block, so arrays of very different sizes are apart.
+BLOCKS = ((1 << 14, 1 << 17), (1 << 18, 1 << 21))
+blocks: tuple[tuple[int, int], ...] = BLOCKS  # a test may set another
 _DESCRIPTIONS = [struct.Struct(f"=Q8x{n}i{16 - 4 * n}x{n}i{16 - 4 * n}xH6x") for n in range(warp_parts.MAX_AXES + 1)]
 _OF_PART = dict.fromkeys(("ctype", "deleter", "_allocator", "_array_interface", "_memory_kind"))
 _array: Any = wp.array
@@ -159,17 +161,17 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
         if waiting:
             device_lock.release_pending()
         note_use(device)
-        return kind.new(shape, strides, size, _block_for(device, size) if 0 < size <= small else None)
+        return kind.new(shape, strides, size, _block_for(device, size))
 
 
 class _Block:
     """Memory for the next small arrays of a stream: an allocation with its release takes four times as long as a part
     of a block. It is zero, no part is used twice, and it is released with the last of them."""
 
-    def __init__(self, device: Any) -> None:
-        self.array = kind_of(wp.uint8, 1, device).new((BLOCK,), (1,), BLOCK)
-        self.first, self.end = self.array.ptr, self.array.ptr + BLOCK
-        warp_parts.core().wp_memset_device(device.context, self.first, 0, BLOCK, warp_parts.CURRENT_STREAM)
+    def __init__(self, device: Any, size: int) -> None:
+        self.array = kind_of(wp.uint8, 1, device).new((size,), (1,), size)
+        self.first, self.end = self.array.ptr, self.array.ptr + size
+        warp_parts.core().wp_memset_device(device.context, self.first, 0, size, warp_parts.CURRENT_STREAM)
 
     def take(self, size: int) -> int:
         """The address of the next part."""
@@ -179,15 +181,19 @@ class _Block:
 
 
 def _block_for(device: Any, size: int) -> _Block | None:
-    """The block of the current stream, with room for an array. None if the stream is not Warp's own, or if Warp records
-    one of the device: a graph must allocate its arrays itself. Take the lock."""
+    """A block of the current stream, with room for an array. None for large arrays, if the stream is not Warp's own, or
+    if Warp records one of the device: a graph must allocate its arrays itself. Take the lock."""
     stream = device.stream
-    if not stream.owner or device.captures:
+    if not size or not stream.owner or device.captures:
         return None
-    block = stream.__dict__.get("block_")
-    if block is None or block.first + size > block.end:
-        block = stream.block_ = _Block(device)
-    return block
+    for largest, room in blocks:
+        if size <= largest:
+            current = stream.__dict__.setdefault("blocks_", {})
+            block = current.get(room)
+            if block is None or block.first + size > block.end:
+                block = current[room] = _Block(device, room)
+            return block
+    return None
 
 
 def is_zero(values: Any) -> bool:
@@ -195,9 +201,9 @@ def is_zero(values: Any) -> bool:
     return "block_" in values.__dict__
 
 
-def drop_block(device: Any) -> None:
-    """Start a new block with the next array of the current stream. Take the lock."""
-    device.stream.__dict__.pop("block_", None)
+def drop_blocks(device: Any) -> None:
+    """Start new blocks with the next arrays of the current stream. Take the lock."""
+    device.stream.__dict__.pop("blocks_", None)
 
 
 def over(values: np.ndarray, dtype: Any, device: Any) -> Any:

@@ -43,6 +43,7 @@ if __name__ == "__main__":
 import warp as wp  # noqa: E402  after the device
 
 import pointloom as loom  # noqa: E402
+from pointloom.kernels.language.device_arrays import drop_blocks  # noqa: E402
 from tests import host_work  # noqa: E402
 from tests.emulated_cuda.allocations import Allocations  # noqa: E402
 from tests.emulated_cuda.install import installed  # noqa: E402
@@ -71,6 +72,7 @@ def count_on_device(work: Work) -> Counts:
         with calls:
             results.append(work())
 
+    drop_blocks(wp.get_device("cuda:0"))  # so that counts do not depend on earlier calls
     before = device.memory.total
     requests = device.count_requests(run)
     allocated = device.memory.total - before

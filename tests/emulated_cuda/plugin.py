@@ -68,6 +68,12 @@ class EmulatedCudaPlugin:
         self.strict = config.getoption(STRICT)
         self.set = quick_set.read_set() if config.getoption(QUICK) else None
 
+    def pytest_sessionstart(self) -> None:
+        if settings.apart:
+            from pointloom.kernels.language import device_arrays
+
+            device_arrays.blocks = ()
+
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:
         if self.set is not None:

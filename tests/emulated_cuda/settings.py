@@ -22,6 +22,7 @@ class Settings:
     races: bool = False  # note accesses of two threads to the same bytes
     uninitialized: bool = True  # note reads of uninitialized bytes
     memory: int = 8 << 30  # bytes of the device
+    apart: bool = True  # each small array is an allocation, so that kernels that leave one are seen
     devices: int = 1  # the number of devices; they share the memory, and none can access another's
     compiler: bool = True  # 0: a kernel of pointloom's that would be compiled is a fault
     coverage: str = ""  # a file of marks that kernels set, %p is the process: kernel_coverage.py

@@ -7,10 +7,14 @@ import numpy as np
 import pytest
 import warp as wp
 
+import pointloom as loom
 from pointloom.kernels import memory
 from pointloom.kernels.language import device_arrays, device_copies, device_lock, warp_parts
 
-OWN = {"kind_", "packed_", "_allocator", "deleter", "ptr", "ctype", "_array_interface", "_ref", "_apic_capture_origin"}
+OWN = {
+    *("kind_", "packed_", "_allocator", "deleter", "ptr", "ctype", "_array_interface", "_ref", "_apic_capture_origin"),
+    "block_",
+}
 SHAPES = (5, 0, (4,), (2, 3), (2, 0, 4), (2, 1, 3, 2), (np.int64(3), np.int32(2)))
 
 
@@ -51,6 +55,90 @@ def test_a_slice_keeps_its_base_array_alive(where, emulated):
     del base, warps
     gc.collect()
     assert memory.download(part).tolist() == [[6, 7, 8], [9, 10, 11], [12, 13, 14]]
+
+
+@pytest.fixture
+def in_blocks(where, monkeypatch):
+    """Small arrays are parts of new blocks."""
+    monkeypatch.setattr(device_arrays, "blocks", device_arrays.BLOCKS)
+    device_arrays.drop_blocks(where)
+    yield
+    device_arrays.drop_blocks(where)
+
+
+def test_small_arrays_are_zeroed_parts_of_one_allocation(where, emulated, in_blocks):
+    made = []
+    counts = emulated.count_requests(lambda: made.extend(memory.empty(n, wp.vec3, where) for n in range(1, 200)))
+    assert counts["allocations"] == 3  # 263 kB
+    places = sorted((array.ptr, array.ptr + 12 * array.size) for array in made)
+    assert all(end <= first and first % 256 == 0 for (_, end), (first, _) in zip(places, places[1:], strict=False))
+    assert not any(memory.download(array).any() for array in made)
+    array, warps = memory.empty((3, 2), wp.float32, where), wp.empty((3, 2), dtype=wp.float32, device=where)
+    assert state_of(array) == state_of(warps) and array.memory_kind == warps.memory_kind
+    assert not any(emulated.count_requests(lambda: memory.zeros(9, wp.int32, where)).values())
+
+
+def test_a_block_is_released_with_the_last_of_its_arrays(where, emulated, in_blocks):
+    gc.collect()
+    emulated.synchronize()
+    used = emulated.memory.used
+    first, second = memory.upload(np.arange(5), wp.int32, where), memory.empty(7, wp.int32, where)
+    part = memory.rows_of(first, 1, 3)
+    device_arrays.drop_blocks(where)
+    del first, second
+    assert memory.download(part).tolist() == [1, 2] and emulated.memory.used > used
+    del part
+    gc.collect()
+    emulated.synchronize()
+    assert emulated.memory.used == used
+
+
+@pytest.mark.parametrize("case", ["large", "empty", "stream", "recording"])
+def test_other_arrays_are_not_in_blocks(where, in_blocks, chosen, case):
+    size = {"large": device_arrays.BLOCKS[-1][0] + 1, "empty": 0}.get(case, 8)
+    if case == "recording":
+        with wp.ScopedCapture(device=where):
+            array = memory.empty(size, wp.uint8, where)
+    elif case == "stream":  # the caller's
+        with wp.ScopedStream(chosen):
+            array = memory.empty(size, wp.uint8, where)
+    else:
+        array = memory.empty(size, wp.uint8, where)
+    assert not device_arrays.is_zero(array)
+
+
+def test_each_stream_has_its_blocks(where, in_blocks):
+    here = memory.empty(5, wp.int32, where)
+    with wp.ScopedStream(wp.Stream(where)):
+        there, next_there = (memory.empty(5, wp.int32, where) for _ in range(2))
+    next_here = memory.empty(5, wp.int32, where)
+    assert here.block_ is next_here.block_ and there.block_ is next_there.block_ is not here.block_
+
+
+def test_threads_get_different_parts(where, in_blocks):
+    made: list = []
+    threads = [
+        threading.Thread(target=lambda: made.extend(memory.zeros(3, wp.int32, where) for _ in range(300)))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len({array.ptr for array in made}) == 1200
+
+
+def test_results_are_the_same_in_blocks(where, in_blocks, monkeypatch):
+    def results() -> list[bytes]:
+        cloud = loom.PointCloud(np.random.default_rng(1).normal(size=(2000, 3)) * (3, 3, 0.02), device="cuda:0")
+        plane = cloud.segment_plane(0.05, seed=1)
+        kept = cloud.voxel_down_sample(0.2).remove_statistical_outlier(8, 1.0)[0].estimate_normals(max_nn=10)
+        labels = np.asarray(kept.cluster_dbscan(0.4, 4))
+        return [np.asarray(part).tobytes() for part in (*plane, kept.points, kept.normals, labels)]
+
+    inside = results()
+    monkeypatch.setattr(device_arrays, "blocks", ())
+    assert results() == inside
 
 
 def test_an_allocator_of_the_program_is_obeyed(where):
