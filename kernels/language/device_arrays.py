@@ -23,7 +23,7 @@ from .streams import note_use
 Shape = tuple[int, ...]
 MAX_EXTENT = 2**31
 ALIGNMENT = 256  # bytes between addresses of arrays in a block, as of cudaMalloc
-# (largest array in a block, bytes of the block). One array keeps its block, so arrays of very different sizes are apart.
+# (largest array in a block, bytes of the block). One array keeps its block, so sizes are apart.
 BLOCKS = ((1 << 14, 1 << 17), (1 << 18, 1 << 21))
 blocks: tuple[tuple[int, int], ...] = BLOCKS  # a test may set another
 _DESCRIPTIONS = [struct.Struct(f"=Q8x{n}i{16 - 4 * n}x{n}i{16 - 4 * n}xH6x") for n in range(warp_parts.MAX_AXES + 1)]
@@ -61,9 +61,9 @@ class Kind:
         array.packed_ = self.pack(array.ptr or 0, *array.shape, *array.strides, self.axes)
         array.kind_ = self
 
-    def new(self, shape: Shape, strides: Shape, size: int, block: _Block | None = None) -> Any:
-        """An uninitialized array, or a zeroed one in a block. Take the lock. Raises RuntimeError if device memory is
-        exhausted."""
+    def new(self, shape: Shape, strides: Shape, size: int, place: tuple[int, Any] | None = None) -> Any:
+        """An uninitialized array, or a zeroed one at a `place` (address, block). Take the lock. Raises RuntimeError if
+        device memory is exhausted."""
         like = self._like
         if like is None:
             like = dict(vars(wp.empty((0,) * self.axes, dtype=self.dtype, device=self.device)))
@@ -73,10 +73,10 @@ class Kind:
                 like |= {"_allocator": releases, "deleter": releases.deallocate}
             self._like = like
         state = like.copy()
-        if block is None:
+        if place is None:
             address = self._allocated(size) if size else None
         else:
-            address, state["deleter"], state["block_"] = block.take(size), None, block.array
+            (address, state["block_"]), state["deleter"] = place, None
         state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
         state["shape"], state["strides"] = shape, strides
         state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
@@ -161,10 +161,10 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
         if waiting:
             device_lock.release_pending()
         note_use(device)
-        return kind.new(shape, strides, size, _block_for(device, size))
+        return kind.new(shape, strides, size, _place_for(device, size))
 
 
-class _Block:
+class Block:
     """Memory for the next small arrays of a stream: an allocation with its release takes four times as long as a part
     of a block. It is zero, no part is used twice, and it is released with the last of them."""
 
@@ -173,16 +173,10 @@ class _Block:
         self.first, self.end = self.array.ptr, self.array.ptr + size
         warp_parts.core().wp_memset_device(device.context, self.first, 0, size, warp_parts.CURRENT_STREAM)
 
-    def take(self, size: int) -> int:
-        """The address of the next part."""
-        address = self.first
-        self.first += -(-size // ALIGNMENT) * ALIGNMENT
-        return address
 
-
-def _block_for(device: Any, size: int) -> _Block | None:
-    """A block of the current stream, with room for an array. None for large arrays, if the stream is not Warp's own, or
-    if Warp records one of the device: a graph must allocate its arrays itself. Take the lock."""
+def _place_for(device: Any, size: int) -> tuple[int, Any] | None:
+    """The address of an array in a block of the current stream, and the block. None for large arrays, if the stream is
+    not Warp's own, or if Warp records one of the device: a graph must allocate its arrays itself. Take the lock."""
     stream = device.stream
     if not size or not stream.owner or device.captures:
         return None
@@ -191,8 +185,10 @@ def _block_for(device: Any, size: int) -> _Block | None:
             current = stream.__dict__.setdefault("blocks_", {})
             block = current.get(room)
             if block is None or block.first + size > block.end:
-                block = current[room] = _Block(device, room)
-            return block
+                block = current[room] = Block(device, room)
+            address = block.first
+            block.first += -(-size // ALIGNMENT) * ALIGNMENT
+            return address, block.array
     return None
 
 

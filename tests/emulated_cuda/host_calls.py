@@ -9,10 +9,11 @@ row. `--sites` lists the lines with the most transfers to the host.
 """
 
 import argparse
+import contextlib
 import os
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +44,7 @@ if __name__ == "__main__":
 import warp as wp  # noqa: E402  after the device
 
 import pointloom as loom  # noqa: E402
-from pointloom.kernels.language.device_arrays import drop_blocks  # noqa: E402
+from pointloom.kernels.language import device_arrays  # noqa: E402
 from tests import host_work  # noqa: E402
 from tests.emulated_cuda.allocations import Allocations  # noqa: E402
 from tests.emulated_cuda.install import installed  # noqa: E402
@@ -72,12 +73,34 @@ def count_on_device(work: Work) -> Counts:
         with calls:
             results.append(work())
 
-    drop_blocks(wp.get_device("cuda:0"))  # so that counts do not depend on earlier calls
-    before = device.memory.total
-    requests = device.count_requests(run)
-    allocated = device.memory.total - before
+    with bytes_in_blocks() as in_blocks:
+        before = device.memory.total
+        requests = device.count_requests(run)
+        allocated = device.memory.total - before + in_blocks[0]
     counts = {column: requests[name] for column, name in COLUMNS.items()} | {"allocated": allocated}
     return counts | {"beyond": max(0, counts["downloaded"] - host_bytes(results[0])), "python": calls.calls}
+
+
+@contextlib.contextmanager
+def bytes_in_blocks() -> Iterator[list[int]]:
+    """The bytes of arrays in blocks, less those of the blocks. New ones: counts do not depend on earlier calls."""
+    place, block, count = device_arrays._place_for, device_arrays.Block, [0]
+
+    def counted_place(device: Any, size: int) -> Any:
+        found = place(device, size)
+        count[0] += 0 if found is None else size
+        return found
+
+    def counted_block(device: Any, size: int) -> Any:
+        count[0] -= size
+        return block(device, size)
+
+    device_arrays.drop_blocks(wp.get_device("cuda:0"))
+    device_arrays._place_for, device_arrays.Block = counted_place, counted_block
+    try:
+        yield count
+    finally:
+        device_arrays._place_for, device_arrays.Block = place, block
 
 
 def host_bytes(result: Any) -> int:

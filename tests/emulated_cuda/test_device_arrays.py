@@ -1,6 +1,7 @@
 """Arrays on a GPU that Warp did not make: in all that Warp looks at they are as its own, and so are their copies."""
 
 import gc
+import itertools
 import threading
 
 import numpy as np
@@ -71,7 +72,7 @@ def test_small_arrays_are_zeroed_parts_of_one_allocation(where, emulated, in_blo
     counts = emulated.count_requests(lambda: made.extend(memory.empty(n, wp.vec3, where) for n in range(1, 200)))
     assert counts["allocations"] == 3  # 263 kB
     places = sorted((array.ptr, array.ptr + 12 * array.size) for array in made)
-    assert all(end <= first and first % 256 == 0 for (_, end), (first, _) in zip(places, places[1:], strict=False))
+    assert all(end <= first and first % 256 == 0 for (_, end), (first, _) in itertools.pairwise(places))
     assert not any(memory.download(array).any() for array in made)
     array, warps = memory.empty((3, 2), wp.float32, where), wp.empty((3, 2), dtype=wp.float32, device=where)
     assert state_of(array) == state_of(warps) and array.memory_kind == warps.memory_kind

@@ -7,8 +7,6 @@ input, except for the operations listed here with the reason. ../test_host_calls
 
 import pytest
 
-from pointloom.kernels.language import device_arrays
-
 from .. import host_work
 from ..host_work import CUDA, SIZES
 from .host_calls import count_on_device
@@ -55,8 +53,7 @@ GROWING = (*GROWING, "rasterize, triangles")
 
 @pytest.fixture(scope="module", autouse=True)
 def counting_conditions():
-    with host_work.conditions(CUDA), pytest.MonkeyPatch.context() as patch:
-        patch.setattr(device_arrays, "blocks", device_arrays.BLOCKS)
+    with host_work.conditions(CUDA):
         yield
 
 
