@@ -113,18 +113,23 @@ def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence
     return True
 
 
-def _is_launched_flat(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> bool:
-    """Use a prepared CPU launch. False, without effect, if there is none or the arguments need conversion."""
-    prepared: tuple[Flattener, FlatLaunch] | None = kernel.prepared.get("cpu")
-    if prepared is None or not 0 < thread_count <= MAX_THREADS or current_cpu_compiler() != "warp":
+def _is_launched_flat(
+    what: Kernel | Reduction, count: int, arguments: Sequence[Any], rest: Sequence[Any] = (), last_count: int = 0
+) -> bool:
+    """Use a prepared CPU launch. False, without effect, if there is none or the arguments need conversion. `rest`: the
+    further arguments of a reduction, whose `last_count` threads run last."""
+    prepared: tuple[Flattener, FlatLaunch] | None = what.prepared.get("cpu")
+    if prepared is None or not 0 < count <= MAX_THREADS or current_cpu_compiler() != "warp":
         return False
     flatten, launched = prepared
     try:
         flat = flatten(arguments)
+        if rest:
+            flat = [*flat, *(getattr(value, "packed_", value) for value in rest)]
         with lock:
             if _sequence is not None:
                 return False
-            launched(flat, thread_count)
+            launched(flat, count, last_count)
     except UNFIT:
         return False
     return True
@@ -311,26 +316,7 @@ def _flat_sum(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Arr
     if reduction.prepared.get("cpu") is None or not 0 < count <= MAX_THREADS:
         return None
     blocks, partials, out = _arrays_of_sum(reduction, count, BLOCK, wp.get_device("cpu"))
-    return out if _is_summed_flat(reduction, arguments, [count, BLOCK, blocks, partials, out], blocks, 1) else None
-
-
-def _is_summed_flat(
-    reduction: Reduction, arguments: Sequence[Any], rest: Sequence[Any], blocks: int, sums: int
-) -> bool:
-    """Use a prepared CPU launch. False, without effect, if there is none or the arguments need conversion."""
-    prepared: tuple[Flattener, FlatLaunch] | None = reduction.prepared.get("cpu")
-    if prepared is None or current_cpu_compiler() != "warp":
-        return False
-    flatten, launched = prepared
-    try:
-        flat = [*flatten(arguments), *(getattr(value, "packed_", value) for value in rest)]
-        with lock:
-            if _sequence is not None:
-                return False
-            launched(flat, blocks, sums)
-    except UNFIT:
-        return False
-    return True
+    return out if _is_launched_flat(reduction, blocks, arguments, [count, BLOCK, blocks, partials, out], 1) else None
 
 
 def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
@@ -361,7 +347,7 @@ def reduce_segments(
         if prepared is not None and prepared.is_launched(arguments, blocks, live, partials, out):
             return
     rest = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live, blocks.count, partials, out]
-    if out.device.is_cpu and _is_summed_flat(reduction, arguments, rest, blocks.count, out.size):
+    if out.device.is_cpu and _is_launched_flat(reduction, blocks.count, arguments, rest, out.size):
         return
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     with lock:

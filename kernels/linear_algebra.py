@@ -23,7 +23,6 @@ from .small_matrices import Eigenproblems, Systems, decompose_kernel, solve_syst
 
 Array = NDArray[np.float64]
 EPSILON = float(np.finfo(np.float64).eps)
-SHORT = 7  # products of a sum that are added one by one
 MAX_KEPT = 128  # numbers of a matrix whose arrays are kept for the next call
 
 

@@ -160,8 +160,7 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
     with lock:
         if waiting:
             device_lock.release_pending()
-        note_use(device)
-        return kind.new(shape, strides, size, _place_for(device, size))
+        return kind.new(shape, strides, size, _place_for(device, note_use(device), size))
 
 
 class Block:
@@ -174,10 +173,10 @@ class Block:
         warp_parts.core().wp_memset_device(device.context, self.first, 0, size, warp_parts.CURRENT_STREAM)
 
 
-def _place_for(device: Any, size: int) -> tuple[int, Any] | None:
-    """The address of an array in a block of the current stream, and the block. None for large arrays, if the stream is
-    not Warp's own, or if Warp records one of the device: a graph must allocate its arrays itself. Take the lock."""
-    stream = device.stream
+def _place_for(device: Any, stream: Any, size: int) -> tuple[int, Any] | None:
+    """The address of an array in a block of the current stream, and the block's array. None for large arrays, if the
+    stream is not Warp's own, or if Warp records one of the device: a graph must allocate its arrays itself. Take the
+    lock."""
     if not size or not stream.owner or device.captures:
         return None
     for largest, room in blocks:

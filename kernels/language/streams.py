@@ -45,14 +45,15 @@ class NonBlockingStream(wp.Stream):
             driver().cuStreamDestroy_v2(ctypes.c_void_p(handle))
 
 
-def note_use(device: Any) -> None:
-    """Note that the current stream may have to be waited for before a release."""
+def note_use(device: Any) -> Any:
+    """Note that the current stream may have to be waited for before a release, and return it."""
     stream = device.stream
     if getattr(stream, "_is_blocking", None) is True:  # known to Warp
-        return
+        return stream
     if not isinstance(stream, NonBlockingStream) and not _blocks(stream):
         is_torchs = getattr(stream, "_torch_stream", None) is not None  # which it never releases
         used[stream.cuda_stream] = device, (lambda: True) if is_torchs else weakref.ref(stream)
+    return stream
 
 
 def _blocks(stream: Any) -> bool:

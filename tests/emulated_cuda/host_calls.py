@@ -86,8 +86,8 @@ def bytes_in_blocks() -> Iterator[list[int]]:
     """The bytes of arrays in blocks, less those of the blocks. New ones: counts do not depend on earlier calls."""
     place, block, count = device_arrays._place_for, device_arrays.Block, [0]
 
-    def counted_place(device: Any, size: int) -> Any:
-        found = place(device, size)
+    def counted_place(device: Any, stream: Any, size: int) -> Any:
+        found = place(device, stream, size)
         count[0] += 0 if found is None else size
         return found
 
