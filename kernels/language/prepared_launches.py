@@ -78,6 +78,7 @@ class WarpLaunch:
         self.plan, self._forward, self._keep_alive = plan, forward, keep_alive  # keeps the machine code alive
         self._address = ctypes.cast(forward, ctypes.c_void_p).value or 0
         self._seconds = SHORT  # of a thread, in the last launch
+        self._bounds: tuple[int, Any] | None = None  # (threads, bounds) of the last launch on the calling thread
 
     @property
     def symbol(self) -> str:
@@ -126,8 +127,10 @@ class WarpLaunch:
         pool = None if count <= 1 else cpu_pool.pool()
         start = perf_counter()
         if pool is None or self._seconds * count < SHORT:
-            bounds = cpu_code.single_bounds() if count == 1 else cpu_code.full_bounds(count)
-            self._forward(ctypes.byref(bounds), ctypes.byref(arguments))
+            last = self._bounds
+            if last is None or last[0] != count:
+                last = self._bounds = count, ctypes.byref(cpu_code.full_bounds(count))
+            self._forward(last[1], ctypes.byref(arguments))
         else:
             address = ctypes.addressof(arguments)
             if thread_count:

@@ -378,6 +378,7 @@ def test_too_many_point_pairs_are_rejected_with_advice(device, monkeypatch):
 
 def test_too_many_points_for_memory_are_rejected_before_sampling(device, monkeypatch):
     monkeypatch.setattr("pointloom.kernels.memory.free_bytes", lambda device: 64_000)
+    monkeypatch.setattr("pointloom.kernels.memory.MIN_CHECKED", 0)
     mesh = TriangleMesh(*SQUARE, device=device)
     assert len(mesh.sample_points_uniformly(1000)) == 1000
     with pytest.raises(MemoryError, match="number_of_points:"):

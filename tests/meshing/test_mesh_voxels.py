@@ -167,6 +167,7 @@ def test_a_too_large_grid_is_rejected_before_allocation(monkeypatch):
 
     mesh, grid = TriangleMesh.create_box(), TriangleMesh.create_box().voxelize(0.01)
     monkeypatch.setattr(memory, "free_bytes", lambda device: 10_000)
+    monkeypatch.setattr(memory, "MIN_CHECKED", 0)
     with pytest.raises(MemoryError, match=r"^voxel_size:"):
         mesh.voxelize(0.01)
     with pytest.raises(MemoryError, match="a dense grid of 1,030,301 voxels would take"):

@@ -263,6 +263,7 @@ def test_a_too_large_tree_is_rejected_with_its_size(device, monkeypatch, allowed
     for module in ("poisson", "octree_levels"):
         monkeypatch.setattr(f"pointloom.kernels.reconstruction.{module}.check_room", check)
     monkeypatch.setattr(memory, "free_bytes", lambda target_device: allowed)
+    monkeypatch.setattr(memory, "MIN_CHECKED", 0)
     with pytest.raises(MemoryError, match=r"would take about .* GB, and .* has .* GB free; take a smaller depth"):
         poisson(points, depth=8, device=device)
     *fitting, (size, what) = requests
