@@ -5,7 +5,7 @@ insertion-sorted, three times faster than a full sort. CUDA uses `argsort_keys`.
 from ..array_types import Integers, Keys, LongIntegers
 from ..lang import array, atomic_add, int32, int64, kernel, launch, tid
 from ..memory import download, empty, zeros
-from .prefix_sum import exclusive_scan
+from .prefix_sum import offsets_of
 from .sort import argsort_keys
 
 MIN_PAIRS = 1 << 15  # pairs: below, launches cost more than the sort
@@ -65,7 +65,7 @@ def argsort_pairs(keys: Keys, bits: int, count: int) -> tuple[LongIntegers, Inte
     launch(count_runs_of_pairs_kernel, keys.size, [keys, bits, counts])
     if download(counts).max() > LONGEST:
         return argsort_keys(keys, bits + max(1, count.bit_length()))
-    starts, _ = exclusive_scan(counts)
+    starts = offsets_of(counts)
     order, ordered = empty(keys.size, int32, device), empty(keys.size, int64, device)
     launch(fill_runs_kernel, keys.size, [keys, bits, starts, zeros(count, int32, device), order])
     launch(order_runs_kernel, count, [keys, starts, order, ordered])

@@ -1,5 +1,6 @@
 """Sums of counts, and exclusive prefix sums (offsets of variable-sized results)."""
 
+import itertools
 from collections.abc import Sequence
 
 import numpy as np
@@ -9,10 +10,13 @@ from ..array_types import Array, Integers, LongIntegers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
 from ..language import device_copies
 from ..language.device_lock import lock_for
-from ..memory import download, empty, host_view, rows_of, upload, zeros
+from ..memory import copy, download, empty, host_view, rows_of, upload, zeros
 from .runs import Runs, elements_of, row_of
+from .side_by_side import read_together
 
+MAX_COUNT = 2**31 - 1
 RUN = 4096  # counts per thread on the CPU: one atomic per run
+FEW = 1 << 17  # counts that NumPy adds up as fast as two cores (0.05 ms, random flags, 2026-11-28)
 
 
 @func
@@ -55,41 +59,34 @@ def start_offsets_kernel(
 
 
 @kernel
-def note_offsets_kernel(offsets: array(dtype=int32), indices: array(dtype=int32), copied: array(dtype=int64)):
-    """Copy the offsets at some positions next to the totals for the host."""
+def note_offsets_kernel(offsets: array(dtype=int32), indices: array(dtype=int32), noted: array(dtype=int32)):
     i = tid()
-    copied[i] = int64(offsets[indices[i]])
+    noted[i] = offsets[indices[i]]
 
 
-@kernel
-def copy_middle_kernel(offsets: array(dtype=int32), slot: int, totals: array(dtype=int64)):
-    """Copy the middle offset next to the totals for the host."""
-    i = tid()
-    totals[slot + i] = int64(offsets[offsets.shape[0] // 2])
-
-
-def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
-    """(offsets (n + 1), total): exclusive prefix sums of int32 counts. One sync. Raises ValueError above 2^31 - 1."""
+def exclusive_scan(counts: Integers, largest: int = MAX_COUNT) -> tuple[Integers, int]:
+    """(offsets (n + 1), total): exclusive prefix sums of int32 counts of at most `largest`. One sync. Raises ValueError
+    above 2^31 - 1."""
     if counts.device.is_cpu:
-        return offsets_of(counts), _checked(int(download(counts).sum(dtype=np.int64)))
-    offsets, parts = scan_unread(counts)
+        is_bounded, offsets = counts.size * largest <= MAX_COUNT, offsets_of(counts)
+        return offsets, _checked(int(download(offsets)[-1] if is_bounded else download(counts).sum(dtype=np.int64)))
+    offsets, parts = scan_unread(counts, largest)
     return offsets, _checked(total_of(download(parts)))  # sync
 
 
-def scan_unread(counts: Integers) -> tuple[Integers, LongIntegers]:
+def scan_unread(counts: Integers, largest: int = MAX_COUNT) -> tuple[Integers, Integers | LongIntegers]:
     """As `exclusive_scan` without sync: the offsets, and parts for `total_of`. Offsets are invalid above 2^31 - 1."""
     device, n = counts.device, counts.size
-    if n == 0:
-        return zeros(1, int32, device), zeros(1, int64, device)
-    runs = Runs(n, device, RUN)
+    if n * largest <= MAX_COUNT:  # the last offset is the total
+        offsets = offsets_of(counts)
+        return offsets, rows_of(offsets, n, n + 1)
+    if device.is_cpu:
+        return offsets_of(counts), upload(download(counts).sum(dtype=np.int64, keepdims=True), int64, device)
+    runs, offsets = Runs(n, device, RUN), empty(n + 1, int32, device)
     parts = zeros(runs.rows, int64, device)
-    if device.is_cuda:
-        offsets = empty(n + 1, int32, device)
-        launch(start_offsets_kernel, runs.threads, [counts, runs, parts, offsets])
-        inclusive_scan(counts, rows_of(offsets, 1, n + 1))
-        return offsets, parts
-    host_view(parts)[0] = download(counts).sum(dtype=np.int64)
-    return offsets_of(counts), parts
+    launch(start_offsets_kernel, runs.threads, [counts, runs, parts, offsets])
+    inclusive_scan(counts, rows_of(offsets, 1, n + 1))
+    return offsets, parts
 
 
 def total_of(parts: np.ndarray) -> int:
@@ -97,19 +94,18 @@ def total_of(parts: np.ndarray) -> int:
     return int(parts.sum())
 
 
-def scan_two(counts: Integers) -> tuple[Integers, int, int]:
+def scan_two(counts: Integers, largest: int = MAX_COUNT) -> tuple[Integers, int, int]:
     """As `exclusive_scan` of counts (2 n): (offsets (2 n + 1), sum of the first half, total)."""
-    n = counts.size
-    if not counts.device.is_cuda or n == 0:
-        offsets, total = exclusive_scan(counts)
-        return offsets, int(download(offsets[n // 2 : n // 2 + 1])[0]), total
-    runs, offsets = Runs(n, counts.device, RUN), empty(n + 1, int32, counts.device)
-    totals = zeros(runs.rows + 1, int64, counts.device)
-    launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
-    inclusive_scan(counts, rows_of(offsets, 1, n + 1))
-    launch(copy_middle_kernel, 1, [offsets, runs.rows, totals])
-    host = download(totals)  # sync
-    return offsets, int(host[-1]), _checked(int(host[:-1].sum()))
+    device, n, middle = counts.device, counts.size, counts.size // 2
+    if device.is_cpu or n * largest > MAX_COUNT:
+        offsets, total = exclusive_scan(counts, largest)
+        return offsets, int(download(offsets[middle : middle + 1])[0]), total  # sync
+    buffer = zeros(n + 2, int32, device)  # the offsets, and the middle one again
+    if n:
+        inclusive_scan(counts, rows_of(buffer, 1, n + 1))
+    copy(buffer, rows_of(buffer, middle, middle + 1), count=1, offset=n + 1)
+    total, first = download(rows_of(buffer, n, n + 2)).tolist()  # sync
+    return rows_of(buffer, 0, n + 1), first, total
 
 
 def offsets_of(counts: Integers) -> Integers:
@@ -127,42 +123,46 @@ def offsets_of(counts: Integers) -> Integers:
 
 
 def scan_together(
-    parts: Sequence[tuple[Integers, Sequence[int]]], beside: Integers | None = None
+    parts: Sequence[tuple[Integers, Sequence[int]]], beside: Integers | None = None, *, largest: int
 ) -> list[tuple[Integers, list[int]]]:
-    """As `exclusive_scan` of several arrays with one sync. `parts`: (counts, positions whose offsets the host needs),
-    `beside`: an int32 array to read too. Returns (offsets (n + 1), host offsets) per part, then (`beside`, its values).
+    """As `exclusive_scan` of several arrays with one sync. `parts`: (counts, positions whose offsets the host needs, at
+    last n). `beside`: an int32 array to read too. Returns (offsets (n + 1), host offsets) per part, then (`beside`,
+    its values).
     """
-    device = parts[0][0].device
-    if not device.is_cuda:
-        scans = [exclusive_scan(counts)[0] for counts, _ in parts]
-        host = [(o, download(o)[list(indices)].tolist()) for o, (_, indices) in zip(scans, parts, strict=True)]
-        return host if beside is None else [*host, (beside, download(beside).tolist())]
-    every = [Runs(counts.size, device, RUN) for counts, _ in parts]
-    sizes = [[runs.rows, len(indices)] for runs, (_, indices) in zip(every, parts, strict=True)]
-    ends = np.cumsum(sizes).reshape(-1, 2).tolist()
-    others = 0 if beside is None else beside.size
-    wanted = upload(np.concatenate([*(indices for _, indices in parts), range(others)]), int32, device)
-    copied, results, first, at = zeros(ends[-1][1] + others, int64, device), [], 0, 0
-    for (counts, indices), runs, (middle, end) in zip(parts, every, ends, strict=True):
-        offsets = zeros(counts.size + 1, int32, device)
-        if counts.size:
-            launch(start_offsets_kernel, runs.threads, [counts, runs, copied[first:middle], offsets])
-            inclusive_scan(counts, rows_of(offsets, 1, offsets.size))
-        if indices:
-            launch(note_offsets_kernel, len(indices), [offsets, wanted[at : at + len(indices)], copied[middle:end]])
-        results.append((offsets, first, middle, end))
-        first, at = end, at + len(indices)
-    if others:
-        launch(note_offsets_kernel, others, [beside, wanted[at:], copied[first:]])
-    host = download(copied)  # sync
-    for _, begin, middle, _ in results:
-        _checked(int(host[begin:middle].sum()))
-    scanned = [(offsets, host[middle:end].tolist()) for offsets, _, middle, end in results]
-    return scanned if beside is None else [*scanned, (beside, host[first:].tolist())]
+    others = [] if beside is None else [(beside, range(beside.size))]
+    if parts[0][0].device.is_cpu:
+        every = [*((exclusive_scan(counts, largest)[0], at) for counts, at in parts), *others]
+        return [(values, download(values)[list(at)].tolist()) for values, at in every]
+    scans = [scan_unread(counts, largest) for counts, _ in parts]
+    arrays = [*(offsets for offsets, _ in scans), *(values for values, _ in others)]
+    positions = [at for _, at in (*parts, *others)]
+    unbounded = [totals for _, totals in scans if totals.dtype is int64]  # the others are the last offsets
+    host, *read = read_together([_gather(arrays, positions), *unbounded])  # sync
+    for totals in read:
+        _checked(total_of(totals))
+    ends = itertools.pairwise(itertools.accumulate(map(len, positions), initial=0))
+    return [(values, host[first:last].tolist()) for values, (first, last) in zip(arrays, ends, strict=True)]
+
+
+def _gather(arrays: Sequence[Integers], positions: Sequence[Sequence[int]]) -> Integers:
+    """Elements of several GPU arrays at some positions."""
+    device, first = arrays[0].device, 0
+    is_run = [isinstance(at, range) or len(at) == 1 for at in positions]
+    wanted = None if all(is_run) else upload(np.concatenate(positions), int32, device)
+    gathered = empty(sum(map(len, positions)), int32, device)
+    for values, at, run in zip(arrays, positions, is_run, strict=True):
+        last = first + len(at)
+        if run:
+            copy(gathered, rows_of(values, at[0], at[-1] + 1), count=len(at), offset=first)
+        else:
+            arguments = [values, rows_of(wanted, first, last), rows_of(gathered, first, last)]
+            launch(note_offsets_kernel, len(at), arguments)
+        first = last
+    return gathered
 
 
 def _checked(total: int) -> int:
-    if total > 2**31 - 1:
+    if total > MAX_COUNT:
         raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
     return total
 
@@ -181,7 +181,10 @@ def sum_counts(counts: Integers) -> int:
 
 def sum_each(*counts: Integers) -> list[int]:
     """As `sum_counts` of several arrays of one size. One sync for all."""
-    runs, device = Runs(counts[0].size, counts[0].device, RUN), counts[0].device
+    device = counts[0].device
+    if device.is_cpu and counts[0].size <= FEW:
+        return [int(download(part).sum(dtype=np.int64)) for part in counts]
+    runs = Runs(counts[0].size, device, RUN)
     totals = zeros(len(counts) * runs.rows, int64, device)
     for k, part in enumerate(counts):
         launch(sum_counts_kernel, runs.threads, [part, runs, totals[k * runs.rows : (k + 1) * runs.rows]])

@@ -1,7 +1,5 @@
 """Small arrays packed into one allocation: one copy to the device, one sync to read them back."""
 
-import itertools
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -11,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..array_types import AnyArray, Device, DeviceArray, Element
 from ..lang import uint8
-from ..language.device_arrays import reinterpreted
+from ..language.device_arrays import element_kind, reinterpreted
 from ..language.device_lock import lock_for
 from ..memory import contiguous, copy, download, empty, upload, write
 
@@ -35,18 +33,19 @@ def read_together(arrays: Sequence[AnyArray]) -> list[NDArray[Any]]:
     """`download` of several arrays on one device with one sync."""
     if len(arrays) == 1 or not arrays[0].device.is_cuda:
         return [download(values) for values in arrays]
-    types = [np.dtype(wp.dtype_to_numpy(getattr(values.dtype, "_wp_scalar_type_", values.dtype))) for values in arrays]
-    shapes = [(*values.shape, *getattr(values.dtype, "_shape_", ())) for values in arrays]
-    sizes = [math.prod(shape) * kind.itemsize for shape, kind in zip(shapes, types, strict=True)]
-    order = sorted(range(len(arrays)), key=lambda k: -types[k].itemsize)  # largest elements first, for alignment
-    firsts = dict(zip(order, itertools.accumulate((sizes[k] for k in order), initial=0), strict=False))
-    buffer = empty(sum(sizes), uint8, arrays[0].device)
-    for k, size in enumerate(sizes):
-        if size:
-            copy(buffer, part_of(contiguous(arrays[k]), 0, uint8, size), count=size, offset=firsts[k])
-    host = download(buffer)  # sync
-    parts = (host[firsts[k] : firsts[k] + size] for k, size in enumerate(sizes))
-    return [part.view(kind).reshape(shape) for part, kind, shape in zip(parts, types, shapes, strict=True)]
+    kinds = [element_kind(values.dtype) for values in arrays]
+    sizes = [values.size * kind.element_bytes for values, kind in zip(arrays, kinds, strict=True)]
+    buffer, first, firsts = empty(sum(sizes), uint8, arrays[0].device), 0, [0] * len(arrays)
+    for k in sorted(
+        range(len(arrays)), key=lambda k: -kinds[k].scalar.itemsize
+    ):  # largest elements first, for alignment
+        if sizes[k]:
+            copy(buffer, part_of(contiguous(arrays[k]), 0, uint8, sizes[k]), count=sizes[k], offset=first)
+        firsts[k], first = first, first + sizes[k]
+    host, results = download(buffer), []  # sync
+    for values, kind, begin, size in zip(arrays, kinds, firsts, sizes, strict=True):
+        results.append(host[begin : begin + size].view(kind.scalar).reshape(*values.shape, *kind.inner))
+    return results
 
 
 class SideBySide:

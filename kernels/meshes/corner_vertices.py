@@ -91,7 +91,7 @@ class CornerVertices:
         launch(mark_first_sets_kernel, vertex_count, [firsts, used])
         launch(mark_further_sets_kernel, corners, [sets, lowest, firsts, further])
         parts = [(used, [vertex_count]), (further, [corners])]
-        (indices, (self.kept_count,)), (further_rows, (count,)) = scan_together(parts)  # sync
+        (indices, (self.kept_count,)), (further_rows, (count,)) = scan_together(parts, largest=1)  # sync
         numbers, self.rows = zeros(corners, int32, device), empty(self.kept_count + count, int32, device)
         launch(
             write_rows_kernel,
@@ -245,7 +245,7 @@ def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indi
     firsts, further = full(vertex_count, NONE, int32, device), empty(corners, int32, device)
     launch(find_first_fans_kernel, corners, [triangles, fans, firsts])
     launch(mark_further_fans_kernel, corners, [triangles, fans, firsts, further])
-    numbers, count = exclusive_scan(further)  # sync
+    numbers, count = exclusive_scan(further, largest=1)  # sync
     rows, split = empty(vertex_count + count, int32, device), empty(triangles.size, vec3i, device)
     launch(list_fan_rows_kernel, vertex_count + corners, [triangles, further, numbers, vertex_count, rows])
     launch(take_fans_kernel, triangles.size, [triangles, fans, firsts, numbers, vertex_count, split])

@@ -212,7 +212,7 @@ class LevelCut:
         launch(mark_sides_kernel, values.size, [values, level, self.sides])
         counts = empty(triangles.size, int32, device)
         launch(count_pieces_kernel, triangles.size, [triangles, self.sides, counts])
-        offsets, total = exclusive_scan(counts)  # sync
+        offsets, total = exclusive_scan(counts, largest=3)  # sync, since a level cuts at most two edges
         self.cuts = CutEdges(triangles, values, self.sides, level, total - triangles.size)
         self.pieces, self.above = empty(total, vec3i, device), empty(total, uint8, device)
         self.sources = empty(total, int32, device)

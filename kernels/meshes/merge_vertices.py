@@ -68,7 +68,7 @@ def number_owners(owners: Indices) -> tuple[Integers, int]:
     """(indices int32 [m + 1], count): new index of each owner. One sync."""
     marks = empty(owners.size, int32, owners.device)
     launch(mark_owners_kernel, owners.size, [owners, marks])
-    return exclusive_scan(marks)
+    return exclusive_scan(marks, largest=1)
 
 
 def list_owners(owners: Indices, indices: Integers, count: int) -> Indices:

@@ -207,7 +207,7 @@ def mark_chosen(triangles: Triangles, mask: Mask, vertex_count: int) -> Mask:
 
 def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Iterable[Vectors]) -> tuple[Triangles, list[Any]]:
     """Keep used vertices (0 or 1) in order and renumber triangles, which use no others. Returns (triangles, arrays)."""
-    indices, count = exclusive_scan(used)  # sync
+    indices, count = exclusive_scan(used, largest=1)  # sync
     return keep_counted(triangles, used, indices, count, per_vertex)
 
 

@@ -284,7 +284,7 @@ class VoxelMap:
         origin = [c * self.voxel_size for c in first]
         if not count:
             return empty(0, vec3, self.device), origin
-        offsets, total = exclusive_scan(self.counts[:count])  # sync
+        offsets, total = exclusive_scan(self.counts[:count], largest=self.room)  # sync, points of a voxel
         points = empty(total, vec3, self.device)
         launch(gather_map_kernel, count, [self, offsets, vec3i(*first), points])
         return points, origin

@@ -439,7 +439,7 @@ def find_meeting_pairs(
     search, counts = [vertices, triangles, int(within), tree, others], empty(count, int32, device)
     nowhere = [empty(1, int32, device), empty(1, uint8, device)]
     launch(count_partners_kernel, count, [*search, *nowhere, counts])
-    offsets, total = exclusive_scan(counts)  # sync
+    offsets, total = exclusive_scan(counts, largest=tree.count)  # sync, of its triangles
     owners, partners = empty(total, int32, device), empty(total, int32, device)
     results = empty(total, uint8, device)
     if not total:

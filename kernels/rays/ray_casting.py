@@ -246,7 +246,8 @@ def count_hits(trees: SceneTrees, rays: Scalars) -> Integers:
 
 def list_hits(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Indices, Integers]:
     """All hits by ray, parameter, object: (RayHits, ray of each hit int32, start of each ray int32 (n + 1))."""
-    offsets, total = exclusive_scan(count_hits(trees, rays))  # sync
+    largest = trees.object_count * trees.order.size  # objects may share a tree, hit once per triangle
+    offsets, total = exclusive_scan(count_hits(trees, rays), largest)  # sync
     hits, ray_ids = RayHits(total, rays.device), empty(total, int32, rays.device)
     launch(list_hits_kernel, rays.size // 6, [rays, offsets, trees, hits, ray_ids])
     return hits, ray_ids, offsets

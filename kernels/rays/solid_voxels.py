@@ -105,7 +105,7 @@ def inner_voxels(columns: Columns, frame: VoxelFrame) -> Keys:
     keys, _ = argsort_keys(columns.write(), bits)
     spans = empty(crossing_count // 2, int32, device)
     launch(fill_pairs_kernel, crossing_count // 2, [keys, depth, 0, spans, empty(1, int64, device)])
-    offsets, parts = scan_unread(spans)
+    offsets, parts = scan_unread(spans, depth)
     inside = total_of(download(parts))  # sync
     check_total(inside, "voxels inside")
     check_room(device, inside * CELL_BYTES, f"voxel_size: {inside:,} voxels inside")

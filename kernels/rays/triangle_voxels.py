@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Cells, Keys, LongIntegers, Points, Triangles
+from ..array_types import Cells, Integers, Keys, LongIntegers, Points, Triangles
 from ..arrays.prefix_sum import find_owner, scan_unread, total_of
 from ..arrays.side_by_side import read_together
 from ..arrays.unique import UniqueKeys
@@ -248,17 +248,18 @@ class Columns:
         device, count = triangles.device, triangles.size
         counts = empty(count, int32, device)
         launch(count_columns_kernel, count, [vertices, triangles, frame, upright, counts])
-        self._offsets, totals = scan_unread(counts)
+        x, y, z = (int(number) for number in frame.counts)
+        self._offsets, totals = scan_unread(counts, max(x * y, y * z, z * x))
+        self._tallest = max(x, y, z)  # most hits of a column
         self._visit, self._given, self.device = visit, [vertices, triangles, frame, self._offsets], device
         self.arrays, self.is_complete = [totals], False
         if device.is_cuda and count:
-            x, y, z = (int(number) for number in frame.counts)
             self.arrays.append(self._count(min(MAX_ROOM, MIN_ROOM + ROOM * (count + 2 * (x * y + y * z + z * x)))))
 
-    def _count(self, room: int) -> LongIntegers:
+    def _count(self, room: int) -> Integers | LongIntegers:
         self._room, hits = room, empty(room, int32, self.device)
         launch(self._visit, room, [*self._given, 0, hits, empty(1, int64, self.device)])
-        self._offsets, totals = scan_unread(hits)
+        self._offsets, totals = scan_unread(hits, self._tallest)
         return totals
 
     def take(self, totals: np.ndarray, hit_totals: np.ndarray | None) -> None:

@@ -645,7 +645,7 @@ def search_stars(
             crowded = empty(ranks.size, int32, device)
             search = [ranks, run, begin, lists, NEAREST, max_sqdist, tree, Stars(device, threads, room), given]
             launch(find_faces_kernel, threads, [*search, with_tetrahedra, faces, tetrahedra, crowded])
-            (offsets, (count,)), (_, needed) = scan_together([(crowded, [ranks.size])], totals)  # sync
+            (offsets, (count,)), (_, needed) = scan_together([(crowded, [ranks.size])], totals, largest=1)  # sync
             again = empty(count, int32, device)
             launch(list_crowded_kernel, ranks.size if count else 0, [ranks, offsets, again])
             left.append(again)

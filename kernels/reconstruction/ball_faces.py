@@ -763,7 +763,7 @@ def list_faces(points: BallPoints, indices: Integers, expected: int = 0) -> tupl
             fill(maxima, 0)
             launch(part_crowd_kernel, left.size, [faces, room, usable, again, maxima])
             ends = [left.size]
-            scans = scan_together([(usable, ends), (again, ends)], maxima)  # sync
+            scans = scan_together([(usable, ends), (again, ends)], maxima, largest=slots)  # sync
             (offsets, (total,)), (ranks, (rest,)), (_, (neighbor_count, count)) = scans
             corners, widths = empty(total, vec3i, device), empty(total, float32, device)
             launch(pack_faces_kernel, left.size, [faces, offsets, corners, widths])

@@ -167,7 +167,7 @@ def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> O
     if is_full:
         offsets, count = offsets_of(marks), ((1 << level.depth) + 1) ** 3
     else:
-        offsets, count = exclusive_scan(marks)  # sync
+        offsets, count = exclusive_scan(marks, largest=1)  # sync
     if count == 0:
         return None
     check_room(device, count * block_bytes, f"level {level.depth + 1} of the octree, {SLOTS * count:,} cells")

@@ -16,7 +16,7 @@ from ..array_types import Array1, Indices, Scalars
 from ..arrays.prefix_sum import scan_together
 from ..lang import array, float64, func, int32, kernel, launch, length, struct, tid, vec2d, vec3, vec3d, vec3i
 from ..memory import empty
-from ..volumes.cube_table import CubeTables, device_tables
+from ..volumes.cube_table import MAX_TRIANGLES, CubeTables, device_tables
 from .octree_edges import LevelSurface, along, edge_vertex, own_vertex, slot_after, write_vertices_kernel
 from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot
 from .sample_cells import Cube
@@ -346,7 +346,8 @@ class OctreeSurface:
             part = slice(slots[k], slots[k + 1])
             arguments = [surface, self._tables, triangles[part], joined[part]]
             launch(count_triangles_kernel, slots[k + 1] - slots[k], arguments)
-        scans = scan_together([(vertices, blocks), (triangles, slots), (joined, slots)])  # sync
+        largest = max(3 * SLOTS, MAX_TRIANGLES)  # edges of a block, triangles of a cell
+        scans = scan_together([(vertices, blocks), (triangles, slots), (joined, slots)], largest=largest)  # sync
         (firsts, self._vertex_ends), (self._triangles, self._triangle_ends), (ranks, self._joined_ends) = scans
         for k, surface in enumerate(self._surfaces):
             surface.firsts = firsts[blocks[k] : blocks[k + 1] + 1]
@@ -365,7 +366,9 @@ class OctreeSurface:
                 contours.count,
                 [surface, below, contours, _part(loops, *ends), _part(middles, *ends)],
             )
-        scans = scan_together([(loops, self._joined_ends), (middles, self._joined_ends)])  # sync
+        scans = scan_together(
+            [(loops, self._joined_ends), (middles, self._joined_ends)], largest=SEGMENTS
+        )  # sync, sides
         (self._loops, self._loop_ends), (self._middles, self._middle_ends) = scans
 
     def _pairs(self) -> Iterable[tuple[LevelSurface, LevelSurface]]:

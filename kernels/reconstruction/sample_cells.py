@@ -214,7 +214,7 @@ class SampleCells:
         heads = empty(n, int32, device)
         launch(mark_heads_kernel, n, [members, shift, heads])
         if count is None:
-            offsets, self.count = exclusive_scan(heads)  # sync
+            offsets, self.count = exclusive_scan(heads, largest=1)  # sync
         else:
             offsets, self.count = offsets_of(heads), count
         self.codes, self.starts = empty(self.count, int64, device), empty(self.count + 1, int32, device)

@@ -119,7 +119,9 @@ def split_long_edges(
     counts = empty(mesh.triangles.size, int32, device)
     launch(count_parts_kernel, counts.size, [mesh, marks, counts])
     wanted = [(marks, [marks.size]), (counts, [counts.size])]
-    (indices, (split,)), (offsets, (total,)), *extra = scan_together(wanted, beside)  # sync
+    (indices, (split,)), (offsets, (total,)), *extra = scan_together(
+        wanted, beside, largest=4
+    )  # sync, parts of a triangle
     values = extra[0][1] if extra else []
     if not split:
         return mesh, 0, values

@@ -284,7 +284,7 @@ def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Inte
         launch(count_within_kernel, total, [*common, max_sqdist, counts])
     else:
         launch(keep_within_kernel, total, [*common, max_sqdist, counts, kept])
-    offsets, neighbor_count = exclusive_scan(counts)
+    offsets, neighbor_count = exclusive_scan(counts, largest=tree.count)  # sync
     indices, sqdists = empty(neighbor_count, int32, device), empty(neighbor_count, float32, device)
     if kept is not None and download(counts).max() <= SLOTS:
         launch(list_kept_kernel, total, [offsets, counts, kept, indices, sqdists])

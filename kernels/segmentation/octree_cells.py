@@ -179,7 +179,7 @@ class Octree:
         if device.is_cuda:
             self.offsets, cells = offsets_of(self.marks), count
         else:
-            self.offsets, cells = exclusive_scan(self.marks)
+            self.offsets, cells = exclusive_scan(self.marks, largest=1)
         starts, chosen, self.numbers, counts = (empty(size, int32, device) for size in (cells + 1, cells, cells, cells))
         launch(start_cells_kernel, count, [self.marks, self.offsets, starts])
         self.flat = zeros(cells, int32, device)
@@ -189,7 +189,7 @@ class Octree:
         launch(number_cells_kernel, cells, [starts, slots, self.numbers, counts])
         inside = empty(count, int32, device)
         launch(mark_points_kernel, count, [self.marks, self.offsets, self.numbers, inside])
-        (elements, (size,)), (_, (run_count,)) = scan_together([(inside, [count])], slots[cells:])  # sync
+        (elements, (size,)), (_, (run_count,)) = scan_together([(inside, [count])], slots[cells:], largest=1)  # sync
         if not run_count:
             return None
         rows, runs = empty(size, int32, device), empty(size, int32, device)

@@ -150,7 +150,7 @@ class BestPlane:
         arguments = [search.points, search.rows, vec3d(*search.center), self._record, self._threshold, marks]
         launch(mark_best_kernel, marks.size, arguments)
         words = part_of(self._record, 0, int32, 2 * RECORD)
-        (_, (self.inliers,)), (_, numbers) = scan_together([(marks, [marks.size])], words)  # sync
+        (_, (self.inliers,)), (_, numbers) = scan_together([(marks, [marks.size])], words, largest=1)  # sync
         record = np.array(numbers, np.int32).view(np.float64)
         self.plane, self.count = record[:4].copy(), int(record[COUNT])
 

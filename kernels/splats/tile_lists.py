@@ -31,7 +31,7 @@ class TileLists:
         _, order = by_depth.sort(BITS_OF_DEPTH)
         in_order = empty(projected.count, int32, device)
         launch(take_counts_kernel, projected.count, [order, counts, in_order])
-        offsets, total = exclusive_scan(in_order)  # sync
+        offsets, total = exclusive_scan(in_order, largest=self.tile_count)  # sync
         keys, owners = SortKeys(total, device), empty(total, int32, device)
         launch(list_tiles_kernel, projected.count, [order, offsets, projected.boxes, self.columns, keys, owners])
         by_tile, entries = keys.sort(max(self.tile_count.bit_length(), 1))

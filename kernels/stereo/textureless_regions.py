@@ -9,6 +9,7 @@ from ..lang import array, atomic_add, func, int32, int64, kernel, launch, struct
 from ..memory import empty, fill, zeros
 
 AROUND = 3  # [px] from an untextured pixel
+WINDOW = 2 * AROUND * (AROUND + 1) + 1  # pixels within AROUND
 MIN_AREA = 64  # [px] minimum area of a region
 PIXEL_BITS = 32  # of a pair's key: pixel, below the region
 
@@ -182,7 +183,7 @@ def _list_pairs(judged: Array1[vec2], width: int, labels: Indices, numbers: Inte
     device, size = judged.device, judged.size
     counts, none = empty(size, int32, device), empty(0, int64, device)
     launch(list_near_kernel, size, [judged, width, labels, numbers, empty(0, int32, device), counts, none])
-    offsets, total = exclusive_scan(counts)  # sync
+    offsets, total = exclusive_scan(counts, largest=WINDOW)  # sync
     keys = empty(total, int64, device)
     if total:
         launch(list_near_kernel, size, [judged, width, labels, numbers, offsets, counts, keys])

@@ -181,7 +181,7 @@ def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Array1[vec2],
     atlas = Atlas(uvs, size, size)
     counts = empty(triangles.size, int32, device)
     launch(count_rows_kernel, triangles.size, [atlas, counts])
-    rows, total = exclusive_scan(counts)  # sync
+    rows, total = exclusive_scan(counts, largest=size)  # sync, rows of the image
     owners = full(count, NO_TRIANGLE, int32, device)
     launch(claim_texels_kernel, total, [atlas, rows, owners])
     texels, marks = empty(count, vec3, device), empty(count, uint8, device)

@@ -63,7 +63,7 @@ class ChartTexels:
         self.atlas, self.size = Atlas(uvs, size, size), size
         rows_of_each, owners = empty(triangles, int32, device), full(count, NO_TRIANGLE, int32, device)
         launch(count_rows_kernel, triangles, [self.atlas, rows_of_each])
-        rows, total = exclusive_scan(rows_of_each)  # sync
+        rows, total = exclusive_scan(rows_of_each, largest=size)  # sync, rows of the image
         launch(claim_texels_kernel, total, [self.atlas, rows, owners])
         self.rings, wider = zeros(count, int32, device), full(count, NO_TRIANGLE, int32, device)
         launch(claim_edges_kernel, triangles, [self.atlas, wider])

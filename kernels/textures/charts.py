@@ -166,7 +166,7 @@ def cut_charts(
     launch(flatten_sets_kernel, count, [parents])
     roots, labels = empty(count, int32, device), empty(count, int64, device)
     launch(count_roots_kernel, count, [parents, chosen, roots])
-    numbers, total = exclusive_scan(roots)  # sync
+    numbers, total = exclusive_scan(roots, largest=1)  # sync
     launch(label_chosen_kernel, count, [parents, chosen, numbers, labels])
     charts = Charts(labels, total)
     launch(bound_charts_kernel, count, [vertices, triangles, views, pictures, charts])

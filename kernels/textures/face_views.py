@@ -284,7 +284,7 @@ def keep_views(views: FaceViews, keep: Mask) -> FaceViews:
     faces, device = views.starts.size - 1, views.device
     counts = empty(faces, int32, device)
     launch(count_selected_kernel, faces, [views.starts, keep, counts])
-    starts, total = exclusive_scan(counts)  # sync
+    starts, total = exclusive_scan(counts, largest=keep.size)  # sync, some of all pairs
     selected = FaceViews(starts, empty(total, int32, device), empty(total, float64, device), empty(total, vec3, device))
     launch(copy_selected_kernel, faces, [views, keep, selected])
     return selected

@@ -61,7 +61,7 @@ class SeamSamples:
         device, corners = texels.owners.device, seams.twins.size
         counts = empty(corners, int32, device)
         launch(count_samples_kernel, corners, [texels.atlas, seams, counts])
-        self.firsts, self.sample_count = exclusive_scan(counts)  # sync
+        self.firsts, self.sample_count = exclusive_scan(counts, largest=MAX_SAMPLES)  # sync
         entries = SIDES * self.sample_count
         self.keys, self.weights = empty(entries, int64, device), empty(entries, float64, device)
         self.nodes, self.count = empty(entries, int32, device), 0

@@ -177,7 +177,7 @@ class SurfaceTexels:
         self.triangles, self.size, self.atlas = triangles, size, Atlas(uvs, size, size)
         counts, self.owners = empty(triangles.size, int32, device), full(count, NO_TRIANGLE, int32, device)
         launch(count_rows_kernel, triangles.size, [self.atlas, counts])
-        rows, total = exclusive_scan(counts)  # sync
+        rows, total = exclusive_scan(counts, largest=size)  # sync, rows of the image
         launch(claim_texels_kernel, total, [self.atlas, rows, self.owners])
         mask = empty(count, uint8, device)
         launch(mark_owned_kernel, count, [self.owners, mask])

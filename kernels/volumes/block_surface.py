@@ -13,7 +13,7 @@ from ..arrays.prefix_sum import scan_two
 from ..lang import array, bit_count, func, int32, int64, kernel, launch, sqrt, struct, tid, vec3, vec3i
 from ..memory import empty
 from .block_rows import EIGHT, NINE, VALID, SeenBlocks, pack_rows, row_near, voxel_near, word_near
-from .cube_table import CubeTables, device_tables
+from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
 from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks, voxel_color
 
@@ -57,7 +57,7 @@ class BlockSurface:
             low, high = (vec3i(*(int(c) for c in corner)) for corner in within)
             launch(drop_cells_kernel, rows, [self, low, high, counts])
         launch(find_edges_kernel, rows, [self, int(need_cells), counts])
-        self.offsets, self.vertex_count, total = scan_two(counts)
+        self.offsets, self.vertex_count, total = scan_two(counts, MAX_TRIANGLES * SIDE)  # more than 3 edges per voxel
         self.triangle_count = total - self.vertex_count
 
     def vertices(self, has_color: bool, has_normals: bool) -> tuple[Points, Vectors | None, Vectors | None]:

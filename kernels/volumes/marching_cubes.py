@@ -173,7 +173,8 @@ class SurfaceEdges:
         device = grid.signs.device
         self.words, counts = empty(grid.rows * grid.width, vec4i, device), empty(2 * grid.rows, int32, device)
         launch(count_surface_kernel, grid.rows, [grid, tables, self, counts])
-        self.offsets, self.vertex_count, self.total = scan_two(counts)  # sync
+        largest = MAX_TRIANGLES * WORD * grid.width  # of a row, which has 3 edges per sample
+        self.offsets, self.vertex_count, self.total = scan_two(counts, largest)  # sync
 
 
 @func

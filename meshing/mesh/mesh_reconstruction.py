@@ -543,7 +543,9 @@ def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array,
     """For each shape: mask of used points, their new indices, their count. One sync for several shapes."""
     for first in range(0, len(shapes), TOGETHER):
         used = [mark_referenced(triangles, count) for triangles in shapes[first : first + TOGETHER]]
-        for mask, (offsets, (total,)) in zip(used, scan_together([(mask, [count]) for mask in used]), strict=True):
+        for mask, (offsets, (total,)) in zip(
+            used, scan_together([(mask, [count]) for mask in used], largest=1), strict=True
+        ):
             yield mask, offsets, total
 
 

@@ -8,7 +8,15 @@ import pytest
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.loop_scan import TILE, LoopList, LoopScan
-from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, offsets_of, scan_two, sum_counts
+from pointloom.kernels.arrays.prefix_sum import (
+    FEW,
+    RUN,
+    exclusive_scan,
+    offsets_of,
+    scan_together,
+    scan_two,
+    sum_counts,
+)
 from pointloom.kernels.arrays.quantiles import median_above_zero, quantiles_of
 from pointloom.kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from pointloom.kernels.arrays.running_sums import running_sums
@@ -23,15 +31,39 @@ def test_offsets_are_the_exclusive_sums(device, size, rng):
     np.testing.assert_array_equal(offsets.numpy(), np.concatenate([[0], np.cumsum(counts)]))
     assert total == counts.sum()
     np.testing.assert_array_equal(offsets_of(upload(counts, int32, device)).numpy(), offsets.numpy())
+    bounded, same = exclusive_scan(upload(counts, int32, device), largest=49)
+    assert same == total and bounded.numpy().tobytes() == offsets.numpy().tobytes()
 
 
-@pytest.mark.parametrize("counts", [[2**31 - 1, 1], [2**31 - 1] * 3, [2**30] * 4, [2**20] * 2**12])
+SCANS = {
+    "one": lambda counts, **bound: exclusive_scan(counts, **bound),
+    "two": lambda counts, **bound: scan_two(counts, **bound),
+    "several": lambda counts, **bound: scan_together([(counts, [counts.size])], **bound),
+}
+
+
+@pytest.mark.parametrize("counts", [[2**31 - 1, 1], [2**31 - 1] * 3, [2**30] * 4, [2**20] * 2**12, [2**14] * (FEW + 1)])
 def test_an_overflow_of_32_bits_is_an_error(device, counts):
     """Three times 2^31 - 1 wraps round to a positive number, and four times 2^30 to zero."""
     array = upload(np.array(counts, np.int32), int32, device)
     assert sum_counts(array) == sum(counts)
-    with pytest.raises(ValueError, match=rf"{sum(counts)} results are more than 2\^31 - 1"):
-        exclusive_scan(array)
+    for scan in SCANS.values():
+        with pytest.raises(ValueError, match=rf"{sum(counts)} results are more than 2\^31 - 1"):
+            scan(array, largest=max(counts))
+
+
+@pytest.mark.parametrize("largest", [49, 2**31 - 1])
+@pytest.mark.parametrize("at", [[1.0], [0.0, 0.5, 1.0]])
+def test_several_arrays_are_scanned_and_read_together(device, rng, at, largest):
+    parts = [rng.integers(0, 50, size) for size in (0, 1, RUN + 1)]
+    positions = [[int(k * part.size) for k in at] for part in parts]
+    given = [(upload(part, int32, device), ends) for part, ends in zip(parts, positions, strict=True)]
+    *scans, (_, values) = scan_together(given, upload(np.array([7, -1]), int32, device), largest=largest)
+    for part, ends, (offsets, noted) in zip(parts, positions, scans, strict=True):
+        expected = np.concatenate([[0], np.cumsum(part)])
+        np.testing.assert_array_equal(offsets.numpy(), expected)
+        assert noted == expected[ends].tolist()
+    assert values == [7, -1]
 
 
 def test_a_sum_of_exactly_the_largest_number_is_taken(device):
@@ -45,11 +77,8 @@ def test_counts_of_two_kinds_are_scanned_together(device, rng, half):
     offsets, first, total = scan_two(upload(counts, int32, device))
     np.testing.assert_array_equal(offsets.numpy(), np.concatenate([[0], np.cumsum(counts)]))
     assert (first, total) == (counts[:half].sum(), counts.sum())
-
-
-def test_a_sum_beyond_32_bits_of_two_kinds_is_refused(device):
-    with pytest.raises(ValueError, match="more than 2\\^31 - 1"):
-        scan_two(upload(np.array([2**31 - 2, 2], np.int32), int32, device))
+    bounded, *sums = scan_two(upload(counts, int32, device), largest=8)
+    assert sums == [first, total] and bounded.numpy().tobytes() == offsets.numpy().tobytes()
 
 
 @pytest.mark.parametrize("size", [0, 1, 31, 33, TILE - 1, TILE, TILE + 1, 3 * TILE + 7, TILE * TILE + 1])
