@@ -175,6 +175,15 @@ def measure_diagonals(boxes: array(dtype=float32), record: int) -> box_distances
 
 
 @func
+def measure_diagonal(boxes: array(dtype=float32), record: int, child: int) -> float:
+    at = record * SIDES + child
+    x = boxes[at + 3 * FAN] - boxes[at]
+    y = boxes[at + 4 * FAN] - boxes[at + FAN]
+    z = boxes[at + 5 * FAN] - boxes[at + 2 * FAN]
+    return x * x + y * y + z * z
+
+
+@func
 def bits_within(distances: box_distances, max_sqdist: float) -> int:
     bits = 0
     for j in range(FAN):
