@@ -1,7 +1,7 @@
 """Distribution of elements over threads that process many each.
 
-On the CPU threads take contiguous runs, on CUDA strided elements for coalesced access. On CUDA atomics are spread over
-`rows` result rows, which the host reduces, to limit contention.
+On the CPU threads take contiguous runs, on CUDA strided elements for coalesced access. On CUDA atomics, one per
+warp (row_atomics.py), are spread over `rows` result rows, which the host reduces, to limit contention.
 """
 
 from ..array_types import Device

@@ -193,10 +193,12 @@ def unite_cores_kernel(cores: Cores):
 @cuda_func
 def unlike(root: int, others: int) -> int:
     """Which of eight sets, one per lane (-1 for none), differ from the lane's set `root`, as bits. 0 if that is -1."""
+    common = shuffle(root, lowest_bit(ballot(1 if root >= 0 else 0)))
     bits = 0
-    for j in range(FAN):
-        other = shuffle(others, j)
-        bits = bits | ((1 << j) if root >= 0 and other >= 0 and other != root else 0)
+    if ballot(1 if (root >= 0 and root != common) or (others >= 0 and others != common) else 0) != 0:
+        for j in range(FAN):
+            other = shuffle(others, j)
+            bits = bits | ((1 << j) if root >= 0 and other >= 0 and other != root else 0)
     return bits
 
 

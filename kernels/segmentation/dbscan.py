@@ -7,7 +7,23 @@ tree, 22 B on CUDA.
 """
 
 from ..array_types import Integers
-from ..lang import INFINITY, array, ballot, cuda_func, func, int32, kernel, lane, launch, load_eight, shuffle, tid, vec3
+from ..lang import (
+    INFINITY,
+    array,
+    ballot,
+    bit_count,
+    cuda_func,
+    func,
+    int32,
+    kernel,
+    lane,
+    launch,
+    load_eight,
+    shuffle,
+    tid,
+    vec2i,
+    vec3,
+)
 from ..memory import full
 from ..search.bucket_walk import BYTE
 from ..search.lane_boxes import (
@@ -149,13 +165,15 @@ def find_cores_kernel(cores: Cores, needed: int):
 
 
 @cuda_func
-def count_lacking(p: vec3, needed: int, bucket: int, tree: PointTree, max_sqdist: float) -> int:
-    """`needed` minus points within the radius of each lane's point, in a bucket. Counting stops once none is positive.
+def count_lacking(p: vec3, needed: int, bucket: int, tree: PointTree, max_sqdist: float) -> vec2i:
+    """(`needed` minus points within the radius of each lane's point, leaves measured by the warp). The points are in a
+    bucket. Counting stops once no lane lacks points.
 
     Nodes near the lanes that still lack points are entered. Nodes within their radius are counted without, unless other
     leaves of the warp enter them.
     """
     lacking = int(needed)
+    measured = 0
     searching = 0
     around = two_boxes(0.0)
     near = 0
@@ -173,11 +191,12 @@ def count_lacking(p: vec3, needed: int, bucket: int, tree: PointTree, max_sqdist
         near = flags_of_any_eight(is_near ^ is_inside) & others
         lacking -= point_sum(flags_of_eight(is_inside) & others & (BYTE - near), level, node, tree.count)
         if level == 1:
+            measured += bit_count(near)
             for first, _ in leaves_of(node, near, tree):
                 leaf = load_eight(tree.points, first)
                 for j in range(LEAF):
                     lacking -= 1 if sqdist_of(leaf, j, p) <= max_sqdist else 0
-    return lacking
+    return vec2i(lacking, measured)
 
 
 @cuda_func
@@ -200,8 +219,8 @@ def find_cores_of_lanes_kernel(cores: Cores, needed: int):
     """CUDA variant: a point per lane. A warp has four leaves of one bucket."""
     i = tid()
     p = cores.tree.points[min(i, cores.tree.count - 1)]
-    lacking = count_lacking(p, needed, i // BUCKET, cores.tree, cores.max_sqdist)
-    is_core = 1 if lacking <= 0 and i < cores.tree.count else 0
+    counted = count_lacking(p, needed, i // BUCKET, cores.tree, cores.max_sqdist)
+    is_core = 1 if counted[0] <= 0 and i < cores.tree.count else 0
     linked = cores_of_set(p, is_core, cores.max_sqdist)
     cores_of_leaf = flags_of_eight(is_core)
     head = i - i % LEAF

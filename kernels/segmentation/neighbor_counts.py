@@ -40,9 +40,9 @@ def mask_crowded_lanes_kernel(tree: PointTree, max_sqdist: float, needed: int, m
     """CUDA variant: a point per lane."""
     i = tid()
     p = tree.points[min(i, tree.count - 1)]
-    lacking = count_lacking(p, needed, i // BUCKET, tree, max_sqdist)
+    counted = count_lacking(p, needed, i // BUCKET, tree, max_sqdist)
     if i < tree.count:
-        mask[tree.order[i]] = uint8(1 if lacking <= 0 else 0)
+        mask[tree.order[i]] = uint8(1 if counted[0] <= 0 else 0)
 
 
 def mask_crowded(tree: PointTree, radius: float, needed: int) -> Mask:
