@@ -6,7 +6,7 @@ the buckets. A node's box and number are in its parent's record (`record_of`).
 """
 
 from ..algebra.plain_min_max import larger
-from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
+from ..lang import WARP, array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
 from ..memory import download, empty, fill
 from .bucket_walk import BYTE, byte_shift, traversal
 from .point_tree import FAN, LEAF, SIDES, PointTree, box_distances
@@ -205,6 +205,11 @@ def lower_numbers_kernel(below: int, first: int, lowest: array(dtype=int32)):
     for j in range(FAN):
         minimum = min(minimum, lowest[(below + i) * FAN + j])
     lowest[first * FAN + i] = minimum
+
+
+def leaf_threads(tree: PointTree) -> int:
+    """Threads of a launch over the leaves of a tree: one per leaf, on CUDA a warp per four."""
+    return -(-tree.count // WARP) * WARP if tree.device.is_cuda else -(-tree.count // LEAF)
 
 
 class NodeNumbers:

@@ -9,7 +9,6 @@ from ..arrays.lanes import bits_of_lanes
 from ..arrays.union_find import find_root, flatten_sets_kernel, hook_roots, unite
 from ..lang import (
     INFINITY,
-    WARP,
     array,
     ballot,
     cuda_func,
@@ -22,11 +21,12 @@ from ..lang import (
     shuffle,
     struct,
     tid,
+    vec2i,
     vec3,
 )
 from ..memory import empty
 from ..search.bucket_walk import BYTE
-from ..search.lane_boxes import boxes_of_eight, flags_of_eight, is_child_near, two_boxes
+from ..search.lane_boxes import boxes_of_eight, flags_of_eight, is_child_inside, is_child_near, two_boxes
 from ..search.lane_search import sqdist_of
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes
 from ..search.tree_search import squared_radius
@@ -38,6 +38,7 @@ from ..search.tree_walk import (
     bits_within,
     following_children,
     lanes,
+    leaf_threads,
     leaves_of,
     lowest_bit,
     measure_diagonal,
@@ -46,11 +47,6 @@ from ..search.tree_walk import (
     nodes_after,
     record_of,
 )
-
-
-def leaf_threads(tree: PointTree) -> int:
-    """Threads of a launch over the leaves of a tree: one per leaf, on CUDA a warp per four."""
-    return -(-tree.count // WARP) * WARP if tree.device.is_cuda else -(-tree.count // LEAF)
 
 
 @struct
@@ -213,8 +209,8 @@ def find_other(first: int, owners: array(dtype=int32)) -> int:
 
 
 @cuda_func
-def unite_touching(root: int, others: int, touching: int, owners: array(dtype=int32)) -> int:
-    """Unite each lane's set with those of eight sets whose bits are set in `touching`. Returns a recent root.
+def unite_touching(root: int, others: int, touching: int, owners: array(dtype=int32)) -> vec2i:
+    """Unite each lane's set with those of eight sets whose bits are set in `touching`. Returns recent roots of both.
 
     One lane at a time, whose result all lanes share, so that a pair of sets needs one atomic instead of one per lane.
     """
@@ -234,7 +230,7 @@ def unite_touching(root: int, others: int, touching: int, owners: array(dtype=in
         theirs = joined if theirs == a or theirs == b else theirs
         left = left & unlike(own, theirs)
         searching = ballot(left)
-    return own
+    return vec2i(own, theirs)
 
 
 @cuda_func
@@ -243,27 +239,31 @@ def unite_leaf_of_lanes(p: vec3, root: int, first: int, cores: Cores) -> int:
     at = first + (lane() & (LEAF - 1))
     others = find_other(at if at < cores.tree.count else NO_NUMBER, cores.owners)
     touching = unlike(root, others)
-    recent = int(root)
+    roots = vec2i(root, others)
     if ballot(touching) != 0:
         leaf = load_eight(cores.tree.points, first)
         near = 0
         for j in range(LEAF):
             near = near | ((1 << j) if sqdist_of(leaf, j, p) <= cores.max_sqdist else 0)
-        recent = unite_touching(root, others, touching & near, cores.owners)
-    return recent
+        roots = unite_touching(root, others, touching & near, cores.owners)
+    return roots[0]
 
 
 @cuda_func
-def sift_children(around: two_boxes, root: int, record: int, later: int, cores: Cores) -> int:
-    """`sift_dense` for the lanes: children with cores near the lanes' boxes, unless these are in the lanes' sets.
-    `later`: the lane's bit mask of children after its leaf."""
+def sift_children(around: two_boxes, root: int, level: int, record: int, later: int, cores: Cores) -> vec2i:
+    """`sift_dense` for the lanes: children to enter, and a recent root. `later`: the lane's bit mask of children after
+    its leaf. Leaves are measured even if they are within the radius as a whole, which is faster."""
     child = lane() & (FAN - 1)
-    first = cores.lowest[record * FAN + child]
     near = flags_of_eight(is_child_near(cores.tree.boxes, record, around, cores.max_sqdist)) & later
     is_dense = 1 if measure_diagonal(cores.tree.boxes, record, child) <= cores.max_sqdist else 0
+    first = cores.lowest[record * FAN + child]
     mixed = ballot(1 if first != NO_NUMBER and is_dense == 0 else 0) & BYTE
     others = find_other(first if is_dense == 1 else NO_NUMBER, cores.owners)
-    return bits_of_lanes(near & (mixed | unlike(root, others)))
+    roots = vec2i(root, others)
+    if level > 1:
+        inside = flags_of_eight(is_child_inside(cores.tree.boxes, record, around, cores.max_sqdist))
+        roots = unite_touching(root, others, near & inside, cores.owners)
+    return vec2i(bits_of_lanes(near & (mixed | unlike(roots[0], roots[1]))), roots[0])
 
 
 @unite_cores_kernel.on_cuda
@@ -290,7 +290,9 @@ def unite_cores_of_lanes_kernel(cores: Cores):
         if root >= 0:
             root = find_root(cores.owners, root)
         record = record_of(cores.tree.levels, level, node)
-        near = sift_children(around, root, record, following_children(leaf, height, level), cores)
+        sifted = sift_children(around, root, level, record, following_children(leaf, height, level), cores)
+        near = sifted[0]
+        root = sifted[1]
         if level == 1:
             for first, _ in leaves_of(node, near, cores.tree):
                 root = unite_leaf_of_lanes(p, root, first, cores)

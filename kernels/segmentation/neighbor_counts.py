@@ -8,8 +8,7 @@ from ..lang import INFINITY, array, kernel, launch, tid, uint8
 from ..memory import zeros
 from ..search.point_tree import BUCKET, LEAF, PointTree
 from ..search.tree_search import squared_radius
-from ..search.tree_walk import lanes, numbers, points_of
-from .core_sets import leaf_threads
+from ..search.tree_walk import lanes, leaf_threads, numbers, points_of
 from .dbscan import count_group, count_lacking
 
 
