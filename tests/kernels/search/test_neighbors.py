@@ -260,6 +260,6 @@ def test_no_warp_counts_neighbors_in_many_more_leaves_than_the_others(device, sc
     sizes = empty(warps, int32, tree.device)
     launch(count_core_leaves_kernel, warps * WARP, [10, radius**2, tree, sizes])
     leaves = download(sizes)
-    assert leaves.min() >= 1 and leaves.max() < 6 * leaves.mean()
+    assert leaves.min() >= 1 and leaves.max() < 3 * leaves.mean()  # 3.9 times with one box per eight points
     launch(count_core_leaves_kernel, warps * WARP, [1, radius**2, tree, sizes])
     assert download(sizes).max() <= 8  # each point is its own neighbor, so no warp leaves its bucket
