@@ -27,7 +27,7 @@ OWN = -1  # the limit in the source
 BOUNDS = (OWN, 64, 80, 96, 128, 0)
 TRIALS = (  # operation, size, CUDA names of kernels: the slowest with a limit, or with more than 128 registers
     ("normals_k30", 1_000_000, ("fit_normals_nearest_kernel",)),
-    ("dbscan", 1_000_000, ("unite_cores_kernel", "find_cores_kernel")),
+    ("dbscan", 1_000_000, ("unite_cores_of_lanes_kernel", "find_cores_of_lanes_kernel")),
     ("knn20", 1_000_000, ("search_nearest_of_lanes_kernel",)),
     ("fpfh", 300_000, ("count_angles_kernel", "sum_histograms_of_lanes_kernel")),
     ("icp_plane", 200_000, ("match_lanes_kernel", "sum_plane_rows")),

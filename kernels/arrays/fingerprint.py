@@ -1,9 +1,10 @@
 """64-bit fingerprint of an array of points: an integer sum of hashed coordinates and positions."""
 
 from ..array_types import Points
-from ..lang import array, atomic_add, float_bits, func, int64, kernel, launch, tid, vec3
+from ..lang import array, float_bits, func, int64, kernel, launch, tid, vec3
 from ..memory import download, zeros
 from .hash_table import mix_bits
+from .row_atomics import add_long
 from .runs import Runs, elements_of, row_of
 
 RUN = 256  # points per thread on the CPU: one atomic each
@@ -24,7 +25,7 @@ def sum_words_kernel(points: array(dtype=vec3), runs: Runs, totals: array(dtype=
         p = points[k]
         word = mix_bits(word_of(p[0]) | (word_of(p[1]) << 32))
         total += mix_bits(word + (word_of(p[2]) | (int64(k) << 32)))
-    atomic_add(totals, row_of(i, runs), total)  # integer sum: order-independent
+    add_long(totals, row_of(i, runs), total)
 
 
 def fingerprint(points: Points) -> int:

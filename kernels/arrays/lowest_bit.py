@@ -4,8 +4,9 @@ import numpy as np
 
 from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK
 from ..array_types import Integers, Points
-from ..lang import array, atomic_min, bit_count, float_bits, func, int32, kernel, launch, tid, vec3
+from ..lang import array, bit_count, float_bits, func, int32, kernel, launch, tid, vec3
 from ..memory import download, full
+from .row_atomics import lower_int
 from .runs import Runs, elements_of, row_of
 
 RUN = 1024  # points per thread on the CPU: one atomic each
@@ -33,7 +34,7 @@ def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(
     for j in elements_of(i, runs):
         p = points[j]
         bit = min(bit, min(lowest_bit_of(p[0]), min(lowest_bit_of(p[1]), lowest_bit_of(p[2]))))
-    atomic_min(lowest, row_of(i, runs), bit)  # minimum: order-independent
+    lower_int(lowest, row_of(i, runs), bit)
 
 
 def find_lowest_bits(points: Points) -> Integers:

@@ -7,10 +7,11 @@ import numpy as np
 import warp as wp
 
 from ..array_types import Array, Integers, LongIntegers
-from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
+from ..lang import array, func, int32, int64, kernel, launch, tid
 from ..language import device_copies
 from ..language.device_lock import lock_for
 from ..memory import copy, download, empty, host_view, rows_of, upload, zeros
+from .row_atomics import add_long
 from .runs import Runs, elements_of, row_of
 from .side_by_side import read_together
 
@@ -43,9 +44,9 @@ def sum_of_run(i: int, counts: array(dtype=int32), runs: Runs) -> int64:
 
 @kernel
 def sum_counts_kernel(counts: array(dtype=int32), runs: Runs, totals: array(dtype=int64)):
-    """Add a thread's counts to a row's. Integer atomics are order-independent."""
+    """Add a thread's counts to a row's."""
     i = tid()
-    atomic_add(totals, row_of(i, runs), sum_of_run(i, counts, runs))
+    add_long(totals, row_of(i, runs), sum_of_run(i, counts, runs))
 
 
 @kernel
@@ -55,7 +56,7 @@ def start_offsets_kernel(
     i = tid()
     if i == 0:
         offsets[0] = 0
-    atomic_add(totals, row_of(i, runs), sum_of_run(i, counts, runs))
+    add_long(totals, row_of(i, runs), sum_of_run(i, counts, runs))
 
 
 @kernel

@@ -1,7 +1,7 @@
 """Distribution of elements over threads that process many each.
 
-On the CPU threads take contiguous runs, on CUDA strided elements for coalesced access. On CUDA atomics are spread over
-`rows` result rows, which the host reduces, to limit contention.
+On the CPU threads take contiguous runs, on CUDA strided elements for coalesced access. On CUDA the atomics, one per
+warp (row_atomics.py), are spread over `rows` result rows, which the host reduces, to limit contention.
 """
 
 from ..array_types import Device
@@ -9,7 +9,7 @@ from ..lang import WARP, func, loop, struct
 
 CUDA_THREADS = 1 << 17  # half the capacity of an H200: 12 B per thread in flight saturate its memory
 CUDA_MIN_LENGTH = 4  # elements per thread. Fewer are not worth an atomic
-CUDA_SHARE = 512  # threads per result row: their atomics take 0.25 us, and the host reads few rows
+CUDA_SHARE = 512  # threads per result row: 16 atomics, and the host reads few rows
 
 
 @struct

@@ -5,8 +5,9 @@ import numpy as np
 from ..algebra.transform import narrow, widen
 from ..array_types import Indices, Integers, Points, Vectors
 from ..arrays.bounds import MAGNITUDE, NOTHING, RUN, ordered_bits
+from ..arrays.row_atomics import raise_int
 from ..arrays.runs import Runs, elements_of, row_of
-from ..lang import INFINITY, array, atomic_max, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
+from ..lang import INFINITY, array, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
 from ..memory import download, empty, full
 
 DIRECTIONS = 5  # of `find_extremes`
@@ -35,13 +36,13 @@ def find_extremes_kernel(
             max2 = max(max2, dot(p, d2))
             max3 = max(max3, dot(p, d3))
             max4 = max(max4, dot(p, d4))
-    if max0 > -float(INFINITY):
-        first = row_of(i, runs) * DIRECTIONS
-        atomic_max(extremes, first, ordered_bits(max0))  # maximum: order-independent
-        atomic_max(extremes, first + 1, ordered_bits(max1))  # maximum: order-independent
-        atomic_max(extremes, first + 2, ordered_bits(max2))  # maximum: order-independent
-        atomic_max(extremes, first + 3, ordered_bits(max3))  # maximum: order-independent
-        atomic_max(extremes, first + 4, ordered_bits(max4))  # maximum: order-independent
+    is_any = 1 if max0 > -float(INFINITY) else 0
+    first = row_of(i, runs) * DIRECTIONS
+    raise_int(extremes, first, ordered_bits(max0) if is_any == 1 else NOTHING)
+    raise_int(extremes, first + 1, ordered_bits(max1) if is_any == 1 else NOTHING)
+    raise_int(extremes, first + 2, ordered_bits(max2) if is_any == 1 else NOTHING)
+    raise_int(extremes, first + 3, ordered_bits(max3) if is_any == 1 else NOTHING)
+    raise_int(extremes, first + 4, ordered_bits(max4) if is_any == 1 else NOTHING)
 
 
 @kernel

@@ -5,9 +5,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..array_types import Doubles
+from ..arrays.row_atomics import add_int, raise_double
 from ..arrays.runs import Runs, elements_of, row_of
 from ..arrays.side_by_side import part_of
-from ..lang import array, atomic_add, atomic_max, float64, int32, isfinite, kernel, launch, reduce, tid
+from ..lang import array, float64, int32, isfinite, kernel, launch, reduce, tid
 from ..memory import copy, download, upload, zeros
 from ..search.neighbor_distances import count_sum, sum_finite
 
@@ -30,13 +31,13 @@ def count_below_kernel(
         d = distances[j]
         if isfinite(d):
             maximum = max(maximum, d)
-    atomic_max(largest, row, maximum)  # maximum: order-independent
+    raise_double(largest, row, maximum)
     for r in range(radii.shape[0]):
         count = 0
         for j in elements_of(i, runs):
             if distances[j] < radii[r]:
                 count += 1
-        atomic_add(within, row * radii.shape[0] + r, count)  # integer sum: order-independent
+        add_int(within, row * radii.shape[0] + r, count)
 
 
 class DistanceSums:

@@ -33,7 +33,8 @@ from ..lang import (
     vector,
 )
 from ..search.bucket_walk import children_within, next_step, start_traversal, traversal
-from ..search.lane_search import boxes_of_eight, nearby_children, nearby_nodes, sqdist_of, two_boxes
+from ..search.lane_boxes import boxes_of_eight, nearby_children, nearby_nodes, two_boxes
+from ..search.lane_search import sqdist_of
 from ..search.nearest_point import closest_leaf, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
 from ..search.point_tree import BUCKET, FAN, LEAF, measure_box, square_distance

@@ -5,11 +5,11 @@ import numpy as np
 from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, narrow, transform_point
 from ..array_types import AnyArray, Array1, Array2, Bytes, Integers, Scalars, Vectors
+from ..arrays.row_atomics import raise_int
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
     NAN,
     array,
-    atomic_max,
     cross,
     dot,
     float32,
@@ -81,8 +81,7 @@ def scale_depth_kernel(
             d = 0.0
         depth[j] = d
         maximum = max(maximum, float_bits(d))  # bits of positive floats are ordered
-    if maximum > 0:
-        atomic_max(largest, row_of(i, runs), maximum)  # maximum: resolves the race
+    raise_int(largest, row_of(i, runs), maximum)
 
 
 @kernel
@@ -104,8 +103,7 @@ def limit_depth_kernel(
             meters = d
         depth[j] = meters
         maximum = max(maximum, float_bits(meters))
-    if maximum > 0:
-        atomic_max(largest, row_of(i, runs), maximum)  # maximum: resolves the race
+    raise_int(largest, row_of(i, runs), maximum)
 
 
 @struct

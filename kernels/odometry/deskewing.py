@@ -10,24 +10,9 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Doubles, Points
+from ..arrays.row_atomics import raise_double
 from ..arrays.runs import Runs, elements_of, row_of
-from ..lang import (
-    INFINITY,
-    NAN,
-    array,
-    atomic_max,
-    cross,
-    float64,
-    func,
-    isfinite,
-    kernel,
-    launch,
-    sin,
-    struct,
-    tid,
-    vec3,
-    vec3d,
-)
+from ..lang import INFINITY, NAN, array, cross, float64, func, isfinite, kernel, launch, sin, struct, tid, vec3, vec3d
 from ..linear_algebra import matmul
 from ..memory import empty, full
 
@@ -83,10 +68,9 @@ def bound_times_kernel(points: array(dtype=vec3), times: array(dtype=float64), r
             if abs(p[0]) + abs(p[1]) + abs(p[2]) > 0.0:
                 low = min(low, t)
                 high = max(high, t)
-    if low <= high:
-        at = 2 * row_of(i, runs)
-        atomic_max(ends, at, -low)  # minimum and maximum: order-independent
-        atomic_max(ends, at + 1, high)
+    at = 2 * row_of(i, runs)
+    raise_double(ends, at, -low)
+    raise_double(ends, at + 1, high)
 
 
 @kernel

@@ -6,13 +6,12 @@ as needed. A lane that does not converge searches alone. Scratch memory is reuse
 """
 
 from ..algebra.plain_min_max import larger
-from ..arrays.lanes import high_of_eight, lane_max_corner, lane_min, lane_min_corner, low_of_eight, max_of_eight
+from ..arrays.lanes import lane_max_corner, lane_min, lane_min_corner, max_of_eight
 from ..arrays.packed_keys import key_bits, key_index, key_number, pack_bits, pack_key
 from ..lang import (
     INFINITY,
     WARP,
     array,
-    ballot,
     bit_count,
     cuda_func,
     float32,
@@ -22,7 +21,6 @@ from ..lang import (
     lane,
     load_eight,
     partial,
-    shuffle,
     sqrt,
     sync_lanes,
     vec2,
@@ -30,80 +28,20 @@ from ..lang import (
     vec3,
     vector,
 )
-from .bucket_walk import BYTE, next_step, start_traversal, traversal
+from .bucket_walk import next_step, start_traversal, traversal
 from .group_scratch import GroupScratch
 from .k_nearest import search_k_nearest
+from .lane_boxes import boxes_of_eight, nearby_children, nearby_nodes, two_boxes
 from .neighbor_keys import GUESSES, keep_up_to, limit_nearest
-from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_box, square_distance
-from .tree_walk import lowest_bit
+from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, square_distance
 
 eight_points = vector(24, float32)
-two_boxes = vector(12, float32)
 SURFACE = 0.0025  # [1] a bucket's squared diagonal times k times this is the squared radius of k points on a plane
 SPARE = 1.5  # safety factor of the expected squared radius
 MAX_GROWTH = 8.0  # maximum growth of a squared radius per step
 SHRUNK = 0.25  # shrink factor of a squared radius with too many leaves
 TINY = 1.0e-37  # [m^2] minimum of a growing squared radius
 MAX_ATTEMPTS = 12  # attempts before each lane traverses the tree
-
-
-@cuda_func
-def point_of_lane(p: vec3, owner: int) -> vec3:
-    return vec3(shuffle(p[0], owner), shuffle(p[1], owner), shuffle(p[2], owner))
-
-
-@cuda_func
-def boxes_of_eight(p: vec3, is_used: int) -> two_boxes:
-    """Two boxes of the used points of eight lanes: low and high corners. The points are split where neighboring lanes
-    are farthest apart, since the curve can jump within a leaf and one box would contain a large part of the cloud."""
-    own = lane() & (FAN - 1)
-    after = point_of_lane(p, min(lane() + 1, WARP - 1))
-    gap = square_distance(p, after) if own < FAN - 1 else -1.0
-    largest = max_of_eight(gap)
-    widest = ballot(1 if gap == largest else 0) >> (lane() - own)
-    is_before = 1 if own <= lowest_bit(widest & BYTE) else 0
-    nowhere = vec3(INFINITY, INFINITY, INFINITY)
-    low = nowhere
-    high = -nowhere
-    low_after = nowhere
-    high_after = -nowhere
-    if is_used == 1:
-        if is_before == 1:
-            low = p
-            high = p
-        else:
-            low_after = p
-            high_after = p
-    a = low_of_eight(low)
-    b = high_of_eight(high)
-    c = low_of_eight(low_after)
-    d = high_of_eight(high_after)
-    return two_boxes(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], d[0], d[1], d[2])
-
-
-@cuda_func
-def nearby_children(boxes: array(dtype=float32), node: int, around: two_boxes, bound: float) -> int:
-    """`children_within` with one child per lane. Bits are set for children near the boxes of any eight lanes."""
-    child = lane() & (FAN - 1)
-    a = measure_box(boxes, node, child, vec3(around[0], around[1], around[2]), vec3(around[3], around[4], around[5]))
-    b = measure_box(boxes, node, child, vec3(around[6], around[7], around[8]), vec3(around[9], around[10], around[11]))
-    near = ballot(1 if min(a, b) <= bound else 0)
-    near = near | (near >> (2 * FAN))
-    return (near | (near >> FAN)) & BYTE
-
-
-@cuda_func
-def nearby_nodes(
-    levels: array(dtype=int32),
-    first: int,
-    boxes: array(dtype=float32),
-    around: two_boxes,
-    bound: float,
-    level: int,
-    node: int,
-) -> int:
-    """`nearby_children` for a node given by its level. The levels of its tree start at `first`."""
-    return nearby_children(boxes, levels[first + level] + node, around, bound)
 
 
 @cuda_func

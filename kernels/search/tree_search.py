@@ -30,7 +30,8 @@ from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
 from .group_search import GUESS, gather_candidates, grown_sqradius, is_repeated, search_member
 from .hilbert_order import is_few, order_queries
-from .lane_search import point_of_lane, search_lanes
+from .lane_boxes import point_of_lane
+from .lane_search import search_lanes
 from .neighbor_keys import BOUNDLESS, sort_keys
 from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
 from .tree_walk import lowest_bit

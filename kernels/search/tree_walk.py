@@ -6,7 +6,7 @@ the buckets. A node's box and number are in its parent's record (`record_of`).
 """
 
 from ..algebra.plain_min_max import larger
-from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
+from ..lang import WARP, array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
 from ..memory import download, empty, fill
 from .bucket_walk import BYTE, byte_shift, traversal
 from .point_tree import FAN, LEAF, SIDES, PointTree, box_distances
@@ -175,6 +175,15 @@ def measure_diagonals(boxes: array(dtype=float32), record: int) -> box_distances
 
 
 @func
+def measure_diagonal(boxes: array(dtype=float32), record: int, child: int) -> float:
+    at = record * SIDES + child
+    x = boxes[at + 3 * FAN] - boxes[at]
+    y = boxes[at + 4 * FAN] - boxes[at + FAN]
+    z = boxes[at + 5 * FAN] - boxes[at + 2 * FAN]
+    return x * x + y * y + z * z
+
+
+@func
 def bits_within(distances: box_distances, max_sqdist: float) -> int:
     bits = 0
     for j in range(FAN):
@@ -196,6 +205,11 @@ def lower_numbers_kernel(below: int, first: int, lowest: array(dtype=int32)):
     for j in range(FAN):
         minimum = min(minimum, lowest[(below + i) * FAN + j])
     lowest[first * FAN + i] = minimum
+
+
+def leaf_threads(tree: PointTree) -> int:
+    """Threads of a launch over the leaves of a tree: one per leaf, on CUDA a warp per four."""
+    return -(-tree.count // WARP) * WARP if tree.device.is_cuda else -(-tree.count // LEAF)
 
 
 class NodeNumbers:

@@ -1,28 +1,16 @@
-"""Cluster labels from disjoint sets of core points: numbering, border points, sizes.
+"""Cluster labels from disjoint sets of core points: numbering, sizes. Border points are in border_labels.py.
 
-Clusters are numbered by their first core in cloud order. A border point, within the radius of a core, takes the lowest
-label of those cores. The tree traversal skips nodes without a lower label.
+Clusters are numbered by their first core in cloud order.
 """
 
 from ..array_types import Integers
+from ..arrays.lanes import min_int_of_lanes
 from ..arrays.select import number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import INFINITY, array, atomic_add, atomic_min, func, int32, int64, kernel, launch, tid, uint8, vec3
+from ..lang import WARP, array, atomic_add, atomic_min, ballot, int32, int64, kernel, lane, launch, shuffle, tid, uint8
 from ..memory import empty, full, zeros
-from ..search.point_tree import FAN, LEAF, measure_boxes
-from ..search.tree_walk import (
-    NO_NUMBER,
-    bits_of,
-    bits_within,
-    lanes,
-    leaves_of,
-    measure_farthest,
-    nodes_after,
-    numbers,
-    other_children,
-    points_of,
-    record_of,
-)
+from ..search.point_tree import LEAF
+from ..search.tree_walk import NO_NUMBER, lowest_bit
 from .core_sets import Cores
 
 NOISE = -1
@@ -37,6 +25,26 @@ def find_first_kernel(cores: Cores, firsts: array(dtype=int32)):
         row = cores.tree.order[i]
         if row < firsts[root]:
             atomic_min(firsts, root, row)  # the minimum selects the first core of a set in the cloud
+
+
+@find_first_kernel.on_cuda
+def find_first_of_lanes_kernel(cores: Cores, firsts: array(dtype=int32)):
+    """CUDA variant: one atomic per set of a warp, whose cores are mostly of one."""
+    i = tid()
+    root = -1
+    row = int(NO_NUMBER)
+    if i < cores.tree.count:
+        root = cores.owners[i]
+        row = cores.tree.order[i]
+    searching = ballot(1 if root >= 0 else 0)
+    while searching != 0:
+        leader = lowest_bit(searching)
+        chosen = shuffle(root, leader)
+        first = min_int_of_lanes(row if root == chosen else NO_NUMBER)
+        if lane() == leader:
+            if first < firsts[chosen]:
+                atomic_min(firsts, chosen, first)  # as above
+        searching = searching & ~ballot(1 if root == chosen else 0)
 
 
 @kernel
@@ -78,99 +86,6 @@ def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array
             if label >= 0:
                 lowest_label = min(lowest_label, label)
     cores.lowest[leaf] = lowest_label
-
-
-@func
-def lower_lanes(best: numbers, value: int) -> numbers:
-    lower = numbers(0)
-    for j in range(LEAF):
-        lower[j] = min(best[j], value)
-    return lower
-
-
-@func
-def largest_of(values: numbers) -> int:
-    largest = values[0]
-    for j in range(1, LEAF):
-        largest = max(largest, values[j])
-    return largest
-
-
-@func
-def follow_leaf(best: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, cores: Cores) -> numbers:
-    """Lower each lane's label to those of cores first..last - 1 within the radius."""
-    lower = best
-    for r in range(first, last):
-        label = cores.owners[r]
-        if label >= 0:
-            q = cores.tree.points[r]
-            for j in range(LEAF):
-                x = q[0] - xs[j]
-                y = q[1] - ys[j]
-                z = q[2] - zs[j]
-                lower[j] = min(lower[j], label if x * x + y * y + z * z <= cores.max_sqdist else NO_NUMBER)
-    return lower
-
-
-@func
-def lower_children(lowest: array(dtype=int32), record: int, label: int) -> int:
-    """Bit mask of the children that contain a label below this one."""
-    bits = 0
-    for j in range(FAN):
-        bits = bits | ((1 << j) if lowest[record * FAN + j] < label else 0)
-    return bits
-
-
-@func
-def follow_cores(best: numbers, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, leaf: int, cores: Cores) -> numbers:
-    """Lowest label of the cores within the radius of each lane; (a, b) is the lanes' bounding box."""
-    lower = best
-    worst = largest_of(lower)
-    near = 0
-    for height, level, node in nodes_after(0, leaf, near, cores.tree):
-        if worst <= 0:
-            break
-        record = record_of(cores.tree.levels, level, node)
-        near = lower_children(cores.lowest, record, worst) & other_children(leaf, height, level)
-        if near != 0:
-            near = near & bits_within(measure_boxes(cores.tree.boxes, record, a, b), cores.max_sqdist)
-        if near != 0:
-            inside = near & bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.max_sqdist)
-            near = near ^ inside
-            for child in bits_of(inside):
-                lower = lower_lanes(lower, cores.lowest[record * FAN + child])
-            if level == 1:
-                for first, last in leaves_of(node, near, cores.tree):
-                    lower = follow_leaf(lower, xs, ys, zs, first, last, cores)
-            worst = largest_of(lower)
-    return lower
-
-
-@kernel
-def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
-    leaf = tid()
-    head = leaf * LEAF
-    xs = lanes(INFINITY)
-    ys = lanes(0.0)
-    zs = lanes(0.0)
-    a = vec3(INFINITY, INFINITY, INFINITY)
-    b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    best = numbers(NOISE)  # no label is lower, so lanes without a border point have no effect
-    searching = 0
-    for j, p in points_of(leaf, cores.tree):
-        if cores.owners[head + j] < 0:
-            xs[j] = p[0]
-            ys[j] = p[1]
-            zs[j] = p[2]
-            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
-            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-            best[j] = NO_NUMBER
-            searching = 1
-    if searching == 1:
-        best = follow_cores(best, xs, ys, zs, a, b, leaf, cores)
-        for j in range(LEAF):
-            if best[j] >= 0 and best[j] < NO_NUMBER:
-                labels[cores.tree.order[head + j]] = best[j]
 
 
 @kernel
@@ -221,7 +136,7 @@ def label_cores(cores: Cores, labels: Integers) -> int:
     """Number the clusters and label their cores in `labels` (int32, NOISE before). Return their number. One sync."""
     count, device = cores.tree.count, cores.tree.device
     firsts, marks = full(count, NO_NUMBER, int32, device), zeros(labels.size, uint8, device)
-    launch(find_first_kernel, count, [cores, firsts])
+    launch(find_first_kernel, -(-count // WARP) * WARP if device.is_cuda else count, [cores, firsts])
     launch(mark_first_kernel, count, [cores, firsts, marks])
     heads = positions_of(marks)
     launch(number_rows_kernel, heads.size, [heads, labels])
@@ -232,11 +147,6 @@ def label_cores(cores: Cores, labels: Integers) -> int:
 def rename_cores(cores: Cores, renamed: Integers, labels: Integers) -> None:
     """Relabel cores by `renamed` (NOISE removes them); borders then choose by the new order."""
     launch(rename_cores_kernel, cores.leaf_count, [renamed, cores, labels])
-
-
-def label_borders(cores: Cores, labels: Integers) -> None:
-    cores.lower()
-    launch(label_borders_kernel, cores.leaf_count, [cores, labels])
 
 
 def rank_by_size(labels: Integers, cluster_count: int, min_size: int, max_size: int) -> None:

@@ -5,10 +5,30 @@ are measured only between cores of different sets, so most of the traversal comp
 the thread order, the sets do not.
 """
 
-from ..arrays.union_find import find_root, flatten_sets_kernel, unite
-from ..lang import INFINITY, array, func, int32, kernel, launch, struct, tid, vec3
+from ..arrays.lanes import bits_of_lanes
+from ..arrays.union_find import find_root, flatten_sets_kernel, hook_roots, unite
+from ..lang import (
+    INFINITY,
+    array,
+    ballot,
+    cuda_func,
+    func,
+    int32,
+    kernel,
+    lane,
+    launch,
+    load_eight,
+    shuffle,
+    struct,
+    tid,
+    vec2i,
+    vec3,
+)
 from ..memory import empty
-from ..search.point_tree import FAN, LEAF, PointTree, measure_boxes
+from ..search.bucket_walk import BYTE
+from ..search.lane_boxes import boxes_of_eight, flags_of_eight, is_child_inside, is_child_near, two_boxes
+from ..search.lane_search import sqdist_of
+from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes
 from ..search.tree_search import squared_radius
 from ..search.tree_walk import (
     FAN_BITS,
@@ -18,8 +38,10 @@ from ..search.tree_walk import (
     bits_within,
     following_children,
     lanes,
+    leaf_threads,
     leaves_of,
     lowest_bit,
+    measure_diagonal,
     measure_diagonals,
     measure_farthest,
     nodes_after,
@@ -41,6 +63,7 @@ class Cores:
         self.tree, self.max_sqdist = tree, squared_radius(eps)
         self.owners, self.nodes = empty(tree.count, int32, tree.device), NodeNumbers(tree)
         self.lowest, self.leaf_count = self.nodes.values, self.nodes.leaf_count
+        self.threads = leaf_threads(tree)
 
     def lower(self) -> None:
         self.nodes.lower()
@@ -54,8 +77,7 @@ def dense_ancestor(leaf: int, cores: Cores) -> int:
     while climbing == 1 and level < cores.tree.root:
         node = leaf >> (FAN_BITS * (level + 1))
         record = record_of(cores.tree.levels, level + 2, node >> FAN_BITS)
-        dense = bits_within(measure_diagonals(cores.tree.boxes, record), cores.max_sqdist)
-        if ((dense >> (node & (FAN - 1))) & 1) == 1:
+        if measure_diagonal(cores.tree.boxes, record, node & (FAN - 1)) <= cores.max_sqdist:
             level += 1
         else:
             climbing = 0
@@ -164,7 +186,119 @@ def unite_cores_kernel(cores: Cores):
         unite_part(core, xs, ys, zs, a, b, leaf, start, cores)
 
 
+@cuda_func
+def unlike(root: int, others: int) -> int:
+    """Which of eight sets, one per lane (-1 for none), differ from the lane's set `root`, as bits. 0 if that is -1."""
+    common = shuffle(root, lowest_bit(ballot(1 if root >= 0 else 0)))
+    bits = 0
+    if ballot(1 if (root >= 0 and root != common) or (others >= 0 and others != common) else 0) != 0:
+        for j in range(FAN):
+            other = shuffle(others, j)
+            bits = bits | ((1 << j) if root >= 0 and other >= 0 and other != root else 0)
+    return bits
+
+
+@cuda_func
+def find_other(first: int, owners: array(dtype=int32)) -> int:
+    """Root of the set of a core, -1 for NO_NUMBER or no core."""
+    root = -1
+    if first != NO_NUMBER:
+        if owners[first] >= 0:
+            root = find_root(owners, first)
+    return root
+
+
+@cuda_func
+def unite_touching(root: int, others: int, touching: int, owners: array(dtype=int32)) -> vec2i:
+    """Unite each lane's set with those of eight sets whose bits are set in `touching`. Returns recent roots of both.
+
+    One lane at a time, whose result all lanes share, so that a pair of sets needs one atomic instead of one per lane.
+    """
+    own = int(root)
+    theirs = int(others)
+    left = touching & unlike(own, theirs)
+    searching = ballot(left)
+    while searching != 0:
+        leader = lowest_bit(searching)
+        a = shuffle(own, leader)
+        b = shuffle(theirs, shuffle(lowest_bit(left), leader))
+        joined = int(a)
+        if lane() == leader:
+            joined = hook_roots(owners, a, b)
+        joined = shuffle(joined, leader)
+        own = joined if own == a or own == b else own
+        theirs = joined if theirs == a or theirs == b else theirs
+        left = left & unlike(own, theirs)
+        searching = ballot(left)
+    return vec2i(own, theirs)
+
+
+@cuda_func
+def unite_leaf_of_lanes(p: vec3, root: int, first: int, cores: Cores) -> int:
+    """Unite each lane's set with those of the cores of a leaf within the radius of its point. Returns a recent root."""
+    at = first + (lane() & (LEAF - 1))
+    others = find_other(at if at < cores.tree.count else NO_NUMBER, cores.owners)
+    touching = unlike(root, others)
+    roots = vec2i(root, others)
+    if ballot(touching) != 0:
+        leaf = load_eight(cores.tree.points, first)
+        near = 0
+        for j in range(LEAF):
+            near = near | ((1 << j) if sqdist_of(leaf, j, p) <= cores.max_sqdist else 0)
+        roots = unite_touching(root, others, touching & near, cores.owners)
+    return roots[0]
+
+
+@cuda_func
+def sift_children(around: two_boxes, root: int, level: int, record: int, later: int, cores: Cores) -> vec2i:
+    """`sift_dense` for the lanes: children to enter, and a recent root. `later`: the lane's bit mask of children after
+    its leaf. Leaves are measured even if they are within the radius as a whole, which is faster."""
+    child = lane() & (FAN - 1)
+    near = flags_of_eight(is_child_near(cores.tree.boxes, record, around, cores.max_sqdist)) & later
+    is_dense = 1 if measure_diagonal(cores.tree.boxes, record, child) <= cores.max_sqdist else 0
+    first = cores.lowest[record * FAN + child]
+    mixed = ballot(1 if first != NO_NUMBER and is_dense == 0 else 0) & BYTE
+    others = find_other(first if is_dense == 1 else NO_NUMBER, cores.owners)
+    roots = vec2i(root, others)
+    if level > 1:
+        inside = flags_of_eight(is_child_inside(cores.tree.boxes, record, around, cores.max_sqdist))
+        roots = unite_touching(root, others, near & inside, cores.owners)
+    return vec2i(bits_of_lanes(near & (mixed | unlike(roots[0], roots[1]))), roots[0])
+
+
+@unite_cores_kernel.on_cuda
+def unite_cores_of_lanes_kernel(cores: Cores):
+    """CUDA variant: a core per lane. The four leaves of a warp are in one bucket, so they have the same ancestors."""
+    i = tid()
+    leaf = i // LEAF
+    bucket = i // BUCKET
+    p = cores.tree.points[min(i, cores.tree.count - 1)]
+    root = -1
+    if i < cores.tree.count:
+        root = find_other(i, cores.owners)
+    start = dense_ancestor(bucket * FAN, cores)
+    joined = int(root)
+    if start > 0 and i % LEAF == 0 and cores.lowest[leaf] != NO_NUMBER:
+        node = leaf >> (FAN_BITS * start)
+        joined = unite(cores.owners, cores.lowest[leaf], cores.lowest[cores.tree.levels[start] * FAN + node])
+    joined = shuffle(joined, lane() - i % LEAF)
+    if start > 0 and root >= 0:
+        root = joined  # the cores of a leaf within a dense node are one set
+    around = boxes_of_eight(p, 1 if root >= 0 else 0)
+    near = 0
+    for height, level, node in nodes_after(start, bucket * FAN, near, cores.tree):
+        if root >= 0:
+            root = find_root(cores.owners, root)
+        record = record_of(cores.tree.levels, level, node)
+        sifted = sift_children(around, root, level, record, following_children(leaf, height, level), cores)
+        near = sifted[0]
+        root = sifted[1]
+        if level == 1:
+            for first, _ in leaves_of(node, near, cores.tree):
+                root = unite_leaf_of_lanes(p, root, first, cores)
+
+
 def unite_cores(cores: Cores) -> None:
     """Unite all cores within the radius of each other. Each then stores the lowest core of its set."""
-    launch(unite_cores_kernel, cores.leaf_count, [cores])
+    launch(unite_cores_kernel, cores.threads, [cores])
     launch(flatten_sets_kernel, cores.tree.count, [cores.owners])

@@ -7,9 +7,36 @@ tree, 22 B on CUDA.
 """
 
 from ..array_types import Integers
-from ..lang import INFINITY, array, func, int32, kernel, launch, tid, vec3
+from ..lang import (
+    INFINITY,
+    array,
+    ballot,
+    bit_count,
+    cuda_func,
+    func,
+    int32,
+    kernel,
+    lane,
+    launch,
+    load_eight,
+    shuffle,
+    tid,
+    vec2i,
+    vec3,
+)
 from ..memory import full
-from ..search.point_tree import LEAF, PointTree, measure_boxes
+from ..search.bucket_walk import BYTE
+from ..search.lane_boxes import (
+    boxes_of_eight,
+    flags_of_any_eight,
+    flags_of_eight,
+    is_child_inside,
+    is_child_near,
+    point_of_lane,
+    two_boxes,
+)
+from ..search.lane_search import sqdist_of
+from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, square_distance
 from ..search.tree_walk import (
     NO_NUMBER,
     bits_within,
@@ -25,7 +52,8 @@ from ..search.tree_walk import (
     points_of,
     record_of,
 )
-from .cluster_labels import NOISE, label_borders, label_cores
+from .border_labels import label_borders
+from .cluster_labels import NOISE, label_cores
 from .core_sets import Cores, unite_cores
 
 MANY = 2**30  # counts saturate here per lane. LLVM would vectorize a plain sum over the points instead
@@ -136,11 +164,77 @@ def find_cores_kernel(cores: Cores, needed: int):
     cores.lowest[leaf] = lowest
 
 
+@cuda_func
+def count_lacking(p: vec3, needed: int, bucket: int, tree: PointTree, max_sqdist: float) -> vec2i:
+    """(`needed` minus points within the radius of each lane's point, leaves measured by the warp). The points are in a
+    bucket. Counting stops once no lane lacks points.
+
+    Nodes near the lanes that still lack points are entered. Nodes within their radius are counted without, unless other
+    leaves of the warp enter them.
+    """
+    lacking = int(needed)
+    measured = 0
+    searching = 0
+    around = two_boxes(0.0)
+    near = 0
+    for height, level, node in nodes_after(0, bucket * FAN, near, tree):
+        left = ballot(1 if lacking > 0 else 0)
+        if left == 0:
+            break
+        if left != searching:
+            searching = left + 0
+            around = boxes_of_eight(p, 1 if lacking > 0 else 0)
+        record = record_of(tree.levels, level, node)
+        others = other_children(bucket * FAN, height, level)
+        is_near = is_child_near(tree.boxes, record, around, max_sqdist)
+        is_inside = is_near & is_child_inside(tree.boxes, record, around, max_sqdist)
+        near = flags_of_any_eight(is_near ^ is_inside) & others
+        lacking -= point_sum(flags_of_eight(is_inside) & others & (BYTE - near), level, node, tree.count)
+        if level == 1:
+            measured += bit_count(near)
+            for first, _ in leaves_of(node, near, tree):
+                leaf = load_eight(tree.points, first)
+                for j in range(LEAF):
+                    lacking -= 1 if sqdist_of(leaf, j, p) <= max_sqdist else 0
+    return vec2i(lacking, measured)
+
+
+@cuda_func
+def cores_of_set(p: vec3, is_core: int, max_sqdist: float) -> int:
+    """The cores among the own eight lanes connected to each by steps within the radius, as bits. 0 for other lanes."""
+    first = lane() - (lane() & (LEAF - 1))
+    linked = 0
+    for j in range(LEAF):
+        linked = linked | ((1 << j) if square_distance(p, point_of_lane(p, first + j)) <= max_sqdist else 0)
+    cores = flags_of_eight(is_core)
+    linked = linked & cores if is_core == 1 else 0
+    for j in range(LEAF):  # Warshall, "A theorem on Boolean matrices", 1962
+        beyond = shuffle(linked, first + j)
+        linked = linked | (beyond if ((linked >> j) & 1) == 1 else 0)
+    return linked
+
+
+@find_cores_kernel.on_cuda
+def find_cores_of_lanes_kernel(cores: Cores, needed: int):
+    """CUDA variant: a point per lane. A warp has four leaves of one bucket."""
+    i = tid()
+    p = cores.tree.points[min(i, cores.tree.count - 1)]
+    counted = count_lacking(p, needed, i // BUCKET, cores.tree, cores.max_sqdist)
+    is_core = 1 if counted[0] <= 0 and i < cores.tree.count else 0
+    linked = cores_of_set(p, is_core, cores.max_sqdist)
+    cores_of_leaf = flags_of_eight(is_core)
+    head = i - i % LEAF
+    if i < cores.tree.count:
+        cores.owners[i] = head + lowest_bit(linked) if is_core == 1 else NOISE
+        if i == head:
+            cores.lowest[i // LEAF] = head + lowest_bit(cores_of_leaf) if cores_of_leaf != 0 else NO_NUMBER
+
+
 def join_cores(tree: PointTree, eps: float, min_points: int) -> Cores:
     """Core points (`min_points` within `eps` [m], including itself), each with the lowest core of its set."""
     cores = Cores(tree, eps)
     needed = 0 if min_points == 1 else min(min_points, tree.count + 1)  # every point is its own neighbor
-    launch(find_cores_kernel, cores.leaf_count, [cores, needed])
+    launch(find_cores_kernel, cores.threads, [cores, needed])
     cores.lower()
     unite_cores(cores)
     return cores

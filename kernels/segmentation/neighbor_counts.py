@@ -1,15 +1,15 @@
 """Points with many neighbors: the counting step of DBSCAN.
 
-One thread per leaf of eight lanes. Counting stops once each lane has enough.
+One thread per leaf of eight lanes, on CUDA per point. Counting stops once each lane has enough.
 """
 
 from ..array_types import Mask
 from ..lang import INFINITY, array, kernel, launch, tid, uint8
 from ..memory import zeros
-from ..search.point_tree import LEAF, PointTree
+from ..search.point_tree import BUCKET, LEAF, PointTree
 from ..search.tree_search import squared_radius
-from ..search.tree_walk import lanes, numbers, points_of
-from .dbscan import count_group
+from ..search.tree_walk import lanes, leaf_threads, numbers, points_of
+from .dbscan import count_group, count_lacking
 
 
 @kernel
@@ -34,10 +34,20 @@ def mask_crowded_kernel(tree: PointTree, max_sqdist: float, needed: int, mask: a
             mask[tree.order[rank]] = uint8(is_crowded)
 
 
+@mask_crowded_kernel.on_cuda
+def mask_crowded_lanes_kernel(tree: PointTree, max_sqdist: float, needed: int, mask: array(dtype=uint8)):
+    """CUDA variant: a point per lane."""
+    i = tid()
+    p = tree.points[min(i, tree.count - 1)]
+    counted = count_lacking(p, needed, i // BUCKET, tree, max_sqdist)
+    if i < tree.count:
+        mask[tree.order[i]] = uint8(1 if counted[0] <= 0 else 0)
+
+
 def mask_crowded(tree: PointTree, radius: float, needed: int) -> Mask:
     """uint8 [n]: 1 for finite points with at least `needed` points within a radius [m], including themselves."""
     mask = zeros(tree.source.size, uint8, tree.device)
     if tree.count:
         arguments = [tree, squared_radius(radius), min(needed, tree.count + 1), mask]
-        launch(mask_crowded_kernel, -(-tree.count // LEAF), arguments)
+        launch(mask_crowded_kernel, leaf_threads(tree), arguments)
     return mask

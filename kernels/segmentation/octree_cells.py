@@ -39,7 +39,8 @@ def find_deepest_kernel(codes: array(dtype=int64), min_count: int, deepest: arra
     while differing != 0:
         differing = differing >> 3
         level = level - 1
-    atomic_max(deepest, 0, level)
+    if level > deepest[0]:  # a stale value only adds an atomic
+        atomic_max(deepest, 0, level)
 
 
 @kernel

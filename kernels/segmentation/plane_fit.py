@@ -52,7 +52,8 @@ RECORD = 6
 def find_top_kernel(counts: array(dtype=int32), top: array(dtype=int32)):
     """Maximum inlier count. It does not depend on the order."""
     i = tid()
-    atomic_max(top, 0, counts[i])
+    if counts[i] > top[0]:  # a stale value only adds an atomic
+        atomic_max(top, 0, counts[i])
 
 
 @kernel

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ..algebra.transform import narrow, widen
 from ..array_types import Indices, Integers, Points, Vectors
 from ..arrays.packed_keys import NO_KEY, key_bits, key_index, last_key, pack_bits
+from ..arrays.row_atomics import lower_long
 from ..arrays.runs import Runs, elements_of
 from ..lang import (
     array,
@@ -374,8 +375,7 @@ def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), runs
         if bits < 0:
             bits = bits ^ MAGNITUDE  # integers in the order of the floats
         minimum = min(minimum, pack_bits(bits, rows[j]))
-    if minimum < lowest[0]:  # a stale value only adds an atomic
-        atomic_min(lowest, 0, minimum)  # resolves the race: the lowest of all
+    lower_long(lowest, 0, minimum)
 
 
 @kernel

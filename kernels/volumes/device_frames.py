@@ -15,7 +15,7 @@ from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..array_types import Array1, Array2, Scalars
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key
-from ..arrays.lanes import LANE_BITS
+from ..arrays.lanes import max_int_of_lanes
 from ..arrays.prefix_sum import inclusive_scan
 from ..lang import (
     WARP,
@@ -31,7 +31,6 @@ from ..lang import (
     launch,
     record,
     replay,
-    shuffle_xor,
     tid,
     uint8,
     uint16,
@@ -88,9 +87,7 @@ def greatest_of_lanes(i: int, values: array(dtype=int32)) -> int:
     while k < values.shape[0]:
         maximum = max(maximum, values[k])
         k += WARP
-    for bit in range(LANE_BITS):
-        maximum = max(maximum, shuffle_xor(maximum, 1 << bit))
-    return maximum
+    return max_int_of_lanes(maximum)
 
 
 @func

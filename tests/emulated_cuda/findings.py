@@ -3,6 +3,7 @@
 import contextlib
 import json
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -59,6 +60,7 @@ class Findings:
         self.faults: list[str] = []
         self.notes: dict[tuple[str, str], Note] = {}  # by kernel and kind
         self.launches: dict[str, list] = {}  # kernel -> launches, threads, seconds
+        self.atomics: Counter[str] = Counter()  # of each kernel, on global memory
         self.kernels: dict[str, list[str]] = {}  # findings in the PTX of each kernel
         self.counts = dict.fromkeys(COUNTED, 0)
         self.seconds = {"translate": 0.0, "compile": 0.0, "run": 0.0}
@@ -100,7 +102,12 @@ class Findings:
             "seconds": self.seconds,
             "memory": memory,
             "kernels": {
-                name: {"launches": count, "threads": threads, "seconds": round(seconds, 3)}
+                name: {
+                    "launches": count,
+                    "threads": threads,
+                    "atomics": self.atomics[name],
+                    "seconds": round(seconds, 3),
+                }
                 for name, (count, threads, seconds) in sorted(self.launches.items())
             },
             "compiled": {name: entries for name, entries in sorted(self.kernels.items()) if entries},

@@ -46,6 +46,7 @@ class State(ctypes.Structure):
         *((name, ctypes.c_uint32 * len(NOTES)) for name in ("note_statement", "note_thread", "note_other")),
         ("jump", ctypes.c_void_p * 5),
         ("covered", ctypes.c_void_p),
+        ("atomics", ctypes.c_uint64),
     )
 
 
@@ -180,6 +181,7 @@ class Launches:
         counts["launches"] += 1
         counts["threads"] += threads
         ctypes.memset(state.note_count, 0, ctypes.sizeof(state.note_count))
+        state.atomics = 0
         sizes = (ctypes.c_uint32 * 3)(*grid), (ctypes.c_uint32 * 3)(block, 1, 1)
         how = int(loaded.kernel.waits), settings.order, settings.seed * 1_000_003 + counts["launches"]
         fault = self.runtime.emulator_launch(loaded.entry, parameters, *sizes, loaded.window + shared, *how)
@@ -187,6 +189,7 @@ class Launches:
         entry = self.findings.launches.setdefault(loaded.name, [0, 0, 0.0])
         entry[:] = entry[0] + 1, entry[1] + threads, entry[2] + seconds
         self.findings.seconds["run"] += seconds
+        self.findings.atomics[loaded.name] += state.atomics
         self._note(loaded, parameters, where)
         if fault:
             self._fault(loaded, fault, where)

@@ -215,10 +215,11 @@ def test_tiles_sum_full_blocks(rng, settings, order):
     np.testing.assert_array_equal(out.numpy(), a.reshape(4, 64).sum(axis=1))
 
 
-def test_float_atomics_are_named(emulated):
+def test_atomics_are_counted_and_those_of_floats_named(emulated):
     out = wp.zeros(1, dtype=float, device=DEVICE)
+    before = emulated.findings.atomics["atomic_sum_kernel"]
     wp.launch(atomic_sum_kernel, 64, [wp.ones(64, dtype=float, device=DEVICE), out], device=DEVICE)
-    assert out.numpy()[0] == 64
+    assert out.numpy()[0] == 64 == emulated.findings.atomics["atomic_sum_kernel"] - before
     assert any("atom.add.f32: the sum depends" in text for text in emulated.findings.kernels["atomic_sum_kernel"])
 
 

@@ -14,7 +14,8 @@ from pointloom.io.table import PointTable
 from pointloom.kernels.lang import int32, vec3
 from pointloom.kernels.memory import download, full, upload
 from pointloom.kernels.search.point_tree import PointTree
-from pointloom.kernels.segmentation.cluster_labels import NOISE, label_borders, rename_cores
+from pointloom.kernels.segmentation.border_labels import label_borders
+from pointloom.kernels.segmentation.cluster_labels import NOISE, rename_cores
 from pointloom.kernels.segmentation.dbscan import cluster_cores
 from pointloom.tiling import label_join, tasks
 from pointloom.tiling.status import tile_status

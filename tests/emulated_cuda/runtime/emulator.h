@@ -114,6 +114,7 @@ typedef struct Emulator {
     u32 note_statement[NOTES], note_thread[NOTES], note_other[NOTES];
     void *jump[5];
     u8 *covered; /* 4 bytes a mark: kernel_coverage.py */
+    u64 atomics; /* on global memory, of the launch */
 } Emulator;
 
 extern Emulator EMULATOR;

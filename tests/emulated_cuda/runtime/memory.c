@@ -164,6 +164,7 @@ INLINE u8 *global_bytes(Thread *t, u64 address, u32 size, u32 access, u32 statem
         emulator_fault(t, FAULT_NO_ARRAY, address, size, access, statement);
     if (UNLIKELY(EMULATOR.interval) && --EMULATOR.countdown <= 0)
         emulator_switch_threads();
+    EMULATOR.atomics += access == ATOMIC;
     if (EMULATOR.written) {
         u8 *written = EMULATOR.written + offset;
         if (access != STORE && UNLIKELY(!all_written(written, size)))

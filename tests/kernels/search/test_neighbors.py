@@ -16,6 +16,7 @@ from pointloom.kernels.search.nearest_point import NO_POINT, find_nearest
 from pointloom.kernels.search.neighbor_limits import Neighborhood
 from pointloom.kernels.search.point_tree import BUCKET, LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
+from pointloom.kernels.segmentation.dbscan import count_lacking
 from pointloom.kernels.surface.neighbor_moments import sum_neighbor_moments
 
 SEARCHES = [(0.2, 12), (np.inf, 12), (0.2, None), (np.inf, None), (0.2, 1), (1e-6, 5), (1e9, 20)]
@@ -234,3 +235,31 @@ def test_no_warp_has_many_more_leaves_than_the_others(device, scene, rng):
     launch(count_leaves_kernel, warps * WARP, [sqdists, tree, scratch, sizes])
     leaves = download(sizes)
     assert leaves.min() >= 1 and leaves.max() < 6 * leaves.mean()
+
+
+@kernel
+def count_core_leaves_kernel(needed: int, max_sqdist: float, tree: PointTree, sizes: array(dtype=int32)):
+    i = tid()
+    sizes[i // WARP] = 0  # warps search on CUDA alone
+
+
+@count_core_leaves_kernel.on_cuda
+def count_core_leaves_of_lanes_kernel(needed: int, max_sqdist: float, tree: PointTree, sizes: array(dtype=int32)):
+    i = tid()
+    counted = count_lacking(tree.points[min(i, tree.count - 1)], needed, i // BUCKET, tree, max_sqdist)
+    if lane() == 0:
+        sizes[i // WARP] = counted[1]
+
+
+@pytest.mark.parametrize(("scene", "radius"), [("surface", 0.1), ("lidar", 0.45), ("cube", 0.074)])
+def test_no_warp_counts_neighbors_in_many_more_leaves_than_the_others(device, scene, radius, rng):
+    tree = tree_of(device, scene_points(scene, rng))
+    if not tree.device.is_cuda:
+        pytest.skip("warps search on CUDA alone")
+    warps = -(-tree.count // WARP)
+    sizes = empty(warps, int32, tree.device)
+    launch(count_core_leaves_kernel, warps * WARP, [10, radius**2, tree, sizes])
+    leaves = download(sizes)
+    assert leaves.min() >= 1 and leaves.max() < 3 * leaves.mean()  # 3.9 times with one box per eight points
+    launch(count_core_leaves_kernel, warps * WARP, [1, radius**2, tree, sizes])
+    assert download(sizes).max() <= 8  # each point is its own neighbor, so no warp leaves its bucket

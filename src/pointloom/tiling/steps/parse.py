@@ -26,7 +26,8 @@ from ...kernels.features.eigen_features import SHAPES
 from ...kernels.lang import int32
 from ...kernels.memory import download, full, upload
 from ...kernels.search.neighbor_distances import average_distances
-from ...kernels.segmentation.cluster_labels import NOISE, label_borders, rename_cores
+from ...kernels.segmentation.border_labels import label_borders
+from ...kernels.segmentation.cluster_labels import NOISE, rename_cores
 from ...kernels.segmentation.dbscan import cluster_cores
 from ...kernels.segmentation.neighbor_counts import mask_crowded
 from ...pcd.boxes import AxisAlignedBoundingBox
