@@ -53,12 +53,23 @@ class Note:
     first: str
 
 
+@dataclass(frozen=True)
+class Launch:
+    """A launch with its memory accesses, and those of its longest thread."""
+
+    kernel: str
+    threads: int
+    accesses: int
+    longest: int
+
+
 class Findings:
     def __init__(self) -> None:
         self.error = ""
         self.faults: list[str] = []
         self.notes: dict[tuple[str, str], Note] = {}  # by kernel and kind
         self.launches: dict[str, list] = {}  # kernel -> launches, threads, seconds
+        self.recorded: list[Launch] | None = None  # launches with their work, while something records them
         self.kernels: dict[str, list[str]] = {}  # findings in the PTX of each kernel
         self.counts = dict.fromkeys(COUNTED, 0)
         self.seconds = {"translate": 0.0, "compile": 0.0, "run": 0.0}
