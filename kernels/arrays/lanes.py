@@ -31,6 +31,22 @@ def sum_of_lanes(x: float) -> float:
 
 
 @cuda_func
+def count_of_lanes(x: int) -> int:
+    total = x
+    for bit in range(LANE_BITS):
+        total += shuffle_xor(total, 1 << bit)
+    return total
+
+
+@cuda_func
+def min_count_of_lanes(x: int) -> int:
+    lowest = x
+    for bit in range(LANE_BITS):
+        lowest = min(lowest, shuffle_xor(lowest, 1 << bit))
+    return lowest
+
+
+@cuda_func
 def lane_min_corner(p: vec3) -> vec3:
     """Low corner of the lanes' points."""
     return vec3(lane_min(p[0]), lane_min(p[1]), lane_min(p[2]))
