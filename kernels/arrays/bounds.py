@@ -20,12 +20,11 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
-    shuffle_xor,
     tid,
     vec3,
 )
 from ..memory import download, empty, full, host_view
-from .lanes import LANE_BITS, lane_max_corner, lane_min_corner
+from .lanes import int_sum_of_lanes, lane_max_corner, lane_min_corner
 from .runs import Runs, elements_of, row_of
 
 RUN = 4096  # points per thread on the CPU: atomics cost less than 1 % of the reads
@@ -56,9 +55,7 @@ def merge_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: a
 def merge_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
     """CUDA variant: one atomic per warp."""
     at = row_of(i, runs) * WIDTH
-    total = count
-    for bit in range(LANE_BITS):
-        total += shuffle_xor(total, 1 << bit)
+    total = int_sum_of_lanes(count)
     a = lane_min_corner(low)
     b = lane_max_corner(high)
     if i % WARP == 0:

@@ -31,7 +31,7 @@ def sum_of_lanes(x: float) -> float:
 
 
 @cuda_func
-def count_of_lanes(x: int) -> int:
+def int_sum_of_lanes(x: int) -> int:
     total = x
     for bit in range(LANE_BITS):
         total += shuffle_xor(total, 1 << bit)
@@ -39,7 +39,7 @@ def count_of_lanes(x: int) -> int:
 
 
 @cuda_func
-def min_count_of_lanes(x: int) -> int:
+def int_min_of_lanes(x: int) -> int:
     lowest = x
     for bit in range(LANE_BITS):
         lowest = min(lowest, shuffle_xor(lowest, 1 << bit))

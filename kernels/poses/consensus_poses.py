@@ -12,7 +12,7 @@ import numpy as np
 from ..algebra.plain_min_max import smaller
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..array_types import Doubles, Indices, Integers, LongIntegers, Poses
-from ..arrays.lanes import count_of_lanes, min_count_of_lanes
+from ..arrays.lanes import int_min_of_lanes, int_sum_of_lanes
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
@@ -228,7 +228,7 @@ def sum_common_in_lanes_kernel(graph: CompatibilityGraph, rows: array(dtype=int3
     while left != 0:
         shared += shared_by_lane(row, w * WORD + lowest_bit(left), graph)
         left = left & (left - 1)
-    total = count_of_lanes(shared)
+    total = int_sum_of_lanes(shared)
     if lane() == 0 and total > 0:
         atomic_add(sums, row, int64(total))  # integer sum: order-independent
 
@@ -260,7 +260,7 @@ def list_common_in_lanes_kernel(graph: CompatibilityGraph, rows: array(dtype=int
     own = 0
     while left != 0:
         other = w * WORD + lowest_bit(left)
-        shared = count_of_lanes(shared_by_lane(rows[row], other, graph))
+        shared = int_sum_of_lanes(shared_by_lane(rows[row], other, graph))
         if column == other:
             own = shared
         left = left & (left - 1)
@@ -404,7 +404,7 @@ def threshold_of_lanes(common: array(dtype=int32), row: int, count: int, wanted:
             if larger > lowest:
                 if lane() == lowest_bit(ballot(1 if kept == lowest else 0)):
                     kept = larger
-                lowest = min_count_of_lanes(kept)
+                lowest = int_min_of_lanes(kept)
             above = above & (above - 1)
     return max(lowest, 1)
 

@@ -10,7 +10,7 @@ from ..algebra.eigen import smallest_eigenvector
 from ..algebra.moments import add_difference, moments
 from ..algebra.transform import narrow, widen
 from ..array_types import Array1, Device, LongIntegers, Mask, Points, Vectors
-from ..arrays.lanes import count_of_lanes
+from ..arrays.lanes import int_sum_of_lanes
 from ..arrays.packed_keys import NO_KEY, key_index, pack_bits
 from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import count_mask_kernel
@@ -158,7 +158,7 @@ def count_coplanar_in_lanes_kernel(voters: Voters, slab: float, cosine: float):
             j = step * WARP + lane()
             if j < voters.sizes[VOTERS_AT]:
                 total += is_inlier(j, p, n, voters, slab, cosine)
-        total = count_of_lanes(total)
+        total = int_sum_of_lanes(total)
         if lane() == 0:
             offer_plane(i // WARP, total, voters)
 

@@ -91,6 +91,15 @@ class Findings:
         note.launches += 1
 
     @contextlib.contextmanager
+    def recording(self) -> Iterator[list[Launch]]:
+        """The launches that run inside."""
+        self.recorded = []
+        try:
+            yield self.recorded
+        finally:
+            self.recorded = None
+
+    @contextlib.contextmanager
     def expected(self) -> Iterator[None]:
         """Faults in here are the point of a test."""
         known = len(self.faults)
