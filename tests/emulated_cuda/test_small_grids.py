@@ -8,7 +8,14 @@ is listed if its small, long launches do more than FRACTION of the memory access
 
 from collections.abc import Iterable
 
+import numpy as np
+
 import pointloom as loom
+from pointloom.kernels.lang import int32, vec3
+from pointloom.kernels.memory import upload
+from pointloom.kernels.poses.consensus_poses import find_consensus
+from pointloom.kernels.poses.pair_fits import PairCoordinates
+from pointloom.registration.globally.global_registration import MAX_PAIRS
 
 from .. import host_work
 from ..host_work import CUDA
@@ -21,21 +28,22 @@ FULL = 132 * 256  # threads
 LONG = 1_000  # memory accesses of a thread: the latencies of as many dependent loads, 20 ns each from the L1 cache
 FRACTION = 0.02
 COUNT, TYPICAL = 4_001, 200_000  # points
+PAIRS = 700  # correspondences, of MAX_PAIRS
 PIXELS = 307_200 // (160 * 120)  # typical images have 640 x 480 pixels
 # Operations on scenes, with the ratio of a typical input to theirs.
 SCENES = {
     **dict.fromkeys(("tsdf, integrate", "tsdf, extract_triangle_mesh", "tsdf, ray_cast"), PIXELS),
-    **dict.fromkeys(("mvs, estimate_depth_maps, pair", "filter_depth_bilateral", "create_normal_map"), PIXELS),
+    "mvs, estimate_depth_maps, pair": PIXELS,
     **dict.fromkeys(("ransac, pairs", "fast global registration", "icp, colored", "rays, all queries"), 50),
     **dict.fromkeys(("mesh, simplify_quadric_decimation", "mesh, create_from_point_cloud_poisson"), 50),
 }
 LEAVES = "a thread has the eight points of a leaf, in vectors as on the CPU"
 FEATURES = "a thread has a row of the features, of which there are as many as voxels"
-ROWS = "a thread has a row of pixels"
 KNOWN = {
     **dict.fromkeys(("find_cores_kernel", "unite_cores_kernel", "label_borders_kernel", "mask_crowded_kernel"), LEAVES),
     **dict.fromkeys(("find_nearest_rows_kernel", "count_angles_kernel", "sum_histograms_of_lanes_kernel"), FEATURES),
-    **dict.fromkeys(("find_codes_kernel", "find_disparities_kernel", "step_rows_kernel"), ROWS),
+    "step_rows_in_lanes_kernel": "a warp has a row of an image, of which each pixel depends on the previous one",
+    "score_in_lanes_kernel": "a warp has 512 pairs and eight poses: 256 poses and MAX_PAIRS give 32,768 threads",
     "fit_on_edges_kernel": "a thread has an edge of a hull: the smallest box so far ends the search of the next ones",
     "fit_on_facets_kernel": "a thread has a facet of a hull, which has few",
 }
@@ -60,6 +68,15 @@ def registered_globally() -> host_work.Work:
     """Clouds with many points to a voxel: a voxel is a fraction of a cloud's extent, so the rows hardly grow."""
     clouds = [loom.PointCloud(scenes.bumpy_surface(COUNT, seed), device=CUDA) for seed in (0, 1)]
     return lambda: loom.registration.register_globally(*clouds, voxel_size=0.25)
+
+
+def consensus() -> host_work.Work:
+    p, q = np.random.default_rng(0).random((2, PAIRS, 3)).astype(np.float32)
+    q[: PAIRS // 10] = p[: PAIRS // 10]
+    ends = [upload(points, vec3, CUDA) for points in (p, q)]
+    rows = upload(np.arange(PAIRS)[:, None] * [1, 1], int32, CUDA)
+    pairs = PairCoordinates(*ends, rows, *np.zeros((2, 3), np.float32))
+    return lambda: find_consensus(pairs, 0.03, 0.03, np.eye(3))
 
 
 def launches_of(device: Device, work: host_work.Work) -> list[Launch]:
@@ -89,6 +106,7 @@ def test_no_operation_spends_its_time_in_few_long_threads(emulated, settings):
         works = {name: (operations.on_clouds[name](COUNT), TYPICAL / COUNT) for name in variants.values()}
         works |= {name: (operations.on_scenes[name](0), ratio) for name, ratio in SCENES.items()}
         works |= {"register_globally": (registered_globally(), TYPICAL / COUNT)}
+        works |= {"find_consensus": (consensus(), MAX_PAIRS / PAIRS)}
         occurrences: dict[str, str] = {}
         for name, (work, ratio) in works.items():
             for kernel, worst in small_and_long(launches_of(emulated, work), ratio).items():
