@@ -5,9 +5,9 @@ import itertools
 import numpy as np
 
 from ..array_types import Device, Integers, Mask
-from ..lang import WARP, array, int32, kernel, launch, shuffle, shuffle_xor, tid, uint8
+from ..lang import WARP, array, int32, kernel, launch, shuffle, tid, uint8
 from ..memory import empty, host_view
-from .lanes import LANE_BITS
+from .lanes import LANE_BITS, sum_int_of_lanes
 from .select import count_mask_kernel
 
 TILE = 1024  # counts per warp: 32 per lane
@@ -36,8 +36,7 @@ def sum_tiles_of_lanes_kernel(counts: array(dtype=int32), count: int, sums: arra
         j = tile * TILE + step * WARP + lane
         if j < count:
             total += counts[j]
-    for bit in range(LANE_BITS):
-        total += shuffle_xor(total, 1 << bit)
+    total = sum_int_of_lanes(total)
     if lane == 0:
         sums[tile] = total
 

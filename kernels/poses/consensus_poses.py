@@ -3,7 +3,8 @@
 An edge joins correspondences that preserve the distance between their ends within twice the noise (TEASER: Yang, Shi
 and Carlone 2021, section IV). Common neighbors separate inliers at 1 % (SC2-PCR: Chen et al., CVPR 2022, section 3.2).
 Each seed and its best neighbors give a pose. The best are refined by graduated non-convexity (Yang et al., RA-L 2020,
-eqs. 13 and 14), starting at twice the noise bound. Bit rows of m^2 / 8 bytes. Fixed-order sums.
+eqs. 13 and 14), starting at twice the noise bound. Bit rows of m^2 / 8 bytes. Fixed-order sums. On the CPU a thread
+computes a row of the graph, on CUDA a warp computes a row or a word of it.
 """
 
 import numpy as np
@@ -11,26 +12,35 @@ import numpy as np
 from ..algebra.plain_min_max import smaller
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..array_types import Doubles, Indices, Integers, LongIntegers, Poses
+from ..arrays.lanes import min_int_of_lanes, sum_int_of_lanes
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
+    WARP,
     array,
+    atomic_add,
+    ballot,
     bit_count,
+    cuda_func,
     dot,
     float64,
     func,
     int32,
     int64,
     kernel,
+    lane,
     launch,
     mat44d,
     segment_reduction,
+    shuffle,
     sqrt,
     struct,
     tid,
     uint8,
+    vec3,
 )
 from ..memory import cast, download, empty, upload, zeros
+from ..search.tree_walk import lowest_bit
 from .pair_fits import (
     MIN_PAIRS,
     SUMS,
@@ -68,7 +78,9 @@ class CompatibilityGraph:
         self.words = -(-self.count // WORD)
         self.bits = empty(self.count * self.words, int32, self.device)
         self.degrees = empty(self.count, int32, self.device)
-        launch(connect_pairs_kernel, self.count, [self, bound, min_length])
+        self.warp = WARP if self.device.is_cuda else 1  # threads of a row
+        self.warps = self.words * WARP if self.device.is_cuda else 1
+        launch(connect_pairs_kernel, self.count * self.warp, [self, bound, min_length])
 
     def support(self, work: int = WORK) -> LongIntegers:
         """Twice the triangles of each vertex, int64 (m). 0 for low degrees beyond `work` words."""
@@ -77,13 +89,13 @@ class CompatibilityGraph:
         order = order_descending(degrees)
         ranked = download(gather_rows(self.degrees, order)).cumsum(dtype="int64")  # sync
         counted = max(1, int((ranked * self.words <= work).sum()))
-        launch(sum_common_kernel, counted, [self, order[:counted], sums])
+        launch(sum_common_kernel, counted * self.warps, [self, order[:counted], sums])
         return sums
 
     def peaks(self, sums: LongIntegers, distance: float, max_count: int) -> Integers:
         """Vertices with the largest sums, none near a larger one at both ends; int32, descending."""
         mask = empty(self.count, uint8, self.device)
-        launch(mark_peaks_kernel, self.count, [self.pairs, distance * distance, sums, mask])
+        launch(mark_peaks_kernel, self.count * self.warp, [self.pairs, distance * distance, sums, mask])
         rows = positions_of(mask)  # sync
         if rows.size == 0:
             return rows
@@ -93,39 +105,67 @@ class CompatibilityGraph:
     def common(self, rows: Indices) -> Integers:
         """Common neighbors of some rows with all vertices, int32 (rows * m). 0 without an edge."""
         common = empty(rows.size * self.count, int32, self.device)
-        launch(list_common_kernel, rows.size, [self, rows, common])
+        launch(list_common_kernel, rows.size * self.warps, [self, rows, common])
         return common
+
+
+@func
+def source_of(i: int, pairs: PairCoordinates) -> vec3:
+    return vec3(pairs.coordinates[i], pairs.coordinates[pairs.count + i], pairs.coordinates[2 * pairs.count + i])
+
+
+@func
+def target_of(i: int, pairs: PairCoordinates) -> vec3:
+    at = 3 * pairs.count + i
+    return vec3(pairs.coordinates[at], pairs.coordinates[pairs.count + at], pairs.coordinates[2 * pairs.count + at])
+
+
+@func
+def is_edge(p: vec3, q: vec3, j: int, graph: CompatibilityGraph, bound: float, min_length: float) -> int:
+    """1 if correspondence j is compatible with the ends p and q. 0 for a correspondence with itself."""
+    x = source_of(j, graph.pairs) - p
+    u = target_of(j, graph.pairs) - q
+    a = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
+    b = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
+    return (1 if abs(a - b) <= bound else 0) & (1 if smaller(a, b) > min_length else 0)
 
 
 @kernel
 def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, min_length: float):
     """One row of the graph and its degree."""
     i = tid()
-    px = graph.pairs.coordinates[i]
-    py = graph.pairs.coordinates[graph.pairs.count + i]
-    pz = graph.pairs.coordinates[2 * graph.pairs.count + i]
-    qx = graph.pairs.coordinates[3 * graph.pairs.count + i]
-    qy = graph.pairs.coordinates[4 * graph.pairs.count + i]
-    qz = graph.pairs.coordinates[5 * graph.pairs.count + i]
+    p = source_of(i, graph.pairs)
+    q = target_of(i, graph.pairs)
     degree = 0
     for w in range(graph.words):
         first = w * WORD
         word = 0
         for j in range(first, min(first + WORD, graph.pairs.count)):
-            x = graph.pairs.coordinates[j] - px
-            y = graph.pairs.coordinates[graph.pairs.count + j] - py
-            z = graph.pairs.coordinates[2 * graph.pairs.count + j] - pz
-            u = graph.pairs.coordinates[3 * graph.pairs.count + j] - qx
-            v = graph.pairs.coordinates[4 * graph.pairs.count + j] - qy
-            t = graph.pairs.coordinates[5 * graph.pairs.count + j] - qz
-            a = sqrt(x * x + y * y + z * z)
-            b = sqrt(u * u + v * v + t * t)
-            alike = 1 if abs(a - b) <= bound else 0
-            is_long = 1 if smaller(a, b) > min_length else 0  # false for a correspondence with itself
-            word = word | ((alike & is_long) << (j - first))
+            word = word | (is_edge(p, q, j, graph, bound, min_length) << (j - first))
         graph.bits[i * graph.words + w] = word
         degree += bit_count(word)
     graph.degrees[i] = degree
+
+
+@connect_pairs_kernel.on_cuda
+def connect_in_lanes_kernel(graph: CompatibilityGraph, bound: float, min_length: float):
+    """CUDA variant: a warp per row, a lane per bit of a word."""
+    i = tid()
+    row = i // WARP
+    p = source_of(row, graph.pairs)
+    q = target_of(row, graph.pairs)
+    degree = 0
+    for w in range(graph.words):
+        j = w * WORD + lane()
+        edge = 0
+        if j < graph.pairs.count:
+            edge = is_edge(p, q, j, graph, bound, min_length)
+        word = ballot(edge)
+        if lane() == 0:
+            graph.bits[row * graph.words + w] = word
+        degree += bit_count(word)
+    if lane() == 0:
+        graph.degrees[row] = degree
 
 
 @kernel
@@ -151,6 +191,17 @@ def count_shared(row: int, other: int, graph: CompatibilityGraph) -> int:
     return shared
 
 
+@cuda_func
+def shared_by_lane(row: int, other: int, graph: CompatibilityGraph) -> int:
+    """A lane's part of `count_shared`."""
+    shared = 0
+    for step in range((graph.words + WARP - 1) // WARP):
+        k = step * WARP + lane()
+        if k < graph.words:
+            shared += bit_count(graph.bits[row * graph.words + k] & graph.bits[other * graph.words + k])
+    return shared
+
+
 @kernel
 def sum_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), sums: array(dtype=int64)):
     """Twice the number of triangles of a row."""
@@ -164,6 +215,22 @@ def sum_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), sums:
             left = left ^ lowest
             total += int64(count_shared(rows[i], w * WORD + bit_count(lowest - 1), graph))
     sums[rows[i]] = total
+
+
+@sum_common_kernel.on_cuda
+def sum_common_in_lanes_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), sums: array(dtype=int64)):
+    """CUDA variant: a warp per word of a row. The sums must be 0 before."""
+    i = tid()
+    row = rows[i // WARP // graph.words]
+    w = i // WARP % graph.words
+    left = graph.bits[row * graph.words + w]
+    shared = 0
+    while left != 0:
+        shared += shared_by_lane(row, w * WORD + lowest_bit(left), graph)
+        left = left & (left - 1)
+    total = sum_int_of_lanes(shared)
+    if lane() == 0 and total > 0:
+        atomic_add(sums, row, int64(total))  # integer sum: order-independent
 
 
 @kernel
@@ -182,32 +249,71 @@ def list_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), comm
             common[i * graph.pairs.count + column] = count_shared(rows[i], column, graph)
 
 
+@list_common_kernel.on_cuda
+def list_common_in_lanes_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), common: array(dtype=int32)):
+    """CUDA variant: a warp per word of a row, whose lanes write the numbers of its columns."""
+    i = tid()
+    row = i // WARP // graph.words
+    w = i // WARP % graph.words
+    column = w * WORD + lane()
+    left = graph.bits[rows[row] * graph.words + w]
+    own = 0
+    while left != 0:
+        other = w * WORD + lowest_bit(left)
+        shared = sum_int_of_lanes(shared_by_lane(rows[row], other, graph))
+        if column == other:
+            own = shared
+        left = left & (left - 1)
+    if column < graph.pairs.count:
+        common[row * graph.pairs.count + column] = own
+
+
+@func
+def is_exceeded_by(
+    i: int, p: vec3, q: vec3, j: int, pairs: PairCoordinates, sqradius: float, sums: array(dtype=int64)
+) -> int:
+    """1 if correspondence j is near i at both ends, p and q, and has more support (ties: lower index)."""
+    x = source_of(j, pairs) - p
+    u = target_of(j, pairs) - q
+    near = 1 if x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < sqradius else 0
+    near = near & (1 if u[0] * u[0] + u[1] * u[1] + u[2] * u[2] < sqradius else 0)
+    more = (1 if sums[j] > sums[i] else 0) | ((1 if sums[j] == sums[i] else 0) & (1 if j < i else 0))
+    return near & more
+
+
 @kernel
 def mark_peaks_kernel(pairs: PairCoordinates, sqradius: float, sums: array(dtype=int64), peaks: array(dtype=uint8)):
-    """1 if no correspondence near this one at both ends has more support (ties: lower index)."""
+    """1 if no correspondence near this one at both ends has more support."""
     i = tid()
-    own = sums[i]
-    px = pairs.coordinates[i]
-    py = pairs.coordinates[pairs.count + i]
-    pz = pairs.coordinates[2 * pairs.count + i]
-    qx = pairs.coordinates[3 * pairs.count + i]
-    qy = pairs.coordinates[4 * pairs.count + i]
-    qz = pairs.coordinates[5 * pairs.count + i]
+    p = source_of(i, pairs)
+    q = target_of(i, pairs)
     is_exceeded = 0
     for j in range(pairs.count):
-        x = pairs.coordinates[j] - px
-        y = pairs.coordinates[pairs.count + j] - py
-        z = pairs.coordinates[2 * pairs.count + j] - pz
-        u = pairs.coordinates[3 * pairs.count + j] - qx
-        v = pairs.coordinates[4 * pairs.count + j] - qy
-        t = pairs.coordinates[5 * pairs.count + j] - qz
-        near = (1 if x * x + y * y + z * z < sqradius else 0) & (1 if u * u + v * v + t * t < sqradius else 0)
-        more = (1 if sums[j] > own else 0) | ((1 if sums[j] == own else 0) & (1 if j < i else 0))
-        is_exceeded = is_exceeded | (near & more)
-    peak = 0
-    if is_exceeded == 0 and own > 0:
-        peak = 1
-    peaks[i] = uint8(peak)
+        is_exceeded = is_exceeded | is_exceeded_by(i, p, q, j, pairs, sqradius, sums)
+    peaks[i] = uint8(1 if is_exceeded == 0 and sums[i] > 0 else 0)
+
+
+@mark_peaks_kernel.on_cuda
+def mark_peaks_in_lanes_kernel(
+    pairs: PairCoordinates, sqradius: float, sums: array(dtype=int64), peaks: array(dtype=uint8)
+):
+    """CUDA variant: a warp per correspondence, whose lanes test 32 others until one exceeds it."""
+    i = tid()
+    row = i // WARP
+    p = source_of(row, pairs)
+    q = target_of(row, pairs)
+    is_peak = 1 if sums[row] > 0 else 0
+    first = 0
+    while is_peak == 1 and first < pairs.count:
+        j = first + lane()
+        is_exceeded = 0
+        if j < pairs.count:
+            is_exceeded = is_exceeded_by(row, p, q, j, pairs, sqradius, sums)
+        if ballot(is_exceeded) != 0:
+            is_peak = 0
+        first += WARP
+    if lane() == 0:
+        peaks[row] = uint8(is_peak)
 
 
 def order_descending(values: LongIntegers, bit_count: int = SUM_BITS) -> Indices:
@@ -218,7 +324,8 @@ def order_descending(values: LongIntegers, bit_count: int = SUM_BITS) -> Indices
 
 
 SEEDS = 256  # poses scored
-NEIGHBORS = 20  # correspondences per seed fit: SC2-PCR uses 20 to 30
+NEIGHBORS = 20  # correspondences per seed fit: SC2-PCR uses 20 to 30; at most the lanes of a warp
+LARGEST = 0x7FFF_FFFF  # above all numbers of common neighbors
 FITTED = 32  # distinct poses refitted
 SAME = 3.0  # inlier distances: closer poses are equal
 STEPS = 14  # of graduated non-convexity: mu grows from 1/3 by STEP to 40
@@ -281,6 +388,62 @@ def fit_seeds_kernel(
     scores[i] = 0
 
 
+@cuda_func
+def threshold_of_lanes(common: array(dtype=int32), row: int, count: int, wanted: int) -> int:
+    """`common_threshold` in one pass: each of the first `wanted` lanes keeps one of the largest numbers."""
+    kept = 0 if lane() < wanted else int(LARGEST)
+    lowest = 0
+    for step in range((count + WARP - 1) // WARP):
+        j = step * WARP + lane()
+        shared = 0
+        if j < count:
+            shared = common[row + j]
+        above = ballot(1 if shared > lowest else 0)
+        while above != 0:
+            larger = shuffle(shared, lowest_bit(above))
+            if larger > lowest:
+                if lane() == lowest_bit(ballot(1 if kept == lowest else 0)):
+                    kept = larger
+                lowest = min_int_of_lanes(kept)
+            above = above & (above - 1)
+    return max(lowest, 1)
+
+
+@fit_seeds_kernel.on_cuda
+def fit_seeds_in_lanes_kernel(
+    pairs: PairCoordinates,
+    seeds: array(dtype=int32),
+    common: array(dtype=int32),
+    wanted: int,
+    poses: array(dtype=mat44d),
+    scores: array(dtype=int32),
+):
+    """CUDA variant: a warp per seed, whose lanes select neighbors. All lanes add them up in the same order."""
+    i = tid()
+    at = i // WARP
+    row = at * pairs.count
+    threshold = threshold_of_lanes(common, row, pairs.count, wanted)
+    s = pair_sums(0.0)
+    max_shared = 1
+    for step in range((pairs.count + WARP - 1) // WARP):
+        j = step * WARP + lane()
+        own = 0
+        if j < pairs.count:
+            own = common[row + j]
+        selected = ballot(1 if own >= threshold else 0)
+        while selected != 0:
+            k = step * WARP + lowest_bit(selected)
+            shared = shuffle(own, lowest_bit(selected))
+            max_shared = max(max_shared, shared)
+            s += sums_of_pair(source_point(pairs, k), target_point(pairs, k), float64(shared))
+            selected = selected & (selected - 1)
+    seed = seeds[at]
+    s += sums_of_pair(source_point(pairs, seed), target_point(pairs, seed), float64(max_shared))
+    if lane() == 0:
+        poses[at] = fit_pose(s, 0)
+        scores[at] = 0
+
+
 @kernel(for_cpu=True)
 def sum_truncated_kernel(
     pairs: PairCoordinates,
@@ -337,7 +500,7 @@ def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indic
     """Poses of seeds and their best neighbors: (mat44d (s), int32 (s) of zeros)."""
     poses, scores = empty(seeds.size, mat44d, graph.device), empty(seeds.size, int32, graph.device)
     wanted = min(NEIGHBORS, graph.count)
-    launch(fit_seeds_kernel, seeds.size, [graph.pairs, seeds, graph.common(seeds), wanted, poses, scores])
+    launch(fit_seeds_kernel, seeds.size * graph.warp, [graph.pairs, seeds, graph.common(seeds), wanted, poses, scores])
     return poses, scores
 
 

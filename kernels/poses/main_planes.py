@@ -10,16 +10,21 @@ from ..algebra.eigen import smallest_eigenvector
 from ..algebra.moments import add_difference, moments
 from ..algebra.transform import narrow, widen
 from ..array_types import Array1, Device, LongIntegers, Mask, Points, Vectors
+from ..arrays.lanes import sum_int_of_lanes
+from ..arrays.packed_keys import NO_KEY, key_index, pack_bits
 from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import count_mask_kernel
 from ..lang import (
+    WARP,
     array,
+    atomic_min,
     dot,
     float64,
     func,
     int32,
     int64,
     kernel,
+    lane,
     launch,
     mat33d,
     outer,
@@ -70,20 +75,20 @@ class MainPlanes:
 @struct
 class Voters:
     """Subset of points and the current plane (`point`, `normal`). `normals`, zero once assigned; `firsts`: original
-    normals; `sizes`: voter count, proposal step, 1 when finished; `counts`: inliers.
+    normals; `sizes`: voter count, proposal step, 1 when finished; `best`: VOTERS minus the inliers, above the proposal.
     """
 
     points: array(dtype=vec3)
     normals: array(dtype=vec3)
     firsts: array(dtype=vec3)
     sizes: array(dtype=int32)
-    counts: array(dtype=int32)
+    best: array(dtype=int64)
     point: array(dtype=vec3d)
     normal: array(dtype=vec3d)
 
     def __init__(self, device: Device) -> None:
         self.points, self.normals, self.firsts = (empty(VOTERS, vec3, device) for _ in range(3))
-        self.sizes, self.counts = empty(3, int32, device), empty(PLANES, int32, device)
+        self.sizes, self.best = empty(3, int32, device), empty(1, int64, device)
         self.point, self.normal = empty(1, vec3d, device), empty(1, vec3d, device)
 
 
@@ -108,47 +113,73 @@ def choose_voters_kernel(
         voters.sizes[VOTERS_AT] = count
         voters.sizes[STEP_AT] = max(1, (count + PLANES - 1) // PLANES)
         voters.sizes[DONE_AT] = 1 if total == 0 else 0
+        voters.best[0] = int64(NO_KEY)
+
+
+@func
+def offer_plane(proposal: int, inliers: int, voters: Voters):
+    """Keep the proposal with most inliers, the first of equal ones. Minimum: order-independent."""
+    atomic_min(voters.best, 0, pack_bits(VOTERS - inliers, proposal))
+
+
+@func
+def is_inlier(j: int, p: vec3, n: vec3, voters: Voters, slab: float, cosine: float) -> int:
+    is_near = 0
+    if abs(dot(n, voters.normals[j])) > cosine:
+        if abs(dot(n, voters.points[j] - p)) < slab:
+            is_near = 1
+    return is_near
 
 
 @kernel
 def count_coplanar_kernel(voters: Voters, slab: float, cosine: float):
-    """Count the inliers of the plane of every step-th voter."""
+    """Count the inliers of the plane of every step-th voter and keep the best plane."""
     i = tid()
     at = i * voters.sizes[STEP_AT]
-    total = -1
     if at < voters.sizes[VOTERS_AT] and voters.sizes[DONE_AT] == 0:
         p = voters.points[at]
         n = voters.normals[at]
         total = 0
         for j in range(voters.sizes[VOTERS_AT]):
-            if abs(dot(n, voters.normals[j])) > cosine:
-                if abs(dot(n, voters.points[j] - p)) < slab:
-                    total += 1
-    voters.counts[i] = total
+            total += is_inlier(j, p, n, voters, slab, cosine)
+        offer_plane(i, total, voters)
+
+
+@count_coplanar_kernel.on_cuda
+def count_coplanar_in_lanes_kernel(voters: Voters, slab: float, cosine: float):
+    """CUDA variant: a warp per proposal, a lane per voter."""
+    i = tid()
+    at = i // WARP * voters.sizes[STEP_AT]
+    if at < voters.sizes[VOTERS_AT] and voters.sizes[DONE_AT] == 0:
+        p = voters.points[at]
+        n = voters.normals[at]
+        total = 0
+        for step in range((voters.sizes[VOTERS_AT] + WARP - 1) // WARP):
+            j = step * WARP + lane()
+            if j < voters.sizes[VOTERS_AT]:
+                total += is_inlier(j, p, n, voters, slab, cosine)
+        total = sum_int_of_lanes(total)
+        if lane() == 0:
+            offer_plane(i // WARP, total, voters)
 
 
 @kernel
 def choose_plane_kernel(voters: Voters):
-    """Select the plane with most inliers, the first of equal ones. One thread."""
+    """Select the plane with most inliers, and clear the choice for the next one. One thread."""
     i = tid()
-    best = int(0)
-    for k in range(PLANES):
-        if voters.counts[k] > voters.counts[best]:
-            best = k
     if voters.sizes[DONE_AT] == 0:
-        voters.point[i] = widen(voters.points[best * voters.sizes[STEP_AT]])
-        voters.normal[i] = widen(voters.firsts[best * voters.sizes[STEP_AT]])
+        best = key_index(voters.best[i]) * voters.sizes[STEP_AT]
+        voters.point[i] = widen(voters.points[best])
+        voters.normal[i] = widen(voters.firsts[best])
+        voters.best[i] = int64(NO_KEY)
 
 
 @func
 def is_coplanar(i: int, voters: Voters, slab: float, cosine: float) -> int:
-    is_inlier = 0
+    is_near = 0
     if i < voters.sizes[VOTERS_AT] and voters.sizes[DONE_AT] == 0:
-        n = narrow(voters.normal[0])
-        if abs(dot(n, voters.normals[i])) > cosine:
-            if abs(dot(n, voters.points[i] - narrow(voters.point[0]))) < slab:
-                is_inlier = 1
-    return is_inlier
+        is_near = is_inlier(i, narrow(voters.point[0]), narrow(voters.normal[0]), voters, slab, cosine)
+    return is_near
 
 
 @reduction
@@ -232,7 +263,7 @@ def find_main_planes(
     voters = Voters(device)
     launch(choose_voters_kernel, points.size, [points, normals, _ranks_of(mask), voters])
     for _ in range(plane_count):
-        launch(count_coplanar_kernel, PLANES, [voters, tight, PARALLEL])
+        launch(count_coplanar_kernel, PLANES * (WARP if device.is_cuda else 1), [voters, tight, PARALLEL])
         launch(choose_plane_kernel, 1, [voters])
         for step in range(FIT_STEPS):
             sums = reduce(sum_coplanar, VOTERS, [voters, tight, PARALLEL])

@@ -4,7 +4,8 @@ A block fits in the L1 cache, and blocks beyond the threshold of a plane are ski
 """
 
 from ..array_types import Indices, Points
-from ..lang import INFINITY, array, float32, float64, func, int32, kernel, launch, struct, tid, vec3, vec4d
+from ..arrays.lanes import lane_max_corner, lane_min_corner
+from ..lang import INFINITY, WARP, array, float32, float64, func, int32, kernel, lane, launch, struct, tid, vec3, vec4d
 from ..memory import empty
 
 BLOCK = 512  # points whose coordinates (6 KB) stay in the L1 cache while a group of planes is scored
@@ -24,7 +25,8 @@ class PointBlocks:
         self.count, self.block_count, device = rows.size, -(-rows.size // BLOCK), points.device
         self.xs, self.ys, self.zs = (empty(self.count, float32, device) for _ in range(3))
         self.boxes = empty(6 * self.block_count, float32, device)
-        launch(split_axes_kernel, self.block_count, [points, rows, middle, self])
+        threads = self.block_count * (WARP if device.is_cuda else 1)
+        launch(split_axes_kernel, threads, [points, rows, middle, self])
 
 
 @kernel
@@ -42,6 +44,31 @@ def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), cente
     for axis in range(3):
         blocks.boxes[6 * i + axis] = 0.5 * (a[axis] + b[axis])
         blocks.boxes[6 * i + 3 + axis] = 0.5 * (b[axis] - a[axis])
+
+
+@split_axes_kernel.on_cuda
+def split_axes_in_lanes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3, blocks: PointBlocks):
+    """CUDA variant: a warp per block, a lane per point."""
+    i = tid()
+    block = i // WARP
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    n = int(BLOCK // WARP)
+    for step in range(n):
+        j = block * BLOCK + step * WARP + lane()
+        if j < rows.shape[0]:
+            p = points[rows[j]] - center
+            blocks.xs[j] = p[0]
+            blocks.ys[j] = p[1]
+            blocks.zs[j] = p[2]
+            a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+            b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+    a = lane_min_corner(a)
+    b = lane_max_corner(b)
+    if lane() == 0:
+        for axis in range(3):
+            blocks.boxes[6 * block + axis] = 0.5 * (a[axis] + b[axis])
+            blocks.boxes[6 * block + 3 + axis] = 0.5 * (b[axis] - a[axis])
 
 
 @func

@@ -3,7 +3,7 @@
 Fischler and Bolles, "Random sample consensus", CACM 1981. A thread scores GROUP planes on a run of blocks. Blocks
 beyond the threshold are skipped. Planes (a, b, c, d) are relative to the center, computed in float64 and scored in
 float32. Integer counts do not depend on the threads. The most inliers win, then the smallest sum of distances, then the
-first plane. A GPU needs one sync per batch.
+first plane. On CUDA a warp scores GROUP planes on a block, with one sync per batch.
 """
 
 import math
@@ -13,17 +13,20 @@ import numpy as np
 
 from ..array_types import Array1, Indices, Integers, Mask, Points
 from ..arrays.bounds import bound_points
+from ..arrays.lanes import sum_int_of_lanes
 from ..arrays.prefix_sum import scan_together
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.side_by_side import part_of
 from ..lang import (
     INFINITY,
+    WARP,
     array,
     atomic_add,
     atomic_max,
     float64,
     int32,
     kernel,
+    lane,
     launch,
     reduce,
     reduction,
@@ -157,7 +160,7 @@ class BestPlane:
 
 
 GROUP = 8  # planes per thread
-CPU_RUN, CUDA_RUN = 16, 2  # blocks per thread: few atomics on the CPU, many threads on CUDA
+CPU_RUN = 16  # blocks per thread on the CPU: few atomics
 FIRST_BATCH, BATCH_GROWTH, MAX_PLANES = 32, 3, 4096  # planes between two checks of the result
 ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums of four products in float32
 eight_counts = vector(GROUP, int32)
@@ -197,6 +200,41 @@ def score_planes_kernel(
                 totals[k] = totals[k] + count
     for k in range(size):
         atomic_add(counts, start + k, totals[k])
+
+
+@score_planes_kernel.on_cuda
+def score_planes_in_lanes_kernel(
+    blocks: PointBlocks,
+    run: int,
+    planes: array(dtype=vec4d),
+    plane_count: int,
+    threshold: float,
+    block_distance: float,
+    counts: array(dtype=int32),
+):
+    """CUDA variant: a warp per block and group of planes, a lane per point."""
+    i = tid()
+    groups = (plane_count + GROUP - 1) // GROUP
+    block = i // WARP // groups
+    start = (i // WARP % groups) * GROUP
+    last = min((block + 1) * BLOCK, blocks.count)
+    for k in range(start, min(start + GROUP, plane_count)):
+        plane = planes[k]
+        a = float(plane[0])
+        b = float(plane[1])
+        c = float(plane[2])
+        d = float(plane[3])
+        if is_near_block(blocks, block, a, b, c, d, block_distance) == 1:
+            count = 0
+            n = int(BLOCK // WARP)
+            for step in range(n):
+                j = block * BLOCK + step * WARP + lane()
+                if j < last:
+                    if abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d) < threshold:
+                        count += 1
+            count = sum_int_of_lanes(count)
+            if lane() == 0 and count > 0:
+                atomic_add(counts, k, count)
 
 
 @kernel
@@ -365,8 +403,8 @@ class PlaneSearch:
 
     def _score(self, planes: Array1[vec4d], size: int, threshold: float) -> Integers:
         counts = zeros(size, int32, self.device)
-        run = CUDA_RUN if self.device.is_cuda else CPU_RUN
-        groups, threads = -(-size // GROUP), -(-self.blocks.block_count // run)
+        run, lanes = (1, WARP) if self.device.is_cuda else (CPU_RUN, 1)
+        groups, threads = -(-size // GROUP), -(-self.blocks.block_count // run) * lanes
         block_distance = threshold + ROUNDING * (self.size + threshold)
         arguments = [self.blocks, run, planes, size, threshold, block_distance, counts]
         launch(score_planes_kernel, threads * groups, arguments)

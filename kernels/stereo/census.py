@@ -95,6 +95,29 @@ def find_codes_kernel(
             codes[y * length + column] = value
 
 
+@find_codes_kernel.on_cuda
+def find_code_kernel(
+    brightness: array(dtype=float32), width: int, step: int, start: int, length: int, codes: array(dtype=int32)
+):
+    """CUDA variant, a pixel per thread."""
+    i = tid()
+    x = i % width
+    y = i // width
+    stride = width + 2 * ACROSS + LANES
+    center = (y + DOWN) * stride + x + ACROSS
+    column = start + step * x
+    if column >= 0 and column < length:
+        code = 0
+        for dy in range(DOWN + 1):
+            for dx in range(-ACROSS, ACROSS + 1):
+                if dy > 0 or dx > 0:
+                    offset = dy * stride + dx
+                    code = code * 2 + (1 if brightness[center + offset] > brightness[center - offset] else 0)
+        if brightness[center] < 0.0:
+            code = NO_CODE
+        codes[y * length + column] = code
+
+
 def rectify_brightness(
     pixels: Bytes, channels: int, columns: int, rows: int, there: np.ndarray | None, width: int, height: int
 ) -> Scalars:
@@ -109,5 +132,5 @@ def rectify_brightness(
 
 def find_codes(brightness: Scalars, width: int, height: int, *, step: int, start: int, codes: Integers) -> None:
     """Write the codes of an image into rows of `codes`, at start + step * column."""
-    blocks = -(-width // LANES)
-    launch(find_codes_kernel, blocks * height, [brightness, width, step, start, codes.size // height, codes])
+    threads = width if codes.device.is_cuda else -(-width // LANES)
+    launch(find_codes_kernel, threads * height, [brightness, width, step, start, codes.size // height, codes])

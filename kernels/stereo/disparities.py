@@ -9,7 +9,26 @@ disparity. Depth, normals: a plane fitted to the 24 pixels around that continue 
 import numpy as np
 
 from ..array_types import Array1, Scalars, Vectors
-from ..lang import array, float32, floor, func, int32, kernel, launch, mat33, struct, tid, uint16, vec3, vec4, vector
+from ..arrays.lanes import min_int_of_lanes
+from ..lang import (
+    WARP,
+    array,
+    float32,
+    floor,
+    func,
+    int32,
+    kernel,
+    lane,
+    launch,
+    mat33,
+    struct,
+    sync_lanes,
+    tid,
+    uint16,
+    vec3,
+    vec4,
+    vector,
+)
 from ..memory import empty, full
 from .census import LANES, lanes
 from .inverse_planes import normal_of
@@ -40,6 +59,63 @@ def refined(before: int, least: int, after: int) -> float:
     if curvature > 0:
         offset = 0.5 * float(before - after) / float(curvature)
     return offset
+
+
+@func
+def keep_winner(
+    cell: int,
+    count: int,
+    key: int,
+    other: int,
+    best: array(dtype=int32),
+    left_margin: array(dtype=float32),
+    right_margin: array(dtype=float32),
+):
+    """Store the disparity of a pixel from its least sum and the least one that is not adjacent, -1 if ambiguous."""
+    winner = key % SHIFT
+    least_sum = key // SHIFT
+    if winner == 0 or winner == count - 1 or least_sum * 100 >= other * UNIQUE:
+        winner = -1
+    best[cell] = winner
+    right_margin[cell] = 0.0
+    left_margin[cell] = 1.0 - float(least_sum) / float(max(other, 1))
+
+
+@func
+def compare_images(
+    x: int,
+    y: int,
+    sums: array(dtype=uint16),
+    width: int,
+    count: int,
+    first: int,
+    best: array(dtype=int32),
+    best_right: array(dtype=int32),
+    left: array(dtype=float32),
+    right: array(dtype=float32),
+    left_margin: array(dtype=float32),
+    right_margin: array(dtype=float32),
+):
+    """Refine the disparities of pixel x of a row in both images where those of the corresponding pixels agree."""
+    length = width + count
+    padded = (y + AROUND) * row_stride(width) + AROUND
+    d = best[y * width + x]
+    if d > 0:
+        corresponding = best_right[y * length + width - 1 - x + d] % SHIFT
+        if abs(corresponding - d) <= MAX_DIFFERENCE:
+            cell = (y * width + x) * count + d
+            left[padded + x] = float(d) + refined(int(sums[cell - 1]), int(sums[cell]), int(sums[cell + 1]))
+    reverse = width - 1 - first - x  # column of pixel x of the right image
+    if reverse >= 0 and reverse < length:
+        d = best_right[y * length + reverse] % SHIFT
+        u = width - 1 - reverse + d
+        if d > 0 and d < count - 1 and u > 0 and u < width - 1:
+            if best[y * width + u] > 0 and abs(best[y * width + u] - d) <= MAX_DIFFERENCE:
+                cell = (y * width + u) * count + d
+                before = int(sums[cell - count - 1])
+                after = int(sums[cell + count + 1])
+                right[padded + x] = float(d) + refined(before, int(sums[cell]), after)
+                right_margin[y * width + x] = left_margin[y * width + u]
 
 
 @kernel
@@ -88,31 +164,51 @@ def find_disparities_kernel(
         other = int(MAX_SUM)
         for k in range(LANES):
             other = min(other, second[k])
-        least_sum = key // SHIFT
-        if winner == 0 or winner == count - 1 or least_sum * 100 >= other * UNIQUE:
-            winner = -1
-        best[y * width + x] = winner
-        right_margin[y * width + x] = 0.0
-        left_margin[y * width + x] = 1.0 - float(least_sum) / float(max(other, 1))
-    padded = (y + AROUND) * row_stride(width) + AROUND
+        keep_winner(y * width + x, count, key, other, best, left_margin, right_margin)
     for x in range(width):
-        d = best[y * width + x]
-        if d > 0:
-            corresponding = best_right[y * length + width - 1 - x + d] % SHIFT
-            if abs(corresponding - d) <= MAX_DIFFERENCE:
-                cell = (y * width + x) * count + d
-                left[padded + x] = float(d) + refined(int(sums[cell - 1]), int(sums[cell]), int(sums[cell + 1]))
-        reverse = width - 1 - first - x  # column of pixel x of the right image
-        if reverse >= 0 and reverse < length:
-            d = best_right[y * length + reverse] % SHIFT
-            u = width - 1 - reverse + d
-            if d > 0 and d < count - 1 and u > 0 and u < width - 1:
-                if best[y * width + u] > 0 and abs(best[y * width + u] - d) <= MAX_DIFFERENCE:
-                    cell = (y * width + u) * count + d
-                    before = int(sums[cell - count - 1])
-                    after = int(sums[cell + count + 1])
-                    right[padded + x] = float(d) + refined(before, int(sums[cell]), after)
-                    right_margin[y * width + x] = left_margin[y * width + u]
+        compare_images(x, y, sums, width, count, first, best, best_right, left, right, left_margin, right_margin)
+
+
+@find_disparities_kernel.on_cuda
+def find_disparities_in_lanes_kernel(
+    sums: array(dtype=uint16),
+    width: int,
+    count: int,
+    first: int,
+    best: array(dtype=int32),
+    best_right: array(dtype=int32),
+    left: array(dtype=float32),
+    right: array(dtype=float32),
+    left_margin: array(dtype=float32),
+    right_margin: array(dtype=float32),
+):
+    """CUDA variant: a warp per row, whose lanes have the disparities of a pixel, then the pixels of the row."""
+    i = tid()
+    y = i // WARP
+    for x in range(width):
+        cell = (y * width + x) * count
+        opposite = y * (width + count) + width - 1 - x
+        least = int(MAX_SUM)
+        for chunk in range((count + WARP - 1) // WARP):
+            d = chunk * WARP + lane()
+            if d < count:
+                sum_above = int(sums[cell + d]) * SHIFT + d
+                best_right[opposite + d] = min(best_right[opposite + d], sum_above)
+                least = min(least, sum_above)
+        key = min_int_of_lanes(least)
+        second = int(MAX_SUM)
+        for chunk in range((count + WARP - 1) // WARP):
+            d = chunk * WARP + lane()
+            if d < count and abs(d - key % SHIFT) >= 2:
+                second = min(second, int(sums[cell + d]))
+        other = min_int_of_lanes(second)
+        if lane() == 0:
+            keep_winner(y * width + x, count, key, other, best, left_margin, right_margin)
+        sync_lanes()
+    for step in range((width + WARP - 1) // WARP):
+        x = step * WARP + lane()
+        if x < width:
+            compare_images(x, y, sums, width, count, first, best, best_right, left, right, left_margin, right_margin)
 
 
 @struct
@@ -260,7 +356,7 @@ def find_disparities(
     left, right = (full(padded, NO_DISPARITY, float32, device) for _ in range(2))
     left_margin, right_margin = (empty(size, float32, device) for _ in range(2))
     arrays = [sums, width, count, first, best, best_right, left, right, left_margin, right_margin]
-    launch(find_disparities_kernel, height, arrays)
+    launch(find_disparities_kernel, height * (WARP if device.is_cuda else 1), arrays)
     return (left, left_margin), (right, right_margin)
 
 

@@ -4,11 +4,13 @@ Hirschmueller, "Stereo processing by semiglobal matching and mutual information"
 numbers are integers, so the result is bitwise identical on every device. A cell is a pixel at a disparity. `step_rows`
 computes costs and both horizontal paths, one thread per row. `step_down` computes three paths from one row to the next,
 one launch per row: each row depends on the previous one. Memory: 3 B per cell, read or written are 13 B per cell.
-Eight paths take 8 x 6 integer operations per cell, vectorized over LANES disparities.
+Eight paths take 8 x 6 integer operations per cell, vectorized over LANES disparities. On CUDA the lanes of a warp have
+the disparities of a pixel.
 """
 
 from ..array_types import Array1, Bytes, Integers
-from ..lang import array, bit_count, func, int32, kernel, launch, tid, uint8, uint16
+from ..arrays.lanes import min_int_of_lanes
+from ..lang import WARP, array, bit_count, func, int32, kernel, lane, launch, sync_lanes, tid, uint8, uint16
 from ..memory import empty, full
 from .census import LANES, lanes
 
@@ -30,12 +32,23 @@ def least_of(values: lanes) -> int:
 
 
 @func
+def path_cost(cost: int, before: array(dtype=uint8), b: int, low: int) -> int:
+    """Path cost of a disparity from those `before` the pixel, whose minimum is `low`."""
+    near = min(int(before[b - 1]), int(before[b + 1])) + SMALL
+    return cost + min(min(int(before[b]), near), low + LARGE) - low
+
+
+@func
+def cost_of(code: int, other: int) -> int:
+    return min(bit_count(code ^ other) | (((code | other) >> 31) & WORST), WORST)
+
+
+@func
 def step_path(costs: lanes, before: array(dtype=uint8), b: int, low: int, after: array(dtype=uint8), a: int) -> lanes:
-    """Path costs of LANES disparities from those `before` the pixel, whose minimum is `low`."""
+    """`path_cost` of LANES disparities."""
     values = lanes(0)
     for k in range(LANES):
-        near = min(int(before[b + k - 1]), int(before[b + k + 1])) + SMALL
-        values[k] = costs[k] + min(min(int(before[b + k]), near), low + LARGE) - low
+        values[k] = path_cost(costs[k], before, b + k, low)
     for k in range(LANES):
         after[a + k] = uint8(values[k])
     return values
@@ -77,8 +90,7 @@ def step_rows_kernel(
                 total = lanes(0)
                 if direction == 0:
                     for k in range(LANES):
-                        other = right[opposite + d + k]
-                        c[k] = min(bit_count(code ^ other) | (((code | other) >> 31) & WORST), WORST)
+                        c[k] = cost_of(code, right[opposite + d + k])
                     for k in range(LANES):
                         costs[cell + d + k] = uint8(c[k])
                 else:
@@ -92,6 +104,58 @@ def step_rows_kernel(
                 for k in range(LANES):
                     sums[cell + d + k] = uint16(total[k])
             low = least_of(least)
+
+
+@step_rows_kernel.on_cuda
+def step_rows_in_lanes_kernel(
+    left: array(dtype=int32),
+    right: array(dtype=int32),
+    width: int,
+    count: int,
+    paths: array(dtype=uint8),
+    costs: array(dtype=uint8),
+    sums: array(dtype=uint16),
+):
+    """CUDA variant: a warp per row, a lane per disparity."""
+    i = tid()
+    y = i // WARP
+    stride = count + LANES
+    both = 2 * (stride + LANES)
+    n = int(2)
+    for direction in range(n):
+        for step in range((both + WARP - 1) // WARP):
+            k = step * WARP + lane()
+            if k < both:
+                at = k % (stride + LANES)
+                paths[y * both + k] = uint8(FAR if at == LANES - 1 or at == LANES + count else 0)
+        low = 0
+        for step in range(width):
+            x = step
+            if direction == 1:
+                x = width - 1 - step
+            cell = (y * width + x) * count
+            opposite = y * (width + count) + width - 1 - x
+            here = (2 * y + step % 2) * (stride + LANES) + LANES
+            there = (2 * y + 1 - step % 2) * (stride + LANES) + LANES
+            least = int(NO_COST)
+            sync_lanes()  # path costs of the previous pixel are complete
+            for chunk in range((count + WARP - 1) // WARP):
+                d = chunk * WARP + lane()
+                if d < count:
+                    cost = 0
+                    total = 0
+                    if direction == 0:
+                        cost = cost_of(left[y * width + x], right[opposite + d])
+                        costs[cell + d] = uint8(cost)
+                    else:
+                        cost = int(costs[cell + d])
+                        total = int(sums[cell + d])
+                    value = path_cost(cost, paths, here + d, low)
+                    paths[there + d] = uint8(value)
+                    sums[cell + d] = uint16(total + value)
+                    least = min(least, value)
+            low = min_int_of_lanes(least)
+        sync_lanes()
 
 
 @kernel
@@ -142,6 +206,55 @@ def step_down_kernel(
         lows_after[2 * row + x + 1] = least_of(least_right)
 
 
+@step_down_kernel.on_cuda
+def step_down_in_lanes_kernel(
+    y: int,
+    width: int,
+    count: int,
+    columns: int,
+    costs: array(dtype=uint8),
+    before: array(dtype=uint8),
+    lows_before: array(dtype=int32),
+    after: array(dtype=uint8),
+    lows_after: array(dtype=int32),
+    sums: array(dtype=uint16),
+):
+    """CUDA variant: a warp per column, a lane per disparity."""
+    i = tid()
+    x = i // WARP
+    stride = count + LANES
+    row = width + 2
+    cell = (y * width + x) * count
+    low_left = lows_before[x]
+    low_above = lows_before[row + x + 1]
+    low_right = lows_before[2 * row + x + 2]
+    least_left = int(NO_COST)
+    least_above = int(NO_COST)
+    least_right = int(NO_COST)
+    for chunk in range((count + WARP - 1) // WARP):
+        d = chunk * WARP + lane()
+        if d < count:
+            at = LANES + (x + 1) * stride + d
+            cost = int(costs[cell + d])
+            from_left = path_cost(cost, before, at - stride, low_left)
+            from_above = path_cost(cost, before, at + row * stride, low_above)
+            from_right = path_cost(cost, before, at + (2 * row + 1) * stride, low_right)
+            after[at] = uint8(from_left)
+            after[at + row * stride] = uint8(from_above)
+            after[at + 2 * row * stride] = uint8(from_right)
+            sums[cell + d] = uint16(int(sums[cell + d]) + from_left + from_above + from_right)
+            least_left = min(least_left, from_left)
+            least_above = min(least_above, from_above)
+            least_right = min(least_right, from_right)
+    least_left = min_int_of_lanes(least_left)
+    least_above = min_int_of_lanes(least_above)
+    least_right = min_int_of_lanes(least_right)
+    if lane() == 0:
+        lows_after[x + 1] = least_left
+        lows_after[row + x + 1] = least_above
+        lows_after[2 * row + x + 1] = least_right
+
+
 @kernel
 def clear_paths_kernel(count: int, paths: array(dtype=uint8)):
     """Path costs of zero before the first row and beside the image: a path begins with the cost of its first pixel."""
@@ -161,7 +274,8 @@ def sum_paths(left: Integers, right: Integers, width: int, height: int, count: i
     device, stride = left.device, count + LANES
     costs, sums = empty(width * height * count, uint8, device), empty(width * height * count, uint16, device)
     paths = empty(2 * height * (stride + LANES), uint8, device)
-    launch(step_rows_kernel, height, [left, right, width, count, paths, costs, sums])
+    warp = WARP if device.is_cuda else 1
+    launch(step_rows_kernel, height * warp, [left, right, width, count, paths, costs, sums])
     columns = 1 if device.is_cuda else COLUMNS
     size, rows = PATHS * (width + 2) * stride + LANES, PATHS * (width + 2)
     for order in (range(height), range(height - 1, -1, -1)):
@@ -172,5 +286,5 @@ def sum_paths(left: Integers, right: Integers, width: int, height: int, count: i
             states.append((state, full(rows, 0, int32, device)))
         for k, y in enumerate(order):
             arrays = [y, width, count, columns, costs, *states[k % 2], *states[1 - k % 2], sums]
-            launch(step_down_kernel, -(-width // columns), arrays)
+            launch(step_down_kernel, -(-width // columns) * warp, arrays)
     return sums

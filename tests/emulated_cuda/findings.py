@@ -54,6 +54,16 @@ class Note:
     first: str
 
 
+@dataclass(frozen=True)
+class Launch:
+    """A launch with its memory accesses, and those of its longest thread."""
+
+    kernel: str
+    threads: int
+    accesses: int
+    longest: int
+
+
 class Findings:
     def __init__(self) -> None:
         self.error = ""
@@ -61,6 +71,7 @@ class Findings:
         self.notes: dict[tuple[str, str], Note] = {}  # by kernel and kind
         self.launches: dict[str, list] = {}  # kernel -> launches, threads, seconds
         self.atomics: Counter[str] = Counter()  # of each kernel, on global memory
+        self.recorded: list[Launch] | None = None  # launches with their work, while something records them
         self.kernels: dict[str, list[str]] = {}  # findings in the PTX of each kernel
         self.counts = dict.fromkeys(COUNTED, 0)
         self.seconds = {"translate": 0.0, "compile": 0.0, "run": 0.0}
@@ -80,6 +91,15 @@ class Findings:
         note = self.notes.setdefault((kernel, kind), Note(0, 0, first))
         note.count += count
         note.launches += 1
+
+    @contextlib.contextmanager
+    def recording(self) -> Iterator[list[Launch]]:
+        """The launches that run inside."""
+        self.recorded = []
+        try:
+            yield self.recorded
+        finally:
+            self.recorded = None
 
     @contextlib.contextmanager
     def expected(self) -> Iterator[None]:

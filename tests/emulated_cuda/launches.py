@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from . import gcc, ptx
-from .findings import FAULTS, NOTES, Findings, caller
+from .findings import FAULTS, NOTES, Findings, Launch, caller
 from .kernel_coverage import Marks
 from .memory import SPAN, Memory
 from .properties import OPT_IN_SHARED, STATIC_SHARED
@@ -50,6 +50,15 @@ class State(ctypes.Structure):
     )
 
 
+class Work(ctypes.Structure):
+    """`emulator_work` of runtime/threads.c: memory accesses of the last launch, and those of its longest thread."""
+
+    _fields_ = (("accesses", ctypes.c_uint64), ("longest", ctypes.c_uint64))
+
+
+_SHARED: Any = ((State, "EMULATOR"), (Work, "emulator_work"))
+
+
 class LoadedKernel:
     def __init__(self, *, kernel: ptx.Kernel, entry: int, window: int, argument_names: list[str]):
         self.kernel, self.entry, self.window, self.argument_names = kernel, entry, window, argument_names
@@ -81,7 +90,7 @@ class Launches:
         pointer, number = ctypes.c_void_p, ctypes.c_uint32
         types = [pointer, ctypes.c_char_p, pointer, pointer, number, number, number, ctypes.c_uint64]
         self.runtime.emulator_launch.argtypes, self.runtime.emulator_launch.restype = types, number
-        self.state = State.in_dll(self.runtime, "EMULATOR")
+        self.state, self.work = (kind.in_dll(self.runtime, name) for kind, name in _SHARED)
         self.state.base, self.state.size = memory.base, SPAN
         self.state.bytes, self.state.valid = memory.bytes, memory.valid
         self.state.written = memory.written
@@ -188,6 +197,8 @@ class Launches:
         seconds = time.process_time() - start
         entry = self.findings.launches.setdefault(loaded.name, [0, 0, 0.0])
         entry[:] = entry[0] + 1, entry[1] + threads, entry[2] + seconds
+        if self.findings.recorded is not None:
+            self.findings.recorded.append(Launch(loaded.name, threads, self.work.accesses, self.work.longest))
         self.findings.seconds["run"] += seconds
         self.findings.atomics[loaded.name] += state.atomics
         self._note(loaded, parameters, where)

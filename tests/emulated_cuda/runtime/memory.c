@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 Emulator EMULATOR;
+u64 emulator_accesses[1024]; /* to memory, by each thread of the running block */
 
 void emulator_fault(Thread *t, u32 kind, u64 address, u32 size, u32 access, u32 statement)
 {
@@ -162,6 +163,7 @@ INLINE u8 *global_bytes(Thread *t, u64 address, u32 size, u32 access, u32 statem
     u32 last = size == 16 ? 8 : (u32)(offset & 7) + size;
     if (UNLIKELY(valid[0] < last || (size == 16 && valid[1] < 8)))
         emulator_fault(t, FAULT_NO_ARRAY, address, size, access, statement);
+    emulator_accesses[t->linear]++;
     if (UNLIKELY(EMULATOR.interval) && --EMULATOR.countdown <= 0)
         emulator_switch_threads();
     EMULATOR.atomics += access == ATOMIC;
@@ -183,6 +185,7 @@ INLINE u8 *shared_bytes(Thread *t, u64 address, u32 size, u32 access, u32 statem
         emulator_fault(t, FAULT_SHARED, address, size, access, statement);
     if (UNLIKELY(address & (size - 1)))
         emulator_fault(t, FAULT_MISALIGNED, address, size, access, statement);
+    emulator_accesses[t->linear]++;
     if (UNLIKELY(EMULATOR.interval) && --EMULATOR.countdown <= 0)
         emulator_switch_threads();
     return t->shared + address;

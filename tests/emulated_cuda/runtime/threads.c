@@ -38,6 +38,10 @@ static struct {
     u64 next, total; /* threads that have started, and all, where they are interleaved alone */
 } launch;
 
+/* Memory accesses of the last launch, and those of its longest thread; approximate if threads are interleaved. */
+struct { u64 accesses, longest; } emulator_work;
+extern u64 emulator_accesses[]; /* of memory.c; not in a header, since all modules are compiled again if one changes */
+
 static Fiber *fibers;
 static u8 *stacks;
 static void *host_stack_pointer;
@@ -273,6 +277,16 @@ static void run_fibers(u32 count)
 
 /* ------------------------------------------------------------------------------------------------ launches */
 
+static void add_up_accesses(void)
+{
+    for (u32 k = 0; k < EMULATOR.block_threads; k++) {
+        emulator_work.accesses += emulator_accesses[k];
+        if (emulator_accesses[k] > emulator_work.longest)
+            emulator_work.longest = emulator_accesses[k];
+    }
+    memset(emulator_accesses, 0, EMULATOR.block_threads * sizeof emulator_accesses[0]);
+}
+
 static void run_waiting_block(u64 block, u8 *shared, u32 shared_size)
 {
     static Block meeting;
@@ -290,6 +304,7 @@ static void run_waiting_block(u64 block, u8 *shared, u32 shared_size)
         meeting.warps[k >> 5].live |= 1u << (k & 31);
     }
     run_fibers(threads);
+    add_up_accesses();
 }
 
 static void run_interleaved(u8 *shared, u32 shared_size)
@@ -305,6 +320,7 @@ static void run_interleaved(u8 *shared, u32 shared_size)
         t->shared_size = shared_size;
     }
     run_fibers(count);
+    add_up_accesses();
 }
 
 static void run_in_turn(u8 *shared, u32 shared_size)
@@ -324,6 +340,7 @@ static void run_in_turn(u8 *shared, u32 shared_size)
             place_thread(&t, block, (u32)at(&launch.threads, k));
             launch.entry(launch.parameters, &t);
         }
+        add_up_accesses();
     }
 }
 
@@ -359,6 +376,8 @@ u32 emulator_launch(Entry entry, const u8 *parameters, const u32 *grid, const u3
     EMULATOR.fault = FAULT_NONE;
     EMULATOR.fault_text[0] = 0;
     EMULATOR.launch++;
+    emulator_work.accesses = emulator_work.longest = 0;
+    memset(emulator_accesses, 0, EMULATOR.block_threads * sizeof emulator_accesses[0]); /* of a launch with a fault */
     EMULATOR.interval = 0;
     u8 *shared = shared_memory(shared_size);
     if (!fibers)

@@ -9,7 +9,13 @@ from scipy.spatial.transform import Rotation
 
 from pointloom.kernels.lang import cpu_compiler, int32, int64, mat44d, vec3
 from pointloom.kernels.memory import download, empty, upload
-from pointloom.kernels.poses.consensus_poses import CompatibilityGraph, distinct_poses, find_consensus, order_descending
+from pointloom.kernels.poses.consensus_poses import (
+    CompatibilityGraph,
+    distinct_poses,
+    find_consensus,
+    order_descending,
+    seed_poses,
+)
 from pointloom.kernels.poses.pair_fits import BLOCK, PairCoordinates
 from pointloom.kernels.poses.pose_fitness import PoseFitness
 from pointloom.kernels.poses.pose_hypotheses import REFUSED, Checks, Samples, score_poses
@@ -374,6 +380,20 @@ def test_counts_are_those_of_brute_force_on_lattices_and_duplicates(compiler, ro
         assert (sums.numpy() == common.sum(axis=1)).all()
         chosen = upload(np.arange(len(points))[::3], int32, "cpu")
         assert (graph.common(chosen).numpy().reshape(-1, len(points)) == common[::3]).all()
+
+
+@pytest.mark.parametrize("count", [1, 31, 33, 1100])  # more words than lanes of a warp
+def test_common_neighbors_and_seed_poses_are_those_of_the_cpu(device, rng, count):
+    p, q = rng.integers(0, 9, (2, count, 3)).astype(np.float32)
+    graphs = [CompatibilityGraph(make_pairs(p, q, each), 0.3, 0.3) for each in ("cpu", device)]
+    edges = edges_of(graphs[0])[:, :count].astype(float)
+    common, poses = edges @ edges * edges, []
+    for graph in graphs:
+        seeds = upload(np.arange(count)[::5], int32, graph.device)
+        assert (graph.support().numpy() == common.sum(axis=1)).all()
+        assert (graph.common(seeds).numpy().reshape(-1, count) == common[::5]).all()
+        poses.append(seed_poses(graph, seeds)[0].numpy())
+    assert np.array_equal(*poses, equal_nan=True)
 
 
 def test_support_counts_the_vertices_of_highest_degree_first(device, rng):
