@@ -32,7 +32,11 @@ _MAX_ATTEMPTS = 5  # attempts to replace a folder while another process restores
 def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> Path:
     """Check that a file can be written, before long computations. Raises `FileError` otherwise.
     The rules are those of `open`: links are followed, and read-only files, folders and missing folders are errors."""
-    path = path_of(path)
+    return _check_target(path_of(path), overwrite=overwrite)[0]
+
+
+def _check_target(path: Path, *, overwrite: bool) -> tuple[Path, Path, os.stat_result | None]:
+    """As `check_writable`: (path, the file behind its links, the status of this file or None)."""
     target = _behind_links(path)
     status, folder = _status_of(path, target), target.parent
     if not folder.is_dir():
@@ -42,19 +46,19 @@ def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> P
     if status is None:
         if not os.access(folder, os.W_OK | os.X_OK):
             raise FileError(path, f"the folder {folder} is not writable", remedy="Choose another folder")
-        return path
+        return path, target, None
     if stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is a folder", remedy="Give the name of a file")
     if not stat.S_ISREG(status.st_mode) and not _is_stream(status):
         raise FileError(path, "is a socket or a block device", remedy="Give the name of a file")
     if not os.access(target, os.W_OK):
         raise FileError(path, "is read-only", remedy="Change its permissions, or give another name")
-    return path
+    return path, target, status
 
 
 def _behind_links(path: Path) -> Path:
-    """The file or folder that a symbolic link names, which may not exist; other paths are unchanged."""
-    if _is_stream(_status_of(path, path)) or not path.is_symlink():  # /dev/stdout names no path
+    """The file or folder that a symbolic link names, which may not exist. Other paths and /dev/stdout are unchanged."""
+    if not os.path.islink(path) or _is_stream(_status_of(path, path)):  # noqa: PTH114  no error for a long name
         return path
     return Path(os.path.realpath(path))
 
@@ -79,9 +83,9 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     """A binary file that appears when the block succeeds and is removed otherwise.
     New files get the default permissions of `open`. Replaced files keep permissions, owner and attributes. Files with
     several names, files whose owner or folder excludes a replacement, pipes and devices are written after the block."""
-    path = check_writable(path, overwrite=overwrite)
-    handled, part, file = sys.exception(), _part_of(path), None
-    opener = functools.partial(os.open, mode=0o600 if path.exists() else 0o666)
+    path, target, status = _check_target(path_of(path), overwrite=overwrite)
+    handled, part, file = sys.exception(), _part_of(target, status), None
+    opener = functools.partial(os.open, mode=0o666 if status is None else 0o600)
     try:
         with (file := _Written(io.FileIO(os.fspath(part), "x", opener=opener))):
             yield file
@@ -108,8 +112,8 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
 @contextlib.contextmanager
 def atomic_path(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[Path]:
     """As `atomic_write`, for packages that write to a name: a new name, whose file is moved when the block succeeds."""
-    path = check_writable(path, overwrite=overwrite)
-    part = _part_of(path)
+    path, target, status = _check_target(path_of(path), overwrite=overwrite)
+    part = _part_of(target, status)
     try:
         yield part
         _publish(part, path, overwrite=overwrite)
@@ -119,15 +123,14 @@ def atomic_path(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iter
         part.unlink(missing_ok=True)
 
 
-def _part_of(path: Path) -> Path:
+def _part_of(target: Path, status: os.stat_result | None) -> Path:
     """A new name for the content of a file: in its folder, or in the temporary folder if it cannot be replaced."""
-    part = part_name(_behind_links(path))
-    return part if _is_replaceable(path) else Path(tempfile.gettempdir(), part.name)
+    part = part_name(target)
+    return part if _is_replaceable(target, status) else Path(tempfile.gettempdir(), part.name)
 
 
-def _is_replaceable(path: Path) -> bool:
-    target = _behind_links(path)
-    return os.access(target.parent, os.W_OK | os.X_OK) and not _is_stream(_status_of(path, target))
+def _is_replaceable(target: Path, status: os.stat_result | None) -> bool:
+    return os.access(target.parent, os.W_OK | os.X_OK) and not _is_stream(status)
 
 
 def _publish(part: Path, path: Path, *, overwrite: bool) -> None:
@@ -136,7 +139,7 @@ def _publish(part: Path, path: Path, *, overwrite: bool) -> None:
     status = _status_of(path, target)
     if not overwrite:
         _link_new(part, target)
-    elif status is None or (_is_replaceable(path) and _take_metadata(part, target, status)):
+    elif status is None or (_is_replaceable(target, status) and _take_metadata(part, target, status)):
         part.replace(target)
     else:
         _overwrite(part, target)
