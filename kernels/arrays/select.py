@@ -7,7 +7,7 @@ import numpy as np
 
 from ..array_types import AnyArray, Array, Indices, Integers, Mask
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
-from ..memory import contiguous, download, empty, rows_of, upload, zeros
+from ..memory import contiguous, copy, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
 from .side_by_side import read_together
 
@@ -78,12 +78,6 @@ def positions_of(mask: Mask, count: int | None = None) -> Indices:
     return positions
 
 
-@kernel
-def copy_last_kernel(ranks: array(dtype=int32), slot: int, counts: array(dtype=int32)):
-    i = tid()
-    counts[slot + i] = ranks[ranks.shape[0] - 1]
-
-
 def positions_of_each(*masks: Mask) -> list[Indices]:
     """As `positions_of` of several masks on one device. One sync for all."""
     return positions_beside(masks, ())[0]
@@ -98,7 +92,7 @@ def positions_beside(masks: Sequence[Mask], beside: Sequence[AnyArray]) -> tuple
     for k, mask in enumerate(masks):
         ranks = _ranks_of(mask) if mask.size else empty(0, int32, device)
         if mask.size:
-            launch(copy_last_kernel, 1, [ranks, k, counts])
+            copy(counts, rows_of(ranks, mask.size - 1, mask.size), count=1, offset=k)
         every.append(ranks)
     sizes, *read = read_together([counts, *beside])  # sync
     selected = [empty(count, int32, device) for count in sizes.tolist()]
