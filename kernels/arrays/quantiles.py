@@ -5,11 +5,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..array_types import Doubles
-from ..lang import array, float64, func, int32, int64, isfinite, kernel, launch, tid
-from ..memory import download, empty, upload
+from ..lang import array, float64, func, int32, int64, isfinite, kernel, launch, tid, vector
+from ..memory import download, empty
 from .side_by_side import part_of
 from .sort import SortKeys, put_key
 
+MAX_QUANTILES = 8  # of a call, passed by value
+quantile_fractions = vector(MAX_QUANTILES, float64)
 NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # above the bits of every number, so excluded ones are sorted last
 
 
@@ -41,14 +43,14 @@ def pick_quantiles_kernel(
     values: array(dtype=float64),
     keys: array(dtype=int64),
     order: array(dtype=int32),
-    shares: array(dtype=float64),
+    shares: quantile_fractions,
     is_median: int,
     quantiles: array(dtype=float64),
 ):
     """Each quantile, interpolated linearly. Then the count of valid numbers."""
     i = tid()
     count = count_numbers(keys, values.shape[0])
-    if i == shares.shape[0]:
+    if i == quantiles.shape[0] - 1:
         quantiles[i] = float64(count)
         return
     if count == 0:
@@ -79,7 +81,7 @@ def _pick(values: Doubles, shares: Sequence[float], above_zero: bool, is_median:
     launch(encode_doubles_kernel, values.size, [values, part_of(values, 0, int64, values.size), int(above_zero), keys])
     sorted_keys, order = keys.sort()
     picked = empty(len(shares) + 1, float64, device)
-    wanted = upload(np.array(shares), float64, device)
+    wanted = quantile_fractions(*shares, *[0.0] * (MAX_QUANTILES - len(shares)))
     launch(pick_quantiles_kernel, picked.size, [values, sorted_keys, order, wanted, int(is_median), picked])
     *quantiles, count = download(picked).tolist()  # sync
     return int(count), quantiles
