@@ -16,6 +16,7 @@ from .side_by_side import read_together
 
 MAX_COUNT = 2**31 - 1
 RUN = 4096  # counts per thread on the CPU: one atomic per run
+FEW = 1 << 17  # counts that NumPy adds up as fast as two cores (0.05 ms, random flags, 2026-11-28)
 
 
 @func
@@ -180,7 +181,10 @@ def sum_counts(counts: Integers) -> int:
 
 def sum_each(*counts: Integers) -> list[int]:
     """As `sum_counts` of several arrays of one size. One sync for all."""
-    runs, device = Runs(counts[0].size, counts[0].device, RUN), counts[0].device
+    device = counts[0].device
+    if device.is_cpu and counts[0].size <= FEW:
+        return [int(download(part).sum(dtype=np.int64)) for part in counts]
+    runs = Runs(counts[0].size, device, RUN)
     totals = zeros(len(counts) * runs.rows, int64, device)
     for k, part in enumerate(counts):
         launch(sum_counts_kernel, runs.threads, [part, runs, totals[k * runs.rows : (k + 1) * runs.rows]])

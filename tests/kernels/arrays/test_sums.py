@@ -8,7 +8,15 @@ import pytest
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.loop_scan import TILE, LoopList, LoopScan
-from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, offsets_of, scan_together, scan_two, sum_counts
+from pointloom.kernels.arrays.prefix_sum import (
+    FEW,
+    RUN,
+    exclusive_scan,
+    offsets_of,
+    scan_together,
+    scan_two,
+    sum_counts,
+)
 from pointloom.kernels.arrays.quantiles import median_above_zero, quantiles_of
 from pointloom.kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from pointloom.kernels.arrays.running_sums import running_sums
@@ -34,7 +42,7 @@ SCANS = {
 }
 
 
-@pytest.mark.parametrize("counts", [[2**31 - 1, 1], [2**31 - 1] * 3, [2**30] * 4, [2**20] * 2**12])
+@pytest.mark.parametrize("counts", [[2**31 - 1, 1], [2**31 - 1] * 3, [2**30] * 4, [2**20] * 2**12, [2**14] * (FEW + 1)])
 def test_an_overflow_of_32_bits_is_an_error(device, counts):
     """Three times 2^31 - 1 wraps round to a positive number, and four times 2^30 to zero."""
     array = upload(np.array(counts, np.int32), int32, device)
