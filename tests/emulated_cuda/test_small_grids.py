@@ -37,10 +37,8 @@ SCENES = {
     **dict.fromkeys(("ransac, pairs", "fast global registration", "icp, colored", "rays, all queries"), 50),
     **dict.fromkeys(("mesh, simplify_quadric_decimation", "mesh, create_from_point_cloud_poisson"), 50),
 }
-LEAVES = "a thread has the eight points of a leaf, in vectors as on the CPU"
 FEATURES = "a thread has a row of the features, of which there are as many as voxels"
 KNOWN = {
-    **dict.fromkeys(("find_cores_kernel", "unite_cores_kernel", "label_borders_kernel", "mask_crowded_kernel"), LEAVES),
     **dict.fromkeys(("find_nearest_rows_kernel", "count_angles_kernel", "sum_histograms_of_lanes_kernel"), FEATURES),
     "step_rows_in_lanes_kernel": "a warp has a row of an image, of which each pixel depends on the previous one",
     "score_in_lanes_kernel": "a warp has 512 pairs and eight poses: 256 poses and MAX_PAIRS give 32,768 threads",
