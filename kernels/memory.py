@@ -42,10 +42,11 @@ def give_back(device: Device) -> int:
     """Release unused pool memory of a GPU to the system (sync) and return the bytes. 0 on GPUs without arrays."""
     for let_go in on_give_back:
         let_go()
-    if device.is_cuda:
-        with lock_for(device):
-            device_arrays.drop_blocks(device)
-    return pools.trim(device) if device.is_cuda and device.alias in _pools else 0
+    if not device.is_cuda or device.alias not in _pools:
+        return 0
+    with lock_for(device):
+        device_arrays.drop_blocks(device)
+    return pools.trim(device)
 
 
 class _Allocation:

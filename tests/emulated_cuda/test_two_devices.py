@@ -7,10 +7,12 @@ import pytest
 from .processes import START, run
 
 PROGRAM = """
+import warp as wp
 from pointloom.kernels.language import device_lock
 
 reg = loom.registration
 points = np.random.default_rng(0).random((400, 3)).astype(np.float32)
+untouched = [loom.free_memory("cuda:1"), wp.get_device("cuda:1").has_context]
 first, second = (loom.PointCloud(points, device=f"cuda:{k}") for k in (0, 1))
 
 def results(cloud):
@@ -30,6 +32,7 @@ found = {
     "same": results(first) == results(second) == results(first.to("cuda:1")) == results(second.to("cuda:0")),
     "late": late(),
     "moved": [str(first.to("cuda:1").device), str(second.to("cpu").device)],
+    "untouched": untouched,
     "loops": sorted(device_lock._recording_streams),
     "refused": {
         "sum": attempt(lambda: first + second),
@@ -53,6 +56,10 @@ def report(emulated):
 
 def test_moved_clouds_give_bitwise_identical_results(report):
     assert report["same"] and report["loops"] == ["cuda:0", "cuda:1"]
+
+
+def test_memory_of_an_untouched_gpu_is_freed_without_a_context(report):
+    assert report["untouched"] == [0, False]
 
 
 def test_clouds_move_between_gpus_once_they_are_made_and_auto_is_the_first(report):
