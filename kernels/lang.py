@@ -25,8 +25,9 @@ float32, or that of its constructor: float64(0.1).
 
 Results do not depend on the number of threads: threads write their own elements, and atomics are order-independent
 (minimum, maximum, integer sums). Results are bitwise identical between devices and compilers except subnormal numbers,
-sin, cos, tan, acos, asin, atan2, exp, log and pow, and reductions. Reductions sum trees over blocks of 256 elements on
-CUDA (segments: 1024 by 256 threads) and runs of 1024 on the CPU, so they agree up to rounding.
+sin, cos, tan, acos, asin, atan2, exp, log and pow, and reductions. Reductions sum trees over at most
+512 blocks of 256 threads on CUDA (segments: over blocks of 1024 elements) and runs of 1024 on the CPU, so they agree up
+to rounding.
 """
 
 from __future__ import annotations

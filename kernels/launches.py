@@ -282,19 +282,16 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
     values, device = checked_arguments(reduction, count, arguments)
     if count == 0:
         return zeros(1, reduction.vector, device)
-    size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
-    blocks, partials, out = _arrays_of_sum(reduction, count, size, device)
+    numbers, partials, out = _arrays_of_sum(reduction, count, device)
+    blocks, rest = numbers[2], [*numbers, partials, out]
     with lock:
         if device.is_cuda:
-            kernels, inputs = reduction.cuda, [*values, count, partials]
-            _run_on_cuda(kernels.tiles, blocks * size, inputs, device, block_dim=size)
-            _run_on_cuda(kernels.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
+            size = warp_compiler.REDUCTION_BLOCK
+            _run_on_cuda(reduction.cuda.tiles, blocks * size, [*values, *rest], device, block_dim=size)
             if device.alias not in reduction.prepared:
                 with contextlib.suppress(*UNFIT):
-                    folded = [blocks, partials, out]
-                    reduction.prepared[device.alias] = PreparedSum.of(reduction, inputs, folded, device)
+                    reduction.prepared[device.alias] = PreparedSum.of(reduction, [*values, *rest], device)
         elif current_cpu_compiler() == "warp":
-            rest = [count, BLOCK, blocks, partials, out]
             _run_on_cpu(reduction, [*values, *rest], blocks, 1)
             if "cpu" not in reduction.prepared:
                 reduction.prepared["cpu"] = _flattened(reduction, arguments, values, rest)
@@ -304,19 +301,25 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
     return out
 
 
-def _arrays_of_sum(reduction: Reduction, count: int, size: int, device: Device) -> tuple[int, wp.array, Any]:
-    """Number of partial sums over `size` elements each, their array, and that of the total, in one allocation."""
-    blocks = -(-count // size)
-    sums = empty(blocks + 1, reduction.vector, device)
-    return blocks, rows_of(sums, 1, blocks + 1), rows_of(sums, 0, 1)
+def _arrays_of_sum(reduction: Reduction, count: int, device: Device) -> tuple[tuple[int, int, int], wp.array, Any]:
+    """Numbers of elements, of those of a block, and of blocks; the partial sums and the total, in one allocation."""
+    if device.is_cuda:
+        size = warp_compiler.REDUCTION_BLOCK
+        size *= -(-count // (size * warp_compiler.MAX_REDUCTION_BLOCKS))
+        blocks = -(-count // size)
+        sums = zeros(1 + warp_compiler.partial_rows(reduction.vector, blocks, 1), reduction.vector, device)
+    else:
+        size, blocks = BLOCK, -(-count // BLOCK)
+        sums = empty(1 + blocks, reduction.vector, device)
+    return (count, size, blocks), rows_of(sums, 1, sums.size), rows_of(sums, 0, 1)
 
 
 def _flat_sum(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any] | None:
     """The sum by a prepared CPU launch. None, without effect, if there is none or the arguments need conversion."""
     if reduction.prepared.get("cpu") is None or not 0 < count <= MAX_THREADS:
         return None
-    blocks, partials, out = _arrays_of_sum(reduction, count, BLOCK, wp.get_device("cpu"))
-    return out if _is_launched_flat(reduction, blocks, arguments, [count, BLOCK, blocks, partials, out], 1) else None
+    numbers, partials, out = _arrays_of_sum(reduction, count, wp.get_device("cpu"))
+    return out if _is_launched_flat(reduction, numbers[2], arguments, [*numbers, partials, out], 1) else None
 
 
 def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
@@ -326,9 +329,9 @@ def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], de
         return None
     try:
         flat = prepared.flatten(arguments)
-        blocks, partials, out = _arrays_of_sum(reduction, count, warp_compiler.REDUCTION_BLOCK, device)
+        numbers, partials, out = _arrays_of_sum(reduction, count, device)
         with lock:
-            prepared.sum(count, flat, blocks, partials, out)
+            prepared.sum(flat, numbers, partials, out)
     except UNFIT:
         return None
     return out
@@ -338,7 +341,7 @@ def reduce_segments(
     reduction: Reduction, blocks: Any, live: Integers, arguments: Sequence[Any], partials: wp.array, out: wp.array
 ) -> None:
     """Sum a reduction's vectors over segments, each in a fixed order, without allocation. `blocks` is a SegmentBlocks;
-    `out` is undefined where `live` (segments) is 0; `partials` is scratch, one vector per block. Raises as `launch`.
+    `out` is undefined where `live` (segments) is 0; `partials` is scratch of `blocks.partials`. Raises as `launch`.
     """
     if not reduction.segmented:
         raise TypeError(f"{reduction.name}: a @reduction, where many sums take a @segment_reduction")

@@ -127,7 +127,7 @@ class ConjugateGradients:
         device = state.solution.device
         self.state, self._map, self._precondition = state, map_search, weigh_residual
         self.blocks = SegmentBlocks([0], [state.solution.size], device)
-        self.partials, self.live = empty(self.blocks.count, vec2d, device), full(1, 1, int32, device)
+        self.partials, self.live = self.blocks.partials(vec2d), full(1, 1, int32, device)
         self._loop = DeviceLoop(state.running, self._iterate)  # recorded once for all solves
 
     def weigh(self) -> None:

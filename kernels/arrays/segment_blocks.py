@@ -1,19 +1,24 @@
 """Segments of elements cut into blocks, the unit of a segmented reduction."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array_types import Device
+from ..array_types import Array1, Device
 from ..lang import BLOCK, int32
-from ..memory import upload_together
+from ..language.warp_compiler import partial_rows
+from ..memory import empty, upload_together, zeros
 
 
 class SegmentBlocks:
-    """Blocks of segments. None crosses a boundary. `owners`: their segments; `starts`: first block per segment."""
+    """Blocks of segments, at least one each. None crosses a boundary. `owners`: their segments; `starts`: first block
+    per segment.
+    """
 
     def __init__(self, firsts: ArrayLike, counts: ArrayLike, device: Device) -> None:
         firsts, counts = np.asarray(firsts, np.int64), np.asarray(counts, np.int64)
-        blocks = -(-counts // BLOCK)
+        blocks = np.maximum(-(-counts // BLOCK), 1)
         starts = np.concatenate([[0], np.cumsum(blocks)])
         owners = np.repeat(np.arange(len(counts)), blocks)
         rank = np.arange(starts[-1]) - starts[owners]
@@ -22,3 +27,9 @@ class SegmentBlocks:
         self.firsts, self.lasts, self.owners, self.starts = upload_together([begin, end, owners, starts], int32, device)
         self.count = int(starts[-1])
         self.element_count = int((firsts + counts).max(initial=0))
+
+    def partials(self, vector: Any) -> Array1[Any]:
+        """Scratch for sums of a vector over the segments, for one sum at a time."""
+        if self.starts.device.is_cuda:
+            return zeros(partial_rows(vector, self.count, self.starts.size - 1), vector, self.starts.device)
+        return empty(self.count, vector, self.starts.device)

@@ -300,8 +300,8 @@ class BendingSteps:
         device, self.graph, self.influence = graph.nodes.device, graph, influence
         self.rows, self.system = BendingRows(influence, graph), NodeSystem(around, graph.count)
         self.live = full(graph.count, 1, int32, device)
-        self.partials = empty(self.rows.blocks.count, pull_sums, device)
-        self.square_partials = empty(self.rows.blocks.count, pull_block, device)
+        self.partials = self.rows.blocks.partials(pull_sums)
+        self.square_partials = self.rows.blocks.partials(pull_block)
         self.iterations = 0
 
     def take(self, stiffness: float) -> float:

@@ -28,7 +28,7 @@ from ..lang import (
     tid,
     vec3d,
 )
-from ..memory import empty, full, zeros
+from ..memory import full, zeros
 from .determined_steps import constrained_step
 from .job_states import CONVERGED, FEW_PAIRS, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, RUNNING, free_directions
 from .normal_distributions import RESIDUALS_AT, NormalDistributions, sum_distribution_rows
@@ -100,7 +100,7 @@ class DistributionLoop:
     def run(self) -> None:
         target = self.target
         blocks = SegmentBlocks([0], [self.source.size], self.device)
-        partials, live = empty(blocks.count, row_sums, self.device), full(1, 1, int32, self.device)
+        partials, live = blocks.partials(row_sums), full(1, 1, int32, self.device)
         threads = WARP if self.device.is_cuda else 1
 
         def iterate() -> None:

@@ -10,7 +10,7 @@ from ..array_types import AnyArray, Array1
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import array, float64, func, int32, reduce_segments, segment_reduction, struct, tid, vec3, vector
-from ..memory import download, empty, full, zeros
+from ..memory import download, full, zeros
 from ..search.many_clouds import ManyClouds
 from ..search.point_tree import LEAF
 
@@ -74,7 +74,7 @@ class Jobs:
             count = len(curve.counts)
             is_own = count == self.count == 1  # the job's elements are those of its source
             blocks = self.blocks if is_own else SegmentBlocks(curve.bases, curve.counts, self.device)
-            partials, out = empty(blocks.count, first_moments, self.device), zeros(count, first_moments, self.device)
+            partials, out = blocks.partials(first_moments), zeros(count, first_moments, self.device)
             reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
             curve.moments = out
         return curve.moments

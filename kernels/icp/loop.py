@@ -1,4 +1,4 @@
-"""Batched iterative registration: four launches per iteration for all jobs, without sync on CUDA."""
+"""Batched iterative registration: three launches per iteration for all jobs, without sync on CUDA."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -9,7 +9,7 @@ from ..algebra.rigid_solve import TRIANGLE, vec6d
 from ..array_types import AnyArray, Array1, Integers
 from ..arrays.side_by_side import SideBySide
 from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments, vec3d
-from ..memory import download, empty, full, zeros
+from ..memory import download, full, zeros
 from .constrained_steps import step_constrained_kernel
 from .correspondences import match_groups_kernel, match_points_kernel
 from .freedom import Freedom
@@ -45,7 +45,7 @@ class Matching:
         self.states = self._make_states(poses)
         self.matches = Matches(jobs, self.states, max_distance, targets)
         self.totals = zeros(jobs.count, row_sums, jobs.device)
-        self.partials = empty(jobs.blocks.count, row_sums, jobs.device)
+        self.partials = jobs.blocks.partials(row_sums)
 
     def _make_states(self, poses: np.ndarray) -> SideBySide:
         return match_states(self.jobs, poses)

@@ -172,24 +172,21 @@ class PreparedKernel:
 
 
 class PreparedSum:
-    def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
+    def __init__(self, reduction: Reduction, tiles: CudaLaunch, device: Any) -> None:
         self.flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
         self.sums = kind_of(reduction.vector, 1, device)
-        self._tiles, self._fold = tiles, fold
+        self._tiles = tiles
 
     @classmethod
-    def of(cls, reduction: Reduction, given: Sequence[Any], folded: Sequence[Any], device: Any) -> PreparedSum | None:
-        """Prepare from the arguments of both kernels. None if Warp must launch them. Raises one of UNFIT."""
-        kernels, size = reduction.cuda, REDUCTION_BLOCK
-        tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
-        fold = prepared_launch(kernels.fold_tiles, size, folded, device, block_dim=size)
-        return cls(reduction, tiles, fold, device) if tiles.is_known and fold.is_known else None
+    def of(cls, reduction: Reduction, given: Sequence[Any], device: Any) -> PreparedSum | None:
+        """Prepare from the kernel's arguments. None if Warp must launch it. Raises one of UNFIT."""
+        tiles = prepared_launch(reduction.cuda.tiles, REDUCTION_BLOCK, given, device, block_dim=REDUCTION_BLOCK)
+        return cls(reduction, tiles, device) if tiles.is_known else None
 
-    def sum(self, count: int, flat: Flat, blocks: int, partials: wp.array, out: wp.array) -> None:
-        """Sum `count` elements of the flattened arguments. Take the lock."""
-        parts, total = self.sums.packed(partials), self.sums.packed(out)
-        self._tiles(blocks * REDUCTION_BLOCK, (*flat, count, parts))
-        self._fold(REDUCTION_BLOCK, (blocks, parts, total))
+    def sum(self, flat: Flat, numbers: tuple[int, int, int], partials: wp.array, out: wp.array) -> None:
+        """Sum. `numbers`: of elements, of those of a block, and of blocks. Take the lock."""
+        packed = self.sums.packed
+        self._tiles(numbers[2] * REDUCTION_BLOCK, (*flat, *numbers, packed(partials), packed(out)))
 
 
 def _format(parameter: Parameter) -> str:

@@ -1,11 +1,11 @@
-"""Launches of a segmented reduction on CUDA: one thread block per block of elements, then one per segment.
+"""Launches of a segmented reduction on CUDA: one thread block per block of elements.
 
 Thread counts are 32-bit, so more than 2^31 / 256 blocks (8.4 million) take several launches over parts of the tables.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import warp as wp
@@ -20,7 +20,7 @@ from .warp_compiler import REDUCTION_BLOCK, CudaSegmentReduction
 if TYPE_CHECKING:
     from ..lang import Reduction
 
-_MAX_BLOCKS = MAX_THREADS // REDUCTION_BLOCK  # blocks or segments of a launch
+MAX_BLOCKS = MAX_THREADS // REDUCTION_BLOCK  # of a launch
 
 
 def launch_segments(
@@ -33,53 +33,47 @@ def launch_segments(
     out: AnyArray,
 ) -> None:
     """Sum the vectors of a reduction over segments. Take the lock first. Arguments as in `lang.reduce_segments`."""
-    device, size = out.device, REDUCTION_BLOCK
-    for part in _parts(blocks.count):
-        tables = [blocks.firsts[part], blocks.lasts[part], blocks.owners[part], live, partials[part]]
-        run(kernels.tiles, (part.stop - part.start) * size, [*values, *tables], device, block_dim=size)
-    for part in _parts(out.size):
-        tables = [blocks.starts[part.start : part.stop + 1], live[part], partials, out[part]]
-        run(kernels.fold_tiles, (part.stop - part.start) * size, tables, device, block_dim=size)
+    size = REDUCTION_BLOCK
+    for first in range(0, blocks.count, MAX_BLOCKS):
+        threads = min(MAX_BLOCKS, blocks.count - first) * size
+        given = [*values, *_tables(blocks), live, first, blocks.count, partials, out]
+        run(kernels.tiles, threads, given, out.device, block_dim=size)
+
+
+def _tables(blocks: Any) -> tuple[Integers, ...]:
+    return blocks.firsts, blocks.lasts, blocks.owners, blocks.starts
 
 
 class PreparedSegmentSum:
     """Prepared segmented reduction on a GPU, for sizes that fit in one launch."""
 
-    def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
+    def __init__(self, reduction: Reduction, tiles: CudaLaunch, device: Any) -> None:
         self._flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
-        self._sums, self._tables = kind_of(reduction.vector, 1, device), kind_of(wp.int32, 1, device)
-        self._tiles, self._fold = tiles, fold
+        self._sums, self._table = kind_of(reduction.vector, 1, device), kind_of(wp.int32, 1, device)
+        self._tiles = tiles
 
     @classmethod
     def of(
         cls, reduction: Reduction, values: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
     ) -> PreparedSegmentSum | None:
         """Prepare from the arguments of a launch. None if Warp must launch it. Raises one of UNFIT."""
-        kernels, device, size = reduction.cuda, out.device, REDUCTION_BLOCK
-        given = [*values, blocks.firsts, blocks.lasts, blocks.owners, live, partials]
-        tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
-        fold = prepared_launch(kernels.fold_tiles, size, [blocks.starts, live, partials, out], device, block_dim=size)
-        return cls(reduction, tiles, fold, device) if tiles.is_known and fold.is_known else None
+        device, size = out.device, REDUCTION_BLOCK
+        given = [*values, *_tables(blocks), live, 0, blocks.count, partials, out]
+        tiles = prepared_launch(reduction.cuda.tiles, size, given, device, block_dim=size)
+        return cls(reduction, tiles, device) if tiles.is_known else None
 
     def is_launched(
         self, arguments: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
     ) -> bool:
         """Launch. False without any effect for arguments that need conversion."""
-        size, packed = REDUCTION_BLOCK, self._tables.packed
-        if not 0 < blocks.count <= _MAX_BLOCKS or not 0 < out.size <= _MAX_BLOCKS:
+        table, sums, count = self._table.packed, self._sums.packed, blocks.count
+        if not 0 < count <= MAX_BLOCKS:
             return False
         try:
-            flat, sums = self._flatten(arguments), self._sums.packed(partials)
-            tables = (packed(blocks.firsts), packed(blocks.lasts), packed(blocks.owners), packed(live), sums)
-            folded = (packed(blocks.starts), packed(live), sums, self._sums.packed(out))
+            flat, tables = self._flatten(arguments), map(table, _tables(blocks))
             with lock:
-                self._tiles(blocks.count * size, (*flat, *tables))
-                self._fold(out.size * size, folded)
+                packed = (*flat, *tables, table(live), 0, count, sums(partials), sums(out))
+                self._tiles(count * REDUCTION_BLOCK, packed)
         except UNFIT:
             return False
         return True
-
-
-def _parts(count: int) -> Iterator[slice]:
-    for first in range(0, count, _MAX_BLOCKS):
-        yield slice(first, min(first + _MAX_BLOCKS, count))

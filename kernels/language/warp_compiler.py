@@ -130,8 +130,9 @@ def _has_driver() -> bool:
 
 _start_quietly()
 
-REDUCTION_BLOCK = 256  # threads of a CUDA block. Also the stride of the second stage
-PART = 4  # elements of a vector that a block sums at once
+REDUCTION_BLOCK = 256  # threads of a CUDA block
+MAX_REDUCTION_BLOCKS = 512  # of a sum: they fill 132 multiprocessors, and the last one reads few rows
+LANES = 32
 
 # One block size per module, since its tiles are compiled for it. No fused multiply-add: the search tree is exact only
 # if the distances of a box and a point round alike. CUDA is then bitwise identical to the CPU, except for
@@ -303,6 +304,11 @@ def modules_for_cuda(module: str) -> list[Any]:
     return [warp_module for warp_module in (wp.get_module(module), cuda_module(module)) if warp_module.kernels]
 
 
+def partial_rows(vector: Any, blocks: int, segments: int) -> int:
+    """Rows of scratch of a sum on CUDA: the blocks' sums, then counters of ended blocks, one per segment, zeros."""
+    return blocks - (-4 * segments // wp.types.type_size_in_bytes(vector))
+
+
 class _Reduction:
     """Parts of a reduction's kernels: element function, vector, and register limit (0: none)."""
 
@@ -321,14 +327,15 @@ class _Reduction:
 
     def kernel(self, suffix: str, source: str, types: dict) -> Any:
         listed = "".join(f"{a}, " for a in self.arguments)
-        source = source.format(
-            name=self.name, arguments=listed, block=REDUCTION_BLOCK, sum=_sum_of_block(self.vector._length_)
-        )
-        function = compile_source(f"{self.name}_{suffix}", source, self.inner, self.module)
+        given = {"name": self.name, "arguments": listed, "tables": ", ".join(_TABLES), "block": REDUCTION_BLOCK}
+        function = compile_source(f"{self.name}_{suffix}", source.format(**given), self.inner, self.module)
         function.__annotations__ = types
-        home = _module_of(self.module, "cuda" if suffix.endswith("tiles") else "cpu")
+        home = _module_of(self.module, "cuda" if suffix == "tiles" else "cpu")
         limit = max_registers_of(self.name, self.max_registers) if suffix == "tiles" else 0
         return wp.kernel(function, enable_backward=False, module=home, cuda_max_registers=limit or None)
+
+
+_TABLES = ("firsts_", "lasts_", "owners_", "starts_", "live_")  # of the blocks of segments
 
 
 class CpuReduction(_Reduction):
@@ -345,37 +352,39 @@ class CpuSegmentReduction(_Reduction):
 
     def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
-        tables = dict.fromkeys(("firsts_", "lasts_", "owners_", "starts_", "live_"), wp.array(dtype=int))
-        types = {**tables, "blocks_": int, "partials_": self.partials, "out_": self.partials}
+        types = {
+            **dict.fromkeys(_TABLES, wp.array(dtype=int)),
+            "blocks_": int,
+            "partials_": self.partials,
+            "out_": self.partials,
+        }
         self.sum = self.kernel("sum", _SEGMENT_SUM, {**self.arguments, **types})
 
 
 class CudaReduction(_Reduction):
-    """CUDA kernels of a sum: tiles, and the fold of their partial sums."""
+    """CUDA kernel of a sum: blocks, the last of which to end adds their results."""
 
     def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
-        self.tiles = self.kernel("tiles", _TILES, {**self.arguments, "count_": int, "partials_": self.partials})
-        folded = {"count_": int, "partials_": self.partials, "out_": self.partials}
-        self.fold_tiles = self.kernel("fold_tiles", _FOLD_TILES, folded)
+        self.inner["finish_"] = _sum_of_blocks(self.name, self.vector)
+        types = {"count_": int, "block_": int, "blocks_": int, "partials_": self.partials, "out_": self.partials}
+        self.tiles = self.kernel("tiles", _TILES, {**self.arguments, **types})
 
 
 class CudaSegmentReduction(_Reduction):
-    """CUDA kernels of many sums. Folds of a vector length are shared within a module."""
-
-    _folds: dict[tuple[str, Any], Any] = {}  # noqa: RUF012
+    """CUDA kernel of many sums: blocks, the last of which to end for a segment adds the results of that segment."""
 
     def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
-        table = wp.array(dtype=int)
-        typed = {**self.arguments, "firsts_": table, "lasts_": table, "owners_": table, "live_": table}
-        typed["partials_"] = self.partials
-        self.tiles = self.kernel("tiles", _SEGMENT_TILES, typed)
-        key = (self.module, self.vector)
-        if key not in self._folds:
-            folded = {"starts_": table, "live_": table, "partials_": self.partials, "out_": self.partials}
-            self._folds[key] = self.kernel("fold_tiles", _SEGMENT_FOLD_TILES, folded)
-        self.fold_tiles = self._folds[key]
+        self.inner["finish_"] = _sum_of_blocks(self.name, self.vector)
+        types = {
+            **dict.fromkeys(_TABLES, wp.array(dtype=int)),
+            "first_": int,
+            "blocks_": int,
+            "partials_": self.partials,
+            "out_": self.partials,
+        }
+        self.tiles = self.kernel("tiles", _SEGMENT_TILES, {**self.arguments, **types})
 
 
 _SUM = """def {name}_sum({arguments}count_, block_, blocks_, partials_, out_):
@@ -392,25 +401,16 @@ _SUM = """def {name}_sum({arguments}count_, block_, blocks_, partials_, out_):
             sum_ += partials_[k_]
         out_[b_ - blocks_] = sum_
 """
-_TILES = """def {name}_tiles({arguments}count_, partials_):
-    i_ = wp.tid()
+_TILES = """def {name}_tiles({arguments}count_, block_, blocks_, partials_, out_):
+    t_ = wp.tid() % {block}
+    b_ = wp.tid() // {block}
+    first_ = b_ * block_
     value_ = vector_()
-    if i_ < count_:
-        value_ = element_({arguments}i_)
-{sum}
-    if i_ % {block} == 0:
-        partials_[i_ // {block}] = value_
+    for j_ in range(first_ + t_, first_ + wp.min(block_, count_ - first_), {block}):
+        value_ += element_({arguments}j_)
+    finish_(value_, b_, 0, 0, blocks_, blocks_, partials_, out_)
 """
-_FOLD_TILES = """def {name}_fold_tiles(count_, partials_, out_):
-    i_ = wp.tid()
-    value_ = vector_()
-    for j_ in range(i_, count_, {block}):
-        value_ += partials_[j_]
-{sum}
-    if i_ == 0:
-        out_[0] = value_
-"""
-_SEGMENT_SUM = """def {name}_sum({arguments}firsts_, lasts_, owners_, starts_, live_, blocks_, partials_, out_):
+_SEGMENT_SUM = """def {name}_sum({arguments}{tables}, blocks_, partials_, out_):
     b_ = wp.tid()
     if b_ < blocks_:
         if live_[owners_[b_]] != 0:
@@ -426,41 +426,117 @@ _SEGMENT_SUM = """def {name}_sum({arguments}firsts_, lasts_, owners_, starts_, l
                 sum_ += partials_[k_]
             out_[s_] = sum_
 """
-_SEGMENT_TILES = """def {name}_tiles({arguments}firsts_, lasts_, owners_, live_, partials_):
-    i_ = wp.tid()
-    b_ = i_ // {block}
-    value_ = vector_()
-    if live_[owners_[b_]] != 0:
-        for j_ in range(firsts_[b_] + i_ % {block}, lasts_[b_], {block}):
+_SEGMENT_TILES = """def {name}_tiles({arguments}{tables}, first_, blocks_, partials_, out_):
+    b_ = first_ + wp.tid() // {block}
+    s_ = owners_[b_]
+    if live_[s_] != 0:
+        value_ = vector_()
+        for j_ in range(firsts_[b_] + wp.tid() % {block}, lasts_[b_], {block}):
             value_ += element_({arguments}j_)
-{sum}
-    if i_ % {block} == 0:
-        partials_[b_] = value_
-"""
-_SEGMENT_FOLD_TILES = """def {name}_fold_tiles(starts_, live_, partials_, out_):
-    i_ = wp.tid()
-    s_ = i_ // {block}
-    value_ = vector_()
-    for j_ in range(starts_[s_] + i_ % {block}, starts_[s_ + 1], {block}):
-        value_ += partials_[j_]
-{sum}
-    if i_ % {block} == 0:
-        out_[s_] = value_
+        finish_(value_, b_, s_, starts_[s_], starts_[s_ + 1], blocks_, partials_, out_)
 """
 
 
-def _sum_of_block(length: int) -> str:
-    """Source lines for the block sum of `value_`, in parts: a tile of complete vectors would double its registers."""
-    lines = []
-    for first in range(0, length, PART):
-        part = range(first, min(first + PART, length))
-        if len(part) == 1:  # a vector of one number would be filled
-            lines.append(f"    value_[{first}] = wp.tile_extract(wp.tile_sum(wp.tile(value_[{first}])), 0)")
-            continue
-        listed = ", ".join(f"value_[{k}]" for k in part)
-        summed = f"wp.tile_extract(wp.tile_sum(wp.tile(wp.vector({listed}), preserve_type=True)), 0)"
-        lines += [f"    part_{first} = {summed}", *(f"    value_[{k}] = part_{first}[{k - first}]" for k in part)]
-    return "\n".join(lines)
+_SCALARS = {wp.float64: "double", wp.float32: "float", wp.int32: "int", wp.int64: "long long"}
+
+
+def _sum_of_blocks(name: str, vector: Any) -> Any:
+    """Device function that adds the vectors of a block's threads, and in the last block of a segment to end those of
+    its blocks, as NVIDIA's sample threadFenceReduction. All threads of the block call it.
+
+    Its numbers: the block, its segment, the segment's blocks from `first` to `last`, and all `blocks`. `partials` has
+    a row for each block, then counters of ended blocks (`partial_rows`). They are zero before and after.
+    """
+    length = vector._length_
+    assert length <= REDUCTION_BLOCK
+    lanes = "".join(_sum_of_lanes(first, min(length - first, LANES)) for first in range(0, length, LANES))
+    scalar = _SCALARS[vector._wp_scalar_type_]
+    snippet = _SUM_OF_BLOCKS.format(scalar=scalar, length=length, threads=REDUCTION_BLOCK, lanes=lanes)
+
+    def finish(value, block, segment, first, last, blocks, partials, out): ...
+
+    rows = wp.array(dtype=vector)
+    numbers = dict.fromkeys(("block", "segment", "first", "last", "blocks"), wp.int32)
+    finish.__annotations__ = {"value": vector, **numbers, "partials": rows, "out": rows, "return": None}
+    finish.__name__ = finish.__qualname__ = f"{name}_finish"
+    return wp.func_native(snippet)(finish)
+
+
+# Lanes exchange halves of the remaining elements, so that lane k ends with the sum of element k: 31 instead of 160
+# shuffles for 32 elements. Steps are written out, since an array that is not fully unrolled lies in local memory.
+_SUM_OF_LANES = """
+    {{
+        scalar a[{padded}];
+        #pragma unroll
+        for (int k = 0; k < {padded}; ++k) a[k] = k < {width} ? value[{first} + k] : scalar(0);
+        {halves}
+        if (lane < {width}) of_warps[thread / 32][{first} + lane] = a[0];
+    }}
+"""
+_HALF = """
+        #pragma unroll
+        for (int k = 0; k < {half}; ++k) {{
+            const bool is_upper = lane & {half};
+            const scalar sent = is_upper ? a[k] : a[k + {half}];
+            a[k] = (is_upper ? a[k + {half}] : a[k]) + __shfl_xor_sync(0xffffffffu, sent, {half});
+        }}
+"""
+_WHOLE = """
+        a[0] += __shfl_xor_sync(0xffffffffu, a[0], {mask});
+"""
+
+
+def _sum_of_lanes(first: int, width: int) -> str:
+    """Source lines for the sums of elements over the lanes of a warp, each in one lane."""
+    steps = (width - 1).bit_length()
+    halves = [_HALF.format(half=1 << k) for k in reversed(range(steps))]
+    halves += [_WHOLE.format(mask=1 << k) for k in range(steps, LANES.bit_length() - 1)]
+    return _SUM_OF_LANES.format(first=first, width=width, padded=1 << steps, halves="".join(halves))
+
+
+# The fence before the counter makes a block's row visible to the block that counts last. __ldcg reads past the L1
+# cache, which is not coherent.
+_SUM_OF_BLOCKS = """
+    typedef {scalar} scalar;
+    enum {{ LENGTH = {length}, THREADS = {threads}, WARPS = THREADS / 32, PARTS = THREADS / LENGTH }};
+    __shared__ scalar of_warps[WARPS][LENGTH], of_parts[PARTS * LENGTH];
+    __shared__ bool is_last;
+    const int thread = threadIdx.x, lane = thread & 31;
+    {lanes}
+    __syncthreads();
+    scalar* rows = (scalar*)partials.data;
+    scalar* sums = (scalar*)(out.data + segment);
+    scalar* own = last - first == 1 ? sums : rows + (long long)block * LENGTH;
+    if (thread < LENGTH) {{
+        scalar total = of_warps[0][thread];
+        #pragma unroll
+        for (int k = 1; k < WARPS; ++k) total += of_warps[k][thread];
+        own[thread] = total;
+    }}
+    if (last - first == 1) return;
+    int* ended = (int*)(partials.data + blocks) + segment;
+    __threadfence();
+    __syncthreads();
+    if (thread == 0) is_last = atomicAdd(ended, 1) == last - first - 1;
+    __syncthreads();
+    if (!is_last) return;
+    __threadfence();
+    if (thread < PARTS * LENGTH) {{
+        scalar total = 0;
+        #pragma unroll 8
+        for (long long k = first + thread / LENGTH; k < last; k += PARTS)
+            total += __ldcg(rows + k * LENGTH + thread % LENGTH);
+        of_parts[thread] = total;
+    }}
+    __syncthreads();
+    if (thread < LENGTH) {{
+        scalar total = of_parts[thread];
+        #pragma unroll
+        for (int k = 1; k < PARTS; ++k) total += of_parts[k * LENGTH + thread];
+        sums[thread] = total;
+    }}
+    if (thread == 0) atomicExch(ended, 0);
+"""
 
 
 def _set_options(module: str) -> None:

@@ -297,8 +297,8 @@ class FragmentStep:
         self.rows, self.lattice, self.system = rows, lattice, system
         self.live_pairs = full(max(system.pair_sums.size, 1), 1, int32, device)
         self.live_cells = full(max(lattice.cell_count, 1), 1, int32, device)
-        self.pair_partials = empty(rows.sums.count, slope_sums, device)
-        self.cell_partials = empty(rows.cells.count, corner_sums, device)
+        self.pair_partials = rows.sums.partials(slope_sums)
+        self.cell_partials = rows.cells.partials(corner_sums)
         launch(fit_anchor_rotations_kernel, lattice.anchor_count, [lattice, system.rotations])
 
     def errors(self) -> tuple[float, int, float]:
@@ -348,12 +348,12 @@ class FragmentStep:
         launch(weigh_anchors_kernel, self.lattice.anchor_count, [self.system, state.residual, state.forces])
 
     def _make_blocks(self) -> None:
-        system, lattice, rows, device = self.system, self.lattice, self.rows, self.lattice.shifts.device
-        partials = empty(rows.sums.count, pose_block, device)
+        system, lattice, rows = self.system, self.lattice, self.rows
+        partials = rows.sums.partials(pose_block)
         reduce_segments(sum_pair_squares, rows.sums, self.live_pairs, [rows], partials, system.pair_blocks)
         launch(factor_fragments_kernel, system.fragment_count, [DAMPING, system])
         if lattice.cell_count:
-            partials = empty(rows.cells.count, anchor_block, device)
+            partials = rows.cells.partials(anchor_block)
             launch(clear_blocks_kernel, lattice.anchor_count, [system.blocks])
             for corner in range(CORNERS):
                 reduce_segments(

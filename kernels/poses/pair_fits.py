@@ -130,7 +130,7 @@ class PoseSums:
         self._segments = SegmentBlocks(np.arange(count) * pairs.count, np.full(count, pairs.count), device)
         self.rows = zeros((count, COLUMNS), float64, device)
         self._live, self._totals = full(count, 1, int32, device), part_of(self.rows, 0, all_sums, count)
-        self._partials = empty(self._segments.count, all_sums, device)
+        self._partials = self._segments.partials(all_sums)
 
     def add_up(self, by_block: Kernel, by_pair: Reduction, arguments: Sequence[Doubles | Poses | float]) -> None:
         """Sum with `by_block` (kernel over blocks, CPU) or `by_pair` (reduction, CUDA)."""

@@ -125,7 +125,7 @@ class Matching:
         self._moved, self._nearest = empty(count, vec3, device), empty(count, int64, device)
         self._order = positions(count, device) if device.is_cuda else None  # source points are in curve order
         self._blocks, self._live = SegmentBlocks([0], [count], device), full(1, 1, int32, device)
-        self._partials = empty(self._blocks.count, match_sums, device)
+        self._partials = self._blocks.partials(match_sums)
 
     def run(self, fitness: PoseFitness, pose: Poses, distance: float) -> None:
         """Sum over the matches closer than a distance [m] under a pose, mat44d (1)."""

@@ -38,7 +38,7 @@ from ..lang import (
     vector,
 )
 from ..lru_cache import LruCache
-from ..memory import empty, on_give_back
+from ..memory import on_give_back
 from .alignment_rows import (
     BRIGHTNESS_COUNT,
     BRIGHTNESS_ERROR,
@@ -370,7 +370,7 @@ class Descent:
         self.buffers = SideBySide(begin, source.device)
         state = self.state = AlignmentState(self.buffers.arrays)
         sums, blocks = self.buffers.arrays["sums"], SegmentBlocks(source.firsts, source.counts, source.device)
-        partials = empty(blocks.count, row_sums, source.device)
+        partials = blocks.partials(row_sums)
 
         def iterate() -> None:
             arguments = [self.source, self.target, rules, state]

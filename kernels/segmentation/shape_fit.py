@@ -189,7 +189,7 @@ class ShapeFitter:
             rules.threshold, rules.cosine = chosen.threshold, chosen.cosine
             rules.smallest, rules.largest = chosen.smallest, chosen.largest
         blocks = SegmentBlocks(np.arange(k) * n, np.full(k, n), device)
-        partials, trials = empty(blocks.count, fit_sums, device), empty(k, fit_sums, device)
+        partials, trials = blocks.partials(fit_sums), empty(k, fit_sums, device)
         center = vec3d(*self.center)
 
         def iterate() -> None:

@@ -252,7 +252,7 @@ class ColorSearch:
         firsts = np.concatenate([[0], np.cumsum(sightings.counts)[:-1]])
         self.blocks = SegmentBlocks(firsts, sightings.counts, device)
         self.live = full(count, 1, int32, device)
-        self.partials = empty(self.blocks.count, pose_sums, device)
+        self.partials = self.blocks.partials(pose_sums)
         self.sums, self.best_sums = zeros(count, pose_sums, device), zeros(count, pose_sums, device)
         self.best_poses = zeros(count, mat44d, device)
         self.samples = empty(sightings.count, shade, device)

@@ -214,7 +214,7 @@ def registration_icp_batch(
         DeviceError: The clouds are on different devices.
 
     Notes:
-        Four launches per iteration for all jobs. 12 B per source point and job besides the clouds.
+        Three launches per iteration for all jobs. 12 B per source point and job besides the clouds.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -14,6 +14,10 @@ install()
 import warp as wp  # noqa: E402  after the device
 from emulated_cuda.ptx_programs import Programs  # noqa: E402
 
+from pointloom.kernels.arrays.segment_blocks import SegmentBlocks  # noqa: E402
+from pointloom.kernels.icp.jobs import first_moments, sum_moments  # noqa: E402
+from pointloom.kernels.lang import reduce_segments  # noqa: E402
+
 wp.config.quiet = True
 DEVICE = "cuda:0"
 
@@ -126,6 +130,11 @@ def main() -> None:
     wp.launch(own_half_kernel, 128, [wp.zeros(128, dtype=wp.uint16, device=DEVICE)], device=DEVICE)
     given, out = wp.zeros(256, dtype=int, device=DEVICE), wp.zeros(4, dtype=int, device=DEVICE)
     wp.launch(tiles_kernel, 256, [given, out], device=DEVICE, block_dim=64)
+    blocks = SegmentBlocks([0, 5000], [5000, 100], wp.get_device(DEVICE))
+    points, live = wp.zeros(5100, dtype=wp.vec3, device=DEVICE), wp.full(2, 1, dtype=int, device=DEVICE)
+    for _ in range(2):
+        out = wp.zeros(2, dtype=first_moments, device=DEVICE)
+        reduce_segments(sum_moments, blocks, live, [points], blocks.partials(first_moments), out)
     device = installed()
     assert device is not None
     with tempfile.TemporaryDirectory() as folder:

@@ -45,7 +45,9 @@ def load(f: FunctionTranslator, i: Instruction) -> str | None:
         f.set(register, kind, f"*(const {c_type(kind)} *)(bytes + {k * size})")
         for k, register in enumerate(_elements(i.operands[0], count))
     ]
-    return f"{{ const u8 *bytes = {where}; {' '.join(code)} }}"
+    # ld.cg is used where a counter after a fence orders the accesses
+    begin, end = ("t->is_ordered = 1; ", " t->is_ordered = 0;") if "cg" in i else ("", "")
+    return f"{{ {begin}const u8 *bytes = {where};{end} {' '.join(code)} }}"
 
 
 @translates("st")

@@ -85,6 +85,7 @@ typedef struct Thread {
     u64 stack_low, stack_high;
     u8 *data; /* the module's own variables */
     u64 data_size;
+    u32 is_ordered; /* within a load past the L1 cache, which the race detector skips */
 } Thread;
 
 /* The last accesses to four bytes, or to one, for the race detector. */

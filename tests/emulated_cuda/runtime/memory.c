@@ -174,7 +174,7 @@ INLINE u8 *global_bytes(Thread *t, u64 address, u32 size, u32 access, u32 statem
         if (access != LOAD)
             memset(written, 1, size);
     }
-    if (UNLIKELY(EMULATOR.tracks != 0))
+    if (UNLIKELY(EMULATOR.tracks != 0) && !t->is_ordered)
         emulator_track(t, address, size, access, statement, value);
     return EMULATOR.bytes + offset;
 }

@@ -10,9 +10,9 @@ from pointloom.kernels import lang
 from pointloom.kernels.arrays.open_rows import CHECKED_ROUNDS, ROUNDS, resolve_in_rounds
 from pointloom.kernels.arrays.runs import CUDA_MIN_LENGTH, CUDA_THREADS, Runs, elements_of, row_of
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
-from pointloom.kernels.lang import BLOCK, array, atomic_add, float64, int32, kernel, launch, tid, uint8
+from pointloom.kernels.lang import BLOCK, array, atomic_add, float32, float64, int32, int64, kernel, launch, tid, uint8
 from pointloom.kernels.language import segment_launches
-from pointloom.kernels.memory import download, empty, full, upload, zeros
+from pointloom.kernels.memory import download, full, upload, zeros
 
 LENGTH = 64  # of a run on the CPU
 
@@ -71,10 +71,32 @@ def count_down_kernel(iterations: array(dtype=int32), running: array(dtype=int32
             atomic_add(running, 0, -1)  # a count: the order does not matter
 
 
+VECTORS = """
+numbers = vector({length}, {kind})
+
+@func
+def multiples(value: int) -> numbers:
+    out = numbers({kind}(0))
+    for k in range({length}):
+        out[k] = {kind}(value * (k % 5 + 1))
+    return out
+
+@segment_reduction
+def sum_multiples(values: array(dtype=int32)) -> numbers:
+    i = tid()
+    return multiples(values[i])
+
+@reduction
+def sum_all_multiples(values: array(dtype=int32)) -> numbers:
+    i = tid()
+    return multiples(values[i])
+"""
+
+
 def sums_of(device, values, firsts, counts, live=None, start=None):
     blocks = SegmentBlocks(firsts, counts, device)
     alive = full(len(counts), 1, int32, device) if live is None else upload(np.array(live), int32, device)
-    partials = empty(max(1, blocks.count), pair, device)
+    partials = blocks.partials(pair)
     out = zeros(len(counts), pair, device) if start is None else upload(start, pair, device)
     lang.reduce_segments(sum_powers, blocks, alive, [upload(values, float64, device)], partials, out)
     return out.numpy().copy()
@@ -87,12 +109,12 @@ def test_blocks_part_the_segments(counts, gap):
     blocks = SegmentBlocks(firsts, counts, "cpu")
     begin, end, owners = (a.numpy() for a in (blocks.firsts, blocks.lasts, blocks.owners))
     starts = blocks.starts.numpy()
-    assert blocks.count == len(begin) == starts[-1] and ((end - begin > 0) & (end - begin <= BLOCK)).all()
+    assert blocks.count == len(begin) == starts[-1] and ((end - begin >= 0) & (end - begin <= BLOCK)).all()
     for segment, (first, count) in enumerate(zip(firsts, counts, strict=True)):
         rows = slice(starts[segment], starts[segment + 1])
         assert (owners[rows] == segment).all()
         begins, ends = begin[rows].tolist(), end[rows].tolist()
-        assert [*begins, first + count] == [first, *ends] if count else not begins
+        assert [*begins, first + count] == [first, *ends]
     assert blocks.element_count == max([f + c for f, c in zip(firsts, counts, strict=True)], default=0)
 
 
@@ -104,6 +126,25 @@ def test_each_segment_has_its_sum(device, rng, tolerances):
         part = values[first : first + count]
         np.testing.assert_allclose(sums, [part.sum(), (part**2).sum()], atol=tolerances.segment_sum * max(count, 1))
     assert (result[np.array(SIZES) == 0] == 0).all()
+
+
+@pytest.mark.parametrize(
+    ("length", "kind"), [(1, float32), (3, int64), (31, float64), (32, float32), (33, int32), (70, float64)]
+)
+def test_sums_of_vectors_of_any_length_are_exact_for_small_integers(device, write_kernels, length, kind):
+    name = f"sums_of_{length}_{kind.__name__}"
+    kernels = write_kernels(name, VECTORS.format(length=length, kind=kind.__name__))
+    counts = [BLOCK * 9 + 1, 1, 70 * BLOCK]
+    values, blocks = np.arange(sum(counts)) % 7, SegmentBlocks(np.cumsum([0, *counts[:-1]]), counts, device)
+    given, live = upload(values, int32, device), full(len(counts), 1, int32, device)
+    partials, out = blocks.partials(kernels.numbers), zeros(len(counts), kernels.numbers, device)
+    ends, factors = np.cumsum(counts), np.arange(length) % 5 + 1
+    expected = [values[end - count : end].sum() * factors for count, end in zip(counts, ends, strict=True)]
+    for _ in range(2):  # with the same scratch
+        lang.reduce_segments(kernels.sum_multiples, blocks, live, [given], partials, out)
+        np.testing.assert_array_equal(download(out).reshape(3, -1), expected)
+    total = download(lang.reduce(kernels.sum_all_multiples, len(values), [given]))
+    np.testing.assert_array_equal(total.reshape(-1), values.sum() * factors)
 
 
 def test_a_segment_alone_is_bitwise_identical(device, rng):
@@ -126,9 +167,8 @@ def test_inactive_segments_are_skipped_and_change_no_others(device, rng):
 
 def test_sums_in_several_launches_are_those_of_one(device, rng, monkeypatch):
     values = rng.normal(size=sum(SIZES))
-    assert segment_launches.MAX_THREADS < 2**31
     at_once = sums_of(device, values, FIRSTS, SIZES)
-    monkeypatch.setattr(segment_launches, "MAX_THREADS", 3 * 256 + 255)
+    monkeypatch.setattr(segment_launches, "MAX_BLOCKS", 3)
     np.testing.assert_array_equal(sums_of(device, values, FIRSTS, SIZES), at_once)
 
 

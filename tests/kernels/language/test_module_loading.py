@@ -152,7 +152,7 @@ kernels = cuda_module(file.__name__).kernels
 _ = getattr(file, "{first}").twin.cuda
 of_first = set(kernels)
 lang.resolve_module(file.__name__)
-assert of_first == set(kernels) and len(kernels) == 5, (of_first, set(kernels))
+assert of_first == set(kernels) and len(kernels) == 3, (of_first, set(kernels))
 """
 
 
