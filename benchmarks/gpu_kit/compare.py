@@ -1,0 +1,148 @@
+"""Times with the present code and with that before a change, in alternating processes on one machine.
+
+    python -m gpu_kit.compare STATE SECONDS
+
+The former code comes from an archive (pack.py), or on a machine with the repository from git. In a dry run it is the
+present code.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from gpu_kit import device as devices
+from gpu_kit.documents import keep_part, saved_part
+from gpu_kit.runner import MORE
+
+FOLDER = "POINTLOOM_GPU_BEFORE"  # set by call.sh: contains a folder for each change, with src and kernels.zip
+LAPS, AT_LEAST = 2, 12.0  # processes of each side, and seconds to start one
+PACKAGES = ("src", "kernels", "pcd", "registration", "meshing")  # src/pointloom links to the others
+
+
+@dataclass(frozen=True)
+class Change:
+    """A change of kernels: the commit before it, and the operations that use them."""
+
+    name: str
+    before: str
+    calls: tuple[str, ...]
+
+
+def sized(sizes: tuple[int, ...], *names: str) -> tuple[str, ...]:
+    return tuple(f"{name}={size}" for name in names for size in sizes)
+
+
+SEARCHES = ("normals_k30", "normals_hybrid", "knn20_device", "statistical_outliers_device")
+ROWS = ("register_globally", "segment_plane", "planar_patches", "ransac")
+CHANGES = (
+    Change("split boxes", "1fb14353^", sized((20_000, 200_000, 1_000_000), *SEARCHES)),
+    Change(
+        "warps for rows",  # DBSCAN, compatibility graphs, main planes, disparities
+        "7f661cb4^",
+        (*sized((200_000, 1_000_000), "dbscan_device"), *sized((200_000,), *ROWS), "mvs_pictures=57600"),
+    ),
+)
+
+
+def sources_of(change: Change, state: Path) -> Path | None:
+    """The folder of the code before a change; None if neither the archive nor git has it."""
+    packed = Path(os.environ.get(FOLDER, state / "before")) / change.name.replace(" ", "-")
+    if not packed.exists():
+        packed.mkdir(parents=True)
+        if not checked_out(change.before, packed):
+            shutil.rmtree(packed)
+            return None
+    return packed
+
+
+def checked_out(commit: str, folder: Path) -> bool:
+    """Extract the packages of a commit; False if the repository does not have it."""
+    try:
+        archive = subprocess.run(
+            ["git", "archive", commit, *PACKAGES], cwd=devices.ROOT, capture_output=True, check=False
+        )
+    except OSError:  # no git
+        return False
+    return archive.returncode == 0 and not subprocess.run(["tar", "x", "-C", folder], input=archive.stdout).returncode
+
+
+def times_with(sources: Path | None, kind: str, calls: tuple[str, ...], seconds: float) -> dict[str, Any]:
+    """Results of profile.py in another process; `sources` is the folder of the former code.
+
+    Raises:
+        RuntimeError, subprocess.TimeoutExpired: The process failed.
+    """
+    environment = dict(os.environ)
+    if sources is not None:
+        paths = [str(devices.ROOT / "benchmarks"), str(sources / "src"), environment.get("PYTHONPATH", "")]
+        environment["PYTHONPATH"] = os.pathsep.join(paths)
+        environment["POINTLOOM_CUDA_KERNELS"] = (
+            str(sources / "kernels.zip") if (sources / "kernels.zip").exists() else ""
+        )
+        environment.pop("POINTLOOM_CPU_KERNELS", None)
+    command = [sys.executable, "-m", "gpu_kit.profile", "--json", kind, *calls]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=seconds, check=False)
+    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+    if done.returncode or not lines:
+        raise RuntimeError(f"exit {done.returncode}: {done.stderr[-400:]}")
+    return json.loads(lines[-1])
+
+
+def main() -> int:
+    """Measure the remaining changes; returns MORE if some remain."""
+    state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
+    device, results = devices.start(), saved_part(state, "comparisons")
+    for change in CHANGES:
+        calls = ("voxel_down_sample=3000",) if devices.is_dry() else change.calls
+        former = devices.ROOT if devices.is_dry() else sources_of(change, state)
+        if former is None:
+            print(f"{change.name}: skipped, neither an archive nor git has {change.before}")
+            continue
+        kinds = [*["call"] * LAPS, "device"]  # the profiler slows its process, so it is the last
+        done = results.setdefault(change.name, {"before": change.before, "laps": []})["laps"]
+        for kind in kinds[len(done) :]:
+            if (left := end - time.monotonic()) < AT_LEAST:
+                print(f"no time left before {change.name}")
+                return MORE
+            try:
+                sides = {
+                    side: times_with(sources, kind, calls, left)
+                    for side, sources in (("former", former), ("present", None))
+                }
+            except (RuntimeError, subprocess.TimeoutExpired) as error:
+                print(f"{change.name}: FAILED {error}")
+                return 1
+            done.append({"kind": kind, **sides})
+            keep_part(state, device, "comparisons", results)
+        for line in table(done):
+            print(f"{change.name}: {line}", flush=True)
+    return 0
+
+
+def table(laps: list[dict[str, Any]]) -> list[str]:
+    """A line for each operation: the best times of the caller, and the device's times."""
+    lines = []
+    for key in laps[0]["present"]:
+        cells = []
+        for kind, field in (("call", "best_ms"), ("device", "device_ms")):
+            sides = {
+                side: [lap[side][key][field] for lap in laps if lap["kind"] == kind and field in lap[side].get(key, {})]
+                for side in ("former", "present")
+            }
+            if all(sides.values()):
+                former, present = min(sides["former"]), min(sides["present"])
+                cells.append(f"{kind} {former:.3f} -> {present:.3f} ms, {former / present:.2f}x")
+        lines.append(f"{key}: {'; '.join(cells)}")
+    return lines
+
+
+if __name__ == "__main__":
+    sys.exit(main())
