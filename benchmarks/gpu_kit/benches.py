@@ -44,9 +44,17 @@ def chosen() -> dict[str, str]:
         for name, (module, _) in known.items():
             if name.startswith(prefix) or module == f"bench_{prefix}":
                 modules.setdefault(name, module)
-    on_gpu = {name: any("cuda" in peer.devices for peer in known[name][1].contestants[1:]) for name in modules}
     known_dates = last_measured("benchmarks", "operations")
-    return dict(sorted(modules.items(), key=lambda each: (not on_gpu[each[0]], known_dates.get(each[0], ("", ""))[0])))
+    with_peer = on_gpu()
+    return dict(
+        sorted(modules.items(), key=lambda each: (each[0] not in with_peer, known_dates.get(each[0], ("", ""))[0]))
+    )
+
+
+def on_gpu() -> list[str]:
+    """Operations with a baseline on the GPU."""
+    known = operations().items()
+    return [name for name, (_, each) in known if any("cuda" in peer.devices for peer in each.contestants[1:])]
 
 
 def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | None, str]:

@@ -35,6 +35,10 @@ class Change:
     before: str
     calls: tuple[str, ...]
 
+    @property
+    def folder(self) -> str:
+        return self.name.replace(" ", "-")
+
 
 def sized(sizes: tuple[int, ...], *names: str) -> tuple[str, ...]:
     return tuple(f"{name}={size}" for name in names for size in sizes)
@@ -54,7 +58,7 @@ CHANGES = (
 
 def sources_of(change: Change, state: Path) -> Path | None:
     """The folder of the code before a change; None if neither the archive nor git has it."""
-    packed = Path(os.environ.get(FOLDER, state / "before")) / change.name.replace(" ", "-")
+    packed = Path(os.environ.get(FOLDER, state / "before")) / change.folder
     if not packed.exists():
         packed.mkdir(parents=True)
         if not checked_out(change.before, packed):
@@ -75,7 +79,7 @@ def checked_out(commit: str, folder: Path) -> bool:
 
 
 def times_with(sources: Path | None, kind: str, calls: tuple[str, ...], seconds: float) -> dict[str, Any]:
-    """Results of profile.py in another process; `sources` is the folder of the former code.
+    """Results of measure.py in another process; `sources` is the folder of the former code.
 
     Raises:
         RuntimeError, subprocess.TimeoutExpired: The process failed.
@@ -88,12 +92,15 @@ def times_with(sources: Path | None, kind: str, calls: tuple[str, ...], seconds:
             str(sources / "kernels.zip") if (sources / "kernels.zip").exists() else ""
         )
         environment.pop("POINTLOOM_CPU_KERNELS", None)
-    command = [sys.executable, "-m", "gpu_kit.profile", "--json", kind, *calls]
+    command = [sys.executable, "-m", "gpu_kit.measure", "--json", kind, *calls]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=seconds, check=False)
     lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
     if done.returncode or not lines:
         raise RuntimeError(f"exit {done.returncode}: {done.stderr[-400:]}")
-    return json.loads(lines[-1])
+    document = json.loads(lines[-1])
+    if not Path(document["package"]).is_relative_to(sources or devices.ROOT):
+        raise RuntimeError(f"expected the code of {sources}, got that of {document['package']}")
+    return document["results"]
 
 
 def main() -> int:

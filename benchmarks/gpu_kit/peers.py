@@ -1,4 +1,4 @@
-"""pointloom beside libraries that a GPU machine has anyway: Warp's own geometry, CuPy, torch. Results are compared first.
+"""pointloom beside libraries that a GPU machine has anyway: Warp's own geometry, CuPy, torch. Results are compared.
 
     python -m gpu_kit.peers STATE SECONDS
 
@@ -279,6 +279,10 @@ PEERS = (
 )
 
 
+def key_of(peer: Peer, size: int = 0) -> str:
+    return f"{peer.operation} {size or peer.size} beside {peer.name}"
+
+
 def seconds_of(call: Call, device: str) -> list[float]:
     """Seconds of some synchronized calls."""
     import warp as wp
@@ -316,7 +320,7 @@ def main() -> int:
     where = "cpu" if devices.is_dry() else devices.NAME
     for peer in PEERS:
         size = peer.small if devices.is_dry() else peer.size
-        key = f"{peer.operation} {size} beside {peer.name}"
+        key = key_of(peer, size)
         if key in results:
             continue
         if end - time.monotonic() < AT_LEAST:

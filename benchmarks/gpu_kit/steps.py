@@ -67,8 +67,8 @@ STEPS = (
     Step(
         "exchange", "exchange", 35, "torch, CuPy, JAX arrays; capture in the caller's CUDA graph", part="exchange"
     ),
-    Step("times", "profile", 90, "the caller's times without a profiler", arguments=("call",), part="operations"),
-    Step("profile", "profile", 60, "device times by kernel", arguments=("device",)),
+    Step("times", "measure", 90, "the caller's times without a profiler", arguments=("call",), part="operations"),
+    Step("profile", "measure", 60, "device times by kernel", arguments=("device",)),
     Step("compare", "compare", 45, "the same before a change of kernels", needs=(*BASE, "before"), part="comparisons"),
     Step("ncu", "under_tools", 100, "stalls, cache hits, spills", program="ncu", not_dry=NO_TOOL, arguments=("ncu",)),
     Step("peers", "peers", 40, "the same operations in Warp, CuPy and torch", part="peers"),
@@ -116,9 +116,10 @@ def calls_of(run: int, count: int) -> list[Call]:
     groups = [[step for step in steps if not step.needs], *[[]] * (count - 2), [step for step in steps if step.needs]]
     calls = [Call(k, UNPACK + sum(step.seconds for step in group), tuple(group)) for k, group in enumerate(groups, 1)]
     if max(call.seconds for call in calls) > MAX_CALL or total_seconds(calls) > BUDGET:
+        given = f"{[call.seconds for call in calls]} and {total_seconds(calls)} s"
         raise ValueError(
-            f"run {run}: expected calls of at most {MAX_CALL} s and {BUDGET} s in all, got "
-            f"{[call.seconds for call in calls]} and {total_seconds(calls)} s. Shorten a step, or move it to another run"
+            f"run {run}: expected calls of at most {MAX_CALL} s and {BUDGET} s in all, got {given}. Shorten a step, or "
+            "move it to another run"
         )
     return calls
 

@@ -20,7 +20,7 @@ KNOWN = ("fit_normals_nearest", "search_nearest", "find_limits", "sum_histograms
 KNOWN += ("step_jobs", "integrate_voxels", "find_nearest_triangles", "cast_rays", "unite_cores", "choose_by_leaves")
 SANITIZERS = ("memcheck", "racecheck", "initcheck")
 FAULT = re.compile(r"ERROR SUMMARY|=========.*(?:Invalid|Race|Uninit)")
-ONCE = (sys.executable, "-m", "gpu_kit.profile", "--once")
+ONCE = (sys.executable, "-m", "gpu_kit.measure", "--once")
 
 
 def hottest(state: Path) -> tuple[str, ...]:

@@ -1,8 +1,8 @@
 """Operations on the GPU (gpu_operations.py): times of the caller, and times of the kernels by name.
 
-    python -m gpu_kit.profile STATE SECONDS call|device     one of the two measurements
-    python -m gpu_kit.profile --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer
-    python -m gpu_kit.profile --json call|device NAME=SIZE ...      results as a line of JSON
+    python -m gpu_kit.measure STATE SECONDS call|device     one of the two measurements
+    python -m gpu_kit.measure --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer
+    python -m gpu_kit.measure --json call|device NAME=SIZE ...      results as a line of JSON
 
 Caller: the median of some synchronized calls on existing data. Device: the total duration of kernels, copies and fills,
 including those in graphs, measured by CUPTI through torch's profiler. Without torch there is only the caller's time.
@@ -195,6 +195,13 @@ def measured(kind: str, name: str, size: int) -> dict[str, Any]:
     return result | {f"seconds of {kind}": round(time.monotonic() - start, 2)}
 
 
+def package() -> str:
+    """The folder of the measured code."""
+    import pointloom
+
+    return str(Path(pointloom.__file__).parent)
+
+
 def main() -> int:
     """Measure the remaining operations; returns MORE if some remain."""
     first, *words = sys.argv[1:]
@@ -204,7 +211,8 @@ def main() -> int:
         return 0
     if first == "--json":
         sizes = [word.partition("=")[::2] for word in words[1:]]
-        print(json.dumps({key_of(name, int(size)): measured(words[0], name, int(size)) for name, size in sizes}))
+        results = {key_of(name, int(size)): measured(words[0], name, int(size)) for name, size in sizes}
+        print(json.dumps({"package": package(), "results": results}))
         return 0
     state, end, kind = Path(first), time.monotonic() + float(words[0]), words[1]
     field, results = MEASURES[kind][1], saved_part(state, "operations")
