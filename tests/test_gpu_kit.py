@@ -1,4 +1,4 @@
-"""The kit of the first half-hour on a GPU: the plan and its limits, going on, packing, and that no figure is made up."""
+"""The kit of the first half-hour on a GPU: the plan and its limits, going on, packing, and no figure is made up."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from gpu_kit.device import ROOT, EmulatedDeviceError
 from gpu_kit.documents import keep
 from gpu_kit.runner import Run
-from gpu_kit.steps import RUNS, STEPS
+from gpu_kit.steps import RUNS, STEPS, steps_of
 
 HOUR = 3600.0
 
@@ -59,7 +59,7 @@ def main() -> int:
     for step in STEPS:
         if step.name in options.again:
             run.forget(step)
-    steps = [step for step in STEPS if step.name in options.steps and options.run in (None, step.run)]
+    steps = [step for step in (steps_of(options.run) if options.run else STEPS) if step.name in options.steps]
     failed = run.all(steps, options.pieces)
     if options.dry:
         return 1 if failed else _conclude_dry(state)

@@ -70,9 +70,9 @@ def by_torch(call: Callable[[], Any]) -> Callable[[], Any]:
     graph, stream = torch.cuda.CUDAGraph(), torch.cuda.Stream()
     own = wp.stream_from_torch(stream)
     torch.cuda.synchronize()
-    with torch.cuda.graph(graph, stream=stream), wp.ScopedStream(own):
-        with wp.ScopedCapture(stream=own, force_module_load=False, external=True):
-            result = call()
+    recorded = wp.ScopedCapture(stream=own, force_module_load=False, external=True)
+    with torch.cuda.graph(graph, stream=stream), wp.ScopedStream(own), recorded:
+        result = call()
 
     def replay() -> Any:
         graph.replay()

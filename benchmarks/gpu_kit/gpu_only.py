@@ -13,6 +13,7 @@ import json
 import os
 import sys
 from collections.abc import Generator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -42,7 +43,7 @@ def write_failure(report: pytest.TestReport | pytest.CollectReport) -> None:
     """Append a failure to the file; with pytest-xdist in the main process, which receives all reports."""
     path = os.environ.get(FAILURES)
     if path and report.failed and "PYTEST_XDIST_WORKER" not in os.environ:
-        with open(path, "a") as file:
+        with Path(path).open("a") as file:
             file.write(json.dumps({"test": report.nodeid, "text": report.longreprtext[-2000:]}) + "\n")
 
 

@@ -10,10 +10,11 @@
     before    the code before the changes of compare.py, with its kernels
     wheels    small packages that tests and peers.py import and that are missing on such a machine
     open3d    Open3D likewise, with the system libraries that it links; for the Python of the GPU machine
-    layout    split into build/gpu-kit/1 to N, with the seconds of the plan (steps.py); the working tree is sent with each and counts toward the size of a call
+    layout    split into build/gpu-kit/1 to N, with the seconds of the plan (steps.py); the working tree is sent with
+              each and counts toward the size of a call
 
 Run it hours before: xz takes minutes and the kernels take an hour of two cores, once. Then run on the GPU machine, one
-call after the other: `bash benchmarks/gpu_kit/call.sh build/gpu-kit/1 SECONDS` (see README.md).
+call after the other: `bash benchmarks/gpu_kit/call.sh build/gpu-kit/1` (see README.md).
 """
 
 from __future__ import annotations
@@ -110,7 +111,7 @@ class Packer:
         print(f"kernels.zip: {(self.out / 'kernels.zip').stat().st_size / 2**20:.1f} MiB", flush=True)
 
     def compile(self, sources: Path, to: Path) -> None:
-        """Compile the kernels of a folder of sources into an archive; modules compiled before are not compiled again."""
+        """Compile the kernels of a folder of sources into an archive, without those that were compiled before."""
         with tempfile.TemporaryDirectory(dir=self.out) as folder:
             command = [sys.executable, "-m", "pointloom.kernels.cuda_cache", "--architectures", str(self.architecture)]
             command += ["--work", str(ROOT / "build" / "cuda-kernels"), "--output", folder]

@@ -116,6 +116,7 @@ def dated(rows: list[str], *part: str, field: str = "") -> dict[tuple[str, str],
 def ages() -> list[str]:
     """When each row was measured last, the oldest first: the order of the next run."""
     from gpu_operations import OPERATIONS
+
     from gpu_kit.benches import on_gpu
     from gpu_kit.compare import CHANGES
     from gpu_kit.peers import PEERS, key_of

@@ -11,7 +11,7 @@ import warp as wp
 def count_within(grid: wp.uint64, points: wp.array(dtype=wp.vec3), radius: float, counts: wp.array(dtype=int)):  # type: ignore[valid-type]
     """Count the points within a radius of each point, itself included."""
     k = wp.hash_grid_point_id(grid, wp.tid())
-    point, count = points[k], int(0)
+    point, count = points[k], wp.int32(0)
     for other in wp.hash_grid_query(grid, point, radius):
         if wp.length_sq(points[other] - point) < radius * radius:
             count += 1

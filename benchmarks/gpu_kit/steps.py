@@ -15,7 +15,7 @@ from pathlib import Path
 # Seconds of the device: of all calls, of one call, and around the commands
 BUDGET, MAX_CALL = 900, 600
 START, TRANSFER, UNPACK, RETURN = 90, 25, 20, 25
-RUNS = (1, 2)
+RUNS, EVERY = (1, 2), 0
 BASE = ("warp", "kernels")
 
 
@@ -28,7 +28,7 @@ class Step:
         module: Module of this package. It gets the folder of the run, its seconds and `arguments`.
         seconds: Planned seconds. It may also use the seconds that later steps do not need.
         gives: The result, for README.md.
-        run: The run of 900 s that includes it.
+        run: The run of 900 s that includes it; EVERY for both.
         needs: Required archives (only if they arrive one by one: call.sh).
         program: Required program. The step is skipped without it.
         not_dry: Why a dry run does not include the step. Empty if it does.
@@ -58,12 +58,12 @@ class Step:
 NO_TORCH = "torch has no emulated device"
 NO_TOOL = "NVIDIA's tools need a GPU"
 STEPS = (
-    Step("facts", "facts", 5, "GPU, driver, clocks, processor, packages", needs=()),
+    Step("facts", "facts", 5, "GPU, driver, clocks, processor, packages", EVERY, needs=()),
     Step(
         "torch", "torch_constants", 25, "launches, graphs and copies of torch alone", needs=(), not_dry=NO_TORCH
     ),
     Step("questions", "questions", 25, "loops in graphs, threads, bitwise results", part="questions"),
-    Step("constants", "constants", 15, "launch, wait, graph node, copies", part="constants"),
+    Step("constants", "constants", 15, "launch, wait, graph node, copies", EVERY, part="constants"),
     Step(
         "exchange", "exchange", 35, "torch, CuPy, JAX arrays; capture in the caller's CUDA graph", part="exchange"
     ),
@@ -86,7 +86,7 @@ STEPS = (
 
 def steps_of(run: int) -> list[Step]:
     """The steps of a run."""
-    return [step for step in STEPS if step.run == run]
+    return [step for step in STEPS if step.run in (run, EVERY)]
 
 
 @dataclass(frozen=True)
