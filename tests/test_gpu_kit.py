@@ -109,6 +109,13 @@ def test_every_step_has_a_module_and_measures_times_before_a_profile():
     assert names.index("times") < names.index("profile") < names.index("ncu") < names.index("tests")
 
 
+def test_every_named_call_is_an_operation():
+    with benchmarks_on_path():
+        from gpu_operations import OPERATIONS
+    calls = [*steps.NCU_CALLS, *steps.SANITIZED, *(call for change in compare.CHANGES for call in change.calls)]
+    assert {call.partition("=")[0] for call in calls} <= set(OPERATIONS)
+
+
 def test_no_time_follows_a_profile_in_one_process(monkeypatch):
     monkeypatch.setattr(measure.Profiler, "attached", True)
     with pytest.raises(RuntimeError, match="times after a profile in one process"):

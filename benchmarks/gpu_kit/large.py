@@ -29,7 +29,7 @@ def measured(name: str, size: int) -> dict[str, Any]:
     from gpu_operations import OPERATIONS
 
     operation, device = OPERATIONS[name], wp.get_device(devices.NAME)
-    call, seconds = operation.prepare(size), []
+    call, seconds, before, after = operation.prepare(size), [], 0, 0
     for k in range(CALLS):
         if k and operation.in_new_state:
             call = operation.prepare(size)
