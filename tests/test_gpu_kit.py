@@ -121,6 +121,20 @@ def test_every_named_call_is_an_operation():
     assert {call.partition("=")[0] for call in calls} <= set(OPERATIONS)
 
 
+def test_ncu_runs_the_calls_with_the_longest_launches(tmp_path):
+    rows = {
+        "many 5": [{"kernel": "step_kernel", "us": 900.0, "launches": 300}],
+        "one 5": [
+            {"kernel": "search_kernel", "us": 500.0, "launches": 1},
+            {"kernel": "cub::x", "us": 1e6, "launches": 1},
+        ],
+        "one 9": [{"kernel": "search_kernel", "us": 800.0, "launches": 1}],
+    }
+    documents.keep_part(tmp_path, GPU, "operations", {key: {"kernels": each} for key, each in rows.items()})
+    kernels, calls = under_tools.hottest(tmp_path)
+    assert kernels == ("search_kernel", "step_kernel") and calls == ("one=9", "many=5")
+
+
 def test_no_time_follows_a_profile_in_one_process(monkeypatch):
     monkeypatch.setattr(measure.Profiler, "attached", True)
     with pytest.raises(RuntimeError, match="times after a profile in one process"):
