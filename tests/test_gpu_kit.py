@@ -16,7 +16,7 @@ from .programs import BENCHMARKS, benchmarks_on_path
 
 with benchmarks_on_path():
     import pages
-    from gpu_kit import compare, documents, fatbins, layout, measure, peers, records, steps, under_tools
+    from gpu_kit import compare, documents, fatbins, layout, measure, page, peers, records, steps, under_tools
     from gpu_kit.device import Device, EmulatedDeviceError
     from gpu_kit.gpu_only import FAILURES
     from gpu_kit.runner import MARGIN, MORE, Run
@@ -146,6 +146,29 @@ def test_the_tables_of_the_readme_are_those_of_the_plan():
     for run in steps.RUNS:
         assert pages.text_between(readme, f"run {run}") == steps.plan_table(run)
     assert pages.text_between(readme, "dry") == steps.dry_table()
+
+
+def test_the_page_has_a_row_for_each_result():
+    sides = {"former": {"tree 100": {"best_ms": 3.0}}, "present": {"tree 100": {"best_ms": 1.5}}}
+    frames = {"frames": 95, "median_ms": 2.0, "p99_ms": 4.0, "max_ms": 5.0, "first_ms": 90.0}
+    run = {
+        "peers": {
+            "knn 1000 beside CuPy": {"best_ms": {"pointloom": 2.0, "CuPy": 3.0}},
+            "knn 9 beside torch": {"skipped": "no torch"},
+        },
+        "frames": {"SLAM": frames, "TSDF": {"error": "lost"}},
+        "large": {"tree 10000000": {"best_ms": 20.0, "peak bytes per point": 44.0}},
+        "comparisons": {"warps": {"before": "1234567^", "laps": [{"kind": "call", **sides}]}},
+    }
+    expected = {
+        "libraries": "| knn | 1,000 | CuPy | 2.00 | 3.00 | 1.50 |",
+        "sequences": "| SLAM | 95 | 2.00 | 4.00 | 5.00 | 90.00 |",
+        "large": "| tree | 10,000,000 | 20.0 | 44.0 |",
+        "changes": "| warps | tree | 100 | 3.00 | 1.50 | 2.00 | - | - | - |",
+    }
+    for name, row in expected.items():
+        assert page.TABLES[name]([run])[2:] == [row]
+        assert page.TABLES[name]([]) == ["Not measured yet."]
 
 
 FAILING = """

@@ -129,26 +129,25 @@ def main() -> int:
                 return 1
             done.append({"kind": kind, **sides})
             keep_part(state, device, "comparisons", results)
-        for line in table(done):
-            print(f"{change.name}: {line}", flush=True)
+        for key, times in compared(done).items():
+            cells = [f"{kind} {a:.3f} -> {b:.3f} ms, {a / b:.2f}x" for kind, (a, b) in times.items()]
+            print(f"{change.name}: {key}: {'; '.join(cells)}", flush=True)
     return 0
 
 
-def table(laps: list[dict[str, Any]]) -> list[str]:
-    """A line for each operation: the best times of the caller, and the device's times."""
-    lines = []
-    for key in laps[0]["present"]:
-        cells = []
+def compared(laps: list[dict[str, Any]]) -> dict[str, dict[str, tuple[float, float]]]:
+    """For each operation the best times before and after [ms], of the caller and of the device if measured."""
+    result: dict[str, dict[str, tuple[float, float]]] = {}
+    for key in laps[0]["present"] if laps else ():
+        result[key] = {}
         for kind, field in (("call", "best_ms"), ("device", "device_ms")):
-            sides = {
-                side: [lap[side][key][field] for lap in laps if lap["kind"] == kind and field in lap[side].get(key, {})]
+            sides = [
+                [lap[side][key][field] for lap in laps if lap["kind"] == kind and field in lap[side].get(key, {})]
                 for side in ("former", "present")
-            }
-            if all(sides.values()):
-                former, present = min(sides["former"]), min(sides["present"])
-                cells.append(f"{kind} {former:.3f} -> {present:.3f} ms, {former / present:.2f}x")
-        lines.append(f"{key}: {'; '.join(cells)}")
-    return lines
+            ]
+            if all(sides):
+                result[key][kind] = (min(sides[0]), min(sides[1]))
+    return result
 
 
 if __name__ == "__main__":

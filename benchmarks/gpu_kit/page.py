@@ -16,6 +16,7 @@ OWN = Path(__file__).resolve().parent  # of a script, on the path: its modules h
 sys.path[:] = [str(ROOT / "benchmarks"), *(path for path in sys.path if Path(path).resolve() != OWN)]
 from pages import replaced_between  # noqa: E402
 
+from gpu_kit.compare import CHANGES, compared  # noqa: E402
 from gpu_kit.documents import last_measured, saved_runs  # noqa: E402
 from gpu_kit.steps import RUNS, STEPS, dry_table, plan_table  # noqa: E402
 
@@ -104,6 +105,64 @@ def boxes(documents: list[dict[str, Any]]) -> list[str]:
     return lines
 
 
+NOT_YET = ["Not measured yet."]
+
+
+def measured(documents: list[dict[str, Any]], *part: str) -> dict[str, Any]:
+    """The results of a part without errors and skipped ones."""
+    rows = merged(documents, *part)
+    return {name: row for name, row in sorted(rows.items()) if not {"error", "skipped"} & set(row)}
+
+
+def table(headings: str, rows: list[list[str]]) -> list[str]:
+    """A table of Markdown, or a sentence if there are no rows."""
+    names = headings.split(", ")
+    return [f"| {' | '.join(cells)} |" for cells in (names, ["---"] * len(names), *rows)] if rows else NOT_YET
+
+
+def libraries(documents: list[dict[str, Any]]) -> list[str]:
+    """Operations beside the libraries of peers.py."""
+    rows = []
+    for key, row in measured(documents, "peers").items():
+        operation, _, peer = key.partition(" beside ")
+        name, size = operation.rsplit(" ", 1)
+        own, other = row["best_ms"]["pointloom"], row["best_ms"][peer]
+        rows.append([name, f"{int(size):,}", peer, f"{own:.2f}", f"{other:.2f}", f"{other / own:.2f}"])
+    return table("operation, size, library, pointloom [ms], library [ms], ratio", rows)
+
+
+def sequences(documents: list[dict[str, Any]]) -> list[str]:
+    """The distribution of the times of frames."""
+    rows = [
+        [name, str(row["frames"]), *(f"{row[field]:.2f}" for field in ("median_ms", "p99_ms", "max_ms", "first_ms"))]
+        for name, row in measured(documents, "frames").items()
+    ]
+    return table("sequence, frames, median [ms], p99 [ms], maximum [ms], first frame [ms]", rows)
+
+
+def large_clouds(documents: list[dict[str, Any]]) -> list[str]:
+    """Time and peak memory of large clouds."""
+    rows = []
+    for key, row in measured(documents, "large").items():
+        name, size = key.rsplit(" ", 1)
+        rows.append([name, f"{int(size):,}", f"{row['best_ms']:.1f}", f"{row['peak bytes per point']:.1f}"])
+    return table("operation, points, call [ms], peak bytes per point beyond the cloud", rows)
+
+
+def changes(documents: list[dict[str, Any]]) -> list[str]:
+    """Times before and after the changes of compare.py."""
+    rows = []
+    for name, row in measured(documents, "comparisons").items():
+        for key, times in (compared(row["laps"]) if "laps" in row else {}).items():
+            cells = []
+            for kind in ("call", "device"):
+                before, after = times.get(kind, (0.0, 0.0))
+                cells += [f"{before:.2f}", f"{after:.2f}", f"{before / after:.2f}"] if after else ["-"] * 3
+            rows.append([name, *key.rsplit(" ", 1), *cells])
+    times = "before [ms], after [ms], ratio"
+    return table(f"change, operation, size, call {times}, device {times}", rows)
+
+
 def dated(rows: list[str], *part: str, field: str = "") -> dict[tuple[str, str], list[str]]:
     """Rows by the date and commit of their newest measurement."""
     known = last_measured(*part, field=field)
@@ -118,7 +177,6 @@ def ages() -> list[str]:
     from gpu_operations import OPERATIONS
 
     from gpu_kit.benches import on_gpu
-    from gpu_kit.compare import CHANGES
     from gpu_kit.peers import PEERS, key_of
     from gpu_kit.suite import STAGES
 
@@ -162,10 +220,22 @@ def shortened(rows: list[str]) -> str:
     return ", ".join(" ".join([name, *(f"{int(size):,}" for size in each)]) for name, each in sizes.items())
 
 
+TABLES = {
+    "constants": constants,
+    "beside": beside,
+    "operations": operations,
+    "libraries": libraries,
+    "sequences": sequences,
+    "large": large_clouds,
+    "changes": changes,
+    "boxes": boxes,
+}
+
+
 def pages() -> dict[Path, str]:
     """The generated pages."""
     documents, page, readme = saved_runs(), PAGE.read_text(), README.read_text()
-    for name, make in (("constants", constants), ("beside", beside), ("operations", operations), ("boxes", boxes)):
+    for name, make in TABLES.items():
         page = replaced_between(page, name, "\n".join(make(documents)))
     page = replaced_between(page, "ages", "\n".join(ages()))
     for run in RUNS:
