@@ -251,9 +251,10 @@ def test_pieces_are_cut_into_calls_and_put_together_again(tmp_path):
     first.write_bytes(random[: 3 << 20])
     second.write_bytes(random[3 << 20 :])
     pieces = [layout.Piece("warp", first), layout.Piece("wheels", None), layout.Piece("open3d", second)]
-    planned = [Call(k, 10 * k, ()) for k in (1, 2, 3)]
+    planned = [Call(1, 10, (steps.STEPS[0],)), Call(2, 20, ()), Call(3, 30, steps.STEPS[1:3])]
     report = layout.lay_out(tmp_path / "out", pieces, planned, 2, (2 << 20) + layout.SPARE)
-    assert (tmp_path / "out" / "3" / "plan.txt").read_text() == "30 2\n"
+    plans = [(tmp_path / "out" / str(call.number) / "plan.txt").read_text() for call in planned]
+    assert plans == ["10 2 facts\n", "20 2\n", "30 2 torch questions\n"]
     assert "wheels: not built, skipped" in report and "warp: 3.0 MiB, complete with call 2" in report
     for name, expected in (("warp", random[: 3 << 20]), ("open3d", random[3 << 20 :])):
         parts = sorted((tmp_path / "out").glob(f"*/{name}.*.part*"), key=lambda path: path.name)

@@ -2,13 +2,13 @@
 # One call on a GPU machine without network: unpack the archives of this call, then continue the run, as far as
 # archives and time allow.
 #   bash benchmarks/gpu_kit/call.sh FOLDER [SECONDS [--steps STEP ...]]
-# in the repository's root; FOLDER: archives of this call, with the plan's seconds and run in plan.txt.
+# in the repository's root; FOLDER: archives of this call, with the plan's seconds, run and steps in plan.txt.
 # At the end of a call, logs, marks and partial results are written to one archive in $OUT.
 # POINTLOOM_GPU_HOME is the folder for data between calls. POINTLOOM_GPU_DRY=1 uses the emulated device.
 set -u
 BEGIN=$SECONDS
 FOLDER=${1:?the folder of the pieces of this call}
-read -r PLANNED RUN <"$FOLDER/plan.txt"
+read -r PLANNED RUN STEPS <"$FOLDER/plan.txt"
 TOTAL=${2:-$PLANNED}
 shift $(($# < 2 ? $# : 2))
 HOME_OF_RUN=${POINTLOOM_GPU_HOME:-${TMPDIR:-/tmp}/pointloom-gpu}
@@ -37,6 +37,7 @@ if [ -e "$HERE/open3d" ]; then # the packages of Open3D's viewers are not instal
     echo 'import open3d_stub' >"$HOME_OF_RUN/start/sitecustomize.py"
     export LD_LIBRARY_PATH=$SITE/open3d:${LD_LIBRARY_PATH:-}
 fi
-# shellcheck disable=SC2046  # one word per archive
+[ -n "$STEPS" ] || exit 0 # this call only carries archives
+# shellcheck disable=SC2046,SC2086  # one word per archive and step
 "${PYTHON:-python3}" benchmarks/gpu_kit --state "$STATE" --seconds $((TOTAL - (SECONDS - BEGIN) - 6)) --no-keep \
-    --run "$RUN" ${POINTLOOM_GPU_DRY:+--dry} "$@" --pieces $(ls "$HERE")
+    --run "$RUN" --steps $STEPS ${POINTLOOM_GPU_DRY:+--dry} "$@" --pieces $(ls "$HERE")

@@ -59,6 +59,6 @@ def lay_out(out: Path, pieces: Sequence[Piece], planned: Sequence[Call], run: in
         report.append(f"{piece.name}: {len(data) / 2**20:.1f} MiB, complete with call {call + 1}")
     for folder, each in zip(folders, planned, strict=True):
         (folder / LIST).write_text("".join(listed))
-        (folder / PLAN).write_text(f"{each.seconds} {run}\n")
+        (folder / PLAN).write_text(" ".join([str(each.seconds), str(run), *(step.name for step in each.steps)]) + "\n")
         report.append(f"call {each.number}, {each.seconds} s: {each.command}")
     return report
