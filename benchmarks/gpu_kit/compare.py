@@ -23,7 +23,8 @@ from gpu_kit.documents import keep_part, saved_part
 from gpu_kit.runner import MORE
 
 FOLDER = "POINTLOOM_GPU_BEFORE"  # set by call.sh: contains a folder for each change, with src and kernels.zip
-LAPS, AT_LEAST = 2, 12.0  # processes of each side, and seconds to start one
+KINDS = ("device", "call", "call")  # processes of each side, in order
+AT_LEAST = 15.0  # seconds to start both sides
 PACKAGES = ("src", "kernels", "pcd", "registration", "meshing")  # src/pointloom links to the others
 
 
@@ -113,9 +114,8 @@ def main() -> int:
         if former is None:
             print(f"{change.name}: skipped, neither an archive nor git has {change.before}")
             continue
-        kinds = [*["call"] * LAPS, "device"]  # the profiler slows its process, so it is the last
         done = results.setdefault(change.name, {"before": change.before, "laps": []})["laps"]
-        for kind in kinds[len(done) :]:
+        for kind in KINDS[len(done) :]:
             if (left := end - time.monotonic()) < AT_LEAST:
                 print(f"no time left before {change.name}")
                 return MORE
