@@ -105,34 +105,38 @@ def times_with(sources: Path | None, kind: str, calls: tuple[str, ...], seconds:
 
 
 def main() -> int:
-    """Measure the remaining changes; returns MORE if some remain."""
+    """Measure the remaining changes, each once before any again; returns MORE if some remain."""
     state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
-    device, results = devices.start(), saved_part(state, "comparisons")
-    for change in CHANGES:
-        calls = ("voxel_down_sample=3000",) if devices.is_dry() else change.calls
-        former = devices.ROOT if devices.is_dry() else sources_of(change, state)
-        if former is None:
-            print(f"{change.name}: skipped, neither an archive nor git has {change.before}")
-            continue
-        done = results.setdefault(change.name, {"before": change.before, "laps": []})["laps"]
-        for kind in KINDS[len(done) :]:
+    device, results, failed = devices.start(), saved_part(state, "comparisons"), False
+    for lap, kind in enumerate(KINDS):
+        for change in CHANGES:
+            calls = ("voxel_down_sample=3000",) if devices.is_dry() else change.calls
+            former = devices.ROOT if devices.is_dry() else sources_of(change, state)
+            if former is None:
+                print(f"{change.name}: skipped, neither an archive nor git has {change.before}")
+                continue
+            done = results.setdefault(change.name, {"before": change.before, "laps": []})["laps"]
+            if len(done) > lap:
+                continue
             if (left := end - time.monotonic()) < AT_LEAST:
-                print(f"no time left before {change.name}")
+                print(f"no time left before {change.name}, {kind}")
                 return MORE
             try:
-                sides = {
-                    side: times_with(sources, kind, calls, left)
-                    for side, sources in (("former", former), ("present", None))
-                }
-            except (RuntimeError, subprocess.TimeoutExpired) as error:
-                print(f"{change.name}: FAILED {error}")
-                return 1
+                sides = {"former": times_with(former, kind, calls, left)}
+                sides["present"] = times_with(None, kind, calls, end - time.monotonic())
+            except subprocess.TimeoutExpired:
+                print(f"no time left in {change.name}, {kind}")
+                return MORE
+            except RuntimeError as error:
+                print(f"{change.name}, {kind}: FAILED {error}")
+                failed = True
+                continue
             done.append({"kind": kind, **sides})
             keep_part(state, device, "comparisons", results)
-        for key, times in compared(done).items():
-            cells = [f"{kind} {a:.3f} -> {b:.3f} ms, {a / b:.2f}x" for kind, (a, b) in times.items()]
-            print(f"{change.name}: {key}: {'; '.join(cells)}", flush=True)
-    return 0
+            for key, times in compared(done).items():
+                cells = [f"{kind} {a:.3f} -> {b:.3f} ms, {a / b:.2f}x" for kind, (a, b) in times.items()]
+                print(f"{change.name}: {key}: {'; '.join(cells)}", flush=True)
+    return 1 if failed else 0
 
 
 def compared(laps: list[dict[str, Any]]) -> dict[str, dict[str, tuple[float, float]]]:
