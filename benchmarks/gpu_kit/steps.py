@@ -57,6 +57,7 @@ class Step:
 
 NO_TORCH = "torch has no emulated device"
 NO_TOOL = "NVIDIA's tools need a GPU"
+MINUTES = "6 CPU minutes per process on the emulated device; tests/emulated_cuda/test_orders.py compares its results"
 STEPS = (
     Step("facts", "facts", 5, "GPU, driver, clocks, processor, packages", EVERY, needs=()),
     Step(
@@ -75,7 +76,10 @@ STEPS = (
     Step("frames", "frames", 30, "100 frames and LiDAR scans: median, p99", part="frames"),
     Step("large", "large", 50, "10M and 50M points: time, peak memory", part="large"),
     Step("tests", "suite", 55, "tests of cuda:0, the oldest results first", part="tests"),
-    Step("digests", "digests", 100, "bitwise results of all operations, twice and on the CPU", 2, part="digests"),
+    Step(
+        "digests", "digests", 100, "bitwise results of all operations, twice and on the CPU", 2, not_dry=MINUTES,
+        part="digests",
+    ),
     Step(
         "sanitizer", "under_tools", 90, "memory errors and races", 2, program="compute-sanitizer", not_dry=NO_TOOL,
         arguments=("sanitizer",),
