@@ -87,7 +87,7 @@ def test_a_step_gets_the_seconds_that_later_steps_do_not_need(scripted, tmp_path
     assert 30 <= last <= 100 - MARGIN
 
 
-@pytest.mark.parametrize("count", [2, 3, 4])
+@pytest.mark.parametrize("count", [2, 3, 4, 5])
 @pytest.mark.parametrize("run", steps.RUNS)
 def test_the_plan_keeps_the_limits_of_the_device(run, count):
     calls = steps.calls_of(run, count)
