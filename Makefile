@@ -153,7 +153,7 @@ release: $(FULL) ## Build and check a release: packages, site, fresh environment
 
 # Of `make gpu-kit`: what a call to a GPU machine without network carries, and for what machine.
 CALL_MIB ?= 64
-CALLS ?= 4
+CALLS ?= 3
 GPU_PYTHON ?= 3.12
 GPU_ARCHITECTURE ?= 90
 

@@ -18,7 +18,9 @@ from contest import (
     Operation,
     Trial,
     anew,
+    kept_on,
     load_open3d,
+    on_host,
     open3d_device,
     thread_count,
     timed,
@@ -43,7 +45,7 @@ def surface(count: int, eps: float) -> Any:
 def prepare_pointloom(scene: Surface, device: str) -> Any:
     import pointloom as loom
 
-    cloud = loom.PointCloud(scene.points, device=device)
+    cloud = kept_on(loom.PointCloud(scene.points, device=device), device)
     cluster = waiting(lambda c: c.cluster_dbscan(scene.eps, MIN_POINTS), device, "warp")
     return Trial(cluster, setup=lambda: anew(cloud))
 
@@ -96,7 +98,7 @@ DBSCAN = Operation(
     },
     quick={"50k": surface(50_000, 0.04)},
     contestants=(
-        Contestant(POINTLOOM, prepare_pointloom, lambda labels: labels, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, on_host, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, np.asarray),
         Contestant("open3d-tensor", prepare_open3d_tensor, lambda labels: labels.cpu().numpy(), ("cpu", "cuda")),
         Contestant("scikit-learn", prepare_scikit_learn, lambda labels: labels),

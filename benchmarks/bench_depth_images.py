@@ -1,8 +1,8 @@
 """Depth images to clouds with normals, and clouds to depth images, beside Open3D's tensor API; times are per frame.
 
 Normals are computed from depth that is filtered over a disc of 5 pixels, as in Open3D, in the camera's frame. With an
-extrinsic and normals, Open3D 0.20.0 raises an error. The frames are uint16. On the GPU Open3D's images are uploaded
-beforehand, pointloom's in the timed region.
+extrinsic and normals, Open3D 0.20.0 raises an error. The frames are uint16. On the GPU all images are
+uploaded before the timed region, and depth images stay there.
 """
 
 from __future__ import annotations
@@ -12,7 +12,18 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import POINTLOOM, Contestant, Operation, load_open3d, open3d_device, timed, waiting
+from contest import (
+    POINTLOOM,
+    Contestant,
+    Operation,
+    given_on,
+    kept_on,
+    load_open3d,
+    on_host,
+    open3d_device,
+    timed,
+    waiting,
+)
 
 DEPTH_MAX = 5.0  # [m]
 BLUR = (5, 10.0, 10.0)  # Open3D's kernel size, deviation of values [m] and of distances [px]
@@ -28,11 +39,11 @@ def camera_of(frames: scenes.Frames) -> Any:
 def unproject_pointloom(frames: scenes.Frames, device: str) -> Any:
     import pointloom as loom
 
-    camera = camera_of(frames)
+    camera, depths = camera_of(frames), [given_on(depth, device) for depth in frames.depths]
 
     def unproject() -> list[Any]:
         clouds = []
-        for depth in frames.depths:
+        for depth in depths:
             image = loom.filter_depth_bilateral(depth, *BLUR, device=device)
             limits = {"depth_trunc": DEPTH_MAX, "with_normals": True}
             clouds.append(loom.PointCloud.create_from_depth_image(image, camera, **limits, device=device))
@@ -59,7 +70,7 @@ def clouds_of(frames: scenes.Frames, device: str) -> list[Any]:
 
     camera = camera_of(frames)
     return [
-        loom.PointCloud.create_from_depth_image(depth, camera, extrinsic, device=device)
+        kept_on(loom.PointCloud.create_from_depth_image(depth, camera, extrinsic, device=device), device)
         for depth, extrinsic in zip(frames.depths, frames.extrinsics, strict=True)
     ]
 
@@ -139,7 +150,7 @@ PROJECT = Operation(
     scenes=UNPROJECT.scenes,
     quick=UNPROJECT.quick,
     contestants=(
-        Contestant(POINTLOOM, project_pointloom, np.stack, ("cpu", "cuda")),
+        Contestant(POINTLOOM, project_pointloom, lambda images: np.stack([*map(on_host, images)]), ("cpu", "cuda")),
         Contestant(
             "open3d-tensor",
             project_open3d,

@@ -12,7 +12,19 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import POINTLOOM, Contestant, Operation, Trial, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import (
+    POINTLOOM,
+    Contestant,
+    Operation,
+    Trial,
+    given_on,
+    load_open3d,
+    on_host,
+    open3d_device,
+    thread_count,
+    timed,
+    waiting,
+)
 from real_data import real_data
 
 
@@ -59,7 +71,8 @@ def kitchen(voxel_size: float) -> Callable[[], FeaturePair]:
 def prepare_pointloom(pair: FeaturePair, device: str) -> Any:
     from pointloom.registration import correspondences_from_features
 
-    return waiting(lambda: correspondences_from_features(pair.source, pair.target, True, device=device), device, "warp")
+    sides = [given_on(rows, device) for rows in (pair.source, pair.target)]
+    return waiting(lambda: correspondences_from_features(*sides, True, device=device), device, "warp")
 
 
 def prepare_open3d_legacy(pair: FeaturePair, device: str) -> Any:
@@ -113,7 +126,7 @@ OPERATION = Operation(
     scenes={"8k": surfaces(200_000, 0.046), "30k": surfaces(400_000, 0.024), "kitchen 8k": kitchen(0.038)},
     quick={"2k": surfaces(50_000, 0.09)},
     contestants=(
-        Contestant(POINTLOOM, prepare_pointloom, lambda pairs: pairs, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, on_host, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, np.asarray),
         Contestant("open3d-tensor", prepare_open3d_tensor, lambda tensor: tensor.cpu().numpy(), ("cpu", "cuda")),
         Contestant("scipy", prepare_scipy, lambda pairs: pairs),

@@ -7,7 +7,19 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
+from contest import (
+    POINTLOOM,
+    Contestant,
+    Operation,
+    Trial,
+    anew,
+    kept_on,
+    load_open3d,
+    on_host,
+    open3d_device,
+    timed,
+    waiting,
+)
 
 MAX_NN = 100
 
@@ -37,7 +49,7 @@ def surface(count: int, voxel_size: float) -> Any:
 def prepare_pointloom(scene: OrientedSurface, device: str) -> Any:
     import pointloom as loom
 
-    cloud = loom.PointCloud(scene.points, normals=scene.normals, device=device)
+    cloud = kept_on(loom.PointCloud(scene.points, normals=scene.normals, device=device), device)
     compute = waiting(lambda c: loom.compute_fpfh_feature(c, radius=scene.radius, max_nn=MAX_NN), device, "warp")
     return Trial(compute, setup=lambda: anew(cloud))
 
@@ -82,7 +94,7 @@ OPERATION = Operation(
     scenes={"1k": surface(20_000, 0.12), "200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.01)},
     quick={"50k": surface(50_000, 0.04)},
     contestants=(
-        Contestant(POINTLOOM, prepare_pointloom, lambda features: features, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, on_host, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, lambda feature: np.asarray(feature.data).T),
         Contestant("open3d-tensor", prepare_open3d_tensor, lambda tensor: tensor.cpu().numpy(), ("cpu", "cuda")),
     ),

@@ -7,7 +7,19 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
+from contest import (
+    POINTLOOM,
+    Contestant,
+    Operation,
+    Trial,
+    anew,
+    kept_on,
+    load_open3d,
+    on_host,
+    open3d_device,
+    timed,
+    waiting,
+)
 
 NEIGHBORS, RATIO = 20, 2.0
 POINTS = 10
@@ -28,7 +40,7 @@ def surface(count: int) -> Any:
 def pointloom_cloud(scene: Surface, device: str) -> Any:
     import pointloom as loom
 
-    return loom.PointCloud(scene.points, device=device)
+    return kept_on(loom.PointCloud(scene.points, device=device), device)
 
 
 def legacy_cloud(scene: Surface) -> Any:
@@ -75,7 +87,7 @@ def radius_tensor(scene: Surface, device: str) -> Any:
 
 
 def indices(result: Any) -> np.ndarray:
-    return np.sort(np.asarray(result[1]))
+    return np.sort(np.asarray(on_host(result[1])))
 
 
 def mask_positions(result: Any) -> np.ndarray:

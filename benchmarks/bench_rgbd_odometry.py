@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import POINTLOOM, Contestant, Operation, open3d_device, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, given_on, open3d_device, timed, waiting
 
 Scene = dict[str, Any]
 TRUTH = np.array([0.02, -0.015, 0.03])  # [m]
@@ -39,12 +39,10 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
     import pointloom as loom
 
     odometry, camera = loom.odometry, loom.PinholeCameraIntrinsic(*scene["camera"])
+    pictures = [[given_on(part, device) for part in frame] for frame in scene["frames"]]
 
     def prepare() -> list[Any]:
-        return [
-            odometry.OdometryFrame(depth, camera, color, depth_max=6.0, device=device)
-            for color, depth in scene["frames"]
-        ]
+        return [odometry.OdometryFrame(depth, camera, color, depth_max=6.0, device=device) for color, depth in pictures]
 
     frames = prepare()
     return lambda: odometry.align_frames(*(frames if scene["is_prepared"] else prepare())).transformation

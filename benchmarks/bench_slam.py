@@ -65,7 +65,7 @@ def slam_open3d(sequence: Sequence, device: str) -> Trial:
     where, slam, image = open3d_device(device), o3d.t.pipelines.slam, o3d.t.geometry.Image
     intrinsic = o3d.core.Tensor(sequence.camera.matrix)
     pictures = [
-        (image(o3d.core.Tensor(d)).to(where), image(o3d.core.Tensor(c)).to(where))
+        (image(o3d.core.Tensor(d)), image(o3d.core.Tensor(c)))
         for d, c in zip(sequence.depths, sequence.colors, strict=True)
     ]
 
@@ -76,8 +76,8 @@ def slam_open3d(sequence: Sequence, device: str) -> Trial:
         input_frame, rendered = slam.Frame(*size, intrinsic, where), slam.Frame(*size, intrinsic, where)
         poses = []
         for i, (depth, color) in enumerate(pictures):
-            input_frame.set_data_from_image("depth", depth)
-            input_frame.set_data_from_image("color", color)
+            input_frame.set_data_from_image("depth", depth.to(where))
+            input_frame.set_data_from_image("color", color.to(where))
             if i:
                 T = (
                     T

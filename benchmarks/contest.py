@@ -175,7 +175,26 @@ def open3d_device(device: str) -> Any:
 
 def anew(cloud: Any) -> Any:
     """A cloud over the same arrays without the cached search tree, for calls that must build it."""
-    return type(cloud)._from_device_arrays(dict(cloud._arrays), cloud.origin)
+    return type(cloud)._from_device_arrays(dict(cloud._arrays), cloud.origin, cloud.array_library)
+
+
+def kept_on(cloud: Any, device: str) -> Any:
+    """A cloud whose results stay on its GPU, like Open3D's tensors; on the CPU the cloud itself."""
+    return cloud.to(device, arrays="warp") if device.startswith("cuda") else cloud
+
+
+def given_on(array: Any, device: str) -> Any:
+    """An input on the contestants' device: a Warp array on a GPU, as Open3D's tensors are uploaded before the call."""
+    if not device.startswith("cuda"):
+        return array
+    import warp as wp
+
+    return wp.array(array, dtype=wp.dtype_from_numpy(array.dtype), device=device)
+
+
+def on_host(array: Any) -> Any:
+    """A result as a NumPy array."""
+    return array.numpy() if hasattr(array, "numpy") else array
 
 
 def waiting(call: Callable[..., Any], device: str, library: str) -> Callable[..., Any]:

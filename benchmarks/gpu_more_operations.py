@@ -8,14 +8,11 @@ from typing import Any
 
 import numpy as np
 import scenes
-from gpu_operation import DEVICE, Operation, cloud_of
+from gpu_operation import DEVICE, FULL_HD, UHD, VGA, Operation, cloud_of, image_size, surface_of
 from mesh_scenes import in_pointloom, torn_mesh, wavy_mesh
 
 Call = Callable[[], Any]
-WIDTH, HEIGHT = 640, 480
-PICTURE = WIDTH * HEIGHT
-VIEWS, VIEW_WIDTH = 3, 160  # of multi-view stereo, images of 160 x 120
-VIEW_PIXELS = VIEWS * VIEW_WIDTH * VIEW_WIDTH * 3 // 4
+VIEWS = 3  # of multi-view stereo
 AZIMUTHS, BEAMS = 900, 64  # of a LiDAR
 CALLS = 10  # number of prepared frames
 
@@ -27,7 +24,7 @@ def _gicp(size: int) -> Call:
     import pointloom as loom
 
     reg, shift = loom.registration, [0.01, 0.01, 0.0]
-    source, target = loom.PointCloud(scenes.bumpy_surface(size, 1) + shift, device=DEVICE), cloud_of(size)
+    source, target = loom.PointCloud(surface_of(size, 1) + shift, device=DEVICE), cloud_of(size)
     return lambda: reg.registration_generalized_icp(source, target, 0.1)
 
 
@@ -37,18 +34,18 @@ def _globally(size: int) -> Call:
     T, (c, s), clouds = np.eye(4), (np.cos(1.3), np.sin(1.3)), []
     T[:2, :2], T[:3, 3] = [[c, -s], [s, c]], [0.5, -0.2, 0.1]
     for seed, low in ((50, -2.0), (51, -1.0)):  # with two thirds overlap
-        points = scenes.bumpy_surface(size, seed)
+        points = surface_of(size, seed)
         clouds.append(loom.PointCloud(points[(points[:, 0] > low) & (points[:, 0] < low + 3)], device=DEVICE))
     source = clouds[0].transform(T)
     return lambda: loom.registration.register_globally(source, clouds[1], voxel_size=0.05)
 
 
-def _lidar(_: int) -> Call:
+def _lidar(size: int) -> Call:
     from street import drive
 
     import pointloom as loom
 
-    road = drive(3 + CALLS, beams=BEAMS, azimuths=AZIMUTHS)
+    road = drive(3 + CALLS, beams=BEAMS, azimuths=size // BEAMS)
     clouds = [loom.PointCloud(p, time=t, device=DEVICE) for p, t in zip(road.scans, road.times, strict=True)]
     odometry, rest = loom.registration.LidarOdometry(voxel_size=1.0), iter(clouds)
     for _ in range(3):  # so that the map and the velocity exist
@@ -59,21 +56,16 @@ def _lidar(_: int) -> Call:
 # ------------------------------------------------------------------------------------------------ frames
 
 
-def _pictures() -> tuple[Any, Any, np.ndarray]:
-    """Frames of a room, their camera, and an image that both show."""
-    import pointloom as loom
-
-    frames = scenes.room_frames(2)
-    v, u = np.mgrid[:HEIGHT, :WIDTH]
-    shade = 127 + 60 * np.sin(u / 7 + v / 19) + 50 * np.cos(v / 9 - u / 31)
-    return frames, loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, *frames.intrinsic), shade.astype(np.uint8)
-
-
-def _rgbd_frame(_: int) -> Call:
+def _rgbd_frame(pixels: int) -> Call:
     """A tracked frame: prepared, and aligned with the previous one."""
+    import pointloom as loom
     from pointloom import odometry
 
-    frames, camera, shade = _pictures()
+    width, height = image_size(pixels)
+    frames = scenes.room_frames(2, width, height)
+    camera = loom.PinholeCameraIntrinsic(width, height, *frames.intrinsic)
+    v, u = np.mgrid[:height, :width] * (640 / width)
+    shade = (127 + 60 * np.sin(u / 7 + v / 19) + 50 * np.cos(v / 9 - u / 31)).astype(np.uint8)
     first = odometry.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE)
 
     def call() -> Any:
@@ -82,12 +74,13 @@ def _rgbd_frame(_: int) -> Call:
     return call
 
 
-def _slam_frame(_: int) -> Call:
+def _slam_frame(pixels: int) -> Call:
     import pointloom as loom
     from pointloom.datasets.scenes.room import room_loop_sequence
 
-    room = room_loop_sequence(300, width=WIDTH, height=HEIGHT)
-    system = loom.slam.DenseSLAM(room.intrinsic, voxel_size=0.01, device=DEVICE)
+    width, height = image_size(pixels)
+    room = room_loop_sequence(300, width=width, height=height, device=DEVICE)
+    system = loom.slam.DenseSLAM(room.intrinsic, voxel_size=6.4 / width, device=DEVICE)  # 1 cm at VGA
     read = [room.read(k) for k in range(2 + CALLS)]
     frames = iter([SimpleNamespace(depth=f.depth, color=f.color, timestamp=f.timestamp) for f in read])
 
@@ -99,12 +92,12 @@ def _slam_frame(_: int) -> Call:
     return call
 
 
-def _mvs(_: int) -> Call:
+def _mvs(pixels: int) -> Call:
     import mvs_scenes
 
     import pointloom as loom
 
-    room = mvs_scenes.room(VIEWS, VIEW_WIDTH)
+    room = mvs_scenes.room(VIEWS, image_size(pixels // VIEWS)[0])
     return lambda: list(loom.mvs.estimate_depth_maps(room.pictures, room.cameras, device=DEVICE))
 
 
@@ -175,20 +168,22 @@ MORE_ROWS = (
     Operation("normals_scan", _kitti, (69_088,)),  # a real LiDAR scan from POINTLOOM_DATA
     Operation("gicp", _gicp, (200_000,)),
     Operation("register_globally", _globally, (200_000,)),
-    Operation("lidar_odometry_scan", _lidar, (BEAMS * AZIMUTHS,)),
-    Operation("rgbd_frame", _rgbd_frame, (PICTURE,)),
-    Operation("slam_frame", _slam_frame, (PICTURE,)),
-    Operation("mvs_pictures", _mvs, (VIEW_PIXELS,)),
-    Operation("mvs_fuse", _fuse, (4 * 72 * 96,)),
+    Operation("lidar_odometry_scan", _lidar, (BEAMS * AZIMUTHS,), small=BEAMS * 225),
+    Operation("rgbd_frame", _rgbd_frame, (VGA, FULL_HD, UHD), small=160 * 120),
+    Operation("slam_frame", _slam_frame, (VGA,), small=160 * 120),
+    Operation("mvs_pictures", _mvs, (VIEWS * 160 * 120, VIEWS * VGA), small=VIEWS * 64 * 48),
+    Operation("mvs_fuse", _fuse, (4 * 72 * 96,), small=4 * 72 * 96),
     Operation("poisson_depth_7", of_surface("poisson", depth=7), (60_000,)),
-    Operation("ball_pivoting", of_surface("ball_pivoting"), (60_000,)),
+    Operation("poisson_depth_9", of_surface("poisson", depth=9), (1_000_000,)),
+    Operation("ball_pivoting", of_surface("ball_pivoting"), (60_000, 300_000)),
     Operation("alpha_shape", of_surface("alpha_shape", 0.1), (20_000,)),
-    Operation("planar_patches", _patches, (60_000,)),
+    Operation("planar_patches", _patches, (60_000, 500_000)),
     Operation(
         "decimation",
         of_mesh(wavy_mesh, lambda mesh: mesh.simplify_quadric_decimation(len(mesh.triangles) // 10)),
-        (128,),
+        (128, 512),
+        small=16,
     ),
-    Operation("repair", of_mesh(torn_mesh, lambda mesh: mesh.repair()), (64,)),
-    Operation("deform_arap", of_mesh(wavy_mesh, _deformed), (48,)),
+    Operation("repair", of_mesh(torn_mesh, lambda mesh: mesh.repair()), (64, 256), small=8),
+    Operation("deform_arap", of_mesh(wavy_mesh, _deformed), (48, 128), small=16),
 )

@@ -1,7 +1,7 @@
 """Run all measurements that need a GPU: python benchmarks/gpu_kit [--seconds N] [--dry].
 
-    make gpu-run                                  facts, questions, tests, benchmarks, profile, register trials, tools
-    make gpu-run ARGS="--seconds 600"             ten minutes; the next run continues
+    make gpu-run                                  all steps of steps.py; the next run continues
+    make gpu-run ARGS="--run 1 --seconds 600"     the steps of the first run, within ten minutes
     make gpu-run ARGS="--steps profile --again profile"
     make gpu-run ARGS=--dry                       the same on the emulated device, small, without results
     make gpu-run ARGS="--take call4.tar.gz"       import the results of a machine that ran call.sh
@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from gpu_kit.device import ROOT, EmulatedDeviceError
 from gpu_kit.documents import keep
 from gpu_kit.runner import Run
-from gpu_kit.steps import STEPS
+from gpu_kit.steps import RUNS, STEPS, steps_of
 
 HOUR = 3600.0
 
@@ -36,6 +36,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument(
         "--steps", nargs="+", choices=names, default=names, metavar="STEP", help=f"of {', '.join(names)}"
     )
+    parser.add_argument("--run", type=int, choices=RUNS, help="only the steps of a run of 900 s (README.md)")
     parser.add_argument("--again", nargs="+", choices=names, default=[], metavar="STEP", help="steps to run again")
     parser.add_argument("--state", type=Path, help="folder for marks, logs and parts (build/gpu-run)")
     parser.add_argument("--dry", action="store_true", help="test the kit on the emulated device")
@@ -58,7 +59,8 @@ def main() -> int:
     for step in STEPS:
         if step.name in options.again:
             run.forget(step)
-    failed = run.all([step for step in STEPS if step.name in options.steps], options.pieces)
+    steps = [step for step in (steps_of(options.run) if options.run else STEPS) if step.name in options.steps]
+    failed = run.all(steps, options.pieces)
     if options.dry:
         return 1 if failed else _conclude_dry(state)
     if not options.no_keep:

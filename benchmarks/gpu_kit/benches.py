@@ -22,7 +22,7 @@ from contest import operations, versions
 from report import collect, table
 
 from gpu_kit import device as devices
-from gpu_kit.documents import keep_part, last_measured
+from gpu_kit.documents import keep_part, last_measured, saved_part
 from gpu_kit.runner import MORE
 
 ORDER = [
@@ -44,9 +44,17 @@ def chosen() -> dict[str, str]:
         for name, (module, _) in known.items():
             if name.startswith(prefix) or module == f"bench_{prefix}":
                 modules.setdefault(name, module)
-    on_gpu = {name: any("cuda" in peer.devices for peer in known[name][1].contestants[1:]) for name in modules}
-    dates = last_measured("benchmarks", "operations")
-    return dict(sorted(modules.items(), key=lambda each: (not on_gpu[each[0]], dates.get(each[0], ""))))
+    known_dates = last_measured("benchmarks", "operations")
+    with_peer = on_gpu()
+    return dict(
+        sorted(modules.items(), key=lambda each: (each[0] not in with_peer, known_dates.get(each[0], ("", ""))[0]))
+    )
+
+
+def on_gpu() -> list[str]:
+    """Operations with a baseline on the GPU."""
+    known = operations().items()
+    return [name for name, (_, each) in known if any("cuda" in peer.devices for peer in each.contestants[1:])]
 
 
 def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | None, str]:
@@ -69,9 +77,9 @@ def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | N
 def main() -> int:
     """Time the remaining operations; returns MORE if some remain."""
     state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
-    device, saved = devices.start(), state / "parts" / "benchmarks.json"
+    device = devices.start()
     os.environ.setdefault("BENCH_THREADS", str(max(2, (os.cpu_count() or 2) - 2)))
-    results: dict[str, Any] = json.loads(saved.read_text())["content"] if saved.exists() else {"operations": {}}
+    results = saved_part(state, "benchmarks") or {"operations": {}}
     results["versions"] = versions()
     complete = True
     for name, module in chosen().items():
@@ -82,6 +90,7 @@ def main() -> int:
             print(f"no time left before {name}")
             complete = False
             break
+        start = time.monotonic()
         document, why = time_one(name, module, min(left - 3, AT_MOST))
         rows = list(collect([document]).values()) if document else []
         results["operations"][name] = [
@@ -89,6 +98,7 @@ def main() -> int:
             for row in rows
             for label, timing in row.timings.items()
         ] or {"error": why}
+        results.setdefault("seconds", {})[name] = round(time.monotonic() - start, 1)
         keep_part(state, device, "benchmarks", results)
         print(table(rows, with_targets=False) if rows else f"{name}: no table: {why}", flush=True)
     return 0 if complete else MORE

@@ -2,12 +2,14 @@
 # One call on a GPU machine without network: unpack the archives of this call, then continue the run, as far as
 # archives and time allow.
 #   bash benchmarks/gpu_kit/call.sh FOLDER [SECONDS [--steps STEP ...]]
-# in the repository's root; FOLDER: archives of this call.
+# in the repository's root; FOLDER: archives of this call, with the plan's seconds, run and steps in plan.txt.
 # At the end of a call, logs, marks and partial results are written to one archive in $OUT.
 # POINTLOOM_GPU_HOME is the folder for data between calls. POINTLOOM_GPU_DRY=1 uses the emulated device.
 set -u
 BEGIN=$SECONDS
-FOLDER=${1:?the folder of the pieces of this call} TOTAL=${2:-570}
+FOLDER=${1:?the folder of the pieces of this call}
+read -r PLANNED RUN STEPS <"$FOLDER/plan.txt"
+TOTAL=${2:-$PLANNED}
 shift $(($# < 2 ? $# : 2))
 HOME_OF_RUN=${POINTLOOM_GPU_HOME:-${TMPDIR:-/tmp}/pointloom-gpu}
 OUT=${OUT:-$HOME_OF_RUN/out}
@@ -30,10 +32,12 @@ export PYTHONUNBUFFERED=1 POINTLOOM_CPU=warp WARP_CACHE_PATH=${WARP_CACHE_PATH:-
 export PYTHONPATH=$PWD/src:$HOME_OF_RUN/start:$SITE:${PYTHONPATH:-}
 [ -e "$HERE/cpu" ] && export POINTLOOM_CPU_KERNELS=$SITE/cpu-kernels
 [ -e "$HOME_OF_RUN/kernels.zip" ] && export POINTLOOM_CUDA_KERNELS=$HOME_OF_RUN/kernels.zip
+[ -e "$HERE/before" ] && export POINTLOOM_GPU_BEFORE=$SITE/before
 if [ -e "$HERE/open3d" ]; then # the packages of Open3D's viewers are not installed
     echo 'import open3d_stub' >"$HOME_OF_RUN/start/sitecustomize.py"
     export LD_LIBRARY_PATH=$SITE/open3d:${LD_LIBRARY_PATH:-}
 fi
-# shellcheck disable=SC2046  # one word per archive
+[ -n "$STEPS" ] || exit 0 # this call only carries archives
+# shellcheck disable=SC2046,SC2086  # one word per archive and step
 "${PYTHON:-python3}" benchmarks/gpu_kit --state "$STATE" --seconds $((TOTAL - (SECONDS - BEGIN) - 6)) --no-keep \
-    ${POINTLOOM_GPU_DRY:+--dry} "$@" --pieces $(ls "$HERE")
+    --run "$RUN" --steps $STEPS ${POINTLOOM_GPU_DRY:+--dry} "$@" --pieces $(ls "$HERE")

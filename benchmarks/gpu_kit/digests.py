@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -34,26 +35,39 @@ def compared(first: dict[str, str], second: dict[str, str], cpu: dict[str, str])
     }
 
 
+def print_digests(on: str) -> None:
+    """Print the digests of a device; in a dry run the GPU is the emulated one."""
+    devices.start()
+    sys.argv[1:] = ["--device", on]
+    from tests.small_digests import main as digests_of_device
+
+    digests_of_device()
+
+
 def main() -> int:
     """Run the three processes side by side, and compare what they printed within the time limit."""
-    state, seconds = Path(sys.argv[1]), float(sys.argv[2])
+    if sys.argv[1] == "--on":
+        print_digests(sys.argv[2])
+        return 0
+    state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
     device = devices.start()
     logs = {name: state / "logs" / f"digests-{name}.txt" for name in RUNS}
     processes = []
     for name, on in RUNS.items():
-        command = [sys.executable, "-m", "tests.small_digests", "--device", on]
+        command = [sys.executable, "-m", "gpu_kit.digests", "--on", on]
         with logs[name].open("w") as file:
             processes.append(subprocess.Popen(command, stdout=file, cwd=devices.ROOT))
     for process in processes:
         try:
-            process.wait(seconds)
+            process.wait(max(1.0, end - time.monotonic()))
         except subprocess.TimeoutExpired:
             process.kill()
     result = compared(*(digests_of(log.read_text()) for log in logs.values()))
     keep_part(state, device, "digests", result)
     for name, value in result.items():
         print(f"{name}: {f'{len(value)}: {value}' if isinstance(value, (list, dict)) else value}")
-    return 1 if result["different from run to run"] or result["errors on the GPU alone"] else 0
+    bad = not result["operations"] or result["different from run to run"] or result["errors on the GPU alone"]
+    return 1 if bad else 0
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from gpu_kit.device import EMULATED, ROOT, Device, EmulatedDeviceError, chip_of
+from gpu_kit.records import NAMES, recorded
 
 RESULTS = ROOT / "benchmarks" / "results"
 FORMAT = 1
@@ -34,6 +35,12 @@ def keep_part(state: Path, device: Device, name: str, content: Any) -> None:
     write_json(state / "parts" / f"{name}.json", {**about, "content": content})
 
 
+def saved_part(state: Path, name: str) -> dict[str, Any]:
+    """The results of a step so far."""
+    path = state / "parts" / f"{name}.json"
+    return json.loads(path.read_text())["content"] if path.exists() else {}
+
+
 def saved_runs() -> list[dict[str, Any]]:
     """The documents of all runs, the oldest first."""
     return sorted(
@@ -41,15 +48,23 @@ def saved_runs() -> list[dict[str, Any]]:
     )
 
 
-def last_measured(*part: str) -> dict[str, str]:
-    """Date of the newest run with a result, by entry of a part. Entries with an error do not count."""
-    dates: dict[str, str] = {}
+def last_measured(*part: str, field: str = "") -> dict[str, tuple[str, str]]:
+    """Date and commit of the newest run with a result, by entry of a part.
+
+    Args:
+        part: Names of the part in a run's document.
+        field: The entry must have this field. Entries with an error do not count.
+    """
+    found: dict[str, tuple[str, str]] = {}
     for run in saved_runs():
         entries: Any = run
         for name in part:
             entries = entries.get(name, {})
-        dates |= {name: run["date"] for name, entry in entries.items() if "error" not in entry}
-    return dates
+        for name, entry in entries.items():
+            failed = isinstance(entry, dict) and "error" in entry
+            if not failed and (not field or field in entry):
+                found[name] = (run["date"], run["commit"][:7])
+    return found
 
 
 def refuse_emulated(device: dict[str, Any]) -> None:
@@ -87,6 +102,7 @@ def collected(state: Path) -> dict[str, Any]:
         "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         "commit": commit,
         "dirty": dirty,
+        **{name: content for name in NAMES if (content := recorded(state, name))},
         **{name: part["content"] for name, part in parts.items()},
     }
 

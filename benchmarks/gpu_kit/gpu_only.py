@@ -1,5 +1,7 @@
-"""A pytest plugin for a GPU, `-p gpu_kit.gpu_only`: runs tests of a GPU only and restarts workers that have lost their
-device.
+"""A pytest plugin for a GPU, `-p gpu_kit.gpu_only`: runs tests of a GPU only, writes failures at once, and restarts
+workers that have lost their device.
+
+Each failure is appended to the file FAILURES as a line of JSON, so that no name is lost if the run is ended.
 
 An illegal address invalidates the CUDA context for all later tests of the process. So a worker of pytest-xdist whose
 context is lost exits; another one is started and continues with the next test.
@@ -7,14 +9,17 @@ context is lost exits; another one is started and continues with the next test.
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from collections.abc import Generator
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 LOST = 77  # exit code of a worker without a device
+FAILURES = "POINTLOOM_GPU_FAILURES"
 
 
 @pytest.hookimpl(trylast=True)
@@ -24,6 +29,22 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
     config.hook.pytest_deselected(items=[item for item in items if not on_gpu(item)])
     items[:] = [item for item in items if on_gpu(item)]
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    write_failure(report)
+
+
+def pytest_collectreport(report: pytest.CollectReport) -> None:
+    write_failure(report)
+
+
+def write_failure(report: pytest.TestReport | pytest.CollectReport) -> None:
+    """Append a failure to the file; with pytest-xdist in the main process, which receives all reports."""
+    path = os.environ.get(FAILURES)
+    if path and report.failed and "PYTEST_XDIST_WORKER" not in os.environ:
+        with Path(path).open("a") as file:
+            file.write(json.dumps({"test": report.nodeid, "text": report.longreprtext[-2000:]}) + "\n")
 
 
 @pytest.hookimpl(wrapper=True)

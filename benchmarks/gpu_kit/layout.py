@@ -7,9 +7,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from gpu_kit.steps import Call
+
 SPARE = 1 << 20  # bytes per call left free for per-file overhead
 MIN_BYTES = 1 << 20  # minimum size of a part, except for the last
-LIST = "pieces.txt"
+LIST, PLAN = "pieces.txt", "plan.txt"
 
 
 class Piece(NamedTuple):
@@ -19,20 +21,21 @@ class Piece(NamedTuple):
     path: Path | None
 
 
-def lay_out(out: Path, pieces: Sequence[Piece], calls: int, room: int) -> list[str]:
-    """Write the folders 1 to `calls`; returns a report.
+def lay_out(out: Path, pieces: Sequence[Piece], planned: Sequence[Call], run: int, room: int) -> list[str]:
+    """Write a folder for each call; returns a report.
 
     Args:
-        out: Output folder, which is replaced.
+        out: Output folder, whose folders of calls are replaced.
         pieces: Archives in the order of need.
-        calls: Number of folders.
+        planned: The calls of the run.
+        run: Number of the run.
         room: Bytes that a call can carry in addition to the working tree.
     """
     room -= SPARE
     report = [f"each call can carry {room / 2**20:.1f} MiB in addition to the working tree"]
     if room < MIN_BYTES:
         return [*report, "not enough: increase the limit of a call, or reduce the working tree"]
-    folders = [out / str(k + 1) for k in range(calls)]
+    calls, folders = len(planned), [out / str(call.number) for call in planned]
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
@@ -54,6 +57,8 @@ def lay_out(out: Path, pieces: Sequence[Piece], calls: int, room: int) -> list[s
             at, part, free = at + size, part + 1, free - size
         listed.append(f"{piece.path.name} {part}\n")
         report.append(f"{piece.name}: {len(data) / 2**20:.1f} MiB, complete with call {call + 1}")
-    for folder in folders:
+    for folder, each in zip(folders, planned, strict=True):
         (folder / LIST).write_text("".join(listed))
+        (folder / PLAN).write_text(" ".join([str(each.seconds), str(run), *(step.name for step in each.steps)]) + "\n")
+        report.append(f"call {each.number}, {each.seconds} s: {each.command}")
     return report

@@ -1,18 +1,20 @@
 """Pack files for a GPU machine without network that runs one command at a time, with N MiB per call: make gpu-kit.
 
     make gpu-kit                                            all missing archives, then the folders of calls
-    make gpu-kit CALL_MIB=64 CALLS=4 GPU_PYTHON=3.12 GPU_ARCHITECTURE=90
+    make gpu-kit CALL_MIB=64 CALLS=3 GPU_PYTHON=3.12 GPU_ARCHITECTURE=90
     make gpu-kit ARGS="kernels layout"                      only these, after a change in kernels/
 
     warp      Warp with the GPU code of one architecture
     kernels   pointloom's precompiled kernels
     cpu       the same for the CPU of the GPU machine, for tests that compare both
-    wheels    small packages that tests import and that are missing on such a machine
+    before    the code before the changes of compare.py, with its kernels
+    wheels    small packages that tests and peers.py import and that are missing on such a machine
     open3d    Open3D likewise, with the system libraries that it links; for the Python of the GPU machine
-    layout    split into build/gpu-kit/1 to N; the working tree is sent with each and counts toward the size of a call
+    layout    split into build/gpu-kit/1 to N, with the seconds of the plan (steps.py); the working tree is sent with
+              each and counts toward the size of a call
 
 Run it hours before: xz takes minutes and the kernels take an hour of two cores, once. Then run on the GPU machine, one
-call after the other: `bash benchmarks/gpu_kit/call.sh build/gpu-kit/1 SECONDS` (see README.md).
+call after the other: `bash benchmarks/gpu_kit/call.sh build/gpu-kit/1` (see README.md).
 """
 
 from __future__ import annotations
@@ -29,19 +31,22 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from gpu_kit.compare import CHANGES, checked_out
 from gpu_kit.fatbins import keep_architecture
 from gpu_kit.layout import Piece, lay_out
+from gpu_kit.steps import RUNS, calls_of, steps_of
 
 ROOT = Path(__file__).resolve().parents[2]
 OPEN3D = "open3d==0.20.0"
-WHEELS = ("laspy", "lazrs", "msgspec", "trimesh", "small-gicp")  # tests of point files need laspy
+# Tests of point files need laspy. torch-fps and cupy-knn are peers that compile their kernels at run time
+WHEELS = ("laspy", "lazrs", "msgspec", "trimesh", "small-gicp", "torch-fps", "cupy-knn")
 LARGEST_WHEEL = 6 << 20
 PLATFORMS = [f"manylinux_2_{n}_x86_64" for n in (17, 24, 27, 28, 31, 34, 35)]
 PLATFORMS += ["manylinux2014_x86_64", "manylinux1_x86_64"]
 ON_DEMAND = ("fem", "render", "optim")  # optional modules of Warp, imported on demand
 NOT_OF_WARP = ("__pycache__", "tests", "examples", *ON_DEMAND, "jax_experimental")
 NOT_OF_OPEN3D = ("resources", "examples", "labextension", "nbextension", "_ml3d", "agent_skills")
-PARTS = ("warp", "kernels", "cpu", "wheels", "open3d", "layout")
+PARTS = ("warp", "kernels", "before", "cpu", "wheels", "open3d", "layout")
 CPU_LEVELS = ("x86-64-v3", "x86-64-v4")
 EVERYWHERE = ("libc.so", "libm.so", "libpthread", "libdl.so", "librt.so", "ld-linux", "libstdc++", "libgcc_s")
 EVERYWHERE += ("libresolv", "libOpen3D", "libtbb")
@@ -102,12 +107,28 @@ class Packer:
 
     def kernels(self) -> None:
         """The archive of `make cuda-cache`, for one architecture."""
-        command = [sys.executable, "-m", "pointloom.kernels.cuda_cache", "--architectures", str(self.architecture)]
-        command += ["--work", str(ROOT / "build" / "cuda-kernels"), "--output", str(self.out / "dist")]
-        subprocess.run(command, check=True)
-        archive = max((self.out / "dist").glob("pointloom-cuda-kernels-*.zip"), key=lambda path: path.stat().st_mtime)
-        shutil.copy(archive, self.out / "kernels.zip")
-        print(f"kernels.zip: {archive.stat().st_size / 2**20:.1f} MiB", flush=True)
+        self.compile(ROOT / "src", self.out / "kernels.zip")
+        print(f"kernels.zip: {(self.out / 'kernels.zip').stat().st_size / 2**20:.1f} MiB", flush=True)
+
+    def compile(self, sources: Path, to: Path) -> None:
+        """Compile the kernels of a folder of sources into an archive, without those that were compiled before."""
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            command = [sys.executable, "-m", "pointloom.kernels.cuda_cache", "--architectures", str(self.architecture)]
+            command += ["--work", str(ROOT / "build" / "cuda-kernels"), "--output", folder]
+            subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": str(sources)})
+            (archive,) = Path(folder).glob("pointloom-cuda-kernels-*.zip")
+            shutil.copy(archive, to)
+
+    def before(self) -> None:
+        """The code before each change of compare.py, with its kernels."""
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            for change in CHANGES:
+                sources = Path(folder, "before", change.folder)
+                sources.mkdir(parents=True)
+                if not checked_out(change.before, sources):
+                    raise SystemExit(f"{change.name}: git has no commit {change.before}")
+                self.compile(sources / "src", sources / "kernels.zip")
+            self.archive(Path(folder), "before.tar.xz")
 
     def cpu(self) -> None:
         """The compiled CPU kernels of `make cpu-kernels`, for recent processors."""
@@ -187,7 +208,8 @@ def main() -> int:
     parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(PARTS)}; default: all missing ones")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "gpu-kit", help="output folder, ignored by git")
     parser.add_argument("--call-mib", type=float, default=64, help="size limit of a call, including the working tree")
-    parser.add_argument("--calls", type=int, default=4)
+    parser.add_argument("--calls", type=int, default=3, help="calls that carry the archives")
+    parser.add_argument("--run", type=int, choices=RUNS, default=1, help="run of the plan")
     parser.add_argument("--python", default="3.12", help="Python version of the GPU machine")
     parser.add_argument(
         "--architecture", type=int, default=90, help="architecture of its GPU: 90 for Hopper, 89 for Ada"
@@ -204,8 +226,10 @@ def main() -> int:
             archives[piece.name]()
     if not options.parts or "layout" in options.parts:
         room = int(options.call_mib * 2**20) - tree_size()
+        needed = {name for step in steps_of(options.run) for name in step.needs} | {"cpu", "wheels"}
         made = [Piece(name, next(iter(sorted(options.out.glob(f"{name}.*z*"))), None)) for name in archives]
-        print("\n".join(lay_out(options.out, made, options.calls, room)))
+        made = [piece for piece in made if piece.name in needed]
+        print("\n".join(lay_out(options.out, made, calls_of(options.run, options.calls), options.run, room)))
     return 0
 
 

@@ -1,4 +1,6 @@
-"""Write the tables of docs/gpu.md from the saved runs: python benchmarks/gpu_kit/page.py [--check].
+"""Write the tables of docs/gpu.md from the saved runs, and those of README.md from the plan:
+
+    python benchmarks/gpu_kit/page.py [--check]
 
 Of several runs of a chip the newest one that has a row counts, by date.
 """
@@ -10,12 +12,16 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "benchmarks"))
+OWN = Path(__file__).resolve().parent  # of a script, on the path: its modules have names of other modules
+sys.path[:] = [str(ROOT / "benchmarks"), *(path for path in sys.path if Path(path).resolve() != OWN)]
 from pages import replaced_between  # noqa: E402
 
-from gpu_kit.documents import saved_runs  # noqa: E402
+from gpu_kit.compare import CHANGES, compared  # noqa: E402
+from gpu_kit.documents import last_measured, saved_runs  # noqa: E402
+from gpu_kit.steps import RUNS, STEPS, dry_table, plan_table  # noqa: E402
 
-PAGE = ROOT / "docs" / "gpu.md"
+PAGE, README = ROOT / "docs" / "gpu.md", Path(__file__).parent / "README.md"
+NEVER = ("", "")
 CONSTANTS = {  # name of a constant: description, unit and divisor of the value
     "HOST_LAUNCH": ("launch of a kernel, of the host", "us", 1e-6),
     "WAIT": ("synchronization", "us", 1e-6),
@@ -99,16 +105,152 @@ def boxes(documents: list[dict[str, Any]]) -> list[str]:
     return lines
 
 
-def main() -> int:
-    documents, page = saved_runs(), PAGE.read_text()
-    for name, make in (("constants", constants), ("beside", beside), ("operations", operations), ("boxes", boxes)):
+NOT_YET = ["Not measured yet."]
+
+
+def measured(documents: list[dict[str, Any]], *part: str) -> dict[str, Any]:
+    """The results of a part without errors and skipped ones."""
+    rows = merged(documents, *part)
+    return {name: row for name, row in sorted(rows.items()) if not {"error", "skipped"} & set(row)}
+
+
+def table(headings: str, rows: list[list[str]]) -> list[str]:
+    """A table of Markdown, or a sentence if there are no rows."""
+    names = headings.split(", ")
+    return [f"| {' | '.join(cells)} |" for cells in (names, ["---"] * len(names), *rows)] if rows else NOT_YET
+
+
+def libraries(documents: list[dict[str, Any]]) -> list[str]:
+    """Operations beside the libraries of peers.py."""
+    rows = []
+    for key, row in measured(documents, "peers").items():
+        operation, _, peer = key.partition(" beside ")
+        name, size = operation.rsplit(" ", 1)
+        own, other = row["best_ms"]["pointloom"], row["best_ms"][peer]
+        rows.append([name, f"{int(size):,}", peer, f"{own:.2f}", f"{other:.2f}", f"{other / own:.2f}"])
+    return table("operation, size, library, pointloom [ms], library [ms], ratio", rows)
+
+
+def sequences(documents: list[dict[str, Any]]) -> list[str]:
+    """The distribution of the times of frames."""
+    rows = [
+        [name, str(row["frames"]), *(f"{row[field]:.2f}" for field in ("median_ms", "p99_ms", "max_ms", "first_ms"))]
+        for name, row in measured(documents, "frames").items()
+    ]
+    return table("sequence, frames, median [ms], p99 [ms], maximum [ms], first frame [ms]", rows)
+
+
+def large_clouds(documents: list[dict[str, Any]]) -> list[str]:
+    """Time and peak memory of large clouds."""
+    rows = []
+    for key, row in measured(documents, "large").items():
+        name, size = key.rsplit(" ", 1)
+        rows.append([name, f"{int(size):,}", f"{row['best_ms']:.1f}", f"{row['peak bytes per point']:.1f}"])
+    return table("operation, points, call [ms], peak bytes per point beyond the cloud", rows)
+
+
+def changes(documents: list[dict[str, Any]]) -> list[str]:
+    """Times before and after the changes of compare.py."""
+    rows = []
+    for name, row in measured(documents, "comparisons").items():
+        for key, times in (compared(row["laps"]) if "laps" in row else {}).items():
+            cells = []
+            for kind in ("call", "device"):
+                before, after = times.get(kind, (0.0, 0.0))
+                cells += [f"{before:.2f}", f"{after:.2f}", f"{before / after:.2f}"] if after else ["-"] * 3
+            rows.append([name, *key.rsplit(" ", 1), *cells])
+    times = "before [ms], after [ms], ratio"
+    return table(f"change, operation, size, call {times}, device {times}", rows)
+
+
+def dated(rows: list[str], *part: str, field: str = "") -> dict[tuple[str, str], list[str]]:
+    """Rows by the date and commit of their newest measurement."""
+    known = last_measured(*part, field=field)
+    groups: dict[tuple[str, str], list[str]] = {}
+    for row in rows:
+        groups.setdefault(known.get(row, NEVER), []).append(row)
+    return groups
+
+
+def ages() -> list[str]:
+    """When each row was measured last, the oldest first: the order of the next run."""
+    from gpu_operations import OPERATIONS
+
+    from gpu_kit.benches import on_gpu
+    from gpu_kit.peers import PEERS, key_of
+    from gpu_kit.suite import STAGES
+
+    sizes = [(o.name, f"{o.name} {size}") for o in OPERATIONS.values() for size in o.sizes]
+    large = [f"{o.name} {size}" for o in OPERATIONS.values() for size in o.large]
+    written = {"times", "profile", "benchmarks", "large", "peers", "compare", "tests"}
+    groups = {
+        "times of the caller": dated([key for _, key in sizes], "operations", field="best_ms"),
+        "device times": dated([key for _, key in sizes], "operations", field="device_ms"),
+        "beside Open3D on the GPU": dated(on_gpu(), "benchmarks", "operations"),
+        "large clouds": dated(large, "large"),
+        "beside other libraries": dated([key_of(peer) for peer in PEERS], "peers"),
+        "before and after a change": dated([change.name for change in CHANGES], "comparisons"),
+        "tests": dated(list(STAGES), "tests", "stages"),
+    }
+    parts = last_parts()
+    for step in STEPS:
+        if step.part and step.name not in written:
+            groups.setdefault("steps", {}).setdefault(parts.get(step.part, NEVER), []).append(step.name)
+    lines = ["| measurement | rows | date | commit |", "|---|---|---|---|"]
+    for what, by_date in groups.items():
+        for (date, commit), rows in sorted(by_date.items()):
+            lines.append(f"| {what} | {shortened(rows)} | {date[:10] or 'never'} | {commit or '-'} |")
+    return lines
+
+
+def last_parts() -> dict[str, tuple[str, str]]:
+    """Date and commit of the newest run with each part."""
+    return {name: (run["date"], run["commit"][:7]) for run in saved_runs() for name in run}
+
+
+def shortened(rows: list[str]) -> str:
+    """Rows of a name and a size as one entry per name: "tree 200000, 1000000"."""
+    sizes: dict[str, list[str]] = {}
+    for row in rows:
+        name, _, size = row.rpartition(" ")
+        if name and size.isdigit():
+            sizes.setdefault(name, []).append(size)
+        else:
+            sizes.setdefault(row, [])
+    return ", ".join(" ".join([name, *(f"{int(size):,}" for size in each)]) for name, each in sizes.items())
+
+
+TABLES = {
+    "constants": constants,
+    "beside": beside,
+    "operations": operations,
+    "libraries": libraries,
+    "sequences": sequences,
+    "large": large_clouds,
+    "changes": changes,
+    "boxes": boxes,
+}
+
+
+def pages() -> dict[Path, str]:
+    """The generated pages."""
+    documents, page, readme = saved_runs(), PAGE.read_text(), README.read_text()
+    for name, make in TABLES.items():
         page = replaced_between(page, name, "\n".join(make(documents)))
-    if "--check" in sys.argv:
-        if page != PAGE.read_text():
-            print(f"{PAGE.name} differs from benchmarks/results: run python benchmarks/gpu_kit/page.py")
+    page = replaced_between(page, "ages", "\n".join(ages()))
+    for run in RUNS:
+        readme = replaced_between(readme, f"run {run}", plan_table(run))
+    return {PAGE: page, README: replaced_between(readme, "dry", dry_table())}
+
+
+def main() -> int:
+    for path, text in pages().items():
+        if text == path.read_text():
+            continue
+        if "--check" in sys.argv:
+            print(f"{path.name} is outdated: run python benchmarks/gpu_kit/page.py")
             return 1
-        return 0
-    PAGE.write_text(page)
+        path.write_text(text)
     return 0
 
 

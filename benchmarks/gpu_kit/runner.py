@@ -1,8 +1,9 @@
 """Run the steps within a time limit: each in a separate process, with its output on stdout and in a log, and its
-status saved.
+status, seconds and clocks saved.
 
 Finished steps are not repeated. A step that ran out of time is started again by the next run and continues, since it
-saves its results one by one. A failed step is skipped until it is requested by name.
+saves its results one by one. A failed step is skipped until it is requested by name. A step may use its planned seconds
+and those that later steps do not need.
 """
 
 from __future__ import annotations
@@ -13,14 +14,17 @@ import signal
 import subprocess
 import threading
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from gpu_kit.device import DRY, ROOT
+from gpu_kit.facts import Clocks
+from gpu_kit.records import record
 from gpu_kit.steps import Step
 
 MORE = 75  # exit code of a step with remaining work (EX_TEMPFAIL)
 MARGIN = 8.0  # seconds between a step's own limit and its termination
+AT_LEAST = 10.0  # seconds in which a step can import pointloom and save a result
 
 
 class Run:
@@ -50,36 +54,41 @@ class Run:
         """Why a step cannot run now; empty if it can."""
         if status := self.status(step):
             return f"{status} before"
-        if self.dry and not step.in_dry_run:
-            return "not in a dry run"
+        if self.dry and step.not_dry:
+            return step.not_dry
         if not step.is_possible:
             return f"no {step.program} here"
         missing = [] if pieces is None else [piece for piece in step.needs if piece not in pieces]
         if missing:
             return f"waits for {', '.join(missing)}"
-        return f"not enough time left, it needs {step.at_least:.0f} s" if self.left < step.at_least else ""
+        needed = min(AT_LEAST, step.seconds)
+        return f"not enough time left, it needs {needed:.0f} s" if self.left < needed else ""
 
-    def all(self, steps: Iterable[Step], pieces: Iterable[str] | None = None) -> list[str]:
+    def all(self, steps: Sequence[Step], pieces: Iterable[str] | None = None) -> list[str]:
         """Run all possible steps; returns the names of failed steps."""
         failed = []
-        for step in steps:
+        for k, step in enumerate(steps):
             if reason := self.why_not(step, pieces):
                 print(f"== {step.name}: {reason}", flush=True)
                 continue
             begin = time.monotonic()
-            code = self.one(step)
+            later = sum(other.seconds for other in steps[k + 1 :] if not self.why_not(other, pieces))
+            with Clocks() as clocks:
+                code = self.one(step, step.seconds + max(0.0, self.left - MARGIN - step.seconds - later))
             if code != MORE:
                 (self.state / "done" / step.name).write_text("failed" if code else "done")
             ended = {0: "done", MORE: "incomplete"}.get(code, f"FAILED, exit {code}")
-            print(f"== {step.name}: {ended}, {time.monotonic() - begin:.0f} s", flush=True)
+            seconds = time.monotonic() - begin
+            record(self.state, "steps", {step.name: {"seconds": seconds, "ended": ended, "clocks": clocks.ranges()}})
+            print(f"== {step.name}: {ended}, {seconds:.0f} s of {step.seconds}", flush=True)
             if code not in (0, MORE):
                 failed.append(step.name)
                 self.print_errors(step)
         return failed
 
-    def one(self, step: Step) -> int:
-        """Run a step. Returns its exit code, MORE if it ran out of time."""
-        seconds = min(step.at_most, self.left - MARGIN)
+    def one(self, step: Step, seconds: float) -> int:
+        """Run a step for some seconds. Returns its exit code, MORE if it ran out of time."""
+        seconds = min(seconds, self.left - MARGIN)
         environment = {**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONPATH": self.path()}
         environment |= {DRY: "1"} if self.dry else {}
         log, errors = (self.state / "logs" / f"{step.name}.{ending}" for ending in ("txt", "err"))

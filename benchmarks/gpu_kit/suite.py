@@ -1,10 +1,11 @@
-"""All tests of cuda:0 within a time limit, the most informative folders first; failing tests are repeated individually.
+"""All tests of cuda:0 within a time limit, those not run for longest first; failing tests are repeated individually.
 
     python -m gpu_kit.suite STATE SECONDS
 
 A stage is a run of pytest, which pytest-xdist distributes by file. A test that passes individually was affected by
 another test or by a lost context; one that still fails is a fault of pointloom. Tests that lack a package are counted
-separately. The next run continues with the remaining stages.
+separately. Failures are written at once, so a stage that ran out of time has their names. The next run continues with
+the remaining stages.
 """
 
 from __future__ import annotations
@@ -21,16 +22,17 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from gpu_kit import device as devices
-from gpu_kit.documents import keep_part
+from gpu_kit.documents import keep_part, last_measured, saved_part
+from gpu_kit.gpu_only import FAILURES
 from gpu_kit.runner import MORE
 
 SMOKE = ["arrays", "language/test_launch.py", "language/test_lanes.py", "test_memory.py"]
 # few stages: each start costs
-PACKAGES = ("registration meshing rgbd", "pcd visualization photogrammetry cli", "kernels")
+PACKAGES = ("visualization photogrammetry cli", "pcd", "registration meshing rgbd", "kernels")
 STAGES = {"smoke": [f"tests/kernels/{name}" for name in SMOKE]} | {
     packages: [f"tests/{package}" for package in packages.split()] for packages in PACKAGES
 }
-DRY_STAGES = {"smoke": ["tests/kernels/arrays/test_select.py"]}
+DRY_TESTS = ["tests/kernels/arrays/test_select.py"]
 # Independent of a GPU, or without use on one
 SKIP = ("tests/kernels/test_check_cuda.py", "tests/kernels/test_cuda_cache.py")
 SKIP += ("tests/visualization/viewer", "tests/photogrammetry/depth")
@@ -46,12 +48,17 @@ class Ran(NamedTuple):
     text: str
 
 
-def run(arguments: list[str], seconds: float, log: Path) -> Ran:
+def run(arguments: list[str], seconds: float, state: Path, name: str) -> Ran:
     """Run pytest, and terminate it and its workers after some seconds."""
+    log = state / "logs" / f"tests-{name}.txt"
+    failed_file(state, name).unlink(missing_ok=True)
+    environment = {**os.environ, FAILURES: str(failed_file(state, name))}
     command = [sys.executable, "-m", "pytest", "-q", "-p", "gpu_kit.gpu_only", "-o", "filterwarnings=default"]
     command += ["--tb=short", *(["--emulated-cuda"] if devices.is_dry() else []), *arguments]
     with log.open("w") as file:
-        process = subprocess.Popen(command, stdout=file, stderr=subprocess.STDOUT, start_new_session=True)
+        process = subprocess.Popen(
+            command, stdout=file, stderr=subprocess.STDOUT, env=environment, start_new_session=True
+        )
         try:
             code = process.wait(max(1.0, seconds))
         except subprocess.TimeoutExpired:
@@ -66,11 +73,17 @@ def run(arguments: list[str], seconds: float, log: Path) -> Ran:
     return Ran(code, log.read_text(errors="replace"))
 
 
-def failures(text: str) -> tuple[list[str], int]:
-    """The failed tests, and the number of tests that lack a package."""
-    matches = re.findall(r"^(?:FAILED|ERROR) (\S+)(.*)", text, re.MULTILINE)
-    own = [test for test, why in matches if not any(word in why for word in LACKING)]
-    return list(dict.fromkeys(own)), len(matches) - len(own)
+def failed_file(state: Path, name: str) -> Path:
+    """The file of a run of pytest to which gpu_only.py appends failures."""
+    return state / "logs" / f"tests-{name}.jsonl"
+
+
+def failures(state: Path, name: str) -> tuple[list[str], int]:
+    """The failed tests of a run of pytest, and the number of tests that lack a package."""
+    path = failed_file(state, name)
+    rows = [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
+    own = [row["test"] for row in rows if not any(word in row["text"] for word in LACKING)]
+    return list(dict.fromkeys(own)), len(rows) - len(own)
 
 
 def summary(ran: Ran) -> str:
@@ -84,9 +97,8 @@ class Suite:
 
     def __init__(self, state: Path, seconds: float) -> None:
         self.state, self.end, self.device = state, time.monotonic() + seconds, devices.start()
-        saved = state / "parts" / "tests.json"
-        empty: dict[str, Any] = {"stages": {}, "failed": [], "alone": {}, "lacking": 0}
-        self.results = json.loads(saved.read_text())["content"] if saved.exists() else empty
+        empty: dict[str, Any] = {"stages": {}, "seconds": {}, "failed": [], "alone": {}, "lacking": 0}
+        self.results = saved_part(state, "tests") or empty
 
     @property
     def left(self) -> float:
@@ -104,8 +116,10 @@ class Suite:
         if importlib.util.find_spec("pytest_timeout"):
             options += [f"--timeout={LONGEST_TEST}"]
         start = time.monotonic()
-        ran = run(options, self.left - 12, self.state / "logs" / f"tests-{name.replace(' ', '-')}.txt")
-        failed, lacking = failures(ran.text)
+        log = name.replace(" ", "-")
+        ran = run(options, self.left - 12, self.state, log)
+        failed, lacking = failures(self.state, log)
+        self.results["seconds"][name] = round(time.monotonic() - start, 1)
         self.results["failed"] = list(dict.fromkeys([*self.results["failed"], *failed]))
         if ran.code == 124:
             self.results.setdefault("incomplete", {})[name] = summary(ran)
@@ -125,7 +139,7 @@ class Suite:
                 continue
             if self.left < ALONE_AT_LEAST or len(self.results["alone"]) >= MAX_ALONE:
                 return
-            ran = run([test], min(self.left - 5, ALONE_AT_MOST), self.state / "logs" / "tests-one.txt")
+            ran = run([test], min(self.left - 5, ALONE_AT_MOST), self.state, "one")
             self.results["alone"][test] = ran.code == 0
             with (self.state / "logs" / "tests-failures.txt").open("a") as file:
                 file.write(f"===== {test}: exit {ran.code}\n{ran.text[-4000:]}\n")
@@ -133,10 +147,20 @@ class Suite:
             keep_part(self.state, self.device, "tests", self.results)
 
 
+def _age(stage: str, known: dict[str, tuple[str, str]]) -> tuple[bool, str]:
+    """The order of a stage: basics first, then by the date of the last complete run."""
+    return stage != "smoke", known.get(stage, ("", ""))[0]
+
+
 def main() -> int:
     """Run the remaining stages; returns MORE if some remain."""
     suite = Suite(Path(sys.argv[1]), float(sys.argv[2]))
-    stages = DRY_STAGES if devices.is_dry() else STAGES
+    known = last_measured("tests", "stages")
+    stages = (
+        {"smoke": DRY_TESTS}
+        if devices.is_dry()
+        else dict(sorted(STAGES.items(), key=lambda each: _age(each[0], known)))
+    )
     complete = all(name in suite.results["stages"] or suite.stage(name, paths) for name, paths in stages.items())
     suite.again_alone()
     failed, alone = suite.results["failed"], suite.results["alone"]

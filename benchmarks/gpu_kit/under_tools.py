@@ -5,47 +5,52 @@ python -m gpu_kit.under_tools STATE SECONDS ncu|sanitizer
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 import sys
 import time
 from pathlib import Path
 
+from gpu_kit.documents import saved_part
 from gpu_kit.runner import MORE
-from gpu_kit.steps import NCU_CALLS, NCU_SECTIONS, SANITIZED
 
-HOTTEST, LAUNCHES, AT_LEAST = 12, 30, 40.0
+# Calls for ncu if there is no profile, and small ones for compute-sanitizer
+NCU_CALLS = ("normals_k30=1000000", "dbscan_device=1000000", "knn20_device=1000000", "fpfh_device=300000")
+NCU_CALLS += ("tsdf_integrate=307200", "closest_points_device=200000", "cast_rays_device=1000000", "icp_plane=200000")
+SANITIZED = ("normals_k30=3000", "dbscan_device=3000", "icp_plane=3000", "fpfh_device=3000", "voxel_down_sample=3000")
+SANITIZED += ("farthest_points=3000", "tsdf_mesh=307200")
+NCU_SECTIONS = ("SpeedOfLight", "Occupancy", "LaunchStats", "MemoryWorkloadAnalysis", "WarpStateStats")
+HOTTEST, LAUNCHES, AT_LEAST = 12, 60, 40.0
 KNOWN = ("fit_normals_nearest", "search_nearest", "find_limits", "sum_histograms", "match_lanes", "sum_plane_rows")
 KNOWN += ("step_jobs", "integrate_voxels", "find_nearest_triangles", "cast_rays", "unite_cores", "choose_by_leaves")
 SANITIZERS = ("memcheck", "racecheck", "initcheck")
 FAULT = re.compile(r"ERROR SUMMARY|=========.*(?:Invalid|Race|Uninit)")
-ONCE = (sys.executable, "-m", "gpu_kit.profile", "--once")
+ONCE = (sys.executable, "-m", "gpu_kit.measure", "--once")
 
 
-def hottest(state: Path) -> tuple[str, ...]:
-    """The slowest kernels of the profile, if there is one."""
-    part = state / "parts" / "operations.json"
-    operations = json.loads(part.read_text())["content"] if part.exists() else {}
-    seconds: dict[str, float] = {}
-    for result in operations.values():
+def hottest(state: Path) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The kernels with the longest launches in the profile, and the calls with these launches."""
+    longest: dict[str, tuple[float, str]] = {}
+    for key, result in saved_part(state, "operations").items():
         for row in result.get("kernels", []):
             if row["kernel"].endswith(("_kernel", "_tiles")):
-                seconds[row["kernel"]] = max(seconds.get(row["kernel"], 0.0), row["us"])
-    return tuple(sorted(seconds, key=lambda name: -seconds[name])[:HOTTEST]) or KNOWN
+                launch = (row["us"] / row["launches"], "=".join(key.split()))
+                longest[row["kernel"]] = max(longest.get(row["kernel"], launch), launch)
+    kernels = tuple(sorted(longest, key=lambda name: longest[name], reverse=True)[:HOTTEST])
+    calls = dict.fromkeys(longest[name][1] for name in kernels)
+    return (kernels, tuple(calls)) if kernels else (KNOWN, NCU_CALLS)
 
 
 def run_ncu(state: Path, end: float) -> int:
     """Counters of the slowest kernels as a table; clock settings are unchanged."""
+    kernels, calls = hottest(state)
     command = ["ncu", "--clock-control", "none", "--target-processes", "all", "--csv", "--page", "raw"]
-    command += ["-k", f"regex:{'|'.join(hottest(state))}", "-c", str(LAUNCHES)]
+    command += ["-k", f"regex:{'|'.join(kernels)}", "-c", str(LAUNCHES)]
     command += [word for name in (*NCU_SECTIONS, "InstructionStats") for word in ("--section", name)]
     table = state / "logs" / "ncu.csv"
     with table.open("w") as file:
         try:
-            done = subprocess.run(
-                [*command, *ONCE, *NCU_CALLS], stdout=file, timeout=end - time.monotonic(), check=False
-            )
+            done = subprocess.run([*command, *ONCE, *calls], stdout=file, timeout=end - time.monotonic(), check=False)
         except subprocess.TimeoutExpired:
             print(f"out of time; {table.name} contains the results so far")
             return MORE

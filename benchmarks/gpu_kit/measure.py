@@ -1,13 +1,13 @@
 """Operations on the GPU (gpu_operations.py): times of the caller, and times of the kernels by name.
 
-    python -m gpu_kit.profile STATE SECONDS call|device     one of the two measurements
-    python -m gpu_kit.profile --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer
-    python -m gpu_kit.profile --json NAME=SIZE              one call's times as a line of JSON
+    python -m gpu_kit.measure STATE SECONDS call|device     one of the two measurements
+    python -m gpu_kit.measure --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer
+    python -m gpu_kit.measure --json call|device NAME=SIZE ...      results as a line of JSON
 
 Caller: the median of some synchronized calls on existing data. Device: the total duration of kernels, copies and fills,
 including those in graphs, measured by CUPTI through torch's profiler. Without torch there is only the caller's time.
 They are two processes: CUPTI stays attached and slows later launches (pytorch/pytorch#144455), and it does not resolve
-graphs created before. The oldest measurements are repeated first.
+graphs created before. `times_of` raises an error after a profile. The oldest measurements are repeated first.
 """
 
 from __future__ import annotations
@@ -23,39 +23,50 @@ from pathlib import Path
 from typing import Any
 
 from gpu_kit import device as devices
-from gpu_kit.documents import keep_part, last_measured
+from gpu_kit.documents import keep_part, last_measured, saved_part
 from gpu_kit.runner import MORE
 
-ROUNDS, WARM_UP, ENOUGH = 7, 2, 6.0  # timed calls, calls before them, and maximum total seconds
-FRESH = ("tree",)  # operations whose result is cached are prepared again for each call
-DRY_OPERATIONS = {"voxel_down_sample": 3000, "normals_k30": 3000}
+ROUNDS, WARM_UP, ENOUGH = 7, 2, 1.5  # timed calls, calls before them, and seconds of timed calls
 
 
-def runs() -> list[tuple[str, int]]:
-    """Names and sizes, in order."""
+class Profiler:
+    """Whether this process has used the profiler, which stays attached."""
+
+    attached = False
+
+
+def runs(field: str) -> list[tuple[str, int]]:
+    """Names and sizes, those with the oldest value of a field first."""
     from gpu_operations import OPERATIONS
 
     if devices.is_dry():
-        return list(DRY_OPERATIONS.items())
-    known = last_measured("operations")
+        return [(operation.name, operation.small) for operation in OPERATIONS.values()]
+    known = last_measured("operations", field=field)
     sizes = [(operation.name, size) for operation in OPERATIONS.values() for size in operation.sizes]
-    return sorted(sizes, key=lambda each: known.get(key_of(*each), ""))
+    return sorted(sizes, key=lambda each: known.get(key_of(*each), ("", ""))[0])
 
 
 def key_of(name: str, size: int) -> str:
     return f"{name} {size}"
 
 
-def timed(name: str, size: int) -> tuple[list[float], Callable[[], Any]]:
-    """Times of calls, and a prepared call."""
+def times_of(name: str, size: int) -> list[float]:
+    """Seconds of some synchronized calls.
+
+    Raises:
+        RuntimeError: This process has used the profiler.
+    """
+    if Profiler.attached:
+        raise RuntimeError("times after a profile in one process: the profiler stays attached and slows launches")
     import warp as wp
     from gpu_operations import OPERATIONS
 
-    prepare = OPERATIONS[name].prepare
-    call, seconds = prepare(size), []
-    for k in range(WARM_UP + ROUNDS):
-        if name in FRESH:
-            call = prepare(size)
+    operation, seconds = OPERATIONS[name], []
+    call = operation.prepare(size)
+    warm_up, rounds = (0, 1) if devices.is_dry() else (WARM_UP, ROUNDS)
+    for k in range(warm_up + rounds):
+        if k and operation.in_new_state:
+            call = operation.prepare(size)
         wp.synchronize_device(devices.NAME)
         start = time.perf_counter()
         try:
@@ -63,12 +74,13 @@ def timed(name: str, size: int) -> tuple[list[float], Callable[[], Any]]:
         except StopIteration:  # end of a sequence of frames
             break
         wp.synchronize_device(devices.NAME)
-        if k >= WARM_UP:
-            seconds.append(time.perf_counter() - start)
+        elapsed = time.perf_counter() - start
         del result
+        if k >= warm_up or elapsed > ENOUGH:
+            seconds.append(elapsed)
         if sum(seconds) > ENOUGH:
             break
-    return seconds, prepare(size) if name in FRESH else call
+    return seconds
 
 
 def kernels_of(call: Callable[[], Any]) -> list[dict[str, Any]] | None:
@@ -82,6 +94,7 @@ def kernels_of(call: Callable[[], Any]) -> list[dict[str, Any]] | None:
         return None
     import warp as wp
 
+    Profiler.attached = True
     torch.cuda.init()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "trace.json"
@@ -115,16 +128,22 @@ def plain(name: str) -> str:
 
 def call_times(name: str, size: int) -> dict[str, Any]:
     """The caller's times of an operation."""
-    seconds, _ = timed(name, size)
-    return {"caller_ms": 1e3 * statistics.median(seconds), "best_ms": 1e3 * min(seconds)}
+    seconds = times_of(name, size)
+    return {"caller_ms": 1e3 * statistics.median(seconds), "best_ms": 1e3 * min(seconds), "calls": len(seconds)}
 
 
 def device_times(name: str, size: int) -> dict[str, Any]:
     """The device's times of an operation, by kernel; empty without a profiler."""
-    _, call = timed(name, size)  # warm
+    from gpu_operations import OPERATIONS
+
+    operation = OPERATIONS[name]
+    call = operation.prepare(size)
+    call()  # loads kernels, creates graphs
+    if operation.in_new_state:
+        call = operation.prepare(size)
     try:
         rows = kernels_of(call)
-    except Exception as error:  # of the profiler: the caller's time remains valid
+    except Exception as error:  # of the profiler: the times of the other process remain valid
         traceback.print_exc(limit=4)
         return {"profiler": f"{type(error).__name__}: {str(error)[:200]}"}
     if not rows:
@@ -149,15 +168,6 @@ def described(name: str, size: int, result: dict[str, Any]) -> str:
     return "\n".join([line, *rows])
 
 
-def bounds_in_use() -> dict[str, int]:
-    """Register limits of the kernels created in this process, by name; 0 for none."""
-    import warp as wp
-
-    modules = [m for m in wp._src.context.user_modules.values() if m.name.startswith("pointloom.")]
-    kernels = (kernel for module in modules if not module.name.endswith(".cpu") for kernel in module.kernels.values())
-    return {kernel.key: kernel.options.get("cuda_max_registers", 0) for kernel in kernels}
-
-
 def once(words: list[str]) -> None:
     """Run calls twice, without saving results."""
     import warp as wp
@@ -171,35 +181,49 @@ def once(words: list[str]) -> None:
             wp.synchronize_device(devices.NAME)
 
 
+MEASURES = {"call": (call_times, "caller_ms"), "device": (device_times, "device_ms")}
+
+
+def measured(kind: str, name: str, size: int) -> dict[str, Any]:
+    """One of the two measurements of an operation, with its seconds including the preparation; or its error."""
+    start = time.monotonic()
+    try:
+        result = MEASURES[kind][0](name, size)
+    except Exception as error:
+        traceback.print_exc(limit=4)
+        return {"error": f"{type(error).__name__}: {str(error)[:400]}"}
+    return result | {f"seconds of {kind}": round(time.monotonic() - start, 2)}
+
+
+def package() -> str:
+    """The folder of the measured code."""
+    import pointloom
+
+    return str(Path(pointloom.__file__).parent)
+
+
 def main() -> int:
     """Measure the remaining operations; returns MORE if some remain."""
     first, *words = sys.argv[1:]
     device = devices.start()
-    if first in ("--once", "--json"):
-        if first == "--once":
-            once(words)
-        else:
-            name, _, size = words[0].partition("=")
-            times = device_times(name, int(size))
-            times = times if "device_ms" in times else times | call_times(name, int(size))
-            print(json.dumps(times | {"bounds": bounds_in_use()}))
+    if first == "--once":
+        once(words)
         return 0
-    state, end = Path(first), time.monotonic() + float(words[0])
-    measure, field = {"call": (call_times, "caller_ms"), "device": (device_times, "device_ms")}[words[1]]
-    saved = state / "parts" / "operations.json"
-    results: dict[str, Any] = json.loads(saved.read_text())["content"] if saved.exists() else {}
-    for name, size in runs():
+    if first == "--json":
+        sizes = [word.partition("=")[::2] for word in words[1:]]
+        results = {key_of(name, int(size)): measured(words[0], name, int(size)) for name, size in sizes}
+        print(json.dumps({"package": package(), "results": results}))
+        return 0
+    state, end, kind = Path(first), time.monotonic() + float(words[0]), words[1]
+    field, results = MEASURES[kind][1], saved_part(state, "operations")
+    for name, size in runs(field):
         result = results.setdefault(key_of(name, size), {})
-        if "error" in result or field in result:
+        if "error" in result or f"seconds of {kind}" in result:
             continue
         if time.monotonic() > end:
             print("no time left before", name, size)
             return MORE
-        try:
-            result |= measure(name, size)
-        except Exception as error:
-            traceback.print_exc(limit=4)
-            result["error"] = f"{type(error).__name__}: {str(error)[:400]}"
+        result |= measured(kind, name, size)
         print(described(name, size, result), flush=True)
         keep_part(state, device, "operations", results)
     return 1 if any("error" in each for each in results.values()) else 0
