@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
-from pointloom.kernels.remeshing import collapse_rounds
+from pointloom.kernels.remeshing import edge_bins
 
 from .open3d_meshes import for_each, one_by_one
 from .simplification_scenes import box, bumpy_torus, edge_counts, euler, grid, open3d_simplified, rms_from
@@ -30,7 +30,7 @@ def test_the_target_is_reached_or_exceeded_by_one_and_the_surface_stays_closed(d
 def test_edges_selected_in_one_launch_are_those_of_a_launch_per_step(device, monkeypatch):
     mesh, results = TriangleMesh(*bumpy_torus(), device=device), []
     for limit in (0, 10**6):
-        monkeypatch.setattr(collapse_rounds, "MAX_AT_ONCE", limit)
+        monkeypatch.setattr(edge_bins, "MAX_AT_ONCE", limit)
         thin = mesh.simplify_quadric_decimation(150)
         results.append((thin.vertices.tobytes(), thin.triangles.tobytes()))
     assert results[0] == results[1]
