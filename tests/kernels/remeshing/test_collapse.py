@@ -7,8 +7,8 @@ from pointloom.kernels.lang import int32, uint8, vec2, vec3, vec3i
 from pointloom.kernels.memory import download, upload, write
 from pointloom.kernels.remeshing import collapse_mesh as cm
 from pointloom.kernels.remeshing.collapse_rounds import CollapseRounds
-from pointloom.kernels.remeshing.edge_bins import EdgeBins
 from pointloom.kernels.remeshing.decimation import Decimation
+from pointloom.kernels.remeshing.edge_bins import EdgeBins
 
 from ...meshing.simplification_scenes import bumpy_torus, grid
 
