@@ -1,10 +1,10 @@
 """Fusing depth frames at 1 cm, extracting the mesh and ray casting, beside Open3D's VoxelBlockGrid.
 
 Open3D's legacy volume is not included: in 0.20.0 it stays empty. Both volumes store distance and weight alone,
-truncated
-at 4 cm, in blocks of 8^3. VoxelBlockGrid gets its block count beforehand; pointloom's volume grows in the timed region.
-Integration times are per frame and include the selection of the frame's blocks. Both take the depth as uint16. On the
-GPU Open3D's images are uploaded beforehand, pointloom's in the timed region.
+truncated at 4 cm, in blocks of 8^3. VoxelBlockGrid gets its block count beforehand; pointloom's volume grows in the
+timed region. Integration times are per frame and include the selection of the frame's blocks. Both take the depth as
+uint16. In `tsdf_integrate` both upload NumPy frames in the timed region, in `tsdf_integrate_device` both have uploaded
+them before. In `tsdf_integrate_frames` pointloom gets all NumPy frames in one call.
 """
 
 from __future__ import annotations
@@ -28,11 +28,19 @@ def loom_camera(width: int, height: int, frames: scenes.Frames) -> Any:
     return loom.PinholeCameraIntrinsic(width, height, *frames.intrinsic)
 
 
-def integration_pointloom(frames: scenes.Frames, device: str) -> Trial:
+def integration_pointloom(
+    frames: scenes.Frames, device: str, *, is_uploaded: bool = False, is_together: bool = False
+) -> Trial:
     import pointloom as loom
 
     height, width = frames.depths.shape[1:]
     camera = loom_camera(width, height, frames)
+    depths: Any = frames.depths
+    if is_uploaded and device != "cpu":
+        import warp as wp
+
+        depths = [wp.array(depth, dtype=wp.uint16, device=device) for depth in frames.depths]
+    limits = {"depth_scale": 1000.0, "depth_max": DEPTH_MAX}
 
     def make() -> Any:
         return loom.TSDFVolume(
@@ -40,19 +48,26 @@ def integration_pointloom(frames: scenes.Frames, device: str) -> Trial:
         )
 
     def integrate(volume: Any) -> Any:
-        for depth, extrinsic in zip(frames.depths, frames.extrinsics, strict=True):
-            volume.integrate(depth, camera, extrinsic, depth_scale=1000.0, depth_max=DEPTH_MAX)
+        if is_together:
+            volume.integrate_frames(depths, camera, frames.extrinsics, **limits)
+            return volume
+        for depth, extrinsic in zip(depths, frames.extrinsics, strict=True):
+            volume.integrate(depth, camera, extrinsic, **limits)
         return volume
 
     return Trial(waiting(integrate, device, "warp"), setup=make)
 
 
-def integration_open3d(frames: scenes.Frames, device: str) -> Trial:
+def integration_open3d(frames: scenes.Frames, device: str, *, is_uploaded: bool = False) -> Trial:
     o3d = load_open3d()
     where = open3d_device(device)
     intrinsic = o3d.core.Tensor(frames.matrix)
     extrinsics = [o3d.core.Tensor(extrinsic) for extrinsic in frames.extrinsics]
-    images = [o3d.t.geometry.Image(o3d.core.Tensor(depth)).to(where) for depth in frames.depths]
+
+    def upload(depth: np.ndarray) -> Any:
+        return o3d.t.geometry.Image(o3d.core.Tensor(depth)).to(where)
+
+    uploaded = [upload(depth) for depth in frames.depths] if is_uploaded else None
 
     def make() -> Any:
         types = (o3d.core.float32, o3d.core.float32)
@@ -62,6 +77,7 @@ def integration_open3d(frames: scenes.Frames, device: str) -> Trial:
 
     def integrate(grid: Any) -> Any:
         limits = (1000.0, DEPTH_MAX, TRUNCATION_VOXELS)
+        images = map(upload, frames.depths) if uploaded is None else uploaded
         for image, extrinsic in zip(images, extrinsics, strict=True):
             blocks = grid.compute_unique_block_coordinates(image, intrinsic, extrinsic, *limits)
             grid.integrate(blocks, image, intrinsic, extrinsic, *limits)
@@ -151,27 +167,35 @@ def check(actual: tuple[np.ndarray, int], reference: tuple[np.ndarray, int], pee
         assert largest < 2 * VOXEL_SIZE, f"1 % of the surfaces are more than {largest:.4f} m apart"
 
 
-INTEGRATE = Operation(
-    name="tsdf_integrate",
-    scenes={"30 frames": partial(scenes.room_frames, 30)},
-    quick={"3 frames": partial(scenes.room_frames, 3)},
-    contestants=(
-        Contestant(
-            POINTLOOM,
-            integration_pointloom,
-            lambda volume: mesh_facts(volume.extract_triangle_mesh(weight_threshold=0)),
-            ("cpu", "cuda"),
+def integration(name: str, **options: bool) -> Operation:
+    """An operation that integrates frames; `options` are those of `integration_pointloom`."""
+    uploaded = {"is_uploaded": True} if options.get("is_uploaded") else {}
+    return Operation(
+        name=name,
+        scenes={"30 frames": partial(scenes.room_frames, 30)},
+        quick={"3 frames": partial(scenes.room_frames, 3)},
+        contestants=(
+            Contestant(
+                POINTLOOM,
+                partial(integration_pointloom, **options),
+                lambda volume: mesh_facts(volume.extract_triangle_mesh(weight_threshold=0)),
+                ("cpu", "cuda"),
+            ),
+            Contestant(
+                "open3d-tensor",
+                partial(integration_open3d, **uploaded),
+                lambda grid: mesh_facts(grid.extract_triangle_mesh(0.0)),
+                ("cpu", "cuda"),
+            ),
         ),
-        Contestant(
-            "open3d-tensor",
-            integration_open3d,
-            lambda grid: mesh_facts(grid.extract_triangle_mesh(0.0)),
-            ("cpu", "cuda"),
-        ),
-    ),
-    check=check,
-    unit_count=len,
-)
+        check=check,
+        unit_count=len,
+    )
+
+
+INTEGRATE = integration("tsdf_integrate")
+INTEGRATE_DEVICE = integration("tsdf_integrate_device", is_uploaded=True)
+INTEGRATE_FRAMES = integration("tsdf_integrate_frames", is_together=True)
 MESH = Operation(
     name="tsdf_mesh",
     scenes={"30 frames": INTEGRATE.scenes["30 frames"]},
@@ -192,11 +216,21 @@ RAY_CAST = Operation(
     ),
     check=check_depth,
 )
-OPERATIONS = (INTEGRATE, MESH, RAY_CAST)
+OPERATIONS = (INTEGRATE, INTEGRATE_DEVICE, INTEGRATE_FRAMES, MESH, RAY_CAST)
 
 
 @timed(INTEGRATE)
 def test_tsdf_integrate(time_lap) -> None:
+    time_lap()
+
+
+@timed(INTEGRATE_DEVICE)
+def test_tsdf_integrate_device(time_lap) -> None:
+    time_lap()
+
+
+@timed(INTEGRATE_FRAMES)
+def test_tsdf_integrate_frames(time_lap) -> None:
     time_lap()
 
 

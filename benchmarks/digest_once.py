@@ -590,6 +590,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "panorama": panorama_faces,
     "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),
     "tsdf, integrate": lambda d: d.fuse()[1],
+    "tsdf, integrate_frames": lambda d: d.fuse_together()[1],
     "tsdf, integrate, far": lambda d: d.fuse(UTM, color=False)[1],
     "tsdf, extract_triangle_mesh": lambda d: [d.volume.extract_triangle_mesh(w) for w in (0.0, 2.0)],
     "tsdf, extract_triangle_mesh, far": lambda d: d.far_volume.extract_triangle_mesh(0),

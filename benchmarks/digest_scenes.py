@@ -242,6 +242,13 @@ class Scenes:
             touched.append(int(volume.integrate(depth, self.lens, T, paint, depth_max=6.0)))
         return volume, touched
 
+    def fuse_together(self) -> tuple[Any, list[int]]:
+        """`fuse` by one call."""
+        volume = loom().TSDFVolume(voxel_size=0.04, device=self.device)
+        paint = np.stack([self.paint] * len(self.frames.depths))
+        frames = self.frames.depths, self.lens, self.extrinsics(), paint
+        return volume, [int(count) for count in volume.integrate_frames(*frames, depth_max=6.0)]
+
     def extrinsics(self, shift: Any = (0, 0, 0)) -> NDArray[np.float64]:
         """T_camera_world of the frames, with the world shifted [m]."""
         Ts = self.frames.extrinsics.copy()

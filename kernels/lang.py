@@ -95,6 +95,7 @@ partial = Builtin("partial")  # partial(function, first, arguments), as an argum
 atomic_add, atomic_min, atomic_max = (Builtin(n) for n in ("atomic_add", "atomic_min", "atomic_max"))
 lane, ballot, shuffle = (Builtin(n, for_cuda=True) for n in ("lane", "ballot", "shuffle"))
 shuffle_xor, sync_lanes = (Builtin(n, for_cuda=True) for n in ("shuffle_xor", "sync_lanes"))
+sync_block = Builtin("sync_block", for_cuda=True)  # all 256 threads of a block reach it
 load_eight, load_six, load_nine = (Builtin(n, for_cuda=True) for n in ("load_eight", "load_six", "load_nine"))
 
 
@@ -141,9 +142,9 @@ class _DeviceCode:
 
     def on_cuda(self, function: Callable) -> Self:
         """Register the CUDA variant: a function with the same parameters in the same file. Raises TypeError if they
-        differ. It may use lane(), ballot(flag), shuffle(x, lane), shuffle_xor(x, mask), sync_lanes() and the 128-bit
-        loads load_eight(points, first) (eight vec3; `first` a multiple of eight in an array that starts an allocation),
-        load_six(numbers, first) and load_nine (every eighth float32).
+        differ. It may use lane(), ballot(flag), shuffle(x, lane), shuffle_xor(x, mask), sync_lanes(), sync_block() and
+        the 128-bit loads load_eight(points, first) (eight vec3; `first` a multiple of eight in an array that starts an
+        allocation), load_six(numbers, first) and load_nine (every eighth float32).
         """
         kinds = [_kinds(f.__annotations__) for f in (function, self.written)]
         if kinds[0] != kinds[1]:

@@ -104,6 +104,11 @@ def positions(grid):
 
 CASES = {
     "TSDFVolume.integrate": (volume_of, lambda volume, step: volume.integrate(DEPTH, CAMERA, moved(step)), surface),
+    "TSDFVolume.integrate_frames": (
+        volume_of,
+        lambda volume, step: volume.integrate_frames([DEPTH] * 2, CAMERA, [moved(step)] * 2),
+        surface,
+    ),
     "TSDFVolume.integrate_points": (
         volume_of,
         lambda volume, step: volume.integrate_points(BALL + along(step), along(step)),

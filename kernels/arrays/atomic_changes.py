@@ -33,9 +33,10 @@ class Changes:
     def value(self) -> Any:
         return self._current[1]
 
-    def begin(self, value: Any) -> None:
-        """Start a change that ends in state `value`, before the first array is touched."""
-        self.number = self.count + 1
+    def begin(self, value: Any, steps: int = 1) -> None:
+        """Start a change that ends in state `value`, before the first array is touched. It counts as `steps` changes,
+        made together."""
+        self.number = self.count + steps
         self._begun = (self.number, value)
 
     def end(self) -> None:

@@ -60,7 +60,7 @@ def words(kind: Any) -> str:
 
 ONE_FLOAT = {"floor", "ceil", "sqrt", "sin", "cos", "tan", "acos", "asin", "exp", "log"}
 TWO_FLOATS = {"atan2", "pow"}
-LANES = {"lane": 0, "ballot": 1, "shuffle": 2, "shuffle_xor": 2, "sync_lanes": 0}
+LANES = {"lane": 0, "ballot": 1, "shuffle": 2, "shuffle_xor": 2, "sync_lanes": 0, "sync_block": 0}
 LOADS = {"load_eight": (Type("float32", (3,)), 24), "load_six": (FLOAT, 6), "load_nine": (FLOAT, 9)}
 ATOMIC = {"int32", "int64", "uint32", "uint64", "float32", "float64"}
 

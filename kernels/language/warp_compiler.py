@@ -188,6 +188,10 @@ def _shuffle_xor(x: wp.float64, mask: wp.int32) -> wp.float64: ...
 def _sync_lanes(): ...
 
 
+@wp.func_native("__syncthreads();")
+def _sync_block(): ...
+
+
 _eight_points = wp.types.vector(24, wp.float32)
 
 
@@ -230,6 +234,7 @@ OWN = {
     "shuffle": _shuffle,
     "shuffle_xor": _shuffle_xor,
     "sync_lanes": _sync_lanes,
+    "sync_block": _sync_block,
     "load_eight": _load_eight,
     "load_six": _load_six,
     "load_nine": _load_nine,

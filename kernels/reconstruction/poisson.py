@@ -1,9 +1,10 @@
 """Screened Poisson surface reconstruction (Kazhdan and Hoppe, ACM TOG 32(3), 2013).
 
 Levels are solved from coarse to fine by a fixed number of eight-colored Gauss-Seidel sweeps, independent of the thread
-order. Unknowns are corners inside eight existing cells. The others keep the coarser solution. Divided by the cell
-width, the Laplacian is 8/3 at the corner, -1/6 at the 12 corners across a face and -1/12 at the 8 across a cell.
-Samples of a cell pull u to 0 at their mean. The sides of the cube have Neumann boundary conditions.
+order. Those of a small level are one launch. Unknowns are corners inside eight existing cells. The others keep the
+coarser solution. Divided by the cell width, the Laplacian is 8/3 at the corner, -1/6 at the 12 corners across a face
+and -1/12 at the 8 across a cell. Samples of a cell pull u to 0 at their mean. The sides of the cube have Neumann
+boundary conditions.
 """
 
 from collections.abc import Callable, Sequence
@@ -14,6 +15,7 @@ import numpy as np
 
 from ..algebra.transform import widen
 from ..array_types import Array1, Device, Indices, Integers, Mask, Points, Scalars, Triangles, Vectors
+from ..arrays.blocks import block_threads, wait_for_block
 from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import positions_of
 from ..lang import (
@@ -153,6 +155,8 @@ COARSE = 4  # levels up to this one are small and get more sweeps
 COARSE_SWEEPS = 10
 FULL_SWEEPS = 8  # of the last level that fills the cube; four leave its surface 10% less accurate
 SWEEPS = 4  # from the level above its solution. Eight change no error by 1%
+MAX_ALONE = 1024  # blocks of a level that one block of threads solves: 4 corners of a color per thread
+MAX_ALONE_ON_CPU = 128  # the same for one thread: a color takes 10 us, which would not be divided among threads
 eight = vector(8, int32)
 
 
@@ -265,23 +269,16 @@ def sides_met(position: vec3i, cells: int) -> float:
     return factor
 
 
-@kernel
-def renew_corners_kernel(
-    corners: array(dtype=int32),
-    firsts: array(dtype=int32),
-    color: int,
+@func
+def renew_corner(
+    slot: int,
     table: array(dtype=int32),
     level: OctreeLevel,
     tested: array(dtype=float32),
     pulls: SamplePulls,
     values: array(dtype=float32),
 ):
-    """One Gauss-Seidel step at the corners of a color. A cell of samples has one of them, so none is shared."""
-    i = tid()
-    first = firsts[color]
-    if first + i >= firsts[color + 1]:
-        return
-    slot = corners[first + i]
+    """One Gauss-Seidel step at a corner. A cell of samples has one corner of a color, so none is shared."""
     around = AROUND * (slot // SLOTS)
     position = slot_position(slot, level)
     side = 1 << level.depth
@@ -318,6 +315,49 @@ def renew_corners_kernel(
             cell = cells[corner]
             if cell >= 0:
                 pulls.values[cell] = pulls.values[cell] + corner_weight(pulls.shares[cell], corner) * change
+
+
+@kernel
+def renew_corners_kernel(
+    corners: array(dtype=int32),
+    firsts: array(dtype=int32),
+    color: int,
+    table: array(dtype=int32),
+    level: OctreeLevel,
+    tested: array(dtype=float32),
+    pulls: SamplePulls,
+    values: array(dtype=float32),
+):
+    """The corners of a color."""
+    i = tid()
+    first = firsts[color]
+    if first + i >= firsts[color + 1]:
+        return
+    renew_corner(corners[first + i], table, level, tested, pulls, values)
+
+
+@kernel
+def renew_level_kernel(
+    threads: int,
+    sweeps: int,
+    corners: array(dtype=int32),
+    firsts: array(dtype=int32),
+    table: array(dtype=int32),
+    level: OctreeLevel,
+    tested: array(dtype=float32),
+    pulls: SamplePulls,
+    values: array(dtype=float32),
+):
+    """All sweeps over all colors of a small level: one block on CUDA, one thread on the CPU."""
+    i = tid()
+    colors = int(SLOTS)
+    for _ in range(sweeps):
+        for color in range(colors):
+            at = firsts[color] + i
+            while at < firsts[color + 1]:
+                renew_corner(corners[at], table, level, tested, pulls, values)
+                at += threads
+            wait_for_block()
 
 
 @reduction
@@ -368,7 +408,12 @@ def solve(
             for color, count in enumerate(counts):
                 launch(renew_corners_kernel, count, [corners, firsts, color, table, *arguments])
 
-        _repeat(sweep, COARSE_SWEEPS if depth <= COARSE else FULL_SWEEPS if depth == COARSE + 1 else SWEEPS, device)
+        sweeps = COARSE_SWEEPS if depth <= COARSE else FULL_SWEEPS if depth == COARSE + 1 else SWEEPS
+        if level.count <= (MAX_ALONE if device.is_cuda else MAX_ALONE_ON_CPU):
+            threads = block_threads(device)
+            launch(renew_level_kernel, threads, [threads, sweeps, corners, firsts, table, *arguments])
+        else:
+            _repeat(sweep, sweeps, device)
         solutions.append(values)
     return solutions
 

@@ -6,13 +6,14 @@ inverted. A damped Jacobi sweep per level down and up, symmetric for conjugate g
 """
 
 from ..array_types import Array2, Doubles, Indices, Integers, Positions
+from ..arrays.blocks import block_threads, wait_for_block
 from ..arrays.hash_table import mix_bits
 from ..arrays.key_starts import find_key_starts
 from ..arrays.prefix_sum import offsets_of
 from ..arrays.run_sums import sum_columns
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, func, int32, int64, kernel, launch, loop_while, struct, tid, vec3d
+from ..lang import array, float64, func, int32, int64, kernel, launch, struct, tid, vec3d
 from ..memory import download, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, split_edge_keys_kernel
 from ..meshes.vertex_neighbors import VertexNeighbors
@@ -20,7 +21,7 @@ from ..meshes.vertex_neighbors import VertexNeighbors
 ROUNDS = 8  # of selection. Vertices still undecided are then selected
 DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1. 0.7 takes a tenth more iterations
 STRETCH = 1.2  # of corrections, since the coarse system is stiffer than the error. 2 takes twice the iterations
-COARSEST = 100  # vertices of the inverted matrix: two launches of a loop per vertex, and 80 kB
+COARSEST = 100  # vertices of the inverted matrix, 80 kB: one block inverts it
 FLAT = 1.0e-14  # of its diagonal: rounding of a pivot that should be zero
 UNDECIDED, CHOSEN, JOINED = 0, 1, 2
 
@@ -217,12 +218,11 @@ class CoarseEdges:
 @struct
 class Coarsening:
     """Aggregates of a level, and buffers of a cycle: `parents` int32 [m] (coarse vertex, or their number for none),
-    sorted `members` by coarse vertex, residual `rest` on the way down, correction `guess` on the way up."""
+    sorted `members` by coarse vertex, correction `guess` on the way up."""
 
     parents: array(dtype=int32)
     members: array(dtype=int32)
     starts: array(dtype=int32)
-    rest: array(dtype=vec3d)
     guess: array(dtype=vec3d)
 
     def __init__(self, level: Level) -> None:
@@ -241,7 +241,7 @@ class Coarsening:
         keys, self.members = argsort_keys(keys, max(1, self.count.bit_length()))
         self.starts = empty(self.count + 1, int32, device)
         find_key_starts(keys, self.starts)
-        self.rest, self.guess = empty(count, vec3d, device), empty(count, vec3d, device)
+        self.guess = empty(count, vec3d, device)
 
     def coarser(self, level: Level) -> Level:
         device, edges = level.free.device, self._edges
@@ -251,44 +251,57 @@ class Coarsening:
         return Level(edges, edges.weights, coarse_excess, full(self.count, 1, int32, device))
 
 
-@kernel
-def leave_residual_kernel(level: Level, residual: array(dtype=vec3d), coarsening: Coarsening):
-    i = tid()
+@func
+def left_residual(level: Level, residual: array(dtype=vec3d), i: int) -> vec3d:
+    """Residual after a damped Jacobi sweep from zero."""
     rest = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
         rest = residual[i] - (level.diagonal[i] * level.steps[i]) * residual[i]
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             other = level.around.vertices[j]
             rest = rest + (level.pulls[j] * level.steps[other]) * residual[other]
-    coarsening.rest[i] = rest
+    return rest
 
 
 @kernel
-def restrict_kernel(coarsening: Coarsening, coarse: array(dtype=vec3d)):
+def restrict_kernel(level: Level, residual: array(dtype=vec3d), coarsening: Coarsening, coarse: array(dtype=vec3d)):
+    """Sum of the members' residuals after the sweep, one thread per coarse vertex."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     for j in range(coarsening.starts[i], coarsening.starts[i + 1]):
-        total = total + coarsening.rest[coarsening.members[j]]
+        total = total + left_residual(level, residual, coarsening.members[j])
     coarse[i] = total
+
+
+@func
+def corrected(
+    level: Level, residual: array(dtype=vec3d), coarse: array(dtype=vec3d), parents: array(dtype=int32), i: int
+) -> vec3d:
+    """Damped Jacobi sweep from zero plus the correction of the coarser level."""
+    guess = level.steps[i] * residual[i]
+    if level.free[i] == 1:
+        guess = guess + float64(STRETCH) * coarse[parents[i]]
+    return guess
 
 
 @kernel
 def correct_kernel(level: Level, residual: array(dtype=vec3d), coarse: array(dtype=vec3d), coarsening: Coarsening):
-    """Damped Jacobi sweep from zero plus the correction of the coarser level."""
     i = tid()
-    guess = level.steps[i] * residual[i]
-    if level.free[i] == 1:
-        guess = guess + float64(STRETCH) * coarse[coarsening.parents[i]]
-    coarsening.guess[i] = guess
+    coarsening.guess[i] = corrected(level, residual, coarse, coarsening.parents, i)
+
+
+@func
+def swept(level: Level, residual: array(dtype=vec3d), guess: array(dtype=vec3d), i: int) -> vec3d:
+    value = guess[i]
+    if level.steps[i] > 0.0:
+        value = value + level.steps[i] * (residual[i] - row_product(level, guess, i))
+    return value
 
 
 @kernel
 def sweep_kernel(level: Level, residual: array(dtype=vec3d), guess: array(dtype=vec3d), out: array(dtype=vec3d)):
     i = tid()
-    value = guess[i]
-    if level.steps[i] > 0.0:
-        value = value + level.steps[i] * (residual[i] - row_product(level, guess, i))
-    out[i] = value
+    out[i] = swept(level, residual, guess, i)
 
 
 @kernel
@@ -309,36 +322,48 @@ def fill_matrix_kernel(level: Level, matrix: array(dtype=float64, ndim=2)):
                 matrix[i, other] = -level.pulls[j]
 
 
-@kernel
-def eliminate_kernel(
-    level: Level, matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), out: array(dtype=float64, ndim=2)
+@func
+def eliminate_row(
+    level: Level, matrix: array(dtype=float64, ndim=2), k: int, row: int, out: array(dtype=float64, ndim=2)
 ):
-    """Gauss-Jordan step, one thread per entry. A copy once all unknowns are done. Zeros for a zero pivot."""
-    i = tid()
-    row = i // matrix.shape[0]
-    column = i - row * matrix.shape[0]
-    k = done[0]
-    value = matrix[row, column]
-    if k < matrix.shape[0]:
-        scale = max(level.diagonal[k], matrix[k, k])
-        inverse = float64(0.0)
-        if matrix[k, k] > float64(FLAT) * scale:
-            inverse = 1.0 / matrix[k, k]
-        value = value - matrix[row, k] * inverse * matrix[k, column]
-        if row == k:
-            value = inverse * matrix[k, column]
-        if column == k:
-            value = -inverse * matrix[row, k]
-            if row == k:
-                value = inverse
-    out[row, column] = value
+    """Gauss-Jordan step of unknown k for a row. Zeros for a zero pivot."""
+    scale = max(level.diagonal[k], matrix[k, k])
+    inverse = float64(0.0)
+    if matrix[k, k] > float64(FLAT) * scale:
+        inverse = 1.0 / matrix[k, k]
+    factor = matrix[row, k] * inverse
+    for column in range(matrix.shape[0]):
+        out[row, column] = matrix[row, column] - factor * matrix[k, column]
+    if row == k:
+        for column in range(matrix.shape[0]):
+            out[row, column] = inverse * matrix[k, column]
+    out[row, k] = -inverse * matrix[row, k]
+    if row == k:
+        out[row, k] = inverse
 
 
 @kernel
-def count_unknown_kernel(matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), running: array(dtype=int32)):
+def invert_kernel(
+    level: Level, threads: int, matrix: array(dtype=float64, ndim=2), other: array(dtype=float64, ndim=2)
+):
+    """Two steps per iteration, from `matrix` to `other` and back. One block on CUDA, one thread on the CPU."""
     i = tid()
-    done[0] = done[0] + 1
-    running[i] = 1 if done[0] < matrix.shape[0] else 0
+    count = matrix.shape[0]
+    for half in range((count + 1) // 2):
+        row = i + 0
+        while row < count:
+            eliminate_row(level, matrix, 2 * half, row, other)
+            row += threads
+        wait_for_block()
+        row = i + 0
+        while row < count:
+            if 2 * half + 1 < count:
+                eliminate_row(level, other, 2 * half + 1, row, matrix)
+            else:
+                for column in range(count):
+                    matrix[row, column] = other[row, column]
+            row += threads
+        wait_for_block()
 
 
 @kernel
@@ -355,14 +380,8 @@ def invert(level: Level) -> Array2[float64]:
     device, count = level.free.device, level.count
     matrix, other = zeros((count, count), float64, device), empty((count, count), float64, device)
     launch(fill_matrix_kernel, count, [level, matrix])
-    done, running = zeros(1, int32, device), full(1, int(count > 0), int32, device)
-
-    def run_step() -> None:
-        for before, after in ((matrix, other), (other, matrix)):
-            launch(eliminate_kernel, count * count, [level, before, done, after])
-            launch(count_unknown_kernel, 1, [matrix, done, running])
-
-    loop_while(running, run_step)
+    threads = block_threads(device)
+    launch(invert_kernel, threads, [level, threads, matrix, other])
     return matrix
 
 
@@ -387,8 +406,8 @@ class Preconditioner:
         self.residuals[0], self.forces[0] = residual, forces
         for depth, coarsening in enumerate(self.coarsenings):
             level = self.levels[depth]
-            launch(leave_residual_kernel, level.count, [level, self.residuals[depth], coarsening])
-            launch(restrict_kernel, coarsening.count, [coarsening, self.residuals[depth + 1]])
+            rows = [level, self.residuals[depth], coarsening, self.residuals[depth + 1]]
+            launch(restrict_kernel, coarsening.count, rows)
         self._solve_coarsest()
         for depth in reversed(range(len(self.coarsenings))):
             level, coarsening, rest = self.levels[depth], self.coarsenings[depth], self.residuals[depth]

@@ -2,8 +2,8 @@
 
 Sorkine and Alexa, "As-rigid-as-possible surface modeling", SGP 2007, equations 5 to 9. Smooth rotations by Levi and
 Gotsman, IEEE TVCG 21(2), 2014. Cotangent weights as in Open3D (mean over triangles, at least 0). The global step uses
-conjugate gradients with the preconditioner of graph_levels.py. A path of positive weights must connect each free vertex
-to a fixed one. Float64 in fixed orders. 250 B per vertex.
+conjugate gradients with the preconditioner of graph_levels.py, for small meshes in one launch (block_solver.py). A path
+of positive weights must connect each free vertex to a fixed one. Float64 in fixed orders. 250 B per vertex.
 """
 
 from ..algebra.rotations import best_rotation
@@ -40,6 +40,7 @@ from ..lang import (
 from ..language.device_lock import Recording
 from ..memory import clone, copy, download, empty, zeros
 from ..meshes.mesh_edges import MeshEdges, opposite_vertex
+from .block_solver import BlockSolver, max_rows
 from .graph_levels import Level, Preconditioner, row_product
 from .vertex_values import widen_rows
 
@@ -69,7 +70,8 @@ def map_search_kernel(level: Level, state: Gradients):
 
 class LaplacianSolver:
     """Laplacian solver that starts from the last solution. It has converged when the square of the preconditioned
-    residual is at most `limit` (in units of `unit`, vec2d [1], or 1)."""
+    residual is at most `limit` (in units of `unit`, vec2d [1], or 1). `in_one_launch`: a solve is one launch
+    (block_solver.py); None decides by the number of vertices."""
 
     def __init__(
         self,
@@ -78,10 +80,14 @@ class LaplacianSolver:
         limit: float,
         max_iterations: int = MAX_ITERATIONS,
         unit: Array1[vec2d] | None = None,
+        in_one_launch: bool | None = None,
     ) -> None:
         self.level, self.state = level, Gradients(solution, limit, max_iterations, unit)
         self.preconditioner = Preconditioner(level)
-        self._descent = ConjugateGradients(self.state, self._map, self._precondition)
+        is_small = level.count <= max_rows(solution.device) if in_one_launch is None else in_one_launch
+        self._alone = BlockSolver(self.preconditioner, self.state) if is_small else None
+        if self._alone is None:
+            self._descent = ConjugateGradients(self.state, self._map, self._precondition)
 
     def solve(self, right: Positions) -> None:
         """Solve for right-hand sides vec3d [m] in `state.solution`."""
@@ -89,12 +95,17 @@ class LaplacianSolver:
         self.descend()
 
     def begin(self, right: Positions) -> None:
-        """Initialize for right-hand sides vec3d [m]. Launches on existing arrays only."""
+        """Initialize for right-hand sides vec3d [m], or solve if one launch does. Launches on existing arrays only."""
+        if self._alone is not None:
+            self._alone.solve(right)
+            return
         launch(begin_residual_kernel, self.state.solution.size, [self.level, right, self.state])
         self._descent.begin()
 
     def descend(self) -> None:
-        self._descent.run()
+        """Iterate until converged, after `begin`."""
+        if self._alone is None:
+            self._descent.run()
 
     def check(self) -> None:
         if download(self.state.stuck)[0]:  # sync

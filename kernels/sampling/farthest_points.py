@@ -3,12 +3,13 @@ sampling", IEEE Transactions on Image Processing 6(9), 1997).
 
 Each point stores its squared distance to the chosen points as a key above its index counted from the end, and each tree
 node the largest key below it. A choice updates only boxes nearer than their largest distance: O(n log m) on a surface
-instead of O(n m). The CPU uses one thread, CUDA a launch per choice, 32 in a device loop. Both are bitwise identical:
-box distances round like point distances.
+instead of O(n m). The CPU uses one thread, CUDA one block for small clouds, else a launch per choice, 32 in a device
+loop. All are bitwise identical: box distances round like point distances.
 """
 
 import numpy as np
 
+from ..arrays.blocks import BLOCK_THREADS, WARPS, block_threads
 from ..arrays.lanes import LANE_BITS
 from ..arrays.packed_keys import INDEX_MASK, key_number
 from ..lang import (
@@ -26,6 +27,7 @@ from ..lang import (
     loop_while,
     shuffle_xor,
     struct,
+    sync_block,
     tid,
     vec3,
     vector,
@@ -34,6 +36,7 @@ from ..memory import download, empty, fill, full, zeros
 from ..search.point_tree import FAN, LEAF, SIDES, PointTree, box_distances, measure_box, measure_boxes
 
 leaf_keys = vector(8, int64)
+MAX_LEAVES = 1024  # of a cloud whose points one block of CUDA chooses: four leaves, about 1.5 us, per thread and choice
 UNREACHED = 0x7F80_0000_0000_0000  # key of an infinite distance, without index
 APART = 0x1_0000_0000  # keys >= this are at nonzero distance from all chosen points
 CHOICES = 4096  # per CPU launch: a fraction of a second, so that interrupts are handled
@@ -50,7 +53,8 @@ def index_of(key: int64) -> int:
 @struct
 class SampleDistances:
     """Distances of tree points from the chosen ones: `keys` (squared distance [m^2] above the index from the end), 0 in
-    padding; `leaf_tops`: largest key per leaf. Sequential only: `tops` of buckets and nodes, `queue`.
+    padding; `leaf_tops`: largest key per leaf. Without a launch per choice: `tops` of buckets and nodes (on CUDA of
+    warps), `queue`.
     """
 
     tree: PointTree
@@ -70,7 +74,9 @@ class SampleDistances:
 
     def __init__(self, tree: PointTree, sample_count: int, start: int, is_sequential: bool) -> None:
         """Initialize. The first choice is the point of index `start`."""
-        device, node_count = tree.device, tree.boxes.size // SIDES if is_sequential else 0
+        device, node_count = tree.device, 0
+        if is_sequential:
+            node_count = WARPS if device.is_cuda else tree.boxes.size // SIDES
         self.tree, self.points, self.leaf_count = tree, tree.source, -(-tree.count // LEAF)
         self.xs, self.ys, self.zs = (empty(self.leaf_count * LEAF, float32, device) for _ in range(3))
         self.keys = empty(self.leaf_count * LEAF, int64, device)
@@ -191,6 +197,51 @@ def choose_sequentially_kernel(first: int, last: int, state: SampleDistances):
         state.chosen[choice + 1] = farthest
 
 
+@cuda_func
+def largest_of_lanes(key: int64) -> int64:
+    top = key
+    for bit in range(LANE_BITS):
+        high = shuffle_xor(int(top >> 32), 1 << bit)
+        low = shuffle_xor(int(top), 1 << bit)
+        top = max(top, (int64(high) << 32) | (int64(low) & int64(INDEX_MASK)))
+    return top
+
+
+@cuda_func
+def largest_of_block(i: int, key: int64, tops: array(dtype=int64)) -> int64:
+    """The largest key of the threads of a block, the same for all of them. `tops` (8) is scratch."""
+    top = largest_of_lanes(key)
+    if i % WARP == 0:
+        tops[i // WARP] = top
+    sync_block()
+    for warp in range(WARPS):
+        top = max(top, tops[warp])
+    sync_block()
+    return top
+
+
+@choose_sequentially_kernel.on_cuda
+def choose_in_block_kernel(first: int, last: int, state: SampleDistances):
+    """CUDA variant, one block: a thread has every 256th leaf."""
+    i = tid()
+    key = state.chosen[first]
+    for choice in range(first, last):
+        top = int64(0)
+        if key >= int64(APART):
+            p = state.points[index_of(key)]
+            leaf = i + 0
+            while leaf < state.leaf_count:
+                near = state.leaf_tops[leaf]
+                if measure_box(state.tree.boxes, leaf // FAN, leaf % FAN, p, p) <= key_number(near):
+                    near = approach_leaf(leaf, p, state)
+                    state.leaf_tops[leaf] = near
+                top = max(top, near)
+                leaf += BLOCK_THREADS
+        key = largest_of_block(i, top, state.tops)
+        if i == 0:
+            state.chosen[choice + 1] = key
+
+
 @kernel
 def choose_at_once_kernel(step: int, state: SampleDistances):
     """The choice `step` after the iteration's first, one thread per bucket; chosen[choice + 1] must be 0 before."""
@@ -202,16 +253,6 @@ def choose_at_once_kernel(step: int, state: SampleDistances):
             top = approach_bucket(i, state.points[index_of(key)], state)
             if top > state.chosen[choice + 1]:  # saves most atomics. A stale value only adds one
                 atomic_max(state.chosen, choice + 1, top)  # resolves the race: the largest key
-
-
-@cuda_func
-def largest_of_lanes(key: int64) -> int64:
-    top = key
-    for bit in range(LANE_BITS):
-        high = shuffle_xor(int(top >> 32), 1 << bit)
-        low = shuffle_xor(int(top), 1 << bit)
-        top = max(top, (int64(high) << 32) | (int64(low) & int64(INDEX_MASK)))
-    return top
 
 
 @choose_at_once_kernel.on_cuda
@@ -248,13 +289,15 @@ def end_iteration_kernel(limit: int, state: SampleDistances):
 
 def choose_farthest(tree: PointTree, sample_count: int, start: int, at_once: bool | None = None) -> np.ndarray:
     """Farthest point samples, int32 NumPy array in order of choice. One sync. Fewer than `sample_count` once all points
-    coincide with chosen ones. `at_once`: one launch per choice. None chooses by device.
+    coincide with chosen ones. `at_once`: one launch per choice. None chooses by device and size.
     """
-    is_sequential = not (tree.device.is_cuda if at_once is None else at_once)
+    is_large = tree.device.is_cuda and tree.count > MAX_LEAVES * LEAF
+    is_sequential = not (is_large if at_once is None else at_once)
     state = SampleDistances(tree, sample_count, start, is_sequential)
+    threads = block_threads(tree.device)
     if is_sequential:
         for first in range(0, sample_count - 1, CHOICES):
-            launch(choose_sequentially_kernel, 1, [first, min(first + CHOICES, sample_count - 1), state])
+            launch(choose_sequentially_kernel, threads, [first, min(first + CHOICES, sample_count - 1), state])
     else:
         _choose_at_once(state)
     keys = download(state.chosen)[:sample_count]  # sync

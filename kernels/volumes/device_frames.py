@@ -6,13 +6,15 @@ cell and 12 B per block of a ray. Room for all blocks that rays could touch is r
 counted ones after one sync.
 """
 
+import weakref
+from collections.abc import Callable, Sequence
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from ..algebra.camera import Camera, CameraLike, pixel_ray
-from ..array_types import Array1, Array2, Scalars
+from ..array_types import Array1, Array2, Doubles, Scalars
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key
 from ..arrays.lanes import max_int_of_lanes
@@ -36,15 +38,17 @@ from ..lang import (
     uint16,
 )
 from ..linear_algebra import inv
-from ..memory import copy, download, empty, fill, free_bytes, zeros
+from ..memory import Readback, copy, download, empty, fill, free_bytes, rows_of, write, zeros
 from .frame_record import (
     COUNTED,
     INTO_VOLUME,
+    LENGTH,
     LOW,
     MISSING,
     SIZE,
     TOUCHED,
     FrameCounts,
+    FrameTouches,
     recorded_rotation,
     recorded_translation,
 )
@@ -225,9 +229,9 @@ class DeviceFrames:
     def __init__(self, blocks: VoxelBlocks, images: ModuleType) -> None:
         """`images` is images/depth.py of a higher package."""
         self._blocks, self._images = blocks, images
-        self._shape: FrameShape | None = None
         self._key: Any = None  # identifies frames that reuse these arrays
         self._graph, self._recorded, self._cells = None, None, 0
+        self._touches: Callable[[], FrameTouches | None] = lambda: None  # of the last frames together, if still used
 
     def integrate(
         self,
@@ -241,64 +245,129 @@ class DeviceFrames:
         """Integrate a frame atomically without a sync. `raw` is uint16 / `scale` or float32 [m], ignored beyond
         `farthest`. Returns FrameCounts, or None for a box too large for a grid. Raises ValueError beyond int32 blocks.
         """
-        blocks, limit = self._blocks, float(np.float32(farthest))
-        if not np.isfinite(limit):
-            return None
-        low, size, _ = frame_box(limit, camera, T_volume_camera, blocks.truncation, blocks.voxel_size)
-        if is_out_of_range(low, size) or size.prod() > MAX_GRID:
+        blocks, boxes = self._blocks, self._boxes(farthest, [camera], [T_volume_camera])
+        if boxes is None:
             return None
         known = blocks.count  # as sent by the last frame
-        self._prepare(raw, scale, limit, camera, pixels is not None, int(size.prod()))
-        copy(self._raw, raw, count=raw.size)
-        if pixels is not None:
-            copy(self._frame.pixels, pixels, count=pixels.size)
-        number = blocks.changes.count + 1
-        blocks.record.write(T_volume_camera, inv(T_volume_camera), low, size, number)
+        self._prepare(raw, scale, float(np.float32(farthest)), [camera], pixels, boxes)
+        blocks.record.write(T_volume_camera, inv(T_volume_camera), *boxes[0], blocks.changes.count + 1)
         if self._has_room(known):
             counts = blocks.begin_on_device()
             self._run_all()
         else:
-            self._find()
+            self._find(0)
             count = known + self._count_missing()
             check_block_count(count)
             blocks.reserve(count)
             blocks.make_room(blocks.keys.size)
             counts = blocks.begin_on_device()
-            self._fold()
+            self._fold(0)
         blocks.end()
         blocks.record.readback.send()
         return counts
+
+    def integrate_together(
+        self,
+        raw: Scalars | Array1[uint16],
+        scale: float,
+        farthest: float,
+        cameras: Sequence[CameraLike],
+        T_volume_camera: Sequence[np.ndarray],
+        pixels: Array2[uint8] | None = None,
+    ) -> FrameTouches | None:
+        """Integrate frames of one size as `integrate` does one after another, in one graph: all or none. `raw` and
+        `pixels` are those of all frames. Returns None, without effect, if a box is too large or all new blocks might
+        not fit."""
+        blocks, boxes = self._blocks, self._boxes(farthest, cameras, T_volume_camera)
+        if boxes is None:
+            return None
+        known = blocks.count
+        if (last := self._touches()) is not None:
+            last.read()
+        self._prepare(raw, scale, float(np.float32(farthest)), cameras, pixels, boxes)
+        if not self._has_room(known):
+            return None
+        first = blocks.changes.count + 1
+        numbers = [
+            blocks.record.numbers_of(T, inv(T), *box, first + k).copy()
+            for k, (T, box) in enumerate(zip(T_volume_camera, boxes, strict=True))
+        ]
+        write(self._values, np.concatenate(numbers))
+        blocks.begin_on_device(len(cameras))
+        self._run_all()
+        blocks.end()
+        blocks.record.readback.send()
+        self._readback.send()
+        touches = FrameTouches(self._readback)
+        self._touches = weakref.ref(touches)
+        return touches
+
+    def _boxes(
+        self, farthest: float, cameras: Sequence[CameraLike], T_volume_camera: Sequence[np.ndarray]
+    ) -> list[tuple[np.ndarray, np.ndarray]] | None:
+        """First block and size of the box of each frame [blocks]. None if one is too large or out of range."""
+        blocks, limit, boxes = self._blocks, float(np.float32(farthest)), []
+        if not np.isfinite(limit):
+            return None
+        for camera, T in zip(cameras, T_volume_camera, strict=True):
+            low, size, _ = frame_box(limit, camera, T, blocks.truncation, blocks.voxel_size)
+            if is_out_of_range(low, size) or size.prod() > MAX_GRID:
+                return None
+            boxes.append((low, size))
+        return boxes
 
     def _prepare(
         self,
         raw: Scalars | Array1[uint16],
         scale: float,
         farthest: float,
-        camera: CameraLike,
+        cameras: Sequence[CameraLike],
+        pixels: Array2[uint8] | None,
+        boxes: list[tuple[np.ndarray, np.ndarray]],
+    ) -> None:
+        """Copy the images to arrays that have room for these frames."""
+        cells = max(int(size.prod()) for _, size in boxes)
+        numbers = tuple((c.width, c.height, c.fx, c.fy, c.cx, c.cy) for c in cameras)
+        key = (*numbers, raw.dtype, scale, farthest, pixels is not None)
+        if key != self._key or cells > self._cells:
+            self._allocate(raw, scale, farthest, cameras, pixels is not None, cells)
+            self._key = key
+        copy(self._raw, raw, count=raw.size)
+        if pixels is not None:
+            copy(self._pixels, pixels, count=pixels.size)
+
+    def _allocate(
+        self,
+        raw: Scalars | Array1[uint16],
+        scale: float,
+        farthest: float,
+        cameras: Sequence[CameraLike],
         has_color: bool,
         cells: int,
     ) -> None:
-        numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
-        key = (*numbers, raw.dtype, scale, farthest, has_color)
-        if self._shape is not None and key == self._key and cells <= self._cells:
-            return
-        self._graph, self._shape, self._recorded = None, None, None
-        shape = FrameShape(scale, farthest, camera, has_color, self._blocks)
-        device, count = raw.device, raw.size
-        self._raw, self._depth = empty(count, raw.dtype, device), empty(count, float32, device)
-        self._largest = zeros(self._images.depth_runs(raw).rows, int32, device)
-        pixels = zeros((count, 3), uint8, device) if shape.has_color else None
-        self._frame = Frame(self._depth, shape.farthest, camera, pixels)
+        self._key, self._graph, self._recorded = None, None, None
+        shapes = [FrameShape(scale, farthest, camera, has_color, self._blocks) for camera in cameras]
+        device, frames = raw.device, len(cameras)
+        count = raw.size // frames
+        self._raw, self._depth = empty(raw.size, raw.dtype, device), empty(count, float32, device)
+        self._raws = [rows_of(self._raw, k * count, (k + 1) * count) for k in range(frames)]
+        self._largest = zeros(self._images.depth_runs(self._raws[0]).rows, int32, device)
+        self._pixels = zeros((raw.size if has_color else 1, 3), uint8, device)
+        colors = [rows_of(self._pixels, k * count, (k + 1) * count) if has_color else None for k in range(frames)]
+        self._frames = [Frame(self._depth, farthest, c, p) for c, p in zip(cameras, colors, strict=True)]
+        self._values = zeros(frames * LENGTH, float64, device)  # of frames together
+        self._touched_counts = zeros(frames, int32, device)
+        self._readback = Readback(self._touched_counts)
         self._cells = min(MAX_GRID, 1 << (cells - 1).bit_length() + 1)
         self._groups = -(-self._cells // GROUP)
         self._grid = zeros(self._groups * GROUP, uint8, device)
         self._sizes, self._offsets = zeros(2 * self._groups, int32, device), zeros(2 * self._groups + 1, int32, device)
-        self._touched = empty(min(shape.max_blocks, self._cells), int32, device)
-        self._shape, self._key = shape, key
+        self._touched = empty(min(max(shape.max_blocks for shape in shapes), self._cells), int32, device)
+        self._shapes = shapes
 
     def _has_room(self, known: int) -> bool:
-        """True if all blocks that a frame could touch fit, possibly after a modest reallocation."""
-        blocks, max_touched = self._blocks, self._touched.size
+        """True if all blocks that the frames could touch fit, possibly after a modest reallocation."""
+        blocks, max_touched = self._blocks, len(self._shapes) * self._touched.size
         if not blocks.has_room(known + max_touched):
             free, room = free_bytes(blocks.device), max_touched + FURTHER * (known + max_touched // 8)
             if known + room > MAX_BLOCKS or free is None or max_touched * blocks.block_bytes > ROOM_SHARE * free:
@@ -306,26 +375,30 @@ class DeviceFrames:
             blocks.make_room(known + room)
         return True
 
-    def _find(self) -> None:
-        shape, values, table = self._shape, self._blocks.record.values, self._blocks.table
-        assert shape is not None
+    def _record(self, k: int) -> Doubles:
+        if len(self._frames) == 1:
+            return self._blocks.record.values
+        return rows_of(self._values, k * LENGTH, (k + 1) * LENGTH)
+
+    def _find(self, k: int) -> None:
+        shape, values, table = self._shapes[k], self._record(k), self._blocks.table
         fill(self._largest, 0)
-        self._images.scale_depth(self._raw, shape.scale, shape.farthest, self._depth, self._largest)
+        self._images.scale_depth(self._raws[k], shape.scale, shape.farthest, self._depth, self._largest)
         fill(self._grid, 0)
         fill(self._sizes, 0)
         sizes = [self._blocks.truncation, shape.block_size, shape.slots]
-        seen = [self._depth, self._largest, values, self._frame.camera]
+        seen = [self._depth, self._largest, values, self._frames[k].camera]
         launch(mark_touched_kernel, shape.threads, [*seen, *sizes, self._grid])
         launch(count_touched_kernel, self._grid.size, [values, table, self._groups, self._grid, self._sizes])
         inclusive_scan(self._sizes, self._offsets[1:])
 
-    def _fold(self) -> None:
-        blocks, counts, values = self._blocks, self._blocks.record.counts, self._blocks.record.values
+    def _fold(self, k: int) -> None:
+        blocks, counts, values = self._blocks, self._blocks.record.counts, self._record(k)
         listed = [values, blocks.table, self._grid, self._offsets, self._groups, counts, blocks.keys]
         launch(list_touched_kernel, self._grid.size, [*listed, self._touched])
         launch(insert_new_kernel, self._touched.size, [counts, blocks.keys, blocks.table])
         launch(store_all_positions_kernel, blocks.keys.size, [counts, blocks.keys, blocks.table])
-        launch_integration(self._touched, self._touched.size, self._frame, blocks)
+        launch_integration(self._touched, self._touched.size, self._frames[k], blocks, values)
 
     def _count_missing(self) -> int:
         """Number of touched blocks that are missing (sync)."""
@@ -334,19 +407,25 @@ class DeviceFrames:
         return ends[1] - ends[0]
 
     def _find_and_fold(self) -> None:
-        self._find()
-        self._fold()
+        counts = self._blocks.record.counts
+        for k in range(len(self._frames)):
+            self._find(k)
+            self._fold(k)
+            if len(self._frames) > 1:
+                copy(self._touched_counts, rows_of(counts, TOUCHED, TOUCHED + 1), count=1, offset=k)
 
     def _run_all(self) -> None:
-        """Find blocks and integrate; recorded on the first run, replayed from the second on."""
+        """Find blocks and integrate; recorded on the second run, since a graph costs more than one run. Several frames
+        are always a graph: an interrupt must not separate them."""
         blocks = self._blocks
         voxels = (blocks.distances, blocks.weights, blocks.colors)
         arrays = (blocks.keys, *voxels, blocks.table.keys, blocks.record.counts, self._grid)
         addresses = tuple(a.ptr for a in arrays)
         if self._recorded != addresses:
             self._graph, self._recorded = None, addresses
-            self._find_and_fold()
-            return
+            if len(self._frames) == 1:
+                self._find_and_fold()
+                return
         if self._graph is None:
             self._graph = record(blocks.device, self._find_and_fold)
         replay(self._graph)

@@ -29,11 +29,17 @@ class FrameRecord:
     def write(
         self, T_volume_camera: np.ndarray, T_camera_volume: np.ndarray, low: np.ndarray, size: np.ndarray, number: int
     ) -> None:
+        write(self.values, self.numbers_of(T_volume_camera, T_camera_volume, low, size, number))
+
+    def numbers_of(
+        self, T_volume_camera: np.ndarray, T_camera_volume: np.ndarray, low: np.ndarray, size: np.ndarray, number: int
+    ) -> np.ndarray:
+        """The values of a record, valid until the next call."""
         for (rotation, translation), T in zip(self._poses, (T_volume_camera, T_camera_volume), strict=True):
             rotation[:], translation[:] = T[:3, :3], T[:3, 3]
         host = self._host
         host[LOW:SIZE], host[SIZE:NUMBER], host[NUMBER] = low, size, number
-        write(self.values, host)
+        return host
 
     def write_counts(self, counted: int, touched: int, missing: int) -> None:
         write(self.counts, np.array([counted, touched, missing], np.int32))
@@ -59,6 +65,30 @@ class FrameCounts:
     @property
     def touched(self) -> int:
         return self.read_counts()[1]
+
+
+class FrameTouches:
+    """Numbers of touched blocks of frames integrated together. Waits for the device on first use."""
+
+    def __init__(self, readback: Readback) -> None:
+        self._readback, self._touched = readback, None
+
+    def read(self) -> list[int]:
+        """Read the numbers (sync) before the next frames overwrite them."""
+        if self._touched is None:
+            self._touched = self._readback.read().tolist()
+        return self._touched
+
+
+class TouchesOfFrame:
+    """`touched` of one frame of FrameTouches."""
+
+    def __init__(self, touches: FrameTouches, frame: int) -> None:
+        self._touches, self._frame = touches, frame
+
+    @property
+    def touched(self) -> int:
+        return self._touches.read()[self._frame]
 
 
 @func

@@ -10,7 +10,7 @@ import numpy as np
 from ..algebra.camera import Camera, CameraLike
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.transform import narrow
-from ..array_types import Array2, Integers, Keys, Scalars
+from ..array_types import Array2, Doubles, Integers, Keys, Scalars
 from ..arrays.block_keys import key_block
 from ..lang import (
     array,
@@ -230,13 +230,16 @@ def integrate_voxels_kernel(
             blocks.weights[voxel] = uint16(min(w + 1.0, MAX_WEIGHT))
 
 
-def launch_integration(touched: Integers, count: int, frame: Frame, blocks: VoxelBlocks) -> None:
-    """Integrate a frame into `count` blocks. On CUDA into blocks.record.counts."""
+def launch_integration(
+    touched: Integers, count: int, frame: Frame, blocks: VoxelBlocks, values: Doubles | None = None
+) -> None:
+    """Integrate a frame into `count` blocks. On CUDA into blocks.record.counts. `values`: another record."""
     stride, threads = CPU_RUN, count * ROWS // CPU_RUN
     if touched.device.is_cuda:
         stride, threads = CUDA_GROUPS, CUDA_GROUPS * BLOCK_VOXELS
     record = blocks.record
-    launch(integrate_depth_kernel, threads, [touched, record.counts, record.values, stride, frame, blocks])
+    given = record.values if values is None else values
+    launch(integrate_depth_kernel, threads, [touched, record.counts, given, stride, frame, blocks])
 
 
 def integrate_depth(keys: Keys, frame: Frame, T_camera_volume: np.ndarray, blocks: VoxelBlocks) -> None:

@@ -108,10 +108,10 @@ class VoxelBlocks:
         self.record.write_counts(known, keys.size, new)
         return indices
 
-    def begin_on_device(self) -> FrameCounts:
-        """Begin a frame whose blocks the device finds, with enough room. Return its FrameCounts."""
+    def begin_on_device(self, frames: int = 1) -> FrameCounts:
+        """Begin frames whose blocks the device finds, with enough room. Return the FrameCounts of the last one."""
         counts = FrameCounts(self.record)
-        self.changes.begin(counts)
+        self.changes.begin(counts, frames)
         self.record.readback.forget()
         return counts
 

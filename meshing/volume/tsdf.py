@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,6 +32,7 @@ from ...kernels.memory import download
 from ...kernels.volumes.block_rows import SeenBlocks
 from ...kernels.volumes.block_surface import BlockSurface
 from ...kernels.volumes.device_frames import DeviceFrames
+from ...kernels.volumes.frame_record import TouchesOfFrame
 from ...kernels.volumes.integrate import Frame, integrate_depth
 from ...kernels.volumes.removal import remove_depth
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, touched_blocks
@@ -38,11 +40,13 @@ from ...kernels.volumes.voxel_blocks import VoxelBlocks
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .block_count import BlockCount
+from .stacked_frames import StackedFrames, stacked_frames
 from .tsdf_files import LARGEST_TRUNCATION, VOXEL_ARRAYS, check_volume_arrays, read_volume_arrays, write_volume_arrays
 from .tsdf_scans import ScanIntegration
 from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_colors, render_maps
 from .voxel_boxes import check_voxel_size
 
+MAX_TOGETHER = 4  # frames of one graph: room for all blocks that they may touch is reserved, and stays
 OTHER_UNIT = 30.0  # times the maximum depth: more distant content suggests another unit
 
 
@@ -180,6 +184,83 @@ class TSDFVolume(ScanIntegration, HintedNames):
         self._library = library
         report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
         return count
+
+    @explain_argument_errors
+    def integrate_frames(
+        self,
+        depth: ArrayLike,
+        intrinsic: PinholeCameraIntrinsic | Sequence[PinholeCameraIntrinsic],
+        extrinsic: ArrayLike,
+        color: ArrayLike | None = None,
+        depth_scale: float | None = None,
+        depth_max: float | None = None,
+    ) -> list[int]:
+        """Integrate k frames of one size, such as those of k cameras: bitwise as k calls of `integrate`, in order.
+
+        On a GPU the images are uploaded together, and groups of up to 4 frames are one graph without a wait between
+        them. An interrupted call keeps complete groups (see `frame_count`).
+
+        Args:
+            depth: Shape (k, h, w). Integers of 16 bits and more, or floats. 0, NaN and infinite are invalid.
+            intrinsic: The camera of all frames, or a sequence of k cameras of the images' size.
+            extrinsic: T_camera_world of each frame, shape (k, 4, 4).
+            color: uint8 (k, h, w, 3); required for every frame or none if the volume keeps color.
+            depth_scale: Depth units per meter. If None: 1000 for integers, 1 for floats.
+            depth_max: Maximum depth used [m]. If None: 3.
+
+        Returns:
+            The number of touched blocks of each frame. On a GPU the values are awaited on first use.
+
+        Raises:
+            ValueError: If there is no frame, shapes, sizes or counts disagree, a pose is not rigid, or color is missing
+                or unexpected. The volume stays unchanged. Also if a frame is beyond 2^20 blocks: frames before it stay.
+            TypeError: If an element type is wrong.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+            >>> volume = loom.TSDFVolume(voxel_size=0.02)
+            >>> depths, poses = np.full((2, 48, 64), 1000, np.uint16), np.stack([np.eye(4)] * 2)
+            >>> touched = volume.integrate_frames(depths, camera, poses)
+            >>> len(touched), volume.frame_count
+            (2, 2)
+        """
+        limit = OPEN3D_DEPTH_MAX if depth_max is None else depth_max
+        frames = stacked_frames(depth, intrinsic, extrinsic, color, depth_scale, limit, self.device)
+        self._check_color(frames.pixels is not None)
+        warn_of_scale(frames.depth, frames.scale, frames.farthest, "depth_max", OTHER_UNIT)
+        counts: list[Any] = []
+        for first in range(0, len(frames.poses), MAX_TOGETHER):
+            counts += self._integrate_group(frames, range(first, min(first + MAX_TOGETHER, len(frames.poses))))
+        self._library = library_of(depth)
+        for camera, T in zip(frames.cameras, frames.poses, strict=True):
+            report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
+        return counts
+
+    @one_at_a_time
+    def _integrate_group(self, frames: StackedFrames, rows: range) -> list[Any]:
+        """Integrate some of the frames, on a GPU together if there is room. Returns the numbers of touched blocks."""
+        before, device_frames = self._current_frames, self._device_frames
+        origin = origin_of_sensor(frames.poses[rows[0]][:3, 3]) if before.origin is None else before.origin
+        if device_frames is not None and len(rows) > 1:
+            poses = [frames.poses[k].copy() for k in rows]
+            for T in poses:
+                T[:3, 3] -= origin
+            after = _Frames(before.count + len(rows), origin, frames.pixels is not None)
+            self._next = (self._blocks.frame_count + len(rows), after)
+            raw, pixels = frames.images(rows)
+            cameras = [frames.cameras[k] for k in rows]
+            touches = device_frames.integrate_together(raw, frames.scale, frames.farthest, cameras, poses, pixels)
+            self._next = None
+            if touches is not None:
+                self._frames = after
+                return [BlockCount(TouchesOfFrame(touches, k)) for k in range(len(rows))]
+        counts = []
+        for k in rows:
+            raw, pixels = frames.images(range(k, k + 1))
+            given = (pixels, frames.scale, frames.farthest)
+            counts.append(self._integrate_device_frame(raw, frames.cameras[k], frames.poses[k], *given))
+        return counts
 
     @one_at_a_time
     def _integrate_device_frame(

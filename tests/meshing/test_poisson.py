@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 import pointloom as loom
 from pointloom.kernels import memory
 from pointloom.kernels.lang import cpu_compiler
+from pointloom.kernels.reconstruction import poisson as kernels_of_poisson
 
 from . import poisson_scenes as scenes
 from .poisson_scenes import assert_only_the_cube_cuts, bits, cube_around, poisson, sphere, sphere_distance, torus
@@ -238,6 +239,14 @@ def test_trees_of_any_shape_give_a_surface(device, name):
 def test_a_few_points_give_a_surface(device, count):
     points = sphere(count)
     assert_sane(*poisson(points, depth=6, device=device), points)
+
+
+@pytest.mark.parametrize("limit", [0, 10**6], ids=["by colors", "at once"])
+def test_a_level_in_one_launch_has_the_bits_of_a_launch_per_color(device, monkeypatch, limit):
+    expected = bits(poisson(sphere(300), depth=4, device=device))
+    for name in ("MAX_ALONE", "MAX_ALONE_ON_CPU"):
+        monkeypatch.setattr(kernels_of_poisson, name, limit)
+    assert bits(poisson(sphere(300), depth=4, device=device)) == expected
 
 
 def test_a_flat_sheet_stays_flat_and_ends_at_the_cube(device):

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
+from pointloom.kernels.remeshing import edge_bins
 
 from .open3d_meshes import for_each, one_by_one
 from .simplification_scenes import box, bumpy_torus, edge_counts, euler, grid, open3d_simplified, rms_from
@@ -24,6 +25,15 @@ def test_the_target_is_reached_or_exceeded_by_one_and_the_surface_stays_closed(d
     thin = mesh.simplify_quadric_decimation(target)
     assert target - 1 <= len(thin) <= target and set(edge_counts(thin.triangles).values()) == {2}
     assert euler(thin) == 0 and len(np.unique(thin.triangles)) == len(thin.vertices)
+
+
+def test_edges_selected_in_one_launch_are_those_of_a_launch_per_step(device, monkeypatch):
+    mesh, results = TriangleMesh(*bumpy_torus(), device=device), []
+    for limit in (0, 10**6):
+        monkeypatch.setattr(edge_bins, "MAX_AT_ONCE", limit)
+        thin = mesh.simplify_quadric_decimation(150)
+        results.append((thin.vertices.tobytes(), thin.triangles.tobytes()))
+    assert results[0] == results[1]
 
 
 @pytest.mark.parametrize("target", [1000, 300])

@@ -6,8 +6,9 @@ import pytest
 from pointloom.kernels.lang import int32, uint8, vec2, vec3, vec3i
 from pointloom.kernels.memory import download, upload, write
 from pointloom.kernels.remeshing import collapse_mesh as cm
-from pointloom.kernels.remeshing.collapse_rounds import CollapseRounds, EdgeBins
+from pointloom.kernels.remeshing.collapse_rounds import CollapseRounds
 from pointloom.kernels.remeshing.decimation import Decimation
+from pointloom.kernels.remeshing.edge_bins import EdgeBins
 
 from ...meshing.simplification_scenes import bumpy_torus, grid
 
@@ -89,7 +90,7 @@ def test_the_number_of_collapsed_edges_matches_the_target(device):
     removed = np.cumsum(np.where(border, 1, 2)[order])
     note(job.mesh, cm.PICKED, edges.size)
     for max_count in (1, 2, 7, 100, int(removed[-1]), len(edges) // 2, 2 * len(edges)):
-        bins = EdgeBins(len(triangles) - max_count, job.mesh.numbers)
+        bins = EdgeBins(len(triangles) - max_count, job.mesh)
         mask = upload(np.zeros(edges.size), uint8, edges.device)
         bins.mark_cheapest(job.mesh, edges, edges.size, mask)
         expected = np.zeros(len(order), np.uint8)

@@ -49,9 +49,10 @@ class System:
         return A - np.diag(A.sum(axis=1))
 
 
-def test_solutions_are_those_of_a_dense_solver(device):
+@pytest.mark.parametrize("in_one_launch", [True, False])
+def test_solutions_are_those_of_a_dense_solver(device, in_one_launch):
     system = System(device)
-    solver = LaplacianSolver(system.level, system.solution, 1e-24)
+    solver = LaplacianSolver(system.level, system.solution, 1e-24, in_one_launch=in_one_launch)
     A, free = system.matrix(), system.free
     for scale in (1.0, 2.0):  # the second solve begins where the first one ended
         right = scale * system.right
@@ -65,23 +66,39 @@ def test_solutions_are_those_of_a_dense_solver(device):
     solver.check()
 
 
-def test_vertices_without_springs_move_by_their_own_weights(device, rng):
+def test_one_launch_gives_what_many_launches_give(device):
+    """Bitwise on the CPU, where both have the same order of sums."""
+    results = []
+    for in_one_launch in (True, False):
+        system = System(device)
+        solver = LaplacianSolver(system.level, system.solution, 1e-24, in_one_launch=in_one_launch)
+        solver.solve(system.sides)
+        results.append((system.solution.numpy(), int(solver.state.iterations.numpy()[0])))
+    assert results[0][1] == results[1][1]
+    if system.solution.device.is_cpu:
+        np.testing.assert_array_equal(results[0][0], results[1][0])
+    np.testing.assert_allclose(results[0][0], results[1][0], rtol=1e-9, atol=1e-8)
+
+
+@pytest.mark.parametrize("in_one_launch", [True, False])
+def test_vertices_without_springs_move_by_their_own_weights(device, rng, in_one_launch):
     """More vertices than a matrix is inverted for, and none to make a coarser level of."""
     system = System(device)
     warp_device, weights = system.solution.device, rng.uniform(1, 2, (system.count, 1))
     free = upload(np.ones(system.count, np.int32), int32, warp_device)
     springs = zeros(system.edges.count, float64, warp_device)
     level = Level(system.edges, springs, upload(weights, float64, warp_device), free)
-    solver = LaplacianSolver(level, system.solution, 1e-24)
+    solver = LaplacianSolver(level, system.solution, 1e-24, in_one_launch=in_one_launch)
     assert solver.preconditioner.inverse is None
     solver.solve(system.sides)
     np.testing.assert_allclose(system.solution.numpy(), system.right / weights, rtol=0, atol=1e-12)
     solver.check()
 
 
-def test_a_limit_that_is_never_reached_is_an_error(device):
+@pytest.mark.parametrize("in_one_launch", [True, False])
+def test_a_limit_that_is_never_reached_is_an_error(device, in_one_launch):
     system = System(device)
-    solver = LaplacianSolver(system.level, system.solution, -1.0, max_iterations=7)
+    solver = LaplacianSolver(system.level, system.solution, -1.0, max_iterations=7, in_one_launch=in_one_launch)
     solver.solve(system.sides)
     assert solver.state.iterations.numpy()[0] == 7
     with pytest.raises(UnsolvedError, match="7 turns"):

@@ -1,0 +1,55 @@
+"""One block of a GPU, or one thread of the CPU, that runs all phases of a small problem in one launch.
+
+A kernel takes `block_threads(device)` threads and processes the rows i, i + threads, ... of a phase. `wait_for_block`
+separates phases: it is where a second launch would be without it. All threads of the block must reach it.
+"""
+
+from ..array_types import Device
+from ..lang import WARP, array, cuda_func, float64, func, shuffle_xor, sync_block, vec2d
+from .lanes import LANE_BITS
+
+BLOCK_THREADS = 256  # the block size of all modules
+WARPS = 8  # of a block
+
+
+def block_threads(device: Device) -> int:
+    """Number of threads of a launch that is one block on CUDA, one thread on the CPU."""
+    return BLOCK_THREADS if device.is_cuda else 1
+
+
+@func
+def wait_for_block():
+    """Wait until all threads of the block have arrived, with their writes."""
+    pass
+
+
+@wait_for_block.on_cuda
+def wait_for_block_on_cuda():
+    sync_block()
+
+
+@cuda_func
+def sum_double_of_lanes(x: float64) -> float64:
+    total = x
+    for bit in range(LANE_BITS):
+        total += shuffle_xor(total, 1 << bit)
+    return total
+
+
+@func
+def sum_of_block(i: int, value: vec2d, partials: array(dtype=vec2d)) -> vec2d:
+    """Sum over the threads of the block in a fixed order, the same for all threads. `partials` (8) is scratch."""
+    return value
+
+
+@sum_of_block.on_cuda
+def sum_of_block_on_cuda(i: int, value: vec2d, partials: array(dtype=vec2d)) -> vec2d:
+    total = vec2d(sum_double_of_lanes(value[0]), sum_double_of_lanes(value[1]))
+    if i % WARP == 0:
+        partials[i // WARP] = total
+    sync_block()
+    total = vec2d(0.0, 0.0)
+    for warp in range(WARPS):
+        total = total + partials[warp]
+    sync_block()
+    return total

@@ -1,0 +1,132 @@
+"""TSDFVolume.integrate_frames: several frames in one call."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.volumes import device_frames
+
+CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+WIDER = loom.PinholeCameraIntrinsic(64, 48, 50.0, 52.0, 31.0, 23.0)
+LIMITS = {"depth_scale": 1000.0, "depth_max": 3.0}
+
+
+def scene(count):
+    """Depth images of a wavy wall, poses beside each other, and colors."""
+    v, u = np.mgrid[:48, :64]
+    depths = [1000 + 200 * np.sin(u / (9 + k)) + 100 * np.cos(v / 7) for k in range(count)]
+    poses = np.stack([np.eye(4)] * count)
+    poses[:, 0, 3] = 0.05 * np.arange(count)
+    colors = np.random.default_rng(1).integers(0, 256, (count, 48, 64, 3)).astype(np.uint8)
+    return np.stack(depths).astype(np.uint16), poses, colors
+
+
+def volume(device, color=True):
+    return loom.TSDFVolume(voxel_size=0.03, color=color, device=device)
+
+
+def assert_equal(one, other):
+    arrays = [each._downloaded() for each in (one, other)]
+    assert arrays[0].keys() == arrays[1].keys()
+    for name, values in arrays[0].items():
+        np.testing.assert_array_equal(values, arrays[1][name], err_msg=name)
+
+
+@pytest.mark.parametrize("cameras", [[CAMERA], [CAMERA, WIDER]], ids=["one camera", "two cameras"])
+@pytest.mark.parametrize("color", [False, True])
+@pytest.mark.parametrize("count", [1, 3, 11])  # 11: more than a group
+def test_frames_together_give_the_volume_of_single_calls(device, cameras, color, count):
+    depths, poses, colors = scene(count)
+    each = [cameras[k % len(cameras)] for k in range(count)]
+    single, together = volume(device, color), volume(device, color)
+    for _ in range(3):  # on a GPU the first, a recorded and a repeated run
+        expected = [
+            int(single.integrate(depths[k], each[k], poses[k], colors[k] if color else None, **LIMITS))
+            for k in range(count)
+        ]
+        given = each if len(cameras) > 1 else CAMERA
+        counts = together.integrate_frames(depths, given, poses, colors if color else None, **LIMITS)
+        assert list(map(int, counts)) == expected
+    assert together.frame_count == single.frame_count == 3 * count
+    assert_equal(single, together)
+
+
+@pytest.mark.parametrize("dtype", [np.uint16, np.float32, np.int64])
+def test_depth_types_mean_what_they_mean_for_one_frame(device, dtype):
+    depths, poses, _ = scene(2)
+    depths = (depths / 1000).astype(dtype) if dtype == np.float32 else depths.astype(dtype)
+    single, together = volume(device, False), volume(device, False)
+    for depth, pose in zip(depths, poses, strict=True):
+        single.integrate(depth, CAMERA, pose)
+    together.integrate_frames(list(depths), CAMERA, poses)
+    assert_equal(single, together)
+
+
+def test_frames_without_room_for_all_blocks_are_integrated_one_by_one(device, monkeypatch):
+    monkeypatch.setattr(device_frames, "ROOM_SHARE", 0.0)
+    depths, poses, colors = scene(3)
+    single, together = volume(device), volume(device)
+    for k in range(3):
+        single.integrate(depths[k], CAMERA, poses[k], colors[k], **LIMITS)
+    together.integrate_frames(depths, CAMERA, poses, colors, **LIMITS)
+    assert_equal(single, together)
+
+
+def test_frames_mix_with_single_ones_and_with_other_numbers_of_frames(device):
+    depths, poses, colors = scene(5)
+    single, together = volume(device), volume(device)
+    for k in range(5):
+        single.integrate(depths[k], CAMERA, poses[k], colors[k], **LIMITS)
+    first = together.integrate_frames(depths[:2], CAMERA, poses[:2], colors[:2], **LIMITS)
+    together.integrate(depths[2], CAMERA, poses[2], colors[2], **LIMITS)
+    together.integrate_frames(depths[3:], CAMERA, poses[3:], colors[3:], **LIMITS)
+    assert all(int(count) > 0 for count in first)  # read after the next frames
+    assert_equal(single, together)
+
+
+@pytest.mark.parametrize("far", [10.0, 1e6])
+def test_the_first_frame_sets_the_origin(device, far):
+    depths, poses, _ = scene(2)
+    poses[:, 0, 3] -= far
+    single, together = volume(device, False), volume(device, False)
+    for depth, pose in zip(depths, poses, strict=True):
+        single.integrate(depth, CAMERA, pose, **LIMITS)
+    together.integrate_frames(depths, CAMERA, poses, **LIMITS)
+    np.testing.assert_array_equal(single.origin, together.origin)
+    assert_equal(single, together)
+
+
+def nan_pose(poses):
+    changed = poses.copy()
+    changed[1, 0, 3] = np.nan
+    return changed
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "name"),
+    [
+        ({"depth": lambda d: d[0]}, ValueError, "depth"),
+        ({"depth": lambda d: d[:0], "extrinsic": lambda p: p[:0], "color": lambda c: c[:0]}, ValueError, "depth"),
+        ({"depth": lambda d: d.astype(np.uint8)}, TypeError, "depth"),
+        ({"depth": lambda d: [d[0], d[1, :20], d[2]]}, ValueError, "depth"),
+        ({"extrinsic": lambda p: p[:2]}, ValueError, "extrinsic"),
+        ({"extrinsic": nan_pose}, ValueError, "extrinsic"),
+        ({"extrinsic": lambda p: 2 * p}, ValueError, "extrinsic"),
+        ({"color": lambda c: c[:2]}, ValueError, "color"),
+        ({"color": lambda c: c.astype(float)}, TypeError, "color"),
+        ({"color": lambda c: None}, ValueError, "color"),
+        ({"intrinsic": lambda c: [c, c]}, ValueError, "intrinsic"),
+        ({"intrinsic": lambda c: [c, c, None]}, TypeError, "intrinsic"),
+    ],
+)
+def test_bad_frames_are_errors_and_change_nothing(device, change, error, name):
+    depths, poses, colors = scene(3)
+    target = volume(device)
+    target.integrate(depths[0], CAMERA, poses[0], colors[0], **LIMITS)
+    before = target.copy()
+    given = {"depth": depths, "intrinsic": CAMERA, "extrinsic": poses, "color": colors}
+    given |= {key: edit(given[key]) for key, edit in change.items()}
+    with pytest.raises(error, match=name):
+        target.integrate_frames(**given, **LIMITS)
+    assert target.frame_count == 1
+    assert_equal(before, target)
