@@ -688,5 +688,5 @@ def spread_planes(
     """One half iteration: pixels of one color find better planes."""
     threads = (reference.width + 1) // 2 * reference.height
     if planes.device.is_cuda:
-        threads = -(-threads * LANES // WARP) * WARP  # whole warps
+        threads = -(-threads * LANES // WARP) * WARP  # eight lanes per pixel, whole warps
     launch(spread_planes_kernel, threads, [options, reference, sources, planes, costs])
