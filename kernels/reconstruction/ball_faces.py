@@ -24,9 +24,12 @@ from ..arrays.concatenation import concatenate_rows
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import scan_together
 from ..lang import (
+    WARP,
     array,
+    atomic_add,
     atomic_max,
     cross,
+    cuda_func,
     dot,
     float32,
     float64,
@@ -37,6 +40,7 @@ from ..lang import (
     launch,
     sqrt,
     struct,
+    sync_lanes,
     tid,
     uint8,
     vec2i,
@@ -346,7 +350,8 @@ def contains_point(
 
 FIRST_ROOM, CPU_ROOM = 96, 384  # initial neighbors per thread in scratch memory
 FIRST_SLOTS = 8  # triangles per point, which is the first corner of about two
-SCRATCH = 2**24  # neighbors of all threads of a launch
+SCRATCH, CUDA_SCRATCH = 2**24, 2**23  # neighbors of all points of a launch
+LANES = 8  # of a point on CUDA
 PART = 2**18  # points a launch
 CPU_THREADS = 512  # per launch: few, so that scratch memory stays in the caches, but more than the chunks
 NEAREST = 5  # points that cut a circle before testing which others reach the rest
@@ -361,12 +366,14 @@ class BallScratch:
 
     room: int
     run: int
+    first: int
     keys: array(dtype=int64)
     indices: array(dtype=int32)
     xs: array(dtype=float64)
     ys: array(dtype=float64)
     zs: array(dtype=float64)
     sizes: array(dtype=float64)
+    corner_counts: array(dtype=int32)
     cutters: array(dtype=int32)
     cuts: array(dtype=int32)
     arcs: array(dtype=float64)
@@ -374,17 +381,18 @@ class BallScratch:
     sags: array(dtype=float64)
 
     def __init__(self, count: int, room: int, device: Device) -> None:
-        max_threads = max(1, SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
-        self.threads, self.room = min(count, max_threads), room
+        max_threads = max(1, CUDA_SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
+        self.threads, self.room, self.first = min(count, max_threads), room, 0
         self.run = -(-count // self.threads)
         self.threads = -(-count // self.run)
-        total = self.threads * room
+        total, circles = self.threads * room, self.threads * (LANES if device.is_cuda else 1)
         self.keys, self.indices = empty(2 * total, int64, device), empty(total, int32, device)
         self.xs, self.ys, self.zs, self.sizes = (empty(total, float64, device) for _ in range(4))
-        self.cutters, self.cuts = empty(total, int32, device), empty(self.threads, int32, device)
-        self.arcs = empty(self.threads * 2 * ARCS, float64, device)
-        self.ends = empty(self.threads * 2 * ARCS, vec3d, device)
-        self.sags = empty(self.threads * 2 * ARCS, float64, device)
+        self.corner_counts = empty(self.threads, int32, device)
+        self.cutters, self.cuts = empty(circles * room, int32, device), empty(circles, int32, device)
+        self.arcs = empty(circles * 2 * ARCS, float64, device)
+        self.ends = empty(circles * 2 * ARCS, vec3d, device)
+        self.sags = empty(circles * 2 * ARCS, float64, device)
 
 
 @struct
@@ -405,7 +413,8 @@ class BallPoints:
 @struct
 class BallFaces:
     """Triangles of the points `indices`, up to `slots` each. A point with a larger number in `neighbor_counts` than the
-    scratch memory's room was not searched. `widths` are the squared radii of the circles as fractions of the ball's."""
+    scratch memory's room was not searched. `widths` are the squared radii of the circles as fractions of the ball's.
+    `owners`: on CUDA the second corner's number."""
 
     indices: array(dtype=int32)
     slots: int
@@ -413,9 +422,11 @@ class BallFaces:
     counts: array(dtype=int32)
     corners: array(dtype=vec3i)
     widths: array(dtype=float32)
+    owners: array(dtype=int32)
 
     def __init__(self, indices: Integers, slots: int) -> None:
         device, count = indices.device, indices.size
+        self.owners = empty(count * slots if device.is_cuda else 0, int32, device)
         self.indices, self.slots = indices, slots
         self.neighbor_counts, self.counts = empty(count, int32, device), empty(count, int32, device)
         self.corners, self.widths = empty(count * slots, vec3i, device), empty(count * slots, float32, device)
@@ -561,9 +572,11 @@ def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: 
 
 @func
 def free_arcs(
-    jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, corner_count: int, at: int
+    jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, corner_count: int, circle: int
 ) -> int:
     """Number of remaining arcs of the circle of centers over two points. Neighbors between both go first."""
+    at = circle * 2 * ARCS
+    cutters = circle * scratch.room
     b = neighbor_at(scratch, jb)
     length = scratch.sizes[jb]
     count = 1
@@ -575,7 +588,7 @@ def free_arcs(
         q = neighbor_at(scratch, j)
         if dot(q, q - b) < 0.0:
             count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
-            scratch.cutters[base + cuts] = j
+            scratch.cutters[cutters + cuts] = j
             cuts += 1
         j += 1
     early = cuts + NEAREST
@@ -593,19 +606,31 @@ def free_arcs(
                 cut = touches_arcs(q, scratch.sizes[j], known, scratch, at)
         if cut == 1:
             count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
-            scratch.cutters[base + cuts] = j
+            scratch.cutters[cutters + cuts] = j
             cuts += 1
         j += 1
     write_ends(b, u, v, height, count, scratch, at)
-    scratch.cuts[base // scratch.room] = cuts
+    scratch.cuts[circle] = cuts
     return count
 
 
 @func
-def store_face(index: int, b: int, c: int, width: float, row: int, face_index: int, faces: BallFaces):
+def store_face(index: int, b: int, c: int, width: float, row: int, face_index: int, owner: int, faces: BallFaces):
     if face_index < faces.slots:
         faces.corners[row * faces.slots + face_index] = vec3i(index, b, c)
         faces.widths[row * faces.slots + face_index] = width
+
+
+@store_face.on_cuda
+def store_face_of_lane(
+    index: int, b: int, c: int, width: float, row: int, face_index: int, owner: int, faces: BallFaces
+):
+    """CUDA variant: in any order. `sort_faces` follows."""
+    slot = atomic_add(faces.counts, row, 1)
+    if slot < faces.slots:
+        faces.corners[row * faces.slots + slot] = vec3i(index, b, c)
+        faces.widths[row * faces.slots + slot] = width
+        faces.owners[row * faces.slots + slot] = owner
 
 
 @func
@@ -654,59 +679,134 @@ def try_face(
         if is_empty_ball(index, jb, jc, root, side, points, scratch, base, counts) == 1:
             width = width_of_circle(b, c, points.radius)
             if side == 1:
-                store_face(index, other, third, width, row, total, faces)
+                store_face(index, other, third, width, row, total, jb, faces)
             else:
-                store_face(index, third, other, width, row, total, faces)
+                store_face(index, third, other, width, row, total, jb, faces)
             total += 1
     return total
 
 
 @func
-def find_faces(
-    index: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, counts: vec2i, faces: BallFaces
+def find_faces_over(
+    index: int,
+    row: int,
+    jb: int,
+    base: int,
+    circle: int,
+    points: BallPoints,
+    scratch: BallScratch,
+    counts: vec2i,
+    face_count: int,
+    faces: BallFaces,
 ) -> int:
-    """Find triangles of a point whose other corners follow it in tree order. Return their number."""
-    base = thread * scratch.room
-    at = thread * 2 * ARCS
-    face_count = 0
-    for jb in range(base, base + counts[1]):
-        other = scratch.indices[jb]
-        half = scratch.sizes[jb] * 0.5
-        rise = points.radius * points.radius - half * half
-        if other > index and rise > 0.0 and points.searched[other] != 0:
-            arcs = 0
-            size = counts[1]
-            if counts[1] > FEW_CORNERS:
-                b = neighbor_at(scratch, jb)
-                u = across(b)
-                v = cross(b / scratch.sizes[jb], u)
-                arcs = free_arcs(jb, u, v, sqrt(rise), scratch, base, counts[1], at)
-                size = scratch.cuts[thread] if arcs > 0 else 0
-            for i in range(base, base + size):
-                jc = scratch.cutters[i] if arcs > 0 else i
-                third = scratch.indices[jc]
-                if third > other and points.searched[third] != 0:
-                    sides = vec2i(1, 1)
-                    if arcs > 0:
-                        sides = ends_at(jc, arcs, points, scratch, at)
-                    if sides[0] + sides[1] > 0:
-                        face_count = try_face(
-                            index, row, jb, jc, sides, points, scratch, base, counts, face_count, faces
-                        )
-    return face_count
+    """Find triangles of a point and its neighbor jb whose third corner follows both. Return the number so far."""
+    total = face_count
+    other = scratch.indices[jb]
+    half = scratch.sizes[jb] * 0.5
+    rise = points.radius * points.radius - half * half
+    if other > index and rise > 0.0 and points.searched[other] != 0:
+        arcs = 0
+        size = counts[1]
+        first = base + 0
+        if counts[1] > FEW_CORNERS:
+            b = neighbor_at(scratch, jb)
+            u = across(b)
+            v = cross(b / scratch.sizes[jb], u)
+            arcs = free_arcs(jb, u, v, sqrt(rise), scratch, base, counts[1], circle)
+            size = scratch.cuts[circle] if arcs > 0 else 0
+            first = circle * scratch.room
+        for i in range(first, first + size):
+            jc = scratch.cutters[i] if arcs > 0 else i
+            third = scratch.indices[jc]
+            if third > other and points.searched[third] != 0:
+                sides = vec2i(1, 1)
+                if arcs > 0:
+                    sides = ends_at(jc, arcs, points, scratch, circle * 2 * ARCS)
+                if sides[0] + sides[1] > 0:
+                    total = try_face(index, row, jb, jc, sides, points, scratch, base, counts, total, faces)
+    return total
 
 
 @kernel
 def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
+    """Find triangles of points whose other corners follow in tree order."""
     i = tid()
+    base = i * scratch.room
     for row in range(i * scratch.run, min((i + 1) * scratch.run, faces.indices.shape[0])):
         index = faces.indices[row]
-        counts = gather_neighbors(index, points, scratch, i * scratch.room)
+        counts = gather_neighbors(index, points, scratch, base)
         face_count = 0
         if counts[0] <= scratch.room:
-            face_count = find_faces(index, row, i, points, scratch, counts, faces)
+            for jb in range(base, base + counts[1]):
+                face_count = find_faces_over(index, row, jb, base, i, points, scratch, counts, face_count, faces)
         faces.neighbor_counts[row] = counts[0]
         faces.counts[row] = face_count
+
+
+@kernel
+def gather_corners_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
+    """List the neighbors of points for the CUDA variant of `find_faces_kernel`."""
+    i = tid()
+    row = scratch.first + i
+    counts = gather_neighbors(faces.indices[row], points, scratch, i * scratch.room)
+    faces.neighbor_counts[row] = counts[0]
+    faces.counts[row] = 0
+    scratch.corner_counts[i] = counts[1]
+
+
+@cuda_func
+def sort_faces(row: int, count: int, faces: BallFaces):
+    """Order the triangles of a point as the CPU finds them: those of a neighbor are in order already."""
+    first = row * faces.slots
+    for j in range(first + 1, first + count):
+        corners = faces.corners[j]
+        width = faces.widths[j]
+        owner = faces.owners[j]
+        slot = j + 0
+        while slot > first and faces.owners[slot - 1] > owner:
+            faces.corners[slot] = faces.corners[slot - 1]
+            faces.widths[slot] = faces.widths[slot - 1]
+            faces.owners[slot] = faces.owners[slot - 1]
+            slot -= 1
+        faces.corners[slot] = corners
+        faces.widths[slot] = width
+        faces.owners[slot] = owner
+
+
+@find_faces_kernel.on_cuda
+def find_faces_of_lanes_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
+    """CUDA variant, eight lanes per point, after `gather_corners_kernel`. A lane has every eighth neighbor."""
+    i = tid()
+    point = i // LANES
+    row = scratch.first + point
+    is_searched = 0
+    if row < min(scratch.first + scratch.corner_counts.shape[0], faces.indices.shape[0]):
+        counts = vec2i(faces.neighbor_counts[row], scratch.corner_counts[point])
+        if counts[0] <= scratch.room:
+            is_searched = 1
+            index = faces.indices[row]
+            base = point * scratch.room
+            jb = base + i % LANES
+            while jb < base + counts[1]:
+                find_faces_over(index, row, jb, base, i, points, scratch, counts, 0, faces)
+                jb += LANES
+    sync_lanes()  # all lanes have stored their triangles
+    if is_searched == 1 and i % LANES == 0:
+        count = atomic_add(faces.counts, row, 0)  # a load may find an old count in the L1 cache
+        if count <= faces.slots:
+            sort_faces(row, count, faces)
+
+
+def find_faces(points: BallPoints, scratch: BallScratch, faces: BallFaces) -> None:
+    """Find triangles of points whose other corners follow in tree order."""
+    arguments = [points, scratch, faces]
+    if not faces.indices.device.is_cuda:
+        launch(find_faces_kernel, scratch.threads, arguments)
+        return
+    for first in range(0, faces.indices.size, scratch.threads):
+        scratch.first, count = first, min(scratch.threads, faces.indices.size - first)
+        launch(gather_corners_kernel, count, arguments)
+        launch(find_faces_kernel, -(-count * LANES // WARP) * WARP, arguments)  # whole warps
 
 
 @kernel
@@ -758,7 +858,7 @@ def list_faces(points: BallPoints, indices: Integers, expected: int = 0) -> tupl
         while left.size:
             faces = BallFaces(left, slots)
             scratch = BallScratch(left.size, room, device)
-            launch(find_faces_kernel, scratch.threads, [points, scratch, faces])
+            find_faces(points, scratch, faces)
             usable, again, maxima = (empty(size, int32, device) for size in (left.size, left.size, 2))
             fill(maxima, 0)
             launch(part_crowd_kernel, left.size, [faces, room, usable, again, maxima])
