@@ -5,7 +5,7 @@ at its first corner in tree order. Directions in which a ball may be (ball_direc
 be its other corners. Of up to FEW_CORNERS, all pairs are tested. Of more, for each neighbor b, the centers of balls on
 both points form a circle. Every other one removes an arc of it, and those that touch an end of a remaining arc are
 tested exactly. Arcs are kept too long rather than too short. At most about k^2 / 2 steps for k neighbors. 56 B of
-scratch memory per neighbor and 100 B per point.
+scratch memory per neighbor and 640 B per point, on CUDA 84 B and 5 KB.
 
 The exact test uses float64 relative to the first corner. With edges B and C, N = B x C and a fourth point D, the center
 is
@@ -362,7 +362,8 @@ SQDIST_MARGIN = 1.00001  # times the squared search radius: float32 distances mu
 @struct
 class BallScratch:
     """Scratch memory: `room` neighbors, first possible corners by distance with coordinates. Arcs of the current
-    circle, whose ends only `cutters` can touch."""
+    circle, whose ends only `cutters` can touch. On CUDA also open `cells`, and `tallies` of possible corners and others
+    for each point, from the point `first` on."""
 
     room: int
     run: int
@@ -373,7 +374,8 @@ class BallScratch:
     ys: array(dtype=float64)
     zs: array(dtype=float64)
     sizes: array(dtype=float64)
-    corner_counts: array(dtype=int32)
+    cells: array(dtype=eight_cells)
+    tallies: array(dtype=int32)
     cutters: array(dtype=int32)
     cuts: array(dtype=int32)
     arcs: array(dtype=float64)
@@ -388,7 +390,8 @@ class BallScratch:
         total, circles = self.threads * room, self.threads * (LANES if device.is_cuda else 1)
         self.keys, self.indices = empty(2 * total, int64, device), empty(total, int32, device)
         self.xs, self.ys, self.zs, self.sizes = (empty(total, float64, device) for _ in range(4))
-        self.corner_counts = empty(self.threads, int32, device)
+        points = self.threads if device.is_cuda else 0
+        self.cells, self.tallies = empty(points, eight_cells, device), empty(2 * points, int32, device)
         self.cutters, self.cuts = empty(circles * room, int32, device), empty(circles, int32, device)
         self.arcs = empty(circles * 2 * ARCS, float64, device)
         self.ends = empty(circles * 2 * ARCS, vec3d, device)
@@ -438,9 +441,8 @@ def neighbor_at(scratch: BallScratch, j: int) -> vec3d:
 
 
 @func
-def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> vec2i:
-    """List up to `room` neighbors of a point, first those that may be corners of its triangles, by distance. Return
-    their numbers: of all, or 0 if no ball is empty, and of the first."""
+def list_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> tuple[int, eight_cells]:
+    """List up to `room` neighbors of a point. Return their number, or 0 if no ball is empty, and the open cells."""
     p = points.tree.points[index]
     diameter = float(points.radius * 2.0)
     near = points.max_sqdist * NEAR_SHARE
@@ -461,27 +463,59 @@ def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base:
                     max_sqdist = -1.0
     if halves == 0:
         neighbor_count = 0
+    return neighbor_count, cells
+
+
+@func
+def may_be_corner(key: int64, p: vec3, cells: eight_cells, halves: int, points: BallPoints) -> int:
+    """0 if a neighbor is certainly no corner of a triangle of p. `halves`: the result of `any_cell`."""
+    sqdist = key_number(key)
+    limit = cap_limit(sqdist, float(points.radius * 2.0), COSINE, -SINE)
+    touched = touches_cells(cells, halves, points.tree.points[key_index(key)] - p, limit)
+    return 1 if sqdist <= TINY or touched != 0 else 0
+
+
+@func
+def store_corner(key: int64, at: int, p: vec3, points: BallPoints, scratch: BallScratch):
+    other = key_index(key)
+    d = widen(points.tree.points[other]) - widen(p)
+    scratch.indices[at] = other
+    scratch.xs[at] = d[0]
+    scratch.ys[at] = d[1]
+    scratch.zs[at] = d[2]
+    scratch.sizes[at] = sqrt(dot(d, d))
+
+
+@func
+def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> vec2i:
+    """List up to `room` neighbors of a point, first those that may be corners of its triangles, by distance. Return
+    their numbers: of all, or 0 if no ball is empty, and of the first."""
+    p = points.tree.points[index]
+    neighbor_count, cells = list_neighbors(index, points, scratch, base)
+    halves = any_cell(cells)
     corner_count = 0
     if neighbor_count <= scratch.room:
         for j in range(neighbor_count):
             key = scratch.keys[2 * base + j]
-            sqdist = key_number(key)
-            limit = cap_limit(sqdist, diameter, COSINE, -SINE)
-            q = points.tree.points[key_index(key)] - p
-            if sqdist <= TINY or touches_cells(cells, halves, q, limit) != 0:
+            if may_be_corner(key, p, cells, halves, points) == 1:
                 scratch.keys[2 * base + j] = scratch.keys[2 * base + corner_count]
                 scratch.keys[2 * base + corner_count] = key
                 corner_count += 1
         corner_count = keep_nearest(scratch.keys, 2 * base, 1, corner_count, corner_count, scratch.room)
         for j in range(corner_count):
-            other = key_index(scratch.keys[2 * base + j])
-            d = widen(points.tree.points[other]) - widen(p)
-            scratch.indices[base + j] = other
-            scratch.xs[base + j] = d[0]
-            scratch.ys[base + j] = d[1]
-            scratch.zs[base + j] = d[2]
-            scratch.sizes[base + j] = sqrt(dot(d, d))
+            store_corner(scratch.keys[2 * base + j], base + j, p, points, scratch)
     return vec2i(neighbor_count, corner_count)
+
+
+@func
+def first_other(base: int, counts: vec2i, scratch: BallScratch) -> int:
+    """Position of the first key of a neighbor that is no possible corner."""
+    return 2 * base + counts[1]
+
+
+@first_other.on_cuda
+def first_other_of_lanes(base: int, counts: vec2i, scratch: BallScratch) -> int:
+    return 2 * (base + scratch.room) - (counts[0] - counts[1])
 
 
 @func
@@ -538,8 +572,9 @@ def is_empty_ball(
             empty = is_outside(index, jb, jc, scratch.indices[j], q, scratch.sizes[j], x, root, side, points, scratch)
         j += 1
     p = widen(points.tree.points[index])
-    j = 2 * base + counts[1]
-    while j < 2 * base + counts[0] and empty == 1:
+    j = first_other(base, counts, scratch)
+    last = j + counts[0] - counts[1]
+    while j < last and empty == 1:
         other = key_index(scratch.keys[j])
         q = widen(points.tree.points[other]) - p
         empty = is_outside(index, jb, jc, other, q, sqrt(dot(q, q)), x, root, side, points, scratch)
@@ -744,14 +779,50 @@ def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces
 
 
 @kernel
-def gather_corners_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
+def list_neighbors_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
     """List the neighbors of points for the CUDA variant of `find_faces_kernel`."""
     i = tid()
     row = scratch.first + i
-    counts = gather_neighbors(faces.indices[row], points, scratch, i * scratch.room)
-    faces.neighbor_counts[row] = counts[0]
+    neighbor_count, cells = list_neighbors(faces.indices[row], points, scratch, i * scratch.room)
+    scratch.cells[i] = cells
+    scratch.tallies[2 * i] = 0
+    scratch.tallies[2 * i + 1] = 0
+    faces.neighbor_counts[row] = neighbor_count
     faces.counts[row] = 0
-    scratch.corner_counts[i] = counts[1]
+
+
+@cuda_func
+def part_neighbors(
+    index: int, point: int, k: int, neighbor_count: int, points: BallPoints, scratch: BallScratch, base: int
+):
+    """Copy each eighth neighbor: possible corners behind the list, others to the end. In any order, since corners are
+    sorted next and the order of others has no effect."""
+    p = points.tree.points[index]
+    cells = scratch.cells[point]
+    halves = any_cell(cells)
+    j = 2 * base + k
+    while j < 2 * base + neighbor_count:
+        key = scratch.keys[j]
+        if may_be_corner(key, p, cells, halves, points) == 1:
+            scratch.keys[2 * base + scratch.room + atomic_add(scratch.tallies, 2 * point, 1)] = key
+        else:
+            scratch.keys[2 * (base + scratch.room) - 1 - atomic_add(scratch.tallies, 2 * point + 1, 1)] = key
+        j += LANES
+
+
+@cuda_func
+def sort_corners(index: int, k: int, corner_count: int, points: BallPoints, scratch: BallScratch, base: int):
+    """Store each eighth possible corner at its rank by distance."""
+    p = points.tree.points[index]
+    first = 2 * base + scratch.room
+    j = first + k
+    while j < first + corner_count:
+        key = scratch.keys[j]
+        rank = 0
+        for other in range(first, first + corner_count):
+            rank += 1 if scratch.keys[other] < key else 0
+        store_corner(key, base + rank, p, points, scratch)
+        j += LANES
 
 
 @cuda_func
@@ -775,24 +846,33 @@ def sort_faces(row: int, count: int, faces: BallFaces):
 
 @find_faces_kernel.on_cuda
 def find_faces_of_lanes_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
-    """CUDA variant, eight lanes per point, after `gather_corners_kernel`. A lane has every eighth neighbor."""
+    """CUDA variant, eight lanes per point, after `list_neighbors_kernel`. A lane has every eighth neighbor."""
     i = tid()
+    k = i % LANES
     point = i // LANES
     row = scratch.first + point
+    base = point * scratch.room
+    index = 0
+    counts = vec2i(0, 0)
     is_searched = 0
-    if row < min(scratch.first + scratch.corner_counts.shape[0], faces.indices.shape[0]):
-        counts = vec2i(faces.neighbor_counts[row], scratch.corner_counts[point])
-        if counts[0] <= scratch.room:
+    if row < min(scratch.first + scratch.cells.shape[0], faces.indices.shape[0]):
+        index = faces.indices[row]
+        counts = vec2i(faces.neighbor_counts[row], 0)
+        if counts[0] > 0 and counts[0] <= scratch.room:
             is_searched = 1
-            index = faces.indices[row]
-            base = point * scratch.room
-            jb = base + i % LANES
-            while jb < base + counts[1]:
-                find_faces_over(index, row, jb, base, i, points, scratch, counts, 0, faces)
-                jb += LANES
+            part_neighbors(index, point, k, counts[0], points, scratch, base)
+    sync_lanes()
+    if is_searched == 1:  # an atomic, since a load may find an old number in the L1 cache
+        counts = vec2i(counts[0], atomic_add(scratch.tallies, 2 * point, 0))
+        sort_corners(index, k, counts[1], points, scratch, base)
+    sync_lanes()
+    jb = base + k
+    while jb < base + counts[1]:
+        find_faces_over(index, row, jb, base, i, points, scratch, counts, 0, faces)
+        jb += LANES
     sync_lanes()  # all lanes have stored their triangles
-    if is_searched == 1 and i % LANES == 0:
-        count = atomic_add(faces.counts, row, 0)  # a load may find an old count in the L1 cache
+    if is_searched == 1 and k == 0:
+        count = atomic_add(faces.counts, row, 0)
         if count <= faces.slots:
             sort_faces(row, count, faces)
 
@@ -805,7 +885,7 @@ def find_faces(points: BallPoints, scratch: BallScratch, faces: BallFaces) -> No
         return
     for first in range(0, faces.indices.size, scratch.threads):
         scratch.first, count = first, min(scratch.threads, faces.indices.size - first)
-        launch(gather_corners_kernel, count, arguments)
+        launch(list_neighbors_kernel, count, arguments)
         launch(find_faces_kernel, -(-count * LANES // WARP) * WARP, arguments)  # whole warps
 
 
