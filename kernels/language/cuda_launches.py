@@ -81,11 +81,6 @@ def _vector_reader(annotation: Any) -> Callable[[Any], bytes]:
     return read
 
 
-def small_block(thread_count: int, multiprocessors: int) -> int:
-    """Threads of a block, a power of two from WARP, so that a small launch has a block for each multiprocessor."""
-    return max(WARP, 1 << (thread_count // multiprocessors).bit_length() >> 1)
-
-
 class _Buffer:
     def __init__(self, size: int, offsets: Sequence[int]) -> None:
         self.room = ctypes.create_string_buffer(size)
@@ -147,8 +142,9 @@ class CudaLaunch:
             self._idle = buffer
             raise
         device, grid = self._device, self._grid
-        if thread_count < self._full:
-            grid = (grid[0], small_block(thread_count, device.sm_count), *grid[2:])
+        if thread_count < self._full:  # a power of two from WARP, for a block on each multiprocessor
+            block = max(WARP, 1 << (thread_count // device.sm_count).bit_length() >> 1)
+            grid = (grid[0], block, *grid[2:])
         failed = warp_parts.core().wp_cuda_launch_kernel(
             device.context,
             self._handle,
