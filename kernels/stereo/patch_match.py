@@ -507,9 +507,7 @@ def rate_source_of_lane(i: int, s: int, count: int, near: int, good: float, cost
                 bad += 1
     rating = 0.0
     if bad <= MAX_BAD and s < count:
-        rating = UNSURE
-        if fine >= MIN_GOOD:
-            rating = total / float(fine)
+        rating = UNSURE if fine < MIN_GOOD else total / float(fine)
     return rating
 
 
