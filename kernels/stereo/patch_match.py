@@ -24,6 +24,7 @@ from ..lang import (
     sync_lanes,
     tid,
     vec3,
+    vec3i,
     vec4,
     vector,
 )
@@ -31,7 +32,7 @@ from ..memory import empty
 from ..search.lane_boxes import flags_of_eight
 from ..search.tree_walk import lowest_bit
 from .inverse_planes import limited_tilt, normal_of, random_direction, ray_of, slopes_of
-from .lane_costs import index_of_eight, of_eight, patch_cost_of_lanes, vector_of_eight, window_of_lanes
+from .lane_costs import index_of_eight, of_eight, own_samples, patch_cost_of_lanes, vector_of_eight, window_of_lanes
 from .patch_costs import (
     LANES,
     Reference,
@@ -566,6 +567,53 @@ def cost_at_rank(table: eight, k: int, best: int) -> float:
     return cost
 
 
+@cuda_func
+def compare_planes(
+    x: int,
+    y: int,
+    k: int,
+    offered: vec3,
+    is_tried: int,
+    ranks: vec3i,
+    source: int,
+    weight: float,
+    limit: float,
+    center: float,
+    weights: own_samples,
+    rises: own_samples,
+    variance: float,
+    options: HalfIteration,
+    reference: Reference,
+    sources: Sources,
+) -> tuple[int, float, eight]:
+    """Compare each lane's plane with the sources of the ranks from ranks[0] to ranks[1] - 1, of ranks[2] in the warp,
+    until the weighted sum of the costs is `limit`. Returns 1 if it is lower, the sum, and the costs by rank."""
+    tried = is_tried + 0
+    table = eight(0.0)
+    total = 0.0
+    if options.geometric > 0.0:
+        for rank in range(ranks[2]):
+            s = index_of_eight(source, rank)
+            w = of_eight(weight, rank)
+            if tried == 1 and rank >= ranks[0] and rank < ranks[1]:
+                errors = round_trips(x, y, eight(offered[0]), s, sources)
+                error = options.geometric * errors[0]
+                table = with_added(table, rank, error)
+                total = total + w * error
+    for rank in range(ranks[2]):
+        s = index_of_eight(source, rank)
+        w = of_eight(weight, rank)
+        compared = 0
+        if rank >= ranks[0] and rank < ranks[1]:
+            tried = tried if total < limit else 0
+            compared = tried
+        c = patch_cost_of_lanes(x, y, k, offered, compared, s, center, weights, rises, variance, reference, sources)
+        if rank >= ranks[0] and rank < ranks[1]:
+            table = with_added(table, rank, c)
+            total = total + w * c
+    return tried, total, table
+
+
 @spread_planes_kernel.on_cuda
 def spread_planes_of_lanes_kernel(
     options: HalfIteration,
@@ -623,28 +671,11 @@ def spread_planes_of_lanes_kernel(
             limit = NO_COST
         if is_pixel == 0 or offered[0] > reference.nearest or offered[0] < reference.farthest:
             tried = 0
-        table = eight(0.0)
-        total = 0.0
-        if options.geometric > 0.0:
-            for rank in range(ranks):
-                s = index_of_eight(source, rank)
-                w = of_eight(weight, rank)
-                if tried == 1 and rank >= first and rank < last:
-                    errors = round_trips(x, y, eight(offered[0]), s, sources)
-                    error = options.geometric * errors[0]
-                    table = with_added(table, rank, error)
-                    total = total + w * error
-        for rank in range(ranks):
-            s = index_of_eight(source, rank)
-            w = of_eight(weight, rank)
-            compared = 0
-            if rank >= first and rank < last:
-                tried = tried if total < limit else 0
-                compared = tried
-            c = patch_cost_of_lanes(x, y, k, offered, compared, s, center, weights, rises, variance, reference, sources)
-            if rank >= first and rank < last:
-                table = with_added(table, rank, c)
-                total = total + w * c
+        span = vec3i(first, last, ranks)
+        tried, total, table = compare_planes(
+            x, y, k, offered, tried, span, source, weight, limit, center, weights, rises, variance, options, reference,
+            sources,
+        )  # fmt: skip
         offer = total if tried == 1 and total < limit else float(INFINITY)
         low = min_of_eight(offer)
         winners = flags_of_eight(1 if offer == low and low < limit else 0)
