@@ -33,6 +33,7 @@ Flattener = Callable[[Sequence[Any]], Flat]
 UNFIT = (TypeError, ValueError, AttributeError, OverflowError, struct.error)  # errors of packing unusual arguments
 _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
 _ALIGNMENT = 8
+WARP = 32  # threads
 
 
 def flattener(
@@ -94,6 +95,7 @@ class CudaLaunch:
         """Prepare from a recorded Warp launch and its flattened arguments."""
         self._kernel, self._device = kernel, device
         self._idle: _Buffer | None = None
+        self._full = 0  # threads below which blocks are smaller
         self.is_known = False
         with contextlib.suppress(*UNFIT, KeyError):
             self._read(command)
@@ -123,6 +125,12 @@ class CudaLaunch:
         given = [packed[start : start + size] for start, size in zip(self._offsets, self._sizes, strict=True)]
         return given == [bytes(param) for param in command.params]
 
+    def fill_multiprocessors(self) -> None:
+        """Use smaller blocks for launches with fewer blocks than the device has multiprocessors, but not for one block,
+        whose threads may wait for each other. Not with tiles.
+        """
+        self._full = self._grid[1] * self._device.sm_count
+
     def __call__(self, thread_count: int, flat: Flat) -> None:
         """Launch. Take the lock. Raises struct.error or OverflowError (not launched), RuntimeError of the driver."""
         # Detached while in use: a signal handler may launch the same kernel in between, and an interrupted
@@ -135,12 +143,15 @@ class CudaLaunch:
         except (struct.error, OverflowError):
             self._idle = buffer
             raise
-        device = self._device
+        device, grid = self._device, self._grid
+        if grid[1] < thread_count < self._full:  # a power of two from WARP, for a block on each multiprocessor
+            block = max(WARP, 1 << (thread_count // device.sm_count).bit_length() >> 1)
+            grid = (grid[0], block, *grid[2:])
         failed = warp_parts.core().wp_cuda_launch_kernel(
             device.context,
             self._handle,
             thread_count,
-            *self._grid,
+            *grid,
             self._shared,
             buffer.addresses,
             device.stream.cuda_stream,
@@ -168,6 +179,7 @@ class PreparedKernel:
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
             return None
+        launch.fill_multiprocessors()
         return cls(flattener(kernel.types, device, kernel.field_paths, len(kernel.takes)), launch)
 
 

@@ -61,7 +61,7 @@ def compare_poses(points: Points, max_points: int, voxel_map: VoxelMap, poses: n
     device = points.device
     step = max(1, points.size // max(max_points, 1))
     squares = empty((len(poses), -(-points.size // step)), float32, device)
-    run = run_length(squares)
+    run = 1 if points.device.is_cuda else run_length(squares)  # a point takes long, and there are few
     device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
     limit = np.float32(2 * radius) ** 2
     runs = -(-squares.shape[1] // run)

@@ -138,7 +138,7 @@ def compare_surfaces(
     step = max(1, points.size // max(max_points, 1))
     count = -(-points.size // step)
     squares, rows = empty((len(poses), count), float32, device), empty((count, ROW), float64, device)
-    run = run_length(squares)
+    run = 1 if device.is_cuda else run_length(squares)  # a point takes long, and there are few
     device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
     limit = np.float32(2 * radius) ** 2
     threads = len(poses) * -(-count // run)

@@ -5,7 +5,7 @@ at its first corner in tree order. Directions in which a ball may be (ball_direc
 be its other corners. Of up to FEW_CORNERS, all pairs are tested. Of more, for each neighbor b, the centers of balls on
 both points form a circle. Every other one removes an arc of it, and those that touch an end of a remaining arc are
 tested exactly. Arcs are kept too long rather than too short. At most about k^2 / 2 steps for k neighbors. 56 B of
-scratch memory per neighbor and 100 B per point.
+scratch memory per neighbor and 640 B per point, on CUDA 84 B and 5 KB.
 
 The exact test uses float64 relative to the first corner. With edges B and C, N = B x C and a fourth point D, the center
 is
@@ -24,9 +24,12 @@ from ..arrays.concatenation import concatenate_rows
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import scan_together
 from ..lang import (
+    WARP,
     array,
+    atomic_add,
     atomic_max,
     cross,
+    cuda_func,
     dot,
     float32,
     float64,
@@ -37,6 +40,7 @@ from ..lang import (
     launch,
     sqrt,
     struct,
+    sync_lanes,
     tid,
     uint8,
     vec2i,
@@ -48,6 +52,7 @@ from ..memory import empty, fill
 from ..search.bucket_walk import points_within
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
+from .ball_arcs import ARCS, FULL_CIRCLE, across, arc_sag, forbid_arc, passes_arc, point_at
 from .ball_directions import (
     ALL_CELLS,
     COSINE,
@@ -60,293 +65,13 @@ from .ball_directions import (
     eight_cells,
     touches_cells,
 )
+from .ball_predicates import ball_center, contains_point, root_of_ball, side_of_normals, width_of_circle
 
-ARCS = 8  # per circle. If there are more, one is not split, so that too much of it remains
-SHARE = 1.0e-9  # relative rounding of the numbers that define an arc's ends, by which it is shortened
-LOSS = 1.0e-14  # of the lengths, which covers rounding
 NEAR = 2.0e-8  # of the lengths: five times the effect of SHARE, so that points touching an arc's end are found
-FULL_CIRCLE = 4.0
-
-
-@func
-def across(b: vec3d) -> vec3d:
-    """A unit vector perpendicular to b."""
-    axis = vec3d(0.0, 0.0, 1.0)
-    if abs(b[2]) > abs(b[0]) and abs(b[2]) > abs(b[1]):
-        axis = vec3d(1.0, 0.0, 0.0)
-    v = cross(b, axis)
-    return v / sqrt(dot(v, v))
-
-
-@func
-def direction_of(x: float64, y: float64) -> float64:
-    """Direction as a number from 0 to 4 that grows with the angle, one per quadrant, without sines."""
-    direction = float64(0.0)
-    if y >= 0.0:
-        if x >= 0.0:
-            direction = y / (x + y)
-        else:
-            direction = 1.0 - x / (y - x)
-    else:
-        if x < 0.0:
-            direction = 2.0 + y / (x + y)
-        else:
-            direction = 3.0 + x / (x - y)
-    return direction
-
-
-@func
-def point_at(direction: float64, u: vec3d, v: vec3d) -> vec3d:
-    """Unit vector in a direction; u is direction 0, v is 1."""
-    x = 1.0 - direction
-    y = direction
-    if direction >= 1.0:
-        y = 2.0 - direction
-    if direction >= 2.0:
-        x = direction - 3.0
-    if direction >= 3.0:
-        y = direction - 4.0
-    return (u * x + v * y) / sqrt(x * x + y * y)
-
-
-@func
-def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
-    """Remove [start, end] from the arcs, stored as (start, end) at 2 j. Return the number of remaining arcs."""
-    left = count
-    j = 0
-    while j < left:
-        low = arcs[at + 2 * j]
-        high = arcs[at + 2 * j + 1]
-        if end <= low or start >= high:
-            j += 1
-        elif start <= low and end >= high:
-            left -= 1
-            arcs[at + 2 * j] = arcs[at + 2 * left]
-            arcs[at + 2 * j + 1] = arcs[at + 2 * left + 1]
-        else:
-            if start <= low:
-                arcs[at + 2 * j] = end
-            elif end >= high:
-                arcs[at + 2 * j + 1] = start
-            elif left < ARCS:
-                arcs[at + 2 * j + 1] = start
-                arcs[at + 2 * left] = end
-                arcs[at + 2 * left + 1] = high
-                left += 1
-            j += 1
-    return left
-
-
-@func
-def cut_wrapped_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
-    """`cut_arcs` for an interval that may wrap around a full turn."""
-    left = count
-    if start <= end:
-        left = cut_arcs(arcs, at, left, start, end)
-    else:
-        left = cut_arcs(arcs, at, left, start, float64(FULL_CIRCLE))
-        left = cut_arcs(arcs, at, left, 0.0, end)
-    return left
-
-
-@func
-def forbid_arc(
-    arcs: array(dtype=float64),
-    at: int,
-    count: int,
-    q: vec3d,
-    size: float64,
-    b: vec3d,
-    length: float64,
-    u: vec3d,
-    v: vec3d,
-    height: float64,
-) -> int:
-    """Remove the arc of centers whose balls contain q. Return the number of remaining arcs. Centers are b / 2 + height
-    (u cos + v sin). q is inside if cos(angle to q) exceeds q.(q - b) / (2 height |q'|), q' perpendicular to b."""
-    left = count
-    rise = dot(q, q - b)
-    x = dot(q, u)
-    y = dot(q, v)
-    limit = 2.0 * height * sqrt(x * x + y * y)
-    rise += float64(SHARE) * (abs(rise) + limit) + float64(LOSS) * size * (size + length + height)
-    if rise < limit:
-        if rise <= -limit:
-            left = 0
-        else:
-            s = sqrt(max(limit * limit - rise * rise, 0.0))  # cosine and sine, times limit
-            start = direction_of(x * rise + y * s, y * rise - x * s)
-            left = cut_wrapped_arcs(arcs, at, left, start, direction_of(x * rise - y * s, y * rise + x * s))
-    return left
-
-
-@func
-def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: float64, slack: float64) -> float64:
-    """Bound of how much closer to a point an arc is than its ends: 2 height (1 - cos(half the arc)) + slack."""
-    gap = first - last
-    half = dot(gap, gap) * 0.25  # (height sin(half the arc))^2
-    sag = 4.0 * height
-    if high - low < 1.5:
-        sag = 2.0 * (height - sqrt(max(height * height - half, 0.0)))
-    return sag + slack
-
-
-@func
-def passes_arc(q: vec3d, size: float64, first: vec3d, last: vec3d, sag: float64) -> int:
-    """1 if a point is certainly outside all balls of an arc, given the centers at its ends."""
-    near = max(dot(q, first), dot(q, last))
-    passes = 0
-    if size * (size - sag) > 2.0 * near:
-        passes = 1
-    return passes
-
-
-ROUNDING = 1.0e-14  # times the magnitudes: some 45 ulp, three times the rounding of the polynomial
-FACING = 1.0e-15  # times the lengths: a perpendicular normal agrees with a face, as in Open3D
-THINNEST = 1.0e-20  # squared sine of the angle below which three float32 points are collinear
-FLAT = 1.0e-10  # times the magnitudes: accuracy of a center for the thinnest triangle allowed
-TAKEN = 4  # more than the indices of four points
-
-
-@func
-def side_of_normals(n: vec3d, a: vec3, b: vec3, c: vec3) -> int:
-    """1 if a face with normal n agrees with the normals of its corners, -1 if its back does, else 0."""
-    p = widen(a)
-    q = widen(b)
-    r = widen(c)
-    x = dot(n, p)
-    y = dot(n, q)
-    z = dot(n, r)
-    size = sqrt(dot(n, n)) * float64(FACING)
-    side = 0
-    if x + y + z > 0.0:
-        side = 1
-    if x + y + z < 0.0:
-        side = -1
-    s = float64(side)
-    if s * x < -size * sqrt(dot(p, p)) or s * y < -size * sqrt(dot(q, q)) or s * z < -size * sqrt(dot(r, r)):
-        side = 0
-    return side
-
-
-@func
-def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
-    """sqrt(R) of the ball on 0, b and c, or -1 if collinear or if the circle is larger than the ball."""
-    n = cross(b, c)
-    nn = dot(n, n)
-    bb = dot(b, b)
-    cc = dot(c, c)
-    d = b - c
-    scale = 4.0 * radius * radius * nn
-    rest = scale - bb * cc * dot(d, d)
-    root = float64(-1.0)
-    if nn > float64(THINNEST) * bb * cc and rest >= -scale * float64(ROUNDING):
-        root = sqrt(max(rest, 0.0))
-    return root
-
-
-@func
-def ball_center(b: vec3d, c: vec3d, root: float64, side: int) -> vec3d:
-    n = cross(b, c)
-    k = cross(n, b) * dot(c, c) + cross(c, n) * dot(b, b)
-    return (k + n * (root * float64(side))) * (0.5 / dot(n, n))
-
-
-@func
-def width_of_circle(b: vec3d, c: vec3d, radius: float64) -> float:
-    """Squared radius of the circle through 0, b and c as a fraction of the ball's."""
-    n = cross(b, c)
-    d = b - c
-    return float(dot(b, b) * dot(c, c) * dot(d, d) / (4.0 * radius * radius * dot(n, n)))
-
-
-@func
-def sign_of(x: float64, bound: float64) -> int:
-    sign = 0
-    if x > bound:
-        sign = 1
-    if x < -bound:
-        sign = -1
-    return sign
-
-
-@func
-def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -> int:
-    """1 if D on the ball of A, B and C counts as inside, else -1. The lowest index with a coordinate != 0 decides."""
-    decided = 0
-    passed = -1
-    for step in range(TAKEN):
-        lowest = d
-        sign = -1
-        if d <= passed:
-            sign = 0
-            lowest = 0x7FFFFFFF
-        if a > passed and a < lowest:
-            lowest = a
-            sign = on_a
-        if b > passed and b < lowest:
-            lowest = b
-            sign = on_b
-        if c > passed and c < lowest:
-            lowest = c
-            sign = on_c
-        passed = lowest
-        if decided == 0:
-            decided = sign
-    return -decided
-
-
-@func
-def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, ib: int, ic: int, at: int) -> int:
-    """1 if d, on the ball on 0, b and c, counts as inside, else -1."""
-    n = cross(b, c)
-    lengths = sqrt(dot(b, b) * dot(c, c))
-    v = b - d
-    w = c - d
-    on_a = 0
-    on_b = 0
-    on_c = 0
-    if abs(dot(d, n)) <= float64(ROUNDING) * sqrt(dot(d, d)) * lengths:  # in the plane of the others: on their circle
-        on_a = sign_of(dot(n, cross(v, w)), float64(ROUNDING) * lengths * sqrt(dot(v, v) * dot(w, w)))
-        on_b = sign_of(dot(n, cross(d, c)), float64(ROUNDING) * lengths * sqrt(dot(c, c) * dot(d, d)))
-        on_c = sign_of(dot(n, cross(b, d)), float64(ROUNDING) * lengths * sqrt(dot(b, b) * dot(d, d)))
-    else:  # coordinates relative to the center
-        x = ball_center(b, c, root, side)
-        size = sqrt(dot(x, x)) * float64(FLAT)
-        on_a = -side * sign_of(dot(d - x, cross(v, w)), size * sqrt(dot(v, v) * dot(w, w)))
-        on_b = -side * sign_of(-dot(x, cross(d, c)), size * sqrt(dot(d, d) * dot(c, c)))
-        on_c = -side * sign_of(-dot(x, cross(b, d)), size * sqrt(dot(b, b) * dot(d, d)))
-    return weigh_tie(on_a, on_b, on_c, ia, ib, ic, at)
-
-
-@func
-def contains_point(
-    b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, radius: float64, ia: int, ib: int, ic: int, at: int
-) -> int:
-    """1 if the ball on 0, b and c contains d, else -1. Ties by the indices of the four."""
-    n = cross(b, c)
-    nn = dot(n, n)
-    bb = dot(b, b)
-    cc = dot(c, c)
-    dd = dot(d, d)
-    k = cross(n, b) * cc + cross(c, n) * bb
-    height = dot(d, n)
-    value = dd * nn - dot(d, k) - float64(side) * height * root
-    lengths = sqrt(bb * cc)
-    far = sqrt(dd)
-    scale = 4.0 * radius * radius * lengths * sqrt(nn)
-    loss = float64(ROUNDING) * (scale + bb * cc * dot(b - c, b - c))  # of R
-    bound = float64(ROUNDING) * far * lengths * (lengths * (far + sqrt(bb) + sqrt(cc)) + root)
-    bound += abs(height) * loss / (root + sqrt(loss))
-    inside = -sign_of(value, bound)
-    if inside == 0:
-        inside = break_tie(b, c, d, root, side, ia, ib, ic, at)
-    return inside
-
-
 FIRST_ROOM, CPU_ROOM = 96, 384  # initial neighbors per thread in scratch memory
 FIRST_SLOTS = 8  # triangles per point, which is the first corner of about two
-SCRATCH = 2**24  # neighbors of all threads of a launch
+SCRATCH, CUDA_SCRATCH = 2**24, 2**23  # neighbors of all points of a launch
+LANES = 8  # of a point on CUDA
 PART = 2**18  # points a launch
 CPU_THREADS = 512  # per launch: few, so that scratch memory stays in the caches, but more than the chunks
 NEAREST = 5  # points that cut a circle before testing which others reach the rest
@@ -357,16 +82,20 @@ SQDIST_MARGIN = 1.00001  # times the squared search radius: float32 distances mu
 @struct
 class BallScratch:
     """Scratch memory: `room` neighbors, first possible corners by distance with coordinates. Arcs of the current
-    circle, whose ends only `cutters` can touch."""
+    circle, whose ends only `cutters` can touch. On CUDA also open `cells`, and `tallies` of possible corners and others
+    for each point, from the point `first` on."""
 
     room: int
     run: int
+    first: int
     keys: array(dtype=int64)
     indices: array(dtype=int32)
     xs: array(dtype=float64)
     ys: array(dtype=float64)
     zs: array(dtype=float64)
     sizes: array(dtype=float64)
+    cells: array(dtype=eight_cells)
+    tallies: array(dtype=int32)
     cutters: array(dtype=int32)
     cuts: array(dtype=int32)
     arcs: array(dtype=float64)
@@ -374,17 +103,19 @@ class BallScratch:
     sags: array(dtype=float64)
 
     def __init__(self, count: int, room: int, device: Device) -> None:
-        max_threads = max(1, SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
-        self.threads, self.room = min(count, max_threads), room
+        max_threads = max(1, CUDA_SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
+        self.threads, self.room, self.first = min(count, max_threads), room, 0
         self.run = -(-count // self.threads)
         self.threads = -(-count // self.run)
-        total = self.threads * room
+        total, circles = self.threads * room, self.threads * (LANES if device.is_cuda else 1)
         self.keys, self.indices = empty(2 * total, int64, device), empty(total, int32, device)
         self.xs, self.ys, self.zs, self.sizes = (empty(total, float64, device) for _ in range(4))
-        self.cutters, self.cuts = empty(total, int32, device), empty(self.threads, int32, device)
-        self.arcs = empty(self.threads * 2 * ARCS, float64, device)
-        self.ends = empty(self.threads * 2 * ARCS, vec3d, device)
-        self.sags = empty(self.threads * 2 * ARCS, float64, device)
+        points = self.threads if device.is_cuda else 0
+        self.cells, self.tallies = empty(points, eight_cells, device), empty(2 * points, int32, device)
+        self.cutters, self.cuts = empty(circles * room, int32, device), empty(circles, int32, device)
+        self.arcs = empty(circles * 2 * ARCS, float64, device)
+        self.ends = empty(circles * 2 * ARCS, vec3d, device)
+        self.sags = empty(circles * 2 * ARCS, float64, device)
 
 
 @struct
@@ -405,7 +136,8 @@ class BallPoints:
 @struct
 class BallFaces:
     """Triangles of the points `indices`, up to `slots` each. A point with a larger number in `neighbor_counts` than the
-    scratch memory's room was not searched. `widths` are the squared radii of the circles as fractions of the ball's."""
+    scratch memory's room was not searched. `widths` are the squared radii of the circles as fractions of the ball's.
+    `owners`: on CUDA the second corner's number."""
 
     indices: array(dtype=int32)
     slots: int
@@ -413,9 +145,11 @@ class BallFaces:
     counts: array(dtype=int32)
     corners: array(dtype=vec3i)
     widths: array(dtype=float32)
+    owners: array(dtype=int32)
 
     def __init__(self, indices: Integers, slots: int) -> None:
         device, count = indices.device, indices.size
+        self.owners = empty(count * slots if device.is_cuda else 0, int32, device)
         self.indices, self.slots = indices, slots
         self.neighbor_counts, self.counts = empty(count, int32, device), empty(count, int32, device)
         self.corners, self.widths = empty(count * slots, vec3i, device), empty(count * slots, float32, device)
@@ -427,9 +161,8 @@ def neighbor_at(scratch: BallScratch, j: int) -> vec3d:
 
 
 @func
-def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> vec2i:
-    """List up to `room` neighbors of a point, first those that may be corners of its triangles, by distance. Return
-    their numbers: of all, or 0 if no ball is empty, and of the first."""
+def list_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> tuple[int, eight_cells]:
+    """List up to `room` neighbors of a point. Return their number, or 0 if no ball is empty, and the open cells."""
     p = points.tree.points[index]
     diameter = float(points.radius * 2.0)
     near = points.max_sqdist * NEAR_SHARE
@@ -450,27 +183,59 @@ def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base:
                     max_sqdist = -1.0
     if halves == 0:
         neighbor_count = 0
+    return neighbor_count, cells
+
+
+@func
+def may_be_corner(key: int64, p: vec3, cells: eight_cells, halves: int, points: BallPoints) -> int:
+    """0 if a neighbor is certainly no corner of a triangle of p. `halves`: the result of `any_cell`."""
+    sqdist = key_number(key)
+    limit = cap_limit(sqdist, float(points.radius * 2.0), COSINE, -SINE)
+    touched = touches_cells(cells, halves, points.tree.points[key_index(key)] - p, limit)
+    return 1 if sqdist <= TINY or touched != 0 else 0
+
+
+@func
+def store_corner(key: int64, at: int, p: vec3, points: BallPoints, scratch: BallScratch):
+    other = key_index(key)
+    d = widen(points.tree.points[other]) - widen(p)
+    scratch.indices[at] = other
+    scratch.xs[at] = d[0]
+    scratch.ys[at] = d[1]
+    scratch.zs[at] = d[2]
+    scratch.sizes[at] = sqrt(dot(d, d))
+
+
+@func
+def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> vec2i:
+    """List up to `room` neighbors of a point, first those that may be corners of its triangles, by distance. Return
+    their numbers: of all, or 0 if no ball is empty, and of the first."""
+    p = points.tree.points[index]
+    neighbor_count, cells = list_neighbors(index, points, scratch, base)
+    halves = any_cell(cells)
     corner_count = 0
     if neighbor_count <= scratch.room:
         for j in range(neighbor_count):
             key = scratch.keys[2 * base + j]
-            sqdist = key_number(key)
-            limit = cap_limit(sqdist, diameter, COSINE, -SINE)
-            q = points.tree.points[key_index(key)] - p
-            if sqdist <= TINY or touches_cells(cells, halves, q, limit) != 0:
+            if may_be_corner(key, p, cells, halves, points) == 1:
                 scratch.keys[2 * base + j] = scratch.keys[2 * base + corner_count]
                 scratch.keys[2 * base + corner_count] = key
                 corner_count += 1
         corner_count = keep_nearest(scratch.keys, 2 * base, 1, corner_count, corner_count, scratch.room)
         for j in range(corner_count):
-            other = key_index(scratch.keys[2 * base + j])
-            d = widen(points.tree.points[other]) - widen(p)
-            scratch.indices[base + j] = other
-            scratch.xs[base + j] = d[0]
-            scratch.ys[base + j] = d[1]
-            scratch.zs[base + j] = d[2]
-            scratch.sizes[base + j] = sqrt(dot(d, d))
+            store_corner(scratch.keys[2 * base + j], base + j, p, points, scratch)
     return vec2i(neighbor_count, corner_count)
+
+
+@func
+def first_other(base: int, counts: vec2i, scratch: BallScratch) -> int:
+    """Position of the first key of a neighbor that is no possible corner."""
+    return 2 * base + counts[1]
+
+
+@first_other.on_cuda
+def first_other_of_lanes(base: int, counts: vec2i, scratch: BallScratch) -> int:
+    return 2 * (base + scratch.room) - (counts[0] - counts[1])
 
 
 @func
@@ -527,8 +292,9 @@ def is_empty_ball(
             empty = is_outside(index, jb, jc, scratch.indices[j], q, scratch.sizes[j], x, root, side, points, scratch)
         j += 1
     p = widen(points.tree.points[index])
-    j = 2 * base + counts[1]
-    while j < 2 * base + counts[0] and empty == 1:
+    j = first_other(base, counts, scratch)
+    last = j + counts[0] - counts[1]
+    while j < last and empty == 1:
         other = key_index(scratch.keys[j])
         q = widen(points.tree.points[other]) - p
         empty = is_outside(index, jb, jc, other, q, sqrt(dot(q, q)), x, root, side, points, scratch)
@@ -561,9 +327,11 @@ def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: 
 
 @func
 def free_arcs(
-    jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, corner_count: int, at: int
+    jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, corner_count: int, circle: int
 ) -> int:
     """Number of remaining arcs of the circle of centers over two points. Neighbors between both go first."""
+    at = circle * 2 * ARCS
+    cutters = circle * scratch.room
     b = neighbor_at(scratch, jb)
     length = scratch.sizes[jb]
     count = 1
@@ -575,7 +343,7 @@ def free_arcs(
         q = neighbor_at(scratch, j)
         if dot(q, q - b) < 0.0:
             count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
-            scratch.cutters[base + cuts] = j
+            scratch.cutters[cutters + cuts] = j
             cuts += 1
         j += 1
     early = cuts + NEAREST
@@ -593,19 +361,31 @@ def free_arcs(
                 cut = touches_arcs(q, scratch.sizes[j], known, scratch, at)
         if cut == 1:
             count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
-            scratch.cutters[base + cuts] = j
+            scratch.cutters[cutters + cuts] = j
             cuts += 1
         j += 1
     write_ends(b, u, v, height, count, scratch, at)
-    scratch.cuts[base // scratch.room] = cuts
+    scratch.cuts[circle] = cuts
     return count
 
 
 @func
-def store_face(index: int, b: int, c: int, width: float, row: int, face_index: int, faces: BallFaces):
+def store_face(index: int, b: int, c: int, width: float, row: int, face_index: int, owner: int, faces: BallFaces):
     if face_index < faces.slots:
         faces.corners[row * faces.slots + face_index] = vec3i(index, b, c)
         faces.widths[row * faces.slots + face_index] = width
+
+
+@store_face.on_cuda
+def store_face_of_lane(
+    index: int, b: int, c: int, width: float, row: int, face_index: int, owner: int, faces: BallFaces
+):
+    """CUDA variant: in any order. `sort_faces` follows."""
+    slot = atomic_add(faces.counts, row, 1)
+    if slot < faces.slots:
+        faces.corners[row * faces.slots + slot] = vec3i(index, b, c)
+        faces.widths[row * faces.slots + slot] = width
+        faces.owners[row * faces.slots + slot] = owner
 
 
 @func
@@ -654,59 +434,179 @@ def try_face(
         if is_empty_ball(index, jb, jc, root, side, points, scratch, base, counts) == 1:
             width = width_of_circle(b, c, points.radius)
             if side == 1:
-                store_face(index, other, third, width, row, total, faces)
+                store_face(index, other, third, width, row, total, jb, faces)
             else:
-                store_face(index, third, other, width, row, total, faces)
+                store_face(index, third, other, width, row, total, jb, faces)
             total += 1
     return total
 
 
 @func
-def find_faces(
-    index: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, counts: vec2i, faces: BallFaces
+def find_faces_over(
+    index: int,
+    row: int,
+    jb: int,
+    base: int,
+    circle: int,
+    points: BallPoints,
+    scratch: BallScratch,
+    counts: vec2i,
+    face_count: int,
+    faces: BallFaces,
 ) -> int:
-    """Find triangles of a point whose other corners follow it in tree order. Return their number."""
-    base = thread * scratch.room
-    at = thread * 2 * ARCS
-    face_count = 0
-    for jb in range(base, base + counts[1]):
-        other = scratch.indices[jb]
-        half = scratch.sizes[jb] * 0.5
-        rise = points.radius * points.radius - half * half
-        if other > index and rise > 0.0 and points.searched[other] != 0:
-            arcs = 0
-            size = counts[1]
-            if counts[1] > FEW_CORNERS:
-                b = neighbor_at(scratch, jb)
-                u = across(b)
-                v = cross(b / scratch.sizes[jb], u)
-                arcs = free_arcs(jb, u, v, sqrt(rise), scratch, base, counts[1], at)
-                size = scratch.cuts[thread] if arcs > 0 else 0
-            for i in range(base, base + size):
-                jc = scratch.cutters[i] if arcs > 0 else i
-                third = scratch.indices[jc]
-                if third > other and points.searched[third] != 0:
-                    sides = vec2i(1, 1)
-                    if arcs > 0:
-                        sides = ends_at(jc, arcs, points, scratch, at)
-                    if sides[0] + sides[1] > 0:
-                        face_count = try_face(
-                            index, row, jb, jc, sides, points, scratch, base, counts, face_count, faces
-                        )
-    return face_count
+    """Find triangles of a point and its neighbor jb whose third corner follows both. Return the number so far."""
+    total = face_count
+    other = scratch.indices[jb]
+    half = scratch.sizes[jb] * 0.5
+    rise = points.radius * points.radius - half * half
+    if other > index and rise > 0.0 and points.searched[other] != 0:
+        arcs = 0
+        size = counts[1]
+        first = base + 0
+        if counts[1] > FEW_CORNERS:
+            b = neighbor_at(scratch, jb)
+            u = across(b)
+            v = cross(b / scratch.sizes[jb], u)
+            arcs = free_arcs(jb, u, v, sqrt(rise), scratch, base, counts[1], circle)
+            size = scratch.cuts[circle] if arcs > 0 else 0
+            first = circle * scratch.room
+        for i in range(first, first + size):
+            jc = scratch.cutters[i] if arcs > 0 else i
+            third = scratch.indices[jc]
+            if third > other and points.searched[third] != 0:
+                sides = vec2i(1, 1)
+                if arcs > 0:
+                    sides = ends_at(jc, arcs, points, scratch, circle * 2 * ARCS)
+                if sides[0] + sides[1] > 0:
+                    total = try_face(index, row, jb, jc, sides, points, scratch, base, counts, total, faces)
+    return total
 
 
 @kernel
 def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
+    """Find triangles of points whose other corners follow in tree order."""
     i = tid()
+    base = i * scratch.room
     for row in range(i * scratch.run, min((i + 1) * scratch.run, faces.indices.shape[0])):
         index = faces.indices[row]
-        counts = gather_neighbors(index, points, scratch, i * scratch.room)
+        counts = gather_neighbors(index, points, scratch, base)
         face_count = 0
         if counts[0] <= scratch.room:
-            face_count = find_faces(index, row, i, points, scratch, counts, faces)
+            for jb in range(base, base + counts[1]):
+                face_count = find_faces_over(index, row, jb, base, i, points, scratch, counts, face_count, faces)
         faces.neighbor_counts[row] = counts[0]
         faces.counts[row] = face_count
+
+
+@kernel
+def list_neighbors_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
+    """List the neighbors of points for the CUDA variant of `find_faces_kernel`."""
+    i = tid()
+    row = scratch.first + i
+    neighbor_count, cells = list_neighbors(faces.indices[row], points, scratch, i * scratch.room)
+    scratch.cells[i] = cells
+    scratch.tallies[2 * i] = 0
+    scratch.tallies[2 * i + 1] = 0
+    faces.neighbor_counts[row] = neighbor_count
+    faces.counts[row] = 0
+
+
+@cuda_func
+def part_neighbors(
+    index: int, point: int, k: int, neighbor_count: int, points: BallPoints, scratch: BallScratch, base: int
+):
+    """Copy each eighth neighbor: possible corners behind the list, others to the end. In any order, since corners are
+    sorted next and the order of others has no effect."""
+    p = points.tree.points[index]
+    cells = scratch.cells[point]
+    halves = any_cell(cells)
+    j = 2 * base + k
+    while j < 2 * base + neighbor_count:
+        key = scratch.keys[j]
+        if may_be_corner(key, p, cells, halves, points) == 1:
+            scratch.keys[2 * base + scratch.room + atomic_add(scratch.tallies, 2 * point, 1)] = key
+        else:
+            scratch.keys[2 * (base + scratch.room) - 1 - atomic_add(scratch.tallies, 2 * point + 1, 1)] = key
+        j += LANES
+
+
+@cuda_func
+def sort_corners(index: int, k: int, corner_count: int, points: BallPoints, scratch: BallScratch, base: int):
+    """Store each eighth possible corner at its rank by distance."""
+    p = points.tree.points[index]
+    first = 2 * base + scratch.room
+    j = first + k
+    while j < first + corner_count:
+        key = scratch.keys[j]
+        rank = 0
+        for other in range(first, first + corner_count):
+            rank += 1 if scratch.keys[other] < key else 0
+        store_corner(key, base + rank, p, points, scratch)
+        j += LANES
+
+
+@cuda_func
+def sort_faces(row: int, count: int, faces: BallFaces):
+    """Order the triangles of a point as the CPU finds them: those of a neighbor are in order already."""
+    first = row * faces.slots
+    for j in range(first + 1, first + count):
+        corners = faces.corners[j]
+        width = faces.widths[j]
+        owner = faces.owners[j]
+        slot = j + 0
+        while slot > first and faces.owners[slot - 1] > owner:
+            faces.corners[slot] = faces.corners[slot - 1]
+            faces.widths[slot] = faces.widths[slot - 1]
+            faces.owners[slot] = faces.owners[slot - 1]
+            slot -= 1
+        faces.corners[slot] = corners
+        faces.widths[slot] = width
+        faces.owners[slot] = owner
+
+
+@find_faces_kernel.on_cuda
+def find_faces_of_lanes_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
+    """CUDA variant, eight lanes per point, after `list_neighbors_kernel`. A lane has every eighth neighbor."""
+    i = tid()
+    k = i % LANES
+    point = i // LANES
+    row = scratch.first + point
+    base = point * scratch.room
+    index = 0
+    counts = vec2i(0, 0)
+    is_searched = 0
+    if row < min(scratch.first + scratch.cells.shape[0], faces.indices.shape[0]):
+        index = faces.indices[row]
+        counts = vec2i(faces.neighbor_counts[row], 0)
+        if counts[0] > 0 and counts[0] <= scratch.room:
+            is_searched = 1
+            part_neighbors(index, point, k, counts[0], points, scratch, base)
+    sync_lanes()
+    if is_searched == 1:  # an atomic, since a load may find an old number in the L1 cache
+        counts = vec2i(counts[0], atomic_add(scratch.tallies, 2 * point, 0))
+        sort_corners(index, k, counts[1], points, scratch, base)
+    sync_lanes()
+    jb = base + k
+    while jb < base + counts[1]:
+        find_faces_over(index, row, jb, base, i, points, scratch, counts, 0, faces)
+        jb += LANES
+    sync_lanes()  # all lanes have stored their triangles
+    if is_searched == 1 and k == 0:
+        count = atomic_add(faces.counts, row, 0)
+        if count <= faces.slots:
+            sort_faces(row, count, faces)
+
+
+def find_faces(points: BallPoints, scratch: BallScratch, faces: BallFaces) -> None:
+    """Find triangles of points whose other corners follow in tree order."""
+    arguments = [points, scratch, faces]
+    if not faces.indices.device.is_cuda:
+        launch(find_faces_kernel, scratch.threads, arguments)
+        return
+    for first in range(0, faces.indices.size, scratch.threads):
+        scratch.first, count = first, min(scratch.threads, faces.indices.size - first)
+        launch(list_neighbors_kernel, count, arguments)
+        launch(find_faces_kernel, -(-count * LANES // WARP) * WARP, arguments)  # whole warps
 
 
 @kernel
@@ -758,7 +658,7 @@ def list_faces(points: BallPoints, indices: Integers, expected: int = 0) -> tupl
         while left.size:
             faces = BallFaces(left, slots)
             scratch = BallScratch(left.size, room, device)
-            launch(find_faces_kernel, scratch.threads, [points, scratch, faces])
+            find_faces(points, scratch, faces)
             usable, again, maxima = (empty(size, int32, device) for size in (left.size, left.size, 2))
             fill(maxima, 0)
             launch(part_crowd_kernel, left.size, [faces, room, usable, again, maxima])

@@ -86,16 +86,15 @@ def keep_near(
     for entry in range(size):
         first = scratch.ids[listing + entry]
         leaf = load_eight(tree.points, first)
-        if at <= last:
-            for j in range(LEAF):
-                sqdist = sqdist_of(leaf, j, p)
-                if sqdist <= max_sqdist:
-                    scratch.keys[at] = pack_key(sqdist, first + j)
-                    at += scratch.stride
-        else:
-            for j in range(LEAF):
-                if sqdist_of(leaf, j, p) <= max_sqdist:
-                    lacking += 1
+        has_room = 1 if at <= last else 0
+        for j in range(LEAF):
+            sqdist = sqdist_of(leaf, j, p)
+            near = 1 if sqdist <= max_sqdist else 0
+            if near == 1 and has_room == 1:
+                scratch.keys[at] = pack_key(sqdist, first + j)
+            # outside of the branch: each assignment inside would occupy a register during the whole loop
+            at += scratch.stride * (near * has_room)
+            lacking += near * (1 - has_room)
     return (at - base) // scratch.stride + lacking
 
 

@@ -9,10 +9,30 @@ together as eight lanes, since the divisions and roots of one plane after anothe
 """
 
 from ..array_types import Array1, Scalars
+from ..arrays.lanes import min_of_eight
 from ..arrays.random import half_uniform, random_bits, random_uniform
-from ..lang import array, float32, func, kernel, launch, struct, tid, vec4, vector
+from ..lang import (
+    INFINITY,
+    WARP,
+    array,
+    cuda_func,
+    float32,
+    func,
+    kernel,
+    launch,
+    struct,
+    sync_lanes,
+    tid,
+    vec3,
+    vec3i,
+    vec4,
+    vector,
+)
 from ..memory import empty
+from ..search.lane_boxes import flags_of_eight
+from ..search.tree_walk import lowest_bit
 from .inverse_planes import limited_tilt, normal_of, random_direction, ray_of, slopes_of
+from .lane_costs import index_of_eight, of_eight, own_samples, patch_cost_of_lanes, vector_of_eight, window_of_lanes
 from .patch_costs import (
     LANES,
     Reference,
@@ -419,6 +439,261 @@ def spread_planes_kernel(
     planes[pixel] = vec4(plane[0], plane[1], plane[2], bound / sum_of_weights)
 
 
+@cuda_func
+def region_plane(
+    x: int, y: int, k: int, plane: vec4, planes: array(dtype=vec4), options: HalfIteration, reference: Reference
+) -> tuple[int, vec3, int]:
+    """`region_planes` for region k: the best pixel, its plane, and 1 if it may be better."""
+    near = -1
+    offered = vec3(0.0, 0.0, 0.0)
+    tried = 0
+    if k < options.regions:
+        best, step, shift = best_of_region(planes, x, y, k, reference.width, reference.height)
+        near = best
+        if best >= 0:
+            across = float(step)
+            down = float(shift)
+            if k % 4 < 2:
+                across = float(shift)
+                down = float(step)
+            other = planes[best]
+            w = other[0] - other[1] * across - other[2] * down
+            offered = vec3(w, other[1], other[2])
+            slopes = abs(other[1] - plane[1]) + abs(other[2] - plane[2])
+            difference = (abs(w - plane[0]) + PATCH_RADIUS * slopes) * reference.pixels_per
+            tried = 1 if difference > SAME_PLANE else 0
+    return near, offered, tried
+
+
+@cuda_func
+def changed_plane(
+    x: int, y: int, k: int, pixel: int, plane: vec4, options: HalfIteration, reference: Reference
+) -> vec3:
+    """Plane k of `changed_planes`."""
+    words = random_bits(options.seed, pixel, 1 + options.number * (TRIALS // 2) + k // 2)
+    u = half_uniform(words, k % 2)
+    ray = ray_of(x, y, reference.lens)
+    w = plane[0]
+    if k % 2 == 0:
+        w = plane[0] + options.spread / reference.pixels_per * (u[0] * 2.0 - 1.0)
+    if k == 3:
+        w = reference.farthest + (reference.nearest - reference.farthest) * u[0]
+    direction = random_direction(u)
+    normal = normal_of(plane, x, y, reference.lens)
+    if k == 0:
+        direction = normal
+    elif k < 3:
+        direction = normal + direction * (options.spread * TILT)
+    slopes = slopes_of(limited_tilt(direction, ray), ray, w, reference.lens)
+    return vec3(w, slopes[0], slopes[1])
+
+
+@cuda_func
+def rate_source_of_lane(i: int, s: int, count: int, near: int, good: float, costs: array(dtype=float32)) -> float:
+    """`rate_source` for the lane's source s, 0 beyond the count. Each of the eight lanes has a neighbor."""
+    fine = 0
+    bad = 0
+    total = 0.0
+    neighbors = int(NEIGHBORS)
+    for k in range(neighbors + 1):
+        neighbor = index_of_eight(near, k % NEIGHBORS)
+        if k == NEIGHBORS:
+            neighbor = i
+        if neighbor >= 0 and s < count:
+            c = costs[neighbor * count + s]
+            if c < good:
+                fine += 1
+                total += FALLOFF / (FALLOFF + c * c)
+            if c > BAD_COST:
+                bad += 1
+    rating = 0.0
+    if bad <= MAX_BAD and s < count:
+        rating = UNSURE if fine < MIN_GOOD else total / float(fine)
+    return rating
+
+
+@cuda_func
+def source_at_rank(rating: float, k: int, count: int) -> int:
+    """`order_of` for rank k: its source, by the ratings of the eight lanes."""
+    rank = int(k)
+    if k < count:
+        rank = 0
+    sources = int(LANES)
+    for s in range(sources):
+        other = of_eight(rating, s)
+        if k < count and s < count and (other > rating or (other == rating and s < k)):
+            rank += 1
+    source = 0
+    for s in range(sources):
+        taken = index_of_eight(rank, s)
+        if taken == k and k < count:
+            source = s
+    return source
+
+
+@cuda_func
+def weights_of_lanes(weight: float, k: int, max_sources: int) -> tuple[float, int, float]:
+    """`weights_of` for rank k, with the count and sum of all."""
+    chosen = 0
+    total = 0.0
+    for rank in range(max_sources):
+        w = of_eight(weight, rank)
+        if w > 0.0:
+            chosen += 1
+            total += w
+    used = weight
+    if chosen == 0:
+        chosen = max_sources
+        used = 1.0
+        total = float(chosen)
+    return used, chosen, total
+
+
+@cuda_func
+def with_added(table: eight, rank: int, x: float) -> eight:
+    added = table
+    for k in range(LANES):
+        added[k] = table[k] + x if k == rank else table[k]
+    return added
+
+
+@cuda_func
+def cost_at_rank(table: eight, k: int, best: int) -> float:
+    """The cost of rank k in the table of lane `best` of the own eight."""
+    cost = 0.0
+    for rank in range(LANES):
+        other = of_eight(table[rank], best)
+        cost = other if rank == k else cost
+    return cost
+
+
+@cuda_func
+def compare_planes(
+    x: int,
+    y: int,
+    k: int,
+    offered: vec3,
+    is_tried: int,
+    ranks: vec3i,
+    source: int,
+    weight: float,
+    limit: float,
+    center: float,
+    weights: own_samples,
+    rises: own_samples,
+    variance: float,
+    options: HalfIteration,
+    reference: Reference,
+    sources: Sources,
+) -> tuple[int, float, eight]:
+    """Compare each lane's plane with the sources of the ranks from ranks[0] to ranks[1] - 1, of ranks[2] in the warp,
+    until the weighted sum of the costs is `limit`. Returns 1 if it is lower, the sum, and the costs by rank."""
+    tried = is_tried + 0
+    table = eight(0.0)
+    total = 0.0
+    if options.geometric > 0.0:
+        for rank in range(ranks[2]):
+            s = index_of_eight(source, rank)
+            w = of_eight(weight, rank)
+            if tried == 1 and rank >= ranks[0] and rank < ranks[1]:
+                errors = round_trips(x, y, eight(offered[0]), s, sources)
+                error = options.geometric * errors[0]
+                table = with_added(table, rank, error)
+                total = total + w * error
+    for rank in range(ranks[2]):
+        s = index_of_eight(source, rank)
+        w = of_eight(weight, rank)
+        compared = 0
+        if rank >= ranks[0] and rank < ranks[1]:
+            tried = tried if total < limit else 0
+            compared = tried
+        c = patch_cost_of_lanes(x, y, k, offered, compared, s, center, weights, rises, variance, reference, sources)
+        if rank >= ranks[0] and rank < ranks[1]:
+            table = with_added(table, rank, c)
+            total = total + w * c
+    return tried, total, table
+
+
+@spread_planes_kernel.on_cuda
+def spread_planes_of_lanes_kernel(
+    options: HalfIteration,
+    reference: Reference,
+    sources: Sources,
+    planes: array(dtype=vec4),
+    costs: array(dtype=float32),
+):
+    """CUDA variant, eight lanes per pixel: a lane has a region, a plane, a source by its number and one by its rank."""
+    i = tid()
+    k = i % LANES
+    half = (reference.width + 1) // 2
+    y = i // LANES // half
+    x = 2 * (i // LANES % half) + (y + options.color) % 2
+    is_pixel = 1 if x < reference.width and y < reference.height else 0
+    pixel = y * reference.width + x
+    count = sources.count
+    plane = vec4(0.0, 0.0, 0.0, 0.0)
+    near = -1
+    offered = vec3(0.0, 0.0, 0.0)
+    tried = 0
+    if is_pixel == 1:
+        plane = planes[pixel]
+        near, offered, tried = region_plane(x, y, k, plane, planes, options, reference)
+    else:
+        x = 0
+        y = 0
+    rating = rate_source_of_lane(pixel, k, count if is_pixel == 1 else 0, near, options.good, costs)
+    source = source_at_rank(rating, k, count)
+    weight, chosen, sum_of_weights = weights_of_lanes(of_eight(rating, source), k, options.chosen)
+    term = 0.0
+    if is_pixel == 1 and k < count:
+        term = weight * costs[pixel * count + source]
+    bound = 0.0
+    for rank in range(options.chosen):
+        product = of_eight(term, rank)
+        bound += product if rank < chosen else 0.0
+    is_new = 0
+    weights, rises, variance, center = window_of_lanes(x, y, k, reference, sources)
+    parts = int(3)
+    for part in range(parts):
+        first = 0
+        last = int(chosen)
+        ranks = int(options.chosen)
+        limit = float(bound)
+        if part == 1:
+            offered = changed_plane(x, y, k, pixel, plane, options, reference)
+            tried = 1 if k < options.trials else 0
+        if part == 2:
+            offered = vec3(plane[0], plane[1], plane[2])
+            tried = is_new if k == 0 else 0
+            first = chosen
+            last = count
+            ranks = count
+            limit = NO_COST
+        if is_pixel == 0 or offered[0] > reference.nearest or offered[0] < reference.farthest:
+            tried = 0
+        span = vec3i(first, last, ranks)
+        tried, total, table = compare_planes(
+            x, y, k, offered, tried, span, source, weight, limit, center, weights, rises, variance, options, reference,
+            sources,
+        )  # fmt: skip
+        offer = total if tried == 1 and total < limit else float(INFINITY)
+        low = min_of_eight(offer)
+        winners = flags_of_eight(1 if offer == low and low < limit else 0)
+        best = lowest_bit(winners) if winners != 0 else 0
+        cost = cost_at_rank(table, k, best)
+        won = vector_of_eight(offered, best)
+        if winners != 0:
+            if k >= first and k < last:
+                costs[pixel * count + source] = cost
+            if part < 2:
+                bound = low
+                plane = vec4(won[0], won[1], won[2], 0.0)
+                is_new = 1
+    sync_lanes()  # all lanes have read the plane
+    if is_pixel == 1 and k == 0:
+        planes[pixel] = vec4(plane[0], plane[1], plane[2], bound / sum_of_weights)
+
+
 def start_planes(
     reference: Reference,
     sources: Sources,
@@ -441,4 +716,6 @@ def spread_planes(
 ) -> None:
     """One half iteration: pixels of one color find better planes."""
     threads = (reference.width + 1) // 2 * reference.height
+    if planes.device.is_cuda:
+        threads = -(-threads * LANES // WARP) * WARP  # eight lanes per pixel, whole warps
     launch(spread_planes_kernel, threads, [options, reference, sources, planes, costs])

@@ -65,6 +65,7 @@ def add_up_parts(a: array(dtype=float32), factor: float) -> vec2:
     return vec2(a[i] * factor, 1.0)
 """
 DEVICE = "cuda:0"
+BLOCK = 4  # position of the block size in a driver call
 
 
 @pytest.fixture(scope="module")
@@ -78,16 +79,18 @@ def where(emulated):
 
 
 class LaunchRecorder:
-    """Recorded driver calls: all parts of a launch but its arguments, and their bytes."""
+    """Recorded driver calls: all parts of a launch but its arguments and block, and their bytes."""
 
     def __init__(self) -> None:
         self.launches: list[tuple] = []
+        self.blocks: list[int] = []
         self.sizes: list[int] | None = None
         self.then = lambda: None  # what happens before the arguments are read
 
     def __call__(self, *given):
         *rest, addresses, stream, apic = given
         self.then()
+        self.blocks.append(rest.pop(BLOCK))
         pointers = ctypes.cast(addresses, ctypes.POINTER(ctypes.c_void_p))
         sizes = self.sizes or []
         self.launches.append((rest, stream, apic, [ctypes.string_at(pointers[k], n) for k, n in enumerate(sizes)]))
@@ -178,6 +181,15 @@ def test_the_fields_of_structures_are_passed_with_warps_bits(kernels, recorder, 
     inner.limit, outer.shift, inner.rows = 8.0, wp.vec3(7.0, 8.0, 9.0), memory.zeros((4, 4), lang.int32, where)
     values = [8.0, inner.rows, outer.shift, outer.keys, 8.0, out]
     check_same(recorder, kernels.structures_kernel, 4, [outer, inner, out], values, where)
+
+
+def test_a_small_launch_has_a_block_for_each_multiprocessor(kernels, recorder, where):
+    assert where.sm_count == 132
+    sizes = {1: 256, 256: 256, 257: 32, 132 * 32: 32, 9_600: 64, 132 * 128: 128, 132 * 256 - 1: 128, 132 * 256: 256, 10**6: 256}
+    out = memory.zeros(1, lang.float64, where)
+    for count in (1, *sizes):  # the first launch may be Warp's
+        lang.launch(kernels.numbers_kernel, count, [0, 0, 0, 0, 0.0, 0.0, 0, 0, out])
+    assert recorder.blocks[1:] == [*sizes.values()]
 
 
 def test_the_launch_of_a_sum_matches_warp(kernels, recorder, where, monkeypatch):
