@@ -185,7 +185,17 @@ def test_the_fields_of_structures_are_passed_with_warps_bits(kernels, recorder, 
 
 def test_a_small_launch_has_a_block_for_each_multiprocessor(kernels, recorder, where):
     assert where.sm_count == 132
-    sizes = {1: 256, 256: 256, 257: 32, 132 * 32: 32, 9_600: 64, 132 * 128: 128, 132 * 256 - 1: 128, 132 * 256: 256, 10**6: 256}
+    sizes = {
+        1: 256,
+        256: 256,
+        257: 32,
+        132 * 32: 32,
+        9_600: 64,
+        132 * 128: 128,
+        132 * 256 - 1: 128,
+        132 * 256: 256,
+        10**6: 256,
+    }
     out = memory.zeros(1, lang.float64, where)
     for count in (1, *sizes):  # the first launch may be Warp's
         lang.launch(kernels.numbers_kernel, count, [0, 0, 0, 0, 0.0, 0.0, 0, 0, out])
