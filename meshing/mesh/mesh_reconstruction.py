@@ -360,7 +360,9 @@ class MeshReconstruction(MeshMeasures):
         return mesh
 
     @classmethod
-    def create_isosurfaces(cls, volume: ArrayLike, contour_values: ArrayLike = (0.0,), device: Any = None) -> Self:
+    def create_isosurfaces(
+        cls, volume: ArrayLike, contour_values: ArrayLike = (0.0,), device: Any = None, *, arrays: str | None = None
+    ) -> Self:
         """Extract isosurfaces of a sampled field for one or more values.
 
         `marching_cubes` does the same for one value, with a sample spacing and another axis order.
@@ -368,7 +370,8 @@ class MeshReconstruction(MeshMeasures):
         Args:
             volume: Values at grid points (x, y, z), shape (nz, ny, nx), at least 2 along each axis.
             contour_values: Values on the surfaces, as float32.
-            device: "cpu" (default), "cuda:N" or "auto".
+            device: "cpu" (default), "cuda:N" or "auto". A device array stays on its device.
+            arrays: Library of returned arrays, as of `TriangleMesh`. If None: that of the volume.
 
         Returns:
             The mesh in units of samples. Triangles are counterclockwise seen from lower values.
@@ -388,14 +391,15 @@ class MeshReconstruction(MeshMeasures):
             raise ValueError(f"contour_values: expected numbers, shape [k], got {shown(contour_values)}")
         if np.abs(levels).max() > _FLOAT_MAX:
             raise ValueError(f"contour_values: expected numbers within float32, got {shown(contour_values)}")
-        field = np.asarray(check_numeric("volume", volume)).T
+        library = library_for(arrays, volume)
+        field = take_numbers("volume", volume).transpose() if is_on_gpu(volume) else check_numeric("volume", volume).T
         if field.ndim != 3 or min(field.shape) < 2:
             shape = list(field.shape[::-1])
             raise ValueError(f"volume: expected shape [nz, ny, nx] with at least 2 along each axis, got {shape}")
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
-            parts.append(cls._from_device_arrays(vertices, flip_triangles(triangles), origin=origin))
+            parts.append(cls._from_device_arrays(vertices, flip_triangles(triangles), origin=origin, library=library))
         return cls.concatenate(parts)
 
 

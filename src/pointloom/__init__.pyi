@@ -21,6 +21,7 @@ from .cameras.trajectory import write_trajectory as write_trajectory
 from .cameras.undistortion import Undistortion as Undistortion
 from .cameras.undistortion import undistort_picture as undistort_picture
 from .core.device_memory import free_memory as free_memory
+from .core.exchange import asnumpy as asnumpy
 from .core.dropped_results import DroppedResultWarning as DroppedResultWarning
 from .core.errors import CameraError as CameraError
 from .core.errors import DatasetError as DatasetError

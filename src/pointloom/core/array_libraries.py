@@ -44,6 +44,11 @@ def check_library(name: str, value: Any) -> str:
     return value
 
 
+def library_for(arrays: str | None, values: Any = None) -> str:
+    """The requested library of results (`arrays`). If None: that of an array."""
+    return library_of(values) if arrays is None else check_library("arrays", arrays)
+
+
 def hand_out(
     array: wp.array,
     library: str,
