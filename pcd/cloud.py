@@ -76,7 +76,12 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             )
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        self._arrays, self._library, self.grid, self._unit = {}, library_for(arrays, points), None, check_unit("unit", unit)
+        self._arrays, self._library, self.grid, self._unit = (
+            {},
+            library_for(arrays, points),
+            None,
+            check_unit("unit", unit),
+        )
         self._set_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
         if normals is not None:
             self._set("normals", normals)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from . import warp_parts
 from .device_arrays import Kind, kind_of
 from .huge_pages import MAPPED, populate
+from .pinned_results import fill_pinned
 
 
 def _kind(values: Any) -> Kind:
@@ -86,16 +87,22 @@ def fetched(values: Any) -> NDArray[Any] | None:
     device = values.device
     if not _is_plain(values) or device.captures or not values.size:
         return None
-    kind = _kind(values)
-    out = np.empty((*values.shape, *kind.inner), kind.scalar)
-    core, stream = warp_parts.core(), device.stream.cuda_stream
+    kind, core, stream = _kind(values), warp_parts.core(), device.stream.cuda_stream
+
+    def fill(address: int, size: int) -> None:
+        _checked(core.wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
+        if not core.wp_cuda_stream_synchronize(stream):  # sync
+            raise RuntimeError(f"Failed to synchronize stream on device {device}: {device.runtime.get_error_string()}")
+
+    shape = (*values.shape, *kind.inner)
+    pinned = fill_pinned(shape, kind.scalar, device, fill)
+    if pinned is not None:
+        return pinned
+    out = np.empty(shape, kind.scalar)
     address = out.__array_interface__["data"][0]
     if out.nbytes >= MAPPED:
         populate(address, out.nbytes)  # while the device works
-    done = core.wp_memcpy_d2h(device.context, address, values.ptr, out.nbytes, stream)
-    _checked(done, device)
-    if not core.wp_cuda_stream_synchronize(stream):  # sync
-        raise RuntimeError(f"Failed to synchronize stream on device {device}: {device.runtime.get_error_string()}")
+    fill(address, out.nbytes)
     return out
 
 

@@ -85,7 +85,13 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_plane(
-        cls, width: float = 1.0, height: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+        cls,
+        width: float = 1.0,
+        height: float = 1.0,
+        create_uv_map: bool = False,
+        *,
+        device: Any = None,
+        arrays: str | None = None,
     ) -> Self:
         """Create a rectangle in the plane z = 0, facing up, with one corner at the origin: 4 vertices, 2 triangles.
 
@@ -99,10 +105,14 @@ class MeshPrimitives(MeshMeasures):
             >>> loom.TriangleMesh.create_plane(2, 3).get_surface_area()
             6.0
         """
-        return cls._of(shapes.plane(*positive_lengths(width=width, height=height)), device, arrays, with_uvs=create_uv_map)
+        return cls._of(
+            shapes.plane(*positive_lengths(width=width, height=height)), device, arrays, with_uvs=create_uv_map
+        )
 
     @classmethod
-    def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None) -> Self:
+    def create_tetrahedron(
+        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+    ) -> Self:
         """Create a tetrahedron about the origin: 4 vertices, 4 triangles.
 
         Args:
@@ -117,7 +127,9 @@ class MeshPrimitives(MeshMeasures):
         return cls._of(shapes.tetrahedron(*positive_lengths(radius=radius)), device, arrays, with_uvs=create_uv_map)
 
     @classmethod
-    def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None) -> Self:
+    def create_octahedron(
+        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+    ) -> Self:
         """Create an octahedron about the origin: 6 vertices, 8 triangles.
 
         Args:
@@ -132,7 +144,9 @@ class MeshPrimitives(MeshMeasures):
         return cls._of(shapes.octahedron(*positive_lengths(radius=radius)), device, arrays, with_uvs=create_uv_map)
 
     @classmethod
-    def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None) -> Self:
+    def create_icosahedron(
+        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+    ) -> Self:
         """Create an icosahedron about the origin: 12 vertices, 20 triangles.
 
         Args:
@@ -160,7 +174,13 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_sphere(
-        cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+        cls,
+        radius: float = 1.0,
+        resolution: int = 20,
+        create_uv_map: bool = False,
+        *,
+        device: Any = None,
+        arrays: str | None = None,
     ) -> Self:
         """Create a UV sphere about the origin.
 
@@ -504,7 +524,9 @@ class MeshPrimitives(MeshMeasures):
         return self._swept(rings, is_closed, bool(capping) and not is_closed)
 
     @classmethod
-    def from_polygon(cls, outline: ArrayLike, holes: Sequence[ArrayLike] = (), *, device: Any = None, arrays: str | None = None) -> Self:
+    def from_polygon(
+        cls, outline: ArrayLike, holes: Sequence[ArrayLike] = (), *, device: Any = None, arrays: str | None = None
+    ) -> Self:
         """Triangulate a flat polygon with holes.
 
         Args:
@@ -552,7 +574,15 @@ class MeshPrimitives(MeshMeasures):
         return cls._of(Shape(vertices, triangles, np.zeros((0, 2))), device, arrays)
 
     @classmethod
-    def revolve(cls, profile: ArrayLike, angle: float = 360.0, resolution: int = 64, *, device: Any = None, arrays: str | None = None) -> Self:
+    def revolve(
+        cls,
+        profile: ArrayLike,
+        angle: float = 360.0,
+        resolution: int = 64,
+        *,
+        device: Any = None,
+        arrays: str | None = None,
+    ) -> Self:
         """Create a surface of revolution about the z axis.
 
         Args:

@@ -90,7 +90,7 @@ def asnumpy(array: Any) -> NDArray[Any]:
 
     Notes:
         From a GPU, one copy after all queued work on the array, for which the host waits. Results of 1 MB and more use
-        page-locked memory that is kept for the next ones (docs/gpu.md, Host memory).
+        page-locked memory that is kept for the next ones (docs/arrays.md, Page-locked memory).
 
     Example:
         >>> import pointloom as loom

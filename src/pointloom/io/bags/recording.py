@@ -142,12 +142,7 @@ class Recording:
         raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
 
     def scans(
-        self,
-        topic: str | None = None,
-        *,
-        frame: str | None = None,
-        device: Any = None,
-        arrays: str | None = None,
+        self, topic: str | None = None, *, frame: str | None = None, device: Any = None, arrays: str | None = None
     ) -> Iterator[PointCloud]:
         """Iterate over the clouds of a PointCloud2 or Livox CustomMsg topic in time order.
 

@@ -49,9 +49,7 @@ class Stations:
     posed: NDArray[np.bool_]
 
 
-def read_stations(
-    path: str | os.PathLike[str], *, device: Any = "auto", arrays: str | None = None
-) -> Stations:
+def read_stations(path: str | os.PathLike[str], *, device: Any = "auto", arrays: str | None = None) -> Stations:
     """Read the scans of an E57 or PTX file in scanner coordinates, with their poses.
 
     `read_point_cloud` reads them as one cloud in world coordinates.
