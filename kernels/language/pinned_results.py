@@ -1,7 +1,7 @@
 """Page-locked host memory for NumPy results of GPUs, kept for the next ones.
 
-A GPU writes to it directly, 4 to 16 times as fast as to other memory (docs/arrays.md, Page-locked memory). A result lives in it:
-its memory returns here with the last NumPy array over it.
+A GPU writes to it directly, 4 to 16 times as fast as to other memory (docs/arrays.md, Page-locked memory). A result
+lives in it: its memory returns here with the last NumPy array over it.
 
 The memory is private and registered with CUDA, so a forked process gets a copy. CUDA's own page-locked memory would be
 shared with it, and the next result would overwrite the child's. Linux before 5.12 may give locked pages to the child,

@@ -10,13 +10,15 @@ from typing import Any
 import numpy as np
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Array, Device, Indices, Integers, Keys, Points, Scalars
+from ..array_types import Array, Device, Indices, Integers, Keys, Mask, Points, Scalars
 from ..arrays.atomic_changes import Changes, note_change
 from ..arrays.block_keys import block_key
 from ..arrays.bounds import bound_each
 from ..arrays.hash_table import HashTable, find_position, list_keys
 from ..arrays.select import number_rows_kernel, positions_of
 from ..lang import (
+    INFINITY,
+    NAN,
     array,
     float32,
     float64,
@@ -216,6 +218,28 @@ def look_up_box_kernel(low: vec3i, size: vec3i, blocks: OddsBlocks, out: array(d
 
 
 @kernel
+def name_states_kernel(values: array(dtype=float32), threshold: float, unknown: int, states: array(dtype=uint8)):
+    """State of each log odds: 1 occupied, 0 free, or `unknown`."""
+    i = tid()
+    value = values[i]
+    state = 0
+    if value >= threshold:
+        state = 1
+    if value > float(KNOWN_BELOW):
+        state = unknown
+    states[i] = uint8(state)
+
+
+@kernel
+def hide_unknown_kernel(values: array(dtype=float32), out: array(dtype=float32)):
+    i = tid()
+    value = values[i]
+    if value > float(KNOWN_BELOW):
+        value = float(NAN)
+    out[i] = value
+
+
+@kernel
 def mark_occupied_kernel(blocks: OddsBlocks, threshold: float, mask: array(dtype=uint8)):
     i = tid()
     value = blocks.odds[i]
@@ -248,10 +272,10 @@ def cast_rays_kernel(
     distances: array(dtype=float64),
     voxels: array(dtype=vec3i),
 ):
-    """First non-free voxel on each ray: 1 occupied, -1 unknown, 0 none. Distance and voxel."""
+    """First non-free voxel on each ray: 1 occupied, -1 unknown, 0 none. Distance (infinite if none) and voxel."""
     i = tid()
     state = int(0)
-    distance = float64(0.0)
+    distance = float64(INFINITY)
     met = vec3i(0, 0, 0)
     a = rays.starts[i]
     b = rays.ends[i]
@@ -272,6 +296,26 @@ def cast_rays_kernel(
 def look_up(points: Points, shift: tuple[float, float, float], blocks: OddsBlocks) -> Scalars:
     out = empty(points.size, float32, points.device)
     launch(look_up_kernel, points.size, [points, vec3d(*shift), blocks, out])
+    return out
+
+
+def find_states(values: Scalars, threshold: float) -> Mask:
+    """States of log odds: 1 occupied, 0 free, -1 unknown, as the bits of int8."""
+    states = empty(values.size, uint8, values.device)
+    launch(name_states_kernel, values.size, [values, threshold, 255, states])
+    return states
+
+
+def mask_occupied(values: Scalars, threshold: float) -> Mask:
+    mask = empty(values.size, uint8, values.device)
+    launch(name_states_kernel, values.size, [values, threshold, 0, mask])
+    return mask
+
+
+def hide_unknown(values: Scalars) -> Scalars:
+    """Log odds with NaN for unobserved voxels."""
+    out = empty(values.size, float32, values.device)
+    launch(hide_unknown_kernel, values.size, [values, out])
     return out
 
 

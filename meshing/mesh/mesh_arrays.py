@@ -30,6 +30,7 @@ from ...core.coordinates import origin_under
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.escaped_text import escaped
+from ...core.exchange import on_host
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
@@ -248,7 +249,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         self._arrays[name] = given
 
     def _assign_uvs(self, values: Any) -> None:
-        rows, count = check_rows("triangle_uvs", values, 2, dtype=np.float32), 3 * len(self)
+        rows, count = check_rows("triangle_uvs", on_host("triangle_uvs", values), 2, dtype=np.float32), 3 * len(self)
         if len(rows) != count:
             raise ValueError(
                 f"triangle_uvs: expected shape [{count}, 2], three rows per triangle, got {list(rows.shape)}"
@@ -256,7 +257,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         self._arrays["triangle_uvs"] = upload(rows, vec2, self._device)
 
     def _assign_material_ids(self, values: Any) -> None:
-        ids = check_numeric("triangle_material_ids", values)
+        ids = check_numeric("triangle_material_ids", on_host("triangle_material_ids", values))
         if ids.size and ids.dtype.kind not in "iu":
             raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
         if ids.shape != (len(self),):

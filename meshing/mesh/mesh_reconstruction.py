@@ -11,6 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
+from ...core.array_libraries import hand_out_host, library_for
 from ...core.checks import (
     check_count,
     check_finite,
@@ -20,10 +21,12 @@ from ...core.checks import (
     check_positive,
     check_progress,
     check_shape,
+    is_on_gpu,
     shown,
 )
 from ...core.coordinates import choose_origin
 from ...core.devices import check_same_device, resolve_device
+from ...core.gpu_arrays import take_numbers
 from ...core.units import common_unit, warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.array_types import Indices
@@ -329,7 +332,10 @@ class MeshReconstruction(MeshMeasures):
             mesh = cls._over_points(cloud, triangles, mask, offsets, count)
             if not triangles.size:
                 empty_sizes.append(size)
-            results.append((mesh, tetrahedra, _used_rows(mask, offsets, count)) if return_tetrahedra else mesh)
+            if return_tetrahedra:
+                parts = tetrahedra, _used_rows(mask, offsets, count)
+                mesh = (mesh, *(hand_out_host(part, cloud.array_library, cloud.device) for part in parts))
+            results.append(mesh)
         flat = _flat_reason(tree.count, unique._device_arrays["points"]) if empty_sizes else None
         if flat is not None:
             warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)

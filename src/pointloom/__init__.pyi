@@ -21,13 +21,13 @@ from .cameras.trajectory import write_trajectory as write_trajectory
 from .cameras.undistortion import Undistortion as Undistortion
 from .cameras.undistortion import undistort_picture as undistort_picture
 from .core.device_memory import free_memory as free_memory
-from .core.exchange import asnumpy as asnumpy
 from .core.dropped_results import DroppedResultWarning as DroppedResultWarning
 from .core.errors import CameraError as CameraError
 from .core.errors import DatasetError as DatasetError
 from .core.errors import DeviceError as DeviceError
 from .core.errors import FileError as FileError
 from .core.errors import PointloomError as PointloomError
+from .core.exchange import asnumpy as asnumpy
 from .core.threads import get_num_threads as get_num_threads
 from .core.threads import set_num_threads as set_num_threads
 from .core.units import LengthUnit as LengthUnit

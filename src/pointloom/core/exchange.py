@@ -17,8 +17,9 @@ from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock
 from ..kernels.language.streams import wait_for
 from ..kernels.memory import contiguous, download, empty
-from .array_libraries import library_of
+from .array_libraries import NUMPY, form_of, library_of
 from .checks import is_on_gpu, unreadable
+from .devices import resolve_device
 from .errors import DeviceError
 
 _COPY = "use PointCloud(...) to copy it"
@@ -112,6 +113,19 @@ def asnumpy(array: Any) -> NDArray[Any]:
     if host.dtype.kind not in "biufc":
         raise TypeError(f"array: expected numbers, got {unreadable(array) or type(array).__name__}")
     return host
+
+
+def hand_back(result: NDArray[Any], argument: Any) -> Any:
+    """A result of work on the host in the form of an argument: an array of its library, on its device."""
+    form = form_of(argument)
+    if form.library == NUMPY:
+        return result
+    return form.hand_out_host(result, resolve_device("cpu") if form.on_host else share("array", argument).device)
+
+
+def on_host(name: str, values: Any) -> Any:
+    """An argument of work on the host: arrays on a GPU are downloaded (sync), others are unchanged."""
+    return download(contiguous(share(name, values))) if is_on_gpu(values) else values
 
 
 def _shared(name: str, source: Any) -> wp.array:
