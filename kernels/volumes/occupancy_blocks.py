@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Array, Device, Indices, Integers, Keys, Mask, Points, Scalars
+from ..array_types import Array, Device, Indices, Integers, Keys, Mask, Points, Positions, Scalars
 from ..arrays.atomic_changes import Changes, note_change
 from ..arrays.block_keys import block_key
 from ..arrays.bounds import bound_each
@@ -29,6 +29,7 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    sqrt,
     struct,
     tid,
     uint8,
@@ -53,6 +54,7 @@ UNKNOWN = 1.0e9  # log odds of unobserved voxels. Observed ones are clamped far 
 KNOWN_BELOW = 1.0e8
 FIRST_CAPACITY = 256
 MAX_CELLS = 1 << 26  # blocks in the box of a scan: 64 MB of flags
+LARGEST_COMPONENT = 1.0e100  # of a direction: squares of larger ones overflow
 OUTERMOST = 2.0**22  # [voxels] from the grid's origin: half the range of block keys
 
 
@@ -264,6 +266,39 @@ def write_centers_kernel(voxels: array(dtype=vec3i), lattice: Lattice, out: arra
 
 
 @kernel
+def prepare_queries_kernel(
+    origins: array(dtype=vec3d),
+    directions: array(dtype=vec3d),
+    origin: vec3d,
+    length: float64,
+    limit: float64,
+    starts: array(dtype=vec3),
+    ends: array(dtype=vec3),
+    faults: array(dtype=int32),
+):
+    """Ends of rays about the grid's origin, as of NumPy. One origin, or one per ray. `faults`: 1 if a direction is not
+    finite, is zero, or a ray leaves the range. Marks are the same in any order."""
+    i = tid()
+    d = directions[i]
+    size = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+    a = origins[min(i, origins.shape[0] - 1)] - origin
+    b = vec3d(a[0] + d[0] / size * length, a[1] + d[1] / size * length, a[2] + d[2] / size * length)
+    largest = max(max(abs(d[0]), max(abs(d[1]), abs(d[2]))), float64(0.0))
+    if not isfinite(d) or largest > float64(LARGEST_COMPONENT):
+        faults[0] = 1
+    elif not size > float64(0.0):
+        faults[1] = 1
+    elif not isfinite(a) or not isfinite(b):
+        faults[2] = 1
+    else:
+        farthest = max(max(abs(a[0]), max(abs(a[1]), abs(a[2]))), max(abs(b[0]), max(abs(b[1]), abs(b[2]))))
+        if not farthest < limit:
+            faults[2] = 1
+    starts[i] = narrow(a)
+    ends[i] = narrow(b)
+
+
+@kernel
 def cast_rays_kernel(
     rays: ScanRays,
     threshold: float,
@@ -340,6 +375,17 @@ def voxel_centers(voxels: Array, lattice: Lattice) -> Points:
     out = empty(voxels.size, vec3, voxels.device)
     launch(write_centers_kernel, voxels.size, [voxels, lattice, out])
     return out
+
+
+def prepare_queries(
+    origins: Positions, directions: Positions, origin: tuple[float, float, float], length: float, limit: float
+) -> tuple[Points, Points, Any]:
+    """(starts, ends, faults) of rays about the grid's origin, see `prepare_queries_kernel`. One sync."""
+    count, device = directions.size, directions.device
+    starts, ends, faults = empty(count, vec3, device), empty(count, vec3, device), zeros(3, int32, device)
+    given = [origins, directions, vec3d(*origin), float64(length), float64(limit)]
+    launch(prepare_queries_kernel, count, [*given, starts, ends, faults])
+    return starts, ends, download(faults)  # sync
 
 
 def cast_rays(starts: Points, ends: Points, threshold: float, blocks: OddsBlocks) -> tuple[Integers, Any, Array]:

@@ -9,16 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.array_libraries import Form, form_of, view_as
+from ...core.array_libraries import Form, form_of
 from ...core.checks import RIGID_TOLERANCE, check_finite, check_numeric, check_rigid, check_rows, is_on_gpu
 from ...core.devices import check_same_device
 from ...core.exchange import on_host
-from ...core.gpu_arrays import take_numbers, take_rows
+from ...core.gpu_arrays import take_numbers, take_vectors_in_float64
 from ...kernels.array_types import Positions
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float64, mat44d, vec3d
 from ...kernels.linear_algebra import det, matmul
-from ...kernels.memory import cast, download, upload
+from ...kernels.memory import download, upload
 from ...kernels.volumes import distance_queries as queries
 from ...kernels.volumes.distance_queries import HALF_DIAGONAL, DistanceGrid
 from ...pcd.cloud import PointCloud
@@ -212,9 +212,7 @@ class FieldQueries:
             positions = add_origin(points._device_array("points"), points.origin)
             return positions, Form(points.array_library, points.device.is_cpu)
         if is_on_gpu(points):
-            rows = take_rows(name, points, 3, self.device)
-            float64_rows = rows if rows.dtype == float64 else cast(rows, float64)
-            return view_as(float64_rows, vec3d, (rows.shape[0],)), form_of(points)
+            return take_vectors_in_float64(name, points, self.device), form_of(points)
         rows = check_rows(name, points, 3, dtype=np.float64)
         return upload(rows, vec3d, self.device), form_of(points)
 

@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.array_libraries import NUMPY, Form, form_of, hand_out_host
+from ...core.array_libraries import NUMPY, Form, form_of, hand_out_host, view_as
 from ...core.checks import check_finite, check_positive, check_rows, is_on_gpu
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
 from ...core.exchange import on_host
-from ...core.gpu_arrays import take_rows
+from ...core.gpu_arrays import take_numbers, take_rows, take_vectors_in_float64
 from ...core.serialized import Serialized
-from ...kernels.array_types import Cells, Scalars
-from ...kernels.lang import vec3
+from ...kernels.array_types import Cells, Points, Scalars
+from ...kernels.lang import vec3, vec3d
 from ...kernels.memory import check_room, download, upload
 from ...kernels.volumes import occupancy_blocks as odds
 from ...kernels.volumes.occupancy_blocks import KNOWN_BELOW, OUTERMOST, OddsBlocks
@@ -27,6 +27,9 @@ from ..mesh.voxel_grid import VoxelGrid
 from .voxel_boxes import Corners, check_positions, voxels_in_bounds, voxels_of_blocks
 
 THRESHOLD = 0.0  # log odds of probability 0.5
+_WILD_DIRECTION = "directions: expected finite numbers up to 1e+100, got others"
+_ZERO_DIRECTION = "directions: expected nonzero vectors, got some of length 0"
+_FAR_RAY = "origins, max_range: rays extend more than 2^22 voxels from the grid's origin"
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,21 +131,43 @@ class OccupancyQuestions(Serialized):
             >>> hits.states.tolist(), hits.distances.round(2).tolist()
             ([1, -1], [1.75, 0.25])
         """
-        form = form_of(origins if is_on_gpu(origins) else directions)
-        origins, directions = on_host("origins", origins), on_host("directions", directions)
-        vectors = check_finite("directions", check_rows("directions", directions, 3, dtype=np.float64))
-        lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-        if not (lengths > 0).all():
-            raise ValueError("directions: expected nonzero vectors, got some of length 0")
         length = check_positive("max_range", max_range)
-        start_points = np.broadcast_to(check_positions("origins", origins, len(vectors)), vectors.shape) - self.origin
-        ends = start_points + vectors / lengths * length
-        if not max(np.abs(start_points).max(initial=0), np.abs(ends).max(initial=0)) < OUTERMOST * self.voxel_size:
-            raise ValueError("origins, max_range: rays extend more than 2^22 voxels from the grid's origin")
-        starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (start_points, ends))
+        starts, stops = (self._device_rays if is_on_gpu(directions) else self._host_rays)(origins, directions, length)
+        form = form_of(directions)
         self._blocks.count  # noqa: B018  what was interrupted is settled
         states, distances, voxels = odds.cast_rays(starts, stops, THRESHOLD, self._blocks)
         return RayHits(form.hand_out(states, dtype=np.int8), form.hand_out(distances), form.hand_out(voxels))
+
+    def _host_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
+        vectors = check_finite("directions", check_rows("directions", directions, 3, dtype=np.float64))
+        origins = on_host("origins", origins)
+        lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+        if not (lengths > 0).all():
+            raise ValueError(_ZERO_DIRECTION)
+        start_points = np.broadcast_to(check_positions("origins", origins, len(vectors)), vectors.shape) - self.origin
+        ends = start_points + vectors / lengths * length
+        if not max(np.abs(start_points).max(initial=0), np.abs(ends).max(initial=0)) < OUTERMOST * self.voxel_size:
+            raise ValueError(_FAR_RAY)
+        starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (start_points, ends))
+        return starts, stops
+
+    def _device_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
+        vectors = take_vectors_in_float64("directions", directions, self.device)
+        if is_on_gpu(origins):
+            given = take_numbers("origins", origins, self.device)
+            given = view_as(given, given.dtype, (1, 3)) if tuple(given.shape) == (3,) else given
+            starts = take_vectors_in_float64("origins", given, self.device)
+            if starts.size not in (1, vectors.size):
+                expected = f"[3], or [{vectors.size}, 3], one row per point"
+                raise ValueError(f"origins: expected shape {expected}, got [{starts.size}, 3]")
+        else:
+            starts = upload(check_positions("origins", origins, vectors.size), vec3d, self.device)
+        x, y, z = self.origin.tolist()
+        *ends, faults = odds.prepare_queries(starts, vectors, (x, y, z), length, OUTERMOST * self.voxel_size)  # sync
+        for is_wrong, message in zip(faults, (_WILD_DIRECTION, _ZERO_DIRECTION, _FAR_RAY), strict=True):
+            if is_wrong:
+                raise ValueError(message)
+        return ends[0], ends[1]
 
     def voxel_indices(self) -> NDArray[np.int32]:
         """Occupied voxels, int32 (k, 3), sorted by x, y, z on the host. Voxel i starts at `origin + i * voxel_size`."""
