@@ -198,3 +198,20 @@ print(json.dumps(found))
 def test_a_forked_process_has_copies_and_the_parent_locks_new_memory(emulated):
     report = run("-c", START + FORK, POINTLOOM_CPU="warp")
     assert report == {"child": [1.0, 1.0, 0, 0], "status": 0, "size": 1 << 20, "same": [4.0, 4.0], "locked": 1 << 20}
+
+
+@pytest.mark.parametrize(
+    "read",
+    [
+        lambda cloud: cloud.normals,
+        lambda cloud: cloud["label"],
+        lambda cloud: cloud.compute_nearest_neighbor_distance(),
+        lambda cloud: loom.NearestNeighborSearch(cloud).knn_search(cloud, 2).indices,
+    ],
+)
+def test_arrays_of_a_cloud_are_not_copied_again(emulated, pool, rng, read):
+    points = rng.random((1 << 18, 3)).astype(np.float32)
+    cloud = loom.PointCloud(points, normals=points, label=np.arange(1 << 18), device="cuda:0")
+    values = read(cloud)
+    starts = emulated.allocations.pinned.items()
+    assert any(start <= address_of(values) < start + size for start, (size, _) in starts)

@@ -76,6 +76,11 @@ def hand_out(
         return _import(library).from_dlpack(array)
 
 
+def owned(array: wp.array) -> np.ndarray:
+    """A NumPy copy of a device array (sync). A GPU's is the download itself."""
+    return download(array) if array.device.is_cuda else download(array).copy()
+
+
 def _formed(values: np.ndarray, axes: int, dtype: DTypeLike | None, shape: tuple[int, ...] | None) -> np.ndarray:
     """Values as in `hand_out`; `axes` is the number of replaced axes."""
     if dtype is not None and values.dtype != dtype:
