@@ -224,9 +224,9 @@ def name_states_kernel(values: array(dtype=float32), threshold: float, unknown: 
     """State of each log odds: 1 occupied, 0 free, or `unknown`."""
     i = tid()
     value = values[i]
-    state = 0
-    if value >= threshold:
-        state = 1
+    state = 1
+    if value < threshold:
+        state = 0
     if value > float(KNOWN_BELOW):
         state = unknown
     states[i] = uint8(state)
