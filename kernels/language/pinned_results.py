@@ -151,10 +151,11 @@ pool = Pool()
 def fill_pinned(
     shape: tuple[int, ...], scalar: np.dtype, device: Any, fill: Callable[[int, int], None]
 ) -> NDArray[Any] | None:
-    """A NumPy array in page-locked memory. `fill(address, bytes)` lets the device write to it and waits. None for a
-    small array, or if there is no such memory. Take the lock."""
+    """A NumPy array in page-locked memory. `fill(address, bytes)` lets the device write to it and waits. None if there
+    is no such memory. Take the lock."""
     size = math.prod(shape) * scalar.itemsize
-    if size < SMALLEST or (buffer := pool.take(size, device.context_guard)) is None:
+    buffer = pool.take(size, device.context_guard)
+    if buffer is None:
         return None
     try:
         fill(buffer.address, size)

@@ -11,7 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.array_libraries import hand_out_host, library_for
+from ...core.array_libraries import hand_out, library_for
 from ...core.checks import (
     check_count,
     check_finite,
@@ -39,7 +39,7 @@ from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import int32, launch, vec3i
 from ...kernels.language.device_lock import lock
 from ...kernels.linear_algebra import eigvalsh
-from ...kernels.memory import cast, contiguous, download, empty, upload
+from ...kernels.memory import cast, clone, contiguous, empty, upload
 from ...kernels.meshes.mesh_edits import flip_triangles, keep_counted, list_rows_kernel, mark_referenced
 from ...kernels.reconstruction.alpha_faces import TOGETHER, find_alpha_shapes
 from ...kernels.reconstruction.ball_surface import RollingBall, count_around
@@ -333,8 +333,9 @@ class MeshReconstruction(MeshMeasures):
             if not triangles.size:
                 empty_sizes.append(size)
             if return_tetrahedra:
-                parts = tetrahedra, _used_rows(mask, offsets, count)
-                mesh = (mesh, *(hand_out_host(part, cloud.array_library, cloud.device) for part in parts))
+                own = tetrahedra if chosen.count(size) == 1 else clone(tetrahedra)
+                parts = own, _used_rows(mask, offsets, count)
+                mesh = (mesh, *(hand_out(part, cloud.array_library) for part in parts))
             results.append(mesh)
         flat = _flat_reason(tree.count, unique._device_arrays["points"]) if empty_sizes else None
         if flat is not None:
@@ -559,10 +560,10 @@ def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array,
             yield mask, offsets, total
 
 
-def _used_rows(used: wp.array, offsets: wp.array, count: int) -> NDArray[np.int32]:
+def _used_rows(used: wp.array, offsets: wp.array, count: int) -> Indices:
     rows = empty(count, int32, used.device)
     launch(list_rows_kernel, used.size, [used, offsets, rows])
-    return download(rows).copy()  # sync
+    return rows
 
 
 def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
@@ -586,18 +587,14 @@ def _choose_alpha(tree: Any, points: wp.array) -> float:
 
 def _find_shapes(
     tree: Any, rows: wp.array, owners: int, alphas: list[float], with_tetrahedra: bool
-) -> list[tuple[wp.array, NDArray[np.int32] | None]]:
+) -> list[tuple[wp.array, Any]]:
     """Triangles and tetrahedra for each alpha, as rows of the cloud."""
     ascending = sorted(set(alphas))
     if tree.count < 4:
-        none = np.zeros((0, 4), np.int32) if with_tetrahedra else None
+        none = empty((0, 4), int32, tree.device) if with_tetrahedra else None
         return [(empty(0, vec3i, tree.device), none) for _ in alphas]
     indices = gather_rows(rows, tree.order[: tree.count])
-    surfaces = find_alpha_shapes(tree, indices, owners, ascending, with_tetrahedra)
-    shapes = [
-        (triangles, None if corners is None else download(corners).reshape(-1, 4).copy())
-        for triangles, corners in surfaces
-    ]
+    shapes = find_alpha_shapes(tree, indices, owners, ascending, with_tetrahedra)
     return [shapes[ascending.index(alpha)] for alpha in alphas]
 
 
