@@ -509,6 +509,20 @@ def test_arguments_may_be_arrays_on_the_device(scenes, name):
     np.testing.assert_array_equal(theirs, ours, strict=True)
 
 
+@pytest.mark.parametrize(
+    ("origin", "direction", "message"),
+    [
+        ([0, 0, 2], [0, np.nan, 0], "directions: expected finite"),
+        ([0, 0, 2], [0, 0, 0], "directions: expected nonzero"),
+        ([0, 0, 1e9], [0, 0, 1], "origins, max_range: rays extend"),
+        ([[0, 0, 1], [0, 0, 1]], [0, 0, 1], r"origins: expected shape \[3\], or \[1, 3\]"),
+    ],
+)
+def test_invalid_rays_are_rejected_in_every_library(library, scenes, origin, direction, message):
+    with pytest.raises(ValueError, match=message):
+        scenes[0].grid.cast_rays(library.make(np.float32(origin)), library.make(np.float32([direction])), 3.0)
+
+
 def test_pickled_grids_and_fields_keep_the_library(library, scenes):
     grid, field = (pickle.loads(pickle.dumps(each)) for each in (scenes[0].grid, scenes[0].field))
     assert grid.array_library == field.array_library == library.name
