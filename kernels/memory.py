@@ -19,6 +19,7 @@ from .language import device_arrays, device_copies, pools
 from .language.casts import cast_into
 from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import lock_for, own, why_no_cuda_here
+from .language.pinned_results import release_pinned
 
 POOL_SHARE = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
 _pools: set[str] = set()  # GPUs whose pool keeps memory, by name
@@ -35,7 +36,7 @@ def _keep_pool(device: Device) -> None:
         wp.set_mempool_release_threshold(device, POOL_SHARE)
 
 
-on_give_back: list[Callable[[], None]] = []  # callbacks that release arrays kept for the next call
+on_give_back: list[Callable[[], None]] = [release_pinned]  # callbacks that release arrays kept for the next call
 
 
 def give_back(device: Device) -> int:

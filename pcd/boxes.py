@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape
 from ..core.coordinates import finite_box
 from ..core.dropped_results import returns_new
+from ..core.exchange import on_host
 from ..core.wording import rounded
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
 from ..kernels.linear_algebra import matmul
@@ -57,7 +58,7 @@ class AxisAlignedBoundingBox(BoundingBox):
     @classmethod
     def create_from_points(cls, points: ArrayLike) -> AxisAlignedBoundingBox:
         """Box of the finite points of an array (n, 3). At zero if there are none."""
-        return cls(*finite_box(check_rows("points", points, 3, dtype=np.float64)))
+        return cls(*finite_box(check_rows("points", on_host("points", points), 3, dtype=np.float64)))
 
     @property
     def min_bound(self) -> NDArray[np.float64]:
@@ -358,7 +359,7 @@ class OrientedBoundingBox(BoundingBox):
 
 def _centered(points: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Finite points about the center of their box, and that center."""
-    positions = check_rows("points", points, 3, dtype=np.float64)
+    positions = check_rows("points", on_host("points", points), 3, dtype=np.float64)
     positions = positions[np.isfinite(positions).all(axis=1)]
     if not len(positions):
         raise ValueError("points: expected at least one finite point, got none")

@@ -9,8 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.argument_errors import explain_argument_errors
+from ..core.array_libraries import hand_out_host
 from ..core.checks import check_direction, check_finite, check_numeric, check_positive, check_rows
 from ..core.devices import check_same_device
+from ..core.exchange import asnumpy, hand_back, on_host
 from ..core.matched_counts import why_few_matched
 from ..core.reports import AssessedRecord, failed
 from ..core.units import common_unit
@@ -48,18 +50,21 @@ class M3C2Result(AssessedRecord):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks. Empty if the result is reliable."""
-        count, measured = len(self.distances), int(np.isfinite(self.distances).sum())
+        distances = asnumpy(self.distances)
+        count, measured = len(distances), int(np.isfinite(distances).sum())
         remedy = "use a larger max_distance or larger radii, and align both epochs"
         return failed(why_few_matched(measured, count, "core points have a distance", remedy))
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:
         """True where the distance exceeds the level of detection with at least 4 points per epoch, bool (n,)."""
+        distances, limits = asnumpy(self.distances), asnumpy(self.level_of_detection)
         with np.errstate(invalid="ignore"):
-            return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= MIN_POINTS)
+            changed = (np.abs(distances) > limits) & (asnumpy(self.counts).min(axis=1) >= MIN_POINTS)
+        return hand_back(changed, self.distances)
 
     def __repr__(self) -> str:
-        valid_count, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
+        valid_count, changed = int(np.isfinite(asnumpy(self.distances)).sum()), int(asnumpy(self.is_significant).sum())
         return f"M3C2Result({len(self.distances)} core points, {valid_count} with a distance, {changed} significant)"
 
 
@@ -135,10 +140,14 @@ def m3c2(
     changes = measure_changes(
         tree, _tree_about(second, first), core_positions, given, Cylinder(radius, half_length), error
     )
-    return _to_result(changes, given, which, radii)
+    results = _to_result(changes, given, which, radii)
+    return M3C2Result(*(hand_out_host(values, cores.array_library, first.device) for values in results))
 
 
-def _to_result(changes: Changes, directions: Vectors, which: Integers | None, radii: NDArray[np.float64]) -> M3C2Result:
+def _to_result(
+    changes: Changes, directions: Vectors, which: Integers | None, radii: NDArray[np.float64]
+) -> tuple[NDArray[Any], ...]:
+    """The arrays of a result, in its order."""
     arrays = [changes.distances, changes.limits, changes.first_spreads, changes.second_spreads]
     arrays += [changes.first_counts, changes.second_counts, directions]
     values = read_together(arrays if which is None else [*arrays, which])  # sync
@@ -147,7 +156,7 @@ def _to_result(changes: Changes, directions: Vectors, which: Integers | None, ra
     if which is not None:
         scales[values[7] >= 0] = radii[values[7][values[7] >= 0]]
     counts, rows = np.column_stack(values[4:6]), values[6].reshape(-1, 3)
-    return M3C2Result(distances, limits, rows, scales, np.column_stack(spreads), counts)
+    return distances, limits, rows, scales, np.column_stack(spreads), counts
 
 
 def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:
@@ -169,10 +178,10 @@ def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
 
 
 def _check_directions(directions: Any, count: int) -> NDArray[np.float32]:
-    values = check_numeric("directions", directions)
+    values = check_numeric("directions", on_host("directions", directions))
     if values.ndim == 1:
         return np.tile(check_direction("directions", values), (count, 1)).astype(np.float32)
-    rows = check_rows("directions", directions, 3, rows=count).astype(np.float64)
+    rows = check_rows("directions", values, 3, rows=count).astype(np.float64)
     lengths = np.linalg.norm(rows, axis=1, keepdims=True)
     with np.errstate(invalid="ignore", divide="ignore"):
         return (rows / lengths).astype(np.float32)

@@ -8,7 +8,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from ..core.argument_errors import explain_argument_errors
-from ..core.array_libraries import library_of
+from ..core.array_libraries import library_for
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
 from ..core.devices import resolve_device
 from ..core.units import LengthUnit, check_unit
@@ -38,11 +38,13 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         origin: Origin of the float32 coordinates [m], shape (3,). If None: chosen.
         unit: Unit of the coordinates, such as "foot". If None: unknown, treated as meters.
         frozen: Promise that `points` and `array("points")` are never written, see `from_dlpack`.
+        arrays: Library of returned arrays: "numpy", "warp", "torch", "cupy" or "jax". If None: that of the points.
         **attributes: Other arrays of shape (n,) or (n, c), such as intensity or label.
 
     Raises:
         ValueError: If a shape or length is wrong, colors are out of range, or the unit is unknown.
         TypeError, DeviceError: If an array is not numeric, or if the device does not exist.
+        ImportError: If the library of `arrays` is not installed.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -63,6 +65,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         origin: ArrayLike | None = None,
         unit: str | LengthUnit | None = None,
         frozen: bool = False,
+        arrays: str | None = None,
         **attributes: ArrayLike,
     ):
         if isinstance(points, PointCloud):
@@ -73,7 +76,12 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             )
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        self._arrays, self._library, self.grid, self._unit = {}, library_of(points), None, check_unit("unit", unit)
+        self._arrays, self._library, self.grid, self._unit = (
+            {},
+            library_for(arrays, points),
+            None,
+            check_unit("unit", unit),
+        )
         self._set_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
         if normals is not None:
             self._set("normals", normals)

@@ -13,7 +13,7 @@ from ..cameras.depth_doubts import warn_of_scale
 from ..cameras.depth_range import OPEN3D_DEPTH_MAX
 from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
 from ..core.argument_errors import explain_argument_errors
-from ..core.array_libraries import check_library, hand_out, library_of
+from ..core.array_libraries import check_library, hand_out, library_for, library_of
 from ..core.checks import check_count, check_finite, check_positive, check_rigid, check_shape
 from ..core.coordinates import origin_of_sensor, split_origin
 from ..core.devices import check_same_device, resolve_device
@@ -56,6 +56,7 @@ class Conversion(Selection):
         *,
         with_normals: bool = False,
         device: Any = None,
+        arrays: str | None = None,
     ) -> Self:
         """Create a cloud from a depth image, row by row.
 
@@ -71,17 +72,18 @@ class Conversion(Selection):
                 `create_normal_map`. Points without one are dropped, or get NaN if the grid is kept. Smooth the depth
                 first with `filter_depth_bilateral` or `pyrdown_depth`.
             device: Target device. If None: the depth's GPU, or the CPU.
+            arrays: Library of returned arrays, as of `to`. If None: that of the depth.
 
         Raises:
             ValueError: If shapes or sizes disagree, or the extrinsic is not rigid.
         """
-        where = device_for(depth, device)
+        where, library = device_for(depth, device), library_for(arrays, depth)
         metric, scale, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
         camera = check_intrinsic(intrinsic, width, height)
         times = 1.0 if depth_trunc >= IMPLAUSIBLE_DEPTH else OTHER_UNIT
         warn_of_scale(depth, scale, depth_trunc, times=times)
         cloud = cls._from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
-        cloud._library = library_of(depth)
+        cloud._library = library
         return cloud
 
     create_from_depth_image = create_from_depth_image
@@ -269,7 +271,7 @@ class Conversion(Selection):
         return cloud
 
     @classmethod
-    def from_open3d(cls, cloud: Any, *, device: Any = None) -> Self:
+    def from_open3d(cls, cloud: Any, *, device: Any = None, arrays: str | None = None) -> Self:
         """Copy an Open3D cloud, legacy (`open3d.geometry`) or tensor (`open3d.t.geometry`), with all attributes.
 
         Float64 positions keep their precision through the origin. Covariances become `covariances` of shape (n, 9).
@@ -278,15 +280,16 @@ class Conversion(Selection):
         Args:
             cloud: The Open3D cloud.
             device: Target device. If None: the tensor cloud's GPU, or the CPU.
+            arrays: Library of returned arrays, as of `to`. If None: "numpy".
 
         Raises:
             TypeError, ImportError: If `cloud` is not an Open3D cloud, or if Open3D is not installed.
             DeviceError: If the device does not exist.
         """
-        o3d = _import_open3d()
+        o3d, library = _import_open3d(), library_for(arrays)
         if isinstance(cloud, o3d.geometry.PointCloud):
-            arrays = {name: np.asarray(getattr(cloud, name)) for name in (*VECTORS, _COVARIANCES)}
-            present = {name: values for name, values in arrays.items() if len(values) or name == "points"}
+            given = {name: np.asarray(getattr(cloud, name)) for name in (*VECTORS, _COVARIANCES)}
+            present = {name: values for name, values in given.items() if len(values) or name == "points"}
         elif isinstance(cloud, o3d.t.geometry.PointCloud):
             present = {name: cloud.point[name].cpu().numpy() for name in cloud.point}
             present = {"points": present.pop("positions", np.empty((0, 3), np.float32)), **present}
@@ -295,7 +298,7 @@ class Conversion(Selection):
         else:
             raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
         local, origin = split_origin(present.pop("points"))
-        copied = cls._from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
+        copied = cls._from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin, library)
         for name, values in present.items():
             if name == "colors" and values.dtype == np.uint16:
                 values = values.astype(np.float32) / np.float32(65535)

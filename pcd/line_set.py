@@ -12,6 +12,7 @@ from ..cameras.camera import PinholeCameraIntrinsic
 from ..core.callable_bool import CallableBool
 from ..core.checks import check_count, check_positive, check_rigid, check_rows, check_shape, check_transformation
 from ..core.dropped_results import returns_new
+from ..core.exchange import on_host
 from ..core.html_tables import array_type, html_table
 from ..kernels.linear_algebra import inv, matmul
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
@@ -55,17 +56,17 @@ class LineSet(Movable):
     colors: Rows | None = None
 
     def __post_init__(self):
-        points = check_rows("points", self.points, 3, dtype=np.float64)
+        points = check_rows("points", on_host("points", self.points), 3, dtype=np.float64)
         missing = int((~np.isfinite(points)).any(axis=1).sum())
         if missing:
             raise ValueError(f"points: expected finite coordinates, got {missing} points without")
-        lines = check_rows("lines", self.lines, 2)
+        lines = check_rows("lines", on_host("lines", self.lines), 2)
         if lines.size and (lines.dtype.kind not in "iu" or lines.min() < 0 or lines.max() >= len(points)):
             raise ValueError(f"lines: expected indices of {len(points)} points, got {lines.min()} to {lines.max()}")
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "lines", lines.astype(np.int32))
         if self.colors is not None:
-            colors = check_rows("colors", self.colors, 3, rows=len(lines), dtype=np.float64)
+            colors = check_rows("colors", on_host("colors", self.colors), 3, rows=len(lines), dtype=np.float64)
             object.__setattr__(self, "colors", colors)
 
     @classmethod
@@ -119,7 +120,7 @@ class LineSet(Movable):
             >>> loom.LineSet.create_from_point_cloud_correspondences(first, second, [[1, 0]]).get_line_coordinate(0)
             (array([1., 0., 0.]), array([0., 0., 1.]))
         """
-        pairs = check_rows("correspondences", correspondences, 2).astype(np.int64)
+        pairs = check_rows("correspondences", on_host("correspondences", correspondences), 2).astype(np.int64)
         ends = []
         for name, cloud, indices in (("cloud0", cloud0, pairs[:, 0]), ("cloud1", cloud1, pairs[:, 1])):
             points = check_rows(f"{name}.points", getattr(cloud, "points", None), 3, dtype=np.float64)

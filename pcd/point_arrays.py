@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
+from ..core.array_libraries import NUMPY, check_library, hand_out, library_of, owned
 from ..core.attribute_hints import KnownNames
 from ..core.callable_bool import CallableBool
 from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
@@ -142,7 +142,7 @@ class PointArrays(InUnit, KnownNames):
         Raises:
             ValueError: If the cloud has none.
         """
-        return read_only(download(self._required_array("normals", "call cloud = cloud.estimate_normals()")).copy())
+        return read_only(owned(self._required_array("normals", "call cloud = cloud.estimate_normals()")))
 
     @normals.setter
     def normals(self, values: ArrayLike) -> None:
@@ -159,7 +159,7 @@ class PointArrays(InUnit, KnownNames):
         Raises:
             ValueError: If the cloud has none.
         """
-        return read_only(download(self._required_array("colors", "assign cloud.colors")).copy())
+        return read_only(owned(self._required_array("colors", "assign cloud.colors")))
 
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
@@ -178,7 +178,7 @@ class PointArrays(InUnit, KnownNames):
         """Attribute as NumPy array, including `points`, `normals` and `colors`."""
         if name in VECTORS:
             return getattr(self, name)
-        return read_only(download(self._required_array(name, f"the cloud has {', '.join(self._arrays)}")).copy())
+        return read_only(owned(self._required_array(name, f"the cloud has {', '.join(self._arrays)}")))
 
     __array_ufunc__ = None  # arithmetic of arrays with clouds raises an error, in either order
 
@@ -372,9 +372,10 @@ class PointArrays(InUnit, KnownNames):
         return upload(split_origin(self.points, origin)[0], vec3, self.device)
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to the cloud's array library. NumPy arrays own their memory."""
+        """Convert a result to the cloud's array library. NumPy arrays share no memory of the CPU's device arrays."""
         result = hand_out(array, self._library, dtype=dtype)
-        return result.copy() if self._library == NUMPY and not result.flags.owndata else result
+        is_shared = self._library == NUMPY and array.device.is_cpu and not result.flags.owndata
+        return result.copy() if is_shared else result
 
     def _set_points(
         self,

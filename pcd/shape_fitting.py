@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_finite, check_numeric, check_seed, shown
+from ..core.exchange import on_host
 from ..kernels.lang import float64
 from ..kernels.memory import download, upload
 from ..kernels.segmentation.shape_alternatives import COMPARED, FREE_SIZE
@@ -141,7 +142,7 @@ def _numbers(start: Shape, search: ShapeSearch, cloud: PointCloud) -> NDArray[np
 def _check_weights(weights: Any, count: int) -> NDArray[np.float64] | None:
     if weights is None:
         return None
-    given = check_finite("weights", np.asarray(check_numeric("weights", weights), np.float64))
+    given = check_finite("weights", np.asarray(check_numeric("weights", on_host("weights", weights)), np.float64))
     if given.shape != (count,):
         raise ValueError(f"weights: expected shape [{count}], one per point, got {list(given.shape)}")
     if (given < 0).any():

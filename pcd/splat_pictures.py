@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic
+from ..core.array_libraries import hand_out_host
 from ..core.checks import check_color, check_positive, check_rigid
 from ..kernels.drawing.z_buffer import View
 from ..kernels.linear_algebra import matmul, solve
@@ -130,4 +131,6 @@ class RasterizationMixin:
         color = download(surface.colors).reshape(*size, 3) + left[:, :, None] * ground
         depth, median = download(surface.depths).reshape(size), download(surface.medians).reshape(size)
         normals = download(surface.normals).reshape(*size, 3)
-        return SplatPicture(color, 1 - left, depth.copy(), median.copy(), normals.copy())
+        pictures = color, 1 - left, depth.copy(), median.copy(), normals.copy()
+        library = self.cloud.array_library
+        return SplatPicture(*(hand_out_host(each, library, self.cloud.device) for each in pictures))

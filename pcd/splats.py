@@ -9,6 +9,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.array_libraries import hand_out_host, library_for
 from ..core.checks import (
     check_list,
     check_numeric,
@@ -20,6 +21,8 @@ from ..core.checks import (
 )
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
+from ..core.exchange import on_host
+from ..core.gpu_arrays import device_for
 from ..core.quaternions import nearest_rotations
 from ..kernels.arrays.select import positions_of
 from ..kernels.linear_algebra import cube_root, det, matmul
@@ -51,7 +54,9 @@ class GaussianSplats(Movable, RasterizationMixin):
         opacities: 0 to 1, shape (n,).
         harmonics: Color coefficients, shape (n, K, 3) with K = 1, 4, 9, 16 or 25, or (n, 3) for degree 0. The color is
             0.5 plus their sum over the basis (pcd/harmonics.py).
-        device: "cpu" (default), "cuda:0" or "auto".
+        device: "cpu", "cuda:0" or "auto". If None: the GPU of the centers, or the CPU.
+        arrays: Library of returned arrays, as of `PointCloud`. If None: that of the centers. All arrays are checked and
+            converted on the host.
 
     Raises:
         ValueError, TypeError: If a shape or value is invalid or not finite, or if an array is not numeric.
@@ -73,18 +78,22 @@ class GaussianSplats(Movable, RasterizationMixin):
         harmonics: ArrayLike,
         *,
         device: Any = None,
+        arrays: str | None = None,
     ):
+        library, where = library_for(arrays, centers), device_for(centers, device)
+        given = {"centers": centers, "scales": scales, "rotations": rotations, "opacities": opacities}
+        centers, scales, rotations, opacities = (on_host(name, values) for name, values in given.items())
         middles = check_rows("centers", centers, 3, dtype=np.float64)
         _check_all("centers", np.isfinite(middles).all(axis=1), "three finite numbers")
         try:
-            cloud = PointCloud(middles, device=device)
+            cloud = PointCloud(middles, device=where, arrays=library)
         except ValueError as error:  # extent beyond float32
             raise ValueError(str(error).replace("points:", "centers:", 1)) from None
         count = len(cloud)
         sizes = check_rows("scales", scales, 3, rows=count, dtype=np.float64)
         quaternions = check_rows("rotations", rotations, 4, rows=count, dtype=np.float64)
         shares = check_shape("opacities", opacities, (count,))
-        colors = _coefficients(harmonics, count)
+        colors = _coefficients(on_host("harmonics", harmonics), count)
         _check_all("scales", (sizes > 0).all(axis=1) & np.isfinite(sizes).all(axis=1), "three finite numbers above 0")
         lengths = np.square(quaternions).sum(axis=1)
         _check_all("rotations", np.isfinite(lengths) & (lengths > 0), "a finite quaternion of a length above 0")
@@ -175,14 +184,15 @@ class GaussianSplats(Movable, RasterizationMixin):
         return read_only(np.concatenate([first, rest], axis=1))
 
     def covariances(self) -> NDArray[np.float64]:
-        """Covariances R S^2 R^T [m^2], float64 (n, 3, 3)."""
+        """Covariances R S^2 R^T [m^2], float64 (n, 3, 3), computed on the host."""
         axes = self._axes()
         axes = axes * np.exp(self._cloud["scale"].astype(np.float64))[:, None]
-        return matmul(axes, axes.transpose(0, 2, 1))
+        covariances = matmul(axes, axes.transpose(0, 2, 1))
+        return hand_out_host(covariances, self._cloud.array_library, self.device)
 
     def to_point_cloud(self) -> PointCloud:
         """Centers as a cloud with degree 0 colors, `opacity` (0 to 1), and the shortest axes as unsigned normals."""
-        cloud = PointCloud(self.centers, device=self.device)
+        cloud = PointCloud(self.centers, device=self.device, arrays=self._cloud.array_library)
         if not len(self):
             return cloud
         cloud.colors = np.clip(0.5 + FIRST * self._cloud["f_dc"].astype(np.float64), 0, 1)
@@ -274,13 +284,14 @@ class GaussianSplats(Movable, RasterizationMixin):
         return self._over(self._cloud.copy())
 
     @returns_new
-    def to(self, device: Any) -> Self:
-        """Copy to another device.
+    def to(self, device: Any, *, arrays: str | None = None) -> Self:
+        """Copy to another device, and choose the library of returned arrays, as `PointCloud.to`.
 
         Raises:
             DeviceError: If the device does not exist.
+            ValueError, ImportError: If the library is unknown or not installed.
         """
-        return self._over(self._cloud.to(device))
+        return self._over(self._cloud.to(device, arrays=arrays))
 
     def get_center(self) -> NDArray[np.float64]:
         """Mean of the centers [m], shape (3,)."""

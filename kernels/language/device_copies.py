@@ -6,6 +6,7 @@ Functions return False or None without any effect if Warp has to do it, such as 
 from __future__ import annotations
 
 import ctypes
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,9 @@ from numpy.typing import NDArray
 from . import warp_parts
 from .device_arrays import Kind, kind_of
 from .huge_pages import MAPPED, populate
+from .pinned_results import SMALLEST, fill_pinned
+
+_WAIT_FAILED = "Failed to synchronize stream on device"
 
 
 def _kind(values: Any) -> Kind:
@@ -87,16 +91,27 @@ def fetched(values: Any) -> NDArray[Any] | None:
     if not _is_plain(values) or device.captures or not values.size:
         return None
     kind = _kind(values)
-    out = np.empty((*values.shape, *kind.inner), kind.scalar)
-    core, stream = warp_parts.core(), device.stream.cuda_stream
-    address = out.__array_interface__["data"][0]
-    if out.nbytes >= MAPPED:
-        populate(address, out.nbytes)  # while the device works
-    done = core.wp_memcpy_d2h(device.context, address, values.ptr, out.nbytes, stream)
-    _checked(done, device)
-    if not core.wp_cuda_stream_synchronize(stream):  # sync
-        raise RuntimeError(f"Failed to synchronize stream on device {device}: {device.runtime.get_error_string()}")
+    shape, size = (*values.shape, *kind.inner), values.size * kind.element_bytes
+    out = fill_pinned(shape, kind.scalar, device, partial(_fill, values)) if size >= SMALLEST else None
+    if out is None:
+        out = np.empty(shape, kind.scalar)
+        address = out.__array_interface__["data"][0]
+        if size >= MAPPED:
+            populate(address, size)  # while the device works
+        core, stream = warp_parts.core(), device.stream.cuda_stream  # as _fill, whose call would take longer
+        _checked(core.wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
+        if not core.wp_cuda_stream_synchronize(stream):  # sync
+            raise RuntimeError(f"{_WAIT_FAILED} {device}: {device.runtime.get_error_string()}")
     return out
+
+
+def _fill(values: Any, address: int, size: int) -> None:
+    """Copy a GPU array to host memory (sync)."""
+    device = values.device
+    core, stream = warp_parts.core(), device.stream.cuda_stream
+    _checked(core.wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
+    if not core.wp_cuda_stream_synchronize(stream):  # sync
+        raise RuntimeError(f"{_WAIT_FAILED} {device}: {device.runtime.get_error_string()}")
 
 
 def is_scanned(counts: Any, sums: Any) -> bool:

@@ -10,13 +10,15 @@ from typing import Any
 import numpy as np
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Array, Device, Indices, Integers, Keys, Points, Scalars
+from ..array_types import Array, Device, Indices, Integers, Keys, Mask, Points, Positions, Scalars
 from ..arrays.atomic_changes import Changes, note_change
 from ..arrays.block_keys import block_key
 from ..arrays.bounds import bound_each
 from ..arrays.hash_table import HashTable, find_position, list_keys
 from ..arrays.select import number_rows_kernel, positions_of
 from ..lang import (
+    INFINITY,
+    NAN,
     array,
     float32,
     float64,
@@ -27,6 +29,7 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    sqrt,
     struct,
     tid,
     uint8,
@@ -51,6 +54,7 @@ UNKNOWN = 1.0e9  # log odds of unobserved voxels. Observed ones are clamped far 
 KNOWN_BELOW = 1.0e8
 FIRST_CAPACITY = 256
 MAX_CELLS = 1 << 26  # blocks in the box of a scan: 64 MB of flags
+LARGEST_COMPONENT = 1.0e100  # of a direction: squares of larger ones overflow
 OUTERMOST = 2.0**22  # [voxels] from the grid's origin: half the range of block keys
 
 
@@ -216,6 +220,28 @@ def look_up_box_kernel(low: vec3i, size: vec3i, blocks: OddsBlocks, out: array(d
 
 
 @kernel
+def name_states_kernel(values: array(dtype=float32), threshold: float, unknown: int, states: array(dtype=uint8)):
+    """State of each log odds: 1 occupied, 0 free, or `unknown`."""
+    i = tid()
+    value = values[i]
+    state = 1
+    if value < threshold:
+        state = 0
+    if value > float(KNOWN_BELOW):
+        state = unknown
+    states[i] = uint8(state)
+
+
+@kernel
+def hide_unknown_kernel(values: array(dtype=float32), out: array(dtype=float32)):
+    i = tid()
+    value = values[i]
+    if value > float(KNOWN_BELOW):
+        value = float(NAN)
+    out[i] = value
+
+
+@kernel
 def mark_occupied_kernel(blocks: OddsBlocks, threshold: float, mask: array(dtype=uint8)):
     i = tid()
     value = blocks.odds[i]
@@ -240,6 +266,39 @@ def write_centers_kernel(voxels: array(dtype=vec3i), lattice: Lattice, out: arra
 
 
 @kernel
+def prepare_queries_kernel(
+    origins: array(dtype=vec3d),
+    directions: array(dtype=vec3d),
+    origin: vec3d,
+    length: float64,
+    limit: float64,
+    starts: array(dtype=vec3),
+    ends: array(dtype=vec3),
+    faults: array(dtype=int32),
+):
+    """Ends of rays about the grid's origin, as of NumPy. One origin, or one per ray. `faults`: 1 if a direction is not
+    finite, is zero, or a ray leaves the range. Marks are the same in any order."""
+    i = tid()
+    d = directions[i]
+    size = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+    a = origins[min(i, origins.shape[0] - 1)] - origin
+    b = vec3d(a[0] + d[0] / size * length, a[1] + d[1] / size * length, a[2] + d[2] / size * length)
+    largest = max(max(abs(d[0]), max(abs(d[1]), abs(d[2]))), float64(0.0))
+    if not isfinite(d) or largest > float64(LARGEST_COMPONENT):
+        faults[0] = 1
+    elif not size > float64(0.0):
+        faults[1] = 1
+    elif not isfinite(a) or not isfinite(b):
+        faults[2] = 1
+    else:
+        farthest = max(max(abs(a[0]), max(abs(a[1]), abs(a[2]))), max(abs(b[0]), max(abs(b[1]), abs(b[2]))))
+        if not farthest < limit:
+            faults[2] = 1
+    starts[i] = narrow(a)
+    ends[i] = narrow(b)
+
+
+@kernel
 def cast_rays_kernel(
     rays: ScanRays,
     threshold: float,
@@ -248,10 +307,10 @@ def cast_rays_kernel(
     distances: array(dtype=float64),
     voxels: array(dtype=vec3i),
 ):
-    """First non-free voxel on each ray: 1 occupied, -1 unknown, 0 none. Distance and voxel."""
+    """First non-free voxel on each ray: 1 occupied, -1 unknown, 0 none. Distance (infinite if none) and voxel."""
     i = tid()
     state = int(0)
-    distance = float64(0.0)
+    distance = float64(INFINITY)
     met = vec3i(0, 0, 0)
     a = rays.starts[i]
     b = rays.ends[i]
@@ -272,6 +331,26 @@ def cast_rays_kernel(
 def look_up(points: Points, shift: tuple[float, float, float], blocks: OddsBlocks) -> Scalars:
     out = empty(points.size, float32, points.device)
     launch(look_up_kernel, points.size, [points, vec3d(*shift), blocks, out])
+    return out
+
+
+def find_states(values: Scalars, threshold: float) -> Mask:
+    """States of log odds: 1 occupied, 0 free, -1 unknown, as the bits of int8."""
+    states = empty(values.size, uint8, values.device)
+    launch(name_states_kernel, values.size, [values, threshold, 255, states])
+    return states
+
+
+def mask_occupied(values: Scalars, threshold: float) -> Mask:
+    mask = empty(values.size, uint8, values.device)
+    launch(name_states_kernel, values.size, [values, threshold, 0, mask])
+    return mask
+
+
+def hide_unknown(values: Scalars) -> Scalars:
+    """Log odds with NaN for unobserved voxels."""
+    out = empty(values.size, float32, values.device)
+    launch(hide_unknown_kernel, values.size, [values, out])
     return out
 
 
@@ -296,6 +375,17 @@ def voxel_centers(voxels: Array, lattice: Lattice) -> Points:
     out = empty(voxels.size, vec3, voxels.device)
     launch(write_centers_kernel, voxels.size, [voxels, lattice, out])
     return out
+
+
+def prepare_queries(
+    origins: Positions, directions: Positions, origin: tuple[float, float, float], length: float, limit: float
+) -> tuple[Points, Points, Any]:
+    """(starts, ends, faults) of rays about the grid's origin, see `prepare_queries_kernel`. One sync."""
+    count, device = directions.size, directions.device
+    starts, ends, faults = empty(count, vec3, device), empty(count, vec3, device), zeros(3, int32, device)
+    given = [origins, directions, vec3d(*origin), float64(length), float64(limit)]
+    launch(prepare_queries_kernel, count, [*given, starts, ends, faults])
+    return starts, ends, download(faults)  # sync
 
 
 def cast_rays(starts: Points, ends: Points, threshold: float, blocks: OddsBlocks) -> tuple[Integers, Any, Array]:

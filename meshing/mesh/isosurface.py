@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
-from ...core.array_libraries import library_of
+from ...core.array_libraries import library_for
 from .mesh import TriangleMesh
 from .mesh_reconstruction import extract_level
 
 
 def marching_cubes(
-    field: Any, level: float = 0.0, *, spacing: Any = (1.0, 1.0, 1.0), origin: Any = (0.0, 0.0, 0.0), device: Any = None
+    field: Any,
+    level: float = 0.0,
+    *,
+    spacing: Any = (1.0, 1.0, 1.0),
+    origin: Any = (0.0, 0.0, 0.0),
+    device: Any = None,
+    arrays: str | None = None,
 ) -> TriangleMesh:
     """Extract the isosurface of a sampled field.
 
@@ -25,6 +31,7 @@ def marching_cubes(
         spacing: Distance of samples along each axis [m], three positive numbers.
         origin: Position of sample (0, 0, 0) [m].
         device: Device for a host array (default "cpu"). A device array stays on its device.
+        arrays: Library of returned arrays, as of `TriangleMesh`. If None: that of the field.
 
     Returns:
         The mesh with shared vertices. Empty without a crossing. Triangles are counterclockwise from above the level, so
@@ -42,5 +49,6 @@ def marching_cubes(
         >>> ball.is_watertight()
         True
     """
+    library = library_for(arrays, field)
     vertices, triangles, mesh_origin = extract_level(field, level, spacing, origin, device)
-    return TriangleMesh._from_device_arrays(vertices, triangles, origin=mesh_origin, library=library_of(field))
+    return TriangleMesh._from_device_arrays(vertices, triangles, origin=mesh_origin, library=library)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.array_libraries import NUMPY, library_of
+from ...core.array_libraries import NUMPY, library_for, library_of
 from ...core.checks import check_rows, check_shape, is_on_gpu, shown
 from ...core.coordinates import split_origin, warn_if_coarse
 from ...core.devices import resolve_device
@@ -40,10 +40,12 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         vertex_attributes, triangle_attributes: Other values by name, any number type, one row per vertex or triangle.
         device: "cpu", "cuda:N" or "auto". If None: the vertices' GPU, or the CPU.
         origin: Stored origin (3,). If None: zero, or near the median of vertices that are far from zero.
+        arrays: Library of returned arrays: "numpy", "warp", "torch", "cupy" or "jax". If None: that of the vertices.
 
     Raises:
         TypeError: If an array is not numeric, or triangles are not integers.
         ValueError, DeviceError: If a shape or index is invalid, or if the device does not exist.
+        ImportError: If the library of `arrays` is not installed.
 
     Example:
         >>> mesh = TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -68,9 +70,10 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         triangle_attributes: Mapping[str, Any] | None = None,
         device: Any = None,
         origin: Any = None,
+        arrays: str | None = None,
     ):
         _refuse_path(vertices)
-        self._library = library_of(vertices)
+        self._library = library_for(arrays, vertices)
         anchor = None if origin is None else check_shape("origin", origin, (3,))
         if is_on_gpu(vertices):
             local, self._origin = take_points("vertices", vertices, anchor)
@@ -85,7 +88,7 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
             if anchor is None:
                 warn_if_coarse("vertices", positions, self._origin)
             self._device = resolve_device(device)
-            is_copied = self._library == NUMPY
+            is_copied = library_of(vertices) == NUMPY
             self._arrays = {
                 "vertices": upload(local, vec3, self._device, copied=is_copied),
                 "triangles": upload(table.triangles, vec3i, self._device, copied=is_copied),

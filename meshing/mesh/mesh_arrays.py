@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ...core.array_libraries import NUMPY, check_library, hand_out, library_of
+from ...core.array_libraries import NUMPY, check_library, hand_out, library_of, owned
 from ...core.attribute_hints import KnownNames
 from ...core.callable_bool import CallableBool
 from ...core.checks import (
@@ -30,6 +30,7 @@ from ...core.coordinates import origin_under
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.escaped_text import escaped
+from ...core.exchange import on_host
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
@@ -206,9 +207,10 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._library
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to the mesh's array library. NumPy arrays own their memory."""
+        """Convert a result to the mesh's array library. NumPy arrays share no memory of the CPU's device arrays."""
         result = hand_out(array, self._library, dtype=dtype)
-        return result.copy() if self._library == NUMPY and not result.flags.owndata else result
+        is_shared = self._library == NUMPY and array.device.is_cpu and not result.flags.owndata
+        return result.copy() if is_shared else result
 
     def _per_vertex(self) -> dict[str, Any]:
         return {name: values for name, values in self._arrays.items() if name in PER_VERTEX}
@@ -248,7 +250,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         self._arrays[name] = given
 
     def _assign_uvs(self, values: Any) -> None:
-        rows, count = check_rows("triangle_uvs", values, 2, dtype=np.float32), 3 * len(self)
+        rows, count = check_rows("triangle_uvs", on_host("triangle_uvs", values), 2, dtype=np.float32), 3 * len(self)
         if len(rows) != count:
             raise ValueError(
                 f"triangle_uvs: expected shape [{count}, 2], three rows per triangle, got {list(rows.shape)}"
@@ -256,7 +258,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         self._arrays["triangle_uvs"] = upload(rows, vec2, self._device)
 
     def _assign_material_ids(self, values: Any) -> None:
-        ids = check_numeric("triangle_material_ids", values)
+        ids = check_numeric("triangle_material_ids", on_host("triangle_material_ids", values))
         if ids.size and ids.dtype.kind not in "iu":
             raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
         if ids.shape != (len(self),):
@@ -305,7 +307,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
     @property
     def triangles(self) -> NDArray[np.int32]:
         """Vertex indices, int32 copy (t, 3); assignable. Texture coordinates or material ids fix the count."""
-        return read_only(download(self._arrays["triangles"]).reshape(-1, 3).copy())
+        return read_only(owned(self._arrays["triangles"]).reshape(-1, 3))
 
     @triangles.setter
     def triangles(self, values: Any) -> None:
@@ -358,7 +360,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
     def triangle_material_ids(self) -> NDArray[np.int32] | None:
         """Index into `textures` per triangle, int32 copy (t,), or None if all use the first."""
         ids = self._arrays.get("triangle_material_ids")
-        return None if ids is None else read_only(download(ids).copy())
+        return None if ids is None else read_only(owned(ids))
 
     @triangle_material_ids.setter
     def triangle_material_ids(self, values: Any) -> None:
@@ -391,7 +393,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return MeshAttributes(self._attributes["triangle_attributes"], len(self), self._device, "triangle", fields)
 
     def _read(self, name: str, width: int = 3) -> NDArray[np.float32] | None:
-        return read_only(download(self._arrays[name]).reshape(-1, width).copy()) if name in self._arrays else None
+        return read_only(owned(self._arrays[name]).reshape(-1, width)) if name in self._arrays else None
 
     def array(self, name: str) -> wp.array:
         """Get a device array by name without a copy (DLPack, `__cuda_array_interface__`).

@@ -8,12 +8,12 @@ from typing import Any
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.array_libraries import NUMPY, library_of
+from ...core.array_libraries import NUMPY, library_of, owned
 from ...core.checks import check_name, check_numeric, is_on_gpu, shown
 from ...core.escaped_text import escaped
 from ...core.gpu_arrays import take_column
 from ...kernels.arrays.select import gather_rows
-from ...kernels.memory import download, upload
+from ...kernels.memory import upload
 from ...pcd.point_arrays import read_only
 
 Arrays = dict[str, wp.array]
@@ -27,7 +27,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
         self._arrays, self._count, self._device, self._of, self._fields = arrays, count, device, of, fields
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        return read_only(download(self._arrays[name]).copy())
+        return read_only(owned(self._arrays[name]))
 
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if check_name("name", name) in self._fields:

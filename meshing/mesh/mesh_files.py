@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ...core.array_libraries import library_for
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.paths import path_of
@@ -18,7 +19,12 @@ from .mesh import TriangleMesh
 
 
 def read_triangle_mesh(
-    path: str | os.PathLike[str], *, device: Any = None, up: str = "y", outside_files: bool = False
+    path: str | os.PathLike[str],
+    *,
+    device: Any = None,
+    up: str = "y",
+    outside_files: bool = False,
+    arrays: str | None = None,
 ) -> TriangleMesh:
     """Read a triangle mesh. The extension determines the format.
 
@@ -28,6 +34,7 @@ def read_triangle_mesh(
         device: Target device, "cpu" by default.
         up: Up axis of a mesh from .glb or .gltf: "y" as in the file, or "z".
         outside_files: Read images and other files outside the file's own folder.
+        arrays: Library of returned arrays, as of `TriangleMesh`. If None: "numpy".
 
     Returns:
         The mesh with normals, colors, texture coordinates, other attributes, and one texture per used material (an
@@ -48,14 +55,16 @@ def read_triangle_mesh(
     suffix = path_of(path).suffix.lower()
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}")
-    where = resolve_device(device)
+    where, library = resolve_device(device), library_for(arrays)
     table = read_mesh(path, up=up, outside_files=outside_files)
-    mesh = mesh_of(table, path, device=where)
+    mesh = mesh_of(table, path, device=where, arrays=library)
     mesh.up = up if suffix in UPRIGHT else None
     return mesh
 
 
-def mesh_of(table: MeshTable, path: str | os.PathLike[str], *, device: Any = None) -> TriangleMesh:
+def mesh_of(
+    table: MeshTable, path: str | os.PathLike[str], *, device: Any = None, arrays: str | None = None
+) -> TriangleMesh:
     """Mesh of a table read from a file. FileError if vertices are too far apart for float32."""
     with content_errors(path):
         mesh = TriangleMesh(
@@ -69,6 +78,7 @@ def mesh_of(table: MeshTable, path: str | os.PathLike[str], *, device: Any = Non
             vertex_attributes=table.attributes,
             triangle_attributes=table.triangle_attributes,
             device=device,
+            arrays=arrays,
         )
     mesh.unit = table.unit
     return mesh

@@ -14,6 +14,7 @@ from ...core.array_libraries import view_as
 from ...core.checks import check_count, check_finite, check_numeric, check_positive, check_rows, check_seed, check_shape
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
+from ...core.exchange import asnumpy, on_host
 from ...core.units import common_unit
 from ...kernels.arrays.bounds import bound_points, box_of, find_extremes
 from ...kernels.arrays.concatenation import concatenate_rows
@@ -80,18 +81,19 @@ class MeshMeasures(MeshSelection):
 
     def compute_triangle_normals(self) -> NDArray[np.float32]:
         """Unit normals of triangles, right-hand rule, (t, 3); (0, 0, 1) without area, NaN if a corner is not finite."""
-        normals = mesh_measures.triangle_normals(self._arrays["vertices"], self._arrays["triangles"])
-        return download(normals).reshape(-1, 3)
+        return self._handed_out(mesh_measures.triangle_normals(self._arrays["vertices"], self._arrays["triangles"]))
 
     @property
     def triangle_normals(self) -> NDArray[np.float32]:
-        """Unit normals as `compute_triangle_normals`. Assignment accepts only these values, for compatibility."""
-        return read_only(self.compute_triangle_normals().copy())
+        """Unit normals as `compute_triangle_normals`, always NumPy. Assignment accepts only these values, for
+        compatibility.
+        """
+        return read_only(asnumpy(self.compute_triangle_normals()))
 
     @triangle_normals.setter
     def triangle_normals(self, values: ArrayLike) -> None:
-        given = check_rows("triangle_normals", values, 3, rows=len(self), dtype=np.float64)
-        if not np.allclose(given, self.compute_triangle_normals(), rtol=0, atol=SAME_NORMAL, equal_nan=True):
+        given = check_rows("triangle_normals", on_host("triangle_normals", values), 3, rows=len(self), dtype=np.float64)
+        if not np.allclose(given, self.triangle_normals, rtol=0, atol=SAME_NORMAL, equal_nan=True):
             raise ValueError(
                 "triangle_normals: expected the normals computed from the triangles, got others. "
                 "Call orient_triangles() to flip triangles, or set vertex_normals for shading"

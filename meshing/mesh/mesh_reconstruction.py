@@ -11,6 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
+from ...core.array_libraries import hand_out, library_for
 from ...core.checks import (
     check_count,
     check_finite,
@@ -20,10 +21,12 @@ from ...core.checks import (
     check_positive,
     check_progress,
     check_shape,
+    is_on_gpu,
     shown,
 )
 from ...core.coordinates import choose_origin
 from ...core.devices import check_same_device, resolve_device
+from ...core.gpu_arrays import take_numbers
 from ...core.units import common_unit, warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.array_types import Indices
@@ -36,7 +39,7 @@ from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import int32, launch, vec3i
 from ...kernels.language.device_lock import lock
 from ...kernels.linear_algebra import eigvalsh
-from ...kernels.memory import cast, contiguous, download, empty, upload
+from ...kernels.memory import cast, clone, contiguous, empty, upload
 from ...kernels.meshes.mesh_edits import flip_triangles, keep_counted, list_rows_kernel, mark_referenced
 from ...kernels.reconstruction.alpha_faces import TOGETHER, find_alpha_shapes
 from ...kernels.reconstruction.ball_surface import RollingBall, count_around
@@ -329,7 +332,11 @@ class MeshReconstruction(MeshMeasures):
             mesh = cls._over_points(cloud, triangles, mask, offsets, count)
             if not triangles.size:
                 empty_sizes.append(size)
-            results.append((mesh, tetrahedra, _used_rows(mask, offsets, count)) if return_tetrahedra else mesh)
+            if return_tetrahedra:
+                own = tetrahedra if chosen.count(size) == 1 else clone(tetrahedra)
+                parts = own, _used_rows(mask, offsets, count)
+                mesh = (mesh, *(hand_out(part, cloud.array_library) for part in parts))
+            results.append(mesh)
         flat = _flat_reason(tree.count, unique._device_arrays["points"]) if empty_sizes else None
         if flat is not None:
             warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)
@@ -360,7 +367,9 @@ class MeshReconstruction(MeshMeasures):
         return mesh
 
     @classmethod
-    def create_isosurfaces(cls, volume: ArrayLike, contour_values: ArrayLike = (0.0,), device: Any = None) -> Self:
+    def create_isosurfaces(
+        cls, volume: ArrayLike, contour_values: ArrayLike = (0.0,), device: Any = None, *, arrays: str | None = None
+    ) -> Self:
         """Extract isosurfaces of a sampled field for one or more values.
 
         `marching_cubes` does the same for one value, with a sample spacing and another axis order.
@@ -368,7 +377,8 @@ class MeshReconstruction(MeshMeasures):
         Args:
             volume: Values at grid points (x, y, z), shape (nz, ny, nx), at least 2 along each axis.
             contour_values: Values on the surfaces, as float32.
-            device: "cpu" (default), "cuda:N" or "auto".
+            device: "cpu" (default), "cuda:N" or "auto". A device array stays on its device.
+            arrays: Library of returned arrays, as of `TriangleMesh`. If None: that of the volume.
 
         Returns:
             The mesh in units of samples. Triangles are counterclockwise seen from lower values.
@@ -388,14 +398,15 @@ class MeshReconstruction(MeshMeasures):
             raise ValueError(f"contour_values: expected numbers, shape [k], got {shown(contour_values)}")
         if np.abs(levels).max() > _FLOAT_MAX:
             raise ValueError(f"contour_values: expected numbers within float32, got {shown(contour_values)}")
-        field = np.asarray(check_numeric("volume", volume)).T
+        library = library_for(arrays, volume)
+        field = take_numbers("volume", volume).transpose() if is_on_gpu(volume) else check_numeric("volume", volume).T
         if field.ndim != 3 or min(field.shape) < 2:
             shape = list(field.shape[::-1])
             raise ValueError(f"volume: expected shape [nz, ny, nx] with at least 2 along each axis, got {shape}")
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
-            parts.append(cls._from_device_arrays(vertices, flip_triangles(triangles), origin=origin))
+            parts.append(cls._from_device_arrays(vertices, flip_triangles(triangles), origin=origin, library=library))
         return cls.concatenate(parts)
 
 
@@ -549,10 +560,10 @@ def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array,
             yield mask, offsets, total
 
 
-def _used_rows(used: wp.array, offsets: wp.array, count: int) -> NDArray[np.int32]:
+def _used_rows(used: wp.array, offsets: wp.array, count: int) -> Indices:
     rows = empty(count, int32, used.device)
     launch(list_rows_kernel, used.size, [used, offsets, rows])
-    return download(rows).copy()  # sync
+    return rows
 
 
 def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
@@ -576,18 +587,14 @@ def _choose_alpha(tree: Any, points: wp.array) -> float:
 
 def _find_shapes(
     tree: Any, rows: wp.array, owners: int, alphas: list[float], with_tetrahedra: bool
-) -> list[tuple[wp.array, NDArray[np.int32] | None]]:
+) -> list[tuple[wp.array, Any]]:
     """Triangles and tetrahedra for each alpha, as rows of the cloud."""
     ascending = sorted(set(alphas))
     if tree.count < 4:
-        none = np.zeros((0, 4), np.int32) if with_tetrahedra else None
+        none = empty((0, 4), int32, tree.device) if with_tetrahedra else None
         return [(empty(0, vec3i, tree.device), none) for _ in alphas]
     indices = gather_rows(rows, tree.order[: tree.count])
-    surfaces = find_alpha_shapes(tree, indices, owners, ascending, with_tetrahedra)
-    shapes = [
-        (triangles, None if corners is None else download(corners).reshape(-1, 4).copy())
-        for triangles, corners in surfaces
-    ]
+    shapes = find_alpha_shapes(tree, indices, owners, ascending, with_tetrahedra)
     return [shapes[ascending.index(alpha)] for alpha in alphas]
 
 

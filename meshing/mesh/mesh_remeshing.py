@@ -21,6 +21,7 @@ from ...core.checks import (
     shown,
 )
 from ...core.dropped_results import returns_new
+from ...core.exchange import on_host
 from ...kernels.array_types import Integers
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
@@ -486,7 +487,8 @@ class MeshRemeshing(MeshMeasures):
         """
         count = self._arrays["vertices"].size
         fixed = check_vertices("constraint_vertex_indices", constraint_vertex_indices, count)
-        targets = check_rows("constraint_vertex_positions", constraint_vertex_positions, 3, dtype=np.float64)
+        positions = on_host("constraint_vertex_positions", constraint_vertex_positions)
+        targets = check_rows("constraint_vertex_positions", positions, 3, dtype=np.float64)
         if len(targets) != len(fixed):
             raise ValueError(
                 f"constraint_vertex_positions: expected shape [{len(fixed)}, 3], one row per constrained vertex, got "

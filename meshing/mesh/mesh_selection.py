@@ -24,6 +24,7 @@ from ...core.checks import (
     shown,
 )
 from ...core.dropped_results import returns_new
+from ...core.exchange import on_host
 from ...core.gpu_arrays import take_indices, take_mask
 from ...kernels.array_types import Mask
 from ...kernels.arrays.bounds import bound_points
@@ -511,7 +512,7 @@ class MeshSelection(MeshArrays):
             >>> left.vertices.tolist()
             [[4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]]
         """
-        values = check_numeric("vertex_values", vertex_values)
+        values = check_numeric("vertex_values", on_host("vertex_values", vertex_values))
         count = self._arrays["vertices"].size
         if values.shape != (count,):
             raise ValueError(

@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_numeric
+from ...core.exchange import on_host
 from ...kernels.memory import download
 
 
 def check_vertices(name: str, values: Any, count: int) -> NDArray[np.int32]:
     """Vertex indices as int32 (n,), n >= 1, each in 0..count-1."""
-    numbers = check_numeric(name, values)
+    numbers = check_numeric(name, on_host(name, values))
     if numbers.ndim != 1:
         raise ValueError(f"{name}: expected shape [n], got {list(numbers.shape)}")
     if not numbers.size:

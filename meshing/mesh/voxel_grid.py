@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_finite, check_rows, check_shape
 from ...core.devices import resolve_device
+from ...core.exchange import hand_back, on_host
 from ...kernels.memory import check_room
 from ...pcd.point_arrays import read_only
 
@@ -104,19 +105,19 @@ class VoxelGrid(HintedNames):
         return cell.astype(np.int64)
 
     def check_if_included(self, queries: ArrayLike) -> NDArray[np.bool_]:
-        """True where points [m], shape (n, 3), are in occupied voxels.
+        """True where points [m], shape (n, 3), are in occupied voxels, computed on the host.
 
         Raises:
             ValueError, TypeError: If the array has a wrong shape or is not numeric.
         """
-        cells = self._cells_of(check_rows("queries", queries, 3, dtype=np.float64))
+        cells = self._cells_of(check_rows("queries", on_host("queries", queries), 3, dtype=np.float64))
         with np.errstate(invalid="ignore"):
             inside = ((cells >= 0) & (cells < self.counts)).all(axis=1)
         included = np.zeros(len(cells), bool)
         occupied = np.ravel_multi_index(tuple(self.coordinates.T), self.counts)
         queried = np.ravel_multi_index(tuple(cells[inside].astype(np.int64).T), self.counts)
         included[inside] = np.isin(queried, occupied)
-        return included
+        return hand_back(included, queries)
 
     def _cells_of(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         with np.errstate(invalid="ignore", over="ignore"):

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.argument_errors import explain_argument_errors
+from ...core.array_libraries import hand_out_host
 from ...core.checks import check_positive
 from ...core.devices import check_same_device
+from ...core.exchange import asnumpy, hand_back
 from ...core.matched_counts import why_few_matched
 from ...core.reports import AssessedRecord, failed
 from ...core.units import common_unit
@@ -51,9 +54,10 @@ class CloudToMeshResult(AssessedRecord):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks. Empty if the result is reliable."""
-        count, measured = len(self.distances), int(np.isfinite(self.distances).sum())
+        distances, beside = asnumpy(self.distances), asnumpy(self.beside)
+        count, measured = len(distances), int(np.isfinite(distances).sum())
         remedy = f"use a larger max_distance, and {ALIGN}"
-        above = measured - int((np.isfinite(self.distances) & self.beside).sum())
+        above = measured - int((np.isfinite(distances) & beside).sum())
         inside, crop = "distances are not from the border of the mesh", f"crop both, and {ALIGN}"
         few = why_few_matched(measured, count, "points have a distance", remedy)
         return failed(few, why_few_matched(above, measured, inside, crop))
@@ -61,12 +65,13 @@ class CloudToMeshResult(AssessedRecord):
     @property
     def is_significant(self) -> NDArray[np.bool_]:
         """True where the distance exceeds the level of detection, not beside a border, with 4 points if averaged."""
-        enough = np.isnan(self.spreads).all() | (self.counts >= MIN_POINTS)
+        enough = np.isnan(asnumpy(self.spreads)).all() | (asnumpy(self.counts) >= MIN_POINTS)
         with np.errstate(invalid="ignore"):
-            return (np.abs(self.distances) > self.level_of_detection) & ~self.beside & enough
+            changed = np.abs(asnumpy(self.distances)) > asnumpy(self.level_of_detection)
+        return hand_back(changed & ~asnumpy(self.beside) & enough, self.distances)
 
     def __repr__(self) -> str:
-        measured, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
+        measured, changed = int(np.isfinite(asnumpy(self.distances)).sum()), int(asnumpy(self.is_significant).sum())
         return f"CloudToMeshResult({len(self.distances)} points, {measured} with a distance, {changed} significant)"
 
 
@@ -122,13 +127,17 @@ def cloud_to_mesh(
     distances, is_beside = signed.astype(np.float64), beside != 0
     with np.errstate(invalid="ignore"):
         distances[np.abs(distances) > limit] = np.nan
+
+    def made(*results: NDArray[Any]) -> CloudToMeshResult:
+        return CloudToMeshResult(*(hand_out_host(each, cloud.array_library, cloud.device) for each in results))
+
     if within is None:
         count, limits = len(distances), np.where(np.isnan(distances), np.nan, TWO_SIDED * error)
-        return CloudToMeshResult(distances, limits, np.full(count, np.nan), np.ones(count, np.int32), is_beside)
+        return made(distances, limits, np.full(count, np.nan), np.ones(count, np.int32), is_beside)
     spreads = spread_values(cloud.search_tree(), upload(distances, float64, cloud.device), within)
     means, deviations, counts = (
         download(values) for values in (spreads.means, spreads.deviations, spreads.counts)
     )  # sync
     with np.errstate(invalid="ignore", over="ignore"):
         limits = TWO_SIDED * (deviations / np.sqrt(np.maximum(counts, 1)) + error)
-    return CloudToMeshResult(means, limits, deviations, counts, is_beside)
+    return made(means, limits, deviations, counts, is_beside)

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.attribute_hints import KnownNames
-from ...core.checks import check_count, check_rigid, check_rows
+from ...core.checks import check_count, check_rigid, check_rows, is_on_gpu
 from ...core.coordinates import NEAR_ZERO
 from ...core.devices import check_same_device, resolve_device
+from ...core.gpu_arrays import take_rows
 from ...core.pickled_arrays import device_like, unpickling
 from ...core.serialized import Serialized
 from ...kernels.linear_algebra import matmul
@@ -115,7 +116,8 @@ class SceneGeometries(Serialized, KnownNames):
         else:
             if triangles is None:
                 raise TypeError(f"mesh: expected a TriangleMesh, or vertices and triangles, got {type(mesh).__name__}")
-            added = TriangleMesh(check_rows("mesh", mesh, 3), triangles, device=self._device)
+            vertices = take_rows("mesh", mesh, 3, self._device) if is_on_gpu(mesh) else check_rows("mesh", mesh, 3)
+            added = TriangleMesh(vertices, triangles, device=self._device)
         T = np.eye(4) if pose is None else check_rigid("pose", pose)
         if (wrong := find_wrong_corner(added)) is not None:
             message = f"mesh: {wrong}; such triangles are ignored, so distances and occupancy refer to an open surface"

@@ -10,17 +10,18 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.array_libraries import view_as
+from ...core.array_libraries import NUMPY, check_library, hand_out, library_of, view_as
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_finite, check_numeric, check_positive, check_rows, check_shape, is_on_gpu
 from ...core.devices import resolve_device
 from ...core.errors import values_of_file
+from ...core.exchange import on_host
 from ...core.gpu_arrays import device_for, take_numbers
 from ...core.pickled_arrays import device_like, unpickling
 from ...kernels.array_types import Cells, Mask
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import uint8, vec3i
-from ...kernels.memory import download, upload
+from ...kernels.memory import clone, download, upload
 from ...kernels.volumes.distance_blocks import find_distances, limits_for, limits_for_box
 from ...kernels.volumes.distance_cells import find_cells, find_set_cells
 from ...kernels.volumes.distance_queries import DistanceGrid
@@ -119,7 +120,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         x, y, z = (cloud.origin - start).tolist()
         source = FieldSource(start, edge, check_positive("max_distance", max_distance))
         try:
-            return cls._of(find_cells(points, (x, y, z), edge), source)
+            return cls._of(find_cells(points, (x, y, z), edge), source, cloud.array_library)
         except ValueError as error:
             raise ValueError(f"{error}{_extent(cloud)}") from None
 
@@ -166,7 +167,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         limit = None if max_distance is None else check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))
         source = FieldSource(corner, edge, limit, shape, bool(signed))
-        return cls._of(find_set_cells(mask, shape), source)
+        return cls._of(find_set_cells(mask, shape), source, library_of(occupied))
 
     @classmethod
     @explain_argument_errors
@@ -211,7 +212,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
             voxel_size: Edge of a voxel [m].
             max_distance: Maximum known distance [m], at most 16,383 voxels.
             origin: Lowest corner of voxel (0, 0, 0) [m], shape (3,).
-            device: "cpu" (default), "cuda:0" or "auto".
+            device: "cpu", "cuda:0" or "auto". If None: the array's GPU, or the CPU.
 
         Raises:
             TypeError, ValueError: If the coordinates are not integers, or if the shape is wrong, a size is not
@@ -224,14 +225,15 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
             >>> field.to_array([[-1, 0, 0], [6, 1, 1]], values="squared").ravel().tolist()
             [1, 0, 1, 4, 1, 0, 1]
         """
-        cells = check_rows("coordinates", coordinates, 3)
+        library, where = library_of(coordinates), device_for(coordinates, device)
+        cells = check_rows("coordinates", on_host("coordinates", coordinates), 3)
         if cells.dtype.kind not in "iu" and cells.size:
             raise TypeError(f"coordinates: expected whole numbers, got {cells.dtype}")
         if cells.size and not (cells.min() > -LARGEST and cells.max() < LARGEST):
             raise ValueError(f"coordinates: {cells.min()}..{cells.max()} exceed 30 bits")
         edge, limit = check_voxel_size(voxel_size), check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))
-        return cls._from_device_voxels(upload(cells, vec3i, resolve_device(device)), FieldSource(corner, edge, limit))
+        return cls._of(upload(cells, vec3i, where), FieldSource(corner, edge, limit), library)
 
     @classmethod
     @explain_argument_errors
@@ -258,15 +260,12 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
             raise TypeError(f"grid: expected an OccupancyGrid, got {type(grid).__name__}")
         limit = check_positive("max_distance", max_distance)
         with grid._lock:
-            return cls._from_device_voxels(grid._device_voxels(), FieldSource(grid.origin, grid.voxel_size, limit))
+            source = FieldSource(grid.origin, grid.voxel_size, limit)
+            return cls._of(grid._device_voxels(), source, grid.array_library)
 
     @classmethod
-    def _from_device_voxels(cls, cells: Cells, source: FieldSource) -> DistanceField:
+    def _of(cls, cells: Cells, source: FieldSource, library: str = NUMPY) -> DistanceField:
         """Compute the field around voxels on the device, vec3i, in any order with repeats."""
-        return cls._of(cells, source)
-
-    @classmethod
-    def _of(cls, cells: Cells, source: FieldSource) -> DistanceField:
         radius = (
             limits_for_box(source.shape or (0, 0, 0))
             if source.max_distance is None
@@ -274,6 +273,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         )
         field = cls.__new__(cls)
         field._take(source, cells, find_distances(cells, radius, source.shape if source.signed else None))
+        field._library = library
         return field
 
     def _take(self, source: FieldSource, cells: Cells, blocks: Any) -> None:
@@ -304,8 +304,8 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
 
     @property
     def occupied_voxels(self) -> NDArray[np.int32]:
-        """Coordinates of the occupied voxels, int32 (k, 3), indexed by `nearest_obstacles`."""
-        return np.array(download(self._blocks.occupied)).reshape(-1, 3)
+        """Coordinates of the occupied voxels, int32 (k, 3), indexed by `nearest_obstacles`. A copy."""
+        return hand_out(clone(self._blocks.occupied), self._library)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the occupied voxels to an .npz file atomically; `load` recomputes the distances.
@@ -328,20 +328,21 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
             return cls._of_arrays(arrays, where)
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
-        return arrays_of(self._source, self.occupied_voxels)
+        return arrays_of(self._source, np.array(download(self._blocks.occupied)).reshape(-1, 3))
 
     @classmethod
     def _of_arrays(cls, arrays: dict[str, NDArray[Any]], device: Any) -> DistanceField:
         return cls._of(upload(arrays["voxels"], vec3i, device), source_of(arrays))
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"arrays": self._arrays(), "device": str(self.device)}
+        return {"arrays": self._arrays(), "device": str(self.device), "library": self._library}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("distance field"):
             where = device_like("distance field", state["device"])
             made = self._of_arrays(check_field_arrays(state["arrays"]), where)
+            made._library = check_library("library", state.get("library", NUMPY))
         vars(self).update(vars(made))
 
 

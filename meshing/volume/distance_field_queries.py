@@ -9,15 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.array_libraries import Form, form_of, view_as
+from ...core.array_libraries import Form, form_of
 from ...core.checks import RIGID_TOLERANCE, check_finite, check_numeric, check_rigid, check_rows, is_on_gpu
 from ...core.devices import check_same_device
-from ...core.gpu_arrays import take_numbers, take_rows
+from ...core.exchange import on_host
+from ...core.gpu_arrays import take_numbers, take_vectors_in_float64
 from ...kernels.array_types import Positions
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float64, mat44d, vec3d
 from ...kernels.linear_algebra import det, matmul
-from ...kernels.memory import cast, download, upload
+from ...kernels.memory import download, upload
 from ...kernels.volumes import distance_queries as queries
 from ...kernels.volumes.distance_queries import HALF_DIAGONAL, DistanceGrid
 from ...pcd.cloud import PointCloud
@@ -176,7 +177,7 @@ class FieldQueries:
             >>> found.collides.tolist(), found.clearance.round(2).tolist()
             ([True, False], [-0.07, 1.54])
         """
-        body = check_finite("spheres", check_rows("spheres", spheres, 4, dtype=np.float64))
+        body = check_finite("spheres", check_rows("spheres", on_host("spheres", spheres), 4, dtype=np.float64))
         if not len(body):
             raise ValueError("spheres: expected at least one row (x, y, z, radius), got none")
         self._radii("spheres", body[:, 3])
@@ -184,8 +185,10 @@ class FieldQueries:
         room = queries.find_body_room(
             upload(body, float64, self.device), upload(motions, mat44d, self.device), self._grid
         )
-        clearance = np.array(download(room))
-        return BodyCollisions(~(clearance > 0), clearance)
+        clearance, form = np.array(download(room)), form_of(spheres)
+        return BodyCollisions(
+            form.hand_out_host(~(clearance > 0), self.device), form.hand_out_host(clearance, self.device)
+        )
 
     def _radii(self, name: str, radii: Any) -> NDArray[np.float64]:
         """Validate radii against `max_distance`."""
@@ -209,9 +212,7 @@ class FieldQueries:
             positions = add_origin(points._device_array("points"), points.origin)
             return positions, Form(points.array_library, points.device.is_cpu)
         if is_on_gpu(points):
-            rows = take_rows(name, points, 3, self.device)
-            float64_rows = rows if rows.dtype == float64 else cast(rows, float64)
-            return view_as(float64_rows, vec3d, (rows.shape[0],)), form_of(points)
+            return take_vectors_in_float64(name, points, self.device), form_of(points)
         rows = check_rows(name, points, 3, dtype=np.float64)
         return upload(rows, vec3d, self.device), form_of(points)
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.array_libraries import NUMPY, hand_out, hand_out_host
 from ...core.checks import check_number, shown
 from ...kernels.memory import check_room, download
 from ...kernels.volumes import distance_queries as queries
@@ -61,6 +62,12 @@ class FieldViews:
     shape: tuple[int, int, int] | None
     _blocks: DistanceBlocks
     _grid: DistanceGrid
+    _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
+
+    @property
+    def array_library(self) -> str:
+        """Library of the arrays that operations without an array argument return: that of the source."""
+        return self._library
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -89,7 +96,7 @@ class FieldViews:
         return Box((x, y, z), (size[0], size[1], size[2]))
 
     def to_array(self, bounds: ArrayLike | None = None, *, values: str = "distances") -> NDArray[Any]:
-        """Field as a dense NumPy array of shape (x, y, z).
+        """Field as a dense array of shape (x, y, z).
 
         Args:
             bounds: Lowest and highest corner [m], shape (2, 3). Overlapping voxels are included. If None: `bounds`.
@@ -111,13 +118,13 @@ class FieldViews:
             raise ValueError(f"values: expected one of {', '.join(VALUES)}, got {shown(values)}")
         box = self._box(bounds)
         if values == "squared":
-            result = download(queries.list_sqdists(box, self._grid))  # sync
-        elif values == "nearest":
-            result = download(queries.list_nearest(box, self._grid))  # sync
-        else:
-            distances, known = queries.list_distances(box, self._grid)
-            result = download(distances) if values == "distances" else download(known).view(np.bool_)  # sync
-        return np.array(result).reshape(box.size)
+            return hand_out(queries.list_sqdists(box, self._grid), self._library, shape=box.size)
+        if values == "nearest":
+            return hand_out(queries.list_nearest(box, self._grid), self._library, shape=box.size)
+        distances, known = queries.list_distances(box, self._grid)
+        if values == "distances":
+            return hand_out(distances, self._library, shape=box.size)
+        return hand_out(known, self._library, dtype=np.bool_, shape=box.size)
 
     def slice(self, axis: str, position: float, *, bounds: ArrayLike | None = None) -> FieldSlice:
         """Distances in one layer of voxels, for `draw_slice`.
@@ -144,11 +151,12 @@ class FieldViews:
         layer = math.floor(cell)
         low, size = thin = self._box(bounds, (along, layer))
         distances, known = (np.array(download(a)).reshape(size) for a in queries.list_distances(thin, self._grid))
+        library, device = self._library, self.device
         corners = self.origin + np.array([low, np.add(low, size)]) * self.voxel_size
         flat = [k for k in range(3) if k != along]
         return FieldSlice(
-            np.squeeze(distances, along).T,
-            np.squeeze(known, along).T.astype(np.bool_),
+            hand_out_host(np.squeeze(distances, along).T, library, device),
+            hand_out_host(np.squeeze(known, along).T.astype(np.bool_), library, device),
             AXES[along],
             float(self.origin[along] + (layer + 0.5) * self.voxel_size),
             corners[:, flat],

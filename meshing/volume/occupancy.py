@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
+from ...core.array_libraries import NUMPY, check_library, library_of
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_number, check_positive
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
 from ...core.errors import values_of_file
+from ...core.exchange import on_host
 from ...core.pickled_arrays import device_like, unpickling
 from ...kernels.lang import float32, int64, vec3
 from ...kernels.memory import download, upload
@@ -141,7 +143,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
                 "defines the free space. For a registered cloud use the positions of its trajectory"
             )
         cloud = self._cloud_of("points", points)
-        starts = check_positions("origin", origin, len(cloud))
+        starts = check_positions("origin", on_host("origin", origin), len(cloud))
         longest = FARTHEST if max_range is None else check_positive("max_range", max_range)
         if not len(cloud):
             return 0
@@ -167,6 +169,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
             raise ValueError(f"points: {error}; an outlier may be far away: use max_range or larger voxels") from None
         if not self.scan_count:
             self._origin = before
+        self._library = cloud.array_library if isinstance(points, PointCloud) else library_of(points)
         return count
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
@@ -214,6 +217,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         """Independent copy with the same voxels."""
         grid = OccupancyGrid(self.voxel_size, *self._model, device=self.device)
         grid._scans_before, grid._origin, grid._blocks = self.scan_count, self._origin, self._blocks.clone()
+        grid._library = self._library
         return grid
 
     def __copy__(self) -> OccupancyGrid:
@@ -223,11 +227,12 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         return self.copy()
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"arrays": self._downloaded(), "device": str(self.device)}
+        return {"arrays": self._downloaded(), "device": str(self.device), "library": self._library}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("occupancy grid"):
             where = device_like("occupancy grid", state["device"])
             made = self._from_downloaded(check_grid_arrays(state["arrays"]), where)
+            made._library = check_library("library", state.get("library", NUMPY))
         vars(self).update(vars(made))

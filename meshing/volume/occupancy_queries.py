@@ -10,12 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.checks import check_finite, check_positive, check_rows
+from ...core.array_libraries import NUMPY, Form, form_of, hand_out_host, view_as
+from ...core.checks import check_finite, check_positive, check_rows, is_on_gpu
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
+from ...core.exchange import on_host
+from ...core.gpu_arrays import take_numbers, take_rows, take_vectors_in_float64
 from ...core.serialized import Serialized
-from ...kernels.array_types import Cells
-from ...kernels.lang import vec3
+from ...kernels.array_types import Cells, Points, Scalars
+from ...kernels.lang import vec3, vec3d
 from ...kernels.memory import check_room, download, upload
 from ...kernels.volumes import occupancy_blocks as odds
 from ...kernels.volumes.occupancy_blocks import KNOWN_BELOW, OUTERMOST, OddsBlocks
@@ -24,6 +27,9 @@ from ..mesh.voxel_grid import VoxelGrid
 from .voxel_boxes import Corners, check_positions, voxels_in_bounds, voxels_of_blocks
 
 THRESHOLD = 0.0  # log odds of probability 0.5
+_WILD_DIRECTION = "directions: expected finite numbers up to 1e+100, got others"
+_ZERO_DIRECTION = "directions: expected nonzero vectors, got some of length 0"
+_FAR_RAY = "origins, max_range: rays extend more than 2^22 voxels from the grid's origin"
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,6 +53,12 @@ class OccupancyQuestions(Serialized):
     device: Any
     voxel_size: float
     _blocks: OddsBlocks
+    _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
+
+    @property
+    def array_library(self) -> str:
+        """Library of the arrays that operations without an array argument return: that of the last scan."""
+        return self._library
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -66,10 +78,8 @@ class OccupancyQuestions(Serialized):
         Raises:
             ValueError: If the shape is wrong.
         """
-        value = self._odds_of(points)
-        result = np.where(value >= THRESHOLD, 1, 0)
-        result[value > KNOWN_BELOW] = -1
-        return result.astype(np.int8)
+        value, form = self._odds_of(points)
+        return form.hand_out(odds.find_states(value, THRESHOLD), dtype=np.int8)
 
     @explain_argument_errors
     def occupied(self, points: PointCloud | ArrayLike) -> NDArray[np.bool_]:
@@ -78,7 +88,8 @@ class OccupancyQuestions(Serialized):
         Raises:
             ValueError: If the shape is wrong.
         """
-        return self.states(points) == 1
+        value, form = self._odds_of(points)
+        return form.hand_out(odds.mask_occupied(value, THRESHOLD), dtype=np.bool_)
 
     @explain_argument_errors
     def probabilities(self, points: PointCloud | ArrayLike) -> NDArray[np.float64]:
@@ -87,7 +98,8 @@ class OccupancyQuestions(Serialized):
         Raises:
             ValueError: If the shape is wrong.
         """
-        return _probability(self._odds_of(points))
+        value, form = self._odds_of(points)
+        return form.hand_out_host(_probability(download(value)), self.device)
 
     @explain_argument_errors
     def log_odds(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:
@@ -96,8 +108,8 @@ class OccupancyQuestions(Serialized):
         Raises:
             ValueError: If the shape is wrong.
         """
-        value = self._odds_of(points)
-        return np.where(value > KNOWN_BELOW, np.float32(np.nan), value)
+        value, form = self._odds_of(points)
+        return form.hand_out(odds.hide_unknown(value))
 
     @explain_argument_errors
     def cast_rays(self, origins: ArrayLike, directions: ArrayLike, max_range: float) -> RayHits:
@@ -119,23 +131,49 @@ class OccupancyQuestions(Serialized):
             >>> hits.states.tolist(), hits.distances.round(2).tolist()
             ([1, -1], [1.75, 0.25])
         """
+        length = check_positive("max_range", max_range)
+        starts, stops = (self._device_rays if is_on_gpu(directions) else self._host_rays)(origins, directions, length)
+        form = form_of(directions)
+        self._blocks.count  # noqa: B018  what was interrupted is settled
+        states, distances, voxels = odds.cast_rays(starts, stops, THRESHOLD, self._blocks)
+        return RayHits(form.hand_out(states, dtype=np.int8), form.hand_out(distances), form.hand_out(voxels))
+
+    def _host_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
         vectors = check_finite("directions", check_rows("directions", directions, 3, dtype=np.float64))
+        origins = on_host("origins", origins)
         lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
         if not (lengths > 0).all():
-            raise ValueError("directions: expected nonzero vectors, got some of length 0")
-        length = check_positive("max_range", max_range)
+            raise ValueError(_ZERO_DIRECTION)
         start_points = np.broadcast_to(check_positions("origins", origins, len(vectors)), vectors.shape) - self.origin
         ends = start_points + vectors / lengths * length
         if not max(np.abs(start_points).max(initial=0), np.abs(ends).max(initial=0)) < OUTERMOST * self.voxel_size:
-            raise ValueError("origins, max_range: rays extend more than 2^22 voxels from the grid's origin")
+            raise ValueError(_FAR_RAY)
         starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (start_points, ends))
-        self._blocks.count  # noqa: B018  what was interrupted is settled
-        states, distances, voxels = (download(a) for a in odds.cast_rays(starts, stops, THRESHOLD, self._blocks))
-        far = np.where(states == 0, np.inf, distances)
-        return RayHits(states.astype(np.int8), far, np.array(voxels, np.int32).reshape(-1, 3))
+        return starts, stops
+
+    def _device_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
+        vectors = take_vectors_in_float64("directions", directions, self.device)
+        if is_on_gpu(origins):
+            given = take_numbers("origins", origins, self.device)
+            given = view_as(given, given.dtype, (1, 3)) if tuple(given.shape) == (3,) else given
+            starts = take_vectors_in_float64("origins", given, self.device)
+            if starts.size not in (1, vectors.size):
+                expected = f"[3], or [{vectors.size}, 3], one row per point"
+                raise ValueError(f"origins: expected shape {expected}, got [{starts.size}, 3]")
+        else:
+            starts = upload(check_positions("origins", origins, vectors.size), vec3d, self.device)
+        x, y, z = self.origin.tolist()
+        *ends, faults = odds.prepare_queries(starts, vectors, (x, y, z), length, OUTERMOST * self.voxel_size)  # sync
+        for is_wrong, message in zip(faults, (_WILD_DIRECTION, _ZERO_DIRECTION, _FAR_RAY), strict=True):
+            if is_wrong:
+                raise ValueError(message)
+        return ends[0], ends[1]
 
     def voxel_indices(self) -> NDArray[np.int32]:
-        """Occupied voxels, int32 (k, 3), sorted by x, y, z. Voxel i starts at `origin + i * voxel_size`."""
+        """Occupied voxels, int32 (k, 3), sorted by x, y, z on the host. Voxel i starts at `origin + i * voxel_size`."""
+        return hand_out_host(self._sorted_voxels(), self._library, self.device)
+
+    def _sorted_voxels(self) -> NDArray[np.int32]:
         voxels = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
         return voxels[np.lexsort(voxels.T[::-1])]
 
@@ -147,11 +185,12 @@ class OccupancyQuestions(Serialized):
     def to_point_cloud(self) -> PointCloud:
         """Centers of the occupied voxels, in block order."""
         voxels = self._device_voxels()
-        return PointCloud._from_device_arrays({"points": odds.voxel_centers(voxels, self._blocks.lattice)}, self.origin)
+        centers = odds.voxel_centers(voxels, self._blocks.lattice)
+        return PointCloud._from_device_arrays({"points": centers}, self.origin, self._library)
 
     def to_voxel_grid(self) -> VoxelGrid:
         """Occupied voxels as a VoxelGrid."""
-        voxels = self.voxel_indices()
+        voxels = self._sorted_voxels()
         low = voxels.min(axis=0, initial=0) if not len(voxels) else voxels.min(axis=0)
         x, y, z = (voxels - low).max(axis=0, initial=-1) + 1
         corner = self.origin + low * self.voxel_size
@@ -184,7 +223,7 @@ class OccupancyQuestions(Serialized):
         x, y, z = low.tolist()
         self._blocks.count  # noqa: B018  what was interrupted is settled
         log_odds = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self._blocks)))
-        return _probability(log_odds).astype(np.float32).reshape(size)
+        return hand_out_host(_probability(log_odds).astype(np.float32).reshape(size), self._library, self.device)
 
     def _voxels_in(self, bounds: ArrayLike) -> Corners:
         beyond = "extend more than 2^22 voxels from the grid's origin"
@@ -198,13 +237,17 @@ class OccupancyQuestions(Serialized):
         if isinstance(points, PointCloud):
             check_same_device(name, self.device, points.device)
             return points
+        if is_on_gpu(points):
+            return PointCloud(take_rows(name, points, 3, self.device))
         return PointCloud(check_rows(name, points, 3), device=self.device)
 
-    def _odds_of(self, points: Any) -> NDArray[np.float32]:
+    def _odds_of(self, points: Any) -> tuple[Scalars, Form]:
+        """Log odds at points, and the form of the result."""
         cloud = self._cloud_of("points", points)
+        form = Form(points.array_library, False) if isinstance(points, PointCloud) else form_of(points)
         x, y, z = (cloud.origin - self.origin).tolist()
         self._blocks.count  # noqa: B018  what was interrupted is settled
-        return np.array(download(odds.look_up(cloud._device_array("points"), (x, y, z), self._blocks)))
+        return odds.look_up(cloud._device_array("points"), (x, y, z), self._blocks), form
 
 
 def _probability(log_odds: NDArray[np.float32]) -> NDArray[np.float64]:

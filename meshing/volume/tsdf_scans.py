@@ -10,16 +10,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
-from ...core.array_libraries import library_of
-from ...core.checks import check_positive, check_rows
+from ...core.array_libraries import library_of, view_as
+from ...core.checks import check_positive, check_rows, is_on_gpu
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
+from ...core.exchange import on_host
+from ...core.gpu_arrays import take_rows
 from ...core.observers import report
 from ...core.serialized import Serialized
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.arrays.origins import add_origin
-from ...kernels.lang import vec3d
-from ...kernels.memory import upload
+from ...kernels.lang import float32, vec3, vec3d
+from ...kernels.memory import download, upload
 from ...kernels.volumes.scan_fusion import integrate_scan, scan_blocks
 from ...kernels.volumes.scan_rays import ScanRays, find_faults
 from ...kernels.volumes.tsdf_blocks import SIDE
@@ -143,7 +145,14 @@ def _scan_of(points: Any, device: Any) -> tuple[Any, str]:
     if isinstance(points, PointCloud):
         check_same_device("points", device, points.device)
         return points, points.array_library
-    return check_rows("points", points, 3, dtype=np.float64), library_of(points)
+    library = library_of(points)
+    if is_on_gpu(points):
+        rows = take_rows("points", points, 3, device)
+        if rows.dtype == float32:
+            arrays = {"points": view_as(rows, vec3, (rows.shape[0],))}
+            return PointCloud._from_device_arrays(arrays, np.zeros(3), library), library
+        points = download(rows)  # sync
+    return check_rows("points", points, 3, dtype=np.float64), library
 
 
 def _scanners_of(origin: Any, count: int) -> Positions:
@@ -153,4 +162,4 @@ def _scanners_of(origin: Any, count: int) -> Positions:
             "origin: expected the scanner position, got None. It is T_world_sensor[:3, 3] of the scan's pose, from "
             "LidarOdometry, or the position of the station"
         )
-    return check_positions("origin", origin, count)
+    return check_positions("origin", on_host("origin", origin), count)

@@ -11,8 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
+from ...core.array_libraries import NUMPY, hand_out_host
 from ...core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rows
 from ...core.devices import check_same_device, resolve_device
+from ...core.exchange import on_host
 from ...core.serialized import Serialized
 from ...kernels.lang import launch, vec3, vec3d
 from ...kernels.memory import download, empty, upload, write
@@ -63,6 +65,7 @@ class ControlGrid(Serialized):
         self._origin: NDArray[np.float64] = np.zeros(3)
         where = resolve_device(device)
         self._lattice: ControlLattice = make_lattice(size, empty(0, vec3, where))
+        self._library = NUMPY
 
     def __len__(self) -> int:
         return self._lattice.anchor_count
@@ -79,6 +82,11 @@ class ControlGrid(Serialized):
     def device(self) -> Any:
         """The device of the anchors."""
         return self._lattice.shifts.device
+
+    @property
+    def array_library(self) -> str:
+        """Library of the arrays that operations return: that of the last touched cloud."""
+        return self._library
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -100,15 +108,15 @@ class ControlGrid(Serialized):
                 f"cloud: expected points within {(FARTHEST - 2) * self.grid_size:g} m of the grid's origin "
                 f"{self._origin.tolist()}, got one {max_offset:g} m away. Take a larger grid_size or remove outliers"
             )
-        self._lattice = make_lattice(self.grid_size, points, self._lattice)
+        self._lattice, self._library = make_lattice(self.grid_size, points, self._lattice), cloud.array_library
 
     def get_init_positions(self) -> NDArray[np.float64]:
         """Initial anchor positions, float64 [anchors, 3] [m]."""
-        return self._positions(np.zeros((len(self), 3)))
+        return hand_out_host(self._positions(np.zeros((len(self), 3))), self._library, self.device)
 
     def get_curr_positions(self) -> NDArray[np.float64]:
         """Current anchor positions, float64 [anchors, 3] [m]."""
-        return self._positions(download(self._lattice.shifts))
+        return hand_out_host(self._positions(download(self._lattice.shifts)), self._library, self.device)
 
     def set_positions(self, positions: ArrayLike) -> None:
         """Move the anchors.
@@ -119,8 +127,8 @@ class ControlGrid(Serialized):
         Raises:
             TypeError, ValueError: Not numbers, not finite, or a wrong shape.
         """
-        new_positions = check_rows("positions", positions, 3, rows=len(self), dtype=np.float64)
-        write(self._lattice.shifts, check_finite("positions", new_positions) - self.get_init_positions())
+        given = check_rows("positions", on_host("positions", positions), 3, rows=len(self), dtype=np.float64)
+        write(self._lattice.shifts, check_finite("positions", given) - self._positions(np.zeros((len(self), 3))))
 
     def deform(self, cloud: PointCloud) -> PointCloud:
         """Deform a cloud in the frame of the fragments, with its normals. Covariances are dropped.

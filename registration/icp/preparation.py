@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ...core.array_libraries import view_as
 from ...core.checks import check_numeric
 from ...core.coordinates import ORIGIN_LIMIT
-from ...core.exchange import share_vectors
+from ...core.exchange import on_host, share_vectors
 from ...core.units import NonFiniteWarning, warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.bounds import bound_points
@@ -196,7 +196,7 @@ def point_weights(clouds: Sequence[PointCloud], weights: ArrayLike | str, names:
                 raise ValueError(f"weights: {name} has no attribute {weights!r}; assign {label}, shape [n]")
             values = download(cloud._device_array(weights))  # sync
         else:
-            values = check_numeric("weights", weights)
+            values = check_numeric("weights", on_host("weights", weights))
         if values.shape not in ((len(cloud),), (len(cloud), 1)):
             raise ValueError(f"{label}: expected shape [{len(cloud)}], got {list(values.shape)}")
         values = values.astype(np.float32).reshape(-1, 1)

@@ -9,6 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_numeric, check_rigid
+from ...core.exchange import on_host
 from ...core.time_checks import check_span, float32_step, is_single
 from ...core.units import warn_of_units
 from ...kernels.lang import float64
@@ -81,7 +82,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
 def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | None:
     """The given or the cloud's point times as float64 device array [n]. None if there are none."""
     if timestamps is not None:
-        times = check_numeric("timestamps", timestamps)
+        times = check_numeric("timestamps", on_host("timestamps", timestamps))
         if times.shape != (len(cloud),):
             raise ValueError(f"timestamps: expected shape [{len(cloud)}], one for each point, got {list(times.shape)}")
         return upload(times.astype(np.float64), float64, cloud.device)
@@ -99,7 +100,7 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
 def are_single(cloud: PointCloud, timestamps: ArrayLike | None) -> bool:
     """True if the point times that `point_times` returns were given with at most 32 bits."""
     if timestamps is not None:
-        return is_single(check_numeric("timestamps", timestamps).dtype)
+        return is_single(check_numeric("timestamps", on_host("timestamps", timestamps)).dtype)
     name = next((name for name in TIME_NAMES if name in cloud), None)
     return name is not None and is_single(wp.dtype_to_numpy(cloud._device_array(name).dtype))
 

@@ -27,6 +27,7 @@ from .core.errors import DatasetError as DatasetError
 from .core.errors import DeviceError as DeviceError
 from .core.errors import FileError as FileError
 from .core.errors import PointloomError as PointloomError
+from .core.exchange import asnumpy as asnumpy
 from .core.threads import get_num_threads as get_num_threads
 from .core.threads import set_num_threads as set_num_threads
 from .core.units import LengthUnit as LengthUnit

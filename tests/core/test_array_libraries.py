@@ -1,5 +1,7 @@
 """Arrays come back as they came: whose they are, where they are, at which address, and with the same numbers."""
 
+import dataclasses
+import functools
 import pickle
 import subprocess
 import sys
@@ -9,6 +11,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.cameras.depth_filters import create_normal_map, pyrdown_color
+from pointloom.cameras.panoramas import Panorama
+from pointloom.photogrammetry.depth.evaluation import evaluate_depth
 from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
 
 from ..array_library import LIBRARIES, assert_same, fake_library, package
@@ -287,6 +291,324 @@ def test_numpy_lists_and_files_give_numpy_on_every_device(device, surface):
     cloud = loom.PointCloud(surface, device=device)
     surface += 1
     np.testing.assert_array_equal(cloud.points, before)  # a copy, as ever
+
+
+class Scene:
+    """Objects from arrays of a library (`make`), or from NumPy arrays on a device."""
+
+    def __init__(self, make, device, surface):
+        self.make, self.device, self.surface = make, device, surface
+
+    @functools.cached_property
+    def points(self):
+        return self.make(self.surface[:50] + np.float32(0.01))
+
+    @functools.cached_property
+    def cloud(self):
+        cloud = loom.PointCloud(self.make(self.surface), device=self.device)
+        return cloud.estimate_normals(max_nn=8).orient_normals_to_align_with_direction()
+
+    @functools.cached_property
+    def mesh(self):
+        ball = loom.TriangleMesh.create_sphere(1.0, 4)
+        return loom.TriangleMesh(
+            self.make(ball.vertices.astype(np.float32)), self.make(ball.triangles), device=self.device
+        )
+
+    @functools.cached_property
+    def grid(self):
+        grid = loom.OccupancyGrid(0.2, device=self.device)
+        grid.insert_scan(self.make(self.surface), origin=self.make(np.array([0.5, 0.5, 2.0], np.float32)))
+        return grid
+
+    @functools.cached_property
+    def field(self):
+        return loom.DistanceField.from_point_cloud(self.cloud, 0.2, 0.6)
+
+    @functools.cached_property
+    def splats(self):
+        count = 20
+        columns = self.surface[:count], np.full((count, 3), 0.1), np.eye(4)[np.arange(count) % 4], np.full(count, 0.5)
+        arrays = [self.make(np.float32(each)) for each in (*columns, np.arange(12 * count).reshape(count, 4, 3) / 99)]
+        return loom.GaussianSplats(*arrays, device=self.device)
+
+    @functools.cached_property
+    def control(self):
+        control = loom.reconstruction.ControlGrid(0.5, device=self.device)
+        control.touch(self.cloud)
+        return control
+
+
+ODD = np.arange(50) % 2 == 1
+LENS = loom.CameraModel("OPENCV", 64, 48, [60, 60, 32, 24, -0.1, 0.01, 0.001, 0.002])
+WEIGHTS = np.linspace(0.5, 1, 400).astype(np.float32)
+VOXELS = loom.TriangleMesh.create_box().voxelize(0.25)
+CUBE = np.arange(64, dtype=np.float32).reshape(4, 4, 4)
+
+# Operations that return arrays, by name. They get a Scene of a library.
+RESULTS = {
+    "triangle normals": lambda s: s.mesh.compute_triangle_normals(),
+    "geodesic distances": lambda s: s.mesh.compute_geodesic_distances(s.make(np.array([0, 3]))),
+    "tetrahedra": lambda s: loom.TriangleMesh.create_from_point_cloud_alpha_shape(s.cloud, 0.5, return_tetrahedra=True)[
+        1:
+    ],
+    "occupancy states": lambda s: s.grid.states(s.points),
+    "occupancy states of a cloud": lambda s: s.grid.states(s.cloud),
+    "occupied": lambda s: s.grid.occupied(s.points),
+    "occupancy probabilities": lambda s: s.grid.probabilities(s.points),
+    "log odds": lambda s: s.grid.log_odds(s.points),
+    "occupancy rays": lambda s: s.grid.cast_rays(s.make(np.float32([0.5, 0.5, 2])), s.points, 3.0),
+    "voxel indices": lambda s: s.grid.voxel_indices(),
+    "occupancy array": lambda s: s.grid.to_array(),
+    "occupied voxels as a cloud": lambda s: s.grid.to_point_cloud().compute_nearest_neighbor_distance(),
+    "a copied grid": lambda s: s.grid.copy().voxel_indices(),
+    "occupied voxels": lambda s: s.field.occupied_voxels,
+    "field array": lambda s: [s.field.to_array(values=v) for v in ("distances", "squared", "nearest", "known")],
+    "field slice": lambda s: (lambda f: (f.distances, f.is_known))(s.field.slice("z", 0.1)),
+    "field distances": lambda s: s.field.distances(s.points),
+    "nearest obstacles": lambda s: s.field.nearest_obstacles(s.points),
+    "collisions": lambda s: s.field.collides(s.points, s.make(np.full(50, 0.1, np.float32))),
+    "collisions of bodies": lambda s: s.field.collides_bodies(s.make(np.float32([[0, 0, 0, 0.1]])), np.eye(4)[None]),
+    "field of a grid": lambda s: loom.DistanceField.from_occupancy_grid(s.grid, 0.5).occupied_voxels,
+    "field of an array": lambda s: loom.DistanceField.from_array(
+        s.make((CUBE > 50).astype(np.uint8)), device=s.device
+    ).to_array(),
+    "field of voxels": lambda s: loom.DistanceField.from_voxels(
+        s.make(np.array([[0, 0, 0], [2, 0, 1]])), 1.0, 2.0, device=s.device
+    ).to_array(),
+    "covariances of splats": lambda s: s.splats.covariances(),
+    "image of splats": lambda s: s.splats.rasterize(LENS.undistorted(), translated(0, 0, 2)),
+    "selected splats": lambda s: s.splats.select_by_mask(s.make(ODD[:20])).covariances(),
+    "splats as a cloud": lambda s: s.splats.to_point_cloud().compute_nearest_neighbor_distance(),
+    "projected points": lambda s: LENS.project(s.points),
+    "rays of pixels": lambda s: LENS.unproject(s.make(np.float32([[10, 20], [30, 5]]))),
+    "faces of a panorama": lambda s: panorama_on(s.device).apply(s.make(RAINBOW)),
+    "faces of a gray panorama": lambda s: panorama_on(s.device).apply(s.make(RAINBOW[:, :, 0])),
+    "points in voxels": lambda s: VOXELS.check_if_included(s.points),
+    "control grid": lambda s: (s.control.get_init_positions(), s.control.get_curr_positions()),
+    "moved control grid": lambda s: moved_anchors(s.control, s.make),
+    "change of clouds": lambda s: (lambda c: (*fields_of(c), c.is_significant))(
+        loom.change.m3c2(
+            s.cloud, s.cloud.translate([0, 0, 0.02]), normal_radii=0.2, cylinder_radius=0.2, max_distance=1
+        )
+    ),
+    "change from a mesh": lambda s: (lambda c: (*fields_of(c), c.is_significant))(
+        loom.change.cloud_to_mesh(s.cloud, s.mesh, radius=0.2)
+    ),
+    "rays through a scene of arrays": lambda s: scene_of(s).cast_rays(s.make(RAYS))["t_hit"],
+    "isosurfaces": lambda s: loom.TriangleMesh.create_isosurfaces(
+        s.make(CUBE), [20.0], s.device
+    ).compute_triangle_areas(),
+    "deskewed scan": lambda s: loom.registration.deskew_point_cloud(
+        s.cloud, translated(0.1, 0, 0), s.make(np.linspace(0, 0.1, 400))
+    ).compute_nearest_neighbor_distance(),
+    "weighted pairs": lambda s: (
+        loom.registration.registration_icp(
+            s.cloud, s.cloud.translate([0.01, 0, 0]), 0.1, weights=s.make(WEIGHTS)
+        ).correspondence_set
+    ),
+}
+
+# Operations with array arguments whose results are objects or numbers: they return NumPy arrays for the comparison.
+ARGUMENTS = {
+    "vertices at a level": lambda s: s.mesh.trim(s.make(np.arange(26) % 7 / np.float32(7)), 0.3).vertices,
+    "deformed mesh": lambda s: (
+        s.mesh.deform_as_rigid_as_possible(
+            s.make(np.array([0, 1])), s.make(np.float32([[0, 0, 1.2], [0, 0, -1]])), 2
+        ).vertices
+    ),
+    "texture coordinates": lambda s: assigned(s.mesh, "triangle_uvs", s.make(np.ones((144, 2), np.float32))),
+    "material numbers": lambda s: assigned(s.mesh, "triangle_material_ids", s.make(np.arange(48, dtype=np.int32))),
+    "triangle normals": lambda s: assigned(s.mesh, "triangle_normals", s.mesh.compute_triangle_normals()),
+    "points of a volume": lambda s: fused(s.points, s.make(np.float32([0, 0, 2])), s.device),
+    "points of a volume in float64": lambda s: fused(s.make(s.surface.astype(np.float64)), [0, 0, 2], s.device),
+    "a box": lambda s: loom.AxisAlignedBoundingBox.create_from_points(s.points).max_bound,
+    "an oriented box": lambda s: loom.OrientedBoundingBox.create_from_points(s.points).extent,
+    "a minimal box": lambda s: loom.OrientedBoundingBox.create_from_points_minimal(s.points).extent,
+    "a view": lambda s: loom.fit_view(s.points).T_world_camera,
+    "lines": lambda s: loom.LineSet(s.points, s.make(np.array([[0, 1], [1, 2]]))).points,
+    "lines of pairs": lambda s: (
+        loom.LineSet.create_from_point_cloud_correspondences(
+            s.cloud, s.cloud, s.make(np.array([[0, 1], [1, 2]]))
+        ).points
+    ),
+    "errors of depth": lambda s: np.array(evaluate_depth(s.make(CUBE[0] + 1), s.make(CUBE[1] + 1)).rmse),
+    "a weighted plane": lambda s: loom.fit_shape(s.cloud, "plane", weights=s.make(WEIGHTS)).axis,
+    "isosurfaces": lambda s: loom.TriangleMesh.create_isosurfaces(s.make(CUBE), [20.0], s.device).vertices,
+    "painted change": lambda s: loom.change.paint(s.cloud, s.make(WEIGHTS)).colors,
+    "text of a change": lambda s: np.array(repr(loom.change.cloud_to_mesh(s.cloud, s.mesh)).split()),
+}
+
+RAINBOW = (np.arange(32 * 64 * 3) * 7 % 251).astype(np.uint8).reshape(32, 64, 3)
+RAYS = np.column_stack([np.linspace(-1, 1, 9), np.zeros(9), np.full(9, 3), np.tile([0, 0, -1], (9, 1))]).astype("f4")
+
+
+def translated(*shift):
+    T = np.eye(4)
+    T[:3, 3] = shift
+    return T
+
+
+def panorama_on(device):
+    return Panorama(64, 32, device=device)
+
+
+def moved_anchors(control, make):
+    control.set_positions(make(1.5 * loom.asnumpy(control.get_init_positions())))
+    return control.get_curr_positions()
+
+
+def fields_of(result):
+    return [getattr(result, field.name) for field in dataclasses.fields(result)]
+
+
+def scene_of(s):
+    scene = loom.RaycastingScene(s.device)
+    ball = loom.TriangleMesh.create_sphere(1.0, 4)
+    scene.add_triangles(s.make(ball.vertices.astype(np.float32)), s.make(ball.triangles))
+    return scene
+
+
+def assigned(mesh, name, values):
+    changed = mesh.copy()
+    setattr(changed, name, values)
+    return getattr(changed, name)
+
+
+def fused(points, origin, device):
+    volume = loom.TSDFVolume(voxel_size=0.2, color=False, device=device)
+    volume.integrate_points(points, origin)
+    return volume.extract_triangle_mesh(0.0).vertices
+
+
+def arrays_in(result):
+    """The arrays of a result: itself, or those of a tuple or a dataclass."""
+    if dataclasses.is_dataclass(result):
+        result = fields_of(result)
+    return list(result) if isinstance(result, tuple | list) else [result]
+
+
+@pytest.fixture
+def scenes(library, device, surface):
+    return Scene(library.make, device, surface), Scene(lambda values: values, device, surface)
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_every_result_is_an_array_of_the_library_on_its_device(library, device, scenes, name):
+    theirs, ours = (arrays_in(RESULTS[name](scene)) for scene in scenes)
+    assert len(theirs) == len(ours) > 0
+    for result, expected in zip(theirs, ours, strict=True):
+        assert_same(library, result, expected)
+        if library.name in ("warp", "cupy"):
+            assert str(getattr(result, "memory", result).device) == device
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_arguments_may_be_arrays_on_the_device(scenes, name):
+    theirs, ours = (ARGUMENTS[name](scene) for scene in scenes)
+    np.testing.assert_array_equal(theirs, ours, strict=True)
+
+
+@pytest.mark.parametrize(
+    ("origin", "direction", "message"),
+    [
+        ([0, 0, 2], [0, np.nan, 0], "directions: expected finite"),
+        ([0, 0, 2], [0, 0, 0], "directions: expected nonzero"),
+        ([0, 0, 1e9], [0, 0, 1], "origins, max_range: rays extend"),
+        ([[0, 0, 1], [0, 0, 1]], [0, 0, 1], r"origins: expected shape \[3\], or \[1, 3\]"),
+    ],
+)
+def test_invalid_rays_are_rejected_in_every_library(library, scenes, origin, direction, message):
+    with pytest.raises(ValueError, match=message):
+        scenes[0].grid.cast_rays(library.make(np.float32(origin)), library.make(np.float32([direction])), 3.0)
+
+
+def test_pickled_grids_and_fields_keep_the_library(library, scenes):
+    grid, field = (pickle.loads(pickle.dumps(each)) for each in (scenes[0].grid, scenes[0].field))
+    assert grid.array_library == field.array_library == library.name
+    assert package(grid.voxel_indices()) == package(field.occupied_voxels) == library.name
+
+
+def test_asnumpy_converts_arrays_of_every_library(library, rng):
+    for values in (
+        rng.random((5, 3)),
+        rng.random((4, 3, 2)).astype(np.float32),
+        np.arange(6, dtype=np.int16),
+        np.array([True, False]),
+        np.zeros((0, 3), np.uint8),
+    ):
+        if library.name != "jax":  # of 32 bits
+            np.testing.assert_array_equal(loom.asnumpy(library.make(values)), values, strict=True)
+    rows = library.make(rng.random((6, 3)).astype(np.float32))
+    np.testing.assert_array_equal(loom.asnumpy(rows[1:4]), library.host(rows)[1:4], strict=True)
+    if library.name == "warp":
+        np.testing.assert_array_equal(loom.asnumpy(rows[:, 1]), library.host(rows)[:, 1], strict=True)  # strides
+
+
+def test_asnumpy_returns_numpy_arrays_and_lists_and_rejects_others(library, clouds):
+    values = np.arange(3)
+    assert loom.asnumpy(values) is values
+    assert loom.asnumpy([[1, 2]]).shape == (1, 2) and loom.asnumpy(3.5).shape == ()
+    for wrong in (clouds[0], loom.TriangleMesh(), "a", {"a": 1}, [object()], None):
+        with pytest.raises(TypeError, match="array: expected"):
+            loom.asnumpy(wrong)
+
+
+SHAPES = ("box", "plane", "tetrahedron", "octahedron", "icosahedron", "sphere", "ellipsoid", "cylinder", "cone")
+SHAPES += ("torus", "arrow", "coordinate_frame", "mobius", "moebius")
+SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
+# Constructors and readers of clouds and meshes. They get the keywords `device` and `arrays`, and a folder with files.
+MADE = {
+    "cloud": lambda f, **k: loom.PointCloud(np.eye(3), **k),
+    "depth": lambda f, **k: loom.PointCloud.create_from_depth_image(CUBE[0] + 1, PINHOLE, **k),
+    "mesh": lambda f, **k: loom.TriangleMesh(np.eye(3), [[0, 1, 2]], **k),
+    "isosurfaces": lambda f, **k: loom.TriangleMesh.create_isosurfaces(CUBE, [20.0], **k),
+    "marching cubes": lambda f, **k: loom.marching_cubes(CUBE, 20.0, **k),
+    "polygon": lambda f, **k: loom.TriangleMesh.from_polygon(SQUARE, **k),
+    "revolved": lambda f, **k: loom.TriangleMesh.revolve([[1, 0], [1, 1]], resolution=4, **k),
+    "splats": lambda f, **k: loom.GaussianSplats(np.eye(3), np.ones((3, 3)), np.eye(4)[:3], [0.5] * 3, np.eye(3), **k),
+    "cloud of a file": lambda f, **k: loom.read_point_cloud(f / "cloud.ply", **k),
+    "scan of a file": lambda f, **k: loom.read_point_cloud(f / "scan.ptx", scan=0, **k),
+    "stations": lambda f, **k: loom.read_stations(f / "scan.ptx", **k).clouds[0],
+    "mesh of a file": lambda f, **k: loom.read_triangle_mesh(f / "mesh.ply", **k),
+    "splats of a file": lambda f, **k: loom.read_splats(f / "splats.ply", **k),
+    **{
+        name: lambda f, name=name, **k: getattr(loom.TriangleMesh, f"create_{name}")(**k)
+        for name in SHAPES
+    },
+}  # fmt: skip
+PINHOLE = loom.PinholeCameraIntrinsic(4, 4, 4.0, 4.0, 1.5, 1.5)
+PTX = "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n4 5 6 0.5\n"
+
+
+@pytest.fixture
+def files(tmp_path):
+    loom.write_point_cloud(tmp_path / "cloud.ply", loom.PointCloud(np.eye(3)))
+    loom.write_triangle_mesh(tmp_path / "mesh.ply", loom.TriangleMesh(np.eye(3), [[0, 1, 2]]))
+    loom.write_splats(tmp_path / "splats.ply", MADE["splats"](None))
+    (tmp_path / "scan.ptx").write_text(PTX)
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_constructors_and_readers_choose_the_library(library, device, files, name):
+    made = MADE[name](files, device=device, arrays=library.name)
+    made = getattr(made, "cloud", made)  # of splats
+    assert made.array_library == library.name and str(made.device) == device
+    is_cloud = isinstance(made, loom.PointCloud)
+    result = made.compute_nearest_neighbor_distance() if is_cloud else made.compute_triangle_areas()
+    assert package(result) == library.name
+    default = MADE[name](files, device=device)
+    assert getattr(default, "cloud", default).array_library == "numpy"
+    with pytest.raises(ValueError, match=r"arrays: expected one of numpy, .*got 'numpi'"):
+        MADE[name](files, device=device, arrays="numpi")
+
+
+def test_arrays_overrides_the_library_of_the_input(library, surface):
+    points = library.make(surface)
+    cloud = loom.PointCloud(points, arrays="numpy")
+    assert package(cloud.compute_nearest_neighbor_distance()) == "numpy"
+    assert cloud.array("points").ptr == library.address(points)
 
 
 @pytest.mark.slow

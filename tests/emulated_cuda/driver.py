@@ -8,6 +8,7 @@ from .streams import NON_BLOCKING, Stream, Streams, address_of
 
 NAMES = ("libcuda.so.1", "libcuda.so", "nvcuda.dll")
 SUCCESS, INVALID_VALUE, INVALID_DEVICE, INVALID_CONTEXT, INVALID_HANDLE = 0, 1, 101, 201, 400
+OUT_OF_MEMORY, ALREADY_REGISTERED, NOT_REGISTERED = 2, 712, 713
 CAPTURE_UNSUPPORTED = 900
 RESERVED, USED = 5, 7  # attributes of a pool
 
@@ -19,8 +20,9 @@ def is_driver(name: str) -> bool:
 class Driver:
     """libcuda.so; each function returns CUDA's number of an error, 0 for none."""
 
-    def __init__(self, streams: Streams, memory: Memory) -> None:
-        self._streams, self._memory = streams, memory
+    def __init__(self, streams: Streams, memory: Memory, pinned: dict[int, tuple[int, Any]]) -> None:
+        self._streams, self._memory, self._pinned = streams, memory, pinned
+        self.max_locked_bytes = 1 << 40  # a test may set another
 
     def cuStreamCreate(self, out: Any, flags: Any) -> int:
         """A stream of the current context; the flags select whether it and the legacy stream wait for each other."""
@@ -69,6 +71,22 @@ class Driver:
     def cuCtxSynchronize(self) -> int:
         """Wait for all streams."""
         return SUCCESS if self._streams.wp_cuda_context_synchronize(None) else CAPTURE_UNSUPPORTED
+
+    def cuMemHostRegister_v2(self, pointer: Any, size: Any, flags: Any) -> int:
+        """Lock the pages of host memory. A page is locked once at most."""
+        if self._streams.contexts[-1] is None:
+            return INVALID_CONTEXT
+        if address_of(pointer) in self._pinned:
+            return ALREADY_REGISTERED
+        if sum(size for size, _ in self._pinned.values()) + size.value > self.max_locked_bytes:
+            return OUT_OF_MEMORY
+        self._pinned[address_of(pointer)] = (size.value, None)
+        return SUCCESS
+
+    def cuMemHostUnregister(self, pointer: Any) -> int:
+        """Unlock pages after all queued copies to them."""
+        self._streams.flush_all()
+        return SUCCESS if self._pinned.pop(address_of(pointer), None) else NOT_REGISTERED
 
     def cuDeviceGraphMemTrim(self, _: Any) -> int:
         """Release memory of graphs, which keep none here."""

@@ -37,7 +37,7 @@ class Device:
         self.graphs = Graphs(self.streams, self.memory, self.findings)
         self.allocations = Allocations(self.streams, self.memory, self.findings, self.graphs)
         self.launches = Launches(self.streams, self.memory, self.findings)
-        self.driver = Driver(self.streams, self.memory)
+        self.driver = Driver(self.streams, self.memory, self.allocations.pinned)
         self.parts = (
             *(self.findings, self.streams, self.graphs, self.allocations, self.launches),
             Arrays(real, self.streams, self.memory, self.findings),

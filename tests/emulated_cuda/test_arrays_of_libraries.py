@@ -9,6 +9,7 @@ import pytest
 import warp as wp
 
 import pointloom as loom
+from pointloom.cameras.panoramas import Panorama
 
 from ..array_library import installed, ndarray
 from .test_callers_streams import Speaker, move_kernel
@@ -85,6 +86,19 @@ OPERATIONS = {
         e.depth, e.camera, np.eye(4), color=e.color
     ),
     "seen": lambda c, e: e.volume.ray_cast(e.camera, np.eye(4), weight_threshold=0),
+    "faces": lambda c, e: e.mesh.compute_triangle_normals(),
+    "scan": lambda c, e: e.grid.copy().insert_scan(e.points, origin=[0.5, 0.5, 2]),
+    "states": lambda c, e: e.grid.states(e.points),
+    "occupied": lambda c, e: e.grid.occupied(e.points),
+    "odds": lambda c, e: e.grid.log_odds(c),
+    "views": lambda c, e: e.grid.cast_rays(e.points, e.points, 3.0).distances,
+    "field": lambda c, e: e.field.to_array(),
+    "voxels": lambda c, e: e.field.occupied_voxels,
+    "panorama": lambda c, e: e.panorama.apply(e.sphere),
+    "level": lambda c, e: loom.TriangleMesh.create_isosurfaces(e.samples, [0.5]),
+    "points": lambda c, e: loom.TSDFVolume(voxel_size=0.1, color=False, device=DEVICE).integrate_points(
+        e.points, [0.5, 0.5, 2]
+    ),
 }
 RETAINED = {"pairs": 2 * 512 * 33 * 4, "ransac": 2 * 512 * 33 * 4}  # samples by which two trees choose their axes
 
@@ -100,11 +114,16 @@ def everything(library, surface, rng):
     color = library.asarray(rng.integers(0, 256, (60, 80, 3)).astype(np.uint8))
     volume = loom.TSDFVolume(voxel_size=0.1, device=DEVICE)
     volume.integrate(depth, camera, np.eye(4), color=color)
+    grid = loom.OccupancyGrid(0.1, device=DEVICE)
+    grid.insert_scan(points, origin=[0.5, 0.5, 2])
     return SimpleNamespace(
         points=points, rows=library.asarray(rng.permutation(COUNT).astype(np.int32)), cloud=cloud, camera=camera,
         mask=library.asarray(np.arange(COUNT) % 2 == 0), features=loom.compute_fpfh_feature(cloud, max_nn=20),
         search=loom.NearestNeighborSearch(cloud), scene=scene, volume=volume, depth=depth, color=color,
-        rays=library.asarray(np.hstack([surface, -np.ones_like(surface)])),
+        rays=library.asarray(np.hstack([surface, -np.ones_like(surface)])), panorama=Panorama(128, 64, device=DEVICE),
+        mesh=loom.TriangleMesh(points, library.asarray(np.arange(COUNT - 2)[:, None] + np.arange(3))), grid=grid,
+        field=loom.DistanceField.from_point_cloud(cloud, 0.1, 0.3), samples=library.asarray(rng.random((12, 13, 14))),
+        sphere=library.asarray(rng.integers(0, 256, (64, 128, 3)).astype(np.uint8)),
     )  # fmt: skip
 
 

@@ -25,6 +25,7 @@ from ..core.checks import (
     check_share,
     shown,
 )
+from ..core.exchange import hand_back, on_host
 from .camera import MAX_IN_ALL, MAX_PIXELS, PinholeCameraIntrinsic, check_pixels
 from .lens_projection import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED, Lens
 
@@ -195,13 +196,14 @@ class CameraModel:
         return cls("PINHOLE", intrinsic.width, intrinsic.height, params)
 
     def project(self, points: ArrayLike) -> NDArray[np.float64]:
-        """Project points to pixels.
+        """Project points to pixels, on the host.
 
         Args:
             points: In the camera frame (x right, y down, z forward), shape (n, 3).
 
         Returns:
-            Columns and rows, shape (n, 2) [px], inside the image or not. NaN behind the camera or outside the lens.
+            Columns and rows, shape (n, 2) [px], inside the image or not. NaN behind the camera or outside the lens. An
+            array of the points' library, on their device.
 
         Raises:
             TypeError: Not numbers.
@@ -216,16 +218,17 @@ class CameraModel:
         with np.errstate(all="ignore"):
             rays = given[:, :2] / given[:, 2:]
         rays[~(given[:, 2] > 0)] = np.nan
-        return self._lens.project(rays)
+        return hand_back(self._lens.project(rays), points)
 
     def unproject(self, pixels: ArrayLike) -> NDArray[np.float64]:
-        """Compute the rays of pixels by Newton's method, to 1e-12.
+        """Compute the rays of pixels by Newton's method, to 1e-12, on the host.
 
         Args:
             pixels: Columns and rows, shape (n, 2) [px].
 
         Returns:
-            Rays with z = 1 in the camera frame, shape (n, 3). NaN where the lens has no inverse.
+            Rays with z = 1 in the camera frame, shape (n, 3). NaN where the lens has no inverse. An array of the
+            library of the pixels, on their device.
 
         Raises:
             TypeError: Not numbers.
@@ -239,7 +242,7 @@ class CameraModel:
         """
         rays = self._lens.unproject(_check_columns("pixels", pixels, 2))
         depth = np.where(np.isfinite(rays[:, :1]), 1.0, np.nan)
-        return np.concatenate([rays, depth], axis=1)
+        return hand_back(np.concatenate([rays, depth], axis=1), pixels)
 
     def undistorted(
         self, *, blank_share: float = 0.0, max_size: int | None = None, size: tuple[int, int] | None = None
@@ -327,7 +330,7 @@ def _check_size(size: Any) -> tuple[int, int]:
 
 
 def _check_columns(name: str, values: Any, width: int) -> NDArray[np.float64]:
-    array = check_numeric(name, values)
+    array = check_numeric(name, on_host(name, values))
     if array.size == 0 and len(array.shape) and array.shape[0] == 0:
         array = array.reshape(0, width)
     if array.ndim != 2 or array.shape[1] != width:

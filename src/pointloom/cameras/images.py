@@ -10,7 +10,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.argument_errors import explain_argument_errors
-from ..core.array_libraries import NUMPY, check_library, library_of, view_as
+from ..core.array_libraries import NUMPY, check_library, library_of, owned, view_as
 from ..core.attribute_hints import HintedNames
 from ..core.checks import check_count, check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
@@ -170,7 +170,7 @@ class RGBDImage(HintedNames):
     @property
     def depth(self) -> NDArray[np.float32]:
         """Depth [m], float32 (h, w). 0 without measurement."""
-        return download(self.depth_array).reshape(self.height, self.width).copy()
+        return owned(self.depth_array).reshape(self.height, self.width)
 
     @property
     def color(self) -> NDArray[Any]:

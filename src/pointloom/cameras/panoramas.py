@@ -6,14 +6,19 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+import warp as wp
+from numpy.typing import ArrayLike
 
+from ..core.array_libraries import form_of, view_as
 from ..core.checks import check_count, check_numeric
 from ..core.devices import resolve_device
+from ..core.gpu_arrays import take_numbers
+from ..kernels.array_types import Array2
 from ..kernels.images.sphere import find_sphere_positions
 from ..kernels.images.undistortion import sample_image
 from ..kernels.lang import mat33d, uint8
-from ..kernels.memory import download, upload
+from ..kernels.language.device_lock import lock_for
+from ..kernels.memory import empty, upload
 from .camera import PinholeCameraIntrinsic
 
 FACES = ("front", "right", "back", "left", "up", "down")
@@ -82,30 +87,44 @@ class Panorama:
             self.side, self.side / 2, rotations, self.width, self.height, self.device
         )
 
-    def apply(self, picture: ArrayLike) -> NDArray[np.uint8]:
+    def apply(self, picture: ArrayLike) -> Any:
         """Compute the cube faces of a panorama.
 
         Args:
             picture: uint8 (height, width, 3) or (height, width).
 
         Returns:
-            uint8 (6, side, side, 3) or (6, side, side).
+            uint8 (6, side, side, 3) or (6, side, side), the same kind of array.
 
         Raises:
             TypeError: Not uint8.
             ValueError: Another shape.
         """
-        image = check_numeric("picture", picture)
-        if image.dtype != np.uint8:
-            raise TypeError(f"picture: expected uint8, got {image.dtype}; scale it to 0..255 and round")
+        form = form_of(picture)
+        image = check_numeric("picture", picture) if form.on_host else take_numbers("picture", picture, self.device)
+        kind = image.dtype if form.on_host else wp.dtype_to_numpy(image.dtype)
+        if kind != np.uint8:
+            raise TypeError(f"picture: expected uint8, got {np.dtype(kind)}; scale it to 0..255 and round")
         if image.ndim not in (2, 3) or (image.ndim == 3 and image.shape[2] != 3):
             raise ValueError(f"picture: expected shape [h, w] or [h, w, 3], got {list(image.shape)}")
-        if image.shape[:2] != (self.height, self.width):
+        if tuple(image.shape[:2]) != (self.height, self.width):
             given = f"{image.shape[1]} x {image.shape[0]}"
             raise ValueError(f"picture: expected {self.width} x {self.height} pixels, got {given}")
         channels = image.shape[2] if image.ndim == 3 else 1
-        ring = np.concatenate([image[:, -1:], image, image[:, :1]], axis=1).reshape(-1, channels)
-        pixels = upload(np.ascontiguousarray(ring), uint8, self.device)
+        pixels = self._ring_of(image, channels)
         faces = sample_image(pixels, self.width + 2, self.height, 1, self._source_pixels)
         shape = (len(FACES), self.side, self.side, *((3,) if image.ndim == 3 else ()))
-        return np.array(download(faces)).reshape(shape)  # sync
+        return form.hand_out(faces, shape=shape)
+
+    def _ring_of(self, image: Any, channels: int) -> Array2[uint8]:
+        """The image on the device, uint8 (pixels, channels), between copies of its last and first column."""
+        if isinstance(image, np.ndarray):
+            ring = np.concatenate([image[:, -1:], image, image[:, :1]], axis=1).reshape(-1, channels)
+            return upload(np.ascontiguousarray(ring), uint8, self.device)
+        flat, width = view_as(image, uint8, (self.height, self.width * channels)), self.width * channels
+        ring = empty((self.height, width + 2 * channels), uint8, self.device)
+        with lock_for(self.device):
+            wp.copy(ring[:, channels : channels + width], flat)
+            wp.copy(ring[:, :channels], flat[:, width - channels :])
+            wp.copy(ring[:, channels + width :], flat[:, :channels])
+        return view_as(ring, uint8, (ring.size // channels, channels))

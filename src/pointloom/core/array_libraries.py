@@ -44,6 +44,11 @@ def check_library(name: str, value: Any) -> str:
     return value
 
 
+def library_for(arrays: str | None, values: Any = None) -> str:
+    """The requested library of results (`arrays`). If None: that of an array."""
+    return library_of(values) if arrays is None else check_library("arrays", arrays)
+
+
 def hand_out(
     array: wp.array,
     library: str,
@@ -69,6 +74,11 @@ def hand_out(
         return _import(library).from_dlpack(host_view(array))
     with lock_for(array.device):  # its stream waits for pointloom's
         return _import(library).from_dlpack(array)
+
+
+def owned(array: wp.array) -> np.ndarray:
+    """A NumPy copy of a device array (sync). A GPU's is the download itself."""
+    return download(array) if array.device.is_cuda else download(array).copy()
 
 
 def _formed(values: np.ndarray, axes: int, dtype: DTypeLike | None, shape: tuple[int, ...] | None) -> np.ndarray:

@@ -12,13 +12,14 @@ def free_memory(device: Any = None) -> int:
     """Return unused GPU memory to the system, for other programs and libraries.
 
     A GPU caches up to half of its memory (docs/gpu.md). This releases the cache and the streams and graphs of
-    completed operations. Live objects keep their memory. The next operation allocates again and takes slightly longer.
+    completed operations, and the page-locked host memory of released NumPy results (docs/arrays.md). Live objects keep
+    their memory. The next operation allocates again and takes slightly longer.
 
     Args:
         device: The GPU. None for all that this process has used.
 
     Returns:
-        Number of bytes released. 0 on the CPU.
+        Number of bytes of GPU memory released. 0 on the CPU.
 
     Raises:
         DeviceError: No such device.

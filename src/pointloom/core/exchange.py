@@ -11,13 +11,15 @@ from typing import Any
 
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock
 from ..kernels.language.streams import wait_for
-from ..kernels.memory import empty
-from .array_libraries import library_of
-from .checks import unreadable
+from ..kernels.memory import contiguous, download, empty
+from .array_libraries import NUMPY, form_of, library_of
+from .checks import is_on_gpu, unreadable
+from .devices import resolve_device
 from .errors import DeviceError
 
 _COPY = "use PointCloud(...) to copy it"
@@ -70,6 +72,60 @@ def share(name: str, source: Any) -> wp.array:
     if getattr(array.dtype, "_wp_scalar_type_", array.dtype) == wp.bfloat16:  # NumPy would read its bits as integers
         raise TypeError(f"{name}: expected real numbers, got bfloat16; convert it to float32 first")
     return array
+
+
+def asnumpy(array: Any) -> NDArray[Any]:
+    """Convert an array of any library to NumPy, so that code works for every library of results (docs/arrays.md).
+
+    Args:
+        array: An array of torch, cupy, jax, Warp, NumPy or another library with DLPack, on any device, or a list.
+
+    Returns:
+        The same shape and type. A new, writable array if the memory is on a GPU, else the array's own memory if its
+        library shares it, as `numpy.asarray`. The components of Warp's vectors are the last axes.
+
+    Raises:
+        TypeError: If there are no numbers, or types that NumPy does not have (bfloat16), or the argument is a cloud or
+            a mesh: use their attributes, such as `points`.
+        DeviceError: If it is on a GPU and there is no CUDA device here.
+
+    Notes:
+        From a GPU, one copy after all queued work on the array, for which the host waits. Results of 1 MB and more use
+        page-locked memory that is kept for the next ones (docs/arrays.md, Page-locked memory).
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.PointCloud([[0, 0, 0], [0, 0, 3]], arrays="warp")
+        >>> loom.asnumpy(cloud.compute_nearest_neighbor_distance())
+        array([3., 3.])
+    """
+    if hasattr(type(array), "array_library"):
+        raise TypeError(f"array: expected an array, got a {type(array).__name__}. Pass one of its arrays")
+    if is_on_gpu(array):
+        is_number = getattr(array, "shape", None) == ()
+        host = download(contiguous(share("array", array.reshape(1) if is_number else array)))  # sync
+        return host.reshape(()) if is_number else host
+    try:
+        host = np.asarray(array)
+    except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor of torch that requires a gradient
+        given = unreadable(array) or f"{type(array).__name__} ({error})"
+        raise TypeError(f"array: expected numbers, got {given}") from error
+    if host.dtype.kind not in "biufc":
+        raise TypeError(f"array: expected numbers, got {unreadable(array) or type(array).__name__}")
+    return host
+
+
+def hand_back(result: NDArray[Any], argument: Any) -> Any:
+    """A result of work on the host in the form of an argument: an array of its library, on its device."""
+    form = form_of(argument)
+    if form.library == NUMPY:
+        return result
+    return form.hand_out_host(result, resolve_device("cpu") if form.on_host else share("array", argument).device)
+
+
+def on_host(name: str, values: Any) -> Any:
+    """An argument of work on the host: arrays on a GPU are downloaded (sync), others are unchanged."""
+    return download(contiguous(share(name, values))) if is_on_gpu(values) else values
 
 
 def _shared(name: str, source: Any) -> wp.array:

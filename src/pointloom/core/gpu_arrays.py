@@ -77,6 +77,12 @@ def take_vectors(name: str, values: Any, device: Any, *, rows: int | None = None
     return view_as(_as(array, float32), vec3, (array.shape[0],))
 
 
+def take_vectors_in_float64(name: str, values: Any, device: Any) -> wp.array:
+    """Numbers (n, 3) as vec3d (n,)."""
+    rows = take_rows(name, values, 3, device)
+    return view_as(_as(rows, float64), vec3d, (rows.shape[0],))
+
+
 def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None) -> wp.array:
     """Colors (n, 3) as vec3 in 0..1. 8-bit colors are divided by 255."""
     array = take_rows(name, values, 3, device, rows=rows)

@@ -67,6 +67,8 @@ def plain(value: Any) -> Any:
         return [plain(item) for item in value]
     if callable(as_list := getattr(value, "tolist", None)):  # NumPy arrays and numbers
         return plain(as_list())
+    if callable(as_numpy := getattr(value, "numpy", None)):  # Warp arrays
+        return plain(as_numpy())
     if isinstance(value, float):
         return value if value - value == 0 else None
     if value is None or isinstance(value, bool | int | str):

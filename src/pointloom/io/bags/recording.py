@@ -13,6 +13,7 @@ from typing import Any
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.trajectory import Trajectory
+from ...core.array_libraries import library_for
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_positive
 from ...core.errors import FileError
@@ -140,13 +141,16 @@ class Recording:
         what = f"{len(fitting)} topics of {kind}: {', '.join(fitting)}" if fitting else f"no topic of {kind}"
         raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
 
-    def scans(self, topic: str | None = None, *, frame: str | None = None, device: Any = None) -> Iterator[PointCloud]:
+    def scans(
+        self, topic: str | None = None, *, frame: str | None = None, device: Any = None, arrays: str | None = None
+    ) -> Iterator[PointCloud]:
         """Iterate over the clouds of a PointCloud2 or Livox CustomMsg topic in time order.
 
         Args:
             topic: The topic. None selects the only one.
             frame: Target frame, applied with `transforms` at each header's time. None keeps the sensor frame.
             device: Device of the clouds.
+            arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
         Raises:
             FileError: No such topic, several topics, a damaged message, or a cloud without a transform to `frame`.
@@ -155,6 +159,7 @@ class Recording:
             Non-finite points are kept. Per-point times are the attribute `time` [s] since the first point, for
             deskewing. A cloud is transformed rigidly with one pose.
         """
+        library = library_for(arrays)
         chosen = self.choose_topic(topic)
         kind = self.topic_types()[chosen]
         tree = None if frame is None else self.transforms()
@@ -165,7 +170,7 @@ class Recording:
                 table = table_of_livox(self.path, data, encoding)
             else:
                 table = table_of_message(self.path, self.content_at(row))
-            cloud = cloud_of(table, self.path, device=device)
+            cloud = cloud_of(table, self.path, device=device, arrays=library)
             if tree is None or frame is None:
                 return cloud
             time, own = self.header_at(row)

@@ -257,10 +257,13 @@ class SfmModel:
         times = None if timestamps is None else check_shape("timestamps", timestamps, (len(self),))
         return Trajectory(self.T_world_camera, times, np.stack([order, order, order + 1], axis=1))
 
-    def point_cloud(self, device: Any = None) -> PointCloud:
-        """The sparse points with colors, `error` [px] and `views` (observations), on `device` (None: CPU)."""
+    def point_cloud(self, device: Any = None, *, arrays: str | None = None) -> PointCloud:
+        """The sparse points with colors, `error` [px] and `views` (observations), on `device` (None: CPU).
+
+        `arrays` is the library of returned arrays, as of `PointCloud`.
+        """
         return PointCloud(
-            self.points, colors=self.colors, device=device,
+            self.points, colors=self.colors, device=device, arrays=arrays,
             error=self.errors.astype(np.float32), views=self.view_counts.astype(np.int32),
         )  # fmt: skip
 

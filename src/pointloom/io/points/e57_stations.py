@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.array_libraries import library_for
 from ...core.atomic import check_writable
 from ...core.checks import check_list, check_rigid
 from ...core.errors import FileError
@@ -48,7 +49,7 @@ class Stations:
     posed: NDArray[np.bool_]
 
 
-def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stations:
+def read_stations(path: str | os.PathLike[str], *, device: Any = "auto", arrays: str | None = None) -> Stations:
     """Read the scans of an E57 or PTX file in scanner coordinates, with their poses.
 
     `read_point_cloud` reads them as one cloud in world coordinates.
@@ -56,6 +57,7 @@ def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stat
     Args:
         path: The file.
         device: Device of the clouds.
+        arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
     Returns:
         Names, clouds and poses, for `registration.register_stations`.
@@ -72,8 +74,9 @@ def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stat
         >>> found.names, found.poses[0, :3, 3].tolist(), bool(np.allclose(found.clouds[0].points, cloud.points))
         (('A',), [5.0, 6.0, 7.0], True)
     """
+    library = library_for(arrays)
     tables, names, poses, posed = _ptx_scans(path) if path_of(path).suffix.lower() == ".ptx" else _e57_scans(path)
-    clouds = [cloud_of(table, path, device=device) for table in tables]
+    clouds = [cloud_of(table, path, device=device, arrays=library) for table in tables]
     if not all(names) or len(set(names)) < len(names):
         names = [f"{i} {name}".strip() for i, name in enumerate(names)]
     return Stations(tuple(names), clouds, poses, posed)

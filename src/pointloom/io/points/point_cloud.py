@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.array_libraries import library_for
 from ...core.checks import check_count, check_positive
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
 from ...core.devices import resolve_device
@@ -31,7 +32,12 @@ from .pcd import warn_of_viewpoint
 
 
 def read_point_cloud(
-    path: str | os.PathLike[str], *, device: Any = None, scan: int | None = None, columns: Sequence[str] | None = None
+    path: str | os.PathLike[str],
+    *,
+    device: Any = None,
+    scan: int | None = None,
+    columns: Sequence[str] | None = None,
+    arrays: str | None = None,
 ) -> PointCloud:
     """Read a point cloud with all its attributes.
 
@@ -53,6 +59,7 @@ def read_point_cloud(
         device: Device of the cloud.
         scan: For .e57 and .ptx: index of the scan, from 0. None reads all scans and adds the attribute `scan_index`.
         columns: For .csv, .txt, .asc, .xyz and .bin: the names of all columns, which replace those of the file.
+        arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
     Raises:
         FileError: The file cannot be read, with the byte or line, or a required package is missing.
@@ -75,16 +82,17 @@ def read_point_cloud(
         >>> loom.read_point_cloud("scan.csv")["ring"].tolist()
         [5.0, 6.0]
     """
-    extension = _extension(path)
+    extension, library = _extension(path), library_for(arrays)
     if columns is not None or scan is None:
-        return cloud_of(read_points(path, columns), path, device=device)
+        return cloud_of(read_points(path, columns), path, device=device, arrays=library)
     if extension not in (".e57", ".ptx"):
         raise ValueError(f"scan: only .e57 and .ptx have scans, got {escaped(Path(path).suffix)}")
-    return cloud_of(READERS[extension](path, scan=check_count("scan", scan, minimum=0)), path, device=device)
+    table = READERS[extension](path, scan=check_count("scan", scan, minimum=0))
+    return cloud_of(table, path, device=device, arrays=library)
 
 
 def read_las_chunks(
-    path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: Any = None
+    path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: Any = None, arrays: str | None = None
 ) -> Iterator[PointCloud]:
     """Read a LAS or LAZ file in chunks, for files larger than the memory.
 
@@ -94,6 +102,7 @@ def read_las_chunks(
         path: The .las or .laz file.
         chunk_size: Points of a chunk. The last one may be smaller.
         device: Device of the clouds.
+        arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
     Returns:
         An iterator over the chunks in file order, read lazily. Empty if the file has no points.
@@ -110,12 +119,12 @@ def read_las_chunks(
         >>> [len(chunk) for chunk in loom.read_las_chunks("tile.laz", 400)]
         [400, 400, 200]
     """
-    size, where = check_count("chunk_size", chunk_size), resolve_device(device)
+    size, where, library = check_count("chunk_size", chunk_size), resolve_device(device), library_for(arrays)
     if _extension(path) not in (".las", ".laz"):
         raise FileError(path, "is read in parts only as .las or .laz", remedy="Use read_point_cloud")
     file = open_las(path)
     warn_of_degrees(path, is_geographic(file.header), stacklevel=3)
-    return _chunks(file, size, where)
+    return _chunks(file, size, where, library)
 
 
 def read_copc(
@@ -124,6 +133,7 @@ def read_copc(
     within: AxisAlignedBoundingBox | None = None,
     spacing: float = 0.0,
     device: Any = None,
+    arrays: str | None = None,
 ) -> PointCloud:
     """Read a part of a COPC file: the points in a box, or a coarser level of detail.
 
@@ -134,6 +144,7 @@ def read_copc(
         within: Box, bounds included. None reads all points.
         spacing: Read the coarsest level at least as fine as this [unit of the file]. 0 reads every point.
         device: Device of the cloud.
+        arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
     Returns:
         The points with all attributes, level by level.
@@ -154,11 +165,12 @@ def read_copc(
         True
     """
     spacing, where = check_positive("spacing", spacing, allow_zero=True), resolve_device(device)
+    library = library_for(arrays)
     if within is not None and not isinstance(within, AxisAlignedBoundingBox):
         raise TypeError(f"within: expected an AxisAlignedBoundingBox, got {type(within).__name__}")
     low, high = (None, None) if within is None else (within.min_bound, within.max_bound)
     file = open_copc(path_of(path))
-    return cloud_of(file.read(low, high, spacing), file.path, device=where)
+    return cloud_of(file.read(low, high, spacing), file.path, device=where, arrays=library)
 
 
 @quiet()
@@ -171,24 +183,30 @@ def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
     return choose_origin(box if is_right else first.points, first.steps)
 
 
-def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]:
+def _chunks(file: LasFile, chunk_size: int, device: Any, arrays: str) -> Iterator[PointCloud]:
     origin = None
     for table in iterate_las(file, chunk_size):
         if origin is None:
             origin = _common_origin(file, table)
         else:
             table.warnings = ()  # already reported for the first chunk
-        yield cloud_of(table, file.path, device=device, origin=origin)
+        yield cloud_of(table, file.path, device=device, origin=origin, arrays=arrays)
 
 
 def cloud_of(
-    table: PointTable, path: str | os.PathLike[str], *, device: Any = None, origin: ArrayLike | None = None
+    table: PointTable,
+    path: str | os.PathLike[str],
+    *,
+    device: Any = None,
+    origin: ArrayLike | None = None,
+    arrays: str | None = None,
 ) -> PointCloud:
     """Build a cloud from a table. If `origin` is None, one is chosen."""
     warn_of_viewpoint(path, table.viewpoint, stacklevel=3)
     try:
         origin = origin_of(table, path, stacklevel=5) if origin is None else origin
-        cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
+        vectors: dict[str, Any] = {"normals": table.normals, "colors": table.colors}
+        cloud = PointCloud(table.points, **vectors, device=device, origin=origin, arrays=arrays)
     except FileError:
         raise
     except ValueError as error:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.array_libraries import library_for
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
@@ -27,7 +28,9 @@ _READERS = {".ply": netted(read_splat_ply), ".splat": netted(read_splat), ".spz"
 EXTENSIONS = tuple(_READERS)
 
 
-def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, device: Any = None) -> GaussianSplats:
+def read_splats(
+    path: str | os.PathLike[str], *, drop_invalid: bool = False, device: Any = None, arrays: str | None = None
+) -> GaussianSplats:
     """Read 3D Gaussian splats: .ply (from training or SuperSplat, compressed), .splat, .spz versions 2 to 4.
 
     Values are unchanged. Other PLY columns become attributes of `splats.cloud`. Coordinates are those of PLY files
@@ -38,6 +41,7 @@ def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, dev
         path: The file.
         drop_invalid: Drop splats that are not finite or have a zero rotation, with a warning.
         device: Device of the splats.
+        arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
     Raises:
         FileError: Unreadable, no splats, non-finite splats without `drop_invalid`, or SPZ version 4 without `pip
@@ -55,9 +59,10 @@ def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, dev
         >>> loom.read_splats("one.ply").centers.tolist()
         [[0.0, 0.0, 1.0]]
     """
+    library = library_for(arrays)
     table = _READERS[_extension(path)](path)
     table = _only_sound(path, table, drop_invalid)
-    return GaussianSplats.from_cloud(cloud_of(table, path, device=device))
+    return GaussianSplats.from_cloud(cloud_of(table, path, device=device, arrays=library))
 
 
 def write_splats(path: str | os.PathLike[str], splats: GaussianSplats, *, overwrite: bool = True) -> None:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_numeric, check_positive
+from ...core.exchange import on_host
 
 CLOSE = 1.25  # threshold of delta1
 
@@ -72,7 +73,7 @@ def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = D
 
 
 def _metres(name: str, values: Any, scale: float) -> NDArray[np.float64]:
-    array = check_numeric(name, values)
+    array = check_numeric(name, on_host(name, values))
     if array.ndim != 2 or 0 in array.shape:
         raise ValueError(f"{name}: expected shape [h, w], got {list(array.shape)}")
     meters = array.astype(np.float64) / (1.0 if array.dtype.kind == "f" else scale)

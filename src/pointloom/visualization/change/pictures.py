@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_numeric, check_positive
+from ...core.exchange import asnumpy, on_host
 from ...core.units import symbol_of
 from ...meshing.scene.cloud_change import CloudToMeshResult
 from ...pcd.change import M3C2Result
@@ -125,8 +126,8 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
 
 def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     if isinstance(change, M3C2Result | CloudToMeshResult):
-        return change.distances, change.is_significant
-    values = check_numeric("change", change).astype(np.float64)
+        return asnumpy(change.distances), asnumpy(change.is_significant)
+    values = check_numeric("change", on_host("change", change)).astype(np.float64)
     return values, np.ones(values.shape, np.bool_)
 
 

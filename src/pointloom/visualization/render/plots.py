@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_name, check_positive, shown
+from ...core.exchange import asnumpy
 from ...io.optional_imports import import_for
 from ...meshing.volume.distance_field_views import FieldSlice
 from ...registration.stations.observations import ControlPoint, StationPair, TargetObservation
@@ -206,7 +207,7 @@ def draw_slice(
         raise TypeError(f"layer: expected a FieldSlice, got {type(layer).__name__}")
     if not layer.distances.size:
         raise ValueError("layer: has no voxels, because its field has none; pass bounds to `DistanceField.slice`")
-    values, known = layer.distances, layer.is_known
+    values, known = asnumpy(layer.distances), asnumpy(layer.is_known)
     is_signed = bool((values[known] < 0).any())
     finite = np.abs(values[known & np.isfinite(values)])
     high = (float(finite.max(initial=0)) or 1.0) if limit is None else check_positive("limit", limit, maximum=1e100)

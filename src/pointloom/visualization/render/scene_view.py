@@ -42,7 +42,7 @@ def view_scene(
     mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, width: int = 1280, height: int = 960
 ) -> View:
     """View from the side of the scene's cameras (n, 4, 4) [m], slightly from the left and above."""
-    up = level_up(mesh.compute_triangle_normals(), -_mean_direction(T_world_camera[:, :3, 1]))
+    up = level_up(mesh.triangle_normals, -_mean_direction(T_world_camera[:, :3, 1]))
     forward = next(v for v in _forwards(T_world_camera, up) if np.linalg.norm(v) > 0.2)
     forward = forward / np.linalg.norm(forward)
     direction = forward + 0.35 * np.cross(forward, up) - 0.55 * up

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_rigid, check_rows
+from ...core.exchange import on_host
 from .open3d_parameters import cross_product, view_from_open3d, view_to_open3d
 
 Triple = tuple[float, float, float]
@@ -123,7 +124,7 @@ def fit_view(
         >>> view.intrinsic.width, view.T_world_camera.shape
         (320, (4, 4))
     """
-    values = check_rows("points", points, 3, dtype=np.float64)
+    values = check_rows("points", on_host("points", points), 3, dtype=np.float64)
     values = values[np.isfinite(values).all(axis=1)]
     if values.size and np.abs(values).max() > LARGEST_NUMBER:
         raise ValueError(f"points: expected coordinates up to {LARGEST_NUMBER:g}, got {np.abs(values).max():g}")
