@@ -468,7 +468,7 @@ def _sum_of_blocks(name: str, vector: Any) -> Any:
 
 
 # Lanes exchange halves of the remaining elements, so that lane k ends with the sum of element k: 31 instead of 160
-# shuffles for 32 elements. Steps are written out, since an array that is not fully unrolled lies in local memory.
+# shuffles for 32 elements. Steps are written out, since an array with a computed index uses local memory.
 _SUM_OF_LANES = """
     {{
         scalar a[{padded}];
