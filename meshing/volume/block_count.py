@@ -6,14 +6,14 @@ import functools
 import numbers
 from typing import Any
 
-from ...kernels.volumes.frame_record import FrameCounts
+from ...kernels.volumes.frame_record import FrameCounts, TouchesOfFrame
 
 
 @functools.total_ordering
 class BlockCount:
     """Number of touched blocks that waits for the device on first use."""
 
-    def __init__(self, counts: FrameCounts):
+    def __init__(self, counts: FrameCounts | TouchesOfFrame):
         self._counts = counts
 
     def __index__(self) -> int:

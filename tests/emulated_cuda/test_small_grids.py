@@ -44,6 +44,8 @@ KNOWN = {
     "step_rows_in_lanes_kernel": "a warp has a row of an image, of which each pixel depends on the previous one",
     "score_in_lanes_kernel": "a warp has 512 pairs and eight poses: 256 poses and MAX_PAIRS give 32,768 threads",
     "fit_on_edges_kernel": "a thread has an edge of a hull: the smallest box so far ends the search of the next ones",
+    "choose_in_block_kernel": "one block chooses among up to 8,192 points. Larger clouds have a launch per choice",
+    "renew_level_kernel": "one block solves the coarse levels, whatever the number of samples",
     "fit_on_facets_kernel": "a thread has a facet of a hull, which has few",
 }
 
