@@ -399,7 +399,8 @@ class MeshReconstruction(MeshMeasures):
         if np.abs(levels).max() > _FLOAT_MAX:
             raise ValueError(f"contour_values: expected numbers within float32, got {shown(contour_values)}")
         library = library_for(arrays, volume)
-        field = take_numbers("volume", volume).transpose() if is_on_gpu(volume) else check_numeric("volume", volume).T
+        numbers: Any = take_numbers("volume", volume) if is_on_gpu(volume) else check_numeric("volume", volume)
+        field = numbers.transpose()
         if field.ndim != 3 or min(field.shape) < 2:
             shape = list(field.shape[::-1])
             raise ValueError(f"volume: expected shape [nz, ny, nx] with at least 2 along each axis, got {shape}")
