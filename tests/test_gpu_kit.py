@@ -186,7 +186,8 @@ def test_is_ended(device):
 
 def test_failures_are_written_before_a_run_of_tests_ends(tmp_path):
     (tmp_path / "test_two.py").write_text(FAILING)
-    environment = {**os.environ, FAILURES: str(tmp_path / "failures.jsonl"), "PYTHONPATH": str(BENCHMARKS)}
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
+    environment = {**inherited, FAILURES: str(tmp_path / "failures.jsonl"), "PYTHONPATH": str(BENCHMARKS)}
     command = [sys.executable, "-m", "pytest", "-q", "-p", "gpu_kit.gpu_only", "-c", os.devnull, "test_two.py"]
     subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, check=False)
     (failure,) = [json.loads(line) for line in (tmp_path / "failures.jsonl").read_text().splitlines()]

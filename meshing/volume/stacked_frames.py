@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import check_intrinsic, upload_color, upload_raw_depth
-from ...core.checks import check_rigid, is_on_gpu
+from ...core.checks import check_numeric, check_rigid, is_on_gpu
 from ...core.gpu_arrays import take_numbers
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import rows_of
@@ -43,7 +43,7 @@ def stacked_frames(
     if images.ndim != 3:
         raise ValueError(f"depth: expected shape [k, h, w], got {list(images.shape)}. Use integrate() for one frame")
     count, height, width = images.shape
-    poses = np.asarray(extrinsic)
+    poses = check_numeric("extrinsic", extrinsic)
     if poses.shape != (count, 4, 4):
         raise ValueError(
             f"extrinsic: expected shape [{count}, 4, 4], a pose for each depth image, got {list(poses.shape)}"
