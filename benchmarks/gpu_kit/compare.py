@@ -45,10 +45,18 @@ def sized(sizes: tuple[int, ...], *names: str) -> tuple[str, ...]:
     return tuple(f"{name}={size}" for name in names for size in sizes)
 
 
-SEARCHES = ("normals_k30", "normals_hybrid", "knn20_device", "statistical_outliers_device")
 ROWS = ("register_globally", "segment_plane", "planar_patches", "ransac")
 CHANGES = (
-    Change("split boxes", "1fb14353^", sized((20_000, 200_000, 1_000_000), *SEARCHES)),
+    Change(
+        "one kernel per sum, eight lanes per pixel",  # also balls, small blocks, solves and levels of one launch
+        "08a77bf4",
+        (
+            *sized((200_000,), "icp_plane", "gicp", "normals_k30"),
+            *sized((307_200,), "rgbd_frame", "slam_frame"),
+            *("mvs_pictures=57600", "lidar_odometry_scan=57600", "ball_pivoting=60000", "poisson_depth_7=60000"),
+            "deform_arap=48",
+        ),
+    ),
     Change(
         "warps for rows",  # DBSCAN, compatibility graphs, main planes, disparities
         "7f661cb4^",
