@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
+KERNELS = "src/pointloom/kernels/"
 DIGITS = 12  # hexadecimal digits of a digest
 
 
@@ -74,7 +75,7 @@ def imported_kernels(paths: Iterable[str], root: Path = ROOT) -> set[str]:
     Imports of kernels/language and kernels/lang.py do not count.
     """
     reached: set[str] = set()
-    remaining = [path for path in paths if path.startswith("kernels/")]
+    remaining = [path for path in paths if path.startswith(KERNELS)]
     while remaining:
         path = remaining.pop()
         if path not in reached:
@@ -93,7 +94,7 @@ def _imports(content: bytes, path: Path, root: Path) -> list[str]:
     return [
         file
         for file in imported
-        if file.startswith("kernels/") and not file.startswith(("kernels/language/", "kernels/lang.py"))
+        if file.startswith(KERNELS) and not file.startswith((f"{KERNELS}language/", f"{KERNELS}lang.py"))
         if (root / file).is_file()
     ]
 

@@ -138,11 +138,8 @@ def python_sentences(source: str) -> Iterator[tuple[str, int, str]]:
 
 
 def python_files(root: Path) -> list[Path]:
-    """The modules of the packages under src, each once: a package may be a folder or a link to one."""
-    files = set()
-    for entry in map(Path.resolve, root.glob("src/*/*")):
-        files.update(entry.rglob("*.py") if entry.is_dir() else [entry] if entry.suffix == ".py" else [])
-    return sorted({path.resolve() for path in files})
+    """The modules under src."""
+    return sorted(root.glob("src/**/*.py"))
 
 
 def pages(root: Path) -> list[Path]:

@@ -11,16 +11,12 @@ import ast
 import functools
 import json
 import os
-import shutil
 import subprocess
 import sys
-import tempfile
-import tomllib
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
-PACKAGE = ROOT / "src" / "pointloom"
 DECORATORS = {"kernel", "func", "loop", "reduction", "segment_reduction", "cuda_func", "cuda_loop", "on_cuda"}
 
 
@@ -54,20 +50,12 @@ def device_lines_of(path: Path) -> set[int]:
 
 
 def run_pyright(arguments: list[str]) -> dict[str, Any]:
-    """Run pyright on a copy of the package, because pyright does not follow links.
-
-    The environment variable stops its wrapper from querying a registry for newer versions.
-    """
-    with tempfile.TemporaryDirectory() as folder:
-        shutil.copytree(PACKAGE, Path(folder, "pointloom"), ignore=shutil.ignore_patterns("__pycache__"))
-        settings = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["pyright"]
-        settings |= {"venvPath": str(ROOT), "stubPath": str(ROOT / "typings"), "include": ["pointloom"]}
-        Path(folder, "pyrightconfig.json").write_text(json.dumps(settings | {"extraPaths": [folder]}))
-        command = [Path(sys.executable).with_name("pyright"), "--outputjson", "--project", folder, *arguments]
-        environment = {**os.environ, "PYRIGHT_PYTHON_IGNORE_WARNINGS": "1"}
-        result = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True, check=False)
+    """Run pyright; the environment variable stops its wrapper from querying a registry for newer versions."""
+    command = [Path(sys.executable).with_name("pyright"), "--outputjson", *arguments]
+    environment = {**os.environ, "PYRIGHT_PYTHON_IGNORE_WARNINGS": "1"}
+    result = subprocess.run(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True, check=False)
     try:
-        return json.loads(result.stdout.replace(str(Path(folder).resolve()), str(ROOT / "src")))
+        return json.loads(result.stdout)
     except json.JSONDecodeError:
         raise SystemExit(f"pyright failed with {result.returncode}:\n{result.stdout}") from None
 

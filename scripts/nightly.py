@@ -45,7 +45,7 @@ DROPPED = {"ARGS", "RUNS", "LOADED_RUNS", "TESTS", "MAKEFLAGS", "MFLAGS", "MAKEO
 
 # ------------------------------------------------------------------------------------------------ table of steps
 
-PRODUCT = ("kernels/", "pcd/", "registration/", "meshing/", "src/")
+PRODUCT = ("src/",)
 TESTS = ("tests/", "!tests/mutants/", "!tests/test_nightly.py")
 CODE = (*PRODUCT, *TESTS, "benchmarks/")  # what tests of a package read
 ALL = ("", "!scripts/nightly.py", "!tests/test_nightly.py")
@@ -106,7 +106,7 @@ def all_steps(root: Path = ROOT) -> list[Step]:
     return [
         Step("gpu-kit", ("make", "gpu-run", "ARGS=--dry"), CODE),
         *(
-            Step(f"cuda-architectures-{number}", ("make", "check-cuda", f"ARGS={number}"), ("kernels/", "src/"))
+            Step(f"cuda-architectures-{number}", ("make", "check-cuda", f"ARGS={number}"), PRODUCT)
             for number in ARCHITECTURES
         ),
         Step("trust", ("make", "trust", "ARGS=--quick"), CODE, minutes=10),

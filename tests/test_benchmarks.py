@@ -251,9 +251,9 @@ def test_the_module_of_a_launched_kernel_counts(code_digests):
 
     rows, mask = wp.zeros(1, wp.int32, device="cpu"), wp.zeros(1, wp.uint8, device="cpu")
     modules = code_digests.modules_of_call(lambda: launch(mark_rows_kernel, 0, [rows, mask]))
-    assert "kernels/launches.py" in modules
-    assert "kernels/arrays/subsets.py" in modules, "no function of it runs"
-    assert "kernels/arrays/random.py" in modules, "it has device functions of the kernels in subsets.py"
+    assert "src/pointloom/kernels/launches.py" in modules
+    assert "src/pointloom/kernels/arrays/subsets.py" in modules, "no function of it runs"
+    assert "src/pointloom/kernels/arrays/random.py" in modules, "it has device functions of the kernels in subsets.py"
 
 
 def test_imports_of_modules_of_kernels_count_within_kernels(tmp_path, code_digests):
@@ -269,13 +269,17 @@ def test_imports_of_modules_of_kernels_count_within_kernels(tmp_path, code_diges
         "core/checks.py": "",
         "pcd/normals.py": "from ..kernels.search.other import other",
     }
-    for path, text in files.items():
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text(text)
-    walk = {f"kernels/{name}.py" for name in ("search/walk", "search/limits", "algebra/solve", "algebra/parts")}
-    assert code_digests.imported_kernels(["pcd/normals.py", "kernels/search/walk.py"], tmp_path) == walk
-    ran = code_digests.imported_kernels(["kernels/language/rules.py"], tmp_path)
-    assert ran == {"kernels/language/rules.py", "kernels/memory.py"}
+    package = "src/pointloom"
+    for name, text in files.items():
+        path = tmp_path / package / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    names = ("search/walk", "search/limits", "algebra/solve", "algebra/parts")
+    walk = {f"{package}/kernels/{name}.py" for name in names}
+    started = [f"{package}/{name}.py" for name in ("pcd/normals", "kernels/search/walk")]
+    assert code_digests.imported_kernels(started, tmp_path) == walk
+    ran = code_digests.imported_kernels([f"{package}/kernels/language/rules.py"], tmp_path)
+    assert ran == {f"{package}/kernels/{name}.py" for name in ("language/rules", "memory")}
 
 
 class Rounds:

@@ -12,7 +12,7 @@ PAGES = sorted(
     for path in [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
     if COPIES not in path.parents
 )
-PAGES += ["kernels/README.md", "benchmarks/README.md", "tests/emulated_cuda/README.md"]
+PAGES += ["src/pointloom/kernels/README.md", "benchmarks/README.md", "tests/emulated_cuda/README.md"]
 PAGES += ["benchmarks/gpu_kit/README.md"]
 
 

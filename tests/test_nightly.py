@@ -278,4 +278,4 @@ def test_each_list_of_mutants_is_covered_by_its_parts():
 
 
 def test_all_architectures_of_check_cuda_are_steps():
-    assert f"ARCHITECTURES = {nightly.ARCHITECTURES}" in (ROOT / "kernels" / "check_cuda.py").read_text()
+    assert f"ARCHITECTURES = {nightly.ARCHITECTURES}" in (ROOT / "src/pointloom/kernels/check_cuda.py").read_text()

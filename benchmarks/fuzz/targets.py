@@ -330,23 +330,15 @@ def _members(module: ModuleType, prefix: str) -> Iterator[tuple[str, Any]]:
 
 @functools.cache
 def opening_modules(root: Path) -> frozenset[str]:
-    """The modules of pointloom that open an input file, as paths in the package. Follows links."""
+    """The modules of pointloom that open an input file, as paths in the package."""
     package, found = root / "src" / "pointloom", set()
-    for path in _files(package):
+    for path in sorted(package.rglob("*.py")):
         text = path.read_text(encoding="utf-8")
         if _MAY_OPEN.search(text):
             tree = ast.parse(text)
             if any(isinstance(node, ast.Call) and _opens(node) for node in ast.walk(tree)):
                 found.add(path.relative_to(package).as_posix())
     return frozenset(found)
-
-
-def _files(folder: Path) -> Iterator[Path]:
-    for entry in sorted(folder.iterdir()):
-        if entry.is_dir():
-            yield from _files(entry)
-        elif entry.suffix == ".py":
-            yield entry
 
 
 def _opens(call: ast.Call) -> bool:

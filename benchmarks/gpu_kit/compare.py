@@ -25,7 +25,7 @@ from gpu_kit.runner import MORE
 FOLDER = "POINTLOOM_GPU_BEFORE"  # set by call.sh: contains a folder for each change, with src and kernels.zip
 KINDS = ("device", "call", "call")  # processes of each side, in order
 AT_LEAST = 15.0  # seconds to start both sides
-PACKAGES = ("src", "kernels", "pcd", "registration", "meshing")  # src/pointloom links to the others
+PACKAGES = ("src", "kernels", "pcd", "registration", "meshing")  # before links were reversed
 
 
 @dataclass(frozen=True)

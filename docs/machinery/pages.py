@@ -19,7 +19,7 @@ BROUGHT = {
     "CHANGELOG.md": "project/changelog",
     "CONTRIBUTING.md": "project/contributing",
     "SECURITY.md": "project/security",
-    "kernels/README.md": "project/kernels",
+    "src/pointloom/kernels/README.md": "project/kernels",
     "benchmarks/README.md": "project/benchmarks",
     "tests/emulated_cuda/README.md": "project/emulated-cuda",
 }

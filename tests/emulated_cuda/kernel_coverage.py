@@ -30,7 +30,7 @@ from typing import Any
 from .loop_ranges import Loops, is_traversal
 
 ROOT = Path(__file__).resolve().parents[2]
-KERNELS = ROOT / "kernels"
+KERNELS = ROOT / "src" / "pointloom" / "kernels"
 MARKS_OF_FILE, BYTES_OF_MARK = 256, 4
 FALSE, TRUE, COMPILED = range(3)  # bytes of a mark
 MARK = re.compile(r"\bcovered_(\d+)\w*\(")  # a call in Warp's CUDA source

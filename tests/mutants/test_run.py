@@ -7,7 +7,7 @@ import pytest
 from .run import main
 
 SOURCE = "def clamp(x, low, high):\n    return min(max(x, low), high)\n"
-TEST = "from pcd.clamp import clamp\n\n\ndef test_low():\n    assert clamp(-1, 0, 5) == {}\n"
+TEST = "from clamp import clamp\n\n\ndef test_low():\n    assert clamp(-1, 0, 5) == {}\n"
 CONFTEST = """
 def pytest_addoption(parser):
     parser.addoption("--quick", action="store_true")
@@ -16,7 +16,7 @@ def pytest_collection_modifyitems(config, items):
     items[:] = [item for item in items if not (config.getoption("--quick") and item.get_closest_marker("slow"))]
 """
 NOTICED = {
-    "name": "no lower limit", "file": "pcd/clamp.py", "old": "max(x, low)", "new": "x",
+    "name": "no lower limit", "file": "src/clamp.py", "old": "max(x, low)", "new": "x",
     "tests": ["tests/test_clamp.py"],
 }  # fmt: skip
 UNNOTICED = NOTICED | {"name": "no upper limit", "old": "min(max(x, low), high)", "new": "max(x, low)"}
@@ -25,12 +25,12 @@ UNNOTICED = NOTICED | {"name": "no upper limit", "old": "min(max(x, low), high)"
 @pytest.fixture
 def tree(tmp_path):
     """A function that clamps a number, and a test of the lower bound only."""
-    for folder in ("pcd", "tests", "list"):
+    for folder in ("src", "tests", "list"):
         (tmp_path / folder).mkdir()
-    (tmp_path / "pcd" / "clamp.py").write_text(SOURCE)
+    (tmp_path / "src" / "clamp.py").write_text(SOURCE)
     (tmp_path / "tests" / "test_clamp.py").write_text(TEST.format(0))
     plain = "-p no:dash -p no:hypothesispytest -p no:benchmark"  # which take seconds to start
-    settings = f'[tool.pytest.ini_options]\npythonpath = ["."]\naddopts = "{plain}"\n'
+    settings = f'[tool.pytest.ini_options]\npythonpath = ["src"]\naddopts = "{plain}"\n'
     (tmp_path / "pyproject.toml").write_text(settings)
     (tmp_path / "tests" / "conftest.py").write_text(CONFTEST)
     return tmp_path
@@ -49,8 +49,8 @@ def test_a_mutant_that_no_test_notices_is_a_failure_that_names_it(tree, capsys):
     assert run(tree, NOTICED, UNNOTICED) == 1
     shown = capsys.readouterr().out
     assert "FAILED tests/test_clamp.py::test_low" in shown and "NOT NOTICED" in shown
-    assert "1 of 2 noticed: 50.0%" in shown and "not noticed: no upper limit (pcd/clamp.py)" in shown
-    assert (tree / "pcd" / "clamp.py").read_text() == SOURCE
+    assert "1 of 2 noticed: 50.0%" in shown and "not noticed: no upper limit (src/clamp.py)" in shown
+    assert (tree / "src" / "clamp.py").read_text() == SOURCE
 
 
 def test_mutants_that_are_all_noticed_are_a_success(tree, capsys):
@@ -79,11 +79,11 @@ def test_a_mutant_only_detected_by_slow_tests_is_detected_with_all_tests(tree, c
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        ({"old": "median(x)"}, "no lower limit: pcd/clamp.py holds the old text 0 times"),
-        ({"old": "low"}, "no lower limit: pcd/clamp.py holds the old text 2 times"),
+        ({"old": "median(x)"}, "no lower limit: src/clamp.py holds the old text 0 times"),
+        ({"old": "low"}, "no lower limit: src/clamp.py holds the old text 2 times"),
         ({"new": "max(x, low)"}, "another text than the new one"),
         ({"new": "max(x"}, "no lower limit: the new text is no Python"),
-        ({"file": "pcd/limits.py"}, "no lower limit: there is no file pcd/limits.py"),
+        ({"file": "src/limits.py"}, "no lower limit: there is no file src/limits.py"),
         ({"tests": ["tests/test_limits.py::test_low"]}, "there is no test tests/test_limits.py::test_low"),
         ({"tests": []}, "no lower limit: names no tests"),
         ({"why": "a limit"}, "no lower limit: expected name, file, old, new, tests, got name"),
@@ -109,7 +109,7 @@ def test_the_parts_of_a_list_are_all_of_its_mutants(tree, capsys):
 def test_only_the_mutants_of_the_named_list_are_selected(tree, capsys):
     (tree / "list" / "other.toml").write_text("[[mutant]]\nname = 'not read'\n")
     assert run(tree, NOTICED, words=["--list", "--from", "pcd.toml"]) == 0
-    assert capsys.readouterr().out.split() == ["pcd/clamp.py", *NOTICED["name"].split()]
+    assert capsys.readouterr().out.split() == ["src/clamp.py", *NOTICED["name"].split()]
 
 
 @pytest.mark.parametrize(
