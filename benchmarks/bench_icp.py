@@ -174,11 +174,11 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
     reg = loom.registration
     clouds = [loom.PointCloud(p, device=device) for p in (scene.source, scene.target)]
     rules = reg.ICPConvergenceCriteria(1e-3, 1e-3 * scene.voxel_size, 20)
+    method = reg.TransformationEstimationForGeneralizedICP()
 
     def align() -> Any:
         source, target = (c.voxel_down_sample(scene.voxel_size).estimate_normals(max_nn=COVARIANCE_NN) for c in clouds)
-        result = reg.registration_generalized_icp(source, target, scene.distance, criteria=rules)
-        return result.transformation, scene.T
+        return reg.registration_icp(source, target, scene.distance, None, method, rules).transformation, scene.T
 
     return waiting(align, device, "warp")
 

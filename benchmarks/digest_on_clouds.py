@@ -218,8 +218,12 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "icp, point to plane": lambda p: icp(p, "PointToPlane"),
     "icp, symmetric": lambda p: icp(p, "Symmetric"),
     "icp, generalized": lambda p: icp(p, "ForGeneralizedICP"),
-    "icp, generalized, own covariances": lambda p: reg().registration_generalized_icp(
-        p.other.transform(scenes.inverse(p.pose)), p.cloud, p.max_distance
+    "icp, generalized, own covariances": lambda p: reg().registration_icp(
+        p.other.transform(scenes.inverse(p.pose)),
+        p.cloud,
+        p.max_distance,
+        None,
+        reg().TransformationEstimationForGeneralizedICP(),
     ),
     "icp, generalized, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
     "registration_ndt": lambda p: ndt(p),

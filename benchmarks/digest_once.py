@@ -384,13 +384,24 @@ def icp_fixed(p: SampledSurface) -> list[Any]:
     level, scaled = ("x", "y", "z", "yaw"), reg().TransformationEstimationPointToPoint(True)
     weights = np.linspace(0, 1, len(p.source))
     return [
-        icp_with(p, free=level, frame=rotation[:3, :3], pivot=(0.0, 0.1, 0.2), weights=weights),
-        icp_with(p, prior=known),
+        icp_with(
+            p, constraint=reg().Constraint(free=level, frame=rotation[:3, :3], pivot=(0.0, 0.1, 0.2)), weights=weights
+        ),
+        icp_with(p, constraint=reg().Constraint(prior=known)),
         reg().registration_icp(
-            p.source, p.facing, p.max_distance, None, scaled, free=("roll", "pitch", "yaw", "x"), prior=known
+            p.source,
+            p.facing,
+            p.max_distance,
+            None,
+            scaled,
+            constraint=reg().Constraint(free=("roll", "pitch", "yaw", "x"), prior=known),
         ),
         reg().registration_icp_batch(
-            p.source, p.facing, p.max_distance, np.stack([np.eye(4)] * 2), free=level, prior=known
+            p.source,
+            p.facing,
+            p.max_distance,
+            np.stack([np.eye(4)] * 2),
+            constraint=reg().Constraint(free=level, prior=known),
         ),
     ]
 
@@ -716,12 +727,6 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "icp, doppler": doppler,
     "icp, doppler, robust": lambda d: doppler(
         d, reject_dynamic_outliers=True, doppler_kernel=reg().TukeyLoss(0.5), geometric_kernel=reg().HuberLoss(0.2)
-    ),
-    "registration_colored_icp": lambda d: reg().registration_colored_icp(
-        d.far.source, d.far.facing, d.far.max_distance
-    ),
-    "registration_symmetric_icp": lambda d: reg().registration_symmetric_icp(
-        d.far.source, d.far.facing, d.far.max_distance
     ),
     "registration_icp_batch, point to point": lambda d: icp_batch(d, "PointToPoint"),
     "registration_icp_batch, point to plane": lambda d: icp_batch(d, "PointToPlane"),

@@ -87,12 +87,12 @@ moved 1e-6 loom.LineSet(points=cloud.points[:4], lines=[[0, 1], [2, 3]]).transfo
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPoint()).transformation
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane()).transformation
 pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.05))).transformation
-pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), free=("x", "y", "z", "yaw")).transformation
+pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), constraint=reg.Constraint(("x", "y", "z", "yaw"))).transformation
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), overlap=0.9).transformation
-pose 2e-6 reg.registration_generalized_icp(other, cloud, 0.2, about(start)).transformation
-pose 2e-5 reg.registration_generalized_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForGeneralizedICP(voxel_size=0.5)).transformation
+pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForGeneralizedICP()).transformation
+pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForGeneralizedICP(voxel_size=0.5)).transformation
 pose 2e-6 reg.registration_ndt(other, cloud, reg.NormalDistributionsTransformOption(0.5), about(start)).transformation
-pose 2e-5 reg.registration_colored_icp(other, cloud, 0.2, about(start)).transformation
+pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForColoredICP()).transformation
 pose 2e-6 reg.registration_icp_batch([other, other], cloud, 0.2, np.array([about(start), about(near)]), reg.TransformationEstimationPointToPlane())[1].transformation
 pose 2e-5 reg.multi_scale_icp(other, cloud, [0.25, 0.125], [reg.ICPConvergenceCriteria()] * 2, [0.5, 0.25], init=about(start), estimation_method=reg.TransformationEstimationPointToPlane()).transformation
 same 1e-5 reg.rate_registration(other, cloud, about(near), 0.2)

@@ -59,8 +59,8 @@ OF_ALL = {
     "compute_iss_keypoints": lambda c: np.unique(loom.compute_iss_keypoints(c).points, axis=0),
     "create_surface, ball": lambda c: [loom.create_surface(c, "ball", new_normals=True).mesh.get_surface_area()],
     "create_surface, alpha": lambda c: [loom.create_surface(c, "alpha").support.bent],
-    "registration_generalized_icp": moved_by(lambda a, b: reg.registration_generalized_icp(a, b, 0.2)),
-    "registration_colored_icp": moved_by(lambda a, b: reg.registration_colored_icp(a, b, 0.2)),
+    "registration_icp, generalized": icp(reg.TransformationEstimationForGeneralizedICP),
+    "registration_icp, colored": icp(reg.TransformationEstimationForColoredICP),
     "registration_icp, planes": icp(reg.TransformationEstimationPointToPlane),
     "registration_icp, symmetric": icp(reg.TransformationEstimationSymmetric),
 }

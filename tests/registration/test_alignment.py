@@ -144,7 +144,7 @@ def test_a_prior_constrains_only_free_motions(rng):
     odometry = as_pose([0.0, 0.0, 0.03], [0.1, 0.15, 0.05])  # correct along the corridor, wrong across it
     result = reg.registration_icp(
         source, target, 0.25, first.transformation, reg.TransformationEstimationPointToPlane(),
-        prior=actual.prior(odometry, 0.01), pivot=actual.middle, degeneracy=0,
+        constraint=reg.Constraint(prior=actual.prior(odometry, 0.01), pivot=actual.middle), degeneracy=0,
     )  # fmt: skip
     off = np.abs(result.transformation - truth)
     assert off[1, 3] < 0.02 and off[[0, 2], 3].max() < 0.01 and off[:3, :3].max() < 0.005

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.registration.icp.kinds import registration_symmetric_icp
 from pointloom.registration.rigid import fit_pose
 from pointloom.registration.robust_kernels import GeneralizedLoss
 
@@ -151,19 +150,6 @@ def test_own_covariances_are_used_before_normals(device, pair, oracle, rng, tole
     result = result_after(device, SimpleNamespace(source=source, target=pair.target), method, 5)
     assert_same(result, oracle("registration/estimation/covariances", steps_with, pair, C), tolerances.icp_pose_float32)
     assert np.abs(result_after(device, pair, method, 5).transformation - result.transformation).max() > 1e-4
-
-
-def test_dedicated_functions_match_open3d(device, pair):
-    source, target = pair.source.to(device), pair.target.to(device)
-    rules = reg.ICPConvergenceCriteria(0, 0, 2)
-    for name, call in (
-        ("ForColoredICP", reg.registration_colored_icp),
-        ("ForGeneralizedICP", reg.registration_generalized_icp),
-        ("Symmetric", registration_symmetric_icp),
-    ):
-        one = call(source, target, DISTANCE, criteria=rules)
-        other = result_after(device, pair, method_of(reg, name, ()), 2)
-        np.testing.assert_array_equal(one.transformation, other.transformation)
 
 
 def steps_of_shapes(o3d, pair):

@@ -55,7 +55,8 @@ def parameters(T, init, pivot, frame):
 def test_the_pose_matches_dense_least_squares(device, pair, kind, free, frame, pivot):
     source, target = on(device, *pair)
     given = {"free": free, "frame": frame, "pivot": pivot}
-    result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, degeneracy=0, **given)
+    bound = {"constraint": reg.Constraint(**given), "degeneracy": 0}
+    result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, **bound)
     wanted = dense(source, target, result, kind, **given)
     np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
     assert np.abs(result.transformation - INIT).max() > 1e-3  # it moved
@@ -67,7 +68,8 @@ def test_a_prior_without_information_leaves_the_full_pose(device, full_pair, kin
     """Two code paths to one pose: the step of all jobs, and that of jobs with a constraint."""
     source, target = on(device, *full_pair[:2])
     prior = reg.Prior(np.eye(4), sigma_translation=1e6, sigma_rotation=1e6)
-    results = (reg.registration_icp(source, target, 0.2, None, KINDS[kind], LONG, prior=p) for p in (None, prior))
+    given = source, target, 0.2, None, KINDS[kind], LONG
+    results = (reg.registration_icp(*given, constraint=p) for p in (None, reg.Constraint(prior=prior)))
     np.testing.assert_allclose(*(result.transformation for result in results), atol=1e-6)
 
 
@@ -84,14 +86,16 @@ def test_fixed_components_stay_as_in_init(device, full_pair, kind, shift, free):
     init[:3, 3] = shift - init[:3, :3] @ shift
     pivot = shift + np.array([0.1, 0.2, 0.0])
     for frame in (np.eye(3), FRAME):
-        result = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, free=free, frame=frame, pivot=pivot)
+        bound = reg.Constraint(free, frame, pivot)
+        result = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, constraint=bound)
         values = parameters(result.transformation, init, pivot, frame)
         fixed = [name not in free for name in MOTIONS]
         assert np.abs(values[fixed]).max() < 1e-12 * max(1.0, np.abs(shift).max())
         assert np.abs(values).max() > 1e-3
     fixed_rows = np.ones(3, bool) if "yaw" not in free else np.array([False, False, True])
     if "roll" not in free:  # exactly level in floating point
-        level = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, free=free).transformation
+        bound = reg.Constraint(free)
+        level = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, constraint=bound).transformation
         np.testing.assert_allclose(level[:3, :3][fixed_rows], init[:3, :3][fixed_rows], atol=1e-15)
 
 
@@ -100,7 +104,8 @@ def test_a_rail_along_any_axis_keeps_the_initial_rotation_bitwise(device, pair):
     init = as_pose([0.02, -0.01, 0.01])
     still = reg.ICPConvergenceCriteria(max_iteration=0)
     start = reg.registration_icp(source, target, 0.3, init, PLANE, still).transformation
-    rail = reg.registration_icp(source, target, 0.3, init, PLANE, LONG, free=("x",), frame=FRAME).transformation
+    bound = reg.Constraint(("x",), FRAME)
+    rail = reg.registration_icp(source, target, 0.3, init, PLANE, LONG, constraint=bound).transformation
     assert (rail[:3, :3] == start[:3, :3]).all() and (rail[:3, 3] != start[:3, 3]).all()
 
 
@@ -111,7 +116,8 @@ def test_rotations_about_two_axes_are_preserved_across_scales(device, rng):
     source = loom.PointCloud(back(target.points, T), device=device)
     rules = [reg.ICPConvergenceCriteria(1e-9, 1e-9, n) for n in (3, 3, 40)]
     scales = [0.2, 0.1, -1], rules, [1.0, 0.5, 0.3]
-    result = reg.multi_scale_icp(source, target, *scales, None, PLANE, free=("roll", "pitch"), pivot=(0, 0, 0))
+    bound = reg.Constraint(("roll", "pitch"), pivot=(0, 0, 0))
+    result = reg.multi_scale_icp(source, target, *scales, None, PLANE, constraint=bound)
     np.testing.assert_allclose(result.transformation, T, atol=1e-5)
     values = parameters(result.transformation, np.eye(4), np.zeros(3), np.eye(3))
     assert np.abs(values[2:]).max() < 1e-14
@@ -122,21 +128,24 @@ def test_a_batch_has_a_pivot_and_a_prior_for_each_job(device, pair):
     sigmas = {"sigma_translation": 0.01, "sigma_rotation": 0.02}
     priors = [reg.Prior(as_pose([0, 0, a], [a, 0, 0]), **sigmas) for a in (0.0, 0.05, 0.0)]
     pivots = np.array([[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, 0.0]])
-    shared = {"free": ("x", "y", "z", "yaw"), "noise": 0.05, "weights": np.linspace(0, 1, len(source))}
+    shared, weights = {"free": ("x", "y", "z", "yaw"), "noise": 0.05}, np.linspace(0, 1, len(source))
     inits = np.stack([np.eye(4), np.eye(4), as_pose([0, 0, 0], [100, 0, 0])])  # the last one has no pairs
-    results = reg.registration_icp_batch(source, target, 0.3, inits, PLANE, LONG, pivot=pivots, prior=priors, **shared)
+    given = {"constraint": reg.Constraint(pivot=pivots, prior=priors, **shared), "weights": weights}
+    results = reg.registration_icp_batch(source, target, 0.3, inits, PLANE, LONG, **given)
     assert results[2].warnings == ("no correspondences",)
     for job, result in enumerate(results[:2]):
-        own = {"pivot": pivots[job], "prior": priors[job]} | shared
-        one = reg.registration_icp(source, target, 0.3, None, PLANE, LONG, **own)
+        own = reg.Constraint(pivot=pivots[job], prior=priors[job], **shared)
+        one = reg.registration_icp(source, target, 0.3, None, PLANE, LONG, constraint=own, weights=weights)
         np.testing.assert_allclose(result.transformation, one.transformation, atol=1e-12)
     assert np.abs(results[0].transformation - results[1].transformation).max() > 1e-3
 
 
 def test_naming_all_freedoms_equals_no_restriction(device, pair):
     source, target = on(device, *pair)
-    free, bound = (reg.registration_icp(source, target, 0.3, INIT, PLANE, free=f) for f in (None, MOTIONS))
+    given = source, target, 0.3, INIT, PLANE
+    free, bound = (reg.registration_icp(*given, constraint=c) for c in (None, reg.Constraint(MOTIONS)))
     assert (free.transformation == bound.transformation).all() and bound.free is None
+    assert reg.Constraint().free == MOTIONS and reg.Constraint(iter(("x", "yaw"))).free == ("yaw", "x")
 
 
 def test_weights_count_as_duplicate_points(device, full_pair, rng):
@@ -159,7 +168,8 @@ def test_empty_clouds_and_single_points_respect_the_freedom(device):
         source = loom.PointCloud(points, device=device)
         target = loom.PointCloud(points + np.array([0.05, 0.02, 0.0]), device=device)
         for free, kind in product((("x",), ("yaw",), ("roll", "pitch", "yaw")), ("point", "scaled")):
-            result = reg.registration_icp(source, target, 0.1, None, KINDS[kind], LONG, free=free)
+            bound = reg.Constraint(free)
+            result = reg.registration_icp(source, target, 0.1, None, KINDS[kind], LONG, constraint=bound)
             wanted = [0.05 * (free == ("x",) and len(points) > 0), 0, 0]
             np.testing.assert_allclose(result.transformation[:3, 3], wanted, atol=1e-7)
 
@@ -169,10 +179,10 @@ def test_motion_along_a_rail_is_reported_degenerate(device, rng):
     floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), rng.normal(0, 1e-3, 2000)])  # noise constrains it slightly
     target = loom.PointCloud(floor, device=device).estimate_normals(max_nn=10)
     source = loom.PointCloud(floor + np.array([0.05, 0, 0.02]), device=device)
-    result = reg.registration_icp(source, target, 0.3, None, PLANE, free=("x",))
+    result = reg.registration_icp(source, target, 0.3, None, PLANE, constraint=reg.Constraint(("x",)))
     np.testing.assert_allclose(np.abs(result.degenerate_directions), [[0, 0, 0, 1, 0, 0]], atol=1e-9)
     assert (result.transformation == np.eye(4)).all()
-    both = reg.registration_icp(source, target, 0.3, None, PLANE, free=("x", "z"))
+    both = reg.registration_icp(source, target, 0.3, None, PLANE, constraint=reg.Constraint(("x", "z")))
     assert len(both.degenerate_directions) == 1 and len(both.prior_directions) == 0
     np.testing.assert_allclose(both.transformation[:3, 3], [0, 0, -0.02], atol=1e-3)
 

@@ -33,16 +33,17 @@ def test_the_pose_matches_dense_least_squares(device, pair, free, kind, noise, r
     apart = motion([*offset, 0], np.array([0.3, 0.2, 0.1]), np.eye(3)) @ INIT
     A = rng.normal(size=(6, rank)) * 300
     prior, weights = reg.Prior(apart, A @ A.T), rng.random(len(source)).astype(np.float32)
-    given = {"pivot": (0.3, 0.2, 0.1), "noise": noise, "weights": weights}
-    fixed = {"degeneracy": 0, "free": free}
-    result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, prior=prior, **fixed, **given)
+    given = {"pivot": (0.3, 0.2, 0.1), "noise": noise}
+    bound, options = reg.Constraint(free, prior=prior, **given), {"degeneracy": 0, "weights": weights}
+    result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, constraint=bound, **options)
     given |= {"weights": weights.astype(float), "prior": (apart, np.asarray(prior.information))}
     given |= {"normals": target.normals if kind == "plane" else None, "scaling": kind == "scaled"}
     problem = DenseICP(source.points, target.points, INIT, free=free or MOTIONS, **given)
     pairs = tuple(np.asarray(result.correspondence_set).T)
     wanted = problem.pose(problem.minimum(pairs, np.zeros(len(problem.free))))
     np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
-    alone = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, weights=weights, **fixed)
+    bound = reg.Constraint(free)
+    alone = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, constraint=bound, **options)
     assert np.abs(result.transformation - alone.transformation).max() > 3e-5  # it had an effect
 
 
@@ -52,7 +53,8 @@ def test_residuals_far_from_the_prior_are_exact(device, pair):
     information = np.diag([1.0, 2.0, 3.0, 0, 0, 0]) * 1e4
     for angle in ([3.0, 0.2, -0.1], [0.1, -3.0, 0.2], [0.1, 0.2, 3.05], [0.5, 0, 0]):
         prior = reg.Prior(as_pose(angle), information)
-        result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, prior=prior, noise=0.01, pivot=(0, 0, 0))
+        bound = reg.Constraint(prior=prior, noise=0.01, pivot=(0, 0, 0))
+        result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, constraint=bound)
         given = {"prior": (as_pose(angle), information), "noise": 0.01, "pivot": (0, 0, 0), "normals": target.normals}
         problem = DenseICP(source.points, target.points, INIT, **given)
         pairs = tuple(np.asarray(result.correspondence_set).T)
@@ -78,7 +80,8 @@ def test_a_corridor_is_constrained_by_odometry_along_its_axis(device, kind, shif
     np.testing.assert_allclose(np.abs(alone.degenerate_directions), [[0, 0, 0, 0, 1, 0]], atol=0.02)
     assert len(alone.prior_directions) == 0
     odometry = reg.Prior(as_pose([0, 0, 0], [0.1, 0.3, 0.05]), sigma_translation=0.2, sigma_rotation=0.05)
-    constrained = reg.registration_icp(source, target, 0.3, None, KINDS[kind], LONG, prior=odometry)
+    bound = reg.Constraint(prior=odometry)
+    constrained = reg.registration_icp(source, target, 0.3, None, KINDS[kind], LONG, constraint=bound)
     middle = source.get_center()
     way = constrained.transformation[:3, :3] @ middle + constrained.transformation[:3, 3] - middle
     np.testing.assert_allclose(way, [-0.02, 0.3, 0], atol=3e-3)  # the prior along it, the walls across it
@@ -90,7 +93,7 @@ def test_a_prior_without_axis_information_leaves_the_axis_free(device, rng):
     """Singular information constrains part: of a plane's three free motions one is constrained, and comes first."""
     source, target = corridor(rng, 0.0, device)
     level = reg.Prior(as_pose([0, 0, 0], [0, 0.3, 0]), sigma_rotation=0.01)
-    result = reg.registration_icp(source, target, 0.3, None, PLANE, prior=level)
+    result = reg.registration_icp(source, target, 0.3, None, PLANE, constraint=reg.Constraint(prior=level))
     assert len(result.degenerate_directions) == 1 and len(result.prior_directions) == 0
     assert abs(result.transformation[1, 3]) < 1e-3
     floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), np.zeros(2000)])
@@ -99,7 +102,7 @@ def test_a_prior_without_axis_information_leaves_the_axis_free(device, rng):
     slope = np.zeros((6, 6))
     slope[3:5, 3:5] = 1e4 * np.outer([0.6, 0.8], [0.6, 0.8])
     known = reg.Prior(as_pose([0, 0, 0], [0.1, 0.1, 0.5]), slope)
-    result = reg.registration_icp(source, target, 0.3, None, PLANE, LONG, prior=known)
+    result = reg.registration_icp(source, target, 0.3, None, PLANE, LONG, constraint=reg.Constraint(prior=known))
     assert len(result.degenerate_directions) == 3
     np.testing.assert_allclose(np.abs(result.prior_directions), [[0, 0, 0, 0.6, 0.8, 0]], atol=1e-6)
     np.testing.assert_allclose(result.transformation[:3, 3], [0.6 * 0.14, 0.8 * 0.14, -0.02], atol=1e-5)
@@ -113,7 +116,8 @@ def test_pairs_override_a_wrong_prior_where_they_determine_the_pose(device, pair
     poses = []
     for sigma in (0.02, 1e-5):
         prior = reg.Prior(as_pose([0, 0, 0], [0.05, 0, 0]) @ free, sigma_translation=sigma)
-        result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, prior=prior, pivot=(0, 0, 0))
+        bound = reg.Constraint(prior=prior, pivot=(0, 0, 0))
+        result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, constraint=bound)
         poses.append(result.transformation - free)
     assert np.abs(poses[0])[:3, 3].max() < 2e-3
     np.testing.assert_allclose(poses[1][:3, 3], [0.05, 0, 0], atol=5e-3)
@@ -124,18 +128,19 @@ def test_a_prior_has_an_effect_beside_exact_pairs(device, rng):
     points, normals = degenerate("corridor", rng, 2000)
     cloud = loom.PointCloud(points, normals=normals, device=device)
     prior = reg.Prior(as_pose([0, 0, 0], [0, 0.1, 0]), sigma_translation=0.1)
-    result = reg.registration_icp(cloud, cloud, 0.05, None, PLANE, LONG, prior=prior)
+    result = reg.registration_icp(cloud, cloud, 0.05, None, PLANE, LONG, constraint=reg.Constraint(prior=prior))
     np.testing.assert_allclose(result.transformation[:3, 3], [0, 0.1, 0], atol=1e-3)
 
 
 def test_an_unreachable_prior_is_reported(pair):
-    beside = as_pose([0, 0, 0], [0, 0.5, 0])
-    with pytest.raises(ValueError, match=r"^prior:"):
-        reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=reg.Prior(beside, sigma_translation=0.01))
+    def register(free, prior):
+        reg.registration_icp(*pair, 0.3, None, PLANE, constraint=reg.Constraint(free, prior=prior))
+
+    beside, level = as_pose([0, 0, 0], [0, 0.5, 0]), ("x", "y", "z", "yaw")
+    with pytest.raises(ValueError, match=r"^constraint: prior"):
+        register(("x",), reg.Prior(beside, sigma_translation=0.01))
     for prior in (reg.Prior(beside, sigma_translation=0.2), reg.Prior(beside, sigma_rotation=0.01)):
-        reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=prior)
-    rotated = reg.Prior(as_pose([0, 0, 2.0]), sigma_rotation=0.01)  # a yaw that is free, far away
-    reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=rotated)
-    with pytest.raises(ValueError, match=r"^prior:"):
-        tilted = reg.Prior(as_pose([0.5, 0, 0]), sigma_rotation=0.01)
-        reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=tilted)
+        register(("x",), prior)
+    register(level, reg.Prior(as_pose([0, 0, 2.0]), sigma_rotation=0.01))  # a yaw that is free, far away
+    with pytest.raises(ValueError, match=r"^constraint: prior"):
+        register(level, reg.Prior(as_pose([0.5, 0, 0]), sigma_rotation=0.01))

@@ -206,7 +206,8 @@ def test_a_level_street_is_registered_with_four_degrees_of_freedom(device, stree
     source, target = (thinned(p, 0.4, device) for p in (street_pair.source, street_pair.target))
     rules = reg.ICPConvergenceCriteria(1e-6, 1e-6, 50)
     given = source, target, 1.0, None, GENERALIZED, rules
-    free, level = (reg.registration_icp(*given, free=f).transformation for f in (None, LEVEL))
+    bound = None, reg.Constraint(LEVEL)
+    free, level = (reg.registration_icp(*given, constraint=c).transformation for c in bound)
     assert (level[2, :3] == [0, 0, 1]).all() and (level[:2, 2] == 0).all()  # exactly level
     assert angle_between(level, street_pair.T) < min(0.4, angle_between(free, street_pair.T) + 0.05)
     assert np.linalg.norm((level - street_pair.T)[:3, 3]) < 0.05
@@ -219,11 +220,12 @@ def test_a_tilted_street_is_registered_after_leveling_by_gravity(device, street_
     source = thinned((street_pair.source - askew[:3, 3]) @ askew[:3, :3], 0.4, device)
     target = thinned(street_pair.target, 0.4, device)
     init = leveled(None, up_in_source=askew[:3, :3].T @ [0, 0, 9.81])
-    transformation = reg.registration_icp(source, target, 1.0, init, GENERALIZED, free=LEVEL).transformation
+    bound = {"constraint": reg.Constraint(LEVEL)}
+    transformation = reg.registration_icp(source, target, 1.0, init, GENERALIZED, **bound).transformation
     assert angle_between(transformation, street_pair.T @ askew) < 0.4
     up = transformation[:3, :3] @ askew[:3, :3].T @ [0, 0, 1]
     np.testing.assert_allclose(up, [0, 0, 1], atol=1e-12)
-    tilted = reg.registration_icp(source, target, 1.0, None, GENERALIZED, free=LEVEL)
+    tilted = reg.registration_icp(source, target, 1.0, None, GENERALIZED, **bound)
     assert angle_between(tilted.transformation, street_pair.T @ askew) > 8  # a wrong gravity stays in the pose
 
 
@@ -235,10 +237,10 @@ def test_an_airborne_survey_stays_level_at_its_coordinates(device, real_file):
     T[:3, 3] = middle - T[:3, :3] @ middle + [1.5, -1.0, 0.7]
     source = thinned((points[half] - T[:3, 3]) @ T[:3, :3], 8, device)
     target = thinned(points[~half], 8, device)
-    result = reg.registration_icp(source, target, 20.0, None, PLANE, free=LEVEL)
+    result = reg.registration_icp(source, target, 20.0, None, PLANE, constraint=reg.Constraint(LEVEL))
     M = result.transformation
     assert (M[2, :3] == [0, 0, 1]).all() and (M[:2, 2] == 0).all() and result.converged
     point = np.linalg.solve(T, [*middle, 1])
     assert np.abs((M @ point)[:3] - middle).max() < 0.6  # a tenth of a voxel
-    rail = reg.registration_icp(source, target, 20.0, T, PLANE, free=("z",)).transformation
+    rail = reg.registration_icp(source, target, 20.0, T, PLANE, constraint=reg.Constraint(("z",))).transformation
     assert np.abs(rail[:2, 3] - T[:2, 3]).max() < 1e-12 * np.abs(T).max() and abs(rail[2, 3] - T[2, 3]) < 0.2

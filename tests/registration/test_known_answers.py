@@ -78,7 +78,8 @@ def test_pcls_bunny_registers_as_in_pcls_test(device, bunny, kind, free):
     rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 50)
     before = mean_square(source.points, target.points, np.eye(4))
     prior = None if free is None else reg.Prior(np.eye(4), sigma_translation=1e3)  # so that the other step runs
-    result = reg.registration_icp(source, target, 1.0, None, KINDS[kind], rules, free=free, prior=prior)
+    bound = reg.Constraint(free, prior=prior)
+    result = reg.registration_icp(source, target, 1.0, None, KINDS[kind], rules, constraint=bound)
     assert mean_square(source.points, target.points, result.transformation) < min(0.001, before / 2)
 
 
@@ -94,8 +95,8 @@ def test_pcls_quadric_is_registered(device, shown):
     init = as_pose(Rotation.from_matrix(T[:3, :3]).as_rotvec() * 2 / 3, T[:3, 3] * 2 / 3)
     free = ALL if shown is QUADRIC_POSE else LEVEL
     prior = reg.Prior(init, sigma_translation=1e4)
-    given = {"free": free, "prior": prior}
-    result = reg.registration_icp(loom.PointCloud(points, device=device), target, 1.0, init, PLANE, LONG, **given)
+    bound, source = reg.Constraint(free, prior=prior), loom.PointCloud(points, device=device)
+    result = reg.registration_icp(source, target, 1.0, init, PLANE, LONG, constraint=bound)
     np.testing.assert_allclose(result.transformation, shown, atol=1e-3)
     assert np.abs(result.transformation - init).max() > 0.03
 
@@ -120,7 +121,8 @@ def test_level_motions_match_libpointmatchers_weighted_point_to_plane(device, le
     source, target = on(device, *level_pair[:2])
     weights = level_pair[2] if weighted else np.ones(len(source))
     given = {"weights": weights} if weighted else {}
-    result = reg.registration_icp(source, target, 0.4, None, PLANE, LONG, free=free, **given)
+    bound = reg.Constraint(free)
+    result = reg.registration_icp(source, target, 0.4, None, PLANE, LONG, constraint=bound, **given)
     i, j = pairs_of(result)
     wanted = by_rows(source.points[i], target.points[j], target.normals[j], weights[i], motions)
     np.testing.assert_allclose(result.transformation, wanted, atol=1e-7)
@@ -132,7 +134,7 @@ def test_level_motions_match_libpointmatchers_weighted_point_to_plane(device, le
 def test_level_point_to_point_matches_the_closed_form(device, level_pair):
     """Horn 1987 about one axis: the angle from the sums of products about the means, as in PCL's 2D estimation."""
     source, target = on(device, *level_pair[:2])
-    result = reg.registration_icp(source, target, 0.4, None, KINDS["point"], LONG, free=LEVEL)
+    result = reg.registration_icp(source, target, 0.4, None, KINDS["point"], LONG, constraint=reg.Constraint(LEVEL))
     i, j = pairs_of(result)
     p, q = source.points[i], target.points[j]
     a, b = p - p.mean(axis=0), q - q.mean(axis=0)

@@ -41,8 +41,8 @@ METHODS = {
     "evaluation": lambda source, target, start: reg.evaluate_registration(source, target, 0.3, start),
 }
 CONSTRAINED = {
-    "level": icp(free=("x", "y", "z", "yaw")),
-    "prior": icp(prior=reg.Prior(np.eye(4), sigma_translation=0.1, sigma_rotation=0.1)),
+    "level": icp(constraint=reg.Constraint(("x", "y", "z", "yaw"))),
+    "prior": icp(constraint=reg.Constraint(prior=reg.Prior(np.eye(4), sigma_translation=0.1, sigma_rotation=0.1))),
 }
 
 
@@ -115,7 +115,7 @@ def test_a_motion_that_is_fixed_or_has_a_prior_is_no_warning(device, rng, name):
         "free": {"free": ("x", "z", "roll", "pitch", "yaw")},
         "prior": {"prior": reg.Prior(np.eye(4), sigma_translation=0.05, sigma_rotation=0.05)},
     }
-    result = icp(**options[name])(*clouds, as_pose([0, 0, 0.01], [0.02, 0, 0.01]))
+    result = icp(constraint=reg.Constraint(**options[name]))(*clouds, as_pose([0, 0, 0.01], [0.02, 0, 0.01]))
     assert result.converged and result.warnings == ()
 
 

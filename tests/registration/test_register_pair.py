@@ -117,7 +117,7 @@ def test_a_cloud_that_is_not_level_is_reported(points):
 
 
 def test_a_level_pair_is_reported_as_such(points):
-    result = reg.register_pair(*pair_of(points, LEVEL_POSE), voxel_size=0.06, free=LEVEL)
+    result = reg.register_pair(*pair_of(points, LEVEL_POSE), voxel_size=0.06, constraint=reg.Constraint(LEVEL))
     assert (result.transformation[2, :3] == [0, 0, 1]).all() and result.reliable
     np.testing.assert_allclose(result.transformation, LEVEL_POSE, atol=0.01)
     assert set(result.to_dict()["free"]) == set(LEVEL) and "yaw, x, y, z" in str(result)
@@ -129,6 +129,6 @@ def test_a_prior_constrains_a_plane(rng):
     floor = np.column_stack([rng.uniform(-2, 2, (4000, 2)), rng.normal(0, 1e-3, 4000)])
     source, target = loom.PointCloud(floor - [0.1, 0, 0]), loom.PointCloud(floor)
     known = reg.Prior(as_pose([0, 0, 0], [0.1, 0, 0]), sigma_translation=0.05, sigma_rotation=0.01)
-    result = reg.register_pair(source, target, init=np.eye(4), voxel_size=0.1, prior=known)
+    result = reg.register_pair(source, target, init=np.eye(4), voxel_size=0.1, constraint=reg.Constraint(prior=known))
     np.testing.assert_allclose(result.transformation[:3, 3], [0.1, 0, 0], atol=0.01)
     assert len(result.to_dict()["prior_directions"]) == 3 and "3 of 6 motions" in str(result)

@@ -83,7 +83,7 @@ for voxel_size, iterations in ((0.08, 50), (0.04, 30), (0.02, 20)):
         cloud.voxel_down_sample(voxel_size).estimate_normals(radius=2 * voxel_size, max_nn=30)
         for cloud in (source, target)
     ]
-    result = reg.registration_colored_icp(
+    result = reg.registration_icp(
         *thin, voxel_size, T, reg.TransformationEstimationForColoredICP(lambda_geometric=0.968),
         reg.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=iterations),
     )  # fmt: skip
@@ -141,9 +141,10 @@ with loom.record(folder / "colors.html", automatic=False, max_points=60_000, tit
             cloud.voxel_down_sample(voxel_size).estimate_normals(radius=2 * voxel_size, max_nn=30)
             for cloud in (source, target)
         ]
+        by_color = reg.TransformationEstimationForColoredICP()
         for count in range(8):
             one = reg.ICPConvergenceCriteria(max_iteration=3)
-            T = reg.registration_colored_icp(*thin, voxel_size, T, None, one).transformation
+            T = reg.registration_icp(*thin, voxel_size, T, by_color, one).transformation
             recording.set_pose("source", T)
             recording.plot("off the truth [mm]", off(T, truth)[1])
             recording.step(f"voxels of {voxel_size} m, step {3 * (count + 1)}")
@@ -155,7 +156,8 @@ page = folder / "colors.html"
 # **No colors**, or no normals: an error says which, and what makes them.
 
 try:
-    reg.registration_colored_icp(source.without("colors"), target, 0.05)
+    bare, method = source.without("colors"), reg.TransformationEstimationForColoredICP()
+    reg.registration_icp(bare, target, 0.05, None, method)
 except ValueError as error:
     message = str(error)
     print(message)

@@ -10,7 +10,6 @@ the truth is known.
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.icp.kinds import registration_symmetric_icp
 
 reg = loom.registration
 
@@ -83,16 +82,12 @@ assert exact["generalized"][0] < exact["point to point"][0] + 0.05
 assert steps["point to plane"] < steps["point to point"]
 
 # %%
-# The short forms name their method; each returns the same kind of result.
+# One pair at a time, all methods return the same kind of result.
 init = perturbed(10, axes[0])
-for name, registration in {
-    "icp": reg.registration_icp(source, target, distance, init, methods["point to plane"]),
-    "generalized": reg.registration_generalized_icp(source, target, distance, init),
-    "symmetric": registration_symmetric_icp(source, target, distance, init),
-    "colored": reg.registration_colored_icp(source, target, distance, init),
-}.items():
+for name, method in methods.items():
+    registration = reg.registration_icp(source, target, distance, init, method)
     print(
-        f"{name:12} fitness {registration.fitness:.3f}, rmse {1000 * registration.inlier_rmse:.2f} mm, "
+        f"{name:15} fitness {registration.fitness:.3f}, rmse {1000 * registration.inlier_rmse:.2f} mm, "
         f"{off(registration.transformation)[0]:.3f} degrees off, converged: {registration.converged}"
     )
     assert off(registration.transformation)[0] < 1.0

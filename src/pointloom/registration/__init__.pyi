@@ -28,6 +28,7 @@ from .globally.ransac import (
     registration_ransac_based_on_feature_matching as registration_ransac_based_on_feature_matching,
 )
 from .globally.rating import rate_registration as rate_registration
+from .icp.constraint import Constraint as Constraint
 from .icp.constraint import Prior as Prior
 from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP
 from .icp.estimation import TransformationEstimationForDopplerICP as TransformationEstimationForDopplerICP
@@ -40,9 +41,6 @@ from .icp.evaluation import get_information_matrix_from_point_clouds as get_info
 from .icp.icp import ICPConvergenceCriteria as ICPConvergenceCriteria
 from .icp.icp import registration_icp as registration_icp
 from .icp.icp import registration_icp_batch as registration_icp_batch
-from .icp.kinds import registration_colored_icp as registration_colored_icp
-from .icp.kinds import registration_generalized_icp as registration_generalized_icp
-from .icp.kinds import registration_symmetric_icp as registration_symmetric_icp
 from .icp.leveling import leveled as leveled
 from .icp.multi_scale import multi_scale_icp as multi_scale_icp
 from .icp.ndt import NormalDistributionsTransformOption as NormalDistributionsTransformOption

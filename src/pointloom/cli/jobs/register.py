@@ -23,7 +23,7 @@ from ...io.table import MeshTable
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import probe_points
 from ...registration.globally.pair import METHODS, PairRegistration, UnfitCloudError, register_pair
-from ...registration.icp.constraint import Prior
+from ...registration.icp.constraint import Constraint, Prior
 from ...visualization.render.pair_picture import draw_pair
 from ...visualization.render.picture_files import check_picture
 from .announced_stages import AnnouncedStages
@@ -98,7 +98,8 @@ def register_files(
         with AnnouncedStages(job.clock, job.progress, silent=("voxels", "rate")) as stages:
             options: dict[str, Any] = {"method": method, "voxel_size": voxel_size}
             options["max_correspondence_distance"] = max_correspondence_distance
-            registration = register_pair(*clouds, init=start, progress=stages, free=free, prior=known, **options)
+            options["constraint"] = Constraint(free, prior=known)
+            registration = register_pair(*clouds, init=start, progress=stages, **options)
     except UnfitCloudError as error:
         path = source if error.role == "source" else target
         reason = error.reason.replace(f"method={method!r}", f"--method {method}")

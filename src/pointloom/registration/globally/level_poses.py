@@ -25,7 +25,7 @@ def check_level(free: Any) -> tuple[str, ...] | None:
     if set(names) != set(LEVEL):
         raise ValueError(
             f"free: expected all six motions or {', '.join(LEVEL)}, got {', '.join(names)}. "
-            "registration_icp(init=, free=) accepts any"
+            "registration_icp(init=, constraint=) accepts any"
         )
     return LEVEL
 

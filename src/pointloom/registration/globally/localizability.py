@@ -64,7 +64,7 @@ class Localizability(AssessedRecord):
         return (f"the source may {describe_motions(self.open_motions)}: the clouds match equally well there",)
 
     def prior(self, transformation: ArrayLike, sigma: float) -> Prior:
-        """Prior for `registration_icp(..., pivot=localizability.middle)` that fixes only the undetermined motions."""
+        """Prior for `Constraint(prior=..., pivot=localizability.middle)` that fixes only the undetermined motions."""
         if not len(self.open_motions):
             raise ValueError("prior: all motions are determined, so registration_icp needs none")
         check_positive("sigma", sigma)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,7 +18,7 @@ from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
-from ..icp.constraint import Prior, make_constraint
+from ..icp.constraint import Constraint, constraints_of
 from ..icp.estimation import (
     TransformationEstimation,
     TransformationEstimationForColoredICP,
@@ -189,8 +189,7 @@ def register_pair(
     voxel_size: float | None = None,
     max_correspondence_distance: float | None = None,
     progress: ReportProgress | None = None,
-    free: Sequence[str] | None = None,
-    prior: Prior | None = None,
+    constraint: Constraint | None = None,
 ) -> PairRegistration:
     """Register two clouds from any pose, as `pointloom register` does.
 
@@ -204,8 +203,8 @@ def register_pair(
         max_correspondence_distance: Maximum distance of a pair [m]; None: two voxels, after eight and four if `init` is
             given.
         progress: Called with ("voxels", 0, 0), then "search", "refine" and "rate".
-        free: Free motions as of `registration_icp`. Without `init` all, or "x", "y", "z" and "yaw" for level clouds.
-        prior: As of `registration_icp`. Not used by the global registration.
+        constraint: As of `registration_icp`. Without `init`, its free motions are all, or "x", "y", "z" and "yaw" for
+            level clouds, without a frame; the global registration does not use the prior.
 
     Returns:
         The pose and its quality. Check `reliable`. Bitwise reproducible for any number of threads.
@@ -226,7 +225,7 @@ def register_pair(
     estimation, report_progress = _check_method(method), check_progress(progress)
     check_clouds(source, target)
     start = None if init is None else check_poses("init", init, estimation)
-    level, clouds = _check_freedom(estimation, free, prior, start is None), {"source": source, "target": target}
+    level, clouds = _check_constraint(estimation, constraint, start is None), {"source": source, "target": target}
     max_distance = _check_length("max_correspondence_distance", max_correspondence_distance)
     given = _check_length("voxel_size", voxel_size)
     report_progress("voxels", 0, 0)
@@ -248,7 +247,7 @@ def register_pair(
     report_progress("refine", 0, 0)
     limits = [max_distance or DISTANCE * scale * size for scale in scales]
     coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
-    options: dict[str, Any] = {"estimate_normals": True, "free": free, "prior": prior}
+    options: dict[str, Any] = {"estimate_normals": True, "constraint": constraint}
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
     report_progress("rate", 0, 0)
     score = min(search_score, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
@@ -282,11 +281,15 @@ def _check_method(method: Any) -> TransformationEstimation:
     return METHODS[method]()
 
 
-def _check_freedom(
-    estimation: TransformationEstimation, free: Any, prior: Prior | None, searched: bool
+def _check_constraint(
+    estimation: TransformationEstimation, constraint: Constraint | None, searched: bool
 ) -> tuple[str, ...] | None:
-    check_constrainable(estimation, make_constraint(free, None, None, prior, None))
-    return check_level(free) if searched else None
+    check_constrainable(estimation, constraints_of(constraint))
+    if constraint is None or not searched:
+        return None
+    if constraint.frame is not None:
+        raise ValueError("constraint: expected no frame without init=, as level poses are searched. Pass init=")
+    return check_level(constraint.free)
 
 
 def _check_colors(clouds: dict[str, PointCloud], method: str, needed: bool) -> None:

@@ -14,6 +14,7 @@ from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
 from ..evidence import Witness, rate_surfaces, witness_of
+from ..icp.constraint import Constraint
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from ..icp.iterative import DEGENERACY
@@ -130,8 +131,8 @@ def refine_pairs(
             clouds[id(surface)]._adopt_search_tree(surface.tree)
     left, right = [clouds[id(s)] for s in sources], [clouds[id(s)] for s in targets]
     rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
-    plane = TransformationEstimationPointToPlane()
-    return registration_icp_batch(left, right, distance, poses, plane, rules, free=free, degeneracy=degeneracy)
+    plane, bound = TransformationEstimationPointToPlane(), Constraint(free)
+    return registration_icp_batch(left, right, distance, poses, plane, rules, constraint=bound, degeneracy=degeneracy)
 
 
 def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -106,8 +106,8 @@ def _weights_of(name: str, sigma: Any) -> NDArray[np.float64]:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Constraint:
-    """Checked constraint arguments.
+class JobConstraints:
+    """The checked constraint of one or more jobs.
 
     `pivots`: [1 or jobs, 3] in the target's world, None: source center; `noise`: 0 means that of the pairs; `anchors`:
     [jobs, 4, 4] poses of fixed motions if not the initial ones, with `motion_state`s `states` [jobs, 8].
@@ -121,30 +121,80 @@ class Constraint:
     anchors: Matrix | None = None
     states: Matrix | None = None
 
-    def about(self, pivot: NDArray[np.float64]) -> Constraint:
+    def about(self, pivot: NDArray[np.float64]) -> JobConstraints:
         return dataclasses.replace(self, pivots=pivot[None]) if self.pivots is None else self
 
-    def begun(self, anchor: Matrix, state: Matrix | None) -> Constraint:
+    def begun(self, anchor: Matrix, state: Matrix | None) -> JobConstraints:
         """The constraint with one job's fixed motions at an earlier pose, continued from a state."""
         if state is None:
             return self
         return dataclasses.replace(self, anchors=anchor[None], states=state[None])
 
 
-def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, count: int = 1) -> Constraint | None:
-    names = MOTIONS if free is None else check_free(free)
-    priors = _check_priors(prior, count)
-    if not priors and noise is not None:
-        raise ValueError("noise: requires prior=, which weights the pairs. Pass prior=, or leave noise out")
-    bound = len(names) < len(MOTIONS) or bool(priors)
-    if frame is not None and free is None:
-        raise ValueError("frame: requires free=, and all motions are free. Pass free=, or leave frame out")
-    if pivot is not None and free is None and not priors:
-        raise ValueError("pivot: requires free= or prior=, got neither. Leave pivot out")
-    axes = np.eye(3) if frame is None else _check_frame(frame)
-    pivots = None if pivot is None else _check_pivots(pivot, count)
-    level = 0.0 if noise is None else check_positive("noise", noise)
-    return Constraint(names, axes, pivots, priors, level) if bound else None
+@dataclasses.dataclass(frozen=True, eq=False)
+class Constraint:
+    """Restriction of the motions that ICP estimates: fixed motions, a prior pose, or both.
+
+    Args:
+        free: Free motions of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The others keep `init` exactly: ("x",
+            "y", "z", "yaw") keeps a leveled scan level (`leveled`), ("x",) is a rail. Rotations are Rz(yaw) Ry(pitch)
+            Rx(roll) from `init`. Not for the symmetric and the Doppler estimator.
+        frame: Axes of those motions as columns in target coordinates, 3x3; None: the target's axes.
+        pivot: Center of rotation [3] in target coordinates, whose image moves along x, y and z, or one per job of a
+            batch [jobs, 3]; None: the center of the source under `init`.
+        prior: A known pose with its uncertainty, or one per job of a batch. It determines the motions that the pairs do
+            not, reported in `prior_directions`.
+        noise: Standard deviation of the residuals ([m]; for generalized ICP in units of the covariances) to weigh pairs
+            against the prior; None: that of each iteration's pairs, each an independent measurement.
+
+    Raises:
+        ValueError: Unknown motions, axes that are not orthonormal, an invalid number, or `frame`, `pivot` or `noise`
+            without the argument that they refer to.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((500, 3))
+        >>> rail = loom.registration.Constraint(free=("x",))
+        >>> target, source = loom.PointCloud(points), loom.PointCloud(points + [0.01, 0.02, 0])
+        >>> result = loom.registration.registration_icp(source, target, 0.1, constraint=rail)
+        >>> result.transformation[:3, 3].round(3).tolist()
+        [-0.01, 0.0, 0.0]
+    """
+
+    free: Sequence[str] | None = None
+    frame: ArrayLike | None = None
+    pivot: ArrayLike | None = None
+    prior: Prior | Sequence[Prior] | None = None
+    noise: float | None = None
+    _jobs: JobConstraints = dataclasses.field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        names = MOTIONS if self.free is None else check_free(self.free)
+        priors = () if self.prior is None else _check_priors(self.prior)
+        if not priors and self.noise is not None:
+            raise ValueError("noise: requires prior=, which weights the pairs. Pass prior=, or leave noise out")
+        if self.frame is not None and self.free is None:
+            raise ValueError("frame: requires free=, and all motions are free. Pass free=, or leave frame out")
+        if self.pivot is not None and self.free is None and not priors:
+            raise ValueError("pivot: requires free= or prior=, got neither. Leave pivot out")
+        axes = np.eye(3) if self.frame is None else _check_frame(self.frame)
+        pivots = None if self.pivot is None else _check_pivots(self.pivot)
+        noise = 0.0 if self.noise is None else check_positive("noise", self.noise)
+        object.__setattr__(self, "free", names)
+        object.__setattr__(self, "_jobs", JobConstraints(names, axes, pivots, priors, noise))
+
+
+def constraints_of(constraint: Constraint | None, count: int = 1) -> JobConstraints | None:
+    """The constraint of `count` jobs. None if it restricts nothing."""
+    if constraint is None:
+        return None
+    if not isinstance(constraint, Constraint):
+        raise TypeError(f"constraint: expected Constraint(free=..., prior=...), got {shown(constraint)}")
+    jobs = constraint._jobs
+    for name, values in (("pivot", jobs.pivots), ("prior", jobs.priors)):
+        if values is not None and len(values) not in (0, 1, count):
+            raise ValueError(f"constraint: expected one {name}, or one per job ({count}), got {len(values)}")
+    return jobs if len(jobs.free) < len(MOTIONS) or jobs.priors else None
 
 
 def check_free(free: Any) -> tuple[str, ...]:
@@ -174,28 +224,23 @@ def _check_frame(frame: Any) -> Matrix:
     return F if error == 0 else nearest_rotation(F)
 
 
-def _check_pivots(pivot: Any, count: int) -> Matrix:
+def _check_pivots(pivot: Any) -> Matrix:
     values = check_finite("pivot", check_numeric("pivot", pivot).astype(np.float64))
-    if values.shape not in ((3,), (count, 3)):
-        other = "" if count == 1 else f" or [{count}, 3]"
-        raise ValueError(f"pivot: expected shape [3]{other}, got {list(values.shape)}")
+    if values.shape != (3,) and (values.ndim != 2 or values.shape[1] != 3 or not len(values)):
+        raise ValueError(f"pivot: expected shape [3] or [jobs, 3], got {list(values.shape)}")
     return values.reshape(-1, 3)
 
 
-def _check_priors(prior: Any, count: int) -> tuple[Prior, ...]:
-    if prior is None:
-        return ()
+def _check_priors(prior: Any) -> tuple[Prior, ...]:
     priors = [prior] if isinstance(prior, Prior) else check_list("prior", prior, "Prior, one per job")
     for one in priors:
         if not isinstance(one, Prior):
             raise TypeError(f"prior: expected Prior(transformation, sigma_translation=...), got {shown(one)}")
-    if len(priors) not in (1, count):
-        raise ValueError(f"prior: expected 1 or {count} for {count} jobs, got {len(priors)}")
     return tuple(priors)
 
 
 def make_freedom(
-    constraint: Constraint,
+    constraint: JobConstraints,
     loop: RegistrationLoop,
     poses: Matrix,
     origins: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
@@ -253,7 +298,7 @@ def _from_prior(T: Matrix, T_prior: Matrix, pivot: NDArray[np.float64]) -> tuple
 
 
 def _check_prior(
-    prior: Prior, rotation: Matrix, shifted: NDArray[np.float64], constraint: Constraint, free: NDArray[np.bool_]
+    prior: Prior, rotation: Matrix, shifted: NDArray[np.float64], constraint: JobConstraints, free: NDArray[np.bool_]
 ) -> None:
     """Raise `ValueError` if the prior is unreachable under the free degrees of freedom."""
     values, vectors = eigh(np.asarray(prior.information))
@@ -273,8 +318,8 @@ def _check_prior(
     if sigmas > MAX_SIGMAS:
         fixed = ", ".join(name for name in MOTIONS if name not in constraint.free)
         raise ValueError(
-            f"prior: {norm(xi[:3]):.3g} rad and {norm(xi[3:]):.3g} m from all poses reachable from init with "
-            f"free, {sigmas:.3g} standard deviations. Start at the prior (init), free {fixed}, or lower its weight"
+            f"constraint: prior {norm(xi[:3]):.3g} rad and {norm(xi[3:]):.3g} m from all poses reachable from init "
+            f"with free, {sigmas:.3g} standard deviations. Start at the prior (init), free {fixed}, or lower its weight"
         )
 
 

@@ -29,7 +29,7 @@ from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_cloud, check_clouds
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation, scale_of
-from .constraint import Constraint, Prior, make_constraint
+from .constraint import Constraint, JobConstraints, constraints_of
 from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
 from .iterative import DEGENERACY, IterativeRegistration
 
@@ -73,12 +73,8 @@ def registration_icp(
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
     callback_after_iteration: Watcher | None = None,
-    free: Sequence[str] | None = None,
-    frame: ArrayLike | None = None,
-    pivot: ArrayLike | None = None,
-    prior: Prior | None = None,
+    constraint: Constraint | None = None,
     weights: ArrayLike | str | None = None,
-    noise: float | None = None,
 ) -> RegistrationResult:
     """Register a source to a target from a nearby pose by iterative closest points.
 
@@ -101,18 +97,9 @@ def registration_icp(
             all, as Open3D: useful for flat surfaces with gentle slopes, but noise may move the source.
         callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and `inlier_rmse`
             after each iteration; costs a device round trip.
-        free: Free motions of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The others keep `init` exactly: ("x",
-            "y", "z", "yaw") keeps a leveled scan level (`leveled`), ("x",) is a rail. Rotations are Rz(yaw) Ry(pitch)
-            Rx(roll) from `init`. Not for the symmetric and the Doppler estimator.
-        frame: Axes of those motions as columns in target coordinates, 3x3; None: the target's axes.
-        pivot: Center of rotation [3] in target coordinates, whose image moves along x, y and z; None: the center of the
-            source under `init`.
-        prior: A known pose with its uncertainty. It determines the motions that the pairs do not, reported in
-            `prior_directions`.
+        constraint: Fixed motions, and a prior pose; None: all motions are free.
         weights: Weights >= 0 of the source points, [n] or an attribute name. Fitness, inlier_rmse and `overlap` ignore
             them.
-        noise: Standard deviation of the residuals ([m]; for generalized ICP in units of the covariances) to weigh pairs
-            against the prior; None: that of each iteration's pairs, each an independent measurement.
 
     Returns:
         The result. Without correspondences: the current pose, fitness 0, and a warning. Undetermined motions (a plane
@@ -141,10 +128,9 @@ def registration_icp(
         >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reliable
         (np.True_, True)
     """
-    constraint = make_constraint(free, frame, pivot, prior, noise)
     options = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
-    pair = source, target, max_correspondence_distance, init
-    return run_icp(*pair, estimation_method, criteria, callback_after_iteration, constraint, weights=weights, **options)
+    jobs, pair = constraints_of(constraint), (source, target, max_correspondence_distance, init)
+    return run_icp(*pair, estimation_method, criteria, callback_after_iteration, jobs, weights=weights, **options)
 
 
 def run_icp(
@@ -155,7 +141,7 @@ def run_icp(
     estimation_method: TransformationEstimation | None,
     criteria: ICPConvergenceCriteria | None,
     callback: Watcher | None,
-    constraint: Constraint | None,
+    constraint: JobConstraints | None,
     **options: Any,
 ) -> RegistrationResult:
     method, rules = check_rules(estimation_method, criteria)
@@ -186,12 +172,8 @@ def registration_icp_batch(
     overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
-    free: Sequence[str] | None = None,
-    frame: ArrayLike | None = None,
-    pivot: ArrayLike | None = None,
-    prior: Prior | Sequence[Prior] | None = None,
+    constraint: Constraint | None = None,
     weights: ArrayLike | str | None = None,
-    noise: float | None = None,
 ) -> list[RegistrationResult]:
     """Register many pairs of clouds, or one pair from many poses, in the same launches.
 
@@ -200,9 +182,7 @@ def registration_icp_batch(
         max_correspondence_distance: As of `registration_icp`, for all jobs.
         inits: Initial poses, one [4, 4] or one per job [jobs, 4, 4]; None: the identity.
         estimation_method, criteria, overlap, max_normal_angle, degeneracy: As of `registration_icp`, for all jobs.
-        free, frame, noise: Likewise.
-        pivot: As of `registration_icp`, [3], or one per job [jobs, 3].
-        prior: As of `registration_icp`, one, or one per job.
+        constraint: As of `registration_icp`, for all jobs. Its pivot and prior may be one per job.
         weights: An attribute name of all sources, or an array [n] if one cloud is the source of all jobs.
 
     Returns:
@@ -228,10 +208,10 @@ def registration_icp_batch(
     """
     method, rules = check_rules(estimation_method, criteria)
     left, right, poses = _jobs_of(sources, targets, inits, method)
-    constraint = make_constraint(free, frame, pivot, prior, noise, len(poses))
+    jobs = constraints_of(constraint, len(poses))
     options = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     problem = _make_problem(
-        left, right, poses, max_correspondence_distance, method, constraint=constraint, weights=weights, **options
+        left, right, poses, max_correspondence_distance, method, constraint=jobs, weights=weights, **options
     )
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse)
     return problem.results()
@@ -275,10 +255,10 @@ def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, I
     return method, criteria
 
 
-def check_constrainable(method: TransformationEstimation, constraint: Constraint | None) -> None:
+def check_constrainable(method: TransformationEstimation, constraint: JobConstraints | None) -> None:
     if constraint is not None and not method.constrainable:
         raise ValueError(
-            f"free, prior: {type(method).__name__} cannot be constrained. "
+            f"constraint: {type(method).__name__} cannot be constrained. "
             "Use TransformationEstimationPointToPlane() or another one that can"
         )
 
@@ -302,7 +282,7 @@ def _make_problem(
     overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
     degeneracy: float = DEGENERACY,
-    constraint: Constraint | None = None,
+    constraint: JobConstraints | None = None,
     weights: ArrayLike | str | None = None,
 ) -> IterativeRegistration:
     distance = check_positive("max_correspondence_distance", distance)

@@ -22,7 +22,7 @@ from ...kernels.memory import upload
 from ...kernels.search.many_clouds import ManyClouds
 from ...pcd.cloud import PointCloud
 from ..result import RegistrationResult
-from .constraint import Constraint, make_freedom
+from .constraint import JobConstraints, make_freedom
 from .estimation import Columns, TransformationEstimation
 from .matched_clouds import MatchedClouds, grow_forest, names_of, order_points
 from .preparation import Side, point_weights
@@ -54,7 +54,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         overlap: float | None = 1.0,
         max_normal_angle: float | None = None,
         degeneracy: float = DEGENERACY,
-        constraint: Constraint | None = None,
+        constraint: JobConstraints | None = None,
         weights: ArrayLike | str | None = None,
     ):
         super().__init__(source_clouds, target_clouds, distance, estimation)
@@ -87,7 +87,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
             self._rejection = PairRejection(self.loop.matches, pair_limit, normals, sizes=sizes)
 
     def _constrain(
-        self, constraint: Constraint | None, weights: ArrayLike | str | None, local: NDArray[np.float64]
+        self, constraint: JobConstraints | None, weights: ArrayLike | str | None, local: NDArray[np.float64]
     ) -> None:
         self.constraint, self.freedom = constraint, None
         if constraint is not None:
@@ -96,7 +96,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
             columns = point_weights(self._sources, weights, names_of("source", self.source_of))
             self.loop.matches.weigh(self.source_clouds.gather(columns))
 
-    def _make_freedom(self, constraint: Constraint, local: NDArray[np.float64]) -> Freedom:
+    def _make_freedom(self, constraint: JobConstraints, local: NDArray[np.float64]) -> Freedom:
         anchors = local if constraint.anchors is None else self._local_poses(constraint.anchors)
         jobs = zip(self.source_of, self.target_of, strict=True)
         origins = [(self._source_origins[s], self._target_origins[t]) for s, t in jobs]

@@ -19,7 +19,7 @@ def leveled(
 ) -> NDArray[np.float64]:
     """Rotate a pose by the smallest angle that aligns the up directions, as known from an IMU at rest.
 
-    ICP with four degrees of freedom keeps it level: free=("x", "y", "z", "yaw").
+    ICP with four degrees of freedom keeps it level: Constraint(("x", "y", "z", "yaw")).
 
     Args:
         init: The pose T_target_source, 4x4; None: the identity.

@@ -18,7 +18,7 @@ from ...kernels.linear_algebra import matmul
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
 from ..result import RegistrationResult
-from .constraint import Prior, make_constraint
+from .constraint import Constraint, constraints_of
 from .estimation import TransformationEstimation
 from .evaluation import evaluate_registration
 from .icp import ICPConvergenceCriteria, Watcher, check_poses, check_rules, run_icp
@@ -45,12 +45,8 @@ def multi_scale_icp(
     estimate_normals: bool = False,
     overlap: float | None = None,
     callback_after_iteration: Watcher | None = None,
-    free: Sequence[str] | None = None,
-    frame: ArrayLike | None = None,
-    pivot: ArrayLike | None = None,
-    prior: Prior | None = None,
+    constraint: Constraint | None = None,
     weights: ArrayLike | str | None = None,
-    noise: float | None = None,
 ) -> RegistrationResult:
     """Register from coarse to fine, each scale on downsampled clouds from the previous pose.
 
@@ -67,7 +63,7 @@ def multi_scale_icp(
             within two voxels of the target, restarts with an estimated overlap, and uses that pose if at least nine
             tenths as many points are that close.
         callback_after_iteration: As of `registration_icp`. With `scale_index`.
-        free, frame, pivot, prior, noise: As of `registration_icp`. Fixed motions keep `init` at all scales.
+        constraint: As of `registration_icp`. Fixed motions keep `init` at all scales.
         weights: Likewise; averaged per voxel.
 
     Returns:
@@ -93,10 +89,10 @@ def multi_scale_icp(
     sizes, distances = _check_scales(voxel_sizes, max_correspondence_distances, criteria_list)
     method, _ = check_rules(estimation_method, None)
     wanted = method.needs_normals if estimate_normals else ()
-    constraint = make_constraint(free, frame, pivot, prior, noise)
-    anchor = np.eye(4) if constraint is None else check_poses("init", init, method)
-    if constraint is not None:
-        constraint = constraint.about(matmul(anchor[:3, :3], source.get_center()) + anchor[:3, 3])
+    jobs = constraints_of(constraint)
+    anchor = np.eye(4) if jobs is None else check_poses("init", init, method)
+    if jobs is not None:
+        jobs = jobs.about(matmul(anchor[:3, :3], source.get_center()) + anchor[:3, 3])
     weighed = _with_weights(source, weights)
     pose, steps = init, 0
     result: RegistrationResult | None = None
@@ -106,10 +102,10 @@ def multi_scale_icp(
         watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
         with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
             near = min(NEAR * size, distance) or distance
-            run = partial(run_icp, left, right, distance, pose, method, rules, watch, constraint)
+            run = partial(run_icp, left, right, distance, pose, method, rules, watch, jobs)
             result = _register(run, left, right, distance, near, overlap, None if weights is None else WEIGHTS)
-        if constraint is not None:
-            constraint = constraint.begun(anchor, result._motion)
+        if jobs is not None:
+            jobs = jobs.begun(anchor, result._motion)
         pose, steps = result.transformation, steps + result.iterations
         result.iterations = steps
     assert result is not None

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
-from ..icp.constraint import make_constraint
+from ..icp.constraint import Constraint, constraints_of
 from ..icp.estimation import TransformationEstimationForGeneralizedICP
 from ..icp.icp import ICPConvergenceCriteria
 from ..icp.iterative import IterativeRegistration
@@ -122,7 +122,7 @@ def refine_pairs(
     refined, information = [], []
     for pair in pairs:
         start = np.asarray(pair.transformation, np.float64)[None]
-        constraint = make_constraint(free, None, None, None, None)
+        constraint = constraints_of(Constraint(free))
         ends = [clouds[pair.source]], [clouds[pair.target]]
         problem = IterativeRegistration(*ends, start, MAX_DISTANCE * size, GENERALIZED, constraint=constraint)
         problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)

@@ -41,6 +41,7 @@ from ..evidence import Witness, witness_of
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import LEVEL
 from ..globally.rating import rate_poses
+from ..icp.constraint import Constraint
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.evaluation import fitness_of
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
@@ -602,9 +603,10 @@ class PairFinder:
         distance = MAX_DISTANCE * size
 
         def register(rows: list[int], overlap: float | None) -> tuple[Array, Array]:
-            rules, options = ICPConvergenceCriteria(max_iteration=50), {"free": self.free, "overlap": overlap}
+            rules, bound = ICPConvergenceCriteria(max_iteration=50), Constraint(self.free)
             clouds = [self._thinned(pairs[k][0], size) for k in rows], [self._thinned(pairs[k][1], size) for k in rows]
-            results = registration_icp_batch(*clouds, distance, starts[rows], PLANE, rules, **options)
+            given = *clouds, distance, starts[rows], PLANE, rules
+            results = registration_icp_batch(*given, overlap=overlap, constraint=bound)
             poses = np.array([result.transformation for result in results])
             return poses, np.array(fitness_of(*clouds, distance, poses))
 
@@ -652,7 +654,7 @@ class PairFinder:
         if not pairs:
             return []
         sources, targets = self._clouds(pairs)
-        options: dict[str, Any] = {"free": self.free, "max_normal_angle": MAX_BENT}
+        options: dict[str, Any] = {"constraint": Constraint(self.free), "max_normal_angle": MAX_BENT}
         rules, poses, results = ICPConvergenceCriteria(max_iteration=60), np.array(starts), []
         if not earlier:
             for voxels in (2 * MAX_DISTANCE, MAX_DISTANCE):
