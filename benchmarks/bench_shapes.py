@@ -45,7 +45,7 @@ def prepare_pointloom(scene: tuple[str, np.ndarray], device: str) -> Any:
 
     def find() -> Any:
         cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=neighbors)
-        return getattr(cloud, f"segment_{kind}")(THRESHOLD, NORMAL_ANGLE)
+        return cloud.segment_shape(kind, THRESHOLD, NORMAL_ANGLE)
 
     return waiting(find, device, "warp")
 

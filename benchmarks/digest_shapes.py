@@ -41,7 +41,7 @@ def numbers(shape: Any) -> list[Any]:
 
 def segmented(d: Any, kind: str) -> list[Any]:
     """The shape of a kind with the most inliers, and these; a pipe is a torus with a large radius."""
-    shape, rows = getattr(hall(d), f"segment_{kind}")(THRESHOLD, 25, **({} if kind == "cone" else {"max_radius": 1.0}))
+    shape, rows = hall(d).segment_shape(kind, THRESHOLD, 25, max_radius=None if kind == "cone" else 1.0)
     return [*numbers(shape), rows]
 
 
@@ -62,7 +62,7 @@ def fitted(d: Any) -> list[Any]:
 
 
 SHAPES: dict[str, Callable[[Any], Any]] = {
-    **{f"segment_{kind}": partial(segmented, kind=kind) for kind in ("sphere", "cylinder", "cone", "torus")},
+    **{f"segment_shape, {kind}": partial(segmented, kind=kind) for kind in ("sphere", "cylinder", "cone", "torus")},
     "detect_shapes": detected,
     "fit_shape": fitted,
 }

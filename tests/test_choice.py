@@ -116,8 +116,7 @@ NOT_COMPARED = {
     ),
     "by the operations that hand arrays on by it": ("search_tree", "edge_topology"),
     "on scenes that hold such shapes, by tests/pcd/test_shapes.py": (
-        *("detect_shapes", "find_boxes", "fit_shape"),
-        *("segment_cone", "segment_cylinder", "segment_sphere", "segment_torus"),
+        *("detect_shapes", "find_boxes", "fit_shape", "segment_shape"),
     ),
 }
 

@@ -34,7 +34,7 @@ MORE = """
 0 made(points, normals=normals).normalize_normals().normals
 0 made(points, normals=normals).flip_normals().normals
 0 made(points, normals=normals).orient_normals_to_align_with_direction().normals
-0 made(points, normals=normals).segment_cylinder(0.02, seed=1)[1]
+0 made(points, normals=normals).segment_shape("cylinder", 0.02, seed=1)[1]
 1e-4 loom.compute_fpfh_feature(made(points, normals=normals), radius=0.6)
 0 loom.detect_shapes(made(points, normals=normals), 0.02).labels
 1e-3 loom.create_surface(made(points, normals=normals)).mesh.get_surface_area()

@@ -120,8 +120,8 @@ same 1e-6 cloud.project_to_rgbd_image(64, 48, camera, view @ shift(-1)).depth
 same 0 cloud.region_growing()
 same 0 cloud.remove_duplicated_points().normals
 same 0 cloud.segment_planes(0.01, seed=1)[0]
-same 1e-4 ball.segment_sphere(0.02, seed=1)[0].radius
-moved 1e-4 ball.segment_sphere(0.02, seed=1)[0].center
+same 1e-4 ball.segment_shape("sphere", 0.02, seed=1)[0].radius
+moved 1e-4 ball.segment_shape("sphere", 0.02, seed=1)[0].center
 moved 1e-5 cloud.smooth_bilateral().points
 moved 0 cloud.thin(0.3, corner=at([-1, -1, -1])).points
 same 0 mesh.boolean_union(mesh.translate([0.5, 0.25, 0.125])).triangles

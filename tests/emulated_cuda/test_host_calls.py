@@ -45,7 +45,8 @@ MORE = {
     "columns of both epochs are composed on the host": ("m3c2",),
     "numbers of each patch": ("detect_planar_patches",),
     "the best samples of each batch, the sums of each fit": (
-        *("segment_sphere", "segment_cylinder", "segment_cone", "segment_torus", "detect_shapes", "fit_shape"),
+        *(f"segment_shape, {kind}" for kind in ("sphere", "cylinder", "cone", "torus")),
+        *("detect_shapes", "fit_shape"),
     ),
 }
 GROWING = (*MORE["Qhull's convex hull"], "knn_search, array", "detail tree", "detect_planar_patches", "splats")

@@ -101,7 +101,7 @@ def test_invalid_detections_are_rejected(device, rng):
 def test_shape_fitted_as_another_kind_is_unreliable(device, kind, fitted_kind, warning):
     points, _, _ = made_shape(kind, 3000, np.random.default_rng(100), 0.004, arc=0.25 if fitted_kind == "cone" else 1.0)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
-    shape, _ = getattr(cloud, f"segment_{fitted_kind}")(0.012, 25, 2000)
+    shape, _ = cloud.segment_shape(fitted_kind, 0.012, 25, num_iterations=2000)
     assert any(reason.startswith(warning) for reason in shape.warnings), shape
 
 

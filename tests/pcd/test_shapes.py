@@ -10,10 +10,6 @@ from .made_shapes import SIZES, made_shape
 ROUND = ["sphere", "cylinder", "cone", "torus"]
 
 
-def segment(cloud, kind, *arguments, **options):
-    return getattr(cloud, f"segment_{kind}")(*arguments, **options)
-
-
 def sizes_of(shape):
     of = {"cone": ("half_angle",), "torus": ("radius", "minor_radius")}.get(shape.kind, ("radius",))
     return np.array([getattr(shape, name) for name in of])
@@ -36,7 +32,7 @@ SCENES = [("sphere", 0.02), ("cylinder", 0.005), ("cylinder", 0.0), ("cone", 0.0
 def test_shape_among_clutter_is_detected_with_its_sizes(device, rng, kind, noise):
     points, _, axis = scene(kind, rng, noise=noise)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
-    shape, inliers = segment(cloud, kind, max(0.004, 2.5 * noise), 25)
+    shape, inliers = cloud.segment_shape(kind, max(0.004, 2.5 * noise), 25)
     assert shape.reliable, shape.warnings
     assert (inliers < 3000).mean() > 0.95
     assert (inliers < 3000).sum() > (0.97 if noise < 0.02 else 0.7) * 3000
@@ -56,7 +52,7 @@ def test_estimated_standard_deviations_match_the_errors(device, kind):
         rng = np.random.default_rng(seed)
         points, _, _ = made_shape(kind, 400, rng, 0.004)
         cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=20)
-        shape, _ = segment(cloud, kind, 0.05, 60, probability=0.99)
+        shape, _ = cloud.segment_shape(kind, 0.05, 60, probability=0.99)
         ratios.extend((sizes_of(shape) - SIZES[kind]) / sigma_of(shape))
     assert 0.6 < np.sqrt(np.mean(np.square(ratios))) < 1.5
 
@@ -65,12 +61,12 @@ def test_estimated_standard_deviations_match_the_errors(device, kind):
 def test_same_seed_is_reproducible_and_inliers_fit_the_shape(device, rng, kind):
     points = scene(kind, rng, 1500, 1037, 0.01)[0]
     cloud = loom.PointCloud(points, device=device).estimate_normals()
-    (a, first), (b, second) = (segment(cloud, kind, 0.02, 30, seed=7) for _ in range(2))
+    (a, first), (b, second) = (cloud.segment_shape(kind, 0.02, 30, seed=7) for _ in range(2))
     np.testing.assert_array_equal(first, second)
     np.testing.assert_array_equal(a.covariance, b.covariance)
     near = np.abs(a.compute_distances(cloud.points)) < 0.02
     assert near[first].mean() > 0.999
-    with_any = segment(cloud, kind, 0.02, 90, seed=7)
+    with_any = cloud.segment_shape(kind, 0.02, 90, seed=7)
     np.testing.assert_allclose(np.abs(with_any[0].compute_distances(cloud.points[with_any[1]])).max(), 0.02, atol=1e-3)
 
 
@@ -78,7 +74,7 @@ def test_same_seed_is_reproducible_and_inliers_fit_the_shape(device, rng, kind):
 def test_of_many_points_a_part_is_fitted_first_and_all_of_them_last(device, rng, kind):
     points, _, _ = scene(kind, rng, 6400, 2600, 0.003)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
-    shape, inliers = segment(cloud, kind, 0.01, 25)
+    shape, inliers = cloud.segment_shape(kind, 0.01, 25)
     assert ((inliers < 6400).sum() > 0.97 * 6400) and shape.reliable and shape.support > 6200
     assert (np.abs(sizes_of(shape) - SIZES[kind]) < 4 * sigma_of(shape) + 2e-4).all()
 
@@ -87,7 +83,7 @@ def test_fit_respects_the_requested_radii(device, rng):
     points, _, _ = made_shape("plane", 2000, rng, 0.003)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=15)
     try:
-        shape, _ = cloud.segment_cylinder(0.01, 30, 3000, max_radius=0.8)
+        shape, _ = cloud.segment_shape("cylinder", 0.01, 30, num_iterations=3000, max_radius=0.8)
     except ValueError as error:
         assert "no cylinder found" in str(error)
     else:
@@ -99,7 +95,7 @@ def test_plane_is_no_round_shape_and_is_reported_as_flat(device, rng, kind, nois
     points, _, _ = made_shape("plane", 3000, rng, noise)
     cloud = loom.PointCloud(points, device=device).estimate_normals()
     try:
-        shape, _ = segment(cloud, kind, 0.015, 25, 2000)
+        shape, _ = cloud.segment_shape(kind, 0.015, 25, num_iterations=2000)
     except ValueError as error:
         assert f"no {kind} found" in str(error)
     else:
@@ -109,14 +105,14 @@ def test_plane_is_no_round_shape_and_is_reported_as_flat(device, rng, kind, nois
 @pytest.mark.parametrize("kind", ROUND)
 def test_clutter_alone_is_chance(device, rng, kind):
     cloud = loom.PointCloud(rng.random((3000, 3)), device=device).estimate_normals()
-    shape, _ = segment(cloud, kind, 0.01, 20, 2000)
+    shape, _ = cloud.segment_shape(kind, 0.01, 20, num_iterations=2000)
     assert any("chance" in reason or "do not say" in reason for reason in shape.warnings), shape
 
 
 def test_a_small_arc_of_a_cylinder_leaves_its_radius_open(device, rng):
     points, _, _ = made_shape("cylinder", 400, rng, 0.004, arc=0.07)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=40)
-    shape, _ = cloud.segment_cylinder(0.02, 40, max_radius=1.5)
+    shape, _ = cloud.segment_shape("cylinder", 0.02, 40, max_radius=1.5)
     assert any("radius open" in reason or "flat" in reason for reason in shape.warnings), shape
     assert shape.coverage < 0.2
 
@@ -125,7 +121,7 @@ def test_cylinder_fitted_as_a_cone_leaves_its_half_angle_open(device, rng):
     points, _, _ = made_shape("cylinder", 2000, rng, 0.01)
     cloud = loom.PointCloud(points, device=device).estimate_normals()
     try:
-        shape, _ = cloud.segment_cone(0.03, 40, 3000)
+        shape, _ = cloud.segment_shape("cone", 0.03, 40, num_iterations=3000)
     except ValueError as error:
         assert "no cone found" in str(error)
     else:
@@ -139,19 +135,19 @@ def test_bad_clouds_are_refused_by_name(device, kind):
     for points, message in [*bad, (ones[:3], "3 finite points"), (ones, "are equal")]:
         normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
         with pytest.raises(ValueError, match=message):
-            segment(loom.PointCloud(points, normals=normals, device=device), kind)
+            loom.PointCloud(points, normals=normals, device=device).segment_shape(kind)
     normals = np.tile([2.0, -1.0, 0.0], (50, 1))  # all equal: an estimate from points on a line depends on rounding
     line = loom.PointCloud(np.linspace(0, 1, 50)[:, None] * [1, 2, 3], normals=normals, device=device)
     with pytest.raises(ValueError, match=f"no {kind} found"):
-        segment(line, kind, 0.01, num_iterations=500)
+        line.segment_shape(kind, 0.01, num_iterations=500)
     with pytest.raises(ValueError, match="no normals"):
-        segment(loom.PointCloud(ones, device=device), kind)
+        loom.PointCloud(ones, device=device).segment_shape(kind)
 
 
 @pytest.mark.parametrize("kind", ROUND)
 def test_mesh_of_a_shape_is_on_its_surface_and_faces_outward(device, rng, kind):
     points, _, _ = made_shape(kind, 1500, rng)
-    shape, _ = segment(loom.PointCloud(points, device=device).estimate_normals(), kind, 0.005)
+    shape, _ = loom.PointCloud(points, device=device).estimate_normals().segment_shape(kind, 0.005)
     vertices, triangles = shape.to_mesh(32)
     assert np.abs(shape.compute_distances(vertices)).max() < 1e-9
     corners = vertices[triangles]
@@ -169,10 +165,11 @@ def test_a_bent_patch_is_too_small_a_part_of_a_round_shape_but_few_points_all_ov
     x, y = rng.random((2, 3000)) - 0.5
     saddle = np.column_stack([x, y, 0.4 * (x * x - y * y)]) + 0.003 * rng.normal(size=(3000, 3))
     cloud = loom.PointCloud(saddle, device=device).estimate_normals(max_nn=30)
-    for shape, _ in (cloud.segment_sphere(0.012, 25, 4000), cloud.segment_cylinder(0.012, 25, 4000)):
+    for kind in ("sphere", "cylinder"):
+        shape, _ = cloud.segment_shape(kind, 0.012, 25, num_iterations=4000)
         assert shape.sigma["radius"] < 0.02 * shape.radius
         assert "small part" in [reason.split(":")[0] for reason in shape.warnings], shape
     few, center, _ = made_shape("sphere", 60, rng)
     ball = loom.PointCloud(few, normals=(few - center) / 0.5, device=device)
-    shape, _ = ball.segment_sphere(0.012)
+    shape, _ = ball.segment_shape("sphere", 0.012)
     assert shape.coverage < 0.15 and shape.reliable, shape

@@ -28,13 +28,12 @@ from ..kernels.segmentation.patch_growth import Patches
 from ..kernels.segmentation.planar_patches import ROUNDING, Limits, find_seeds
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
 from ..kernels.segmentation.region_growth import grow_regions
-from ..kernels.segmentation.shape_models import CONE, CYLINDER, SPHERE, TORUS
 from ..kernels.segmentation.shape_rows import ascending, usable_in_order
 from ..kernels.segmentation.shape_search import ShapeLimits, ShapeSearch
 from .boxes import OrientedBoundingBox
 from .length_checks import check_order, warn_of_long, warn_of_short
 from .selection import Selection
-from .shape import KINDS, UNKNOWNS, Shape
+from .shape import KINDS, UNKNOWNS, Shape, check_kind
 from .shape_checks import shape_of
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud can have
@@ -340,30 +339,34 @@ class Segmentation(Selection):
         return np.append(normal, plane[3] - matmul(normal, center + self._origin))
 
     @explain_argument_errors
-    def segment_sphere(
+    def segment_shape(
         self,
+        kind: str,
         distance_threshold: float = 0.01,
         normal_threshold_deg: float = 20.0,
+        *,
         num_iterations: int = 20_000,
         probability: float = 0.9999,
-        *,
         min_radius: float = 0.0,
         max_radius: float | None = None,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the sphere with the most inliers (RANSAC with normals). The cloud needs normals.
+        """Find the sphere, cylinder, cone or torus with the most inliers (RANSAC). The cloud needs normals.
 
         Samples are local along a space-filling curve, scored on 2,000 points, then on all. The best six are refined. 24
         B per point. Bitwise reproducible. Schnabel, Wahl and Klein, "Efficient RANSAC for point-cloud shape detection",
         CGF 2007. Lukacs, Martin and Marshall, "Faithful least-squares fitting", ECCV 1998.
 
         Args:
+            kind: "sphere", "cylinder" (unbounded; `shape.extent` limits its points), "cone" (one nappe, half angles of
+                2 to 86 degrees) or "torus". Planes: `segment_plane`.
             distance_threshold: Exclusive inlier distance from the surface [m].
             normal_threshold_deg: Maximum unsigned angle [degrees] between point and surface normals; 90: ignored.
             num_iterations: Maximum number of samples.
             probability: Confidence of an outlier-free sample that ends the search. 1 draws all.
-            min_radius: Minimum radius of a sample's shape [m].
-            max_radius: Maximum radius of a sample's shape [m]. If None: the diagonal of the cloud.
+            min_radius: Minimum radius of a sample's sphere, cylinder or torus tube [m].
+            max_radius: Maximum radius of a sample's sphere, cylinder or torus ring [m]. If None: the diagonal of the
+                cloud.
             seed: Random seed.
 
         Returns:
@@ -372,116 +375,31 @@ class Segmentation(Selection):
             radius or kind, or there are no more points on the surface than beside it.
 
         Raises:
-            ValueError: If the cloud has no normals or too few finite points, there is no shape, or an argument is
-                invalid.
+            TypeError, ValueError: If the kind is unknown, the cloud has no normals or too few finite points, there is
+                no shape, or an argument is invalid.
 
         Example:
             >>> import numpy as np, pointloom as loom
             >>> ball = 0.5 * (d := np.random.default_rng(0).normal(size=(2000, 3))) / np.linalg.norm(d, axis=1)[:, None]
             >>> cloud = loom.PointCloud(np.vstack([ball, np.random.default_rng(1).random((500, 3))])).estimate_normals()
-            >>> shape, inliers = cloud.segment_sphere(0.01)
+            >>> shape, inliers = cloud.segment_shape("sphere", 0.01)
             >>> round(shape.radius, 3), shape.reliable
             (0.5, True)
         """
+        number = check_kind(kind, KINDS[1:])
         limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
-        return self._segment_shape(SPHERE, limits, num_iterations, probability, seed)
-
-    @explain_argument_errors
-    def segment_cylinder(
-        self,
-        distance_threshold: float = 0.01,
-        normal_threshold_deg: float = 20.0,
-        num_iterations: int = 20_000,
-        probability: float = 0.9999,
-        *,
-        min_radius: float = 0.0,
-        max_radius: float | None = None,
-        seed: int = 0,
-    ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the cylinder with the most inliers (RANSAC with normals). The cloud needs normals.
-
-        Arguments, result and errors as `segment_sphere`. The cylinder is unbounded; `shape.extent` limits its points.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> turn, height = np.random.default_rng(0).random((2, 3000)) * [[2 * np.pi], [1.0]]
-            >>> pipe = np.column_stack([0.2 * np.cos(turn), 0.2 * np.sin(turn), height])
-            >>> shape, inliers = loom.PointCloud(pipe).estimate_normals().segment_cylinder(0.005)
-            >>> round(shape.radius, 3), round(float(shape.axis[2]), 3)
-            (0.2, 1.0)
-        """
-        limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
-        return self._segment_shape(CYLINDER, limits, num_iterations, probability, seed)
-
-    @explain_argument_errors
-    def segment_cone(
-        self,
-        distance_threshold: float = 0.01,
-        normal_threshold_deg: float = 20.0,
-        num_iterations: int = 20_000,
-        probability: float = 0.9999,
-        *,
-        seed: int = 0,
-    ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the cone with the most inliers (RANSAC with normals). The cloud needs normals.
-
-        Arguments, result and errors as `segment_sphere`. Half angles are 2 to 86 degrees. One nappe is found.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> turn, height = np.random.default_rng(0).random((2, 3000)) * [[2 * np.pi], [1.0]] + [[0], [0.2]]
-            >>> hat = np.column_stack([0.5 * height * np.cos(turn), 0.5 * height * np.sin(turn), height])
-            >>> shape, inliers = loom.PointCloud(hat).estimate_normals().segment_cone(0.005)
-            >>> round(float(np.tan(shape.half_angle)), 3)
-            0.5
-        """
-        limits = limits_of(distance_threshold, normal_threshold_deg, 0.0, None)
-        return self._segment_shape(CONE, limits, num_iterations, probability, seed)
-
-    @explain_argument_errors
-    def segment_torus(
-        self,
-        distance_threshold: float = 0.01,
-        normal_threshold_deg: float = 20.0,
-        num_iterations: int = 20_000,
-        probability: float = 0.9999,
-        *,
-        min_radius: float = 0.0,
-        max_radius: float | None = None,
-        seed: int = 0,
-    ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the torus with the most inliers (RANSAC with normals). The cloud needs normals.
-
-        Arguments, result and errors as `segment_sphere`. `min_radius` limits the tube, `max_radius` the ring.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> u, v = np.random.default_rng(0).random((2, 4000)) * 2 * np.pi
-            >>> q = 0.5 + 0.15 * np.cos(v)
-            >>> ring = np.column_stack([q * np.cos(u), q * np.sin(u), 0.15 * np.sin(v)])
-            >>> shape, inliers = loom.PointCloud(ring).estimate_normals().segment_torus(0.005)
-            >>> round(shape.radius, 2), round(shape.minor_radius, 2)
-            (0.5, 0.15)
-        """
-        limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
-        return self._segment_shape(TORUS, limits, num_iterations, probability, seed)
-
-    def _segment_shape(
-        self, kind: int, limits: ShapeLimits, num_iterations: Any, probability: Any, seed: Any
-    ) -> tuple[Shape, NDArray[np.int32]]:
         max_samples, chance, start = check_samples(num_iterations, probability, seed)
-        name = KINDS[kind]
         search, limits = search_of(self, limits)
-        unknowns, rows = len(UNKNOWNS[name]), search.rows
+        unknowns, rows = len(UNKNOWNS[kind]), search.rows
         if rows.size <= unknowns:
             have = f"the cloud has {rows.size} finite points with normals"
-            raise ValueError(f"a {name} has {unknowns} unknowns, but {have}")
+            raise ValueError(f"a {kind} has {unknowns} unknowns, but {have}")
         if search.size <= 0.0:
-            raise ValueError(f"points: all {rows.size:,} are equal and define no {name}")
-        detected = search.find(kind, limits, max_samples, chance, start)
+            raise ValueError(f"points: all {rows.size:,} are equal and define no {kind}")
+        detected = search.find(number, limits, max_samples, chance, start)
         if detected is None or not detected.rows.size:
             raise ValueError(
-                f"no {name} found: none of {max_samples:,} samples fits within the limits. Raise distance_threshold or "
+                f"no {kind} found: none of {max_samples:,} samples fits within the limits. Raise distance_threshold or "
                 "normal_threshold_deg. If the normals are inexact, estimate them with a larger max_nn"
             )
         shape = shape_of(search, detected, limits, self._origin)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.checks import check_count, check_rows
+from ..core.checks import check_count, check_rows, shown
 from ..core.reports import Assessed, quality
 from ..kernels.linear_algebra import matmul
 
@@ -22,6 +23,15 @@ UNKNOWNS = {  # in the order of the covariance
     "torus": ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "radius", "minor_radius"),
 }
 ROUND = 64  # steps around an axis of a mesh
+
+
+def check_kind(kind: Any, kinds: Sequence[str] = KINDS) -> int:
+    """The number of a kind of shape."""
+    if not isinstance(kind, str):
+        raise TypeError(f"kind: expected one of {', '.join(kinds)}, got {shown(kind)}")
+    if kind not in kinds:
+        raise ValueError(f"kind: expected one of {', '.join(kinds)}, got {shown(kind)}")
+    return KINDS.index(kind)
 
 
 class ShapeSurface(NamedTuple):

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.argument_errors import explain_argument_errors
-from ..core.checks import check_finite, check_numeric, check_seed, shown
+from ..core.checks import check_finite, check_numeric, check_seed
 from ..core.exchange import on_host
 from ..kernels.lang import float64
 from ..kernels.memory import download, upload
@@ -20,7 +20,7 @@ from ..kernels.segmentation.shape_rows import every_of, rows_of_weight, usable_i
 from ..kernels.segmentation.shape_search import DetectedShape, ShapeLimits, ShapeSearch
 from .cloud import PointCloud
 from .point_arrays import check_cloud
-from .shape import KINDS, UNKNOWNS, Shape
+from .shape import KINDS, UNKNOWNS, Shape, check_kind
 from .shape_checks import ROUNDING, fitted_shape
 
 LEVELS = (0.1, 0.03, 0.01, 0.003)  # of the cloud's size: inlier distances of the initialization
@@ -63,17 +63,14 @@ def fit_shape(
         (0.2, True, 3000, True)
     """
     check_cloud("cloud", cloud)
-    if not isinstance(kind, str):
-        raise TypeError(f"kind: expected one of {', '.join(KINDS)}, got {shown(kind)}")
-    if kind not in KINDS:
-        raise ValueError(f"kind: expected one of {', '.join(KINDS)}, got {shown(kind)}")
+    number = check_kind(kind)
     if start is not None and not isinstance(start, Shape):
         raise TypeError(f"start: expected a Shape, got {type(start).__name__}")
     if start is not None and start.kind != kind:
         raise ValueError(f"start: expected a {kind}, got a {start.kind}")
     first, given = check_seed(seed), _check_weights(weights, len(cloud))
     search = _search_of(cloud, given)
-    number, rows = KINDS.index(kind), search.rows
+    rows = search.rows
     if rows.size <= len(UNKNOWNS[kind]):
         have = f"the cloud has {rows.size} finite points" + (" with a weight" if given is not None else "")
         raise ValueError(f"cloud: a {kind} has {len(UNKNOWNS[kind])} unknowns, but {have}")
