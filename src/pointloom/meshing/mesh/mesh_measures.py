@@ -267,8 +267,8 @@ class MeshMeasures(MeshSelection):
             >>> box.select_faces_by_mask(box.compute_triangle_normals()[:, 2] > 0.5)
             TriangleMesh(4 vertices, 2 triangles, cpu)
         """
-        rows = self._left_by(mask, len(self), "triangles")
-        return self._without(rows).remove_unreferenced_vertices()
+        rows = self._inverse_mask(mask, len(self), "triangles")
+        return self._drop_triangles(rows).remove_unreferenced_vertices()
 
     def _corner_cloud(self) -> PointCloud:
         """Vertices as a cloud that shares memory."""

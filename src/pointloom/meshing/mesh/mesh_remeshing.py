@@ -207,7 +207,7 @@ class MeshRemeshing(MeshMeasures):
         angle = check_number("feature_angle", feature_angle)
         if not 0 <= angle <= 180:
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
-        source = self._without_waste()  # sync
+        source = self._drop_invalid_triangles()  # sync
         if not count or not len(source):
             return source._with_arrays(**dict.fromkeys(TEXTURE))
         vertices, triangles = source._arrays["vertices"], source._arrays["triangles"]
@@ -222,14 +222,14 @@ class MeshRemeshing(MeshMeasures):
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
         bare = source._bare()._with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
-        made = bare._with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._without_gone()
+        made = bare._with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._drop_degenerate_triangles()
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
-    def _without_gone(self) -> Self:
+    def _drop_degenerate_triangles(self) -> Self:
         """Remove fully degenerate triangles and unused vertices. One sync."""
         triangles, count = self._arrays["triangles"], self._vertex_count
         removed = clean_triangles.mask_degenerate(self._arrays["vertices"], triangles, zero_area=False)
-        return self._left(removed, clean_triangles.mask_used(triangles, removed, count))
+        return self._drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, count))
 
     @returns_new
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> Self:

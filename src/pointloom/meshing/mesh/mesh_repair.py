@@ -379,7 +379,8 @@ class MeshRepair(MeshMeasures):
             (1, 1, True, 0.166667)
         """
         size = None if hole_size is None else check_positive("hole_size", hole_size)
-        mesh = self._without(clean_triangles.mask_not_finite(self._arrays["vertices"], self._arrays["triangles"]))
+        removed = clean_triangles.mask_not_finite(self._arrays["vertices"], self._arrays["triangles"])
+        mesh = self._drop_triangles(removed)
         before = mesh._vertex_count
         finite = mesh if merge_distance is None else mesh._merge_close("merge_distance", merge_distance)
         stitched = cut_and_stitch(finite)

@@ -43,7 +43,6 @@ from ...kernels.meshes.close_vertices import find_close_vertices
 from ...kernels.meshes.holes import spread_corners
 from ...kernels.meshes.level_cut import LevelCut
 from ...kernels.meshes.mesh_components import Parts
-from ...kernels.meshes.mesh_edits import mask_and_index, renumber_triangles
 from ...kernels.meshes.trim import mask_trimmed
 from ...pcd.bounding_box import BoundingBox
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
@@ -76,7 +75,7 @@ class MeshSelection(MeshArrays):
     def remove_unreferenced_vertices(self) -> Self:
         """Remove vertices that no triangle uses. The others keep their order."""
         triangles = self._arrays["triangles"]
-        return self._with_used(triangles, mesh_edits.mark_referenced(triangles, self._arrays["vertices"].size))
+        return self._keep_vertices(triangles, mesh_edits.mark_referenced(triangles, self._arrays["vertices"].size))
 
     @returns_new
     def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
@@ -97,9 +96,9 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_vertices_by_mask(mesh.vertices[:, 0] + mesh.vertices[:, 1] < 0.5).triangles.tolist()
             [[1, 0, 2]]
         """
-        used = cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
+        used = cast(self._inverse_mask(mask, self._arrays["vertices"].size, "vertices"), int32)
         arrays = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))
-        return self._with_used(arrays.pop("triangles"), used, **arrays)
+        return self._keep_vertices(arrays.pop("triangles"), used, **arrays)
 
     @returns_new
     def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
@@ -117,10 +116,10 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_triangles_by_mask([True, False])
             TriangleMesh(4 vertices, 1 triangles, cpu)
         """
-        rows = positions_of(self._left_by(mask, len(self), "triangles"))  # sync
+        rows = positions_of(self._inverse_mask(mask, len(self), "triangles"))  # sync
         return self._with_arrays(**self._triangles_at(rows))
 
-    def _with_used(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
+    def _keep_vertices(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
         """Select by a vertex mask, int32 of 1 or 0, and drop triangles with other vertices."""
         rows = self._per_vertex()
         triangles, selected = mesh_edits.keep_vertices(triangles, used, rows.values())
@@ -129,12 +128,8 @@ class MeshSelection(MeshArrays):
             arrays |= self._attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
         return self._with_arrays(triangles=triangles, **arrays, **per_triangle)
 
-    def _with_triangles(self, mask: wp.array) -> Self:
-        """Select by a uint8 triangle mask, with the used vertices. One sync."""
-        return self._chosen(mask)[0]  # sync
-
-    def _chosen(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
-        """As `_with_triangles`: (mesh, triangle rows, vertex rows, positions of other masks). One sync."""
+    def _keep_triangles(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
+        """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
         count = self._arrays["vertices"].size
         used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
@@ -143,7 +138,7 @@ class MeshSelection(MeshArrays):
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
         return self._with_arrays(**arrays), rows, vertices, *positions
 
-    def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
+    def _inverse_mask(self, mask: ArrayLike, count: int, of: str) -> wp.array:
         """Inverse of a removal mask, uint8 on the mesh's device."""
         if is_on_gpu(mask):
             return invert_mask(take_mask("mask", mask, self._device, count))
@@ -168,7 +163,7 @@ class MeshSelection(MeshArrays):
             [[0, 1, 3]]
         """
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        return self._without(clean_triangles.mask_degenerate(vertices, triangles, zero_area=zero_area))
+        return self._drop_triangles(clean_triangles.mask_degenerate(vertices, triangles, zero_area=zero_area))
 
     @returns_new
     def remove_duplicated_triangles(self) -> Self:
@@ -182,7 +177,7 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_duplicated_triangles().triangles.tolist()
             [[0, 1, 2], [0, 2, 1]]
         """
-        return self._without(clean_triangles.mask_repeats(self._arrays["triangles"]))
+        return self._drop_triangles(clean_triangles.mask_repeats(self._arrays["triangles"]))
 
     @returns_new
     def remove_duplicated_vertices(self) -> Self:
@@ -257,7 +252,7 @@ class MeshSelection(MeshArrays):
             mesh = self._with_arrays(**self._triangles_at(crowded.plain))
             crowded = crowded_edges.CrowdedTriangles(mesh._arrays["triangles"], self._vertex_count)
         vertices, triangles = mesh._arrays["vertices"], mesh._arrays["triangles"]
-        return mesh._without(crowded_edges.mask_crowding(vertices, triangles, crowded))
+        return mesh._drop_triangles(crowded_edges.mask_crowding(vertices, triangles, crowded))
 
     def _merge_close(self, name: str, distance: Any) -> Self:
         """`merge_close_vertices`; `name` is the argument named in errors."""
@@ -282,7 +277,7 @@ class MeshSelection(MeshArrays):
             arrays |= self._attributes_at("vertex_attributes", owner_rows)
         return self._with_arrays(triangles=triangles, **arrays)
 
-    def _without_waste(self) -> Self:
+    def _drop_invalid_triangles(self) -> Self:
         """Remove non-finite, degenerate and duplicate triangles and unused vertices."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         removed = clean_triangles.join_masks(
@@ -290,21 +285,22 @@ class MeshSelection(MeshArrays):
             clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
             clean_triangles.mask_not_finite(vertices, triangles),
         )
-        return self._left(removed, clean_triangles.mask_used(triangles, removed, vertices.size))
+        return self._drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, vertices.size))
 
-    def _left(self, removed: Mask, used: Mask) -> Self:
-        """Remove masked triangles. Keep their vertices and those of `used`. One sync."""
+    def _drop_triangles_and_vertices(self, removed: Mask, used: Mask) -> Self:
+        """Remove masked triangles, and vertices outside the mask `used`. One sync."""
         rows, vertices = positions_of_each(invert_mask(removed), used)  # sync
         arrays = self._triangles_at(rows) | self._vertices_at(vertices)
-        new_indices = mask_and_index(vertices, used.size)[1]
-        arrays["triangles"] = renumber_triangles(arrays["triangles"], new_indices)
+        new_indices = mesh_edits.mask_and_index(vertices, used.size)[1]
+        arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
         return self._with_arrays(**arrays)
 
     @property
     def _vertex_count(self) -> int:
         return self._arrays["vertices"].size
 
-    def _without(self, mask: wp.array) -> Self:
+    def _drop_triangles(self, mask: wp.array) -> Self:
+        """Remove masked triangles. All vertices stay."""
         rows = mesh_edits.unmarked_rows(mask)  # sync
         return self._with_arrays(**({} if rows.size == mask.size else self._triangles_at(rows)))
 
@@ -419,7 +415,7 @@ class MeshSelection(MeshArrays):
         repeats = clean_triangles.mask_repeats(triangles)
         used = clean_triangles.mask_used(triangles, repeats, vertices.size)  # keep those of degenerate triangles
         degenerate = clean_triangles.mask_degenerate(vertices, triangles, zero_area=False)
-        return chosen._left(clean_triangles.join_masks(repeats, degenerate), used)
+        return chosen._drop_triangles_and_vertices(clean_triangles.join_masks(repeats, degenerate), used)
 
     def _at_vertices(self, rows: wp.array) -> Self:
         """Select vertices by row, each once, and the triangles between them."""
@@ -479,7 +475,7 @@ class MeshSelection(MeshArrays):
             TriangleMesh(4 vertices, 2 triangles, cpu)
         """
         count, area = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
-        return self._with_triangles(self._parts().mask_large(count, area))  # sync
+        return self._keep_triangles(self._parts().mask_large(count, area))[0]  # sync
 
     def _parts(self) -> Parts:
         return Parts(self._arrays["vertices"], self._arrays["triangles"])
@@ -523,7 +519,7 @@ class MeshSelection(MeshArrays):
         cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
         cut_mesh = self._cut_up(cut)
         mask = mask_trimmed(cut_mesh._device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
-        return cut_mesh._with_triangles(mask)  # sync
+        return cut_mesh._keep_triangles(mask)[0]  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
         """All pieces of a cut as a mesh, with interpolated attributes."""
@@ -576,7 +572,7 @@ class MeshSelection(MeshArrays):
         cut, sides, cut_mesh = mesh._cut_by(plane)
         mask = plane_cut.mask_above(sides, with_up=not cap)
         if not cap:
-            return cut_mesh._with_triangles(mask)  # sync
+            return cut_mesh._keep_triangles(mask)[0]  # sync
         above, half_edges = cut_mesh._above(cut, sides, mask)  # sync
         return above._with_lid(half_edges, plane)
 
@@ -665,7 +661,7 @@ class MeshSelection(MeshArrays):
         )
         mesh = self
         if count < vertices.size:
-            mesh = self._without(clean_triangles.mask_not_finite(vertices, self._arrays["triangles"]))  # sync
+            mesh = self._drop_triangles(clean_triangles.mask_not_finite(vertices, self._arrays["triangles"]))  # sync
         return _Plane(direction, float(matmul(direction, self._origin - center)), slack), mesh
 
     def _cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
@@ -686,7 +682,7 @@ class MeshSelection(MeshArrays):
 
     def _above(self, cut: LevelCut, sides: wp.array, mask: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
         """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
-        mesh, rows, chosen, half_edges = self._chosen(mask, plane_cut.mark_in_plane(cut, mask))  # sync
+        mesh, rows, chosen, half_edges = self._keep_triangles(mask, plane_cut.mark_in_plane(cut, mask))  # sync
         vertices, pieces = self._arrays["vertices"], cut.pieces
         new_indices = [
             mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))
