@@ -103,7 +103,7 @@ NOT_COMPARED = {
     ),
     "shapes that NumPy makes": (
         *("create_arrow", "create_box", "create_cone", "create_cylinder", "create_ellipsoid", "create_icosahedron"),
-        *("create_mobius", "create_moebius", "create_octahedron", "create_sphere", "create_tetrahedron"),
+        *("create_mobius", "create_octahedron", "create_sphere", "create_tetrahedron"),
     ),
     "by the kernels of a line": (
         *("get_max_bound", "get_min_bound"),  # get_axis_aligned_bounding_box

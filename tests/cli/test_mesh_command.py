@@ -286,7 +286,7 @@ def test_a_mesh_that_lost_part_of_its_surface_or_is_not_orientable_is_unreliable
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
     report = unreliable("clean-mesh", write(tmp_path / "fin.ply", fin), tmp_path / "out.ply")
     assert "of the area was lost" in str(report["warnings"]) and report["is_watertight"] and report["lost_area"] > 1
-    strip = write(tmp_path / "strip.ply", TriangleMesh.create_moebius())
+    strip = write(tmp_path / "strip.ply", TriangleMesh.create_mobius())
     assert "is not orientable" in str(unreliable("clean-mesh", strip, tmp_path / "flat.ply")["warnings"])
 
 

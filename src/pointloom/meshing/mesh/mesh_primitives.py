@@ -430,17 +430,6 @@ class MeshPrimitives(MeshMeasures):
         check_vertex_count("length_split, width_split", columns * rows)
         return cls._of(shapes.mobius(columns, rows, half_twists, around, flat, breadth, factor), device, arrays)
 
-    @classmethod
-    def create_moebius(cls, *args: Any, **kwargs: Any) -> Self:
-        """Alias of `create_mobius`.
-
-        Example:
-            >>> import pointloom as loom
-            >>> loom.TriangleMesh.create_moebius(twists=2).is_edge_manifold()
-            True
-        """
-        return cls.create_mobius(*args, **kwargs)
-
     @returns_new
     def extrude_linear(self, vector: ArrayLike, scale: float = 1.0, capping: bool = True) -> Self:
         """Sweep the mesh along a vector.
