@@ -13,7 +13,10 @@ return `self._become(self._native.method(...))`, others `Class._of(self._native.
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, ClassVar, Self
+import functools
+import inspect
+from collections.abc import Callable
+from typing import Any, ClassVar, Generic, ParamSpec, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +24,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.attribute_hints import KnownNames
 from ..core.checks import check_shape
 from .vectors import Vector
+
+P = ParamSpec("P")
+W = TypeVar("W", bound="Wrapper")
 
 
 class Rows:
@@ -138,6 +144,22 @@ class Wrapper(KnownNames):
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._wrapped = state["ours"]
         self._shared = {name: _SharedVector(vector, vector._values.copy()) for name, vector in state["out"].items()}
+
+
+class Forwarded(Generic[P]):
+    """A factory of a pointloom class. Its signature shows Open3D's parameters: all but the keyword-only ones."""
+
+    def __init__(self, factory: Callable[P, Any]):
+        self.factory, parameters = factory, inspect.signature(factory).parameters.values()
+        self.signature = inspect.Signature([p for p in parameters if p.kind is not p.KEYWORD_ONLY])
+
+    def __get__(self, instance: object, owner: type[W]) -> Callable[P, W]:
+        @functools.wraps(self.factory)
+        def make(*args: P.args, **keywords: P.kwargs) -> W:
+            return owner._of(self.factory(*args, **keywords))
+
+        make.__signature__ = self.signature  # type: ignore[attr-defined]
+        return make
 
 
 def unwrap(value: Any, kind: type[Wrapper] | None = None, name: str = "") -> Any:

@@ -15,7 +15,7 @@ from .. import geometry
 from ..indices import indices_of
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Vector2dVector, Vector2iVector, Vector3dVector, Vector3iVector
-from ..wrapper import Rows, as_array, column, unwrap
+from ..wrapper import Forwarded, Rows, as_array, column, unwrap
 from .alpha_shapes import alpha_faces
 from .bounded import BoundedByBoxes
 from .ellipsoids import OrientedBoundingEllipsoid
@@ -59,104 +59,23 @@ NativeMesh = mesh.TriangleMesh
 class MeshFactories(MeshBase):
     triangles = Rows(Vector3iVector)
 
-    @classmethod
-    def create_box(
-        cls,
-        width: float = 1.0,
-        height: float = 1.0,
-        depth: float = 1.0,
-        create_uv_map: bool = False,
-        map_texture_to_each_face: bool = False,
-    ) -> Self:
-        """A box with one corner at (0, 0, 0)."""
-        return cls._of(NativeMesh.create_box(width, height, depth, create_uv_map, map_texture_to_each_face))
-
-    @classmethod
-    def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        """A tetrahedron centered at (0, 0, 0)."""
-        return cls._of(NativeMesh.create_tetrahedron(radius, create_uv_map))
-
-    @classmethod
-    def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        return cls._of(NativeMesh.create_octahedron(radius, create_uv_map))
-
-    @classmethod
-    def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        return cls._of(NativeMesh.create_icosahedron(radius, create_uv_map))
-
-    @classmethod
-    def create_sphere(cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False) -> Self:
-        return cls._of(NativeMesh.create_sphere(radius, resolution, create_uv_map))
-
-    @classmethod
-    def create_ellipsoid(
-        cls,
-        radius_x: float = 1.0,
-        radius_y: float = 1.0,
-        radius_z: float = 1.0,
-        resolution: int = 20,
-        create_uv_map: bool = False,
-    ) -> Self:
-        return cls._of(NativeMesh.create_ellipsoid(radius_x, radius_y, radius_z, resolution, create_uv_map))
-
-    @classmethod
-    def create_cylinder(
-        cls, radius: float = 1.0, height: float = 2.0, resolution: int = 20, split: int = 4, create_uv_map: bool = False
-    ) -> Self:
-        """A cylinder around the z axis."""
-        return cls._of(NativeMesh.create_cylinder(radius, height, resolution, split, create_uv_map))
-
-    @classmethod
-    def create_cone(
-        cls, radius: float = 1.0, height: float = 2.0, resolution: int = 20, split: int = 1, create_uv_map: bool = False
-    ) -> Self:
-        """A cone on the xy plane."""
-        return cls._of(NativeMesh.create_cone(radius, height, resolution, split, create_uv_map))
-
-    @classmethod
-    def create_torus(
-        cls,
-        torus_radius: float = 1.0,
-        tube_radius: float = 0.5,
-        radial_resolution: int = 30,
-        tubular_resolution: int = 20,
-    ) -> Self:
-        """A torus around the z axis."""
-        return cls._of(NativeMesh.create_torus(torus_radius, tube_radius, radial_resolution, tubular_resolution))
-
-    @classmethod
-    def create_arrow(
-        cls,
-        cylinder_radius: float = 1.0,
-        cone_radius: float = 1.5,
-        cylinder_height: float = 5.0,
-        cone_height: float = 4.0,
-        resolution: int = 20,
-        cylinder_split: int = 4,
-        cone_split: int = 1,
-    ) -> Self:
-        """An arrow along the z axis."""
-        sizes = cylinder_radius, cone_radius, cylinder_height, cone_height
-        return cls._of(NativeMesh.create_arrow(*sizes, resolution, cylinder_split, cone_split))
+    create_box = Forwarded(NativeMesh.create_box)
+    create_tetrahedron = Forwarded(NativeMesh.create_tetrahedron)
+    create_octahedron = Forwarded(NativeMesh.create_octahedron)
+    create_icosahedron = Forwarded(NativeMesh.create_icosahedron)
+    create_sphere = Forwarded(NativeMesh.create_sphere)
+    create_ellipsoid = Forwarded(NativeMesh.create_ellipsoid)
+    create_cylinder = Forwarded(NativeMesh.create_cylinder)
+    create_cone = Forwarded(NativeMesh.create_cone)
+    create_torus = Forwarded(NativeMesh.create_torus)
+    create_arrow = Forwarded(NativeMesh.create_arrow)
+    create_mobius = Forwarded(NativeMesh.create_mobius)
 
     @classmethod
     def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """Arrows along x (red), y (green) and z (blue), with triangle normals."""
         made: Any = cls._of(NativeMesh.create_coordinate_frame(size, column("origin", origin)))
         return made.compute_triangle_normals()
-
-    @classmethod
-    def create_mobius(
-        cls,
-        length_split: int = 70,
-        width_split: int = 15,
-        twists: int = 1,
-        radius: float = 1,
-        flatness: float = 1,
-        width: float = 1,
-        scale: float = 1,
-    ) -> Self:
-        return cls._of(NativeMesh.create_mobius(length_split, width_split, twists, radius, flatness, width, scale))
 
     @classmethod
     def create_from_oriented_bounding_box(

@@ -101,9 +101,8 @@ class MeshFactories(MeshTensors):
         int_dtype: Dtype = int64,
         device: Any = CPU,
     ) -> Self:
-        return cls._create(
-            "create_ellipsoid", (radius_x, radius_y, radius_z, resolution), (float_dtype, int_dtype), device
-        )
+        sizes = radius_x, radius_y, radius_z, resolution
+        return cls._create("create_ellipsoid", sizes, (float_dtype, int_dtype), device)
 
     @classmethod
     def create_from_oriented_bounding_ellipsoid(
@@ -131,12 +130,8 @@ class MeshFactories(MeshTensors):
         int_dtype: Dtype = int64,
         device: Any = CPU,
     ) -> Self:
-        return cls._create(
-            "create_torus",
-            (torus_radius, tube_radius, radial_resolution, tubular_resolution),
-            (float_dtype, int_dtype),
-            device,
-        )
+        sizes = torus_radius, tube_radius, radial_resolution, tubular_resolution
+        return cls._create("create_torus", sizes, (float_dtype, int_dtype), device)
 
     @classmethod
     def create_arrow(
@@ -152,12 +147,8 @@ class MeshFactories(MeshTensors):
         int_dtype: Dtype = int64,
         device: Any = CPU,
     ) -> Self:
-        return cls._create(
-            "create_arrow",
-            (cylinder_radius, cone_radius, cylinder_height, cone_height, resolution, cylinder_split, cone_split),
-            (float_dtype, int_dtype),
-            device,
-        )
+        sizes = cylinder_radius, cone_radius, cylinder_height, cone_height, resolution, cylinder_split, cone_split
+        return cls._create("create_arrow", sizes, (float_dtype, int_dtype), device)
 
     @classmethod
     def create_coordinate_frame(
@@ -184,12 +175,8 @@ class MeshFactories(MeshTensors):
         int_dtype: Dtype = int64,
         device: Any = CPU,
     ) -> Self:
-        return cls._create(
-            "create_mobius",
-            (length_split, width_split, twists, radius, flatness, width, scale),
-            (float_dtype, int_dtype),
-            device,
-        )
+        sizes = length_split, width_split, twists, radius, flatness, width, scale
+        return cls._create("create_mobius", sizes, (float_dtype, int_dtype), device)
 
     @classmethod
     def create_isosurfaces(cls, volume: Any, contour_values: ArrayLike = (0.0,), device: Any = CPU) -> Self:
