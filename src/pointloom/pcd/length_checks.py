@@ -8,8 +8,8 @@ import numpy as np
 
 from ..core.units import LengthUnit, called_by_user, symbol_of, warn_of_units
 from ..kernels.arrays.sort import positions
-from ..kernels.reconstruction.ball_surface import count_around
 from ..kernels.search.point_tree import PointTree
+from ..kernels.search.tree_search import count_around
 
 FEW = 10  # points without a warning
 MANY = 100  # points above which one voxel, cluster or plane is suspicious

@@ -31,11 +31,10 @@ from ..lang import (
     vec3,
     vec3i,
 )
-from ..memory import copy, download, empty, full, zeros
+from ..memory import copy, empty, full, zeros
 from ..meshes.mesh_edits import gather_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from ..search.point_tree import PointTree
-from ..search.tree_search import count_within_kernel, squared_radius
 from .ball_faces import BallPoints, list_faces
 
 REJECTED, UNDECIDED, ACCEPTED = 0, 1, 2
@@ -263,9 +262,6 @@ def close_radius(mesh: BallMesh, searched: Bytes) -> tuple[Triangles, Triangles,
     return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows), indices
 
 
-SAMPLE = 64  # points used to estimate the number of neighbors
-
-
 @kernel
 def mark_facing_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), facing: array(dtype=uint8)):
     i = tid()
@@ -305,22 +301,6 @@ def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dt
     named = rotate_lowest_first(vec3i(rows[t[0]], rows[t[1]], rows[t[2]]))
     triangles[i] = named
     keys[i] = (int64(named[0]) << int64(bits)) | int64(named[1])
-
-
-@kernel
-def sample_points_kernel(points: array(dtype=vec3), indices: array(dtype=int32), step: int, sample: array(dtype=vec3)):
-    i = tid()
-    sample[i] = points[indices[i * step]]
-
-
-def count_around(tree: PointTree, indices: Indices, radius: float) -> float:
-    """Mean number of points within a radius [m] of at most SAMPLE of some points of a tree."""
-    step = -(-indices.size // SAMPLE)
-    size = -(-indices.size // step)
-    sample, counts = empty(size, vec3, tree.device), empty(size, int32, tree.device)
-    launch(sample_points_kernel, size, [tree.points, indices, step, sample])
-    launch(count_within_kernel, size, [sample, positions(size, tree.device), tree, squared_radius(radius), counts])
-    return float(download(counts).mean())  # sync
 
 
 class RollingBall:

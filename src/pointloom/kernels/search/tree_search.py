@@ -8,6 +8,7 @@ from ..array_types import Array2, Indices, Integers, Points, Scalars
 from ..arrays.lanes import lane_max
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     WARP,
@@ -37,6 +38,7 @@ from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucke
 from .tree_walk import lowest_bit
 
 SLOTS = 64  # neighbors of each of few queries that the count keeps, so that there is one traversal
+SAMPLE = 64  # points used to estimate the number of neighbors
 MAX_ROWS = 2**31 - 1  # element limit of arrays in a launch
 
 
@@ -293,3 +295,19 @@ def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Inte
     keys = empty(neighbor_count, int64, device)
     launch(list_within_kernel, total, [*common, max_sqdist, offsets, keys, indices, sqdists])
     return indices, sqdists, offsets
+
+
+@kernel
+def sample_points_kernel(points: array(dtype=vec3), indices: array(dtype=int32), step: int, sample: array(dtype=vec3)):
+    i = tid()
+    sample[i] = points[indices[i * step]]
+
+
+def count_around(tree: PointTree, indices: Indices, radius: float) -> float:
+    """Mean number of points within a radius [m] of at most SAMPLE of some points of a tree."""
+    step = -(-indices.size // SAMPLE)
+    size = -(-indices.size // step)
+    sample, counts = empty(size, vec3, tree.device), empty(size, int32, tree.device)
+    launch(sample_points_kernel, size, [tree.points, indices, step, sample])
+    launch(count_within_kernel, size, [sample, positions(size, tree.device), tree, squared_radius(radius), counts])
+    return float(download(counts).mean())  # sync

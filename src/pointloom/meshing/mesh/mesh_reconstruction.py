@@ -42,12 +42,13 @@ from ...kernels.linear_algebra import eigvalsh
 from ...kernels.memory import cast, clone, contiguous, empty, upload
 from ...kernels.meshes.mesh_edits import flip_triangles, keep_counted, list_rows_kernel, mark_referenced
 from ...kernels.reconstruction.alpha_faces import TOGETHER, find_alpha_shapes
-from ...kernels.reconstruction.ball_surface import RollingBall, count_around
+from ...kernels.reconstruction.ball_surface import RollingBall
 from ...kernels.reconstruction.envelope import Envelope
 from ...kernels.reconstruction.poisson import mean_length, reconstruct_poisson
 from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, bound_samples, sample_rows
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...kernels.search.neighbor_distances import nearest_distances
+from ...kernels.search.tree_search import count_around
 from ...kernels.volumes.marching_cubes import extract_surface
 from ...pcd.cached_tree import LARGEST_EXTENT, SMALLEST_EXTENT
 from ...pcd.cloud import PointCloud
