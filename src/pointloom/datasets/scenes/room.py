@@ -232,11 +232,7 @@ def room_sequence(
     """
     frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
     camera, where = _prime_sense(width, height), resolve_device(device)
-    grain: dict[str, Any] = {
-        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
-        "color_noise": _checked_noise(color_noise, texture),
-    }
-    return RoomSequence(frame_count, camera, seed, bool(noise), where, **grain)
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, **_grain(texture, color_noise))
 
 
 def room_loop_sequence(
@@ -278,11 +274,9 @@ def room_loop_sequence(
         raise ValueError(f"path: expected one of {tuple(LOOPS)}, got {path!r}")
     effects = RoomEffects.checked(frame_count, seed, color, blur, exposure, covered, person)
     camera, where = _prime_sense(width, height), resolve_device(device)
-    grain: dict[str, Any] = {
-        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
-        "color_noise": _checked_noise(color_noise, texture),
-    }
-    return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **grain)
+    return RoomSequence(
+        frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **_grain(texture, color_noise)
+    )
 
 
 def room_views(
@@ -307,19 +301,15 @@ def room_views(
         raise ValueError("poses: expected at least one, got none")
     frame_count = len(matrices)
     seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
-    grain: dict[str, Any] = {
-        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
-        "color_noise": _checked_noise(color_noise, texture),
-    }
 
     def path(share: float) -> NDArray[np.float64]:
         return matrices[min(round(share * frame_count), frame_count - 1)]
 
-    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain)
+    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **_grain(texture, color_noise))
 
 
-def _grain(texture: Any, color_noise: Any) -> dict[str, float]:
-    share = float(texture) if isinstance(texture, bool | np.bool_) else check_share("texture", texture)
+def _grain(texture: Any, color_noise: Any) -> dict[str, Any]:
+    share = check_share("texture", float(texture) if isinstance(texture, bool) else texture)
     return {"texture": share, "color_noise": _checked_noise(color_noise, texture)}
 
 
