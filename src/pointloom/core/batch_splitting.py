@@ -13,7 +13,7 @@ MIN_ROWS = 4096  # rows: smaller batches are not worth their launches
 
 def in_batches(count: int, work: Callable[[int, int], tuple[NDArray[Any], ...]]) -> tuple[NDArray[Any], ...]:
     """Results of independent rows 0 to `count`, computed at once or in as few parts as fit.
-    `work(begin, end)` returns NumPy arrays with rows first. Raises `MemoryError` if `LEAST` rows do not fit."""
+    `work(begin, end)` returns NumPy arrays with rows first. Raises `MemoryError` if `MIN_ROWS` rows do not fit."""
     parts, pending = [], [(0, count)]
     while pending:
         begin, end = pending.pop()

@@ -16,14 +16,14 @@ from .argument_errors import is_of_call, mismatch
 P = ParamSpec("P")
 R = TypeVar("R")
 
-READS_BYTECODE = sys.implementation.name == "cpython" and (3, 11) <= sys.version_info[:2] <= (3, 14)
+READS_BYTECODE = sys.implementation.name == "cpython" and (3, 11) <= sys.version_info[:2] <= (3, 14)  # off on 3.15
 CACHE, POP_TOP = (opcode.opmap.get(name, -1) for name in ("CACHE", "POP_TOP"))
 MAX_CALLS = 4096  # whose callee is remembered
 OWNERS = {"PointCloud": "cloud", "TriangleMesh": "mesh", "LineSet": "lines", "TSDFVolume": "volume"}
 
 
 class DroppedResultWarning(UserWarning):
-    """The result of an operation that returns a new object was dropped.
+    """The result of an operation that returns a new object was dropped. Raised by CPython 3.11 to 3.14 alone.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -49,8 +49,8 @@ class Pair(tuple[Any, ...]):
 
 def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
     """Mark an operation that returns a new object where Open3D changes in place or returns another type.
-    A statement such as `cloud.estimate_normals()` warns. The check reads one bytecode instruction of the caller. Other
-    dropped results do not warn. Mismatched arguments raise the error of `explain_argument_errors`."""
+    A statement such as `cloud.estimate_normals()` warns, found by one instruction of the caller (POP_TOP) and its
+    callee: `clouds.extend(map(...))` is none. Mismatched arguments raise the error of `explain_argument_errors`."""
 
     @functools.wraps(operation)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
