@@ -77,7 +77,7 @@ def compared(photos: Any, result: Any) -> dict[str, Any]:
     scale, R, t = fit_similarity(model.centers, true)
     frames = {"mesh": (scale, R, t)}
     if getattr(photos, "places", False) and result.fit is not None and result.fit.frame is not None:
-        frame, world = result.fit.frame, loom.video.WorldFrame(*WORLD_ORIGIN)
+        frame, world = result.fit.frame, loom.WorldFrame(*WORLD_ORIGIN)
         report["world"] = in_world(model, poses, frame)
         frames["mesh in the world"] = 1.0, np.eye(3), world.to_enu(frame.to_geodetic(np.zeros((1, 3))))[0]
     if result.mesh is not None and isinstance(photos, PhotoSet):
@@ -94,7 +94,7 @@ def compared(photos: Any, result: Any) -> dict[str, Any]:
 def in_world(model: Any, poses: dict[str, Any], frame: Any) -> dict[str, Any]:
     """Errors of a model in meters east, north, up, without alignment."""
     true = np.array([poses[name] for name in model.names])
-    centers = loom.video.WorldFrame(*WORLD_ORIGIN).to_enu(frame.to_geodetic(model.centers))
+    centers = loom.WorldFrame(*WORLD_ORIGIN).to_enu(frame.to_geodetic(model.centers))
     errors = centers - true[:, :3, 3]
     scale, R, _ = fit_similarity(model.centers, true[:, :3, 3])
     return {

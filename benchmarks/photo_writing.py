@@ -100,7 +100,7 @@ def _metadata(view: View, has_gps: bool, rng: np.random.Generator) -> tuple[Imag
     if not has_gps:
         return exif, b""
     position = view.T_world_camera[:3, 3] + rng.normal(0, 1, 3) * GPS_NOISE
-    latitude, longitude, altitude = loom.video.WorldFrame(*WORLD_ORIGIN).to_geodetic(position[None])[0]
+    latitude, longitude, altitude = loom.WorldFrame(*WORLD_ORIGIN).to_geodetic(position[None])[0]
     exif.get_ifd(0x8825).update(
         {1: "N", 2: _degrees(latitude), 3: "E", 4: _degrees(longitude)}
         | {5: b"\0", 6: IFDRational(round(altitude * 1000), 1000)}

@@ -90,6 +90,7 @@ from .pcd.cloud import PointCloud as PointCloud
 from .pcd.features import compute_eigen_features as compute_eigen_features
 from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .pcd.features import estimate_curvature as estimate_curvature
+from .pcd.geodesy import WorldFrame as WorldFrame
 from .pcd.geographic import project_to_utm as project_to_utm
 from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground

@@ -64,7 +64,7 @@ NAMES = {
     "box": loom.TriangleMesh.create_box(), "corners": loom.TriangleMesh(CORNERS, [[0, 1, 2]]), "ball": BALL,
     "none": loom.TriangleMesh(), "sphere": SPHERE.vertices, "textured": textured(), "PICTURE": PICTURE,
     "splats": SPLATS, "volume": VOLUME, "shifted": SHIFTED, "camera": SMALL, "s": SCENE, "poses": SCENE.poses,
-    "boxes": BOXES, "frame": loom.video.WorldFrame(48.75, 9.0), "poisson": poisson, "color_map": color_map,
+    "boxes": BOXES, "frame": loom.WorldFrame(48.75, 9.0), "poisson": poisson, "color_map": color_map,
     "rigid": loom.color_map.RigidOptimizerOption(), "texture": texture, "wall": WALL, "scene": loom.RaycastingScene(),
     "pivot": partial(loom.TriangleMesh.create_from_point_cloud_ball_pivoting, BALL),
     "alpha_shape": partial(loom.TriangleMesh.create_from_point_cloud_alpha_shape, CUBE),

@@ -10,7 +10,7 @@ from pointloom.meshing.scene import orthophoto as source
 from pointloom.meshing.scene.plan_grid import MAX_CELLS
 
 ORIGIN = np.array([500_000.0, 5_400_000.0, 431.0])
-FRAME = loom.video.WorldFrame(48.75, 9.0, 431.0)  # on the meridian of its zone
+FRAME = loom.WorldFrame(48.75, 9.0, 431.0)  # on the meridian of its zone
 GROUND, ROOF, WALL = (51, 153, 51), (204, 26, 26), (26, 26, 230)  # of 255
 BOX = ((5.25, 3.25), (11.25, 9.25), 6.0)  # low and high x and y, top
 

@@ -123,13 +123,13 @@ def test_enu_coordinates_agree_with_proj():
     way += "+proj=topocentric +ellps=WGS84 +lon_0=8.2 +lat_0=47.5 +h_0=400"
     p = coordinates() / (8000, 18000, 100) + (47.5, 8.2, 400)
     true = np.column_stack(pyproj.Transformer.from_pipeline(way).transform(p[:, 1], p[:, 0], p[:, 2]))
-    frame = loom.video.WorldFrame(47.5, 8.2, 400.0)
+    frame = loom.WorldFrame(47.5, 8.2, 400.0)
     assert np.abs(frame.to_enu(p) - true).max() < NM
     assert np.abs(frame.to_geodetic(true) - p).max() < NM
 
 
 def test_the_axes_are_east_north_and_up():
-    frame = loom.video.WorldFrame(-33.0, 151.0, 20.0)
+    frame = loom.WorldFrame(-33.0, 151.0, 20.0)
     e, n, u = frame.to_enu([[-33.0, 151.001, 20.0], [-32.999, 151.0, 20.0], [-33.0, 151.0, 21.0]])
     assert e[0] > 90 and abs(e[1]) < 1e-3 and n[1] > 110 and abs(n[0]) < 1e-9
     np.testing.assert_allclose(u, [0, 0, 1], atol=1e-9)

@@ -317,6 +317,10 @@ loom.project_to_utm(cloud=lonlat, epsg=32632)
 loom.utm_epsg(cloud=lonlat)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh, up="y")
+loom.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
+world.to_enu(points=[[47.5, 8.25, 430.0]])
+world.to_geodetic(points=[[1.0, 2.0, 3.0]])
+world.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
 loom.orthophoto(mesh=mesh, cell=0.1, frame=world, epsg=32632, corner=[0.0, 0.5], bounds=None, crs=None)
 photo.write(path="ortho.tif")
 loom.read_color(path="nowhere.png")
@@ -394,7 +398,7 @@ def things() -> dict[str, Any]:
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8), painted=painted, outline=[[1, 0], [2, 0], [2, 1], [1, 1]],
         shell=loom.TriangleMesh(np.vstack([40 * np.eye(3), [[-40] * 3]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
-        world=loom.video.WorldFrame(47.5, 8.25), photo=loom.orthophoto(painted, 0.5),
+        world=loom.WorldFrame(47.5, 8.25), photo=loom.orthophoto(painted, 0.5),
         line_ends=np.array([[0, 1], [1, 2]]), line_colors=np.eye(2, 3),
         segments=loom.LineSet(points, [[0, 1], [1, 2]]),
         field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
@@ -405,6 +409,7 @@ def things() -> dict[str, Any]:
 
 
 HOMES = {
+    "world": "WorldFrame",
     "photo": "Orthophoto", "cloud": "PointCloud", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "occupancy()": "OccupancyGrid", "occupancy_filled": "OccupancyGrid",

@@ -270,9 +270,9 @@ loom.erode_depth_edges(np.ones((4, 4)), 2**24) | radius
 cloud.scale(1e200) | scale
 pair.scale(1e90) | scale, center: moves the points to
 gap.random_down_sample(0.5, seed=10**400) | seed: expected an integer
-loom.video.WorldFrame(91.0, 0.0) | latitude
-loom.video.WorldFrame(0.0, 181.0) | longitude
-loom.video.WorldFrame(0.0, 0.0, 2e5) | altitude
+loom.WorldFrame(91.0, 0.0) | latitude
+loom.WorldFrame(0.0, 181.0) | longitude
+loom.WorldFrame(0.0, 0.0, 2e5) | altitude
 """
 TYPES = """
 loom.PointCloud([[0, 0, 0], [1, 1]]) | points: expected numbers

@@ -43,7 +43,7 @@ class WorldFrame:
 
     Example:
         >>> import pointloom as loom
-        >>> frame = loom.video.WorldFrame(47.5, 8.25, 430.0)
+        >>> frame = loom.WorldFrame(47.5, 8.25, 430.0)
         >>> frame.epsg, frame.to_enu([[47.501, 8.25, 430.0]])[0, 1].round(2).item()
         (32632, 111.19)
     """

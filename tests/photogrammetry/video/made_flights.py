@@ -7,7 +7,7 @@ from pointloom.photogrammetry.sfm.image_positions import PicturePlace, PicturePl
 from pointloom.registration.rigid import make_pose
 
 CAMERA = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
-FRAME = loom.video.WorldFrame(47.5, 8.25, 400.0)
+FRAME = loom.WorldFrame(47.5, 8.25, 400.0)
 
 
 def look(eye, way, up=(0.0, 0.0, 1.0)):

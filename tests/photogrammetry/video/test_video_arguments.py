@@ -25,13 +25,9 @@ loom.video.GroundControl(points=[point], marks=marks, bars=[bar], crs="EPSG:3263
 loom.video.ControlMark(point="A", picture="a.jpg", pixel=[3.0, 4.0], where="line 3")
 loom.video.ScaleBar(a="A", b="B", meters=1.5, sigma=0.01)
 read_ground_control(path=gcp, scale_bars=None)
-loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
-frame.to_enu(points=[[47.5, 8.25, 430.0]])
-frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
-frame.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
 loom.video.Outputs(mesh="room.ply", cloud="c.ply", trajectory="p.log", picture="room.png", training="scene", {MAPS})
 """
-TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
+TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {}).items()}
 RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
 RESULTS |= {"ControlFit", "ControlResidual", "BarResidual", "GpsGaps"}
 INSIDE = {f"Outputs.{name}" for name in ("check", "check_fit", "check_units", "write", "write_training")}
@@ -53,7 +49,7 @@ def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
     marks = [loom.video.ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
     bar = loom.video.ScaleBar("A", "B", 1.5)
     named |= {"read_ground_control": read_ground_control, "gcp": gcp, "point": point, "marks": marks, "bar": bar}
-    return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
+    return named | {"work": None}
 
 
 test_good_arguments_are_accepted, test_hostile_values_are_rejected_by_name = argument_tests(TABLE)

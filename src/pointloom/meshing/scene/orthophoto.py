@@ -114,7 +114,7 @@ def orthophoto(
     Example:
         >>> import numpy as np, pointloom as loom
         >>> ground = loom.TriangleMesh([[0, 0, 1], [8, 0, 1], [0, 8, 1]], [[0, 1, 2]], vertex_colors=np.eye(3))
-        >>> made = loom.orthophoto(ground, 1.0, frame=loom.video.WorldFrame(47.5, 8.25, 430.0))
+        >>> made = loom.orthophoto(ground, 1.0, frame=loom.WorldFrame(47.5, 8.25, 430.0))
         >>> made.heights.crs, round(float(np.nanmax(made.heights.values)), 3)
         ('EPSG:32632', 431.0)
         >>> loom.orthophoto(ground, 1.0).colors[1, 0].tolist()

@@ -1,6 +1,5 @@
 """The public names of pointloom.video: the one list of them, for type checkers and for `public_names`."""
 
-from ...pcd.geodesy import WorldFrame as WorldFrame
 from .ground_control import ControlMark as ControlMark
 from .ground_control import GroundControl as GroundControl
 from .ground_control import ScaleBar as ScaleBar
