@@ -149,8 +149,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         return {"normals": normals_of(clouds, names, "symmetric ICP")}
 
-    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        return self._source_columns(clouds, names, distance)
+    _target_columns = _source_columns
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both normals."""
@@ -194,8 +193,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         pairs = zip(clouds, names, strict=True)
         return {"covariances": [generalized_covariances(c, self.epsilon, n) for c, n in pairs]}
 
-    def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        return self._source_columns(clouds, names, distance)
+    _target_columns = _source_columns
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both covariances."""

@@ -202,8 +202,7 @@ def registration_colored_icp(
 ) -> RegistrationResult:
     """Colored ICP: both clouds need colors, the target normals."""
     kind = TransformationEstimationForColoredICP
-    method = kind() if estimation_method is None else estimation_method
-    return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
+    return _register(source, target, max_correspondence_distance, init, estimation_method, criteria, kind)
 
 
 @as_runtime_errors
@@ -216,8 +215,7 @@ def registration_generalized_icp(
     criteria: Any = None,
 ) -> RegistrationResult:
     kind = TransformationEstimationForGeneralizedICP
-    method = kind() if estimation_method is None else estimation_method
-    return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
+    return _register(source, target, max_correspondence_distance, init, estimation_method, criteria, kind)
 
 
 @as_runtime_errors
@@ -231,13 +229,12 @@ def registration_symmetric_icp(
 ) -> RegistrationResult:
     """Symmetric point-to-plane ICP: both clouds need normals."""
     kind = TransformationEstimationSymmetric
-    method = kind() if estimation_method is None else estimation_method
     for name, cloud in zip(("source", "target"), clouds_of(source, target), strict=True):
         if not cloud.has_normals:
             raise ArgumentError(
                 f"{name}: symmetric ICP requires both source and target to have normals; call {name}.estimate_normals()"
             )
-    return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
+    return _register(source, target, max_correspondence_distance, init, estimation_method, criteria, kind)
 
 
 @dataclass(eq=False, repr=False)
@@ -310,7 +307,7 @@ def _register(
         *clouds_of(source, target),
         distance,
         init,
-        unwrap(method, kind, "estimation_method"),
+        unwrap(kind() if method is None else method, kind, "estimation_method"),
         unwrap(rules, ICPConvergenceCriteria, "criteria"),
     )
     return RegistrationResult._of(result)
