@@ -112,10 +112,7 @@ def registration_fgr_based_on_feature_matching(
     """Register two clouds without a starting pose, from mutual nearest neighbors of features.
 
     Args:
-        source: The cloud to move.
-        target: The fixed cloud, on the same device.
-        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`. NumPy or device array.
-        target_feature: Likewise [m, d].
+        source, target, source_feature, target_feature: As of `registration_ransac_based_on_feature_matching`.
         option: None: FastGlobalRegistrationOption().
         seed: Seed of the triples.
 
@@ -156,9 +153,7 @@ def registration_fgr_based_on_correspondence(
     """Register two clouds without a starting pose, from correspondences with many outliers.
 
     Args:
-        source: The cloud to move.
-        target: The fixed cloud, on the same device.
-        corres: Indices (source, target), shape [m, 2]. Non-finite points are ignored.
+        source, target, corres: As of `registration_ransac_based_on_correspondence`.
         option: None: FastGlobalRegistrationOption().
         seed: Seed of the triples.
 

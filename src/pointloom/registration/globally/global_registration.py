@@ -287,9 +287,7 @@ def registration_robust_based_on_correspondence(
     the time: 1% inliers suffice if there are about 20 of them.
 
     Args:
-        source: The cloud to move.
-        target: The fixed cloud, on the same device.
-        corres: Indices (source, target), shape [m, 2]. Non-finite points are ignored, and repeated pairs count once.
+        source, target, corres: As of `registration_ransac_based_on_correspondence`. Repeated pairs count once.
         noise_bound: Maximum distance of a correct correspondence [m]. 1.5 voxels for downsampled clouds.
         seed: Selects 16,384 of the correspondences if there are more. Otherwise unused.
 
@@ -340,10 +338,7 @@ def registration_robust_based_on_feature_matching(
     """Register two clouds without a starting pose, by matching features.
 
     Args:
-        source: The cloud to move.
-        target: The fixed cloud, on the same device.
-        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`. NumPy or device array.
-        target_feature: Likewise [m, d].
+        source, target, source_feature, target_feature: As of `registration_ransac_based_on_feature_matching`.
         noise_bound: Maximum distance of a correct correspondence [m]; typically 1.5 voxels.
         mutual_filter: Keep only mutual nearest neighbors.
         seed: As of `registration_robust_based_on_correspondence`.
