@@ -253,9 +253,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
             raw, pixels = frames.images(rows)
             cameras = [frames.cameras[k] for k in rows]
             touches = device_frames.integrate_together(raw, frames.scale, frames.farthest, cameras, poses, pixels)
-            self._next = None
             if touches is not None:
-                self._frames = after
+                self._frames, self._next = after, None
                 return [BlockCount(TouchesOfFrame(touches, k)) for k in range(len(rows))]
         counts = []
         for k in rows:
