@@ -4,7 +4,8 @@ Open3D's legacy volume is not included: in 0.20.0 it stays empty. Both volumes s
 truncated at 4 cm, in blocks of 8^3. VoxelBlockGrid gets its block count beforehand; pointloom's volume grows in the
 timed region. Integration times are per frame and include the selection of the frame's blocks. Both take the depth as
 uint16. In `tsdf_integrate` both upload NumPy frames in the timed region, in `tsdf_integrate_device` both have uploaded
-them before. In `tsdf_integrate_frames` pointloom gets all NumPy frames in one call.
+them before. In `tsdf_integrate_frames` pointloom gets all NumPy frames in one call. The results of `tsdf_ray_cast` stay
+on the device.
 """
 
 from __future__ import annotations
@@ -97,7 +98,8 @@ def extraction_open3d(frames: scenes.Frames, device: str) -> Any:
 
 
 def ray_casting_pointloom(frames: scenes.Frames, device: str) -> Any:
-    volume = integration_pointloom(frames, device).once()
+    """Depth, points and normals. They stay on the GPU, as those of Open3D."""
+    volume = integration_pointloom(frames, device, is_uploaded=True).once()
     height, width = frames.depths.shape[1:]
     camera = loom_camera(width, height, frames)
     extrinsic = frames.extrinsics[len(frames) // 4]
@@ -127,7 +129,9 @@ def ray_casting_open3d(frames: scenes.Frames, device: str) -> Any:
 
 def depth_facts(result: Any) -> tuple[scenes.Frames, np.ndarray]:
     frames, depth = result
-    return frames, depth if isinstance(depth, np.ndarray) else depth.cpu().numpy()[..., 0] / 1000
+    if hasattr(depth, "cpu"):  # a tensor of Open3D, in millimeters
+        return frames, depth.cpu().numpy()[..., 0] / 1000
+    return frames, depth if isinstance(depth, np.ndarray) else depth.numpy()
 
 
 def check_depth(

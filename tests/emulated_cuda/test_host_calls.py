@@ -42,7 +42,6 @@ MORE = {
     "up to 20,000 colors, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),
     "vertices are projected on the host, in float64": ("orthophoto",),
-    "columns of both epochs are composed on the host": ("m3c2",),
     "numbers of each patch": ("detect_planar_patches",),
     "the best samples of each batch, the sums of each fit": (
         *(f"segment_shape, {kind}" for kind in ("sphere", "cylinder", "cone", "torus")),
@@ -50,7 +49,7 @@ MORE = {
     ),
 }
 GROWING = (*MORE["Qhull's convex hull"], "knn_search, array", "detail tree", "detect_planar_patches", "splats")
-GROWING = (*GROWING, "rasterize, triangles", "m3c2")
+GROWING = (*GROWING, "rasterize, triangles")
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -1,8 +1,10 @@
 """NumPy results of 1 MB and more: they live in page-locked memory, which the next results use again."""
 
+import contextlib
 import gc
 import pickle
 import threading
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -146,6 +148,23 @@ def test_memory_of_an_interrupted_download_returns_after_the_wait(emulated, pool
     assert len(pool.returned) == 1 and pool.size == 1 << 20
     np.testing.assert_array_equal(download(values), np.arange(COUNT, dtype=np.float32))
     assert pool.size == 1 << 20
+
+
+def test_an_interrupted_download_waits_for_its_own_device(pool):
+    """Not for the one that locked the pages."""
+    download(on_device())
+    entered = []
+
+    class Guard(contextlib.nullcontext):
+        def __enter__(self):
+            entered.append(1)
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        pinned_results.fill_pinned((COUNT,), np.dtype(np.float32), SimpleNamespace(context_guard=Guard()), interrupt)
+    assert entered == [1] and len(pool.returned) == 1
 
 
 def test_results_of_operations_are_plain_arrays(pool, rng):

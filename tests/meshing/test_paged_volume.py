@@ -71,6 +71,28 @@ def test_a_paged_volume_is_bitwise_identical_to_one_in_memory(device, tmp_path, 
         np.testing.assert_array_equal(corners, np.sort(mesh.vertices[mesh.triangles].reshape(-1, 9), axis=0))
 
 
+@pytest.mark.parametrize("color", [True, False])
+def test_frames_in_groups_give_the_volume_of_single_calls(device, tmp_path, color):
+    depths, colors, poses = map(np.stack, zip(*map(frame, range(12)), strict=True))
+    reference, counts = loom.TSDFVolume(**SIZES, color=color, device=device), []
+    expected = [reference.integrate(depths[k], CAMERA, poses[k], colors[k] if color else None) for k in range(12)]
+    with paged(tmp_path / "v", device, color=color) as volume:
+        for rows in (slice(0, 5), slice(5, 6), slice(6, 12)):
+            counts += volume.integrate_frames(depths[rows], CAMERA, poses[rows], colors[rows] if color else None)
+        assert counts == expected and volume.frame_count == 12 and volume.block_count > 2 * volume.max_blocks
+        assert_same_bits(volume.to_volume(), reference)
+
+
+def test_frames_before_one_that_exceeds_the_capacity_stay(device, tmp_path):
+    depths, colors, poses = map(np.stack, zip(*map(frame, range(3)), strict=True))
+    cameras = [CAMERA, CAMERA, loom.PinholeCameraIntrinsic(40, 30, 4.0, 4.0, 19.5, 14.5)]  # the last sees too much
+    with paged(tmp_path / "v", device) as volume:
+        with pytest.raises(ValueError, match=r"the frame needs .* blocks at once, .* 190; increase max_blocks"):
+            volume.integrate_frames(depths, cameras, poses, colors)
+        assert volume.frame_count == 2
+        assert_same_bits(volume.to_volume(), integrate_frames(loom.TSDFVolume(**SIZES, device=device), range(2)))
+
+
 def test_scan_rays_carve_voxels_on_disk(device, tmp_path):
     side = np.linspace(-0.6, 0.6, 31)
     wall = np.stack([np.repeat(side, 31), np.tile(side, 31)], axis=1)

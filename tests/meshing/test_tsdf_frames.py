@@ -4,11 +4,26 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.arrays import pinned_uploads
 from pointloom.kernels.volumes import device_frames
+
+from ..interruptions import run_lines
+from .tsdf_scenes import state_of
 
 CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 WIDER = loom.PinholeCameraIntrinsic(64, 48, 50.0, 52.0, 31.0, 23.0)
 LIMITS = {"depth_scale": 1000.0, "depth_max": 3.0}
+FILES = (
+    "meshing/volume/tsdf.py", "meshing/volume/stacked_frames.py", "kernels/volumes/voxel_blocks.py",
+    "kernels/volumes/integrate.py", "kernels/volumes/device_frames.py", "kernels/volumes/frame_record.py",
+    "kernels/arrays/hash_table.py", "kernels/arrays/atomic_changes.py", "kernels/arrays/pinned_uploads.py",
+)  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def large(monkeypatch):
+    """Small images are uploaded like large ones."""
+    monkeypatch.setattr(pinned_uploads, "SMALLEST", 8)
 
 
 def scene(count):
@@ -82,6 +97,50 @@ def test_frames_mix_with_single_ones_and_with_other_numbers_of_frames(device):
     together.integrate_frames(depths[3:], CAMERA, poses[3:], colors[3:], **LIMITS)
     assert all(int(count) > 0 for count in first)  # read after the next frames
     assert_equal(single, together)
+
+
+def test_images_may_be_overwritten_after_the_call(device):
+    depths, poses, colors = scene(8)
+    single, together = volume(device), volume(device)
+    for k in range(8):
+        single.integrate(depths[k], CAMERA, poses[k], colors[k], **LIMITS)
+    depth, color = depths[:2].copy(), colors[:2].copy()
+    for k in range(0, 8, 2):
+        depth[:], color[:] = depths[k : k + 2], colors[k : k + 2]
+        together.integrate_frames(depth, CAMERA, poses[k : k + 2], color, **LIMITS)
+    depth[:], color[:] = 0, 0
+    assert_equal(single, together)
+
+
+@pytest.mark.slow
+def test_an_interrupted_group_is_integrated_completely_or_not_at_all(device):
+    """Before each line: the frames that the volume does not count, integrated then, complete it. On the CPU a group is
+    one frame."""
+    camera, (depths, poses, colors) = CAMERA.scaled(0.25), scene(3)
+    depths, colors = depths[:, ::4, ::4], colors[:, ::4, ::4]
+    poses[2, 0, 3] = 1.5  # with new blocks
+
+    def begun():
+        target = loom.TSDFVolume(voxel_size=0.1, device=device)
+        target.integrate(depths[0], camera, poses[0], colors[0], **LIMITS)
+        return target
+
+    def add(target, first, stop=None):
+        given = depths[first:], camera, poses[first:], colors[first:]
+        return run_lines(lambda: target.integrate_frames(*given, **LIMITS), FILES, stop)
+
+    single, total, outcomes = begun(), add(begun(), 1), set()
+    for k in (1, 2):
+        single.integrate(depths[k], camera, poses[k], colors[k], **LIMITS)
+    complete = state_of(single)
+    for stop in range(1, total + 1):
+        target = begun()
+        add(target, 1, stop)
+        outcomes.add(done := target.frame_count)
+        if done < 3:
+            add(target, done)
+        assert (target.frame_count, state_of(target)) == (3, complete), stop
+    assert outcomes == ({1, 3} if device.startswith("cuda") else {1, 2, 3})
 
 
 @pytest.mark.parametrize("far", [10.0, 1e6])

@@ -237,9 +237,16 @@ def upload_depth(
 
 
 def upload_raw_depth(
-    depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
-) -> tuple[wp.array, float, float, int, int]:
-    """Upload checked depth as flat uint16 or float32. Returns the array, the scale, the limit, height and width."""
+    depth: Any,
+    depth_scale: float | None,
+    depth_max: float,
+    device: Any,
+    *,
+    limit: str = "depth_max",
+    on_host: bool = False,
+) -> tuple[Any, float, float, int, int]:
+    """Upload checked depth as flat uint16 or float32. Returns the array, the scale, the limit, height and width.
+    `on_host`: depth of the host stays there."""
     image: Any = take_numbers("depth", depth, device) if is_on_gpu(depth) else _as_array("depth", depth)
     _check_size(image)
     scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
@@ -248,11 +255,12 @@ def upload_raw_depth(
         raw = _flat_floats(image) if image.dtype in FLOATS else _flat_integers(image)
     elif image.dtype.kind == "f":
         with np.errstate(over="ignore"):  # a depth beyond float32 becomes infinite: no measurement
-            raw = upload(image.reshape(-1), float32, device)
+            raw = np.ascontiguousarray(image.reshape(-1), np.float32)
+        raw = raw if on_host else upload(raw, float32, device)
     else:
-        raw = _upload_raw(image, device)[0]
+        raw = _upload_raw(image, device, on_host=on_host)[0]
     if scale is None:
-        scale = 1.0 if raw.dtype == float32 else DEPTH_SCALE
+        scale = 1.0 if raw.dtype in (float32, np.float32) else DEPTH_SCALE
     return raw, scale, farthest, image.shape[0], image.shape[1]
 
 
@@ -302,8 +310,13 @@ def _flat_integers(image: wp.array) -> wp.array:
     return cast(flat, uint16)
 
 
-def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
-    """Integer depth on the device as flat uint16, with height and width."""
+def upload_taken(image: Any, device: Any) -> Any:
+    """An image that stayed on the host, on the device. Another one, or None, as it is."""
+    return upload(image, wp.dtype_from_numpy(image.dtype), device) if isinstance(image, np.ndarray) else image
+
+
+def _upload_raw(depth: Any, device: Any, *, on_host: bool = False) -> tuple[Any, int, int]:
+    """Integer depth on the device as flat uint16, with height and width. `on_host` as in `upload_raw_depth`."""
     if is_on_gpu(depth):
         given = take_numbers("depth", depth, device)
         _check_size(given)
@@ -317,10 +330,12 @@ def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
         raise TypeError(TOO_SHALLOW.format(image.dtype))
     if image.dtype != np.uint16 and (image.min() < 0 or image.max() > MAX_RAW):
         raise ValueError(TOO_DEEP)
-    return upload(image.reshape(-1), uint16, device), image.shape[0], image.shape[1]
+    raw = np.ascontiguousarray(image.reshape(-1), np.uint16)
+    return raw if on_host else upload(raw, uint16, device), image.shape[0], image.shape[1]
 
 
-def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
+def upload_color(color: Any, height: int, width: int, device: Any, *, on_host: bool = False) -> Any:
+    """Upload checked colors as uint8 (h * w, 3). `on_host`: colors of the host stay there."""
     image = take_numbers("color", color, device) if is_on_gpu(color) else _as_array("color", color)
     kind = image.dtype if isinstance(image, np.ndarray) else wp.dtype_to_numpy(image.dtype)
     if kind != np.uint8:
@@ -334,7 +349,8 @@ def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
         raise ValueError(f"color: {have} pixels, but the depth image has {width} x {height}; resize one of them")
     if not isinstance(image, np.ndarray):
         return view_as(image, uint8, (height * width, 3))
-    return upload(image.reshape(-1, 3), uint8, device)
+    pixels = np.ascontiguousarray(image.reshape(-1, 3))
+    return pixels if on_host else upload(pixels, uint8, device)
 
 
 def _repeated(gray: wp.array) -> wp.array:

@@ -12,7 +12,7 @@ def free_memory(device: Any = None) -> int:
     """Return unused GPU memory to the system, for other programs and libraries.
 
     A GPU caches up to half of its memory (docs/gpu.md). This releases the cache and the streams and graphs of
-    completed operations, and the page-locked host memory of released NumPy results (docs/arrays.md). Live objects keep
+    completed operations, and page-locked host memory that no NumPy result uses (docs/arrays.md). Live objects keep
     their memory. The next operation allocates again and takes slightly longer.
 
     Args:

@@ -9,18 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.argument_errors import explain_argument_errors
-from ..core.array_libraries import hand_out_host
+from ..core.array_libraries import Form, view_as
 from ..core.checks import check_direction, check_finite, check_numeric, check_positive, check_rows
 from ..core.devices import check_same_device
 from ..core.exchange import asnumpy, hand_back, on_host
 from ..core.matched_counts import why_few_matched
 from ..core.reports import AssessedRecord, failed
 from ..core.units import common_unit
-from ..kernels.array_types import Integers, Vectors
-from ..kernels.arrays.side_by_side import read_together
-from ..kernels.lang import vec3
-from ..kernels.memory import upload
-from ..kernels.surface.cylinder_change import Changes, Cylinder, find_flattest, measure_changes
+from ..kernels.lang import float32, float64, vec3
+from ..kernels.memory import full, upload
+from ..kernels.surface.cylinder_change import Cylinder, find_flattest, measure_changes
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
@@ -134,29 +132,22 @@ def m3c2(
     radii = check_radii(normal_radii, directions)
     core_positions, tree = cores._points_about(first.origin), first.search_tree()
     if directions is not None:
-        given, which = upload(_check_directions(directions, len(cores)), vec3, first.device), None
+        given = upload(_check_directions(directions, len(cores)), vec3, first.device)
+        scales = full(len(cores), np.nan, float64, first.device)
     else:
-        given, which = find_flattest(tree, core_positions, radii, upwards)
+        given, scales = find_flattest(tree, core_positions, radii, upwards)
     changes = measure_changes(
         tree, _tree_about(second, first), core_positions, given, Cylinder(radius, half_length), error
     )
-    results = _to_result(changes, given, which, radii)
-    return M3C2Result(*(hand_out_host(values, cores.array_library, first.device) for values in results))
-
-
-def _to_result(
-    changes: Changes, directions: Vectors, which: Integers | None, radii: NDArray[np.float64]
-) -> tuple[NDArray[Any], ...]:
-    """The arrays of a result, in its order."""
-    arrays = [changes.distances, changes.limits, changes.first_spreads, changes.second_spreads]
-    arrays += [changes.first_counts, changes.second_counts, directions]
-    values = read_together(arrays if which is None else [*arrays, which])  # sync
-    distances, limits, *spreads = values[:4]
-    scales = np.full(len(distances), np.nan)
-    if which is not None:
-        scales[values[7] >= 0] = radii[values[7][values[7] >= 0]]
-    counts, rows = np.column_stack(values[4:6]), values[6].reshape(-1, 3)
-    return distances, limits, rows, scales, np.column_stack(spreads), counts
+    results = {
+        "distances": changes.distances,
+        "level_of_detection": changes.limits,
+        "directions": view_as(given, float32, (len(cores), 3)),
+        "scales": scales,
+        "spreads": changes.spreads,
+        "counts": changes.counts,
+    }
+    return M3C2Result(**Form(cores.array_library, False).hand_out_all(results, {}))
 
 
 def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:

@@ -140,16 +140,12 @@ class ConjugateGradients:
         self.weigh()
         launch(begin_search_kernel, self.state.solution.size, [self.state])
 
-    def descend(self) -> None:
-        """Iterate until the limit; `weigh` comes before."""
-        launch(begin_search_kernel, self.state.solution.size, [self.state])
-        self._loop.run()
-
     def solve(self) -> None:
         """Precondition, and iterate until `limit` times the initial value."""
         self.weigh()
         copy(self.state.unit, self.state.remains, count=1)
-        self.descend()
+        launch(begin_search_kernel, self.state.solution.size, [self.state])
+        self._loop.run()
 
     def run(self) -> None:
         """As `solve`, if `begin` came before."""

@@ -13,6 +13,7 @@ from ..algebra.transform import widen
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
 from ..arrays.key_starts import find_key_starts
 from ..arrays.segment_blocks import SegmentBlocks
+from ..arrays.side_by_side import read_together
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
@@ -305,14 +306,15 @@ class BendingSteps:
         self.iterations = 0
 
     def take(self, stiffness: float) -> float:
-        """One step. Returns the RMS shift of the nodes [m]. Two syncs."""
+        """One step. Returns the RMS shift of the nodes [m]. One sync."""
         graph, rows, system, count = self.graph, self.rows, self.system, self.graph.count
         launch(begin_rows_kernel, rows.count, [graph, self.influence, rows])
         self._gather()
         blocks = [self.influence, rows]
         reduce_segments(sum_node_squares, rows.blocks, self.live, blocks, self.square_partials, system.squares)
         launch(factor_nodes_kernel, count, [graph, stiffness, system])
-        state = Gradients(zeros(2 * count, vec3d, graph.nodes.device), 0.0, MAX_ITERATIONS)
+        start, unit = zeros(2 * count, vec3d, graph.nodes.device), zeros(1, vec2d, graph.nodes.device)
+        state = Gradients(start, TOLERANCE * TOLERANCE, MAX_ITERATIONS, unit)
         launch(pull_nodes_kernel, count, [graph, stiffness, system, state.residual])
 
         def map_search() -> None:
@@ -323,13 +325,11 @@ class BendingSteps:
         def weigh() -> None:
             launch(weigh_nodes_kernel, count, [system, state.residual, state.forces])
 
-        descent = ConjugateGradients(state, map_search, weigh)
-        descent.weigh()
-        state.limit = TOLERANCE * TOLERANCE * float(download(state.remains)[0][0])  # sync
-        descent.descend()
-        self.iterations += int(download(state.iterations)[0])  # sync
+        ConjugateGradients(state, map_search, weigh).solve()
         launch(take_step_kernel, count, [state.solution, graph])
-        squares, number = download(reduce(sum_shifts, count, [state.solution]))[0].tolist()  # sync
+        iterations, sums = read_together([state.iterations, reduce(sum_shifts, count, [state.solution])])  # sync
+        self.iterations += int(iterations[0])
+        squares, number = sums[0].tolist()
         return float(np.sqrt(squares / max(number, 1)))
 
     def _gather(self) -> None:

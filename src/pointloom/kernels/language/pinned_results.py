@@ -52,11 +52,6 @@ class Buffer:
         with self._context:
             driver().cuMemHostUnregister(ctypes.c_void_p(self.address))
 
-    def settle(self) -> None:
-        """Wait until no GPU writes to it."""
-        with self._context:
-            driver().cuCtxSynchronize()
-
 
 class Pool:
     """Page-locked memory, in use and idle, up to `limit` bytes in all."""
@@ -160,7 +155,8 @@ def fill_pinned(
     try:
         fill(buffer.address, size)
     except BaseException:  # Ctrl-C before the wait
-        buffer.settle()
+        with device.context_guard:  # of the GPU that writes, which may not be the one that locked the pages
+            driver().cuCtxSynchronize()
         pool.returned.append(buffer)
         raise
     return np.asarray(Loan(pool, buffer, shape, scalar))

@@ -313,15 +313,13 @@ class FragmentStep:
         """The step, vec3d (2 fragments + anchors), and the iteration count."""
         system, device = self.system, self.lattice.shifts.device
         self._make_blocks()
-        state = Gradients(zeros(system.size, vec3d, device), 0.0, MAX_ITERATIONS)
+        start, unit = zeros(system.size, vec3d, device), zeros(1, vec2d, device)
+        state = Gradients(start, tolerance * tolerance, MAX_ITERATIONS, unit)
         self._gather(self.rows.residuals, state.solution, state.image)
         ties = [self.lattice, system.tie, system.rotations, 2 * system.fragment_count, state.image]
         launch(pull_anchors_kernel, self.lattice.anchor_count, ties)
         launch(negate_kernel, system.size, [state.image, state.residual])
-        descent = ConjugateGradients(state, lambda: self._map(state), lambda: self._weigh(state))
-        descent.weigh()
-        state.limit = tolerance * tolerance * float(download(state.remains)[0][0])  # sync
-        descent.descend()
+        ConjugateGradients(state, lambda: self._map(state), lambda: self._weigh(state)).solve()
         return state.solution, int(download(state.iterations)[0])  # sync
 
     def _map(self, state: Gradients) -> None:

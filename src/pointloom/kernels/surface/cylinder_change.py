@@ -11,7 +11,7 @@ import numpy as np
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.moments import covariance_of
-from ..array_types import AnyArray, Indices, Integers, Points, Scalars, Vectors
+from ..array_types import AnyArray, Doubles, Indices, Points, Scalars, Vectors
 from ..lang import (
     NAN,
     array,
@@ -46,6 +46,7 @@ STEPS_PER_LENGTH = 68719476736.0  # 2^36 steps per length along the axis, so tha
 MAX_HALVINGS = 900  # of a length: shorter ones do not occur
 HALF_BITS = 18
 HALF = 262143  # the lower 18 of 36 bits
+NO_RADIUS = NAN  # in 64 bits
 TWO_SIDED = 1.96  # standard deviations of a 95 % interval
 
 # Of points in a cylinder: their count, the sum of coordinates along the axis, and those of the squares of their upper
@@ -68,20 +69,17 @@ class Cylinder:
 
 @struct
 class Changes:
-    """Per core point [m]: `distances` first to second cloud, 95 % detection `limits`, standard deviations. Counts."""
+    """Per core point [m]: `distances` first to second cloud, 95 % detection `limits`. Also per cloud: standard
+    deviations, numbers of points."""
 
     distances: array(dtype=float64)
     limits: array(dtype=float64)
-    first_spreads: array(dtype=float64)
-    second_spreads: array(dtype=float64)
-    first_counts: array(dtype=int32)
-    second_counts: array(dtype=int32)
+    spreads: array(dtype=float64, ndim=2)
+    counts: array(dtype=int32, ndim=2)
 
     def __init__(self, cores: Points) -> None:
-        for name in ("distances", "limits", "first_spreads", "second_spreads"):
-            setattr(self, name, empty(cores.size, float64, cores.device))
-        self.first_counts = empty(cores.size, int32, cores.device)
-        self.second_counts = empty(cores.size, int32, cores.device)
+        self.distances, self.limits = (empty(cores.size, float64, cores.device) for _ in range(2))
+        self.spreads, self.counts = (empty((cores.size, 2), kind, cores.device) for kind in (float64, int32))
 
 
 @kernel
@@ -90,17 +88,18 @@ def find_flattest_kernel(
     order: array(dtype=int32),
     tree: PointTree,
     max_sqdists: array(dtype=float32),
+    radii: array(dtype=float64),
     orientation: vec3,
     directions: array(dtype=vec3),
-    scales: array(dtype=int32),
+    scales: array(dtype=float64),
 ):
-    """Oriented normal and index of the scale with the highest planarity. NaN and -1 if no scale has a plane."""
+    """Oriented normal and radius of the scale with the highest planarity. NaN if no scale has a plane."""
     t = tid()
     i = order[t]
     p = cores[i]
     best = float64(0.0)
     direction = vec3(NAN, NAN, NAN)
-    scale = -1
+    scale = float64(NO_RADIUS)
     if tree.count > 0 and isfinite(p):
         start = find_bucket(p, tree)
         for s in range(max_sqdists.shape[0]):
@@ -114,7 +113,7 @@ def find_flattest_kernel(
                 best = planarity
                 v = smallest_eigenvector(covariance)
                 direction = vec3(float(v[0]), float(v[1]), float(v[2]))
-                scale = s
+                scale = radii[s]
         if dot(direction, orientation) < 0.0:
             direction = -direction
     directions[i] = direction
@@ -280,10 +279,10 @@ def compare_sums_kernel(
     error = sqrt(spread_a / max(float64(a[0]), 1.0) + spread_b / max(float64(b[0]), 1.0))
     changes.distances[i] = distance
     changes.limits[i] = (error + registration_error) * float64(TWO_SIDED)
-    changes.first_spreads[i] = sqrt(spread_a)
-    changes.second_spreads[i] = sqrt(spread_b)
-    changes.first_counts[i] = int(a[0])
-    changes.second_counts[i] = int(b[0])
+    changes.spreads[i, 0] = sqrt(spread_a)
+    changes.spreads[i, 1] = sqrt(spread_b)
+    changes.counts[i, 0] = int(a[0])
+    changes.counts[i, 1] = int(b[0])
 
 
 def scale_of(length: float) -> float:
@@ -293,13 +292,14 @@ def scale_of(length: float) -> float:
 
 def find_flattest(
     tree: PointTree, cores: Points, radii: np.ndarray, orientation: np.ndarray
-) -> tuple[Vectors, Integers]:
-    """Oriented directions and scale indices of highest planarity at core points. NaN and -1 without a plane."""
+) -> tuple[Vectors, Doubles]:
+    """Oriented directions and radii of highest planarity at core points. NaN without a plane."""
     max_sqdists: Scalars = upload(
         np.array([squared_radius(radius) for radius in radii], np.float32), float32, cores.device
     )
-    directions, scales = empty(cores.size, vec3, cores.device), empty(cores.size, int32, cores.device)
-    around = [cores, order_along_curve(tree, cores), tree, max_sqdists, vec3(*orientation.tolist())]
+    given: Doubles = upload(radii, float64, cores.device)
+    directions, scales = empty(cores.size, vec3, cores.device), empty(cores.size, float64, cores.device)
+    around = [cores, order_along_curve(tree, cores), tree, max_sqdists, given, vec3(*orientation.tolist())]
     launch(find_flattest_kernel, cores.size, [*around, directions, scales])
     return directions, scales
 

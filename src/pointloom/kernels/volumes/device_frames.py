@@ -9,15 +9,17 @@ counted ones after one sync.
 import weakref
 from collections.abc import Callable, Sequence
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..array_types import Array1, Array2, Doubles, Scalars
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key
 from ..arrays.lanes import max_int_of_lanes
+from ..arrays.pinned_uploads import write_pinned
 from ..arrays.prefix_sum import inclusive_scan
 from ..lang import (
     WARP,
@@ -67,6 +69,8 @@ from .tsdf_blocks import (
 )
 from .voxel_blocks import VoxelBlocks, check_block_count
 
+RawDepth: TypeAlias = Scalars | Array1[uint16] | NDArray[Any]  # of the device or the host, as Colors
+Colors: TypeAlias = Array2[uint8] | NDArray[np.uint8]
 LONGEST_STRIDE = float(MAX_STRIDE)
 GROUP = 32  # cells counted together
 MARKED, LACKED = 1, 2  # states of a cell: touched; touched without a block in the volume
@@ -235,21 +239,22 @@ class DeviceFrames:
 
     def integrate(
         self,
-        raw: Scalars | Array1[uint16],
+        raw: RawDepth,
         scale: float,
         farthest: float,
         camera: CameraLike,
         T_volume_camera: np.ndarray,
-        pixels: Array2[uint8] | None = None,
+        pixels: Colors | None = None,
     ) -> FrameCounts | None:
         """Integrate a frame atomically without a sync. `raw` is uint16 / `scale` or float32 [m], ignored beyond
         `farthest`. Returns FrameCounts, or None for a box too large for a grid. Raises ValueError beyond int32 blocks.
+        Images of the host are uploaded while the GPU works on the last frame.
         """
         blocks, boxes = self._blocks, self._boxes(farthest, [camera], [T_volume_camera])
         if boxes is None:
             return None
-        known = blocks.count  # as sent by the last frame
         self._prepare(raw, scale, float(np.float32(farthest)), [camera], pixels, boxes)
+        known = blocks.count  # as sent by the last frame
         blocks.record.write(T_volume_camera, inv(T_volume_camera), *boxes[0], blocks.changes.count + 1)
         if self._has_room(known):
             counts = blocks.begin_on_device()
@@ -268,12 +273,12 @@ class DeviceFrames:
 
     def integrate_together(
         self,
-        raw: Scalars | Array1[uint16],
+        raw: RawDepth,
         scale: float,
         farthest: float,
         cameras: Sequence[CameraLike],
         T_volume_camera: Sequence[np.ndarray],
-        pixels: Array2[uint8] | None = None,
+        pixels: Colors | None = None,
     ) -> FrameTouches | None:
         """Integrate frames of one size as `integrate` does one after another, in one graph: all or none. `raw` and
         `pixels` are those of all frames. Returns None, without effect, if a box is too large or all new blocks might
@@ -281,10 +286,10 @@ class DeviceFrames:
         blocks, boxes = self._blocks, self._boxes(farthest, cameras, T_volume_camera)
         if boxes is None:
             return None
+        self._prepare(raw, scale, float(np.float32(farthest)), cameras, pixels, boxes)
         known = blocks.count
         if (last := self._touches()) is not None:
             last.read()
-        self._prepare(raw, scale, float(np.float32(farthest)), cameras, pixels, boxes)
         if not self._has_room(known):
             return None
         first = blocks.changes.count + 1
@@ -318,27 +323,35 @@ class DeviceFrames:
 
     def _prepare(
         self,
-        raw: Scalars | Array1[uint16],
+        raw: RawDepth,
         scale: float,
         farthest: float,
         cameras: Sequence[CameraLike],
-        pixels: Array2[uint8] | None,
+        pixels: Colors | None,
         boxes: list[tuple[np.ndarray, np.ndarray]],
     ) -> None:
         """Copy the images to arrays that have room for these frames."""
         cells = max(int(size.prod()) for _, size in boxes)
         numbers = tuple((c.width, c.height, c.fx, c.fy, c.cx, c.cy) for c in cameras)
-        key = (*numbers, raw.dtype, scale, farthest, pixels is not None)
+        element = float32 if raw.dtype in (float32, np.float32) else uint16
+        key = (*numbers, element, scale, farthest, pixels is not None)
         if key != self._key or cells > self._cells:
-            self._allocate(raw, scale, farthest, cameras, pixels is not None, cells)
+            self._allocate(raw.size, element, scale, farthest, cameras, pixels is not None, cells)
             self._key = key
-        copy(self._raw, raw, count=raw.size)
-        if pixels is not None:
-            copy(self._pixels, pixels, count=pixels.size)
+        images = [(self._raw, raw)] if pixels is None else [(self._raw, raw), (self._pixels, pixels)]
+        of_host = []
+        for target, image in images:
+            if isinstance(image, np.ndarray):
+                of_host.append((target, image))
+            else:
+                copy(target, image, count=image.size)
+        if of_host:
+            write_pinned(*zip(*of_host, strict=True))
 
     def _allocate(
         self,
-        raw: Scalars | Array1[uint16],
+        size: int,
+        element: Any,
         scale: float,
         farthest: float,
         cameras: Sequence[CameraLike],
@@ -347,12 +360,12 @@ class DeviceFrames:
     ) -> None:
         self._key, self._graph, self._recorded = None, None, None
         shapes = [FrameShape(scale, farthest, camera, has_color, self._blocks) for camera in cameras]
-        device, frames = raw.device, len(cameras)
-        count = raw.size // frames
-        self._raw, self._depth = empty(raw.size, raw.dtype, device), empty(count, float32, device)
+        device, frames = self._blocks.device, len(cameras)
+        count = size // frames
+        self._raw, self._depth = empty(size, element, device), empty(count, float32, device)
         self._raws = [rows_of(self._raw, k * count, (k + 1) * count) for k in range(frames)]
         self._largest = zeros(self._images.depth_runs(self._raws[0]).rows, int32, device)
-        self._pixels = zeros((raw.size if has_color else 1, 3), uint8, device)
+        self._pixels = zeros((size if has_color else 1, 3), uint8, device)
         colors = [rows_of(self._pixels, k * count, (k + 1) * count) if has_color else None for k in range(frames)]
         self._frames = [Frame(self._depth, farthest, c, p) for c, p in zip(cameras, colors, strict=True)]
         self._values = zeros(frames * LENGTH, float64, device)  # of frames together

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -196,6 +196,24 @@ class PagedTSDFVolume(Serialized, HintedNames):
             FileError: If a page cannot be read or written. The volume stays unchanged.
         """
         return self._volume.integrate(depth, intrinsic, extrinsic, color, depth_scale, depth_max)
+
+    def integrate_frames(
+        self,
+        depth: ArrayLike,
+        intrinsic: PinholeCameraIntrinsic | Sequence[PinholeCameraIntrinsic],
+        extrinsic: ArrayLike,
+        color: ArrayLike | None = None,
+        depth_scale: float | None = None,
+        depth_max: float | None = None,
+    ) -> list[int]:
+        """Integrate k frames, as `TSDFVolume.integrate_frames`, one after another.
+
+        Raises:
+            ValueError, TypeError: As there. Also if the cubes of a frame have more than `max_blocks`: frames before it
+                stay.
+            FileError: If a page cannot be read or written. Frames before it stay.
+        """
+        return self._volume.integrate_frames(depth, intrinsic, extrinsic, color, depth_scale, depth_max)
 
     def integrate_points(
         self,

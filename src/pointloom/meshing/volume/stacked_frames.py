@@ -1,4 +1,4 @@
-"""Checked depth frames of one size, on a device: input of TSDFVolume.integrate_frames."""
+"""Checked depth frames of one size: input of TSDFVolume.integrate_frames."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kernels.memory import rows_of
 
 class StackedFrames(NamedTuple):
     """Frames with `raw` depth (k * h * w,) in units of 1 / `scale`, `pixels` uint8 (k * h * w, 3) or None, and `poses`,
-    T_world_camera. `depth` is the argument as one image (k * h, w)."""
+    T_world_camera. Images are on the device or the host. `depth` is the argument as one image (k * h, w)."""
 
     depth: Any
     raw: Any
@@ -30,15 +30,27 @@ class StackedFrames(NamedTuple):
 
     def images(self, rows: range) -> tuple[Any, Any]:
         """Depth and colors of adjacent frames."""
-        count = self.raw.size // len(self.poses)
-        part = rows.start * count, rows.stop * count
-        return rows_of(self.raw, *part), None if self.pixels is None else rows_of(self.pixels, *part)
+        raw, pixels, count = self.raw, self.pixels, self.raw.size // len(self.poses)
+        first, last = rows.start * count, rows.stop * count
+        raw = raw[first:last] if isinstance(raw, np.ndarray) else rows_of(raw, first, last)
+        if pixels is not None:
+            pixels = pixels[first:last] if isinstance(pixels, np.ndarray) else rows_of(pixels, first, last)
+        return raw, pixels
 
 
 def stacked_frames(
-    depth: Any, intrinsic: Any, extrinsic: Any, color: Any, depth_scale: float | None, depth_max: float, device: Any
+    depth: Any,
+    intrinsic: Any,
+    extrinsic: Any,
+    color: Any,
+    depth_scale: float | None,
+    depth_max: float,
+    device: Any,
+    *,
+    on_host: bool,
 ) -> StackedFrames:
-    """Check and upload k frames. Raises ValueError or TypeError as TSDFVolume.integrate."""
+    """Check and upload k frames. Images of the host stay there if `on_host`. Raises ValueError or TypeError as
+    TSDFVolume.integrate."""
     images = _stack("depth", depth, device)
     if images.ndim != 3:
         raise ValueError(f"depth: expected shape [k, h, w], got {list(images.shape)}. Use integrate() for one frame")
@@ -55,7 +67,7 @@ def stacked_frames(
     if not count:
         raise ValueError("depth: expected at least one image, got shape [0, h, w]")
     tall = images.reshape((count * height, width))
-    raw, scale, farthest, *_ = upload_raw_depth(tall, depth_scale, depth_max, device)
+    raw, scale, farthest, *_ = upload_raw_depth(tall, depth_scale, depth_max, device, on_host=on_host)
     cameras = [check_intrinsic(camera, width, height) for camera in given]
     pixels = None
     if color is not None:
@@ -63,7 +75,8 @@ def stacked_frames(
         if colors.ndim not in (3, 4) or tuple(colors.shape[:3]) != (count, height, width):
             wanted = f"[{count}, {height}, {width}, 3]"
             raise ValueError(f"color: expected shape {wanted} as the depth images, got {list(colors.shape)}")
-        pixels = upload_color(colors.reshape((count * height, width, *colors.shape[3:])), count * height, width, device)
+        size = count * height, width
+        pixels = upload_color(colors.reshape((*size, *colors.shape[3:])), *size, device, on_host=on_host)
     return StackedFrames(tall, raw, pixels, scale, farthest, cameras, inverses)
 
 

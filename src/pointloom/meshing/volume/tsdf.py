@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_doubts import warn_of_scale
 from ...cameras.depth_range import OPEN3D_DEPTH_MAX
-from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
+from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth, upload_taken
 from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, library_of
 from ...core.attribute_hints import HintedNames
@@ -165,20 +165,21 @@ class TSDFVolume(ScanIntegration, HintedNames):
                 is beyond 2^20 blocks. The volume stays unchanged.
             TypeError: If an element type is wrong.
         """
-        T_camera_world = check_rigid("extrinsic", extrinsic)
+        T_camera_world, on_host = check_rigid("extrinsic", extrinsic), self._device_frames is not None
         if isinstance(depth, RGBDImage):
             raw, scale, height, width = depth.depth_array, 1.0, depth.height, depth.width
             farthest = np.inf if depth_max is None else check_positive("depth_max", depth_max, allow_infinite=True)
             pixels, library = self._pixels_of(depth, color), depth.array_library
         else:
             limit = OPEN3D_DEPTH_MAX if depth_max is None else depth_max
-            raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, limit, self.device)
+            given = depth, depth_scale, limit, self.device
+            raw, scale, farthest, height, width = upload_raw_depth(*given, on_host=on_host)
             pixels, library = None, library_of(depth)
             warn_of_scale(depth, scale, farthest, "depth_max", OTHER_UNIT)
         camera = check_intrinsic(intrinsic, width, height)
         self._check_color(pixels is not None or color is not None)
         if color is not None:
-            pixels = upload_color(color, height, width, self.device)
+            pixels = upload_color(color, height, width, self.device, on_host=on_host)
         T = inv(T_camera_world)
         count = self._integrate_device_frame(raw, camera, T, pixels, scale, farthest)
         self._library = library
@@ -197,8 +198,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
     ) -> list[int]:
         """Integrate k frames of one size, such as those of k cameras: bitwise as k calls of `integrate`, in order.
 
-        On a GPU the images are uploaded together, and groups of up to 4 frames are one graph without a wait between
-        them. An interrupted call keeps complete groups (see `frame_count`).
+        On a GPU groups of up to 4 frames are one upload and one graph, without a wait between the frames. An
+        interrupted call keeps complete groups (see `frame_count`).
 
         Args:
             depth: Shape (k, h, w). Integers of 16 bits and more, or floats. 0, NaN and infinite are invalid.
@@ -226,7 +227,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
             (2, 2)
         """
         limit = OPEN3D_DEPTH_MAX if depth_max is None else depth_max
-        frames = stacked_frames(depth, intrinsic, extrinsic, color, depth_scale, limit, self.device)
+        on_host = self._device_frames is not None  # until their group is integrated
+        frames = stacked_frames(depth, intrinsic, extrinsic, color, depth_scale, limit, self.device, on_host=on_host)
         self._check_color(frames.pixels is not None)
         warn_of_scale(frames.depth, frames.scale, frames.farthest, "depth_max", OTHER_UNIT)
         counts: list[Any] = []
@@ -251,9 +253,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
             raw, pixels = frames.images(rows)
             cameras = [frames.cameras[k] for k in rows]
             touches = device_frames.integrate_together(raw, frames.scale, frames.farthest, cameras, poses, pixels)
-            self._next = None
             if touches is not None:
-                self._frames = after
+                self._frames, self._next = after, None
                 return [BlockCount(TouchesOfFrame(touches, k)) for k in range(len(rows))]
         counts = []
         for k in rows:
@@ -272,8 +273,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
         depth_scale: float = 1.0,
         depth_max: float = np.inf,
     ) -> int:
-        """`integrate` for a frame on the device. The pose is not checked. `depth` is float32 or uint16 (h * w,) in
-        units of 1 / `depth_scale`; `pixels` is uint8 (h * w, 3) or None."""
+        """`integrate` for a frame on the device, or on the host if there are `_device_frames`. The pose is not checked.
+        `depth` is float32 or uint16 (h * w,) in units of 1 / `depth_scale`; `pixels` is uint8 (h * w, 3) or None."""
         frames, T = self._current_frames, np.array(T_world_camera, np.float64)
         origin = frames.origin
         if origin is None:
@@ -329,6 +330,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
             counts = self._device_frames.integrate(raw, scale, farthest, camera, T, pixels)
             if counts is not None:
                 return BlockCount(counts)
+            raw, pixels = upload_taken(raw, self.device), upload_taken(pixels, self.device)
         metric, largest = depth_images.metric_depth(raw, scale, farthest)
         frame = Frame(metric, depth_images.largest_depth(largest), camera, pixels)
         if not frame.farthest > 0:

@@ -1,0 +1,206 @@
+"""Uploads of images through two page-locked buffers: complete, without a wait for earlier work, whatever interrupts."""
+
+import gc
+import threading
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.arrays import pinned_uploads
+from pointloom.kernels.arrays.pinned_uploads import write_pinned
+from pointloom.kernels.lang import float32, uint8
+from pointloom.kernels.language.pinned_results import pool
+from pointloom.kernels.memory import download, empty
+
+from ..small_scenes import digest
+from .settings import Order
+
+COUNT = 20_000  # floats: 80 kB, which CUDA does not stage
+SIZE = 4 * COUNT
+CAMERA = loom.PinholeCameraIntrinsic(240, 160, 200.0, 200.0, 119.5, 79.5)
+
+
+@pytest.fixture(autouse=True)
+def idle_slots(emulated, settings):
+    """No page-locked memory, and copies that run at a wait."""
+    settings(order=Order.FORWARD, lazy=True)
+    gc.collect()
+    loom.free_memory("cuda:0")
+    yield
+    loom.free_memory("cuda:0")
+
+
+def arrays(count):
+    return [empty(COUNT, float32, resolve_device("cuda:0")) for _ in range(count)]
+
+
+def numbers(first):
+    return np.arange(first, first + COUNT, dtype=np.float32)
+
+
+def busy_slots():
+    return [not slot.event.is_complete for slot in pinned_uploads._slots["cuda:0"]]
+
+
+def test_an_upload_does_not_wait_and_the_source_may_change(emulated):
+    (target,), source = arrays(1), numbers(3)
+    counts = emulated.count_requests(lambda: write_pinned([target], [source]))
+    assert (counts["waits"], counts["copies to device"], counts["bytes to device"]) == (0, 1, SIZE)
+    write_pinned([target], [source])
+    source[:] = -1  # the copy has not run
+    assert True in busy_slots()
+    np.testing.assert_array_equal(download(target), numbers(3))
+
+
+def test_a_third_upload_waits_for_the_first_alone(emulated):
+    targets = arrays(3)
+    for k in range(2):
+        write_pinned([targets[k]], [numbers(k)])
+    assert busy_slots() == [True, True]
+    counts = dict(emulated.findings.counts)
+    write_pinned([targets[2]], [numbers(2)])
+    assert emulated.findings.counts["waits"] - counts["waits"] == 1
+    assert busy_slots() == [True, True]  # the second has not run
+    for k in range(3):
+        np.testing.assert_array_equal(download(targets[k]), numbers(k))
+
+
+def test_many_uploads_use_two_buffers(emulated):
+    targets = arrays(9)
+    for k, target in enumerate(targets):
+        write_pinned([target], [numbers(k)])
+    for k, target in enumerate(targets):
+        np.testing.assert_array_equal(download(target), numbers(k))
+    assert len(pool.buffers) == 2
+
+
+def test_images_of_several_types_are_one_upload(emulated):
+    pixels, colors = empty((COUNT, 3), uint8, resolve_device("cuda:0")), np.full((COUNT, 3), 7, np.uint8)
+    (target,) = arrays(1)
+    write_pinned([pixels, target], [colors, numbers(1)])
+    np.testing.assert_array_equal(download(pixels), colors)
+    np.testing.assert_array_equal(download(target), numbers(1))
+    assert len(pool.buffers) == 1
+
+
+def test_small_uploads_lock_no_memory(emulated):
+    target = empty(4, float32, resolve_device("cuda:0"))
+    write_pinned([target], [numbers(5)[:4]])
+    np.testing.assert_array_equal(download(target), [5, 6, 7, 8])
+    assert not pool.buffers
+
+
+def test_uploads_work_without_page_locked_memory(emulated, monkeypatch):
+    monkeypatch.setattr(emulated.driver, "max_locked_bytes", 0)
+    (target,) = arrays(1)
+    write_pinned([target], [numbers(2)])
+    np.testing.assert_array_equal(download(target), numbers(2))
+    assert not pool.buffers
+
+
+@pytest.mark.parametrize("broken", ["write", "copyto", "record_event"])
+def test_a_buffer_of_an_interrupted_upload_is_used_again_after_its_copies(emulated, monkeypatch, broken):
+    targets, lost = arrays(4), arrays(1)
+    write_pinned([targets[0]], [numbers(0)])
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    owner = {"write": pinned_uploads, "copyto": np, "record_event": type(targets[0].device.stream)}[broken]
+    with monkeypatch.context() as patch:
+        patch.setattr(owner, broken, interrupt)
+        with pytest.raises(KeyboardInterrupt):
+            write_pinned(lost, [numbers(-1)])
+    for k in (1, 2, 3):
+        write_pinned([targets[k]], [numbers(k)])
+    for k, target in enumerate(targets):
+        np.testing.assert_array_equal(download(target), numbers(k))
+    if broken == "record_event":
+        np.testing.assert_array_equal(download(lost[0]), numbers(-1))
+
+
+def test_free_memory_waits_for_uploads_and_unlocks_their_memory(emulated):
+    targets = arrays(2)
+    for k in range(2):
+        write_pinned([targets[k]], [numbers(k)])
+    loom.free_memory("cuda:0")
+    assert not pool.buffers
+    for k in range(2):
+        np.testing.assert_array_equal(download(targets[k]), numbers(k))
+
+
+def test_no_memory_from_before_a_fork_is_used_again(emulated):
+    targets = arrays(2)
+    for k in range(2):
+        write_pinned([targets[k]], [numbers(k)])
+    before = set(pool.buffers)
+    pool.note_fork()  # as in the parent
+    for k in range(2):
+        write_pinned([targets[k]], [numbers(k + 7)])
+    assert len(pool.buffers) == 2 and not before & pool.buffers
+    for k in range(2):
+        np.testing.assert_array_equal(download(targets[k]), numbers(k + 7))
+
+
+def test_threads_share_the_buffers(emulated):
+    targets, wrong = [arrays(6) for _ in range(3)], []
+
+    def work(k):
+        for n, target in enumerate(targets[k]):
+            write_pinned([target], [numbers(100 * k + n)])
+            if not np.array_equal(download(target), numbers(100 * k + n)):
+                wrong.append((k, n))
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong and len(pool.buffers) <= 2
+
+
+def frames(count):
+    v, u = np.mgrid[: CAMERA.height, : CAMERA.width]
+    depths = [1000 + 200 * np.sin(u / (30 + k)) + 100 * np.cos(v / 25) for k in range(count)]
+    poses = np.stack([np.eye(4)] * count)
+    poses[:, 0, 3] = 0.002 * np.arange(count)
+    return np.stack(depths).astype(np.uint16), poses, np.full((count, *v.shape, 3), 90, np.uint8)
+
+
+@pytest.mark.parametrize("together", [1, 4])
+def test_frames_of_the_host_allocate_nothing_and_wait_for_one_count(emulated, together):
+    """Per call: the depth, the colors and the poses are copied; the number of blocks of the last call is read."""
+    depths, poses, colors = frames(4 * together)
+    volume = loom.TSDFVolume(voxel_size=0.05, device="cuda:0")
+    for k in range(4):
+        rows = slice(together * k, together * (k + 1))
+        if together > 1:
+            run = lambda: volume.integrate_frames(depths[rows], CAMERA, poses[rows], colors[rows])  # noqa: B023, E731
+        else:
+            run = lambda: volume.integrate(depths[k], CAMERA, poses[k], colors[k])  # noqa: B023, E731
+        counts = emulated.count_requests(run)
+    assert (counts["allocations"], counts["copies to device"], counts["waits"]) == (0, 3, 1)
+    assert counts["bytes to device"] == together * (5 * CAMERA.width * CAMERA.height + 31 * 8)
+
+
+def test_two_volumes_in_two_threads_are_those_of_one(emulated):
+    depths, poses, colors = frames(8)
+
+    def fused(volume):
+        for k in range(0, 8, 2):
+            volume.integrate_frames(depths[k : k + 2], CAMERA, poses[k : k + 2], colors[k : k + 2])
+
+    def made():
+        return loom.TSDFVolume(voxel_size=0.05, device="cuda:0")
+
+    alone, volumes = made(), [made(), made()]
+    fused(alone)
+    threads = [threading.Thread(target=fused, args=(volume,)) for volume in volumes]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for volume in volumes:
+        assert digest(volume._downloaded()) == digest(alone._downloaded())
