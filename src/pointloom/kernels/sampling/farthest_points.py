@@ -10,7 +10,7 @@ loop. All are bitwise identical: box distances round like point distances.
 import numpy as np
 
 from ..arrays.blocks import BLOCK_THREADS, WARPS, block_threads
-from ..arrays.lanes import LANE_BITS
+from ..arrays.lanes import LANE_BITS, shuffle_xor_long
 from ..arrays.packed_keys import INDEX_MASK, key_number
 from ..lang import (
     WARP,
@@ -25,7 +25,6 @@ from ..lang import (
     kernel,
     launch,
     loop_while,
-    shuffle_xor,
     struct,
     sync_block,
     tid,
@@ -201,9 +200,7 @@ def choose_sequentially_kernel(first: int, last: int, state: SampleDistances):
 def largest_of_lanes(key: int64) -> int64:
     top = key
     for bit in range(LANE_BITS):
-        high = shuffle_xor(int(top >> 32), 1 << bit)
-        low = shuffle_xor(int(top), 1 << bit)
-        top = max(top, (int64(high) << 32) | (int64(low) & int64(INDEX_MASK)))
+        top = max(top, shuffle_xor_long(top, 1 << bit))
     return top
 
 
