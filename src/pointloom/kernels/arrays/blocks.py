@@ -5,11 +5,10 @@ separates phases: it is where a second launch would be without it. All threads o
 """
 
 from ..array_types import Device
-from ..lang import WARP, array, cuda_func, float64, func, shuffle_xor, sync_block, vec2d
+from ..lang import BLOCK_THREADS, WARP, array, cuda_func, float64, func, shuffle_xor, sync_block, vec2d
 from .lanes import LANE_BITS
 
-BLOCK_THREADS = 256  # the block size of all modules
-WARPS = 8  # of a block
+WARPS = BLOCK_THREADS // WARP  # of a block
 
 
 def block_threads(device: Device) -> int:

@@ -9,10 +9,11 @@ loop. All are bitwise identical: box distances round like point distances.
 
 import numpy as np
 
-from ..arrays.blocks import BLOCK_THREADS, WARPS, block_threads
+from ..arrays.blocks import WARPS, block_threads
 from ..arrays.lanes import LANE_BITS, shuffle_xor_long
 from ..arrays.packed_keys import INDEX_MASK, key_number
 from ..lang import (
+    BLOCK_THREADS,
     WARP,
     array,
     atomic_max,
