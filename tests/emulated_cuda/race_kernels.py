@@ -119,6 +119,33 @@ NEIGHBORS = (
     ("with_warp_barrier", "1", "bar.warp.sync 0xffffffff;"),
     ("with_warp_barrier_between_warps", "32", "bar.warp.sync 0xffffffff;"),
 )
+# All threads read a word. After the barrier the first thread reads it again and writes it.
+READERS = """
+.visible .entry NAME(.param .u64 a)
+{
+    .reg .b32 %r<5>; .reg .b64 %rd<2>; .reg .pred %p<2>;
+    ld.param.u64 %rd1, [a];
+    ld.global.u32 %r1, [%rd1];
+    BARRIER
+    mov.u32 %r2, %tid.x;
+    mov.u32 %r3, %ctaid.x;
+    or.b32 %r2, %r2, %r3;
+    setp.ne.u32 %p1, %r2, 0;
+    @%p1 bra DONE;
+    ld.global.u32 %r4, [%rd1];
+    add.s32 %r4, %r4, 1;
+    st.global.u32 [%rd1], %r4;
+DONE:
+    ret;
+}
+"""
+READER_CASES = (  # name, threads, barrier; blocks have 64 threads
+    ("readers_before_barrier", 64, "bar.sync 0;"),
+    ("readers_without_barrier", 64, ""),
+    ("readers_before_warp_barrier", 32, "bar.warp.sync 0xffffffff;"),
+    ("readers_of_two_warps_before_warp_barrier", 64, "bar.warp.sync 0xffffffff;"),
+    ("readers_of_two_blocks_before_barrier", 128, "bar.sync 0;"),
+)
 
 
 def main() -> None:
@@ -143,6 +170,10 @@ def main() -> None:
             text = NEIGHBOR.replace("NAME", name).replace("BARRIER", barrier).replace("OTHER", other)
             a = wp.zeros(64, dtype=int, device=DEVICE)
             programs.launch(text, [a], threads=64, block=64, name=name)
+        for name, threads, barrier in READER_CASES:
+            text = READERS.replace("NAME", name).replace("BARRIER", barrier)
+            a = wp.zeros(64, dtype=int, device=DEVICE)
+            programs.launch(text, [a], threads=threads, block=min(threads, 64), name=name)
     wp.synchronize()
     notes = sorted(device.findings.notes)
     kinds = {name: [kind for kernel, kind in notes if kernel == name] for name in device.findings.launches}

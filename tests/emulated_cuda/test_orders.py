@@ -3,8 +3,10 @@
 The operations are those of benchmarks/digests.py, on scenes that are small enough for four orders.
 """
 
+import numpy as np
 import pytest
 
+from ..kernels.arrays.test_blocks import COUNT, FAR, rotate
 from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, digest
 from .plugin import QUICK
 from .settings import Order
@@ -46,3 +48,9 @@ SCENES = [n for n in ONCE if n.startswith(ON_SCENES) and not n.startswith(ON_HOS
 @pytest.mark.parametrize("operation", [*SCENES, *(pytest.param(name, marks=pytest.mark.slow) for name in LONG)])
 def test_results_of_scenes_do_not_depend_on_the_order_of_threads(small, same_in_all_orders, operation):
     same_in_all_orders(lambda: ONCE[operation](small))
+
+
+@pytest.mark.parametrize("order", list(Order))
+def test_a_barrier_orders_the_accesses_of_a_block(settings, order):
+    settings(order=order, seed=int(order) + 1)
+    np.testing.assert_array_equal(rotate("cuda:0", 5), np.roll(np.arange(COUNT), -10 * FAR))

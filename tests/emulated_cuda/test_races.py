@@ -24,6 +24,11 @@ EXPECTED = {
     "without_barrier": "race: read and write",
     "with_warp_barrier": "none",
     "with_warp_barrier_between_warps": "race: read and write",
+    "readers_before_barrier": "none",
+    "readers_without_barrier": "race: read and write",
+    "readers_before_warp_barrier": "none",
+    "readers_of_two_warps_before_warp_barrier": "race: read and write",
+    "readers_of_two_blocks_before_barrier": "race: read and write",
 }
 
 

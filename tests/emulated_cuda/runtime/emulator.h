@@ -94,7 +94,7 @@ typedef struct Track {
     u32 split_launch; /* of four bytes: the launch that touches one or two of them alone, and so has a track for each */
     u16 write_barriers, read_barriers;
     u16 write_syncs, read_syncs; /* of the warp */
-    u8 atomic, many_readers; /* 1: lanes of one warp, 2: of several */
+    u8 atomic, many_readers; /* 1: lanes of one warp, 2: of several, 3: of several blocks */
 } Track;
 
 typedef struct Emulator {

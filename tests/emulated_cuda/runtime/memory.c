@@ -47,13 +47,28 @@ static int same_warp(const Thread *t, u32 other)
     return other >= block && (other - block) >> 5 == t->linear >> 5;
 }
 
+static int same_block(const Thread *t, u32 other)
+{
+    return other / EMULATOR.block_threads == t->global / EMULATOR.block_threads;
+}
+
 static int unordered(const Thread *t, u32 other, u16 barriers, u16 syncs)
 {
     if (other == t->global)
         return 0;
-    if (!t->block || other / EMULATOR.block_threads != t->global / EMULATOR.block_threads)
+    if (!t->block || !same_block(t, other))
         return 1;
     return barriers == barriers_of(t) && !(same_warp(t, other) && syncs != syncs_of(t));
+}
+
+/* many_readers after a read by t. Earlier reads do not count if a barrier orders all of them before this one. */
+static u8 readers_with(const Thread *t, const Track *k)
+{
+    u8 many = k->reader == t->global ? 0 : same_warp(t, k->reader) ? 1 : same_block(t, k->reader) ? 2 : 3;
+    if (many < k->many_readers)
+        many = k->many_readers;
+    int ordered = (many < 3 && k->read_barriers != barriers_of(t)) || (many < 2 && k->read_syncs != syncs_of(t));
+    return ordered ? 0 : many;
 }
 
 static void track_read(Thread *t, Track *k, u64 address, u32 statement)
@@ -61,10 +76,7 @@ static void track_read(Thread *t, Track *k, u64 address, u32 statement)
     u32 now = EMULATOR.launch;
     if (k->write_launch == now && unordered(t, k->writer, k->write_barriers, k->write_syncs))
         emulator_note(t, k->atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_READ_AND_WRITE, address, statement, k->writer);
-    if (k->read_launch != now)
-        k->many_readers = 0;
-    else if (k->reader != t->global && k->many_readers < 2)
-        k->many_readers = same_warp(t, k->reader) ? 1 : 2;
+    k->many_readers = k->read_launch == now ? readers_with(t, k) : 0;
     k->read_launch = now;
     k->reader = t->global;
     k->read_barriers = barriers_of(t);
@@ -78,7 +90,7 @@ static void track_write(Thread *t, Track *k, u64 address, u32 access, u32 statem
     if (k->write_launch == now && unordered(t, k->writer, k->write_barriers, k->write_syncs)
         && !(atomic && k->atomic))
         emulator_note(t, atomic || k->atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_TWO_WRITES, address, statement, k->writer);
-    int current = !t->block || k->read_barriers == barriers_of(t);
+    int current = k->many_readers == 3 || k->read_barriers == barriers_of(t);
     if (k->many_readers == 1 && same_warp(t, k->reader))
         current = current && k->read_syncs == syncs_of(t);
     if (k->read_launch == now

@@ -5,11 +5,10 @@ separates phases: it is where a second launch would be without it. All threads o
 """
 
 from ..array_types import Device
-from ..lang import WARP, array, cuda_func, float64, func, shuffle_xor, sync_block, vec2d
-from .lanes import LANE_BITS
+from ..lang import BLOCK_THREADS, WARP, array, func, sync_block, vec2d
+from .lanes import sum_double_of_lanes
 
-BLOCK_THREADS = 256  # the block size of all modules
-WARPS = 8  # of a block
+WARPS = BLOCK_THREADS // WARP  # of a block
 
 
 def block_threads(device: Device) -> int:
@@ -26,14 +25,6 @@ def wait_for_block():
 @wait_for_block.on_cuda
 def wait_for_block_on_cuda():
     sync_block()
-
-
-@cuda_func
-def sum_double_of_lanes(x: float64) -> float64:
-    total = x
-    for bit in range(LANE_BITS):
-        total += shuffle_xor(total, 1 << bit)
-    return total
 
 
 @func

@@ -24,7 +24,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import download, empty, full, host_view
-from .lanes import lane_max_corner, lane_min_corner, sum_int_of_lanes
+from .lanes import high_of_lanes, low_of_lanes, sum_int_of_lanes
 from .runs import Runs, elements_of, row_of
 
 RUN = 4096  # points per thread on the CPU: atomics cost less than 1 % of the reads
@@ -56,8 +56,8 @@ def merge_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, ex
     """CUDA variant: one atomic per warp."""
     at = row_of(i, runs) * WIDTH
     total = sum_int_of_lanes(count)
-    a = lane_min_corner(low)
-    b = lane_max_corner(high)
+    a = low_of_lanes(low)
+    b = high_of_lanes(high)
     if i % WARP == 0:
         for axis in range(3):
             atomic_max(extremes, at + axis, ordered_bits(-a[axis]))

@@ -8,7 +8,7 @@ LOW_WORD = 0xFFFF_FFFF
 
 
 @cuda_func
-def lane_min(x: float) -> float:
+def min_of_lanes(x: float) -> float:
     lowest = x
     for bit in range(LANE_BITS):
         lowest = min(lowest, shuffle_xor(lowest, 1 << bit))
@@ -16,7 +16,7 @@ def lane_min(x: float) -> float:
 
 
 @cuda_func
-def lane_max(x: float) -> float:
+def max_of_lanes(x: float) -> float:
     highest = x
     for bit in range(LANE_BITS):
         highest = max(highest, shuffle_xor(highest, 1 << bit))
@@ -32,14 +32,14 @@ def sum_of_lanes(x: float) -> float:
 
 
 @cuda_func
-def lane_min_corner(p: vec3) -> vec3:
+def low_of_lanes(p: vec3) -> vec3:
     """Low corner of the lanes' points."""
-    return vec3(lane_min(p[0]), lane_min(p[1]), lane_min(p[2]))
+    return vec3(min_of_lanes(p[0]), min_of_lanes(p[1]), min_of_lanes(p[2]))
 
 
 @cuda_func
-def lane_max_corner(p: vec3) -> vec3:
-    return vec3(lane_max(p[0]), lane_max(p[1]), lane_max(p[2]))
+def high_of_lanes(p: vec3) -> vec3:
+    return vec3(max_of_lanes(p[0]), max_of_lanes(p[1]), max_of_lanes(p[2]))
 
 
 @cuda_func
@@ -135,6 +135,14 @@ def min_long_of_lanes(x: int64) -> int64:
 
 
 @cuda_func
+def max_long_of_lanes(x: int64) -> int64:
+    highest = x
+    for bit in range(LANE_BITS):
+        highest = max(highest, shuffle_xor_long(highest, 1 << bit))
+    return highest
+
+
+@cuda_func
 def sum_long_of_lanes(x: int64) -> int64:
     total = x
     for bit in range(LANE_BITS):
@@ -148,3 +156,11 @@ def max_double_of_lanes(x: float64) -> float64:
     for bit in range(LANE_BITS):
         highest = max(highest, shuffle_xor(highest, 1 << bit))
     return highest
+
+
+@cuda_func
+def sum_double_of_lanes(x: float64) -> float64:
+    total = x
+    for bit in range(LANE_BITS):
+        total += shuffle_xor(total, 1 << bit)
+    return total

@@ -23,6 +23,7 @@ from .arguments import type_of
 from .device_arrays import Unfit, kind_of
 from .prepared_launches import FORMATS, Parameter
 from .structs import FieldPath, Path
+from .warp_compiler import LANES as WARP
 from .warp_compiler import REDUCTION_BLOCK
 
 if TYPE_CHECKING:
@@ -33,7 +34,6 @@ Flattener = Callable[[Sequence[Any]], Flat]
 UNFIT = (TypeError, ValueError, AttributeError, OverflowError, struct.error)  # errors of packing unusual arguments
 _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
 _ALIGNMENT = 8
-WARP = 32  # threads
 
 
 def flattener(

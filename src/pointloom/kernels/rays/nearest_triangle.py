@@ -12,6 +12,7 @@ import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
 from ..array_types import Indices, Points
+from ..arrays.lanes import EIGHT_BITS
 from ..lang import (
     INFINITY,
     WARP,
@@ -46,7 +47,6 @@ from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES
 from .triangle_bounds import SMALLEST, bound_distance, load_corners, sqdist_at, sqdist_limit
 from .triangle_tree import LEAF, LEAF_NUMBERS, MAX_LEVEL, TriangleTree, level_keys
 
-GROUP_BITS = 3  # of a lane index within its group
 BYTE = 255
 CHILD = 7  # the bits of a child's index
 NO_CHILD = 0x7FFFFFFF  # above the bits of any distance
@@ -58,20 +58,25 @@ LAST = 2147483647  # triangle number after all others
 @cuda_func
 def min_of_group(x: float) -> float:
     lowest = x
-    for bit in range(GROUP_BITS):
+    for bit in range(EIGHT_BITS):
         lowest = smaller(shuffle_xor(lowest, 1 << bit), lowest)
     return lowest
 
 
 @cuda_func
-def distance_of_child(tree: TriangleTree, level: int, node: int, left: int, q: vec3) -> float:
-    """Squared distance to the box of the lane's child; infinite if its bit is not set."""
-    own = lane() % FAN
-    box = load_six(tree.boxes, (tree.levels[level] + node) * SIDES + own)
-    x = max(max(box[0] - q[0], q[0] - box[3]), 0.0)
-    y = max(max(box[1] - q[1], q[1] - box[4]), 0.0)
-    z = max(max(box[2] - q[2], q[2] - box[5]), 0.0)
-    return x * x + y * y + z * z if ((left >> own) & 1) == 1 else INFINITY
+def distance_of_child(
+    tree: TriangleTree, level: int, node: int, left: int, q: vec3, is_new: int, earlier: float
+) -> float:
+    """Squared distance to the box of the lane's child; infinite if its bit is not set. `earlier` if not `is_new`."""
+    sqdist = earlier * 1.0
+    if is_new == 1:
+        own = lane() % FAN
+        box = load_six(tree.boxes, (tree.levels[level] + node) * SIDES + own)
+        x = max(max(box[0] - q[0], q[0] - box[3]), 0.0)
+        y = max(max(box[1] - q[1], q[1] - box[4]), 0.0)
+        z = max(max(box[2] - q[2], q[2] - box[5]), 0.0)
+        sqdist = x * x + y * y + z * z if ((left >> own) & 1) == 1 else INFINITY
+    return sqdist
 
 
 @cuda_func
@@ -98,7 +103,7 @@ def nearest_of_group(q: vec3, index: int, sqdist: float64, tree: TriangleTree) -
         min_sqdist = sqdist * 1.0
         if sqdist < 0.0:
             min_sqdist = sqdist_at(q, index, tree)
-    for bit in range(GROUP_BITS):
+    for bit in range(EIGHT_BITS):
         other = shuffle_xor(min_sqdist, 1 << bit)
         others = shuffle_xor(number, 1 << bit)
         if other < min_sqdist or (other == min_sqdist and others < number):
@@ -122,47 +127,36 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
     level = tree.root
     node = 0
     pending = int64(EVERY) << byte_shift(level)  # one byte per level from 1 on: pending children
-    distance = float(INFINITY)
+    distance = distance_of_child(tree, level, node, BYTE, q, searching, INFINITY)
     above = float(INFINITY)  # distances of the node of level 1
-    if searching == 1:
-        distance = distance_of_child(tree, level, node, BYTE, q)
     while ballot(searching) != 0:
         leaf = -1
         moving = searching + 0
         while ballot(moving) != 0:  # until each active group is at a leaf
             near = (ballot(1 if distance <= limit else 0) >> group) & BYTE
-            if near == 0 and level == 0 and tree.root > 0:
-                level = 1
-                node = node >> GROUP_BITS
-                distance = above
+            leaves_bucket = 1 if near == 0 and level == 0 and tree.root > 0 else 0
+            level += leaves_bucket
+            node = node >> (EIGHT_BITS * leaves_bucket)
+            distance = above if leaves_bucket == 1 else distance
             nearest = min_of_group(distance)
             near = (ballot(1 if distance == nearest and distance <= limit else 0) >> group) & BYTE
             child = bit_count((near & (-near)) - 1)
-            if moving == 1:
-                left = int(BYTE)
-                if near != 0:
-                    if own == child:
-                        distance = INFINITY
-                    if level == 0:
-                        leaf = node * FAN + child
-                        moving = 0
-                    else:
-                        node = node * FAN + child
-                        level -= 1
-                        if level == 0:
-                            above = distance
-                        else:
-                            pending = pending & ~(int64(1 << child) << byte_shift(level + 1))
-                            pending = pending | (int64(EVERY) << byte_shift(level))
-                elif level < tree.root:
-                    level += 1
-                    node = node >> GROUP_BITS
-                    left = int(pending >> byte_shift(level)) & BYTE
-                else:
-                    searching = 0
-                    moving = 0
-                if moving == 1:
-                    distance = distance_of_child(tree, level, node, left, q)
+            # one assignment to each variable, outside of branches: each in a branch would occupy a register
+            found = moving if near != 0 else 0
+            descends = found if level > 0 else 0
+            ascends = moving - found if level < tree.root else 0
+            distance = INFINITY if found == 1 and own == child else distance
+            leaf = node * FAN + child if found > descends else leaf
+            node = node * FAN + child if descends == 1 else node >> (EIGHT_BITS * ascends)
+            level += ascends - descends
+            above = distance if descends == 1 and level == 0 else above
+            enters = descends if level > 0 else 0
+            entered = int64(enters << child) << byte_shift(level + 1)
+            pending = (pending & ~entered) | (int64(BYTE * enters) << byte_shift(level))
+            searching -= 1 if moving > found + ascends else 0
+            moving = descends + ascends
+            left = (int(pending >> byte_shift(level)) & BYTE) | (BYTE * (1 - ascends))
+            distance = distance_of_child(tree, level, node, left, q, moving, distance)
         upper = float(INFINITY)
         if leaf >= 0:
             interval = bound_distance(load_corners(tree.corners, leaf * LEAF_NUMBERS + own), q, scale)

@@ -3,7 +3,7 @@
 """
 
 from ..array_types import Indices, Points
-from ..arrays.lanes import lane_max_corner, lane_min_corner
+from ..arrays.lanes import high_of_lanes, low_of_lanes
 from ..arrays.select import gather_rows
 from ..arrays.sort import SortKeys, put_key
 from ..lang import (
@@ -81,8 +81,8 @@ def bound_runs_by_lanes_kernel(
         a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
         b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
         j += WARP
-    a = lane_min_corner(a)
-    b = lane_max_corner(b)
+    a = low_of_lanes(a)
+    b = high_of_lanes(b)
     if i % WARP == 0:
         widen_run(head // size, a, b, part, size, low, high)
 

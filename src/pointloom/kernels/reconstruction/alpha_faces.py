@@ -270,23 +270,36 @@ def may_touch_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) ->
 
 @func
 def children_in_star(
-    tree: PointTree, a: vec3, max_sqdist: float, first: int, size: int, stars: Stars, level: int, node: int
+    tree: PointTree, a: vec3, max_sqdist: float, first: int, size: int, stars: Stars, level: int, node: int, is_new: int
 ) -> int:
-    """Bit mask of the children of a node that may contain a point within range that changes the star."""
-    record = tree.levels[level] + node
-    distances = measure_boxes(tree.boxes, record, a, a)
+    """Bit mask of the children of a new node that may contain a point within range that changes the star."""
     mask = 0
-    children = int(FAN)
-    for j in range(children):
-        if distances[j] <= max_sqdist:
-            at = record * SIDES + j
-            low = vec3(tree.boxes[at] - a[0], tree.boxes[at + FAN] - a[1], tree.boxes[at + 2 * FAN] - a[2])
-            high = vec3(
-                tree.boxes[at + 3 * FAN] - a[0], tree.boxes[at + 4 * FAN] - a[1], tree.boxes[at + 5 * FAN] - a[2]
-            )
-            if may_touch_box(low, high, first, size, stars) > 0:
-                mask = mask | (1 << j)
+    if is_new == 1:
+        record = tree.levels[level] + node
+        distances = measure_boxes(tree.boxes, record, a, a)
+        children = int(FAN)
+        for j in range(children):
+            if distances[j] <= max_sqdist:
+                at = record * SIDES + j
+                low = vec3(tree.boxes[at] - a[0], tree.boxes[at + FAN] - a[1], tree.boxes[at + 2 * FAN] - a[2])
+                high = vec3(
+                    tree.boxes[at + 3 * FAN] - a[0], tree.boxes[at + 4 * FAN] - a[1], tree.boxes[at + 5 * FAN] - a[2]
+                )
+                if may_touch_box(low, high, first, size, stars) > 0:
+                    mask = mask | (1 << j)
     return mask
+
+
+@func
+def offer_point(
+    a: int, code: int, offset: vec3, is_new: int, thread: int, size: int, stars: Stars, given: Predicates
+) -> int:
+    """Insert a new point into the star if it may change it. Return the star's number of triangles, or NO_ROOM."""
+    after = size + 0
+    if is_new == 1 and code != a and size > 0:
+        if may_touch(offset, thread * stars.room, size, stars) > 0:
+            after = insert_point(a, code, thread, size, stars, given)
+    return after
 
 
 @func
@@ -316,44 +329,32 @@ def grow_star(
     entering = 1
     while size > 0 and level <= tree.root:
         for j in range(count):
-            q = low + j
-            if low < 0:
-                q = lists[head + j]
-            if q >= 0 and size > 0:
-                sqdist = square_distance(p, tree.points[q])
-                key = pack_key(sqdist, q)
-                # points of the list have already been inserted
-                if key > limit and sqdist <= max_sqdist:
-                    if low < 0:
-                        limit = key
-                    if q != a:
-                        if may_touch(tree.points[q] - p, first, size, stars) > 0:
-                            size = insert_point(a, q, thread, size, stars, given)
+            q = lists[head + j] if low < 0 else low + j
+            point = tree.points[max(q, 0)]
+            sqdist = square_distance(p, point)
+            key = pack_key(sqdist, q)
+            # points of the list have already been inserted
+            is_new = 1 if q >= 0 and key > limit and sqdist <= max_sqdist else 0
+            limit = key if is_new == 1 and low < 0 else limit
+            size = offer_point(a, q, point - p, is_new, thread, size, stars, given)
         count = 0
         while count == 0 and level <= tree.root:
-            if entering == 1:
-                entering = 0
-                inside = children_in_star(tree, p, max_sqdist, first, max(size, 0), stars, level, node)
-                if level == 0:
-                    leaves = inside
-                else:
-                    pending = pending | (int64(inside) << byte_shift(level))
-            left = leaves
-            if level > 0:
-                left = int(pending >> byte_shift(level)) & BYTE
+            # one assignment to each variable, outside of branches: each in a branch would occupy a register on CUDA
+            inside = children_in_star(tree, p, max_sqdist, first, max(size, 0), stars, level, node, entering)
+            above = min(level, 1)
+            leaves = leaves | (inside * (1 - above))
+            pending = pending | (int64(inside * above) << byte_shift(level))
+            left = leaves if above == 0 else int(pending >> byte_shift(level)) & BYTE
             lowest = left & (-left)
-            if left == 0:
-                level += 1
-                node = node // FAN
-            elif level == 0:
-                leaves = leaves ^ lowest
-                low = node * BUCKET + bit_count(lowest - 1) * LEAF
-                count = min(LEAF, tree.count - low)
-            else:
-                pending = pending ^ (int64(lowest) << byte_shift(level))
-                node = node * FAN + bit_count(lowest - 1)
-                level = level - 1
-                entering = 1
+            child = bit_count(lowest - 1)
+            found = min(left, 1)
+            leaves = leaves ^ (lowest * (1 - above))
+            pending = pending ^ (int64(lowest * above) << byte_shift(level))
+            low = node * BUCKET + child * LEAF if found > above else low
+            count = min(LEAF, tree.count - low) if found > above else 0
+            entering = found * above
+            node = node * FAN + child if entering == 1 else node // FAN if found == 0 else node
+            level += 1 - found - entering
     return size
 
 
@@ -545,7 +546,7 @@ def write_tetrahedra(
     return count
 
 
-@kernel
+@kernel(max_registers=128)  # for two blocks per SM
 def find_faces_kernel(
     ranks: array(dtype=int32),
     run: int,

@@ -9,10 +9,11 @@ loop. All are bitwise identical: box distances round like point distances.
 
 import numpy as np
 
-from ..arrays.blocks import BLOCK_THREADS, WARPS, block_threads
-from ..arrays.lanes import LANE_BITS
+from ..arrays.blocks import WARPS, block_threads
+from ..arrays.lanes import max_long_of_lanes
 from ..arrays.packed_keys import INDEX_MASK, key_number
 from ..lang import (
+    BLOCK_THREADS,
     WARP,
     array,
     atomic_max,
@@ -25,7 +26,6 @@ from ..lang import (
     kernel,
     launch,
     loop_while,
-    shuffle_xor,
     struct,
     sync_block,
     tid,
@@ -198,19 +198,9 @@ def choose_sequentially_kernel(first: int, last: int, state: SampleDistances):
 
 
 @cuda_func
-def largest_of_lanes(key: int64) -> int64:
-    top = key
-    for bit in range(LANE_BITS):
-        high = shuffle_xor(int(top >> 32), 1 << bit)
-        low = shuffle_xor(int(top), 1 << bit)
-        top = max(top, (int64(high) << 32) | (int64(low) & int64(INDEX_MASK)))
-    return top
-
-
-@cuda_func
 def largest_of_block(i: int, key: int64, tops: array(dtype=int64)) -> int64:
     """The largest key of the threads of a block, the same for all of them. `tops` (8) is scratch."""
-    top = largest_of_lanes(key)
+    top = max_long_of_lanes(key)
     if i % WARP == 0:
         tops[i // WARP] = top
     sync_block()
@@ -269,7 +259,7 @@ def choose_by_leaves_kernel(step: int, state: SampleDistances):
             if measure_box(state.tree.boxes, i // FAN, i % FAN, p, p) <= key_number(top):
                 top = approach_leaf(i, p, state)
                 state.leaf_tops[i] = top
-    top = largest_of_lanes(top)
+    top = max_long_of_lanes(top)
     if i % WARP == 0 and top > 0:
         if top > state.chosen[choice + 1]:
             atomic_max(state.chosen, choice + 1, top)  # as in the kernel it replaces

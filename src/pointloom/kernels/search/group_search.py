@@ -8,7 +8,7 @@ the tree alone, with the same result. On CUDA a group is a warp (lane_search.py)
 from collections.abc import Sequence
 from typing import Any
 
-from ..arrays.lanes import lane_max
+from ..arrays.lanes import max_of_lanes
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import INFINITY, WARP, Kernel, array, bits_float, func, int32, int64, lane, launch, loop, sqrt, vec3
 from .bucket_walk import leaves_within
@@ -225,7 +225,7 @@ def nearest_of_lanes(
         p = tree.points[rank]
         start = (group * WARP) // BUCKET
         result = search_lanes(p, is_query, start, guess, tree, labels, scratch, thread, max_sqdist, 1)
-        guess = lane_max(bits_float(result[1])) * GUESS
+        guess = max_of_lanes(bits_float(result[1])) * GUESS
         size = result[0]
         if sort == 1:
             sort_keys(scratch.keys, thread, scratch.stride, size)

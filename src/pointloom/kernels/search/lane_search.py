@@ -6,7 +6,7 @@ as needed. A lane that does not converge searches alone. Scratch memory is reuse
 """
 
 from ..algebra.plain_min_max import larger
-from ..arrays.lanes import lane_max_corner, lane_min, lane_min_corner, max_of_eight
+from ..arrays.lanes import high_of_lanes, low_of_lanes, max_of_eight, min_of_lanes
 from ..arrays.packed_keys import key_bits, key_index, key_number, pack_bits, pack_key
 from ..lang import (
     INFINITY,
@@ -145,11 +145,11 @@ def keep_nearer(
 @cuda_func
 def guess_sqradius(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
     """Squared distance within which k points are expected around each lane's, from a nearby bucket."""
-    a = lane_min_corner(p)
-    b = lane_max_corner(p)
+    a = low_of_lanes(p)
+    b = high_of_lanes(p)
     at = bucket * SIDES + (lane() & (FAN - 1))
-    low = lane_min_corner(vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN]))
-    high = lane_max_corner(vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN]))
+    low = low_of_lanes(vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN]))
+    high = high_of_lanes(vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN]))
     x = larger(larger(low[0] - b[0], a[0] - high[0]), 0.0)
     y = larger(larger(low[1] - b[1], a[1] - high[1]), 0.0)
     z = larger(larger(low[2] - b[2], a[2] - high[2]), 0.0)
@@ -185,7 +185,7 @@ def keep_for_lanes(
             covered = covered * SHRUNK
         else:
             count = keep_near(p, covered, tree, scratch, listing, listed, base)
-            min_count = lane_min(float(count))
+            min_count = min_of_lanes(float(count))
             if min_count >= float(scratch.k) or covered >= max_sqdist or attempt >= MAX_ATTEMPTS:
                 attempt = MAX_ATTEMPTS + 1
             else:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..array_types import Integers
-from ..arrays.lanes import lane_max
+from ..arrays.lanes import max_of_lanes
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import (
     INFINITY,
@@ -163,7 +163,7 @@ def find_limits_of_lanes_kernel(
         is_query = 1 if j < ranks.shape[0] else 0
         start = ranks[group * WARP] // BUCKET
         result = search_lanes(tree.points[rank], is_query, start, guess, tree, labels, scratch, i, max_sqdist, 1)
-        guess = lane_max(bits_float(result[1])) * GUESS
+        guess = max_of_lanes(bits_float(result[1])) * GUESS
         if is_query == 1:
             limit = key_limit(max_sqdist)
             if result[0] == scratch.k:

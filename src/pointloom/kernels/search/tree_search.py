@@ -5,7 +5,7 @@ curve, so scratch stays cached and each starts with the previous radius.
 import numpy as np
 
 from ..array_types import Array2, Indices, Integers, Points, Scalars
-from ..arrays.lanes import lane_max
+from ..arrays.lanes import max_of_lanes
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.sort import positions
@@ -154,7 +154,7 @@ def search_nearest_of_lanes_kernel(
             if self_query == 0:
                 start = find_bucket(leader, tree)
             result = search_lanes(p, is_query, start, guess, tree, tree.order, scratch, i, max_sqdist, 0)
-            guess = lane_max(bits_float(result[1])) * GUESS
+            guess = max_of_lanes(bits_float(result[1])) * GUESS
             size = result[0] * is_query
             sort_keys(scratch.keys, i, scratch.stride, size)
         if is_row == 1:

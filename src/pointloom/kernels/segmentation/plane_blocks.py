@@ -4,7 +4,7 @@ A block fits in the L1 cache, and blocks beyond the threshold of a plane are ski
 """
 
 from ..array_types import Indices, Points
-from ..arrays.lanes import lane_max_corner, lane_min_corner
+from ..arrays.lanes import high_of_lanes, low_of_lanes
 from ..lang import INFINITY, WARP, array, float32, float64, func, int32, kernel, lane, launch, struct, tid, vec3, vec4d
 from ..memory import empty
 
@@ -63,8 +63,8 @@ def split_axes_in_lanes_kernel(points: array(dtype=vec3), rows: array(dtype=int3
             blocks.zs[j] = p[2]
             a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
             b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-    a = lane_min_corner(a)
-    b = lane_max_corner(b)
+    a = low_of_lanes(a)
+    b = high_of_lanes(b)
     if lane() == 0:
         for axis in range(3):
             blocks.boxes[6 * block + axis] = 0.5 * (a[axis] + b[axis])
