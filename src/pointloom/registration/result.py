@@ -12,13 +12,16 @@ from numpy.typing import NDArray
 
 from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
-from ..core.reports import Assessed, failed, quality
+from ..core.reports import failed, quality
 from ..core.wording import format_share, plain
 from ..kernels.memory import download
 from ..pcd.cloud import PointCloud
+from .assessment import AssessedOnAccess
+from .assessment_constants import MIN_SCORE
 from .matching import Pairs
-from .pose_check import MIN_SCORE, describe_open, find_problem
-from .pose_errors import PoseCovariance, pose_covariance
+from .pose_check import find_problem
+from .pose_errors import PoseCovariance
+from .unobservable_motions import describe_open
 
 MIN_TARGETS = 10  # minimum matched targets for a scale
 SHARED = 10  # source points per target point above which the scale is undetermined
@@ -28,7 +31,7 @@ MIN_FITNESS = 0.1  # results below are unreliable
 COINCIDENT = 1e-4
 
 
-class RegistrationResult(Assessed):
+class RegistrationResult(AssessedOnAccess):
     """A transformation from source to target, and its quality.
 
     Attributes:
@@ -72,10 +75,9 @@ class RegistrationResult(Assessed):
         self.alternatives = alternatives
         self._motion = motion  # parameters since the initial pose, to continue from here
         self._correspondences = correspondences
-        # Source, target and match distance [m], for the covariance and the comparison of surfaces. The points are
-        # shared with the given clouds, which copy them when they are changed in place.
+        # The points are shared with the given clouds, which copy them when they are changed in place.
         self._clouds, self._has_scale, self._uses_surfaces_only = clouds, has_scale, uses_surfaces_only
-        self._compared_pose = transformation.copy()  # the warnings are those of this pose if the attribute is changed
+        self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -87,15 +89,12 @@ class RegistrationResult(Assessed):
 
     @cached_property
     def covariance(self) -> PoseCovariance | None:
-        """Covariance of the error of the pose by `pose_covariance`, computed on first access.
+        """Covariance of the error of the pose, of `assessment`, computed on first access.
 
-        From the surfaces alone: priors and fixed motions are not used. None without clouds: results with a scale,
-        results from correspondences, and pickles made before the first access.
+        From the surfaces alone: priors and fixed motions are not used. None without clouds (results without a pose, and
+        pickles made before the first access), and for results with a scale.
         """
-        if self._clouds is None or self._has_scale:
-            return None
-        source, target, distance = self._clouds
-        return pose_covariance(source, target, self.transformation, distance)
+        return None if self._clouds is None or self._has_scale else self.assessment.covariance
 
     @property
     def score(self) -> float | None:
@@ -152,7 +151,7 @@ class RegistrationResult(Assessed):
         source, target, distance = self._clouds
         coincide = self.fitness > 0.5 and self.inlier_rmse < COINCIDENT * distance
         may_be_open = coincide or self.free is not None or not self._uses_surfaces_only
-        return find_problem(source, target, self._compared_pose, may_be_open=may_be_open)
+        return find_problem(source, target, self._assessed_pose, may_be_open=may_be_open)
 
     def to_dict(self) -> dict[str, Any]:
         """All but the correspondences and the covariance in JSON types, with `reliable` and `warnings`."""
@@ -177,8 +176,7 @@ class RegistrationResult(Assessed):
         """State for pickle and deepcopy without clouds, with correspondences, score and warnings computed."""
         pairs, _ = self.correspondence_set, self.warnings
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
-        known["_clouds"] = None
-        return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
+        return {name: value for name, value in super().__getstate__().items() if name != "correspondence_set"} | known
 
     def __copy__(self) -> RegistrationResult:
         """A result with the same clouds, which computes on access what this one has not computed."""

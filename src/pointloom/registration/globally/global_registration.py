@@ -32,7 +32,7 @@ from ..rigid import make_pose, to_world
 from ..surfaces import surface_of
 from .level_poses import MAX_TILT, check_level, level_poses
 from .ransac import no_pose
-from .rating import moved_samples, rate_registration, refine_poses
+from .rating import moved_samples, refine_poses, score_registration
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
 NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
@@ -107,7 +107,7 @@ def register_globally(
 
     Notes:
         Based on Lim et al., "KISS-Matcher", ICRA 2025, with normals toward the concave side, second-order compatibility
-        (`registration_robust_based_on_correspondence`) and a final check on the clouds (`rate_registration`). Memory
+        (`registration_robust_based_on_correspondence`) and a final check on the clouds (`assess_registration`). Memory
         O(n + m), and m^2 / 8 bytes for m correspondences. Bitwise reproducible for any number of threads.
 
     Example:
@@ -349,7 +349,7 @@ def registration_robust_based_on_feature_matching(
         seed: As of `registration_robust_based_on_correspondence`.
 
     Returns:
-        As `registration_robust_based_on_correspondence`, with the `score` of `rate_registration`.
+        As `registration_robust_based_on_correspondence`, with the `score` of `assess_registration`.
 
     Raises:
         ValueError: Features without one row per point, or a bound that is not positive.
@@ -375,7 +375,7 @@ def registration_robust_based_on_feature_matching(
     result = _register(source, target, pairs, bound, chooser)
     if result.score:
         try:
-            result.score = rate_registration(source, target, result.transformation, bound)
+            result.score = score_registration(source, target, bound, result.transformation)
         except ValueError as error:
             raise ValueError(f"noise_bound: {error}") from error
         _conclude(result)

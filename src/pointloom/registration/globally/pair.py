@@ -12,11 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields, Report, quality
+from ...core.reports import Fields, Report, quality
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
+from ..assessment import AssessedOnAccess
+from ..assessment_constants import MIN_SCORE
 from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior, make_constraint
 from ..icp.estimation import (
@@ -29,13 +31,13 @@ from ..icp.estimation import (
 )
 from ..icp.icp import ICPConvergenceCriteria, check_constrainable, check_poses
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
-from ..pose_check import MIN_SCORE, describe_open
+from ..pose_check import describe_open
 from ..result import MIN_FITNESS, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
 from .global_registration import register_globally
 from .level_poses import check_level
-from .rating import rate_registration
+from .rating import score_registration
 
 Matrix = NDArray[np.float64]
 
@@ -66,12 +68,12 @@ class UnfitCloudError(ValueError):
 
 
 @dataclass(frozen=True, eq=False)
-class PairRegistration(Report, Assessed):
+class PairRegistration(Report, AssessedOnAccess):
     """Result of `register_pair`.
 
     Attributes:
         result: Of the finest ICP scale, with the iterations of all scales.
-        score: Confidence of `rate_registration`, 0..1.
+        score: Confidence of `assess_registration`, 0..1, and of the search.
         init: "global" or "given".
         method: The ICP method.
         voxel_size: Finest voxel edge [m].
@@ -103,10 +105,15 @@ class PairRegistration(Report, Assessed):
     search_problem: str = ""
     unit: LengthUnit | None = None
     alternatives: tuple[Matrix, ...] = ()
+    _clouds: tuple[PointCloud, PointCloud, float] | None = None
 
     @property
     def transformation(self) -> Matrix:
         return self.result.transformation
+
+    @property
+    def _assessed_pose(self) -> Matrix:
+        return self.result._assessed_pose
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -194,7 +201,7 @@ def register_pair(
 ) -> PairRegistration:
     """Register two clouds from any pose, as `pointloom register` does.
 
-    Uses `register_globally` unless `init` is given, `multi_scale_icp` and `rate_registration` on downsampled clouds.
+    Uses `register_globally` unless `init` is given, and `multi_scale_icp` on downsampled clouds.
 
     Args:
         source, target: The clouds to move and to keep, on one device.
@@ -251,7 +258,8 @@ def register_pair(
     options: dict[str, Any] = {"estimate_normals": True, "free": free, "prior": prior}
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
     report_progress("rate", 0, 0)
-    score = min(search_score, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
+    rated = source.copy(), target.copy(), RATED_WITHIN * size
+    score = min(search_score, score_registration(*rated, result.transformation))
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
     return PairRegistration(
         result,
@@ -269,6 +277,7 @@ def register_pair(
         problem,
         source.unit or target.unit,
         alternatives,
+        rated,
     )
 
 
