@@ -61,7 +61,7 @@ class Alignment(AssessedRecord):
             return ("the surfaces do not match near this pose. Register the clouds with register_globally",)
         if self.distance > constants.MAX_DISTANCE:
             size = f"{self.displacement:.2g} m with a standard deviation of {self.sigma:.1g} m"
-            return (f"the source is off by {size}. Refine the pose with registration_icp",)
+            return (f"the source is off by {size}. Use alignment.correction @ transformation, or registration_icp",)
         return ()
 
 

@@ -19,6 +19,8 @@ from .evidence import Evidence
 from .pose_errors import PoseCovariance
 from .unobservable_motions import Localizability, describe_motions
 
+WITHOUT_CLOUDS = """assessment: expected a result with its clouds, got one that was unpickled or found no pose. \
+Call assess_registration with the clouds"""
 _lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
 
@@ -105,10 +107,7 @@ class AssessedOnAccess(Assessed):
         with _lock:
             if self._assessment is None:
                 if self._clouds is None:
-                    raise ValueError(
-                        "assessment: expected a result with its clouds, got one that was unpickled or found no pose. "
-                        "Call assess_registration with the clouds"
-                    )
+                    raise ValueError(WITHOUT_CLOUDS)
                 assess = import_module(__package__).assess_registration  # by its public name: it registers surfaces
                 source, target, distance = self._clouds
                 vars(self)["_assessment"] = assess(source, target, self._assessed_pose, distance)

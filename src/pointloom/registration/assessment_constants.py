@@ -23,6 +23,10 @@ WRONG_BOXES = "fitted: supported wrong poses of benchmarks/box_rooms.py; kitchen
 IMAGES = "fitted: depth images of a kitchen and of trust/places.py, seeds 60 to 62, 2026-11-26"
 SCANS = "fitted: 24 rooms, 60 sites, 40 streets and 40 divided real scans as in trust/calibration.py, 2026-11-26"
 REFINED = "fitted: ICP poses of 24 pairs of scans, rooms and objects, 2026-11-27"
+LEAST_SHARE = f"{REFINED}: 574 correct ones from 0.23, 112 of clouds that share nothing up to 0.10"
+OPEN_MOTIONS = f"{REFINED}: 14 of 1,587 correct ones are below it, a bare corridor has 0.003"
+SUPPORTED = f"{REFINED}: none of 513 correct ones is unsupported, 32 of 34 wrong ones are"
+FEW = "fitted: 29 wrong poses up to 4.3, 75 of 76 correct ones from 4.5, 2026-11-22"
 PAIRS = "fitted: 93 correct poses of the fitted half of trust/alignment.py, 2026-11-27"
 WALLS = "fitted: bare corridors and tunnels 0.0001 to 0.03; streets, halls, woods 0.02 to 0.3, 2026-11-22"
 BLOCKED = "fitted: LiDAR and moving cameras up to 0.013, half of the wrong poses above 0.02, 2026-11-25"
@@ -45,25 +49,18 @@ RIGID: Annotated[float, Constant("deviation of R R^T from the identity", "", "a 
 # Score: agreement of all matches
 MIN_SCORE: Annotated[float, Constant("score up to which a pose is rejected", "", "even odds")] = 0.5
 TIGHT: Annotated[float, Constant("distance along the normal at which a match counts 0", MATCH, "0.3 voxels")] = 0.2
-OVERLAP_RIDGE: Annotated[
-    float, Constant("ridge of the attainable constraint", "mean eigenvalue", "poorly determined overlap is no evidence")
-] = 1e-3
+OVERLAP_RIDGE: Annotated[float, Constant("ridge of the overlap", "mean eigenvalue", "weak overlap is no evidence")] = (
+    1e-3
+)
 SHARE_WEIGHT: Annotated[float, Constant("log odds per ln(share)", "", ODDS)] = 5.15
 FIRMNESS_WEIGHT: Annotated[float, Constant("log odds per ln(firmness)", "", ODDS)] = 0.48
 OFFSET: Annotated[float, Constant("log odds", "", f"{ODDS}; lowered to require 25 % more than even evidence")] = 10.2
 SHARE_FLOOR: Annotated[float, Constant("added to the share", "", "the logarithm of 0 is none")] = 0.01
 FIRMNESS_FLOOR: Annotated[float, Constant("added to the firmness", "", "the logarithm of 0 is none")] = 3e-4
-FIRM: Annotated[
-    float, Constant("minimum firmness", "", "planes, spheres and tubes have at most a quarter of it, 2026-11-20")
-] = 0.002
+FIRM: Annotated[float, Constant("minimum firmness", "", "planes, spheres, tubes: a quarter of it at most")] = 0.002
 FITS: Annotated[float, Constant("share of surfaces that match although a motion is undetermined", "", CHOSEN)] = 0.5
 # Score: number of matches
-CHANCE: Annotated[
-    float,
-    Constant(
-        "share times the root of the matches", "", "fitted: 29 wrong poses up to 4.3, 76 correct ones, 2026-11-22"
-    ),
-] = 4.4
+CHANCE: Annotated[float, Constant("share times the root of the matches", "", FEW)] = 4.4
 STEEP: Annotated[float, Constant("steepness of scores at their limits", "", "20 % beyond the limit give 0.67")] = 4.0
 # Score: matches beside the three main planes
 MIN_REST: Annotated[float, Constant("share beside the planes relative to the total", "", ROOMS)] = 0.25
@@ -99,9 +96,7 @@ MODEL_ERROR: Annotated[float, Constant("error common to all points", "residuals"
 NORMAL_ERROR: Annotated[float, Constant("the same by biased normals", "squared residuals per voxel", SCANS)] = 0.35
 STEP_FACTOR: Annotated[float, Constant("factor of the squared distance from the step", "", SCANS)] = 1.1
 COMMON_ERROR: Annotated[float, Constant("the same of lenses and motion, for the test", "residuals", PAIRS)] = 0.09
-MAX_DISTANCE: Annotated[float, Constant("distance from the step", SIGMA, "95 % of chi with six degrees of freedom")] = (
-    3.55
-)
+MAX_DISTANCE: Annotated[float, Constant("distance from the step", SIGMA, "95 % of chi, six degrees of freedom")] = 3.55
 MIN_DISPLACEMENT: Annotated[float, Constant("displacement of an unreliable pose", VOXEL, PLACES)] = 0.1
 MIN_SUPPORT: Annotated[float, Constant("constraint of the matches relative to the attainable one", "", CHOSEN)] = 0.05
 SUPPORT_RIDGE: Annotated[float, Constant("ridge of this ratio", "mean eigenvalue", "for undetermined motions")] = 0.01
@@ -115,12 +110,6 @@ MIN_DEVIATIONS: Annotated[float, Constant("the same", SIGMA, OPEN_SITES)] = 3.0
 RADIUS_VOXELS: Annotated[float, Constant("search radius of planes", VOXEL, "beyond the displacement")] = 2.0
 
 # Refined poses (`warnings` of ICP and NDT), whose start excludes other places
-MIN_OPEN_SHARE: Annotated[
-    float, Constant("share if a motion may be undetermined", "", f"{REFINED}: correct 0.23, wrong up to 0.10")
-] = 0.15
-MAX_OPEN: Annotated[
-    float, Constant("squared component of an undetermined motion", "", f"{REFINED}: 14 of 1,587; a corridor 0.003")
-] = 5e-3
-MIN_PAIRS: Annotated[
-    int, Constant("pairs that decide about support", "", f"{REFINED}: 0 of 513 correct, 32 of 34 wrong rejected")
-] = 1000
+MIN_OPEN_SHARE: Annotated[float, Constant("share if a motion may be undetermined", "", LEAST_SHARE)] = 0.15
+MAX_OPEN: Annotated[float, Constant("squared component of an undetermined motion", "", OPEN_MOTIONS)] = 5e-3
+MIN_PAIRS: Annotated[int, Constant("pairs that decide about support", "", SUPPORTED)] = 1000

@@ -68,12 +68,6 @@ class Localizability(AssessedRecord):
         rows = self.open_motions * ([self.lever] * 3 + [1.0] * 3) / check_positive("sigma", sigma)
         return matmul(rows.T, rows)
 
-    def __str__(self) -> str:
-        lines = ["motion (rotation by lever, translation)                share   kind"]
-        for motion, share, kind in zip(self.motions, self.shares, self.kinds, strict=True):
-            lines.append(f"{' '.join(f'{v:7.3f}' for v in motion)}  {share:8.5f}   {kind}")
-        return "\n".join(lines)
-
 
 def judge_motions(
     source: Surface, target: Surface, pose: Matrix, distance: float, free: Sequence[int] = range(6)

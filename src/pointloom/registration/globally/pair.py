@@ -259,11 +259,10 @@ def register_pair(
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
     report_progress("rate", 0, 0)
     rated = source.copy(), target.copy(), RATED_WITHIN * size
-    score = min(search_score, score_registration(*rated, result.transformation))
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
     return PairRegistration(
         result,
-        score,
+        min(search_score, score_registration(*rated, result.transformation)),
         SEARCHED if init is None else GIVEN,
         method,
         size,

@@ -57,11 +57,8 @@ def assess_registration(
 
     Notes:
         Compares surfaces in voxels of two thirds and of one third of the distance, which are computed once. Symmetric
-        and repetitive scenes can deceive it. The features, constants and error rates are in docs/assessment.md. Memory
-        O(n). Bitwise reproducible. Chen and Medioni 1991 (rows). Liang and Zeger, "Longitudinal data analysis using
-        generalized linear models", 1986 (covariance by blocks). Censi, "An accurate closed-form estimate of ICP's
-        covariance", 2007. Tuna et al., "X-ICP: Localizability-Aware LiDAR Registration for Robust Localization in
-        Extreme Environments", 2023 (kinds of motions).
+        and repetitive scenes can deceive it. Methods, references, constants and error rates are in docs/assessment.md.
+        Memory O(n). Bitwise reproducible.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -79,10 +76,9 @@ def assess_registration(
     check_clouds(source, target)
     T = check_transformation("transformation", transformation)
     moved, rigid = as_rigid(source, T)
-    distance = (
-        VOXELS * choose_voxel_size(moved, target)
-        if max_correspondence_distance is None
-        else check_positive("max_correspondence_distance", max_correspondence_distance)
+    given = max_correspondence_distance
+    distance = check_positive(
+        "max_correspondence_distance", VOXELS * choose_voxel_size(moved, target) if given is None else given
     )
     evaluation = evaluate_registration(source, target, distance, T)
     surfaces, pose = SurfacePair(moved, target, distance), to_local(rigid, moved.origin, target.origin)
@@ -127,7 +123,7 @@ def rate_poses(
     poses = poses.copy()
     poses[:, :3, :3] = [nearest_rotation(R) for R in poses[:, :3, :3]]  # also of matrices rounded to a few digits
     left, right = [sources[k].surface for k in rated], [targets[k].surface for k in rated]
-    for k, result in zip(rated, refine_pairs(left, right, poses[rated], distance), strict=True):
+    for k, result in zip(rated, refine_poses(left, right, poses[rated], distance), strict=True):
         pose, refined = poses[k], result.transformation
         drift = np.diff(moved_samples(sources[k].surface, np.stack([pose, refined])), axis=0)
         if np.sqrt((drift**2).sum(axis=2).mean()) > distance:
@@ -137,19 +133,6 @@ def rate_poses(
 
 
 def refine_poses(
-    source: Surface,
-    target: Surface,
-    poses: NDArray[np.float64],
-    distance: float,
-    steps: int = 30,
-    free: Sequence[str] | None = None,
-    degeneracy: float = DEGENERACY,
-) -> list[RegistrationResult]:
-    """Refine poses about the clouds' origins by point-to-plane ICP with free motions, all at once."""
-    return refine_pairs([source], [target], poses, distance, steps, free, degeneracy)
-
-
-def refine_pairs(
     sources: Sequence[Surface],
     targets: Sequence[Surface],
     poses: NDArray[np.float64],
@@ -158,7 +141,7 @@ def refine_pairs(
     free: Sequence[str] | None = None,
     degeneracy: float = DEGENERACY,
 ) -> list[RegistrationResult]:
-    """As `refine_poses`, of one pair or of one per pose."""
+    """Refine poses about the clouds' origins by point-to-plane ICP with free motions: of one pair, or one per pose."""
     if not len(poses):
         return []
     clouds: dict[int, PointCloud] = {}

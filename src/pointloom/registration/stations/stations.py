@@ -632,8 +632,8 @@ class PairFinder:
             for (a, b), T in zip(pairs, poses, strict=True)
         ]
         sources, targets = ([self._witness(ends[k], distance) for ends in pairs] for k in (0, 1))
-        rated = rate_poses(sources, targets, np.array(local).reshape(-1, 4, 4), distance)
-        return [evidence.score for evidence in rated]
+        poses = np.array(local).reshape(-1, 4, 4)
+        return [evidence.score for evidence in rate_poses(sources, targets, poses, distance)]
 
     def _witness(self, i: int, distance: float) -> Witness:
         if (i, distance) not in self.witnesses:
