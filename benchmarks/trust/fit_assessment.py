@@ -106,12 +106,12 @@ def refined(source: Array, pair: Pair, start: Array, voxels: float) -> tuple[Arr
     """The pose of point-to-plane ICP, and its fitness."""
     import pointloom as loom
 
-    clouds = (
+    left, right = (
         loom.PointCloud(points).voxel_down_sample(pair.voxel).estimate_normals(max_nn=20)
         for points in (source, pair.target)
     )
     plane = loom.registration.TransformationEstimationPointToPlane()
-    result = loom.registration.registration_icp(*clouds, voxels * pair.voxel, start, plane)
+    result = loom.registration.registration_icp(left, right, voxels * pair.voxel, start, plane)
     return result.transformation, result.fitness
 
 

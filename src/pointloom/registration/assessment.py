@@ -1,10 +1,8 @@
-"""The assessment of a registration: the result of `assess_registration`, and the results that compute it on access."""
+"""The result of `assess_registration`."""
 
 from __future__ import annotations
 
-import threading
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -12,16 +10,11 @@ from numpy.typing import NDArray
 
 from ..core.reports import Assessed, Fields, Report, as_json, failed, with_warnings
 from ..core.wording import format_share
-from ..pcd.cloud import PointCloud
 from .alignment import Alignment
 from .assessment_constants import MIN_DISPLACEMENT, MIN_SCORE, VOXELS
 from .evidence import Evidence
 from .pose_errors import PoseCovariance
 from .unobservable_motions import Localizability, describe_motions
-
-WITHOUT_CLOUDS = """assessment: expected a result with its clouds, got one that was unpickled or found no pose. \
-Call assess_registration with the clouds"""
-_lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,31 +82,3 @@ class RegistrationAssessment(Report, Assessed):
         """All attributes in JSON types, with `score`, `features`, `notes`, `reliable` and `warnings`."""
         features = {"score": self.score, "features": self.evidence.features, "notes": list(self.notes)}
         return {name: value for name, value in as_json(self).items() if name != "evidence"} | features
-
-
-class AssessedOnAccess(Assessed):
-    """A result with a pose and `_clouds`: source, target and match distance [m], or None."""
-
-    _clouds: tuple[PointCloud, PointCloud, float] | None
-    _assessed_pose: NDArray[np.float64]
-    _assessment: RegistrationAssessment | None = None
-
-    @property
-    def assessment(self) -> RegistrationAssessment:
-        """The `assess_registration` of the registered clouds, computed on first access.
-
-        Raises `ValueError` for results without clouds: those that were unpickled, or found no pose.
-        """
-        with _lock:
-            if self._assessment is None:
-                if self._clouds is None:
-                    raise ValueError(WITHOUT_CLOUDS)
-                assess = import_module(__package__).assess_registration  # by its public name: it registers surfaces
-                source, target, distance = self._clouds
-                vars(self)["_assessment"] = assess(source, target, self._assessed_pose, distance)
-            assert self._assessment is not None
-            return self._assessment
-
-    def __getstate__(self) -> dict[str, Any]:
-        """State for pickle and deepcopy, without the clouds and the assessment."""
-        return vars(self) | {"_clouds": None, "_assessment": None}

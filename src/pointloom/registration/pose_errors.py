@@ -186,7 +186,9 @@ def _normal_equations(
 def _open_motions(step: Step, motions: Localizability | None) -> Matrix:
     """Covariance of the undetermined motions: as large as the overlap, where the surfaces still match."""
     total, lever = np.zeros((6, 6)), step.rows.lever
-    for motion in () if motions is None else motions.open_motions:
+    if motions is None:
+        return total[np.ix_(step.free, step.free)]
+    for motion in motions.open_motions:
         rotation = motion[:3] / motions.lever
         shift = motion[3:] + matmul(skew(rotation), step.rows.middle - motions.middle)
         ray = np.concatenate([rotation * lever, shift])

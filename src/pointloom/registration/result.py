@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from functools import cached_property
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -12,11 +14,11 @@ from numpy.typing import NDArray
 
 from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
-from ..core.reports import failed, quality
+from ..core.reports import Assessed, failed, quality
 from ..core.wording import format_share, plain
 from ..kernels.memory import download
 from ..pcd.cloud import PointCloud
-from .assessment import AssessedOnAccess
+from .assessment import RegistrationAssessment
 from .assessment_constants import MIN_SCORE
 from .matching import Pairs
 from .pose_check import find_problem
@@ -29,9 +31,10 @@ MIN_FITNESS = 0.1  # results below are unreliable
 # RMS distance of correspondences in match distances below which one cloud is a copy of the other. Rounding to float32
 # gives 1e-6 and less, two samplings of a surface at least 0.02 (a tenth of the point spacing).
 COINCIDENT = 1e-4
+_lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
 
-class RegistrationResult(AssessedOnAccess):
+class RegistrationResult(Assessed):
     """A transformation from source to target, and its quality.
 
     Attributes:
@@ -77,6 +80,7 @@ class RegistrationResult(AssessedOnAccess):
         self._correspondences = correspondences
         # The points are shared with the given clouds, which copy them when they are changed in place.
         self._clouds, self._has_scale, self._uses_surfaces_only = clouds, has_scale, uses_surfaces_only
+        self._assessment: RegistrationAssessment | None = None
         self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
 
     @cached_property
@@ -86,6 +90,23 @@ class RegistrationResult(AssessedOnAccess):
         In the array library of the source cloud; pickles contain Warp arrays as NumPy.
         """
         return self._correspondences() if callable(self._correspondences) else self._correspondences
+
+    @property
+    def assessment(self) -> RegistrationAssessment:
+        """The `assess_registration` of the registered clouds, computed on first access.
+
+        Raises `ValueError` for results without clouds: those that were unpickled, or found no pose.
+        """
+        with _lock:
+            made = self._assessment
+            if made is None:
+                if self._clouds is None:
+                    found = "got one that was unpickled or found no pose. Call assess_registration with the clouds"
+                    raise ValueError(f"assessment: expected a result with its clouds, {found}")
+                assess = import_module(str(__package__)).assess_registration  # by its public name, as it runs ICP
+                source, target, distance = self._clouds
+                made = self._assessment = assess(source, target, self._assessed_pose, distance)
+            return made
 
     @cached_property
     def covariance(self) -> PoseCovariance | None:
@@ -176,7 +197,8 @@ class RegistrationResult(AssessedOnAccess):
         """State for pickle and deepcopy without clouds, with correspondences, score and warnings computed."""
         pairs, _ = self.correspondence_set, self.warnings
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
-        return {name: value for name, value in super().__getstate__().items() if name != "correspondence_set"} | known
+        known |= {"_clouds": None, "_assessment": None}
+        return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
 
     def __copy__(self) -> RegistrationResult:
         """A result with the same clouds, which computes on access what this one has not computed."""

@@ -12,12 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
-from ...core.reports import Fields, Report, quality
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
-from ..assessment import AssessedOnAccess
+from ..assessment import RegistrationAssessment
 from ..assessment_constants import MIN_SCORE
 from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior, make_constraint
@@ -68,7 +68,7 @@ class UnfitCloudError(ValueError):
 
 
 @dataclass(frozen=True, eq=False)
-class PairRegistration(Report, AssessedOnAccess):
+class PairRegistration(Report, Assessed):
     """Result of `register_pair`.
 
     Attributes:
@@ -105,15 +105,15 @@ class PairRegistration(Report, AssessedOnAccess):
     search_problem: str = ""
     unit: LengthUnit | None = None
     alternatives: tuple[Matrix, ...] = ()
-    _clouds: tuple[PointCloud, PointCloud, float] | None = None
 
     @property
     def transformation(self) -> Matrix:
         return self.result.transformation
 
     @property
-    def _assessed_pose(self) -> Matrix:
-        return self.result._assessed_pose
+    def assessment(self) -> RegistrationAssessment:
+        """The `assess_registration` of the clouds, computed on first access, as of `result`."""
+        return self.result.assessment
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -258,7 +258,7 @@ def register_pair(
     options: dict[str, Any] = {"estimate_normals": True, "free": free, "prior": prior}
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
     report_progress("rate", 0, 0)
-    rated = source.copy(), target.copy(), RATED_WITHIN * size
+    rated = result._clouds = source.copy(), target.copy(), RATED_WITHIN * size
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
     return PairRegistration(
         result,
@@ -276,7 +276,6 @@ def register_pair(
         problem,
         source.unit or target.unit,
         alternatives,
-        rated,
     )
 
 
