@@ -148,14 +148,18 @@ class FragmentsResult(Report, Assessed):
             DeviceError: Clouds on different devices.
 
         Notes:
-            Each edge of the graph has the error of `assess_registration`, independent of the others. The weights of the
-            graph propagate the errors to the poses. Edges whose surfaces hardly match are as uncertain as the cloud is
-            large. Memory O(points) and O(edges x n). Bitwise reproducible. The coverage is in docs/trust.md. Example:
-            >>> import numpy as np, pointloom as loom >>> x, y = np.random.default_rng(0).uniform(-2, 2, (2, 20000)) >>>
-            surface = np.column_stack([x, y, 0.3 * np.sin(3 * x) * np.cos(2 * y) + 0.1 * np.sin(5 * y + x)]) >>> clouds
-            = [loom.PointCloud(surface[:12000]), loom.PointCloud(surface[8000:])] >>> result =
-            loom.registration.register_fragments(clouds, voxel_size=0.1) >>> [bool(found.sigmas.max() < 0.01) for found
-            in result.pose_covariances(clouds)] [True, True]
+            Each edge of the graph has the error of `assess_registration`, independent of the others. The graph's
+            weights propagate the errors to the poses. Edges whose surfaces hardly match are as uncertain as the cloud
+            is large. Memory O(points) and O(edges x n). Bitwise reproducible. The coverage is in docs/trust.md.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> x, y = np.random.default_rng(0).uniform(-2, 2, (2, 20000))
+            >>> surface = np.column_stack([x, y, 0.3 * np.sin(3 * x) * np.cos(2 * y) + 0.1 * np.sin(5 * y + x)])
+            >>> clouds = [loom.PointCloud(surface[:12000]), loom.PointCloud(surface[8000:])]
+            >>> result = loom.registration.register_fragments(clouds, voxel_size=0.1)
+            >>> [bool(found.sigmas.max() < 0.01) for found in result.pose_covariances(clouds)]
+            [True, True]
         """
         clouds, infinite = self._check_clouds(clouds), np.full((6, 6), np.inf)
         found = [PoseCovariance(infinite, T[:3, 3].copy()) for T in self.poses]
