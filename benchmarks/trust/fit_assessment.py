@@ -48,6 +48,7 @@ DISPLACED = {  # voxels, degrees
 SLIDE = 3.3  # [m] along the street or the tunnel
 SLID = 2.0  # [voxels] minimum displacement of a pose that slid, after ICP
 ODDS = ("SHARE_WEIGHT", "FIRMNESS_WEIGHT", "OFFSET")
+WITHIN = ("shifted by 0.5 voxels", "rotated by 2 degrees")  # the score refines these poses
 RIDGE = 1e-3  # of the regression, for features that separate the poses
 
 
@@ -117,7 +118,7 @@ def refined(source: Array, pair: Pair, start: Array, voxels: float) -> tuple[Arr
 
 def fit_odds(rows: Sequence[Row]) -> Array:
     """Weights of ln(share) and ln(firmness), and the offset, of a logistic regression of right and wrong poses."""
-    known = [row for row in rows if row.found.evidence.matches]
+    known = [row for row in rows if row.found.evidence.matches and row.what not in WITHIN]
     evidence = [row.found.evidence for row in known]
     shares = np.log([e.share + constants.SHARE_FLOOR for e in evidence])
     firmness = np.log([e.firmness + constants.FIRMNESS_FLOOR for e in evidence])
