@@ -96,6 +96,18 @@ def test_a_scaled_source_is_assessed(device, rng):
     assert not assess(source, target, np.eye(4), 0.1).reliable
 
 
+def test_points_that_are_not_finite_are_ignored(device, rng):
+    points, other, bad = hills(rng, 12000), hills(rng, 12000), np.full((40, 3), np.nan)
+    bad[::2] = [np.inf, 0, 0]
+    target = loom.PointCloud(other, device=device)
+    plain, found = (
+        assess(loom.PointCloud(p, device=device), target, np.eye(4), 0.15) for p in (points, np.r_[points, bad])
+    )
+    assert found.to_dict() == plain.to_dict()
+    with pytest.raises(ValueError, match=r"^source: expected finite points"):
+        assess(loom.PointCloud(bad, device=device), target, np.eye(4))
+
+
 def test_the_report_has_the_parts_in_json_and_in_text(rng):
     source, target = pair(rng)
     found = assess(source, target, as_pose([0, 0, 0], [0.5, 0, 0]), 0.15)

@@ -26,7 +26,7 @@ from ..result import RegistrationResult
 from ..rigid import nearest_rotation, to_local
 from ..surfaces import SurfacePair, as_rigid
 from ..unobservable_motions import Localizability, judge_motions
-from ..voxel_size import choose_voxel_size
+from ..voxel_size import choose_for
 
 Matrix = NDArray[np.float64]
 
@@ -46,9 +46,9 @@ def assess_registration(
         max_correspondence_distance: Match distance [m] of the registration, 1.5 voxels. None: of `choose_voxel_size`.
 
     Returns:
-        The assessment. `reliable` if the score is above 0.5, no displacement was detected, and the surfaces determine
-        all six motions. Clouds without a surface are not reliable. With a scale, the parts are those of the rigid
-        motion of the scaled source.
+        The assessment. `reliable` if the score is above 0.5, no displacement above 0.1 voxels was detected, and the
+        surfaces determine all six motions. Clouds without a surface are not reliable. With a scale, the parts are those
+        of the rigid motion of the scaled source.
 
     Raises:
         ValueError: A distance that is not positive or too small, or a transformation that is not invertible.
@@ -76,10 +76,10 @@ def assess_registration(
     check_clouds(source, target)
     T = check_transformation("transformation", transformation)
     moved, rigid = as_rigid(source, T)
-    given = max_correspondence_distance
-    distance = check_positive(
-        "max_correspondence_distance", VOXELS * choose_voxel_size(moved, target) if given is None else given
-    )
+    distance = max_correspondence_distance
+    if distance is None:
+        distance = VOXELS * choose_for({"source": moved, "target": target})
+    distance = check_positive("max_correspondence_distance", distance)
     evaluation = evaluate_registration(source, target, distance, T)
     surfaces, pose = SurfacePair(moved, target, distance), to_local(rigid, moved.origin, target.origin)
     motions, step = judge_motions(*surfaces.coarse, pose, distance), step_of(surfaces, pose)
