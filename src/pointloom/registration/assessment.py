@@ -53,18 +53,15 @@ class RegistrationAssessment(Report, Assessed):
         remedy = "Register the clouds with register_globally, or use clouds that overlap more"
         low = f"the score is {self.score:.2f}, not above {MIN_SCORE}: {self.evidence.problem}. {remedy}"
         rejected = low if self.score <= MIN_SCORE else None
-        displaced = () if self._is_slightly_off else self.alignment.warnings
+        displaced = () if self.notes else self.alignment.warnings
         return failed(rejected, *displaced, *self.localizability.warnings)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """A detected displacement below the resolution of a registration."""
-        return self.alignment.warnings if self._is_slightly_off else ()
-
-    @property
-    def _is_slightly_off(self) -> bool:
         limit = MIN_DISPLACEMENT * self.max_correspondence_distance / VOXELS
-        return self.alignment.is_supported and self.alignment.displacement < limit
+        is_small = self.alignment.is_supported and self.alignment.displacement < limit
+        return self.alignment.warnings if is_small else ()
 
     def fields(self) -> Fields:
         rotations, shifts = self.covariance.sigmas.reshape(2, 3)

@@ -134,8 +134,8 @@ def common_covariance(step: Step, motions: Callable[[], Localizability | None]) 
     apart = float(matmul(step.motion, solve(step.unit, step.motion))) / len(step.free)
     model = step.noise * (constants.MODEL_ERROR + constants.NORMAL_ERROR * step.noise * constants.FINE / step.voxel)
     covariance = (model**2 + constants.STEP_FACTOR * apart) * step.unit
-    if step.shares[0] < constants.SUSPECT_SHARE:
-        covariance = covariance + _open_motions(step, motions())
+    if step.shares[0] < constants.SUSPECT_SHARE and (found := motions()) is not None:
+        covariance = covariance + _open_motions(step, found)
     return covariance
 
 
@@ -183,11 +183,9 @@ def _normal_equations(
     return weight, (matrix + constants.MOTION_RIDGE * weight * np.eye(6))[np.ix_(free, free)], right[free], width
 
 
-def _open_motions(step: Step, motions: Localizability | None) -> Matrix:
+def _open_motions(step: Step, motions: Localizability) -> Matrix:
     """Covariance of the undetermined motions: as large as the overlap, where the surfaces still match."""
     total, lever = np.zeros((6, 6)), step.rows.lever
-    if motions is None:
-        return total[np.ix_(step.free, step.free)]
     for motion in motions.open_motions:
         rotation = motion[:3] / motions.lever
         shift = motion[3:] + matmul(skew(rotation), step.rows.middle - motions.middle)

@@ -112,8 +112,7 @@ class RegistrationResult(Assessed):
     def covariance(self) -> PoseCovariance | None:
         """Covariance of the error of the pose, of `assessment`, computed on first access.
 
-        From the surfaces alone: priors and fixed motions are not used. None without clouds (results without a pose, and
-        pickles made before the first access), and for results with a scale.
+        Priors and fixed motions are not used. None with a scale, without a pose, and in pickles made before the access.
         """
         return None if self._clouds is None or self._has_scale else self.assessment.covariance
 

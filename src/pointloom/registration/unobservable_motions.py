@@ -27,8 +27,7 @@ class Localizability(AssessedRecord):
     Attributes:
         middle: Center of rotations [m] in the target's world: the center of the overlap.
         lever: Length [m] that scales rotations: the spread of the overlap.
-        motions: float64 [6, 6], orthonormal rows (rotation times lever, translation) along the target's axes. Fewer if
-            some motions are fixed.
+        motions: Of the free motions, float64 [6, 6] rows (rotation times lever, translation) along the target's axes.
         shares: Constraint of each motion, 0..1: the mean squared component of the normals (rotations: of their levers).
         kinds: "full" if determined, "partial" if weak (share below 0.03), "none" if the clouds match as well along it.
     """
@@ -59,10 +58,7 @@ class Localizability(AssessedRecord):
         return (describe_open(self.open_motions),) if len(self.open_motions) else ()
 
     def information(self, sigma: float) -> Matrix:
-        """Information [6, 6] of a `Prior` that fixes the undetermined motions alone, with `pivot=middle`.
-
-        `sigma`: standard deviation [m] of the known pose. Raises `ValueError` if all motions are determined.
-        """
+        """Information [6, 6] of a `Prior` on the open motions alone, with `pivot=middle` and a deviation `sigma` [m]."""
         if not len(self.open_motions):
             raise ValueError("information: all motions are determined, so registration_icp needs no prior")
         rows = self.open_motions * ([self.lever] * 3 + [1.0] * 3) / check_positive("sigma", sigma)
