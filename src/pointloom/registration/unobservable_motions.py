@@ -58,7 +58,7 @@ class Localizability(AssessedRecord):
         return (describe_open(self.open_motions),) if len(self.open_motions) else ()
 
     def information(self, sigma: float) -> Matrix:
-        """Information [6, 6] of a `Prior` on the open motions alone, with `pivot=middle` and a deviation `sigma` [m]."""
+        """Information [6, 6] of a `Prior` on the open motions alone, with `pivot=middle` and deviation `sigma` [m]."""
         if not len(self.open_motions):
             raise ValueError("information: all motions are determined, so registration_icp needs no prior")
         rows = self.open_motions * ([self.lever] * 3 + [1.0] * 3) / check_positive("sigma", sigma)
