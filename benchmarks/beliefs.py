@@ -4,8 +4,8 @@
 
 Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two voxel sizes each; accepting one is
 wrong. Overlapping pairs share at least 15% of the smaller cloud; a pose is correct within 5 degrees and 3 voxels. Each
-cloud gets a random pose first. MIN_REST of registration/evidence.py was fitted to one half of the scenes; the
-table reports the other half separately. Prints the table of docs/registration.md and the wrongly accepted pairs.
+cloud gets a random pose first. MIN_REST of registration/assessment_constants.py was fitted to one half of the scenes;
+the table reports the other half separately. Prints the table of docs/registration.md and the wrongly accepted pairs.
 """
 
 from __future__ import annotations

@@ -233,8 +233,5 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "get_information_matrix_from_point_clouds": lambda p: reg().get_information_matrix_from_point_clouds(
         p.source, p.cloud, p.max_distance, p.pose
     ),
-    "localizability": lambda p: reg().localizability(p.source, p.cloud, p.pose, p.max_distance),
-    "check_alignment": lambda p: reg().check_alignment(p.source, p.cloud, p.pose, p.max_distance),
-    "pose_covariance": lambda p: reg().pose_covariance(p.source, p.cloud, p.pose, p.max_distance),
-    "rate_registration": lambda p: reg().rate_registration(p.source, p.cloud, p.pose, p.max_distance),
+    "assess_registration": lambda p: reg().assess_registration(p.source, p.cloud, p.pose, p.max_distance),
 }

@@ -95,16 +95,16 @@ pose 2e-6 reg.registration_ndt(other, cloud, reg.NormalDistributionsTransformOpt
 pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForColoredICP()).transformation
 pose 2e-6 reg.registration_icp_batch([other, other], cloud, 0.2, np.array([about(start), about(near)]), reg.TransformationEstimationPointToPlane())[1].transformation
 pose 2e-5 reg.multi_scale_icp(other, cloud, [0.25, 0.125], [reg.ICPConvergenceCriteria()] * 2, [0.5, 0.25], init=about(start), estimation_method=reg.TransformationEstimationPointToPlane()).transformation
-same 1e-5 reg.rate_registration(other, cloud, about(near), 0.2)
+same 1e-5 reg.assess_registration(other, cloud, about(near), 0.2).score
 same 1e-6 reg.evaluate_registration(other, cloud, 0.2, about(near)).inlier_rmse
 pose 1e-4 reg.register_pair(other, cloud, init=about(start)).transformation
 pose 1e-4 reg.register_globally(other, cloud, voxel_size=0.1).transformation
 pose 1e-3 reg.registration_ransac_based_on_feature_matching(other, cloud, *features, True, 0.15, seed=1).transformation
 pose 1e-3 reg.registration_fgr_based_on_feature_matching(other, cloud, *features).transformation
 pose 2e-5 reg.registration_ransac_based_on_correspondence(other, cloud, pairs, 0.1, seed=1).transformation
-same 1e-4 reg.check_alignment(other, cloud, about(near), 0.2).displacement
-same 1e-3 reg.pose_covariance(other, cloud, about(near), 0.2).sigmas
-same 1e-4 reg.localizability(other, cloud, about(near), 0.2).shares
+same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).alignment.displacement
+same 1e-3 reg.assess_registration(other, cloud, about(near), 0.2).covariance.sigmas
+same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).localizability.shares
 moved 1e-3 reg.register_nonrigid(other, cloud).warped.points
 world 1e-5 reg.register_fragments([cloud, other], voxel_size=0.1).poses[1] @ shift(1)
 world 1e-5 reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=0)).nodes[2].pose @ shift(1)

@@ -1,10 +1,11 @@
-"""Detection of small displacements by `check_alignment`, on real and synthetic pairs, beside CorAl.
+"""Detection of small displacements by `assess_registration`, on real and synthetic pairs, beside CorAl.
 
     POINTLOOM_DATA=... python benchmarks/trust/alignment.py [--write]
 
 The correct poses are those of generalized ICP at three voxel sizes, which differ by millimeters in rooms and by
 centimeters in streets. CorAl (Adolfsson et al. 2021) compares the entropies of neighborhoods in the joint and in the
-separate clouds. Its threshold is set to 5 % false alarms on the same pairs, those of `check_alignment` are constants.
+separate clouds. Its threshold is set to 5 % false alarms on the same pairs. The constants of `assess_registration` are
+fixed.
 """
 
 from __future__ import annotations
@@ -161,7 +162,7 @@ def _entropy(points: Array) -> float:
 
 @dataclass(frozen=True)
 class Answer:
-    """`check_alignment` and CorAl on one pose."""
+    """`assess_registration` and CorAl on one pose."""
 
     pair: Pair
     what: str
@@ -179,8 +180,9 @@ def answers(chosen: Sequence[Pair], *, with_coral: bool) -> Iterator[Answer]:
         baseline = CorAl(pair) if with_coral else None
         for what, amount in DISPLACEMENTS:
             for pose in displaced(pair, what, amount):
-                check = loom.registration.check_alignment(source, target, pose, 1.5 * VOXELS[pair.kind])
-                yield Answer(pair, what, not check.aligned, np.nan if baseline is None else baseline.quality(pose))
+                found = loom.registration.assess_registration(source, target, pose, 1.5 * VOXELS[pair.kind])
+                coral = np.nan if baseline is None else baseline.quality(pose)
+                yield Answer(pair, what, not found.alignment.aligned, coral)
 
 
 def judge() -> Iterator[Judged]:
@@ -198,7 +200,7 @@ def judge() -> Iterator[Judged]:
 
 def table(rows: Sequence[Answer]) -> str:
     """Rejected poses of the pairs on which no constant was chosen."""
-    lines = ["| pose | `check_alignment`, rooms | streets | CorAl, rooms | streets |", "|---|---|---|---|---|"]
+    lines = ["| pose | pointloom, rooms | streets | CorAl, rooms | streets |", "|---|---|---|---|---|"]
     limit = float(np.quantile([row.coral for row in rows if row.what == "correct"], 0.95))
     for what, _ in DISPLACEMENTS:
         cells = []

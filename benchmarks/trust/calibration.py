@@ -1,4 +1,4 @@
-"""Coverage of `pose_covariance`, of stations and of fragments: errors of poses beside their standard deviations.
+"""Coverage of the covariances of pairs, stations and fragments: errors of poses beside their standard deviations.
 
     POINTLOOM_DATA=... python benchmarks/trust/calibration.py [--fitted] [--pairs 60] [--only drives] [--write]
 

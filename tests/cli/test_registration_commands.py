@@ -154,7 +154,7 @@ def test_a_small_share_of_correspondences_or_a_score_of_a_half_is_unreliable(nea
     report = unreliable("register", tmp_path / "c.ply", near[1], *VOXEL, "--init", "identity")
     assert 0 < report["fitness"] < 0.1
     assert "of the source, less than 10%, has a correspondence" in str(report["warnings"])
-    monkeypatch.setattr(pair_module, "rate_registration", lambda *_: 0.5)
+    monkeypatch.setattr(pair_module, "score_registration", lambda *_: 0.5)
     assert unreliable("register", *near, *VOXEL, "--init", "identity")["score"] == 0.5
 
 

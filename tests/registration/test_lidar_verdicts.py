@@ -7,12 +7,13 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration import LidarOdometry
+from pointloom.registration.assessment_constants import MIN_RISE
 from pointloom.registration.lidar.lidar_odometry import Rest
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
 from pointloom.registration.lidar.path_errors import SHIFT_FACTOR, MapError, MatchError, match_error, prediction_error
 from pointloom.registration.lidar.scan_matching import OpenDirections
 from pointloom.registration.pose_errors import PoseCovariance
-from pointloom.registration.unobservable_motions import MIN_RISE, rises_clearly
+from pointloom.registration.unobservable_motions import rises_clearly
 
 from .poses import as_pose
 

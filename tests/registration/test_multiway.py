@@ -218,7 +218,7 @@ def registered(points, poses, pairs, device="cpu", **options):
 def test_a_single_pair_has_the_covariance_of_its_pose(device, rng):
     clouds, result = registered(*parts(rng, (0.0, 0.8)), [(1, 0)], device)
     reference, other = result.pose_covariances(clouds)
-    expected = reg.pose_covariance(clouds[1], clouds[0], result.poses[1], 1.5 * SIZE).about(other.center)
+    expected = reg.assess_registration(clouds[1], clouds[0], result.poses[1], 1.5 * SIZE).covariance.about(other.center)
     assert not reference.matrix.any() and (other.matrix == other.matrix.T).all()
     scale = np.sqrt(np.outer(np.diag(expected.matrix), np.diag(expected.matrix)))
     np.testing.assert_allclose(other.matrix / scale, expected.matrix / scale, atol=1e-6)

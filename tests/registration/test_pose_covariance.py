@@ -52,7 +52,9 @@ def test_it_is_positive_definite_shrinks_with_points_and_grows_with_noise(device
         source, target, result = registered(rng, device, count=count, noise=noise)
         matrix = result.covariance.matrix
         assert (matrix == matrix.T).all() and (np.linalg.eigvalsh(matrix) > 0).all()
-        assert (matrix == reg.pose_covariance(source, target, result.transformation, 1.5 * VOXEL).matrix).all()
+        assert (
+            matrix == reg.assess_registration(source, target, result.transformation, 1.5 * VOXEL).covariance.matrix
+        ).all()
         sigmas.append(np.linalg.norm(result.covariance.sigmas[3:]))
     assert (np.diff(sigmas) > 0).all()
 
@@ -60,7 +62,7 @@ def test_it_is_positive_definite_shrinks_with_points_and_grows_with_noise(device
 def test_it_grows_with_the_distance_from_the_best_pose(rng):
     source, target, result = registered(rng)
     shifted = as_pose([0, 0, 0], [0.03, 0, 0]) @ result.transformation
-    found = reg.pose_covariance(source, target, shifted, 1.5 * VOXEL)
+    found = reg.assess_registration(source, target, shifted, 1.5 * VOXEL).covariance
     assert 0.01 < found.sigmas[3] < 0.1 and found.sigmas[3] > 3 * result.covariance.sigmas[3]
 
 
@@ -70,7 +72,7 @@ def test_it_moves_and_scales_with_the_clouds(device, rng, scale, corner):
     moved = [loom.PointCloud(cloud.points * scale + corner, device=device) for cloud in (source, target)]
     T = result.transformation.copy()
     T[:3, 3] *= scale
-    found = reg.pose_covariance(*moved, about(corner, T), 1.5 * VOXEL * scale)
+    found = reg.assess_registration(*moved, about(corner, T), 1.5 * VOXEL * scale).covariance
     assert found.center == pytest.approx(result.covariance.center * scale + corner, abs=0.02 * scale)
     units = np.repeat([1.0, scale], 3)
     assert found.sigmas / units == pytest.approx(result.covariance.sigmas, rel=0.15)
@@ -79,7 +81,9 @@ def test_it_moves_and_scales_with_the_clouds(device, rng, scale, corner):
 def test_rotated_targets_have_rotated_covariances(rng):
     source, target, result = registered(rng)
     turn = as_pose([0, 0, np.pi / 2], [3, 1, 0])
-    found = reg.pose_covariance(source, target.transform(turn), turn @ result.transformation, 1.5 * VOXEL)
+    found = reg.assess_registration(
+        source, target.transform(turn), turn @ result.transformation, 1.5 * VOXEL
+    ).covariance
     assert found.sigmas[[1, 0, 2, 4, 3, 5]] == pytest.approx(result.covariance.sigmas, rel=0.3)
 
 
@@ -97,13 +101,13 @@ def test_another_point_has_the_displacement_of_the_rotation_added(rng):
 
 
 def test_motions_that_a_plane_does_not_determine_are_as_uncertain_as_its_size(device, rng):
-    sigmas = reg.pose_covariance(*flat_pair(rng, device), np.eye(4), 0.1).sigmas
+    sigmas = reg.assess_registration(*flat_pair(rng, device), np.eye(4), 0.1).covariance.sigmas
     assert sigmas[[2, 3, 4]].min() > 0.4 and sigmas[[0, 1, 5]].max() < 0.01
 
 
 def test_clouds_without_a_common_surface_have_an_infinite_covariance(rng):
     source, target, _ = registered(rng)
-    found = reg.pose_covariance(source, target, as_pose([0, 0, 0], [50, 0, 0]), 0.15)
+    found = reg.assess_registration(source, target, as_pose([0, 0, 0], [50, 0, 0]), 0.15).covariance
     assert np.isinf(found.sigmas).all() and np.isinf(found.about([0, 0, 0]).sigmas).all()
 
 

@@ -29,7 +29,8 @@ def test_a_given_initial_pose_is_refined_on_three_scales(pair):
     np.testing.assert_array_equal(result.transformation, plain.transformation)
     assert (result.result.iterations, result.init) == (plain.iterations, "given")
     assert result.max_correspondence_distance == 0.12
-    assert result.score == reg.rate_registration(*pair, plain.transformation, 1.5 * 0.06) > 0.5
+    assert result.score == reg.assess_registration(*pair, plain.transformation, 1.5 * 0.06).score > 0.5
+    assert result.assessment.score == result.score and result.assessment is result.assessment
     np.testing.assert_allclose(result.transformation, NEAR, atol=0.01)
     assert result.reliable
 

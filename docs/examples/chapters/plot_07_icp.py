@@ -170,7 +170,7 @@ for name, (left, right, true_pose) in room_pairs.items():
             reg.TransformationEstimationPointToPlane(), reg.ICPConvergenceCriteria(max_iteration=200), overlap=overlap,
         )  # fmt: skip
         alike = reg.evaluate_registration(left, right, distance, tried.transformation)
-        score = reg.rate_registration(left, right, tried.transformation, 0.045)
+        score = reg.assess_registration(left, right, tried.transformation, 0.045).score
         key = name, overlap
         errors[key], figures[key], scores[key] = off(tried.transformation, true_pose)[1] * 1000, (tried, alike), score
         print(f"{name}, overlap={overlap}: off by {errors[key]:5.1f} mm; of the result: fitness {tried.fitness:.2f},"
@@ -185,7 +185,8 @@ assert figures["6 -> 10", None][0].fitness < figures["6 -> 10", None][1].fitness
 # With ``overlap`` the fitness of the result is the share that was kept, and its rmse that of those pairs alone, so they
 # do not compare with the figures of a run without it. ``evaluate_registration`` asks both poses the same. Even so the
 # wrong pose of frames 0 and 23 has the higher fitness, since its walls lie on walls that are others:
-# ``rate_registration`` (0 to 1; accept poses above 0.5, chapter 8) compares the surfaces, and rejects the pose here.
+# ``assess_registration`` compares the surfaces, and its score (0 to 1; accept poses above 0.5, chapter 8) rejects the
+# pose here.
 
 assert figures["0 -> 23", 1.0][1].fitness > figures["0 -> 23", None][1].fitness
 assert scores["0 -> 23", 1.0] < 0.5 < scores["0 -> 23", None]

@@ -69,12 +69,18 @@ beside[1, 3] += 0.6
 along = truth.copy()
 along[0, 3] += 0.6
 scores = {
-    name: reg.rate_registration(source, target, T, 1.5 * voxel)
+    name: reg.assess_registration(source, target, T, 1.5 * voxel).score
     for name, T in {"the truth": truth, "60 cm beside": beside, "turned round": upside, "60 cm along": along}.items()
 }
 print({name: round(score, 2) for name, score in scores.items()})
 assert scores["the truth"] > 0.5 > max(scores["60 cm beside"], scores["turned round"])
 assert scores["the truth"] == max(scores.values())
+
+# %%
+# **The whole assessment** of the pose found, computed on first access: fitness, score, displacement of the surfaces,
+# undetermined motions and the standard deviations of the pose.
+print(pair.assessment)
+assert pair.assessment.score > 0.5 and pair.assessment.localizability.reliable
 
 # %%
 # **Clouds that have nothing in common**: a room and a street. Some pose has the best fit, and fitness alone would not

@@ -82,7 +82,7 @@ for name, result in results.items():
     angle, distance = off(result.transformation)
     print(
         f"{name:20} {angle:6.2f} degrees, {distance:5.1f} mm off, fitness {result.fitness:.2f}, score "
-        f"{reg.rate_registration(*thin, result.transformation, 1.5 * voxel):.2f}"
+        f"{reg.assess_registration(*thin, result.transformation, 1.5 * voxel).score:.2f}"
     )
 for name in ("RANSAC", "robust"):
     assert off(results[name].transformation)[0] < 5

@@ -1,7 +1,6 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
 from ..io.points.scan_files import list_scans as list_scans
-from .alignment import check_alignment as check_alignment
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
 from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
@@ -20,14 +19,13 @@ from .globally.global_registration import (
 from .globally.global_registration import (
     registration_robust_based_on_feature_matching as registration_robust_based_on_feature_matching,
 )
-from .globally.localizability import localizability as localizability
 from .globally.pair import register_pair as register_pair
 from .globally.ransac import RANSACConvergenceCriteria as RANSACConvergenceCriteria
 from .globally.ransac import registration_ransac_based_on_correspondence as registration_ransac_based_on_correspondence
 from .globally.ransac import (
     registration_ransac_based_on_feature_matching as registration_ransac_based_on_feature_matching,
 )
-from .globally.rating import rate_registration as rate_registration
+from .globally.rating import assess_registration as assess_registration
 from .icp.constraint import Constraint as Constraint
 from .icp.constraint import Prior as Prior
 from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP
@@ -51,7 +49,6 @@ from .lidar.lidar_runs import iterate_odometry as iterate_odometry
 from .lidar.lidar_runs import run_odometry as run_odometry
 from .lidar.lidar_steps import summarize_steps as summarize_steps
 from .matching import correspondences_from_features as correspondences_from_features
-from .pose_errors import pose_covariance as pose_covariance
 from .pose_graphs.fragment_graph import FragmentPair as FragmentPair
 from .pose_graphs.multiway import register_fragments as register_fragments
 from .pose_graphs.pose_graph import PoseGraph as PoseGraph

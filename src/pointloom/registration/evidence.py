@@ -16,49 +16,9 @@ from ..kernels.poses.line_of_sight import Sight, find_sight
 from ..kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, count_deviating, weigh_overlaps, weigh_reliefs
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.cloud import PointCloud
+from . import assessment_constants as constants
 from .rigid import invert_pose, symmetric_matrices
-from .surfaces import COSINE, ENOUGH, NEAR, VOXELS, surface_for
-
-TIGHT = 0.2  # normal distance, relative to the match distance, at which a match counts 0
-RIDGE = 1e-3  # relative to the mean eigenvalue: poorly determined overlap is no evidence
-
-# Log odds = a ln(share) + b ln(firmness) + c, fitted to 580 converged ICP poses of objects, rooms and streets with
-# overlap >= 15%, correct ones and the best wrong ones. c was then lowered to require 25% more than even evidence.
-SHARE_WEIGHT, FIRMNESS_WEIGHT, OFFSET = 5.15, 0.48, 10.2
-MIN_SHARE, MIN_FIRMNESS = 0.01, 3e-4
-FIRM = 0.002  # minimum firmness: planes, spheres and tubes have at most a quarter of it
-FITS = 0.5  # share above which surfaces match although a motion is undetermined
-# Minimum ratio of `rest` to `share`, from benchmarks/beliefs.py: 33 wrong poses have up to 0.2. Of 235 correct ones all
-# but two exceed 0.259.
-MIN_REST, STEEP = 0.25, 4.0
-# If the rest is parallel to the main planes, it may be furniture that matches by chance: then it must reach this value
-# itself. benchmarks/box_rooms.py, rooms 0 to 15: wrong poses up to 0.168 (but one), correct ones from 0.184.
-MIN_ALIGNED = 0.18
-SOME_ALIGNED, ALL_ALIGNED = 0.5, 0.75  # range of `aligned` in which this check sets in. A kitchen has 0.3
-MARGIN = 4.0  # [voxels] minimum distance of an occluding surface
-# Occluding points relative to the matches: up to 0.013 for correct poses (LiDAR, moving cameras), above 0.02 for half
-# of the wrong ones.
-MAX_BLOCKED = 0.02  # from SOME_ALIGNED on, since objects are seen from outside
-# Minimum of share times the root of the number of matches, against chance matches. 29 wrong poses have up to 4.3. Of 76
-# correct ones all but one have 4.5 and more (rooms, a street and a figure in 60 to 500 voxels).
-CHANCE = 4.4
-# Minimum number and fraction of matches outside the planes: 31 of 3,638 and 32 of 1,720 supported wrong poses in
-# benchmarks/box_rooms.py (aligned 0.44 and 0.64). Correct poses of kitchens have 26 of 200, hills 0.37 aligned.
-ENOUGH_BESIDE, PART_BESIDE = 100, 0.05
-FEW_ALIGNED, MANY_ALIGNED = 0.37, 0.47  # range of `aligned` in which this check sets in
-
-# Evidence of details, chosen on single depth images of a kitchen and of benchmarks/trust/places.py, seeds 60 to 62.
-# Beside the planes and within the borders, wrong poses have shares up to 0.18, and shares times the root of the matches
-# up to 1.3. Slopes on planes have correlations up to 0.7 for wrong poses, and from 0.82 for right ones on rough ground.
-MIN_DETAIL, DETAIL_CHANCE = 0.19, 1.35
-MIN_RELIEF, RELIEF_MATCHES = 0.75, 400
-MIN_VISIBLE, MIN_VISIBLE_WITH_RELIEF, VISIBLE_CHANCE = 0.3, 0.45, 6.0  # of all matches, likewise
-# Pairs that contradict a pose are farther apart along the normal than matches may be (TIGHT), and by this many standard
-# deviations of the noise within a radius. They must be fewer than the matches beside the planes, unless the relief is
-# enough. Accepted wrong poses in corridors of places.py, seeds 71 to 74, have 1.2 to 12 times as many (10 poses). Right
-# poses with over 20 matches have up to 0.53 times (138 poses), in a kitchen with distorted walls up to 1.3 (2 of 147
-# above 1). The limit of one was not fitted.
-SIGMAS, NOISE_RADIUS = 3.0, 4 / 3  # radius in match distances: 2 voxels
+from .surfaces import surface_for
 
 
 class Details(NamedTuple):
@@ -106,12 +66,13 @@ class Evidence(NamedTuple):
         """Log odds of all matches, without the correction for few matches; minus infinity without a match."""
         if not self.matches:
             return -np.inf
-        weighed = SHARE_WEIGHT * math.log(self.share + MIN_SHARE)
-        return float(weighed + FIRMNESS_WEIGHT * math.log(self.firmness + MIN_FIRMNESS) + OFFSET)
+        weighed = constants.SHARE_WEIGHT * math.log(self.share + constants.SHARE_FLOOR)
+        firm = constants.FIRMNESS_WEIGHT * math.log(self.firmness + constants.FIRMNESS_FLOOR)
+        return float(weighed + firm + constants.OFFSET)
 
     @property
     def score_with_planes(self) -> float:
-        certainty = min(1.0, self.firmness / FIRM) ** 2 * min(1.0, self.matches / ENOUGH)
+        certainty = min(1.0, self.firmness / constants.FIRM) ** 2 * min(1.0, self.matches / constants.ENOUGH)
         return float(certainty / (1 + math.exp(-self.odds))) if self.matches else 0.0
 
     @property
@@ -120,46 +81,54 @@ class Evidence(NamedTuple):
         return min(self.score_with_planes, self.score_of_details, self.score_of_view)
 
     @property
+    def features(self) -> dict[str, float]:
+        """The five features of the score, each 0..1. `details` replaces `number` and `beside_planes` if computed."""
+        agreement, number, beside = self.score_with_planes, self.score_of_number, self.score_beside_planes
+        details, free_space = self.score_of_details, self.score_of_view
+        return dict(agreement=agreement, number=number, beside_planes=beside, details=details, free_space=free_space)
+
+    @property
     def score_of_details(self) -> float:
         """Score of the number of matches, and of those beside the planes or of the relief on them, 0..1."""
         usual = min(self.score_of_number, self.score_beside_planes)
         if self.details is None:
             return usual
         visible, rest, matches, relief, relief_matches, _ = self.details
-        number = visible * math.sqrt(self.matches) / VISIBLE_CHANCE
-        beside = _exceeds(min(rest / MIN_DETAIL, visible / MIN_VISIBLE, number))
-        few = _exceeds(rest * math.sqrt(matches) / DETAIL_CHANCE)
-        on_planes = min(relief / MIN_RELIEF, relief_matches / RELIEF_MATCHES, visible / MIN_VISIBLE_WITH_RELIEF)
+        number = visible * math.sqrt(self.matches) / constants.VISIBLE_CHANCE
+        beside = _exceeds(min(rest / constants.MIN_DETAIL, visible / constants.MIN_VISIBLE, number))
+        few = _exceeds(rest * math.sqrt(matches) / constants.DETAIL_CHANCE)
+        slopes = min(relief / constants.MIN_RELIEF, relief_matches / constants.RELIEF_MATCHES)
+        on_planes = min(slopes, visible / constants.MIN_VISIBLE_WITH_RELIEF)
         return max(min(max(usual, beside), few, self.details.score_of_agreement), _exceeds(on_planes))
 
     @property
     def score_of_number(self) -> float:
         """Limit 0..1 for few matches, where a search finds an equal pose by chance."""
-        return _exceeds(self.share * math.sqrt(max(self.matches, 1.0)) / CHANCE)
+        return _exceeds(self.share * math.sqrt(max(self.matches, 1.0)) / constants.CHANCE)
 
     @property
     def score_beside_planes(self) -> float:
         """Score of the matches outside the three main planes, 0..1."""
-        square = min(max((self.aligned - SOME_ALIGNED) / (ALL_ALIGNED - SOME_ALIGNED), 0.0), 1.0)
+        square = _fraction_between(self.aligned, constants.SOME_ALIGNED, constants.ALL_ALIGNED)
         min_rest = self._min_rest
-        min_rest += square * max(MIN_ALIGNED - min_rest, 0.0)
-        return 1 / (1 + (min_rest / max(self.rest, 1e-9)) ** STEEP)
+        min_rest += square * max(constants.MIN_ALIGNED - min_rest, 0.0)
+        return 1 / (1 + (min_rest / max(self.rest, 1e-9)) ** constants.STEEP)
 
     @property
     def _min_rest(self) -> float:
-        return MIN_REST * max(self.share, 1e-9)
+        return constants.MIN_REST * max(self.share, 1e-9)
 
     @property
     def score_of_view(self) -> float:
         """Limit 0..1 for occluding points."""
-        return 1 / (1 + (self.blocked / MAX_BLOCKED) ** STEEP)
+        return 1 / (1 + (self.blocked / constants.MAX_BLOCKED) ** constants.STEEP)
 
     @property
     def problem(self) -> str:
-        if self.score_with_planes <= 0.5 and self.firmness < FIRM and self.share > FITS and self.matches >= ENOUGH:
-            return "the surfaces match, but the pose can rotate or slide, as on a sphere, cylinder or plane"
         if self.score_with_planes <= 0.5:
-            return "the clouds hardly match under the best pose found"
+            fits = self.firmness < constants.FIRM and self.share > constants.FITS and self.matches >= constants.ENOUGH
+            slides = "the surfaces match, but the pose can rotate or slide, as on a sphere, cylinder or plane"
+            return slides if fits else "the clouds hardly match under the best pose found"
         if self.score_of_number <= 0.5:
             return "so few voxels match that another pose may fit equally well: use a smaller voxel_size"
         if self.rest < self._min_rest:
@@ -173,9 +142,13 @@ class Evidence(NamedTuple):
         return "one cloud occupies space that the other sensor saw through, from any viewpoint"
 
 
+def _fraction_between(value: float, low: float, high: float) -> float:
+    return min(max((value - low) / (high - low), 0.0), 1.0)
+
+
 def _exceeds(ratio: float) -> float:
     """Score 0..1 of a value relative to its minimum: 0.5 if they are equal."""
-    return 1 / (1 + max(ratio, 1e-9) ** -STEEP)
+    return 1 / (1 + max(ratio, 1e-9) ** -constants.STEEP)
 
 
 NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
@@ -185,7 +158,7 @@ class Witness:
     """The surface of a cloud, and the viewpoints from which it may have been seen."""
 
     def __init__(self, surface: Surface, voxel_size: float):
-        self.surface, self._margin = surface, MARGIN * voxel_size
+        self.surface, self._margin = surface, constants.MARGIN * voxel_size
 
     def __len__(self) -> int:
         return len(self.surface)
@@ -198,7 +171,7 @@ class Witness:
 
 def witness_of(cloud: PointCloud, distance: float) -> Witness:
     """The surface of a cloud for `rate_poses` at a match distance [m]."""
-    size = distance / VOXELS
+    size = distance / constants.VOXELS
     return Witness(surface_for(cloud, size, distance), size)
 
 
@@ -215,7 +188,7 @@ def rate_surfaces(
         return evidence
     was_rejected = evidence.score <= 0.5
     evidence = evidence._replace(details=compare_details(source.surface, target.surface, pose, distance))
-    if was_rejected and evidence.score > 0.5 and evidence.aligned >= SOME_ALIGNED:
+    if was_rejected and evidence.score > 0.5 and evidence.aligned >= constants.SOME_ALIGNED:
         evidence = evidence._replace(blocked=count_blocked(source, target, pose) / evidence.matches)
     return evidence
 
@@ -233,11 +206,11 @@ def complete(
         return evidence
     if beside is None:
         beside = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True)
-    enough = max(beside.matches / ENOUGH_BESIDE, beside.matches / (PART_BESIDE * evidence.matches))
-    square = min(max((beside.aligned - FEW_ALIGNED) / (MANY_ALIGNED - FEW_ALIGNED), 0.0), 1.0)
+    enough = max(beside.matches / constants.ENOUGH_BESIDE, beside.matches / (constants.PART_BESIDE * evidence.matches))
+    square = _fraction_between(beside.aligned, constants.FEW_ALIGNED, constants.MANY_ALIGNED)
     chance = (1.0 - min(1.0, enough)) * square
     evidence = evidence._replace(rest=beside.share * (1.0 - chance), aligned=beside.aligned)
-    if evidence.score <= 0.5 or evidence.aligned < SOME_ALIGNED:
+    if evidence.score <= 0.5 or evidence.aligned < constants.SOME_ALIGNED:
         return evidence
     return evidence._replace(blocked=count_blocked(source, target, pose) / evidence.matches)
 
@@ -282,8 +255,9 @@ def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64],
     counts, covariances, *variances = weigh_reliefs(pairs, *limits).T
     scale = np.sqrt(variances[0] * variances[1])
     relief = float((covariances / np.maximum(scale, 1e-300)).min())
-    tight = TIGHT * distance / SIGMAS
-    deviating = count_deviating(pairs, *limits, radius=NOISE_RADIUS * distance, sigmas=SIGMAS, floor=tight)
+    tight = constants.TIGHT * distance / constants.SIGMAS
+    radius = constants.NOISE_RADIUS * distance
+    deviating = count_deviating(pairs, *limits, radius=radius, sigmas=constants.SIGMAS, floor=tight)
     return Details(visible.share, rest.share, rest.matches, relief, float(counts.min()), float(deviating[:, 1].max()))
 
 
@@ -294,7 +268,7 @@ def both_ways(
 
 
 def limits_of(distance: float) -> tuple[float, float, float, float]:
-    return distance, NEAR * distance, COSINE, TIGHT * distance
+    return distance, constants.NEAR * distance, constants.COSINE, constants.TIGHT * distance
 
 
 def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evidence:
@@ -303,7 +277,7 @@ def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evide
     sides = []
     for sums in both:
         near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
-        ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
+        ridge = constants.OVERLAP_RIDGE * np.trace(near) / 6 * np.eye(6)
         share = float(np.trace(solve(near + ridge, matched))) / 6
         firmness = max(float(eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
         sides.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))

@@ -5,31 +5,18 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.linear_algebra import det, matmul
 from ..kernels.poses.overlap_evidence import NEAR_AT, weigh_overlaps
 from ..pcd.cloud import PointCloud
-from .alignment import MIN_SUPPORT, check_alignment
-from .evidence import ENOUGH_BESIDE, Evidence, Witness, both_ways, compare_surfaces, complete, limits_of, witness_of
-from .rigid import nearest_rotation, to_local
-from .surfaces import ENOUGH, VOXELS
-from .unobservable_motions import describe_motions, judge_motions
+from . import assessment_constants as constants
+from .alignment import alignment_of
+from .evidence import Evidence, Witness, both_ways, compare_surfaces, complete, limits_of, witness_of
+from .pose_errors import step_of
+from .rigid import to_local
+from .surfaces import SurfacePair, as_rigid
+from .unobservable_motions import describe_open, judge_motions
 from .voxel_size import resolvable_voxel_size
 
 Matrix = NDArray[np.float64]
-MIN_SCORE = 0.5  # scores up to this one reject a pose
-# Least fraction of the attainable constraint that matches provide, where they need not determine all motions. Measured
-# on 2026-11-27 at the voxels of `resolvable_voxel_size`: of 574 correct ICP poses of 24 pairs of scans, rooms and
-# objects the least has 0.23, of 112 poses of clouds that share nothing the largest 0.10.
-MIN_SHARE = 0.15
-# Largest squared component of the normals along an undetermined motion: the degeneracy limit of ICP. Of 1,587 correct
-# poses (as above, on 2026-11-27) 14 have an undetermined motion below it, all of a field with bumps of 5 cm on 6 m. In
-# a bare corridor of 3,000 points it is 0.003.
-MAX_OPEN = 5e-3
-# Least number of pairs for which `check_alignment` decides about the support of a motion, as its fine surfaces need
-# dense clouds. Measured as above: of 513 correct poses with this many pairs none is below its limit, of 34 wrong ones
-# 32. Of 106 correct poses with 30 to 1,000 pairs 37 are below it.
-MIN_PAIRS = 1000
-RIGID = 0.05  # deviation of R R^T from the identity above which the source is transformed
 
 
 def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, may_be_open: bool = False) -> str:
@@ -38,39 +25,26 @@ def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, may_be_op
     Clouds without surfaces are not evidence against a rigid pose. `may_be_open`: the surfaces need not determine all
     motions, as some are fixed, or determined by a prior, colors, velocities or coinciding points.
     """
-    is_rigid = np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() <= RIGID and det(T[:3, :3]) > 0
-    if not is_rigid:
-        source, T = source.transform(T), np.eye(4)
-    T = np.array(T)
-    T[:3, :3] = nearest_rotation(T[:3, :3])
+    given, (source, T) = source, as_rigid(source, T)
     try:
-        distance = VOXELS * resolvable_voxel_size(source, target)
+        distance = constants.VOXELS * resolvable_voxel_size(source, target)
         witnesses = witness_of(source, distance), witness_of(target, distance)
     except ValueError:  # no finite points, or outliers so far away that no grid of voxels contains them
         return ""
-    if min(map(len, witnesses)) < ENOUGH:
-        return "" if is_rigid else SHRUNK.format(len(witnesses[0]), distance / VOXELS)
+    if min(map(len, witnesses)) < constants.ENOUGH:
+        return "" if source is given else SHRUNK.format(len(witnesses[0]), distance / constants.VOXELS)
     pose = to_local(T, source.origin, target.origin)
     evidence = compare_surfaces(witnesses[0].surface, witnesses[1].surface, pose, distance)
-    if evidence.score_with_planes <= MIN_SCORE:
+    if evidence.score_with_planes <= constants.MIN_SCORE:
         if may_be_open:
-            return "" if evidence.share > MIN_SHARE else APART.format(evidence.share)
+            return "" if evidence.share > constants.MIN_OPEN_SHARE else APART.format(evidence.share)
         return _weakness(evidence, *witnesses, pose, distance)
     problem = _contradiction(evidence, *witnesses, pose, distance)
-    if not problem and _is_unsupported(source, target, T, distance):
+    if not problem and _is_unsupported(SurfacePair(source, target, distance), pose):
         problem = UNSUPPORTED
     return problem or ("" if may_be_open else _open_motions(*witnesses, pose, distance))
 
 
-def describe_open(motions: Matrix) -> str:
-    """The warning of motions that the clouds do not determine."""
-    return OPEN.format(describe_motions(motions))
-
-
-OPEN = (
-    "the clouds do not determine the pose: the source may {}. Fix this motion, add a prior, or use clouds with "
-    "surfaces that prevent it"
-)
 APART = (
     "the surfaces match at only {:.0%} of the overlap, so the pose is probably wrong. Start closer to the true pose, "
     "or use register_globally"
@@ -96,33 +70,34 @@ SHRUNK = (
 def _contradiction(evidence: Evidence, source: Witness, target: Witness, pose: Matrix, distance: float) -> str:
     """What speaks against a pose with enough matches: they are all on three planes, or free space is occupied."""
     evidence = complete(evidence, source, target, pose, distance)
-    if evidence.score_of_view <= MIN_SCORE:
+    if evidence.score_of_view <= constants.MIN_SCORE:
         return BLOCKED
-    if evidence.score_beside_planes <= MIN_SCORE:
+    if evidence.score_beside_planes <= constants.MIN_SCORE:
         # three planes alone, such as an empty corner, do not contradict a pose near the initial one
         pairs = both_ways(source.surface, target.surface, pose)
         near = weigh_overlaps(pairs, *limits_of(distance), beside_planes=True)[:, NEAR_AT].min()  # sync
-        return CROSSING if near >= ENOUGH_BESIDE else ""
+        return CROSSING if near >= constants.ENOUGH_BESIDE else ""
     return ""
 
 
 def _weakness(evidence: Evidence, source: Witness, target: Witness, pose: Matrix, distance: float) -> str:
     """Why matches are no support: they allow a motion, or they are too few."""
     judged = judge_motions(source.surface, target.surface, pose, distance)
-    if evidence.share > MIN_SHARE and evidence.matches >= ENOUGH and judged is not None and "none" in judged.kinds:
-        return describe_open(judged.motions[[kind == "none" for kind in judged.kinds]])
+    is_enough = evidence.share > constants.MIN_OPEN_SHARE and evidence.matches >= constants.ENOUGH
+    if is_enough and judged is not None and len(judged.open_motions):
+        return describe_open(judged.open_motions)
     return APART.format(evidence.share)
 
 
-def _is_unsupported(source: PointCloud, target: PointCloud, T: Matrix, distance: float) -> bool:
+def _is_unsupported(surfaces: SurfacePair, pose: Matrix) -> bool:
     """True if a motion is determined by surfaces that do not match, such as the fronts of houses along a street."""
-    alignment = check_alignment(source, target, T, distance)
-    return alignment.matches >= MIN_PAIRS and alignment.support < MIN_SUPPORT
+    alignment = alignment_of(step_of(surfaces, pose), surfaces.target.origin)
+    return alignment.matches >= constants.MIN_PAIRS and alignment.support < constants.MIN_SUPPORT
 
 
 def _open_motions(source: Witness, target: Witness, pose: Matrix, distance: float) -> str:
     judged = judge_motions(source.surface, target.surface, pose, distance)
     if judged is None:
         return ""
-    is_open = [kind == "none" and share < MAX_OPEN for kind, share in zip(judged.kinds, judged.shares, strict=True)]
-    return describe_open(judged.motions[is_open]) if any(is_open) else ""
+    is_open = (judged.shares < constants.MAX_OPEN) & [kind == "none" for kind in judged.kinds]
+    return describe_open(judged.motions[is_open]) if is_open.any() else ""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from functools import cached_property
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -16,9 +18,12 @@ from ..core.reports import Assessed, failed, quality
 from ..core.wording import format_share, plain
 from ..kernels.memory import download
 from ..pcd.cloud import PointCloud
+from .assessment import RegistrationAssessment
+from .assessment_constants import MIN_SCORE
 from .matching import Pairs
-from .pose_check import MIN_SCORE, describe_open, find_problem
-from .pose_errors import PoseCovariance, pose_covariance
+from .pose_check import find_problem
+from .pose_errors import PoseCovariance
+from .unobservable_motions import describe_open
 
 MIN_TARGETS = 10  # minimum matched targets for a scale
 SHARED = 10  # source points per target point above which the scale is undetermined
@@ -26,6 +31,7 @@ MIN_FITNESS = 0.1  # results below are unreliable
 # RMS distance of correspondences in match distances below which one cloud is a copy of the other. Rounding to float32
 # gives 1e-6 and less, two samplings of a surface at least 0.02 (a tenth of the point spacing).
 COINCIDENT = 1e-4
+_lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
 
 class RegistrationResult(Assessed):
@@ -72,10 +78,10 @@ class RegistrationResult(Assessed):
         self.alternatives = alternatives
         self._motion = motion  # parameters since the initial pose, to continue from here
         self._correspondences = correspondences
-        # Source, target and match distance [m], for the covariance and the comparison of surfaces. The points are
-        # shared with the given clouds, which copy them when they are changed in place.
+        # The points are shared with the given clouds, which copy them when they are changed in place.
         self._clouds, self._has_scale, self._uses_surfaces_only = clouds, has_scale, uses_surfaces_only
-        self._compared_pose = transformation.copy()  # the warnings are those of this pose if the attribute is changed
+        self._assessment: RegistrationAssessment | None = None
+        self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -85,17 +91,30 @@ class RegistrationResult(Assessed):
         """
         return self._correspondences() if callable(self._correspondences) else self._correspondences
 
+    @property
+    def assessment(self) -> RegistrationAssessment:
+        """The `assess_registration` of the registered clouds, computed on first access.
+
+        Raises `ValueError` for results without clouds: those that were unpickled, or found no pose.
+        """
+        with _lock:
+            made = self._assessment
+            if made is None:
+                if self._clouds is None:
+                    found = "got one that was unpickled or found no pose. Call assess_registration with the clouds"
+                    raise ValueError(f"assessment: expected a result with its clouds, {found}")
+                assess = import_module(str(__package__)).assess_registration  # by its public name, as it runs ICP
+                source, target, distance = self._clouds
+                made = self._assessment = assess(source, target, self._assessed_pose, distance)
+            return made
+
     @cached_property
     def covariance(self) -> PoseCovariance | None:
-        """Covariance of the error of the pose by `pose_covariance`, computed on first access.
+        """Covariance of the error of the pose, of `assessment`, computed on first access.
 
-        From the surfaces alone: priors and fixed motions are not used. None without clouds: results with a scale,
-        results from correspondences, and pickles made before the first access.
+        Priors and fixed motions are not used. None with a scale, without a pose, and in pickles made before the access.
         """
-        if self._clouds is None or self._has_scale:
-            return None
-        source, target, distance = self._clouds
-        return pose_covariance(source, target, self.transformation, distance)
+        return None if self._clouds is None or self._has_scale else self.assessment.covariance
 
     @property
     def score(self) -> float | None:
@@ -152,7 +171,7 @@ class RegistrationResult(Assessed):
         source, target, distance = self._clouds
         coincide = self.fitness > 0.5 and self.inlier_rmse < COINCIDENT * distance
         may_be_open = coincide or self.free is not None or not self._uses_surfaces_only
-        return find_problem(source, target, self._compared_pose, may_be_open=may_be_open)
+        return find_problem(source, target, self._assessed_pose, may_be_open=may_be_open)
 
     def to_dict(self) -> dict[str, Any]:
         """All but the correspondences and the covariance in JSON types, with `reliable` and `warnings`."""
@@ -177,7 +196,7 @@ class RegistrationResult(Assessed):
         """State for pickle and deepcopy without clouds, with correspondences, score and warnings computed."""
         pairs, _ = self.correspondence_set, self.warnings
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
-        known["_clouds"] = None
+        known |= {"_clouds": None, "_assessment": None}
         return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
 
     def __copy__(self) -> RegistrationResult:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kernels.linear_algebra import det, matmul
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.cloud import PointCloud
-
-VOXELS = 1.5  # match distance, as usual for downsampled clouds
-NARROW, WIDE = 3.0, 5.0  # [voxels] radii for normals, and for their orientation
-NEAR = 4.0  # match distances within which surfaces should match
-COSINE = 0.866  # 30 degrees: correct normals mostly differ by less, crossing surfaces by more
-ENOUGH = 30  # matches below which they may be chance
-FINER = 0.8  # source voxel relative to the target's, to avoid aligned grids
+from .assessment_constants import FINE, FINER, NARROW, RIGID, VOXELS, WIDE
+from .rigid import nearest_rotation
 
 
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
@@ -25,3 +26,34 @@ def surface_for(cloud: PointCloud, voxel_size: float, distance: float) -> Surfac
         return surface_of(cloud, voxel_size)
     except ValueError as error:
         raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+
+
+class SurfacePair:
+    """The surfaces of two clouds for a match distance [m], each computed once: source, target.
+
+    `coarse` has the voxels of the registration, `fine` half of them. Those of the source are smaller.
+    """
+
+    def __init__(self, source: PointCloud, target: PointCloud, distance: float):
+        self.source, self.target, self.distance, self.voxel_size = source, target, distance, distance / VOXELS
+
+    @cached_property
+    def coarse(self) -> tuple[Surface, Surface]:
+        return self._in_voxels(self.voxel_size)
+
+    @cached_property
+    def fine(self) -> tuple[Surface, Surface]:
+        return self._in_voxels(FINE * self.voxel_size)
+
+    def _in_voxels(self, size: float) -> tuple[Surface, Surface]:
+        source = surface_for(self.source, FINER * size, self.distance)
+        return source, surface_for(self.target, size, self.distance)
+
+
+def as_rigid(source: PointCloud, T: NDArray[np.float64]) -> tuple[PointCloud, NDArray[np.float64]]:
+    """The source and a rigid pose. Under a pose with a scale or shear, the transformed source and the identity."""
+    if np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() > RIGID or det(T[:3, :3]) < 0:
+        source, T = source.transform(T), np.eye(4)
+    T = np.array(T)
+    T[:3, :3] = nearest_rotation(T[:3, :3])
+    return source, T

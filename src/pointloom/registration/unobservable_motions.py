@@ -4,33 +4,33 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.checks import check_positive
+from ..core.reports import AssessedRecord
 from ..kernels.linear_algebra import eigh, matmul
 from ..kernels.poses.pair_probes import compare_pair, find_pose_constraint
 from ..kernels.surface.hollow_side import Surface
+from . import assessment_constants as constants
 from .rigid import make_pose, nearest_rotation, rotation_of, symmetric_matrices
-from .surfaces import COSINE, ENOUGH, NEAR, VOXELS
 
 Matrix = NDArray[np.float64]
 
-# Squared components of plane normals (rotations: of their scaled levers). Bare corridors and tunnels have 0.0001 to
-# 0.03 along them (more with few points per plane); streets, halls and woods 0.02 to 0.3.
-SUSPECT_SHARE = 0.03
-STEP_VOXELS = 0.75  # voxels: test displacement both ways. Rotations at the mean lever
-JUDGING_POINTS = 1024  # sampled points: detect a mean cost rise of 0.01
-# Minimum mean cost rise (0..1) per step, and in standard deviations. Undetermined: -0.012 to 0.011 and at most 2.4
-# (three synthetic corridors, a tunnel, a field); weakly determined (doors of 6 cm, far boxes): 0.03 and 5.
-MIN_RISE, MIN_DEVIATIONS = 0.02, 3.0
-RADIUS_VOXELS = 2.0  # search radius of planes
 
+@dataclass(frozen=True, eq=False)
+class Localizability(AssessedRecord):
+    """Motions that two clouds determine at a pose, the least determined first.
 
-class JudgedMotions(NamedTuple):
-    """Motions about `middle` [m] (rotation times `lever` [m], translation), float64 [d, 6] rows, with their constraint
-    0..1, the smallest first, and whether they are "full", "partial" or "none". d of the six are free."""
+    Attributes:
+        middle: Center of rotations [m] in the target's world: the center of the overlap.
+        lever: Length [m] that scales rotations: the spread of the overlap.
+        motions: Of the free motions, float64 [6, 6] rows (rotation times lever, translation) along the target's axes.
+        shares: Constraint of each motion, 0..1: the mean squared component of the normals (rotations: of their levers).
+        kinds: "full" if determined, "partial" if weak (share below 0.03), "none" if the clouds match as well along it.
+    """
 
     middle: Matrix
     lever: float
@@ -38,43 +38,70 @@ class JudgedMotions(NamedTuple):
     shares: Matrix
     kinds: tuple[str, ...]
 
+    @property
+    def open_motions(self) -> Matrix:
+        """The motions of kind "none", [k, 6]."""
+        return self.motions[[kind == "none" for kind in self.kinds]]
+
+    @property
+    def translations(self) -> tuple[tuple[float, float, float], ...]:
+        """Unit directions of undetermined translations."""
+        return spanned(self.open_motions[:, 3:].T) if len(self.open_motions) else ()
+
+    @property
+    def turns(self) -> tuple[tuple[float, float, float], ...]:
+        """Unit axes of undetermined rotations, through the middle."""
+        return spanned(self.open_motions[:, :3].T) if len(self.open_motions) else ()
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return (describe_open(self.open_motions),) if len(self.open_motions) else ()
+
+    def information(self, sigma: float) -> Matrix:
+        """Information [6, 6] of a `Prior` on the open motions alone, with `pivot=middle` and deviation `sigma` [m]."""
+        if not len(self.open_motions):
+            raise ValueError("information: all motions are determined, so registration_icp needs no prior")
+        rows = self.open_motions * ([self.lever] * 3 + [1.0] * 3) / check_positive("sigma", sigma)
+        return matmul(rows.T, rows)
+
 
 def judge_motions(
     source: Surface, target: Surface, pose: Matrix, distance: float, free: Sequence[int] = range(6)
-) -> JudgedMotions | None:
+) -> Localizability | None:
     """The motions that two surfaces in voxels of `distance` / VOXELS determine. None if they hardly match.
 
-    `pose`: T_target_source about the origins. `free`: the motions that are not fixed. Weakly constrained motions
-    are verified: undetermined if the source matches as well when moved both ways.
+    `pose`: T_target_source about the origins; so is `middle` of the result. `free`: the motions that are not fixed.
+    Weakly constrained motions are verified: undetermined if the source matches as well when moved both ways.
     """
     if not (len(source) and len(target)):
         return None
-    constraint = find_pose_constraint(source, target, pose, distance, NEAR * distance, COSINE)
-    if constraint.matches < ENOUGH:
+    constraint = find_pose_constraint(source, target, pose, distance, constants.NEAR * distance, constants.COSINE)
+    if constraint.matches < constants.ENOUGH:
         return None
-    size = distance / VOXELS
+    size = distance / constants.VOXELS
     (matrix,) = symmetric_matrices(constraint.triangle[None])
     axes = list(free)
     shares, free_vectors = eigh(matrix[np.ix_(axes, axes)] / constraint.matches)
     vectors = np.zeros((6, len(axes)))
     vectors[axes] = free_vectors
     scale = np.array([constraint.lever] * 3 + [1.0] * 3)
-    suspects = vectors.T[shares < SUSPECT_SHARE]
+    suspects = vectors.T[shares < constants.SUSPECT_SHARE]
     kinds = ["full"] * len(axes)
     if len(suspects):
-        steps = [sign * STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
+        steps = [sign * constants.STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
         poses = np.array([pose, *(moved(pose, step, about=constraint.middle) for step in steps)])
-        rises = compare_pair(source, target, JUDGING_POINTS, poses, RADIUS_VOXELS * size, COSINE, size)
+        limits = constants.RADIUS_VOXELS * size, constants.COSINE, size
+        rises = compare_pair(source, target, constants.JUDGING_POINTS, poses, *limits)
         is_constrained: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
         kinds[: len(suspects)] = ["partial" if constrained else "none" for constrained in is_constrained.tolist()]
-    return JudgedMotions(constraint.middle, constraint.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
+    return Localizability(constraint.middle, constraint.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
 
 
 def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:
     """True where points match clearly worse at other poses, [k], by `compare_costs`."""
     total, square, pairs, _ = rises.T
-    is_much = total >= MIN_RISE * np.maximum(pairs, 1)
-    return is_much & (total >= MIN_DEVIATIONS * np.sqrt(np.maximum(square, 1)))
+    is_much = total >= constants.MIN_RISE * np.maximum(pairs, 1)
+    return is_much & (total >= constants.MIN_DEVIATIONS * np.sqrt(np.maximum(square, 1)))
 
 
 def moved(pose: Matrix, motion: Matrix, about: Matrix | None = None) -> Matrix:
@@ -92,6 +119,16 @@ def spanned(rows: Matrix) -> tuple[tuple[float, float, float], ...]:
     directions = vectors.T[::-1][squares[::-1] > 0.5]
     signs = [math.copysign(1.0, row[np.abs(row).argmax()]) for row in directions]
     return tuple(tuple(float(v) for v in row * sign) for row, sign in zip(directions, signs, strict=True))  # type: ignore[misc]
+
+
+def describe_open(motions: Matrix) -> str:
+    """The warning of motions that the clouds do not determine."""
+    if len(motions) == 6:
+        return "the clouds share no surface that determines the pose. Register them with register_globally"
+    return (
+        f"the clouds do not determine the pose: the source may {describe_motions(motions)}. Fix this motion, add a "
+        "prior, or use clouds with surfaces that prevent it"
+    )
 
 
 def describe_motions(motions: Matrix) -> str:

@@ -25,7 +25,7 @@ from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world
 from .ransac import no_pose
-from .rating import rate_registration
+from .rating import score_registration
 
 MIN_CORRESPONDENCES = 10  # minimum correspondences, as in Open3D
 RATED_WITHIN = 3.0  # half a voxel is given here, rating uses one and a half
@@ -159,7 +159,7 @@ def registration_fgr_based_on_correspondence(
 
     Returns:
         The pose with the least cost, with fitness and error of the complete clouds. `converged` is True if the last
-        step hardly moved; `score` is that of `rate_registration` at three times the distance. With fewer than 10
+        step hardly moved; `score` is that of `assess_registration` at three times the distance. With fewer than 10
         correspondences (given, or after the triple test): the identity, fitness 0 and a warning.
 
     Raises:
@@ -225,6 +225,6 @@ def _register(
     moving = f"the pose still changed after {option.iteration_number} iterations"
     result.warnings = () if result.converged else (moving,)
     max_distance = RATED_WITHIN * option.maximum_correspondence_distance
-    result.score = partial(rate_registration, source.copy(), target.copy(), T, max_distance)
+    result.score = partial(score_registration, source.copy(), target.copy(), max_distance, T)
     report("registration", source=source, target=target, result=result)
     return result

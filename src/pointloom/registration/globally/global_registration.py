@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,7 +33,7 @@ from ..rigid import make_pose, to_world
 from ..surfaces import surface_of
 from .level_poses import MAX_TILT, check_level, level_poses
 from .ransac import no_pose
-from .rating import moved_samples, rate_registration, refine_poses
+from .rating import moved_samples, refine_poses, score_registration
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
 NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
@@ -107,7 +108,7 @@ def register_globally(
 
     Notes:
         Based on Lim et al., "KISS-Matcher", ICRA 2025, with normals toward the concave side, second-order compatibility
-        (`registration_robust_based_on_correspondence`) and a final check on the clouds (`rate_registration`). Memory
+        (`registration_robust_based_on_correspondence`) and a final check on the clouds (`assess_registration`). Memory
         O(n + m), and m^2 / 8 bytes for m correspondences. Bitwise reproducible for any number of threads.
 
     Example:
@@ -196,8 +197,8 @@ def _choose(
     free: Sequence[str] | None,
 ) -> tuple[RegistrationResult, Evidence, list[NDArray[np.float64]]]:
     """The refined pose with most evidence of the first candidates, its evidence, and equally good poses of all."""
-    steps = FIRST_STEPS if refine else 0
-    first = refine_poses(source.surface, target.surface, candidates[:rivals], distance, steps, free, WEAK)
+    steps, refined = FIRST_STEPS if refine else 0, partial(refine_poses, [source.surface], [target.surface])
+    first = refined(candidates[:rivals], distance, steps, free, WEAK)
     poses = np.array([result.transformation for result in first])
     evidences = compare_under(source.surface, target.surface, poses, distance)
     order = _distinct_poses(
@@ -210,22 +211,22 @@ def _choose(
     best = max((k for k in order if rated[k].score > 0.5), key=lambda k: rated[k].rest, default=order[0])
     result = first[best]
     if refine:
-        result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS, free, WEAK)[0]
+        result = refined(poses[best : best + 1], distance, STEPS, free, WEAK)[0]
         result.iterations += first[best].iterations
         # The reported free motions are those of ICP, which include weakly determined ones.
-        last = refine_poses(source.surface, target.surface, result.transformation[None], distance, 1, free)[0]
+        last = refined(result.transformation[None], distance, 1, free)[0]
         result.degenerate_directions = last.degenerate_directions
     evidence = rate_surfaces(source, target, result.transformation, distance, details=True)
     if evidence.score <= 0.5:
         equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
         return result, evidence, [poses[k] for k in equals]
-    more = refine_poses(source.surface, target.surface, candidates[rivals:], distance, steps, free, WEAK)
+    more = refined(candidates[rivals:], distance, steps, free, WEAK)
     poses = np.array([result.transformation, *poses, *(one.transformation for one in more)])
     order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     totals = compare_under(source.surface, target.surface, poses[order], distance)
     alike = [k for k, total in zip(order, totals, strict=True) if total.share >= ALIKE * evidence.share]
     if refine:  # an alternative is another minimum, not a pose on the way to the same one
-        converged = refine_poses(source.surface, target.surface, poses[alike], distance, STEPS, free, WEAK)
+        converged = refined(poses[alike], distance, STEPS, free, WEAK)
         poses = np.array([result.transformation, *(one.transformation for one in converged)])
         alike = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     others = [k for k in alike if _is_equal(rate_surfaces(source, target, poses[k], distance, details=True), evidence)]
@@ -344,7 +345,7 @@ def registration_robust_based_on_feature_matching(
         seed: As of `registration_robust_based_on_correspondence`.
 
     Returns:
-        As `registration_robust_based_on_correspondence`, with the `score` of `rate_registration`.
+        As `registration_robust_based_on_correspondence`, with the `score` of `assess_registration`.
 
     Raises:
         ValueError: Features without one row per point, or a bound that is not positive.
@@ -370,7 +371,7 @@ def registration_robust_based_on_feature_matching(
     result = _register(source, target, pairs, bound, chooser)
     if result.score:
         try:
-            result.score = rate_registration(source, target, result.transformation, bound)
+            result.score = score_registration(source, target, bound, result.transformation)
         except ValueError as error:
             raise ValueError(f"noise_bound: {error}") from error
         _conclude(result)

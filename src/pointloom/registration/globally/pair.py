@@ -17,6 +17,8 @@ from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
+from ..assessment import RegistrationAssessment
+from ..assessment_constants import MIN_SCORE
 from ..correspondence_input import check_clouds
 from ..icp.constraint import Constraint, constraints_of
 from ..icp.estimation import (
@@ -29,13 +31,13 @@ from ..icp.estimation import (
 )
 from ..icp.icp import ICPConvergenceCriteria, check_constrainable, check_poses
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
-from ..pose_check import MIN_SCORE, describe_open
+from ..pose_check import describe_open
 from ..result import MIN_FITNESS, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
 from .global_registration import register_globally
 from .level_poses import check_level
-from .rating import rate_registration
+from .rating import score_registration
 
 Matrix = NDArray[np.float64]
 
@@ -71,7 +73,7 @@ class PairRegistration(Report, Assessed):
 
     Attributes:
         result: Of the finest ICP scale, with the iterations of all scales.
-        score: Confidence of `rate_registration`, 0..1.
+        score: Confidence of `assess_registration`, 0..1, and of the search.
         init: "global" or "given".
         method: The ICP method.
         voxel_size: Finest voxel edge [m].
@@ -107,6 +109,11 @@ class PairRegistration(Report, Assessed):
     @property
     def transformation(self) -> Matrix:
         return self.result.transformation
+
+    @property
+    def assessment(self) -> RegistrationAssessment:
+        """The `assess_registration` of the clouds, computed on first access, as of `result`."""
+        return self.result.assessment
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -193,7 +200,7 @@ def register_pair(
 ) -> PairRegistration:
     """Register two clouds from any pose, as `pointloom register` does.
 
-    Uses `register_globally` unless `init` is given, `multi_scale_icp` and `rate_registration` on downsampled clouds.
+    Uses `register_globally` unless `init` is given, and `multi_scale_icp` on downsampled clouds.
 
     Args:
         source, target: The clouds to move and to keep, on one device.
@@ -250,11 +257,11 @@ def register_pair(
     options: dict[str, Any] = {"estimate_normals": True, "constraint": constraint}
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
     report_progress("rate", 0, 0)
-    score = min(search_score, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
+    rated = result._clouds = source.copy(), target.copy(), RATED_WITHIN * size
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
     return PairRegistration(
         result,
-        score,
+        min(search_score, score_registration(*rated, result.transformation)),
         SEARCHED if init is None else GIVEN,
         method,
         size,

@@ -24,7 +24,7 @@ from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world
 from .checkers import CorrespondenceChecker, checks_of
-from .rating import rate_registration
+from .rating import score_registration
 
 MIN_SAMPLE = 3  # minimum correspondences for a pose
 MUTUAL_SHARE = 0.1  # minimum fraction of mutual pairs; below it all pairs are used, as in Open3D
@@ -90,7 +90,7 @@ def registration_ransac_based_on_feature_matching(
 
     Returns:
         The pose with most matched source points, then with smaller distances. `iterations` is the number of hypotheses,
-        `converged` whether the confidence was reached, `score` that of `rate_registration`. Without any pose: the
+        `converged` whether the confidence was reached, `score` that of `assess_registration`. Without any pose: the
         identity, fitness and score 0, not converged, and a warning.
 
     Raises:
@@ -226,7 +226,7 @@ def _register(
     if with_scaling:
         result._has_scale = True
         result.check_scale()
-    result.score = partial(rate_registration, source.copy(), target.copy(), T, distance)
+    result.score = partial(score_registration, source.copy(), target.copy(), distance, T)
     report("registration", source=source, target=target, result=result)
     return result
 

@@ -1,58 +1,65 @@
-"""Confidence score of a registration: surface agreement under the pose, and whether it determines the pose."""
+"""Assessment of a registration: agreement of the surfaces, their displacement, and the motions that they determine."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
-from ...kernels.linear_algebra import det, matmul
 from ...kernels.memory import contiguous, download
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
+from ..alignment import alignment_of
+from ..assessment import RegistrationAssessment
+from ..assessment_constants import VOXELS
 from ..correspondence_input import check_clouds
-from ..evidence import Witness, rate_surfaces, witness_of
+from ..evidence import NO_EVIDENCE, Evidence, Witness, rate_surfaces
 from ..icp.constraint import Constraint
 from ..icp.estimation import TransformationEstimationPointToPlane
+from ..icp.evaluation import evaluate_registration
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from ..icp.iterative import DEGENERACY
+from ..pose_errors import covariance_of, step_of
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation, to_local
+from ..surfaces import SurfacePair, as_rigid
+from ..unobservable_motions import Localizability, judge_motions
+from ..voxel_size import choose_for
+
+Matrix = NDArray[np.float64]
 
 STILL = 1e-5  # of the match distance: error change that ends ICP
 SAMPLES = 64  # sample points for pose comparison
 
 
-def rate_registration(
-    source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float
-) -> float:
-    """Estimate the confidence that two clouds agree under a pose.
-
-    Under a correct pose, most points in the overlap match: they are close along the normal, and the normals agree.
-    Evidence is counted both ways as constraint on the six motions, not by points, and only within the overlap. Matches
-    outside the three main planes must support the pose too, since a floor and two walls fit any room. Neither cloud may
-    occlude what the other saw. The pose is refined within the match distance first.
+def assess_registration(
+    source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float | None = None
+) -> RegistrationAssessment:
+    """Assess a pose of two clouds: same place, displacement, undetermined motions, covariance of its error.
 
     Args:
         source: The moved cloud.
         target: The fixed cloud, on the same device.
         transformation: T_target_source, 4x4; may include a scale.
-        max_correspondence_distance: Match distance [m] of the registration. Voxels have two thirds of it.
+        max_correspondence_distance: Match distance [m] of the registration, 1.5 voxels. None: of `choose_voxel_size`.
 
     Returns:
-        0..1, above 0.5 if the clouds agree. 0 without a surface. Low if a motion is undetermined (plane on plane), if
-        only planes match (empty corners), or if one cloud occludes what the other saw.
+        The assessment. `reliable` if the score is above 0.5, no displacement above 0.1 voxels was detected, and the
+        surfaces determine all six motions. Clouds without a surface are not reliable. With a scale, the parts are those
+        of the rigid motion of the scaled source.
 
     Raises:
-        ValueError: A distance that is not positive, or a transformation that is not invertible.
+        ValueError: A distance that is not positive or too small, or a transformation that is not invertible.
         TypeError: Not a PointCloud.
         DeviceError: Clouds on different devices.
 
     Notes:
-        Symmetric scenes can deceive it; noise above a tenth of the distance lowers the score. Memory O(n). Bitwise
-        reproducible.
+        Compares surfaces in voxels of two thirds and of one third of the distance, which are computed once. Symmetric
+        and repetitive scenes can deceive it. Methods, references, constants and error rates are in docs/assessment.md.
+        Memory O(n). Bitwise reproducible.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -60,18 +67,45 @@ def rate_registration(
         >>> surface = np.column_stack([x, y, 0.3 * np.sin(3 * x) * np.cos(2 * y) + 0.1 * np.sin(5 * y + x)])
         >>> source, target = loom.PointCloud(surface[:12000]), loom.PointCloud(surface[8000:])
         >>> shifted = np.eye(4)
-        >>> shifted[0, 3] = 0.5
-        >>> [loom.registration.rate_registration(source, target, T, 0.1) > 0.5 for T in (np.eye(4), shifted)]
-        [True, False]
+        >>> shifted[0, 3] = 0.05
+        >>> found = [loom.registration.assess_registration(source, target, T, 0.15) for T in (np.eye(4), shifted)]
+        >>> [one.reliable for one in found], round(found[1].alignment.displacement, 2)
+        ([True, False], 0.05)
+        >>> bool(found[0].covariance.sigmas.max() < 0.01), found[0].localizability.kinds[0]
+        (True, 'full')
     """
     check_clouds(source, target)
-    distance = check_positive("max_correspondence_distance", max_correspondence_distance)
     T = check_transformation("transformation", transformation)
-    if np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() > 0.05 or det(T[:3, :3]) < 0:
-        source, T = source.transform(T), np.eye(4)
-    source_witness, target_witness = witness_of(source, distance), witness_of(target, distance)
-    pose = to_local(T, source.origin, target.origin)
-    return rate_poses([source_witness], [target_witness], pose[None], distance, details=True)[0]
+    moved, rigid = as_rigid(source, T)
+    distance = max_correspondence_distance
+    if distance is None:
+        distance = VOXELS * choose_for({"source": moved, "target": target})
+    distance = check_positive("max_correspondence_distance", distance)
+    evaluation = evaluate_registration(source, target, distance, T)
+    surfaces, pose = SurfacePair(moved, target, distance), to_local(rigid, moved.origin, target.origin)
+    motions, step = judge_motions(*surfaces.coarse, pose, distance), step_of(surfaces, pose)
+    known = motions or Localizability(np.zeros(3), distance, np.eye(6), np.zeros(6), ("none",) * 6)
+    return RegistrationAssessment(
+        np.array(T),
+        distance,
+        evaluation.fitness,
+        evaluation.inlier_rmse,
+        _evidence_of(surfaces, pose),
+        covariance_of(step, target.origin, lambda: motions),
+        replace(known, middle=known.middle + target.origin),
+        alignment_of(step, target.origin),
+    )
+
+
+def score_registration(source: PointCloud, target: PointCloud, distance: float, transformation: Matrix) -> float:
+    """The score of `assess_registration` alone, of checked clouds."""
+    source, T = as_rigid(source, transformation)
+    return _evidence_of(SurfacePair(source, target, distance), to_local(T, source.origin, target.origin)).score
+
+
+def _evidence_of(surfaces: SurfacePair, pose: Matrix) -> Evidence:
+    source, target = ([Witness(surface, surfaces.voxel_size)] for surface in surfaces.coarse)
+    return rate_poses(source, target, pose[None], surfaces.distance, details=True)[0]
 
 
 def rate_poses(
@@ -81,37 +115,25 @@ def rate_poses(
     distance: float,
     *,
     details: bool = False,
-) -> list[float]:
-    """As `rate_registration`, of poses about the clouds' origins. All are refined in the same launches."""
-    scores, rated = [0.0] * len(poses), [k for k, pair in enumerate(zip(sources, targets, strict=True)) if all(pair)]
+) -> list[Evidence]:
+    """The evidence for poses about the clouds' origins, which are refined within the distance in the same launches."""
+    evidence = [NO_EVIDENCE] * len(poses)
+    rated = [k for k, pair in enumerate(zip(sources, targets, strict=True)) if all(pair)]
     if not rated:
-        return scores
+        return evidence
     poses = poses.copy()
     poses[:, :3, :3] = [nearest_rotation(R) for R in poses[:, :3, :3]]  # also of matrices rounded to a few digits
     left, right = [sources[k].surface for k in rated], [targets[k].surface for k in rated]
-    for k, result in zip(rated, refine_pairs(left, right, poses[rated], distance), strict=True):
+    for k, result in zip(rated, refine_poses(left, right, poses[rated], distance), strict=True):
         pose, refined = poses[k], result.transformation
         drift = np.diff(moved_samples(sources[k].surface, np.stack([pose, refined])), axis=0)
         if np.sqrt((drift**2).sum(axis=2).mean()) > distance:
             refined = pose
-        scores[k] = rate_surfaces(sources[k], targets[k], refined, distance, details=details).score
-    return scores
+        evidence[k] = rate_surfaces(sources[k], targets[k], refined, distance, details=details)
+    return evidence
 
 
 def refine_poses(
-    source: Surface,
-    target: Surface,
-    poses: NDArray[np.float64],
-    distance: float,
-    steps: int = 30,
-    free: Sequence[str] | None = None,
-    degeneracy: float = DEGENERACY,
-) -> list[RegistrationResult]:
-    """Refine poses about the clouds' origins by point-to-plane ICP with free motions, all at once."""
-    return refine_pairs([source], [target], poses, distance, steps, free, degeneracy)
-
-
-def refine_pairs(
     sources: Sequence[Surface],
     targets: Sequence[Surface],
     poses: NDArray[np.float64],
@@ -120,7 +142,7 @@ def refine_pairs(
     free: Sequence[str] | None = None,
     degeneracy: float = DEGENERACY,
 ) -> list[RegistrationResult]:
-    """As `refine_poses`, of one pair or of one per pose."""
+    """Refine poses about the clouds' origins by point-to-plane ICP with free motions: of one pair, or one per pose."""
     if not len(poses):
         return []
     clouds: dict[int, PointCloud] = {}

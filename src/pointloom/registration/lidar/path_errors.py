@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigh, inv, is_positive_definite, matmul, solve
-from ..pose_errors import TO_SIGMA, WIDTH, PoseCovariance
-from ..unobservable_motions import SUSPECT_SHARE
+from ..assessment_constants import SUSPECT_SHARE, TO_SIGMA, WIDTH
+from ..pose_errors import PoseCovariance
 
 Matrix = NDArray[np.float64]
 

@@ -22,8 +22,9 @@ from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
+from ..assessment_constants import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
-from ..unobservable_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
+from ..unobservable_motions import moved, rises_clearly, spanned
 from .path_errors import MatchError, match_error, prediction_error
 
 Matrix = NDArray[np.float64]

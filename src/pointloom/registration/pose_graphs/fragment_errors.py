@@ -11,9 +11,11 @@ from ...core.quaternions import nearest_rotations
 from ...kernels.linear_algebra import matmul
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ..pose_errors import FINE, PoseCovariance, common_covariance, motions_of_source, root_of_covariance, step_between
+from ..assessment_constants import FINE, FINER, VOXELS
+from ..pose_errors import PoseCovariance, common_covariance, motions_of_source, root_of_covariance, step_between
 from ..rigid import to_local
-from ..surfaces import FINER, VOXELS, surface_of
+from ..surfaces import surface_of
+from ..unobservable_motions import judge_motions
 from .fragment_graph import Extent
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphEdge, center_frames, check_pose_graph
 from .pose_graph_system import EdgeMeasurements, NodePoses, NormalEquations
@@ -88,7 +90,9 @@ class _Pairs:
             radius = Extent.of(self.clouds[a]).radius
             return np.diag(np.repeat([1.0, radius**2], 3)[self.motions])
         to_source = motions_of_source(step, self.clouds[a].origin - center)
-        common = common_covariance(step, lambda: self.surfaces(a, b, self.voxel_size))
+        common = common_covariance(
+            step, lambda: judge_motions(*self.surfaces(a, b, self.voxel_size), pose, step.distance, step.free)
+        )
         return matmul(to_source, step.scatter + common, to_source.T)
 
     def surfaces(self, a: int, b: int, size: float) -> tuple[Surface, Surface]:

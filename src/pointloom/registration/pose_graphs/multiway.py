@@ -28,11 +28,11 @@ from ...core.units import common_unit
 from ...core.wording import few_of, plain
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ..assessment_constants import MIN_SCORE
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import check_level
 from ..icp.constraint import MOTIONS
 from ..pose_errors import PoseCovariance
-from ..result import MIN_SCORE
 from .fragment_errors import fragment_covariances
 from .fragment_graph import (
     Extent,
@@ -148,9 +148,9 @@ class FragmentsResult(Report, Assessed):
             DeviceError: Clouds on different devices.
 
         Notes:
-            Each edge of the graph has the error of `pose_covariance`, independent of the others. The graph's weights
-            propagate the errors to the poses. Edges whose surfaces hardly match are as uncertain as the cloud is large.
-            Memory O(points) and O(edges x n). Bitwise reproducible. The coverage is in docs/trust.md.
+            Each edge of the graph has the error of `assess_registration`, independent of the others. The graph's
+            weights propagate the errors to the poses. Edges whose surfaces hardly match are as uncertain as the cloud
+            is large. Memory O(points) and O(edges x n). Bitwise reproducible. The coverage is in docs/trust.md.
 
         Example:
             >>> import numpy as np, pointloom as loom

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import eigh, eigvalsh, inv, matmul
 from ...kernels.memory import download
 from ...kernels.surface.hollow_side import Surface
+from ..assessment_constants import VOXELS
 from ..pose_errors import common_covariance, motions_of_source, step_between
-from ..surfaces import VOXELS
+from ..unobservable_motions import judge_motions
 from .observations import Array
 
 MIN_BLOCKS = 12  # minimum occupied blocks for an error estimate
@@ -55,7 +56,7 @@ def pair_errors(
     step = step_between(*surfaces, pose, VOXELS * size, size, free, frame)
     if step is None or step.blocks is None or len(step.influences) < MIN_BLOCKS:
         return None
-    common = common_covariance(step, lambda: surfaces)
+    common = common_covariance(step, lambda: judge_motions(*surfaces, pose, step.distance, step.free))
     values, vectors = eigh(step.unit)
     V = vectors[:, values * UNKNOWN < values[0]]
     covariance = matmul(V.T, step.scatter + (common + common.T) / 2, V)

@@ -37,6 +37,8 @@ from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ..assessment_constants import FINER as SOURCE_FINER
+from ..assessment_constants import MIN_SCORE
 from ..evidence import Witness, witness_of
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import LEVEL
@@ -49,10 +51,9 @@ from ..icp.multi_scale import LITTLE, MIN_OVERLAP_RATIO
 from ..pose_errors import PoseCovariance
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.spanning_tree import chain, spanning_tree
-from ..result import MIN_SCORE, RegistrationResult
+from ..result import RegistrationResult
 from ..rigid import about_up, fit_pose, invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
 from ..robust_kernels import TukeyLoss
-from ..surfaces import FINER as SOURCE_FINER
 from ..surfaces import surface_of
 from ..voxel_size import choose_voxel_size
 from .adjustment import LEVEL_ROWS, Adjusted, Observed
@@ -633,7 +634,8 @@ class PairFinder:
             for (a, b), T in zip(pairs, poses, strict=True)
         ]
         sources, targets = ([self._witness(ends[k], distance) for ends in pairs] for k in (0, 1))
-        return rate_poses(sources, targets, np.array(local).reshape(-1, 4, 4), distance)
+        poses = np.array(local).reshape(-1, 4, 4)
+        return [evidence.score for evidence in rate_poses(sources, targets, poses, distance)]
 
     def _witness(self, i: int, distance: float) -> Witness:
         if (i, distance) not in self.witnesses:

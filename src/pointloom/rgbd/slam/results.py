@@ -36,7 +36,7 @@ class TrackingResult(AssessedRecord):
         fused: True if the frame was fused.
         covariance: Of the pose about the camera, in world axes, rotation first [rad, m], float64 [6, 6], accumulated
             since the first frame, as assumed by the checks. Zero for the first frame and lost ones.
-        error_covariance: Likewise, calibrated: of the error of the pose. See `pose_covariance`.
+        error_covariance: Likewise, calibrated: of the error of the pose. See `PoseCovariance`.
         has_drifted: True if the accumulated uncertainty is the only problem. The frame is fused.
         map: Number of the map that the pose refers to.
     """

@@ -27,6 +27,7 @@ from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download, upload
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
+from ...registration.assessment_constants import MIN_SCORE
 from ...registration.globally.global_registration import Description, describe, describe_surface
 from ...registration.globally.level_poses import check_level
 from ...registration.pose_graphs.connected_parts import connected_parts
@@ -42,7 +43,6 @@ from ...registration.pose_graphs.fragment_graph import (
     with_pairs,
 )
 from ...registration.pose_graphs.multiway import check_known, pairs_to_try, try_pair
-from ...registration.result import MIN_SCORE
 from ..plan_check import (
     Checks,
     below,

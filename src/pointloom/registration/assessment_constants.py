@@ -1,0 +1,115 @@
+"""The constants of the assessment of a registration: quantity, unit, and their reason or the data of their fit.
+
+benchmarks/trust/fit_assessment.py prints this table, fits the evidence of `score` again, and measures the error rates.
+"""
+
+from typing import Annotated, NamedTuple
+
+
+class Constant(NamedTuple):
+    """Description of a constant. `source`: its reason, or the data and the date of its fit. No unit: a pure number."""
+
+    quantity: str
+    unit: str
+    source: str
+
+
+MATCH, VOXEL, SIGMA = "match distances", "voxels", "standard deviations"
+CHOSEN = "chosen, not fitted"
+ODDS = "fitted: 580 ICP poses of objects, rooms and streets that overlap by 15 %, 2026-11-20"
+ROOMS = "fitted: benchmarks/beliefs.py, 33 wrong and 235 correct poses, 2026-11-25"
+BOXES = "fitted: benchmarks/box_rooms.py, rooms 0 to 15, 2026-11-25"
+WRONG_BOXES = "fitted: supported wrong poses of benchmarks/box_rooms.py; kitchens and hills are correct, 2026-11-22"
+IMAGES = "fitted: depth images of a kitchen and of trust/places.py, seeds 60 to 62, 2026-11-26"
+SCANS = "fitted: 24 rooms, 60 sites, 40 streets and 40 divided real scans as in trust/calibration.py, 2026-11-26"
+REFINED = "fitted: ICP poses of 24 pairs of scans, rooms and objects, 2026-11-27"
+LEAST_SHARE = f"{REFINED}: 574 correct ones from 0.23, 112 of clouds that share nothing up to 0.10"
+OPEN_MOTIONS = f"{REFINED}: 14 of 1,587 correct ones are below it, a bare corridor has 0.003"
+SUPPORTED = f"{REFINED}: none of 513 correct ones is unsupported, 32 of 34 wrong ones are"
+FEW = "fitted: 29 wrong poses up to 4.3, 75 of 76 correct ones from 4.5, 2026-11-22"
+PAIRS = "fitted: 93 correct poses of the fitted half of trust/alignment.py, 2026-11-27"
+WALLS = "fitted: bare corridors and tunnels 0.0001 to 0.03; streets, halls, woods 0.02 to 0.3, 2026-11-22"
+BLOCKED = "fitted: LiDAR and moving cameras up to 0.013, half of the wrong poses above 0.02, 2026-11-25"
+PLACES = "fitted: trust/fit_assessment.py, rooms, sites, streets and real scans, seeds 0 to 11, 2026-11-28"
+OPEN_SITES = "fitted: three synthetic corridors, a tunnel, a field; doors of 6 cm and far boxes, 2026-11-25"
+
+# Surfaces
+VOXELS: Annotated[float, Constant("match distance", VOXEL, "usual for downsampled clouds")] = 1.5
+NARROW: Annotated[float, Constant("radius for normals", VOXEL, "28 voxels of a plane")] = 3.0
+WIDE: Annotated[float, Constant("radius for the side of normals", VOXEL, "beyond the radius for normals")] = 5.0
+NEAR: Annotated[float, Constant("distance within which surfaces should match", MATCH, CHOSEN)] = 4.0
+COSINE: Annotated[
+    float, Constant("cosine of the normals of a match", "", "30 degrees: most correct ones differ by less")
+] = 0.866
+ENOUGH: Annotated[int, Constant("matches below which they may be chance", "", CHOSEN)] = 30
+FINER: Annotated[float, Constant("source voxel", "target voxels", "avoids aligned grids")] = 0.8
+FINE: Annotated[float, Constant("voxel of displacements", "voxels of the score", CHOSEN)] = 0.5
+RIGID: Annotated[float, Constant("deviation of R R^T from the identity", "", "a larger one is a scale")] = 0.05
+
+# Score: agreement of all matches
+MIN_SCORE: Annotated[float, Constant("score up to which a pose is rejected", "", "even odds")] = 0.5
+TIGHT: Annotated[float, Constant("distance along the normal at which a match counts 0", MATCH, "0.3 voxels")] = 0.2
+OVERLAP_RIDGE: Annotated[float, Constant("ridge of the overlap", "mean eigenvalue", "weak overlap is no evidence")] = (
+    1e-3
+)
+SHARE_WEIGHT: Annotated[float, Constant("log odds per ln(share)", "", ODDS)] = 5.15
+FIRMNESS_WEIGHT: Annotated[float, Constant("log odds per ln(firmness)", "", ODDS)] = 0.48
+OFFSET: Annotated[float, Constant("log odds", "", f"{ODDS}; lowered to require 25 % more than even evidence")] = 10.2
+SHARE_FLOOR: Annotated[float, Constant("added to the share", "", "the logarithm of 0 is none")] = 0.01
+FIRMNESS_FLOOR: Annotated[float, Constant("added to the firmness", "", "the logarithm of 0 is none")] = 3e-4
+FIRM: Annotated[float, Constant("minimum firmness", "", "planes, spheres, tubes: a quarter of it at most")] = 0.002
+FITS: Annotated[float, Constant("share of surfaces that match although a motion is undetermined", "", CHOSEN)] = 0.5
+# Score: number of matches
+CHANCE: Annotated[float, Constant("share times the root of the matches", "", FEW)] = 4.4
+STEEP: Annotated[float, Constant("steepness of scores at their limits", "", "20 % beyond the limit give 0.67")] = 4.0
+# Score: matches beside the three main planes
+MIN_REST: Annotated[float, Constant("share beside the planes relative to the total", "", ROOMS)] = 0.25
+MIN_ALIGNED: Annotated[float, Constant("the same, if parallel to the planes", "", BOXES)] = 0.18
+SOME_ALIGNED: Annotated[float, Constant("parallel fraction from which this limit sets in", "", BOXES)] = 0.5
+ALL_ALIGNED: Annotated[float, Constant("parallel fraction from which it applies", "", BOXES)] = 0.75
+ENOUGH_BESIDE: Annotated[int, Constant("matches beside the planes", "", WRONG_BOXES)] = 100
+PART_BESIDE: Annotated[float, Constant("the same, relative to all matches", "", WRONG_BOXES)] = 0.05
+FEW_ALIGNED: Annotated[float, Constant("parallel fraction from which their number counts", "", WRONG_BOXES)] = 0.37
+MANY_ALIGNED: Annotated[float, Constant("parallel fraction from which it counts fully", "", WRONG_BOXES)] = 0.47
+# Score: free space
+MARGIN: Annotated[float, Constant("distance of an occluding surface", VOXEL, CHOSEN)] = 4.0
+MAX_BLOCKED: Annotated[float, Constant("occluding points relative to matches", "", BLOCKED)] = 0.02
+# Score: details
+MIN_DETAIL: Annotated[float, Constant("share beside the planes, within the borders", "", IMAGES)] = 0.19
+DETAIL_CHANCE: Annotated[float, Constant("the same times the root of its matches", "", IMAGES)] = 1.35
+MIN_VISIBLE: Annotated[float, Constant("share of all matches, within the borders", "", IMAGES)] = 0.3
+VISIBLE_CHANCE: Annotated[float, Constant("the same times the root of the matches", "", IMAGES)] = 6.0
+MIN_RELIEF: Annotated[float, Constant("correlation of the slopes on planes", "", IMAGES)] = 0.75
+RELIEF_MATCHES: Annotated[int, Constant("number of these slopes", "", IMAGES)] = 400
+MIN_VISIBLE_WITH_RELIEF: Annotated[float, Constant("share of all matches with relief", "", IMAGES)] = 0.45
+SIGMAS: Annotated[float, Constant("distance of a contradicting pair", SIGMA, "0.3 % of a normal distribution")] = 3.0
+NOISE_RADIUS: Annotated[float, Constant("radius of the noise", MATCH, "2 voxels")] = 4 / 3
+
+# Displacement and covariance
+REACH: Annotated[float, Constant("distance of nearest points that are pairs", VOXEL, "twice the match distance")] = 3.0
+BLOCK: Annotated[float, Constant("edge of blocks with correlated errors", VOXEL, CHOSEN)] = 10.0
+ROUNDS: Annotated[int, Constant("reweighted solutions", "", CHOSEN)] = 5
+TO_SIGMA: Annotated[float, Constant("standard deviation", "median absolute deviations", "normal distribution")] = 1.4826
+WIDTH: Annotated[float, Constant("residual with a quarter of the weight", SIGMA, "5 % of a normal distribution")] = 2.0
+MOTION_RIDGE: Annotated[float, Constant("ridge of the step", "matrix of a row", "for undetermined motions")] = 1e-6
+MODEL_ERROR: Annotated[float, Constant("error common to all points", "residuals", SCANS)] = 0.005
+NORMAL_ERROR: Annotated[float, Constant("the same by biased normals", "squared residuals per voxel", SCANS)] = 0.35
+STEP_FACTOR: Annotated[float, Constant("factor of the squared distance from the step", "", SCANS)] = 1.1
+COMMON_ERROR: Annotated[float, Constant("the same of lenses and motion, for the test", "residuals", PAIRS)] = 0.09
+MAX_DISTANCE: Annotated[float, Constant("distance from the step", SIGMA, "95 % of chi, six degrees of freedom")] = 3.55
+MIN_DISPLACEMENT: Annotated[float, Constant("displacement of an unreliable pose", VOXEL, PLACES)] = 0.1
+MIN_SUPPORT: Annotated[float, Constant("constraint of the matches relative to the attainable one", "", CHOSEN)] = 0.05
+SUPPORT_RIDGE: Annotated[float, Constant("ridge of this ratio", "mean eigenvalue", "for undetermined motions")] = 0.01
+
+# Undetermined motions
+SUSPECT_SHARE: Annotated[float, Constant("squared component below which a motion is tested", "", WALLS)] = 0.03
+STEP_VOXELS: Annotated[float, Constant("displacement both ways", VOXEL, "half of the match distance")] = 0.75
+JUDGING_POINTS: Annotated[int, Constant("sampled points", "", "detect a mean rise of the cost of 0.01")] = 1024
+MIN_RISE: Annotated[float, Constant("mean rise of the cost, 0..1", "", OPEN_SITES)] = 0.02
+MIN_DEVIATIONS: Annotated[float, Constant("the same", SIGMA, OPEN_SITES)] = 3.0
+RADIUS_VOXELS: Annotated[float, Constant("search radius of planes", VOXEL, "beyond the displacement")] = 2.0
+
+# Refined poses (`warnings` of ICP and NDT), whose start excludes other places
+MIN_OPEN_SHARE: Annotated[float, Constant("share if a motion may be undetermined", "", LEAST_SHARE)] = 0.15
+MAX_OPEN: Annotated[float, Constant("squared component of an undetermined motion", "", OPEN_MOTIONS)] = 5e-3
+MIN_PAIRS: Annotated[int, Constant("pairs that decide about support", "", SUPPORTED)] = 1000
