@@ -89,13 +89,16 @@ def test_the_sbom_lists_resolved_versions_licenses_and_hashes(packages, tmp_path
 
 def test_the_comparison_of_public_names_reports_what_breaks_callers():
     earlier = "loom\n    LIMIT\n    class A(x)\n        go(self)\n        old(self)\n    f(a, b=1)\n    g()\n"
-    current = "loom\n    class A(x, y)\n        go(self, n=2)\n    f(b=1, a=2)\n    g(a=1)\n    new()\n"
+    earlier += "    h(a)\n    k(a)\n"
+    current = "loom\n    class A(x, y)\n        go(self, n=2)\n    f(b=1, a=2)\n    g(a=1)\n"
+    current += "    h(a, *, b=1)\n    k(a, *, b)\n    new()\n"
     earlier, current = (f"4 names\n\n{names}" for names in (earlier, current))
     assert list(write_api.breaking(earlier, current)) == [
         "removed: loom.LIMIT",
         "changed: loom.A(x) -> loom.A(x, y)",
         "removed: loom.A.old(self)",
         "changed: loom.f(a, b=1) -> loom.f(b=1, a=2)",
+        "changed: loom.k(a) -> loom.k(a, *, b)",
     ]
     assert list(write_api.breaking(current, current)) == []
     names = write_api.entries((ROOT / "docs/api.txt").read_text())
