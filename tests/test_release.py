@@ -32,6 +32,14 @@ def test_the_first_section_of_the_changelog_must_be_the_dated_version():
             release.check_version(f"# Changelog\n\n## {heading}\n", "0.2.0")
 
 
+def test_all_files_state_the_version_of_the_project():
+    pattern = rf"(?:version[_\W]+|pointloom ){re.escape(PROJECT['version'])}\b"
+    assert [name for name in release.STATE_VERSION if not re.search(pattern, (ROOT / name).read_text())] == []
+    released = re.search(r"^date-released: (.+)$", (ROOT / "CITATION.cff").read_text(), re.MULTILINE)[1]
+    assert f"\n## {PROJECT['version']} ({released})\n" in (ROOT / "CHANGELOG.md").read_text()
+
+
+@pytest.mark.slow  # `make test` has no towncrier
 def test_a_prepared_version_is_in_all_files_that_state_it(tmp_path):
     pytest.importorskip("towncrier")
     for name in (*release.STATE_VERSION, "docs/api.txt", "changes/template.md"):
