@@ -44,7 +44,7 @@ def test_every_page_is_listed_in_the_site():
     ("page", "text", "expected"),
     [
         ("gpu", "[a](../CONTRIBUTING.md#test)", "[a](project/contributing.md#test)"),
-        ("project/kernels", "[a](../CONTRIBUTING.md)", "[a](contributing.md)"),
+        ("project/kernels", "[a](../../../CONTRIBUTING.md)", "[a](contributing.md)"),
         ("project/changelog", "[a](docs/gpu.md) ![b](docs/room.png)", "[a](../gpu.md) ![b](../room.png)"),
         ("adr/README", "[`a`](../README.md)", "[`a`](../guides.md)"),
         ("gpu", "[a](../pyproject.toml) [b](#part) [c](https://x.y)", "a [b](#part) [c](https://x.y)"),
