@@ -117,11 +117,13 @@ mutants: $(FULL) ## Small changes of behavior, one at a time: do the tests notic
 nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
 	@$(BIN)/python scripts/nightly.py $(ARGS)
 
-lint: $(FULL) ## Check style, format, sizes, prose and docs/api.txt
+lint: $(FULL) ## Check style, format, spelling, sizes, prose, changes/ and docs/api.txt
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
 	@$(BIN)/python scripts/check_sizes.py
 	@$(BIN)/python scripts/check_prose.py
+	@$(BIN)/typos
+	@draft=$$($(BIN)/towncrier build --draft --version next 2>&1) || { echo "$$draft"; exit 1; }
 	@$(BIN)/python scripts/write_api.py --check
 	@$(BIN)/python benchmarks/write_pages.py --check
 	@$(BIN)/python benchmarks/gpu_kit/page.py --check

@@ -1,6 +1,6 @@
 """Compare each tiled step with the in-memory operation on real surveys and a synthetic city: number of different rows.
 
-    python benchmarks/tile_equality.py DATA        # the folder of docs/data.md; minutes
+    python benchmarks/tile_equality.py DATA        # the folder of real data; takes minutes
 
 Surveys are given as two LAZ files with some common points, and points on borders and corners of tiles. Each step runs
 with three tile sizes, the last of which contains everything. Complete rows are compared bitwise: positions, attributes

@@ -3,6 +3,7 @@
     make release                                        everything; the CUDA kernels take an hour of two cores, once
     make release ARGS="--without-cuda"                  without the wheel of CUDA kernels
     make release ARGS="--gallery"                       the site with its gallery
+    .venv/bin/python scripts/release.py --prepare 0.2.0        before: version, changelog and record of names, to commit
 
 Writes to dist/: the sdist, the wheel with compiled CPU kernels, the wheel of CUDA kernels, an SBOM (CycloneDX JSON) and
 SHA256SUMS. They depend only on the commit and `SOURCE_DATE_EPOCH`, by default the time of the commit. The wheel is
@@ -42,6 +43,14 @@ ROOT = Path(__file__).resolve().parents[1]
 LOGS, DIST = ROOT / "build" / "release", ROOT / "dist"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 NAME, VERSION = PROJECT["name"], PROJECT["version"]
+STATE_VERSION = (
+    "pyproject.toml",
+    "src/pointloom/__init__.py",
+    "recipe/recipe.yaml",
+    "CITATION.cff",
+    "docs/pointloom.1",
+)
+PREPARE = "scripts/release.py --prepare VERSION"
 CLOSED_PORT = "http://127.0.0.1:9"  # the discard service, which no current system runs
 KERNELS_ARE_CURRENT = """
 import json
@@ -67,6 +76,21 @@ def check_version(changelog: str, version: str) -> None:
     heading = changelog_section(changelog)[0]
     if not re.fullmatch(rf"{re.escape(version)} \(\d{{4}}-\d\d-\d\d\)", heading):
         raise StepError(f"CHANGELOG.md: expected the first heading '{version} (YYYY-MM-DD)', got '{heading}'")
+
+
+def prepare(version: str, date: str, root: Path = ROOT) -> None:
+    """Write a version into the files that state it, move changes/ into CHANGELOG.md, and record the public names."""
+    old = rf"(version[_\W]+|pointloom ){re.escape(VERSION)}"
+    for name in STATE_VERSION:
+        text, count = re.subn(old, rf"\g<1>{version}", (root / name).read_text(), count=1)
+        if not count:
+            raise StepError(f"{name}: expected the version {VERSION}, found none")
+        (root / name).write_text(re.sub(r"(?m)^(date-released: ).*", rf"\g<1>{date}", text))
+    command = [sys.executable, "-m", "towncrier", "build", "--yes", "--version", version, "--date", date]
+    subprocess.run(command, cwd=root, check=True)
+    changelog = root / "CHANGELOG.md"
+    changelog.write_text(changelog.read_text().replace("\n## Unreleased\n", "\n### Other changes\n", 1))
+    shutil.copyfile(root / "docs/api.txt", root / f"docs/api-{version}.txt")
 
 
 def checksums(paths: Iterable[Path]) -> str:
@@ -188,6 +212,8 @@ class Release:
         if changes := subprocess.check_output(["git", "status", "--porcelain"], cwd=ROOT, text=True):
             log.write_text(changes)
             raise StepError(f"expected a clean tree, got {len(changes.splitlines())} changed or new files")
+        if count := len([*(ROOT / "changes").glob("*.*.md")]):
+            raise StepError(f"expected all changes in CHANGELOG.md, got {count} in changes/. Run {PREPARE}")
         check_version((ROOT / "CHANGELOG.md").read_text(), VERSION)
         return f"{NAME} {VERSION}, {subprocess.check_output(['git', 'rev-parse', 'HEAD'], cwd=ROOT, text=True)[:12]}"
 
@@ -196,6 +222,9 @@ class Release:
         records = {Version(path.stem.removeprefix("api-")): path for path in (ROOT / "docs").glob("api-*.txt")}
         earlier = [version for version in records if version < Version(VERSION)]
         self.call(log, [sys.executable, "scripts/write_api.py", "--check"])
+        current = ROOT / "docs/api.txt"
+        if (record := records.get(Version(VERSION))) is None or record.read_text() != current.read_text():
+            raise StepError(f"docs/api-{VERSION}.txt: expected a copy of docs/api.txt. Run {PREPARE}")
         if not earlier:
             return "docs/api.txt is current; no record of an earlier release"
         try:
@@ -311,7 +340,11 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="make release", description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--without-cuda", action="store_true", help="leave out the wheel of CUDA kernels")
     parser.add_argument("--gallery", action="store_true", help="run the gallery of the site")
+    parser.add_argument("--prepare", metavar="VERSION", help="write the files of a version, and end")
     options = parser.parse_args()
+    if options.prepare:
+        prepare(options.prepare, datetime.now(UTC).date().isoformat())
+        return 0
     LOGS.mkdir(parents=True, exist_ok=True)
     release = Release(options)
     release.all_steps()

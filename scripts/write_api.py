@@ -141,8 +141,10 @@ def breaking(earlier: str, current: str) -> Iterator[str]:
         kept = old.removesuffix(")") + (", " if old != "()" else "")
         if new is None:
             yield f"removed: {name}{old}"
-        elif new != old and not (old and new.startswith(kept) and "=" in new[len(kept) :].partition(", ")[0]):
-            yield f"changed: {name}{old} -> {name}{new}"
+        elif new != old:
+            appended = new[len(kept) :].removeprefix("*, ").partition(", ")[0]
+            if not (old and new.startswith(kept) and "=" in appended):
+                yield f"changed: {name}{old} -> {name}{new}"
 
 
 def main() -> int:

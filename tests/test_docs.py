@@ -13,7 +13,7 @@ PAGES = sorted(
     if COPIES not in path.parents
 )
 PAGES += ["src/pointloom/kernels/README.md", "benchmarks/README.md", "tests/emulated_cuda/README.md"]
-PAGES += ["benchmarks/gpu_kit/README.md"]
+PAGES += ["benchmarks/gpu_kit/README.md", "changes/README.md"]
 
 
 def links_of(page: str) -> list[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from .programs import script
@@ -38,16 +40,72 @@ def test_code_and_tables_are_skipped(check_prose):
 
 def test_groups_and_lines_of_a_module(check_prose):
     source = '"""Sort points.\n\nArgs:\n    n: The number.\n\n>>> told\n"""\nx = "# told"  # the default\n# a line\n'
+    source += 'y = f"""\n# told\n"""\n'
     sentences = list(check_prose.python_sentences(source))
     assert sentences[:2] == [("docstrings", 1, "Sort points."), ("docstrings", 4, "The number.")]
     assert sentences[2:] == [("comments", 8, "the default"), ("comments", 9, "a line")]
 
 
-def test_an_excess_fails(check_prose, tmp_path, monkeypatch, capsys):
-    for name in ("src/loom/core/a.py", "src/loom/b.py", "README.md", "CONTRIBUTING.md"):
+def test_messages_of_a_module(check_prose):
+    source = """
+raise ValueError(
+    f"radius: expected a number, got {radius!r}. "
+    'Pass "None" to search all.'
+)
+name, query = "a label", "SELECT told FROM tasks WHERE id = 1"
+"""
+    expected = [("messages", 3, "radius: expected a number, got CODE."), ("messages", 3, "Pass CODE to search all.")]
+    assert list(check_prose.python_sentences(source)) == expected
+
+
+@pytest.fixture
+def checkout(tmp_path, monkeypatch):
+    """Write files into an otherwise clean checkout that check_prose reads. Returns a function of path and content."""
+
+    def write(name, text):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text('"""The user is told."""\n')
-    assert [path.name for path in check_prose.python_files(tmp_path)] == ["b.py", "a.py"]
+        (tmp_path / name).write_text(text)
+
+    for name in ("src/loom/core/a.py", "README.md", "CONTRIBUTING.md"):
+        write(name, '"""Sort points."""\n')
     monkeypatch.setattr("sys.argv", ["check_prose.py", "--root", str(tmp_path)])
+    return write
+
+
+PLANTED = (
+    ("docstrings", "src/loom/core/b.py", '"""The user is told."""'),
+    ("comments", "src/loom/b.py", "# The user is told."),
+)
+PLANTED += (
+    ("messages", "src/loom/c.py", 'print("The user is told")'),
+    ("docs", "changes/a.added.md", "The user is told."),
+)
+PLANTED += (
+    ("docs", "docs/a/b.md", "The user is told."),
+    ("examples", "docs/examples/a/GALLERY_HEADER.rst", "Users are told."),
+)
+PLANTED += tuple(
+    ("examples", f"docs/examples/a/{k}.py", text) for k, text in enumerate(['"""Users are told."""', "# told here"])
+)
+PLANTED += tuple(
+    ("tests", f"{folder}/a/b.py", "def a(): pass  # a told user") for folder in ("tests", "benchmarks", "scripts")
+)
+
+
+@pytest.mark.parametrize(("group", "name", "text"), PLANTED)
+def test_an_excess_fails_in_each_group(check_prose, checkout, group, name, text, capsys):
+    assert check_prose.main() == 0
+    checkout(name, text)
     assert check_prose.main() == 1
-    assert "private in docstrings: expected at most" in capsys.readouterr().out
+    assert re.findall(r"(\w+) in (\w+): expected at most", capsys.readouterr().out) == [("private", group)]
+
+
+@pytest.mark.parametrize("name", ["docs/reference/a.md", "tests/a.txt", "typings/a.py"])
+def test_generated_and_other_files_are_not_read(check_prose, checkout, name):
+    checkout(name, '"""The user is told."""')
+    assert check_prose.main() == 0
+
+
+def test_strings_of_tests_are_data(check_prose, checkout):
+    checkout("tests/test_a.py", 'text = "the user of it is told"')
+    assert check_prose.main() == 0

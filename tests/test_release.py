@@ -32,6 +32,41 @@ def test_the_first_section_of_the_changelog_must_be_the_dated_version():
             release.check_version(f"# Changelog\n\n## {heading}\n", "0.2.0")
 
 
+def test_all_files_state_the_version_of_the_project():
+    pattern = rf"(?:version[_\W]+|pointloom ){re.escape(PROJECT['version'])}\b"
+    assert [name for name in release.STATE_VERSION if not re.search(pattern, (ROOT / name).read_text())] == []
+    released = re.search(r"^date-released: (.+)$", (ROOT / "CITATION.cff").read_text(), re.MULTILINE)[1]
+    assert f"\n## {PROJECT['version']} ({released})\n" in (ROOT / "CHANGELOG.md").read_text()
+
+
+@pytest.mark.slow  # `make test` has no towncrier
+def test_a_prepared_version_is_in_all_files_that_state_it(tmp_path):
+    pytest.importorskip("towncrier")
+    for name in (*release.STATE_VERSION, "docs/api.txt", "changes/template.md"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, tmp_path / name)
+    marker = "<!-- towncrier release notes start -->\n"
+    assert (ROOT / "CHANGELOG.md").read_text().count(f"\n{marker}\n") == 1
+    (tmp_path / "CHANGELOG.md").write_text(f"# Changelog\n\n{marker}\n## Unreleased\n\n- C.\n\n## 0.1.0 (2026-11-26)\n")
+    for name, text in {"b-c.added": "Add b\nand c.\n", "a.fixed": "Fix a.", "d.breaking": "Use d."}.items():
+        (tmp_path / f"changes/{name}.md").write_text(text)
+    release.prepare("9.8.0", "2027-01-31", tmp_path)
+    text = (tmp_path / "CHANGELOG.md").read_text()
+    entries = {"**BREAKING**": "Use d.", "Added": "Add b\n  and c.", "Fixed": "Fix a.", "Other changes": "C."}
+    section = "".join(f"### {title}\n\n- {entry}\n\n" for title, entry in entries.items())
+    assert text.partition(marker)[2] == f"\n## 9.8.0 (2027-01-31)\n\n{section}## 0.1.0 (2026-11-26)\n"
+    release.check_version(text, "9.8.0")
+    assert [path.name for path in (tmp_path / "changes").iterdir()] == ["template.md"]
+    assert (tmp_path / "docs/api-9.8.0.txt").read_text() == (ROOT / "docs/api.txt").read_text()
+    for name in release.STATE_VERSION:
+        before, after = ((folder / name).read_text().splitlines() for folder in (ROOT, tmp_path))
+        changed = [new for old, new in zip(before, after, strict=True) if new != old]
+        assert sum("9.8.0" in line for line in changed) == 1, name
+    assert "date-released: 2027-01-31\n" in (tmp_path / "CITATION.cff").read_text()
+    with pytest.raises(release.StepError, match=r"pyproject.toml: expected the version .*, found none"):
+        release.prepare("9.9.0", "2027-02-28", tmp_path)
+
+
 def test_checksums_are_sorted_and_can_be_checked(tmp_path):
     for name, content in {"b.whl": b"wheel", "a.tar.gz": b"archive"}.items():
         (tmp_path / name).write_bytes(content)
@@ -89,13 +124,16 @@ def test_the_sbom_lists_resolved_versions_licenses_and_hashes(packages, tmp_path
 
 def test_the_comparison_of_public_names_reports_what_breaks_callers():
     earlier = "loom\n    LIMIT\n    class A(x)\n        go(self)\n        old(self)\n    f(a, b=1)\n    g()\n"
-    current = "loom\n    class A(x, y)\n        go(self, n=2)\n    f(b=1, a=2)\n    g(a=1)\n    new()\n"
+    earlier += "    h(a)\n    k(a)\n"
+    current = "loom\n    class A(x, y)\n        go(self, n=2)\n    f(b=1, a=2)\n    g(a=1)\n"
+    current += "    h(a, *, b=1)\n    k(a, *, b)\n    new()\n"
     earlier, current = (f"4 names\n\n{names}" for names in (earlier, current))
     assert list(write_api.breaking(earlier, current)) == [
         "removed: loom.LIMIT",
         "changed: loom.A(x) -> loom.A(x, y)",
         "removed: loom.A.old(self)",
         "changed: loom.f(a, b=1) -> loom.f(b=1, a=2)",
+        "changed: loom.k(a) -> loom.k(a, *, b)",
     ]
     assert list(write_api.breaking(current, current)) == []
     names = write_api.entries((ROOT / "docs/api.txt").read_text())

@@ -192,6 +192,7 @@ def test_keys_are_the_programs_first_and_none_while_one_types(program, visit):
     page.keyboard.press("?")
     help_ = page.locator("#help")
     expect(help_).to_be_visible()
+    expect(help_).to_have_attribute("aria-labelledby", "help-title")
     assert [kbd for kbd in help_.locator("dt", has_text="H").all_inner_texts() if kbd == "H"] == ["H"]
     page.keyboard.press("Escape")
     expect(help_).to_be_hidden()

@@ -154,7 +154,7 @@ def test_a_module_that_is_not_in_the_archive_is_compiled_and_the_others_are_not(
 
 @pytest.fixture
 def cache_but_for_select(compiled_here, tmp_path):
-    """Warp's cache with all that the program needs but arrays/select.py."""
+    """Warp's cache with all that the program needs but kernels/arrays/select.py."""
     names = {name for name in compiled_here["loaded"] if name != SELECT}
     for folder in Path(wp.config.kernel_cache_dir).iterdir():
         if folder.name.removeprefix("wp_").rpartition("_")[0] in names:

@@ -336,8 +336,8 @@ def test_voxels_of_a_made_cloud_are_open3ds_also_at_utm_coordinates(device, rng,
     points = rng.random((600, 3)) * [50, 50, 5]
     vectors = {"normals": rng.normal(size=(600, 3)), "colors": rng.random((600, 3))}
     cloud = loom.PointCloud(points + utm, device=device, **vectors)
-    result, centerd = cloud.voxel_down_sample(10.0), cloud.points - utm  # as stored: float32 about the origin
-    expected = oracle("pcd/voxel_down_sample/uniform", open3d_voxels, centerd, 10.0, cloud.normals, cloud.colors)
+    result, centered = cloud.voxel_down_sample(10.0), cloud.points - utm  # as stored: float32 about the origin
+    expected = oracle("pcd/voxel_down_sample/uniform", open3d_voxels, centered, 10.0, cloud.normals, cloud.colors)
     rows = matched(result.points - utm, expected[0], tolerances.position / 100)
     for name, values in zip(("normals", "colors"), expected[1:], strict=True):
         np.testing.assert_allclose(result[name][rows], values, rtol=0, atol=tolerances.voxel_attribute)

@@ -3,7 +3,7 @@
 - PCL (BSD), test/registration/test_registration.cpp: bun0 onto bun4, 50 steps, mean squared distance below 0.001.
 - PCL, test/registration/test_registration_api.cpp: TransformationEstimationPointToPlane(LLS) recovers the pose of
   a quadric of 21 x 21 points to 1e-3 per entry; its normals are not those of the surface.
-- PCL, registration/warp_point_rigid_3d.h: x, y and the rotation about z, here minimized by SciPy.
+- PCL's registration/warp_point_rigid_3d.h: x, y and the rotation about z, here minimized by SciPy.
 - libpointmatcher (BSD), pointmatcher/ErrorMinimizers/PointToPlane.cpp: `force2D` and `force4DOF`, rows of
   (z x p) . n beside n, weighted; and the closed form of 2D and 4D point-to-point (Horn 1987 about one axis).
 

@@ -1,4 +1,4 @@
-"""POINTLOOM_MOST_REGISTERS: other bounds of registers, each a build of its own."""
+"""POINTLOOM_MAX_REGISTERS: other limits of registers, each a separate build."""
 
 import pytest
 

@@ -307,7 +307,8 @@ def test_without_resume_nothing_is_reused(job):
 Config = loom.reconstruction.ReconstructionConfig
 
 
-# Open3D's examples/python/reconstruction_system/config/tutorial.json, and the defaults set by initialize_config.py.
+# Open3D's examples/python/reconstruction_system/config/tutorial.json, and the defaults of Open3D's
+# initialize_config.py.
 TUTORIAL = json.loads("""{
 "name": "Open3D reconstruction tutorial http://open3d.org/docs/release/tutorial/reconstruction_system/index.html",
 "path_dataset": "dataset/tutorial/", "path_intrinsic": "", "depth_max": 3.0, "voxel_size": 0.05,

@@ -11,7 +11,7 @@ from pointloom.rgbd.slam.frame_checks import SURE_OVERLAP, fits_worse, judge_rec
 from pointloom.rgbd.slam.tracker import find_rivals
 
 from .slam_walks import blank, changed
-from .test_verdicts import GOOD
+from .test_frame_checks import GOOD
 
 WIDTH, HEIGHT, PERIOD = 80, 60, 0.5
 CAMERA = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 66.0, 66.0, 39.5, 29.5)

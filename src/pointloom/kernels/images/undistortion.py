@@ -1,6 +1,6 @@
 """Undistortion: lens images to pinhole images. Positions are computed once per camera in float64, then each image is
 sampled bilinearly, after averaging if it shrinks by two or more. Only + - * / and square roots: bitwise identical
-everywhere. The lens models are those of pcd/lens_projection.py.
+everywhere. The lens models are those of cameras/lens_projection.py.
 """
 
 from typing import Any

@@ -1,7 +1,7 @@
 """Warp compiler of the kernel language, for CUDA and the CPU.
 
 `@kernel(max_registers=80)` limits registers per thread on CUDA. To try other limits, set
-POINTLOOM_MOST_REGISTERS=KERNEL=NUMBER,... (0: no limit). A CUDA variant has its own name. A reduction has that of its
+POINTLOOM_MAX_REGISTERS=KERNEL=NUMBER,... (0: no limit). A CUDA variant has its own name. A reduction has that of its
 function. The limit is part of the module's hash, so such builds are cached separately and never come from an archive.
 """
 
@@ -64,7 +64,7 @@ def _redirected() -> tuple[IO[bytes], int] | None:
     return file, stderr
 
 
-VARIABLE = "POINTLOOM_MOST_REGISTERS"
+VARIABLE = "POINTLOOM_MAX_REGISTERS"
 HIGHEST = 255  # maximum that an instruction can encode
 
 

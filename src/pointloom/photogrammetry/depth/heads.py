@@ -1,8 +1,8 @@
 """Classification of depth networks by the last operations of their graph, traced back from the output.
 
-- `ReLU`: relative inverse depth (Depth Anything V2 depth_anything_v2/dpt.py, MiDaS `non_negative`, DPT), or canonical
+- `ReLU`: relative inverse depth (Depth Anything V2's depth_anything_v2/dpt.py, MiDaS `non_negative`, DPT), or canonical
   inverse depth (Depth Pro `DepthPro.head`).
-- `Sigmoid` times 20 or 80: Depth Anything V2 metric (metric_depth/depth_anything_v2/dpt.py), meters.
+- `Sigmoid` times 20 or 80: Depth Anything V2's metric_depth/depth_anything_v2/dpt.py, meters.
 - `ReLU` times 20 or 80: a wrong export of a metric network, unusable: fabio-sim/Depth-Anything-ONNX before pull request
   27 (October 2024), transformers before issue 32890 (August 2024).
 - Sum of `Softmax` times bin depths: ZoeDepth (`ZoeDepthMultipleMetricDepthEstimationHeads`), Metric3D ConvNeXt.

@@ -2,8 +2,8 @@
 
 From DepthAnything/Depth-Anything-V2 (metric_depth/), isl-org/MiDaS, YvanYin/Metric3D (onnx/),
 ByteDance-Seed/Depth-Anything-3, apple/ml-depth-pro (Bochkovskii et al. 2024), isl-org/ZoeDepth and transformers'
-zoedepth (Bhat et al. 2023), microsoft/MoGe (docs/onnx.md; Wang et al. 2025), lpiccinelli-eth/UniDepth
-(models/unidepthv2/export.py). Values from their PyTorch code and assumptions are marked.
+zoedepth (Bhat et al. 2023), microsoft/MoGe's docs/onnx.md (Wang et al. 2025), lpiccinelli-eth/UniDepth's
+models/unidepthv2/export.py. Values from their PyTorch code and assumptions are marked.
 """
 
 from __future__ import annotations

@@ -466,5 +466,5 @@ def _extent(poses: NodePoses) -> float:
     """Norm of all poses: rotation vectors [rad], and positions about their mean [m]."""
     quaternions = rotations_to_quaternions(poses.rotations)
     half_angles = elementwise(math.atan2, np.sqrt((quaternions[:, :3] ** 2).sum(axis=1)), quaternions[:, 3])
-    centerd = poses.positions - poses.positions.mean(axis=0)
-    return float(np.sqrt((4 * half_angles * half_angles).sum() + (centerd * centerd).sum()))
+    centered = poses.positions - poses.positions.mean(axis=0)
+    return float(np.sqrt((4 * half_angles * half_angles).sum() + (centered * centered).sum()))

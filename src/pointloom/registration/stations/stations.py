@@ -437,8 +437,8 @@ def is_enough(points: Array, level: bool) -> bool:
     """True if points determine a pose: two apart in plan for level stations, else three that are not collinear."""
     if len(points) < (2 if level else 3):
         return False
-    centerd = points - points.mean(axis=0)
-    spread = np.linalg.svd(centerd[:, :2] if level else centerd, compute_uv=False)
+    centered = points - points.mean(axis=0)
+    spread = np.linalg.svd(centered[:, :2] if level else centered, compute_uv=False)
     return bool(spread[0] > 1e-3 if level else spread[1] > 1e-2 * spread[0] > 0)
 
 

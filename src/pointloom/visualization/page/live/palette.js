@@ -110,7 +110,7 @@ class Help {
     const close = iconButton("close", "Close (Esc)", () => dialog.close());
     this.body = make("div", { class: "help-body", tabindex: 0 });
     dialog.append(make("header", {}, make("h2", { id: "help-title" }, "Keys and commands"), close), this.body);
-    dialog.setAttribute("aria-labeledby", "help-title");
+    dialog.setAttribute("aria-labelledby", "help-title");
     dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
     dialog.addEventListener("keydown", (event) => {
       if (event.key !== "h" && event.key !== "H" && event.key !== "?") return;

@@ -1,4 +1,4 @@
-"""Types end at no door: a wrong element, rank, order, kind or count of what a host function is given is an error."""
+"""A wrong element type, rank, order, kind or count of an argument of a host function is a type error."""
 
 import json
 import os
