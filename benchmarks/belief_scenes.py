@@ -163,7 +163,7 @@ def frames() -> Iterator[Scan]:
 
 
 OTHERS = "rgbd-cupoch-redwood5/other_formats"
-MAY_SHARE = (  # scenes that may show the same location: no pair of different scenes
+MAY_FRACTION = (  # scenes that may show the same location: no pair of different scenes
     {"kitchen", "kitchen teaser"},
     {"redwood", "cupoch fragment"},
     {"TUM desk 1", "TUM desk 2", "TUM frame", "slambook desk"},

@@ -24,7 +24,7 @@ from typing import Any
 import belief_scenes
 import numpy as np
 import real_scans
-from belief_scenes import MAY_SHARE, Array, Scan
+from belief_scenes import MAY_FRACTION, Array, Scan
 
 VOXELS = {"room": (0.05, 0.08), "object": (0.02, 0.03), "street": (0.3, 0.5), "terrain": (2.0, 3.0)}  # [m]
 OVERLAP = 0.15  # of the smaller cloud, within the matching distance
@@ -75,7 +75,7 @@ def different(scans: Sequence[Scan], max_pairs: int) -> Iterator[tuple[Scan, Sca
     for scan in scans:
         by_scene.setdefault(scan.scene, []).append(scan)
     for a, b in itertools.combinations(by_scene, 2):
-        if by_scene[a][0].kind != by_scene[b][0].kind or any({a, b} <= scenes for scenes in MAY_SHARE):
+        if by_scene[a][0].kind != by_scene[b][0].kind or any({a, b} <= scenes for scenes in MAY_FRACTION):
             continue
         makers = [scene.split()[0] for scene in (a, b)]
         if set(makers) == {"made", "fresh"}:
@@ -107,9 +107,9 @@ def overlapping(
             cKDTree(one).query(other, distance_upper_bound=MATCH * voxel_size)[0]
             for one, other in ((thin[b.name], moved_source), (moved_source, thin[b.name]))
         ]
-        share = max(float(np.isfinite(distances).mean()) for distances in near)
-        if share >= min_overlap:
-            yield a, b, T, share
+        fraction = max(float(np.isfinite(distances).mean()) for distances in near)
+        if fraction >= min_overlap:
+            yield a, b, T, fraction
 
 
 def start_of(scan: Scan) -> Array:
@@ -174,8 +174,8 @@ def judge_all(scans: Sequence[Scan], max_pairs: int) -> Iterator[Belief]:
         chosen = [scan for scan in scans if scan.kind == kind]
         for voxel_size in sizes:
             judge = Judge(voxel_size)
-            for source, target, T, share in overlapping(chosen, voxel_size):
-                yield judge.judge(source, target, T, share)
+            for source, target, T, fraction in overlapping(chosen, voxel_size):
+                yield judge.judge(source, target, T, fraction)
             for source, target in different(chosen, max_pairs):
                 yield judge.judge(source, target, None, 0.0)
 

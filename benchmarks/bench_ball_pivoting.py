@@ -14,7 +14,7 @@ import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
 
-SHARE = 0.9  # of Open3D's triangles; with noise it selects others where several share an edge
+FRACTION = 0.9  # of Open3D's triangles; with noise it selects others where several share an edge
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,9 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
     triangles = set(map(tuple, actual.tolist()))
     common = sum(tuple(t) in triangles for t in reference.tolist())
     assert len(actual) >= 0.99 * len(reference), f"{len(actual)} triangles, {peer} has {len(reference)}"
-    assert common >= SHARE * len(reference), f"of {peer}'s {len(reference)} triangles only {common} are in the result"
+    assert common >= FRACTION * len(reference), (
+        f"of {peer}'s {len(reference)} triangles only {common} are in the result"
+    )
 
 
 def operation(name: str, factors: tuple[float, ...], long: tuple[str, ...] = ()) -> Operation:

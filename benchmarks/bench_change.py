@@ -39,7 +39,7 @@ def prepare_pointloom(scene: Epochs, device: str) -> Any:
     radius = scene[3]
 
     def measure(pair: Any) -> Any:
-        return loom.change.m3c2(
+        return loom.m3c2(
             *pair, core_points=cores, normal_radii=radius, cylinder_radius=radius, max_distance=10 * radius,
             registration_error=ERROR,
         )  # fmt: skip

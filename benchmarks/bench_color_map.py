@@ -16,7 +16,7 @@ ITERATIONS, VIEWS = 20, 8
 Scene = dict[str, Any]
 
 
-def pictured_plain(side: int, width: int = 640) -> Scene:
+def imaged_plain(side: int, width: int = 640) -> Scene:
     """A wavy square of side^2 vertices, and images of it from eight positions with slightly wrong poses."""
     rng, height = np.random.default_rng(0), width * 3 // 4
     j, i = np.mgrid[:side, :side]
@@ -40,7 +40,7 @@ def pictured_plain(side: int, width: int = 640) -> Scene:
 def prepare_pointloom(scene: Scene, device: str) -> Any:
     import pointloom as loom
 
-    maps = loom.color_map
+    maps = loom.meshing
     mesh = loom.TriangleMesh(scene["vertices"], scene["triangles"], device=device)
     frames = [loom.RGBDImage(*frame, device=device) for frame in scene["frames"]]
     camera, path = loom.PinholeCameraIntrinsic(*scene["camera"]), loom.Trajectory(scene["poses"])
@@ -87,11 +87,11 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 COLOR_MAP = Operation(
     name="color_map",
     scenes={
-        "1k, 64x48": partial(pictured_plain, 32, 64),
-        "40k": partial(pictured_plain, 200),
-        "160k": partial(pictured_plain, 400),
+        "1k, 64x48": partial(imaged_plain, 32, 64),
+        "40k": partial(imaged_plain, 200),
+        "160k": partial(imaged_plain, 400),
     },
-    quick={"2k": partial(pictured_plain, 45, 160)},
+    quick={"2k": partial(imaged_plain, 45, 160)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),

@@ -40,9 +40,9 @@ def bunny(target: int) -> Thinning:
     return Thinning((mesh.vertices * 1000, mesh.triangles), target)
 
 
-def wavy(cells: int, share: float) -> Thinning:
+def wavy(cells: int, fraction: float) -> Thinning:
     vertices, triangles = wavy_mesh(cells)
-    return Thinning((vertices * 1000 / np.ptp(vertices), triangles), int(share * len(triangles)))
+    return Thinning((vertices * 1000 / np.ptp(vertices), triangles), int(fraction * len(triangles)))
 
 
 def prepare_pointloom(scene: Thinning, device: str) -> Any:

@@ -87,17 +87,17 @@ def numba_kernel() -> Callable[..., None]:
         kv = (v * velocity[2] - w * velocity[1], w * velocity[0] - u * velocity[2], u * velocity[1] - v * velocity[0])
         kkv = (v * kv[2] - w * kv[1], w * kv[0] - u * kv[2], u * kv[1] - v * kv[0])
         for i in numba.prange(len(points)):
-            share = np.float32((times[i] - last) / (last - first))
-            a = share * angle
+            fraction = np.float32((times[i] - last) / (last - first))
+            a = fraction * angle
             sine, half = np.sin(a), np.sin(np.float32(0.5) * a)
             versine = np.float32(2) * half * half
             c, s = versine / a if abs(a) > 1e-12 else versine, np.float32(1) - sine / a if abs(a) > 1e-12 else versine
             x, y = np.float32(points[i, 0] + origin[0]), np.float32(points[i, 1] + origin[1])
             z = np.float32(points[i, 2] + origin[2])
             kx, ky, kz = v * z - w * y, w * x - u * z, u * y - v * x
-            out[i, 0] = x + kx * sine + (v * kz - w * ky) * versine + (velocity[0] + kv[0] * c + kkv[0] * s) * share
-            out[i, 1] = y + ky * sine + (w * kx - u * kz) * versine + (velocity[1] + kv[1] * c + kkv[1] * s) * share
-            out[i, 2] = z + kz * sine + (u * ky - v * kx) * versine + (velocity[2] + kv[2] * c + kkv[2] * s) * share
+            out[i, 0] = x + kx * sine + (v * kz - w * ky) * versine + (velocity[0] + kv[0] * c + kkv[0] * s) * fraction
+            out[i, 1] = y + ky * sine + (w * kx - u * kz) * versine + (velocity[1] + kv[1] * c + kkv[1] * s) * fraction
+            out[i, 2] = z + kz * sine + (u * ky - v * kx) * versine + (velocity[2] + kv[2] * c + kkv[2] * s) * fraction
 
     return deskew
 

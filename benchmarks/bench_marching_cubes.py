@@ -21,11 +21,11 @@ def prepare_pointloom(field: np.ndarray, device: str) -> Any:
     import pointloom as loom
 
     if not device.startswith("cuda"):
-        return lambda: loom.marching_cubes(field)
+        return lambda: loom.meshing.marching_cubes(field)
     import warp as wp
 
     resident = wp.array(field, dtype=wp.float32, device=device)
-    return waiting(lambda: loom.marching_cubes(resident), device, "warp")
+    return waiting(lambda: loom.meshing.marching_cubes(resident), device, "warp")
 
 
 def prepare_scikit_image(field: np.ndarray, device: str) -> Any:

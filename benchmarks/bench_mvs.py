@@ -18,7 +18,7 @@ from contest import POINTLOOM, Contestant, Operation, thread_count, timed
 from mvs_scenes import Scene, motorcycle, motorcycle_disparities
 
 BASELINE = 0.2  # [m] of the room's pair: 36 to 78 px at 640 columns
-SHARE = 0.1  # of the room's camera path
+FRACTION = 0.1  # of the room's camera path
 DISPARITIES = 0.2  # of the width: the nearest point has 0.12
 BLOCK = 5  # [px] of SGBM
 
@@ -32,10 +32,10 @@ def room_pair(width: int) -> Scene:
     focal = 525.0 * width / 640
     height = width * 3 // 4
     lens = loom.PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
-    left, right = room_pose(SHARE), room_pose(SHARE)
+    left, right = room_pose(FRACTION), room_pose(FRACTION)
     right[:3, 3] += BASELINE * right[:3, 0]
     frames = list(room_views(np.array([left, right]), lens))
-    cameras = [loom.mvs.PosedCamera(lens, np.linalg.inv(frame.T_world_camera)) for frame in frames]
+    cameras = [loom.photogrammetry.PosedCamera(lens, np.linalg.inv(frame.T_world_camera)) for frame in frames]
     truth = [np.asarray(frame.depth, np.float32) for frame in frames]
     return Scene([frame.color for frame in frames], cameras, [truth[0], None], (focal * BASELINE, 0.0))
 
@@ -49,8 +49,8 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
     import pointloom as loom
 
     def match() -> Any:
-        maps = loom.mvs.estimate_depth_maps(scene.pictures, scene.cameras, scene.sparse, device=device)
-        return scene, loom.mvs.filter_depth_maps(maps, device=device)[0].depth
+        maps = loom.photogrammetry.estimate_depth_maps(scene.images, scene.cameras, scene.sparse, device=device)
+        return scene, loom.photogrammetry.filter_depth_maps(maps, device=device)[0].depth
 
     return match
 
@@ -59,7 +59,9 @@ def prepare_sgm(scene: Scene, device: str) -> Any:
     import pointloom as loom
 
     def match() -> Any:
-        maps = loom.mvs.estimate_depth_maps(scene.pictures, scene.cameras, scene.sparse, method="sgm", device=device)
+        maps = loom.photogrammetry.estimate_depth_maps(
+            scene.images, scene.cameras, scene.sparse, method="sgm", device=device
+        )
         return scene, maps[0].depth
 
     return match
@@ -69,13 +71,13 @@ def prepare_opencv(scene: Scene, device: str, mode: str = "SGBM") -> Any:
     import cv2
 
     cv2.setNumThreads(thread_count())
-    width = scene.pictures[0].shape[1]
+    width = scene.images[0].shape[1]
     count = motorcycle_disparities() if scene.disparity[1] else round(DISPARITIES * width)
     costs = {"P1": 8 * 3 * BLOCK**2, "P2": 32 * 3 * BLOCK**2}  # as in OpenCV's documentation and sample
     checks = {"disp12MaxDiff": 1, "uniquenessRatio": 10, "speckleWindowSize": 100, "speckleRange": 2}
     checks["mode"] = getattr(cv2, f"STEREO_SGBM_MODE_{mode}")
     matcher = cv2.StereoSGBM_create(0, -(-count // 16) * 16, BLOCK, **costs, **checks)
-    left, right = (cv2.cvtColor(picture, cv2.COLOR_RGB2BGR) for picture in scene.pictures)
+    left, right = (cv2.cvtColor(image, cv2.COLOR_RGB2BGR) for image in scene.images)
 
     def match() -> Any:
         disparity = matcher.compute(left, right).astype(np.float32) / 16

@@ -16,7 +16,7 @@ from scenes import inverse, product
 NOISE = 2e-4  # [rad] and [m] per edge
 DISTANCE = 0.05  # [m] correspondence distance
 CORRESPONDENCES = 200
-WRONG_SHARE = 0.05  # of the loop closures
+WRONG_FRACTION = 0.05  # of the loop closures
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def simulate(true: np.ndarray, closures: list[tuple[int, int]]) -> Trajectory:
     edges = []
     for k, (i, j) in enumerate(steps + closures):
         measured = product(product(inverse(true[j]), true[i]), noise[k])
-        if k >= len(steps) and rng.random() < WRONG_SHARE:
+        if k >= len(steps) and rng.random() < WRONG_FRACTION:
             measured = wrong[k - len(steps)]
         edges.append((i, j, measured, k >= len(steps)))
     poses = [true[0]]

@@ -47,7 +47,7 @@ def first_frames(count: int, per_fragment: int, width: int = 640) -> Scene:
 def prepare_pointloom(scene: Scene, device: str) -> Any:
     import pointloom as loom
 
-    config = loom.reconstruction.ReconstructionConfig(
+    config = loom.rgbd.ReconstructionConfig(
         voxel_size=VOXEL,
         tsdf_voxel_size=SCENE_VOXEL,
         sdf_trunc=TRUNCATION,
@@ -57,7 +57,7 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
 
     def run() -> Any:
         with tempfile.TemporaryDirectory() as folder:
-            loom.reconstruction.run_system(Decoded(scene["frames"]), config, folder, device=device)
+            loom.rgbd.run_reconstruction_system(Decoded(scene["frames"]), config, folder, device=device)
             return loom.read_trajectory(f"{folder}/scene/trajectory.log").poses
 
     return run

@@ -76,9 +76,9 @@ def shades(points: NDArray[np.float32]) -> NDArray[np.float32]:
     return (0.9 * (points - low) / (high - low)).astype(np.float32)
 
 
-def facts(picture: NDArray[Any]) -> float:
+def facts(image: NDArray[Any]) -> float:
     """Fraction of the image that is covered."""
-    values = picture if picture.dtype == np.uint8 else np.round(255 * picture)
+    values = image if image.dtype == np.uint8 else np.round(255 * image)
     return float((values < WHITE).any(axis=2).mean())
 
 

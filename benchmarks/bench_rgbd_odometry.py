@@ -38,11 +38,11 @@ def wavy_frames(width: int = 640, *, is_prepared: bool = False) -> Scene:
 def prepare_pointloom(scene: Scene, device: str) -> Any:
     import pointloom as loom
 
-    odometry, camera = loom.odometry, loom.PinholeCameraIntrinsic(*scene["camera"])
-    pictures = [[given_on(part, device) for part in frame] for frame in scene["frames"]]
+    odometry, camera = loom.rgbd, loom.PinholeCameraIntrinsic(*scene["camera"])
+    frames = [[given_on(part, device) for part in frame] for frame in scene["frames"]]
 
     def prepare() -> list[Any]:
-        return [odometry.OdometryFrame(depth, camera, color, depth_max=6.0, device=device) for color, depth in pictures]
+        return [odometry.OdometryFrame(depth, camera, color, depth_max=6.0, device=device) for color, depth in frames]
 
     frames = prepare()
     return lambda: odometry.align_frames(*(frames if scene["is_prepared"] else prepare())).transformation
@@ -52,12 +52,12 @@ def prepare_legacy(scene: Scene, device: str) -> Any:
     import open3d as o3d
 
     pipeline, make = o3d.pipelines.odometry, o3d.geometry.RGBDImage.create_from_color_and_depth
-    pictures = [[o3d.geometry.Image(part) for part in frame] for frame in scene["frames"]]
+    frames = [[o3d.geometry.Image(part) for part in frame] for frame in scene["frames"]]
     camera, term = o3d.camera.PinholeCameraIntrinsic(*scene["camera"]), pipeline.RGBDOdometryJacobianFromHybridTerm()
-    images = [make(*picture, 1000.0, 4.0, True) for picture in pictures]
+    images = [make(*frame, 1000.0, 4.0, True) for frame in frames]
 
     def run() -> Any:
-        given = images if scene["is_prepared"] else [make(*picture, 1000.0, 4.0, True) for picture in pictures]
+        given = images if scene["is_prepared"] else [make(*frame, 1000.0, 4.0, True) for frame in frames]
         return pipeline.compute_rgbd_odometry(*given, camera, np.eye(4), term, pipeline.OdometryOption())[1]
 
     return run

@@ -11,13 +11,13 @@ from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waitin
 THRESHOLD = 0.01  # [m]
 SAMPLES = 1000
 PROBABILITY = 0.99999999  # Open3D's default: 30 % of inliers need 673 samples, so the search does not stop at once
-SHARES = (0.3, 0.3, 0.4)  # plane, clutter in a box around it, bumpy surface below it
+FRACTIONS = (0.3, 0.3, 0.4)  # plane, clutter in a box around it, bumpy surface below it
 
 
 def cluttered_plane(count: int, seed: int = 0) -> np.ndarray:
     """A tilted plane with 2 mm of noise in clutter above a bumpy surface, float64 [n, 3] in random order."""
     rng = np.random.default_rng(seed)
-    sizes = [int(share * count) for share in SHARES[:2]]
+    sizes = [int(fraction * count) for fraction in FRACTIONS[:2]]
     x, y = rng.uniform(-2, 2, (2, sizes[0]))
     plane = np.stack([x, y, 1 + 0.2 * x - 0.1 * y + rng.normal(0, 0.002, sizes[0])], axis=1)
     clutter = rng.uniform((-2, -2, -0.5), (2, 2, 2), (sizes[1], 3))

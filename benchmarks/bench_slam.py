@@ -53,7 +53,7 @@ def slam_pointloom(sequence: Sequence, device: str) -> Trial:
     frames = [SimpleNamespace(depth=d, color=c) for d, c in zip(sequence.depths, sequence.colors, strict=True)]
 
     def run() -> Any:
-        slam = loom.slam.DenseSLAM(sequence.camera, voxel_size=VOXEL_SIZE, depth_max=DEPTH_MAX, device=device)
+        slam = loom.rgbd.DenseSLAM(sequence.camera, voxel_size=VOXEL_SIZE, depth_max=DEPTH_MAX, device=device)
         slam.run(frames)
         return sequence, slam.trajectory.poses
 
@@ -64,7 +64,7 @@ def slam_open3d(sequence: Sequence, device: str) -> Trial:
     o3d = load_open3d()
     where, slam, image = open3d_device(device), o3d.t.pipelines.slam, o3d.t.geometry.Image
     intrinsic = o3d.core.Tensor(sequence.camera.matrix)
-    pictures = [
+    images = [
         (image(o3d.core.Tensor(d)), image(o3d.core.Tensor(c)))
         for d, c in zip(sequence.depths, sequence.colors, strict=True)
     ]
@@ -75,7 +75,7 @@ def slam_open3d(sequence: Sequence, device: str) -> Trial:
         size = (sequence.camera.height, sequence.camera.width)
         input_frame, rendered = slam.Frame(*size, intrinsic, where), slam.Frame(*size, intrinsic, where)
         poses = []
-        for i, (depth, color) in enumerate(pictures):
+        for i, (depth, color) in enumerate(images):
             input_frame.set_data_from_image("depth", depth.to(where))
             input_frame.set_data_from_image("color", color.to(where))
             if i:

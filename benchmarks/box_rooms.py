@@ -77,7 +77,7 @@ def fragments(seed: int, starts: tuple[float, ...] = (0.0, 65.0, 150.0), frames:
             direction = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
             T = look_along(middle + rng.uniform(-0.1, 0.1, 3), direction)
             first = T if first is None else first
-            points.append(_picture(scene, T, rng))
+            points.append(_image(scene, T, rng))
         thinned = np.concatenate(points)
         cells = np.floor(thinned / VOXEL).astype(np.int64)
         thinned = thinned[np.unique(cells, axis=0, return_index=True)[1]]
@@ -86,7 +86,7 @@ def fragments(seed: int, starts: tuple[float, ...] = (0.0, 65.0, 150.0), frames:
     return result
 
 
-def _picture(scene, T: Array, rng: np.random.Generator) -> Array:
+def _image(scene, T: Array, rng: np.random.Generator) -> Array:
     """Measured points in the room [m], float64 [n, 3], of a camera at T_room_camera."""
     v, u = np.mgrid[:HEIGHT, :WIDTH]
     directions = np.stack([(u - (WIDTH - 1) / 2) / FOCAL, (v - (HEIGHT - 1) / 2) / FOCAL, np.ones(u.shape)], -1)

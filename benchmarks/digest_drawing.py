@@ -52,7 +52,10 @@ def map_of(d: Any) -> list[Any]:
         [[0, 0, 0], [9, 0, 1], [9, 9, 2], [0, 9, 1]], [[0, 1, 2], [0, 2, 3]], triangle_uvs=rng.random((6, 2)),
         triangle_material_ids=[1, 0], textures=list(rng.integers(0, 256, (2, 16, 16, 3), np.uint8)), device=d.device,
     )  # fmt: skip
-    maps = [loom().orthophoto(ball, side, frame=loom().WorldFrame(47.5, 8.25)), loom().orthophoto(sheet, 0.3)]
+    maps = [
+        loom().meshing.orthophoto(ball, side, frame=loom().WorldFrame(47.5, 8.25)),
+        loom().meshing.orthophoto(sheet, 0.3),
+    ]
     return [[each.colors, each.heights.values] for each in maps]
 
 

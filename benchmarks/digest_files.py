@@ -72,8 +72,8 @@ def poses(d: Scenes) -> Any:
     return contents(write)
 
 
-def pictures(d: Scenes) -> Any:
-    return contents(lambda folder: loom().save_picture(folder / "paint.png", d.paint))
+def images(d: Scenes) -> Any:
+    return contents(lambda folder: loom().write_image(folder / "paint.png", d.paint))
 
 
 def volumes(d: Scenes) -> Any:
@@ -162,7 +162,7 @@ WRITTEN: dict[str, Callable[[Scenes], Any]] = {
     **{f"file cloud.{ending}": cloud(ending, options) for ending, options in CLOUDS.items()},
     **{f"file mesh.{ending}": mesh(ending, options) for ending, options in MESHES.items()},
     "file trajectories": poses,
-    "file pictures": pictures,
+    "file images": images,
     "file volume": volumes,
     "file pose graph": graph,
     "file view": view,

@@ -11,7 +11,7 @@ from digest_scenes import loom, pose_of
 
 def noisy_depth_maps(d: Any) -> Any:
     """Depth maps of a slanted wall from four positions, with noise, holes and individual colors."""
-    mvs, rng = loom().mvs, np.random.default_rng(7)
+    mvs, rng = loom().photogrammetry, np.random.default_rng(7)
     lens = loom().PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.2, 35.7)
     v, u = np.mgrid[:72, :96]
     cameras, maps = [], []
@@ -31,13 +31,13 @@ def noisy_depth_maps(d: Any) -> Any:
 
 def fused_depth_maps(d: Any) -> list[Any]:
     """Fused points with the colors of each image, and both meshes."""
-    mvs, maps = loom().mvs, noisy_depth_maps(d)
+    mvs, maps = loom().photogrammetry, noisy_depth_maps(d)
     colors = np.random.default_rng(8).integers(0, 256, (4, 72, 96, 3)).astype(np.uint8)
-    return [mvs.fuse(maps, list(colors), to=to, device=d.device) for to in ("points", "tsdf", "poisson")]
+    return [mvs.fuse_depth_maps(maps, list(colors), to=to, device=d.device) for to in ("points", "tsdf", "poisson")]
 
 
 def filtered_depth_maps(d: Any) -> list[Any]:
     """Filtered depth maps with all criteria, and with few."""
-    maps, filtered = noisy_depth_maps(d), loom().mvs.filter_depth_maps
+    maps, filtered = noisy_depth_maps(d), loom().photogrammetry.filter_depth_maps
     settings = ({}, {"min_views": 1, "min_support": 0.0, "min_confidence": 0.3})
     return [[each.depth for each in filtered(maps, device=d.device, **options)] for options in settings]

@@ -135,7 +135,7 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "compute_mean_and_covariance": lambda p: p.cloud.compute_mean_and_covariance(),
     "compute_mahalanobis_distance": lambda p: p.cloud.compute_mahalanobis_distance(),
     "compute_metrics": lambda p: loom().compute_metrics(p.cloud, p.other, [0.5 * p.spacing, 2 * p.spacing]),
-    "m3c2": lambda p: loom().change.m3c2(
+    "m3c2": lambda p: loom().m3c2(
         p.cloud,
         p.other,
         normal_radii=[3 * p.spacing, 5 * p.spacing],

@@ -82,10 +82,8 @@ def undistorted_paint(d: Scenes) -> list[Any]:
         ("EUCM", [width, width, *middle, 0.6, 1.1]),
     ]
     cameras = [loom().CameraModel(name, width, height, params) for name, params in lenses]
-    sizes = ({"blank_share": 0.5}, {"max_size": width // 3})
-    return [
-        loom().undistort_picture(d.paint, camera, device=d.device, **size)[0] for camera in cameras for size in sizes
-    ]
+    sizes = ({"blank_fraction": 0.5}, {"max_size": width // 3})
+    return [loom().undistort_image(d.paint, camera, device=d.device, **size)[0] for camera in cameras for size in sizes]
 
 
 def picked(p: SampledSurface) -> list[Any]:
@@ -130,7 +128,7 @@ def tracked_frames(d: Any) -> Any:
     from pointloom.datasets.scenes.room import room_loop_sequence
 
     room = room_loop_sequence(300, width=80, height=60, covered=(5, 6))
-    slam = loom().slam.DenseSLAM(room.intrinsic, voxel_size=0.04, submap_frames=4, device=d.device)
+    slam = loom().rgbd.DenseSLAM(room.intrinsic, voxel_size=0.04, submap_frames=4, device=d.device)
     for k in range(10):
         frame = room.read(k)
         slam.step(SimpleNamespace(depth=frame.depth, color=frame.color, timestamp=frame.timestamp))
@@ -254,19 +252,19 @@ def textured_ball(d: Scenes) -> Any:
     return mesh
 
 
-def posed_pictures(d: Scenes) -> tuple[Any, Any, NDArray[np.float64]]:
+def posed_images(d: Scenes) -> tuple[Any, Any, NDArray[np.float64]]:
     """A grid in front of a camera, images of it from three positions, and their poses."""
     camera = loom().PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.2, 23.7)
     v, u = np.mgrid[:48, :64]
-    poses, pictures = np.tile(np.eye(4), (3, 1, 1)), []
+    poses, images = np.tile(np.eye(4), (3, 1, 1)), []
     for k, pose in enumerate(poses):
         pose[:2, 3] = 0.02 * k, -0.01 * k
         shade = 127 + 60 * np.sin((u + 1.3 * k) / 5) + 60 * np.cos((v + k) / 7)
-        pictures.append(np.stack([shade, shade / 2, 255 - shade], -1).astype(np.uint8))
-    return camera, pictures, poses
+        images.append(np.stack([shade, shade / 2, 255 - shade], -1).astype(np.uint8))
+    return camera, images, poses
 
 
-def pictured_grid(d: Scenes) -> Any:
+def imaged_grid(d: Scenes) -> Any:
     """A square grid 1 m in front of the first camera, with texture coordinates."""
     j, i = np.mgrid[:21, :21]
     uvs, at = np.stack([i, j], -1).reshape(-1, 2) / 20, (j * 21 + i)[:-1, :-1].ravel()
@@ -277,52 +275,52 @@ def pictured_grid(d: Scenes) -> Any:
 
 def color_maps(d: Scenes) -> list[Any]:
     """Color maps in both forms, by rays and by depth."""
-    camera, pictures, poses = posed_pictures(d)
-    maps, mesh, path = loom().color_map, pictured_grid(d), loom().Trajectory(poses)
+    camera, images, poses = posed_images(d)
+    maps, mesh, path = loom().meshing, imaged_grid(d), loom().Trajectory(poses)
     rigid = maps.RigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2)
     bent = maps.NonRigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2, number_of_vertical_anchors=4)
     depth = np.ones((48, 64), np.float32)
-    frames = [loom().RGBDImage(picture, depth, device=d.device) for picture in pictures]
-    results = [maps.run_rigid_optimizer(mesh, pictures, path, rigid, intrinsic=camera)]
+    frames = [loom().RGBDImage(image, depth, device=d.device) for image in images]
+    results = [maps.run_rigid_optimizer(mesh, images, path, rigid, intrinsic=camera)]
     results.append(maps.run_non_rigid_optimizer(mesh, frames, path, bent, intrinsic=camera))
     return [[r.mesh.vertex_colors, r.trajectory.poses, r.seen, r.warp(1), r.unwarped_image(2)] for r in results]
 
 
 def rgbd_odometry(d: Scenes) -> list[Any]:
     """Frames of a relief with small motion: by all methods, and with Open3D's weights."""
-    odometry, (v, u) = loom().odometry, np.mgrid[:72, :96]
+    odometry, (v, u) = loom().rgbd, np.mgrid[:72, :96]
     camera = loom().PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.5, 35.5)
-    pictures = []
+    pairs = []
     for k in range(2):
         depth = 1.5 + 0.2 * np.sin((u + k) / 13) * np.cos(v / 11) + 0.1 * np.sin((v - k) / 7)
         shade = 127 + 60 * np.sin((u + k) / 3 + v / 9) + 50 * np.cos(v / 4 - (u + k) / 17)
-        pictures.append((shade.astype(np.uint8), depth.astype(np.float32)))
-    frames = [odometry.OdometryFrame(depth, camera, shade, device=d.device) for shade, depth in pictures]
-    results = [odometry.align_frames(*frames, method=method) for method in odometry.Method]
-    images = [loom().RGBDImage(*picture, device=d.device) for picture in pictures]
+        pairs.append((shade.astype(np.uint8), depth.astype(np.float32)))
+    frames = [odometry.OdometryFrame(depth, camera, shade, device=d.device) for shade, depth in pairs]
+    results = [odometry.align_frames(*frames, method=method) for method in odometry.OdometryMethod]
+    images = [loom().RGBDImage(*pair, device=d.device) for pair in pairs]
     results.append(odometry.compute_rgbd_odometry(*images, camera, weights="open3d"))
-    methods = odometry.Method
+    methods = odometry.OdometryMethod
     results += [
         odometry.rgbd_odometry_multi_scale(*images, camera.matrix, method=method, weights="open3d")
         for method in methods
     ]
-    depths = [depth for _, depth in pictures]
+    depths = [depth for _, depth in pairs]
     information = odometry.compute_odometry_information_matrix(*depths, camera, np.eye(4), 0.07)
     return [information] + [[r.transformation, r.information, r.inliers, r.reliable] for r in results]
 
 
 def albedo(d: Scenes) -> Any:
-    camera, pictures, poses = posed_pictures(d)
-    textured = pictured_grid(d).project_images_to_albedo(pictures, camera, [scenes.inverse(pose) for pose in poses], 64)
+    camera, images, poses = posed_images(d)
+    textured = imaged_grid(d).project_images_to_albedo(images, camera, [scenes.inverse(pose) for pose in poses], 64)
     return textured.textures[0]
 
 
-def picture_texture(d: Scenes) -> list[Any]:
+def image_texture(d: Scenes) -> list[Any]:
     """The grid's texture from its images, with individual exposures."""
-    camera, pictures, poses = posed_pictures(d)
-    exposed = [(picture * gain).astype(np.uint8) for picture, gain in zip(pictures, (0.9, 1.0, 0.8), strict=True)]
-    given = (pictured_grid(d), exposed, camera, [scenes.inverse(pose) for pose in poses])
-    result = loom().color_map.texture_from_pictures(*given, smoothness=0.2)
+    camera, images, poses = posed_images(d)
+    exposed = [(image * gain).astype(np.uint8) for image, gain in zip(images, (0.9, 1.0, 0.8), strict=True)]
+    given = (imaged_grid(d), exposed, camera, [scenes.inverse(pose) for pose in poses])
+    result = loom().meshing.texture_from_images(*given, smoothness=0.2)
     return [result.mesh.textures[0], result.mesh.triangle_uvs, result.views, result.energy, result.step_before]
 
 
@@ -345,7 +343,7 @@ def scene_distances(d: Scenes) -> list[Any]:
     open_one.add_triangles(some_triangles(d))
     signed = [one.compute_signed_distance(queries), open_one.compute_signed_distance(queries)]
     cloud, open_mesh = loom().PointCloud(queries, device=d.device), some_triangles(d)
-    signed += [loom().change.cloud_to_mesh(cloud, open_mesh, radius=radius) for radius in (None, 0.5)]
+    signed += [loom().meshing.compare_cloud_to_mesh(cloud, open_mesh, radius=radius) for radius in (None, 0.5)]
     return [one.compute_closest_points(queries), *signed, one.compute_occupancy(queries)]
 
 
@@ -511,24 +509,24 @@ def reconstructed(d: Scenes) -> list[Any]:
     from bench_reconstruction import Decoded, first_frames
 
     names = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.03, "fragment_voxel_size": 0.02, "depth_max": 4.0}
-    config, source = loom().reconstruction.ReconstructionConfig(**names), Decoded(first_frames(5, 3, 80)["frames"])
+    config, source = loom().rgbd.ReconstructionConfig(**names), Decoded(first_frames(5, 3, 80)["frames"])
     results: list[Any] = []
     with tempfile.TemporaryDirectory() as folder:
         for slac in (False, True):
-            loom().reconstruction.run_system(source, config, folder, slac=slac, resume=slac, device=d.device)
+            loom().rgbd.run_reconstruction_system(source, config, folder, slac=slac, resume=slac, device=d.device)
             path = loom().read_trajectory(Path(folder) / "scene" / "trajectory.log")
             results += [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
         return results
 
 
 def registered_fragments(d: Scenes) -> list[Any]:
-    result = reg().register_fragments(d.fragments, voxel_size=0.1)
+    result = reg().register_multiway(d.fragments, voxel_size=0.1)
     return [result, *result.pose_covariances(d.fragments)]
 
 
 def aligned_fragments(d: Scenes) -> list[Any]:
     """Fragments aligned together, rigid and deformed."""
-    rec, count = loom().reconstruction, len(d.fragments)
+    rec, count = loom().rgbd, len(d.fragments)
     poses = [scenes.inverse(pose_of(50.0 * k + 0.2, [k + 0.01, 0.2, 0])) for k in range(count)]
     edges = [
         (i, j, scenes.product(scenes.inverse(poses[j]), poses[i]))
@@ -597,7 +595,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "create_normal_map": lambda d: loom().create_normal_map(d.rgbd, d.lens, -1.0),
     "pyrdown_depth": lambda d: loom().pyrdown_depth(d.frames.depths[3], device=d.device),
     "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),
-    "undistort_picture": undistorted_paint,
+    "undistort_image": undistorted_paint,
     "panorama": panorama_faces,
     "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),
     "tsdf, integrate": lambda d: d.fuse()[1],
@@ -620,11 +618,11 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mvs, fuse": fused_depth_maps,
     "tsdf, integrate_points": scanned_volume,
     "tsdf, fuse_volumes": lambda d: (
-        loom().fuse_volumes([d.volume] * 2, [np.eye(4), d.extrinsics()[1]]).extract_triangle_mesh(0)
+        loom().meshing.fuse_volumes([d.volume] * 2, [np.eye(4), d.extrinsics()[1]]).extract_triangle_mesh(0)
     ),
     "tsdf, save and load": volume_file,
     "marching_cubes": lambda d: d.ball,
-    "marching_cubes, level": lambda d: loom().marching_cubes(
+    "marching_cubes, level": lambda d: loom().meshing.marching_cubes(
         scenes.wavy_ball(24)[:, :20], 0.1, spacing=[0.1, 0.2, 0.3], origin=UTM, device=d.device
     ),
     "mesh, compute_vertex_normals": lambda d: d.ball.compute_vertex_normals(),
@@ -705,7 +703,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "color_map": color_maps,
     "rgbd odometry": rgbd_odometry,
     "mesh, project_images_to_albedo": albedo,
-    "mesh, texture_from_pictures": picture_texture,
+    "mesh, texture_from_images": image_texture,
     "robust kernels": lambda d: {name: k.weight(np.linspace(-1, 1, 41)) for name, k in robust_kernels(0.3).items()},
     "icp, point to plane, robust": lambda d: {
         name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()
@@ -748,8 +746,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "robust registration": robust_global,
     "register_globally": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08),
     "register_globally, not refined": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08, refine=False),
-    "register_fragments": registered_fragments,
-    "run_system": reconstructed,
+    "register_multiway": registered_fragments,
+    "run_reconstruction_system": reconstructed,
     "SLAC": aligned_fragments,
     "register_nonrigid": bent,
     "coherent_point_drift": drifted,

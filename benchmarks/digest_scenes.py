@@ -74,9 +74,9 @@ class SampledSurface:
         T[:3, 3] = -scenes.product(T[:3, :3], self.above(0.75))
         return T
 
-    def above(self, share: float) -> NDArray[np.float64]:
+    def above(self, fraction: float) -> NDArray[np.float64]:
         """A point above the center, at a fraction of the size."""
-        return self.middle + np.array([0, 0, share * self.size])
+        return self.middle + np.array([0, 0, fraction * self.size])
 
     @property
     def box(self) -> Any:
@@ -265,7 +265,7 @@ class Scenes:
 
     @cached_property
     def ball(self) -> Any:
-        return loom().marching_cubes(scenes.wavy_ball(40), spacing=[0.05] * 3, device=self.device)
+        return loom().meshing.marching_cubes(scenes.wavy_ball(40), spacing=[0.05] * 3, device=self.device)
 
     @cached_property
     def drive(self) -> street.Drive:

@@ -17,9 +17,9 @@ PART = 700  # points of each shape
 def hall(d: Any) -> Any:
     """A floor, a sphere, a pipe, a cone and a ring with normals and clutter, at UTM coordinates."""
     rng = np.random.default_rng(6)
-    angles, share, tube = rng.random((3, PART)) * [[2 * np.pi], [1], [2 * np.pi]]
+    angles, fraction, tube = rng.random((3, PART)) * [[2 * np.pi], [1], [2 * np.pi]]
     around, up = np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]), np.array([0.0, 0.0, 1.0])
-    height, z = share[:, None], 2 * share[:, None] - 1
+    height, z = fraction[:, None], 2 * fraction[:, None] - 1
     shapes = [
         np.column_stack([3 * rng.random(PART), 2 * rng.random(PART), np.zeros(PART)]),
         0.3 * (np.sqrt(1 - z * z) * around + z * up) + [0.5, 0.5, 0.6],

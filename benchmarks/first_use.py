@@ -134,7 +134,7 @@ OPERATIONS: dict[str, FirstUse] = {
     "create_from_point_cloud_poisson": FirstUse(
         lambda device: pair(device)[0], lambda c: loom().TriangleMesh.create_from_point_cloud_poisson(c, depth=6)
     ),
-    "marching_cubes": FirstUse(field, lambda f: loom().marching_cubes(f[0], device=f[1])),
+    "marching_cubes": FirstUse(field, lambda f: loom().meshing.marching_cubes(f[0], device=f[1])),
 }
 
 

@@ -179,20 +179,20 @@ def frame_operations() -> dict[str, Callable[[], Any]]:
     scale = {"depth_scale": 1000.0, "depth_max": 5.0}
     v, u = np.mgrid[:120, :160]
     shade = (127 + 60 * np.sin(u / 7) + 50 * np.cos(v / 9)).astype(np.uint8)
-    first, second = (loom.odometry.OdometryFrame(depth, camera, shade, device=DEVICE) for depth in frames.depths[:2])
+    first, second = (loom.rgbd.OdometryFrame(depth, camera, shade, device=DEVICE) for depth in frames.depths[:2])
     scene = scene_in_pointloom(wavy_mesh(24), DEVICE)
     rng = np.random.default_rng(0)
     rays = np.concatenate([rng.random((2_000, 3)) * 4 - 2, rng.standard_normal((2_000, 3))], axis=1).astype(np.float32)
     room = room_frames(WARM_UP + 14, 160, 120)
-    slam = loom.slam.DenseSLAM(room.camera, voxel_size=0.04, device=DEVICE)
+    slam = loom.rgbd.DenseSLAM(room.camera, voxel_size=0.04, device=DEVICE)
     left = iter([SimpleNamespace(depth=d, color=c) for d, c in zip(room.depths, room.colors, strict=True)])
     slam.step(next(left))
     return {
         "slam frame": lambda: slam.step(next(left)),
         "tsdf integrate": lambda: volume.integrate(frames.depths[1], camera, frames.extrinsics[1], **scale),
         "tsdf mesh": lambda: volume.extract_triangle_mesh(0),
-        "rgbd frame": lambda: loom.odometry.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE),
-        "rgbd alignment": lambda: loom.odometry.align_frames(first, second),
+        "rgbd frame": lambda: loom.rgbd.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE),
+        "rgbd alignment": lambda: loom.rgbd.align_frames(first, second),
         "cast_rays": lambda: scene.cast_rays(rays),
     }
 

@@ -60,17 +60,17 @@ def _lidar(size: int) -> Call:
 def _rgbd_frame(pixels: int) -> Call:
     """A tracked frame: prepared, and aligned with the previous one."""
     import pointloom as loom
-    from pointloom import odometry
+    from pointloom import rgbd
 
     width, height = image_size(pixels)
     frames = scenes.room_frames(2, width, height)
     camera = loom.PinholeCameraIntrinsic(width, height, *frames.intrinsic)
     v, u = np.mgrid[:height, :width] * (640 / width)
     shade = (127 + 60 * np.sin(u / 7 + v / 19) + 50 * np.cos(v / 9 - u / 31)).astype(np.uint8)
-    first = odometry.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE)
+    first = rgbd.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE)
 
     def call() -> Any:
-        return odometry.align_frames(odometry.OdometryFrame(frames.depths[1], camera, shade, device=DEVICE), first)
+        return rgbd.align_frames(rgbd.OdometryFrame(frames.depths[1], camera, shade, device=DEVICE), first)
 
     return call
 
@@ -81,7 +81,7 @@ def _slam_frame(pixels: int) -> Call:
 
     width, height = image_size(pixels)
     room = room_loop_sequence(300, width=width, height=height, device=DEVICE)
-    system = loom.slam.DenseSLAM(room.intrinsic, voxel_size=6.4 / width, device=DEVICE)  # 1 cm at VGA
+    system = loom.rgbd.DenseSLAM(room.intrinsic, voxel_size=6.4 / width, device=DEVICE)  # 1 cm at VGA
     read = [room.read(k) for k in range(2 + CALLS)]
     frames = iter([SimpleNamespace(depth=f.depth, color=f.color, timestamp=f.timestamp) for f in read])
 
@@ -99,7 +99,7 @@ def _mvs(pixels: int) -> Call:
     import pointloom as loom
 
     room = mvs_scenes.room(VIEWS, image_size(pixels // VIEWS)[0])
-    return lambda: list(loom.mvs.estimate_depth_maps(room.pictures, room.cameras, device=DEVICE))
+    return lambda: list(loom.photogrammetry.estimate_depth_maps(room.images, room.cameras, device=DEVICE))
 
 
 def _fuse(_: int) -> Call:
@@ -109,7 +109,7 @@ def _fuse(_: int) -> Call:
 
     maps = noisy_depth_maps(None)
     colors = list(np.random.default_rng(8).integers(0, 256, (4, 72, 96, 3)).astype(np.uint8))
-    return lambda: loom.mvs.fuse(maps, colors, to="points", device=DEVICE)
+    return lambda: loom.photogrammetry.fuse_depth_maps(maps, colors, to="points", device=DEVICE)
 
 
 # ------------------------------------------------------------------------------------------------ surfaces, meshes

@@ -163,7 +163,7 @@ def _marching_cubes(cells: int) -> Callable[[], Any]:
     import pointloom as loom
 
     field = wp.array(scenes.wavy_ball(round(cells ** (1 / 3))), dtype=wp.float32, device=DEVICE)
-    return lambda: loom.marching_cubes(field)
+    return lambda: loom.meshing.marching_cubes(field)
 
 
 def _cast_rays(arrays: str = "numpy") -> Callable[[int], Callable[[], Any]]:

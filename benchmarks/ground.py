@@ -22,7 +22,7 @@ PAGE = Path(__file__).parents[1] / "docs" / "terrain.md"
 class Errors:
     """How a classification differs from the truth, in percent."""
 
-    objects: float  # their share of the points
+    objects: float  # their fraction of the points
     first: float
     second: float
     total: float

@@ -38,8 +38,8 @@ class LaunchTimes:
         lines = [f"{title}: {1000 * self.total / calls:.2f} ms a call"]
         for name, seconds in [*rows, ("(host, sorts, transfers)", self.total - sum(self.seconds.values()))]:
             launches = f"{self.counts[name] / calls:8.1f} launches" if name in self.counts else " " * 17
-            share = seconds / self.total if self.total else 0.0
-            lines.append(f"  {name:44} {launches} {1000 * seconds / calls:10.3f} ms {share:6.1%}")
+            fraction = seconds / self.total if self.total else 0.0
+            lines.append(f"  {name:44} {launches} {1000 * seconds / calls:10.3f} ms {fraction:6.1%}")
         return "\n".join(lines)
 
 

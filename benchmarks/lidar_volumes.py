@@ -68,9 +68,9 @@ def main() -> None:
             volume.integrate_points(points, position)
         seconds = (time.process_time() - start) / POSES
         mesh = volume.extract_triangle_mesh(weight_threshold=0)
-        if options.picture and voxel == options.voxels[0]:
+        if options.image and voxel == options.voxels[0]:
             above = {"front": [-0.4, -0.7, 1.0], "lookat": [6, 4, 0.5], "up": [0, 0, 1], "zoom": 0.55}
-            loom.save_picture(options.picture, loom.render(mesh.compute_vertex_normals(), above, (900, 600)))
+            loom.write_image(options.image, loom.render(mesh.compute_vertex_normals(), above, (900, 600)))
         samples = mesh.sample_points_uniformly(60_000, seed=0).points.astype(np.float32)
         errors = 1000 * np.quantile(np.asarray(truth.compute_distance(samples)), [0.5, 0.95])
         surface = loom.RaycastingScene()

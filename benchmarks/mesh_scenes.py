@@ -18,7 +18,7 @@ def wavy_mesh(cells: int = 128) -> Arrays:
     """A closed surface; at 128 cells 76,460 triangles of very different sizes."""
     import pointloom as loom
 
-    mesh = loom.marching_cubes(scenes.wavy_ball(cells))
+    mesh = loom.meshing.marching_cubes(scenes.wavy_ball(cells))
     return mesh.vertices, mesh.triangles
 
 

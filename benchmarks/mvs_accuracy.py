@@ -38,7 +38,7 @@ SETS: dict[str, Callable[[Any], mvs_scenes.Scene]] = {
 def errors_of(scene: mvs_scenes.Scene, maps: Any) -> dict[str, float]:
     """Errors of depth maps over the pixels with ground truth of all images."""
     if all(truth is None for truth in scene.truth):
-        return {"kept": float(np.mean([each.share for each in maps]))}
+        return {"kept": float(np.mean([each.fraction for each in maps]))}
     known = [(each.depth, truth) for each, truth in zip(maps, scene.truth, strict=True) if truth is not None]
     depth = np.concatenate([a[b > 0] for a, b in known]).astype(np.float64)
     truth = np.concatenate([b[b > 0] for _, b in known]).astype(np.float64)
@@ -73,46 +73,46 @@ def run(name: str, scene: mvs_scenes.Scene, given: Any) -> dict[str, Any]:
     """Estimate, filter and fuse one set; prints the results."""
     import pointloom as loom
 
-    counts = np.bincount(scene.sparse.observations[:, 0], minlength=len(scene.pictures))
+    counts = np.bincount(scene.sparse.observations[:, 0], minlength=len(scene.images))
     print(
-        f"{name}: {len(scene.pictures)} images, {len(scene.sparse.points)} sparse points, "
+        f"{name}: {len(scene.images)} images, {len(scene.sparse.points)} sparse points, "
         f"at least {counts.min()} per image"
     )
     sources = choose_sources(scene.cameras, scene.sparse)
     start, cpu = time.perf_counter(), time.process_time()
-    maps = loom.mvs.estimate_depth_maps(
-        scene.pictures, scene.cameras, scene.sparse, sources=sources, device=given.device
+    maps = loom.photogrammetry.estimate_depth_maps(
+        scene.images, scene.cameras, scene.sparse, sources=sources, device=given.device
     )
     seconds = (time.perf_counter() - start) / len(maps)
     cpu_seconds = (time.process_time() - cpu) / len(maps)
     raw = errors_of(scene, maps)
     print(line_of("  as estimated", raw), flush=True)
     start = time.perf_counter()
-    filtered = loom.mvs.filter_depth_maps(maps, device=given.device)
+    filtered = loom.photogrammetry.filter_depth_maps(maps, device=given.device)
     filtering = (time.perf_counter() - start) / len(maps)
     errors = errors_of(scene, filtered)
     print(line_of("  filtered", errors), flush=True)
     start = time.perf_counter()
-    cloud = loom.mvs.fuse(filtered, scene.pictures, device=given.device)
+    cloud = loom.photogrammetry.fuse_depth_maps(filtered, scene.images, device=given.device)
     fusing = (time.perf_counter() - start) / len(maps)
     line = f"  {seconds:.2f} s per image ({cpu_seconds:.2f} s CPU), filter {filtering:.3f}, fuse {fusing:.3f} s;"
     print(line, f"{len(cloud):,} points", flush=True)
-    record = {"raw": raw, "filtered": errors, "points": len(cloud), "pictures": len(maps)}
+    record = {"raw": raw, "filtered": errors, "points": len(cloud), "images": len(maps)}
     record |= {"seconds": seconds, "cpu_seconds": cpu_seconds, "filter_seconds": filtering, "fuse_seconds": fusing}
     if scene.box is not None and len(cloud):
         inside = ((cloud.points >= scene.box[0]) & (cloud.points <= scene.box[1])).all(axis=1)
         print(f"  in the box {100 * inside.mean():.1f} % of the points", flush=True)
         record["in_box"] = float(inside.mean())
         cloud = cloud.select_by_mask(inside)
-    if given.pictures and len(cloud):
-        look(Path(given.pictures) / name.replace(", ", "-").replace(" ", "-"), scene, cloud)
+    if given.images and len(cloud):
+        look(Path(given.images) / name.replace(", ", "-").replace(" ", "-"), scene, cloud)
     return record
 
 
 def look(path: Path, scene: mvs_scenes.Scene, cloud: Any) -> None:
     """Write a cloud, and the middle image beside a rendering of the cloud from the same camera."""
     import pointloom as loom
-    from pointloom.io.pictures.image_files import write_png
+    from pointloom.io.images.image_files import write_png
 
     path.parent.mkdir(parents=True, exist_ok=True)
     loom.write_point_cloud(path.with_suffix(".ply"), cloud)
@@ -121,7 +121,7 @@ def look(path: Path, scene: mvs_scenes.Scene, cloud: Any) -> None:
     image = cloud.project_to_rgbd_image(
         lens.width, lens.height, lens, scene.cameras[k].T_camera_world, depth_max=float("inf")
     )
-    write_png(path.with_suffix(".png"), np.concatenate([scene.pictures[k], np.asarray(image.color, np.uint8)], axis=1))
+    write_png(path.with_suffix(".png"), np.concatenate([scene.images[k], np.asarray(image.color, np.uint8)], axis=1))
 
 
 def main() -> int:

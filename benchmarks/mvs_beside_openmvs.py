@@ -21,7 +21,7 @@ from real_data import real_data
 import pointloom as loom
 from pointloom.registration.trajectories.similarity import fit_to_positions
 
-SHARES = (0.5, 0.9)
+FRACTIONS = (0.5, 0.9)
 
 
 def median_depth(scene: Scene) -> float:
@@ -59,8 +59,8 @@ def main() -> None:
         ("pointloom to OpenMVS", distances(mesh, openmvs_mesh)),
         ("OpenMVS to pointloom", distances(openmvs_mesh, mesh)),
     ):
-        shares = ", ".join(f"{100 * q:.0f} %: {np.quantile(d, q) * unit:.3f} %" for q in SHARES)
-        print(f"{name}: {shares}; within 0.5 %: {100 * np.mean(d * unit < 0.5):.1f} %")
+        fractions = ", ".join(f"{100 * q:.0f} %: {np.quantile(d, q) * unit:.3f} %" for q in FRACTIONS)
+        print(f"{name}: {fractions}; within 0.5 %: {100 * np.mean(d * unit < 0.5):.1f} %")
 
 
 if __name__ == "__main__":

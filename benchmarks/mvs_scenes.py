@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from real_data import DataMissingError, real_data
 
-from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+from pointloom.photogrammetry.mvs.posed_images import SparsePoints
 
 FEATURES = 4000  # per image
 RATIO = 0.8  # of the distances of the nearest and the second nearest feature (Lowe 2004)
@@ -30,14 +30,14 @@ class Scene:
     """Inputs of multi-view stereo, and the ground truth.
 
     Attributes:
-        pictures: uint8 [h, w, 3].
+        images: uint8 [h, w, 3].
         cameras: A PosedCamera for each.
         truth: For each image the depth, float32 [h, w], 0 if unknown; or None.
         disparity: (focal length times baseline, offset): disparity is the first divided by depth, minus the second.
         box: Lower and upper corner of the object.
     """
 
-    pictures: list[Any]
+    images: list[Any]
     cameras: list[Any]
     truth: list[Any]
     disparity: tuple[float, float] | None = None
@@ -45,7 +45,7 @@ class Scene:
     sparse: Any = field(default=None)
 
     def __post_init__(self) -> None:
-        self.sparse = sparse_points(self.pictures, self.cameras)
+        self.sparse = sparse_points(self.images, self.cameras)
 
 
 def room(frames: int, width: int = 320, *, texture: bool = True) -> Scene:
@@ -59,7 +59,7 @@ def room(frames: int, width: int = 320, *, texture: bool = True) -> Scene:
     count, size = 120 if frames > 12 else 240, {"width": width, "height": width * 3 // 4}
     sequence = room_sequence(count, **size, noise=False, texture=texture, color_noise=2.0)
     views = [sequence.read(i) for i in range(frames)]
-    cameras = [loom.mvs.PosedCamera(f.intrinsic, np.linalg.inv(f.T_world_camera)) for f in views]
+    cameras = [loom.photogrammetry.PosedCamera(f.intrinsic, np.linalg.inv(f.T_world_camera)) for f in views]
     return Scene([f.color for f in views], cameras, [f.depth.astype(np.float32) for f in views])
 
 
@@ -68,7 +68,7 @@ def motorcycle() -> Scene:
     import pointloom as loom
 
     folder = real_data("stereo-skimage-motorcycle")
-    pictures = [loom.read_color(folder / f"motorcycle_{side}.png") for side in ("left", "right")]
+    images = [loom.read_color(folder / f"motorcycle_{side}.png") for side in ("left", "right")]
     disparity = np.load(folder / "motorcycle_disp.npz")["arr_0"]
     focal, cx, cy, offset, baseline = 994.978, 311.193, 254.877, 31.086, 193.001  # its calib.txt; mm
     height, width = disparity.shape
@@ -76,10 +76,12 @@ def motorcycle() -> Scene:
     for shift, column in ((0.0, cx), (-baseline, cx + offset)):
         T = np.eye(4)
         T[0, 3] = shift
-        cameras.append(loom.mvs.PosedCamera(loom.PinholeCameraIntrinsic(width, height, focal, focal, column, cy), T))
+        cameras.append(
+            loom.photogrammetry.PosedCamera(loom.PinholeCameraIntrinsic(width, height, focal, focal, column, cy), T)
+        )
     known = np.isfinite(disparity) & (disparity > 0)
     depth = np.where(known, focal * baseline / (np.where(known, disparity, 1) + offset), 0).astype(np.float32)
-    return Scene(pictures, cameras, [depth, None], (focal * baseline, offset))
+    return Scene(images, cameras, [depth, None], (focal * baseline, offset))
 
 
 def motorcycle_disparities() -> int:
@@ -90,10 +92,10 @@ def motorcycle_disparities() -> int:
 def fountain(width: int) -> Scene:
     """The eleven images of the fountain with their given cameras (Strecha et al. 2008), reduced in size."""
     import pointloom as loom
-    from pointloom.io.pictures.image_files import resize_color
+    from pointloom.io.images.image_files import resize_color
 
     folder = real_data("mvs-fountain-p11")
-    pictures, cameras = [], []
+    images, cameras = [], []
     for path in sorted((folder / "images").glob("*.jpg")):
         numbers = (folder / "gt_dense_cameras" / f"{path.name}.camera").read_text().split()
         values = np.array(numbers[:24], float)
@@ -101,9 +103,9 @@ def fountain(width: int) -> Scene:
         full_size = loom.PinholeCameraIntrinsic.from_matrix(K, int(numbers[24]), int(numbers[25]))
         lens, T = full_size.scaled(width / full_size.width), np.eye(4)
         T[:3, :3], T[:3, 3] = R.T, -R.T @ center  # the file contains camera to world
-        pictures.append(resize_color(loom.read_color(path), (lens.height, lens.width), str(path)))
-        cameras.append(loom.mvs.PosedCamera(lens, T))
-    return Scene(pictures, cameras, [None] * len(pictures))
+        images.append(resize_color(loom.read_color(path), (lens.height, lens.width), str(path)))
+        cameras.append(loom.photogrammetry.PosedCamera(lens, T))
+    return Scene(images, cameras, [None] * len(images))
 
 
 def temple() -> Scene:
@@ -113,27 +115,27 @@ def temple() -> Scene:
     import pointloom as loom
 
     folder = real_data("mvs-temple")
-    pictures, cameras = [], []
+    images, cameras = [], []
     for line in (folder / "templeSR_par.txt").read_text().splitlines()[1:]:
         name, *numbers = line.split()
         values = np.array(numbers, float)
-        picture = loom.read_color(folder / name)
-        lens = loom.PinholeCameraIntrinsic.from_matrix(values[:9].reshape(3, 3), picture.shape[1], picture.shape[0])
+        image = loom.read_color(folder / name)
+        lens = loom.PinholeCameraIntrinsic.from_matrix(values[:9].reshape(3, 3), image.shape[1], image.shape[0])
         T = np.eye(4)
         T[:3, :3], T[:3, 3] = values[9:18].reshape(3, 3), values[18:]
-        pictures.append(picture)
-        cameras.append(loom.mvs.PosedCamera(lens, T))
+        images.append(image)
+        cameras.append(loom.photogrammetry.PosedCamera(lens, T))
     box = np.array([[-0.073568, 0.021728, -0.012445], [0.028855, 0.181892, 0.062736]])  # from its README
-    return Scene(pictures, cameras, [None] * len(pictures), box=box)
+    return Scene(images, cameras, [None] * len(images), box=box)
 
 
 # ------------------------------------------------------------------------------------------ sparse points
 
 
-def sparse_points(pictures: list[Any], cameras: list[Any]) -> Any:
+def sparse_points(images: list[Any], cameras: list[Any]) -> Any:
     """Triangulate consistent features of several images."""
 
-    features = [_features(picture) for picture in pictures]
+    features = [_features(image) for image in images]
     parent = {}
     for i, j in _pairs(cameras):
         for a, b in _matches(features[i], features[j], cameras[i], cameras[j]):
@@ -153,13 +155,13 @@ def sparse_points(pictures: list[Any], cameras: list[Any]) -> Any:
     return SparsePoints(np.array(points), np.array(observations))
 
 
-def _features(picture: Any) -> tuple[Any, Any]:
+def _features(image: Any) -> tuple[Any, Any]:
     """Positions [n, 2] and descriptors [n, 128]."""
     try:
         import cv2
     except ModuleNotFoundError as error:
         raise DataMissingError("OpenCV, which computes the sparse points, is not installed") from error
-    gray = cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY)
+    gray = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
     keys, descriptors = cv2.SIFT_create(FEATURES).detectAndCompute(gray, None)
     positions = np.array([key.pt for key in keys]).reshape(-1, 2)
     return positions, np.zeros((0, 128), np.float32) if descriptors is None else descriptors

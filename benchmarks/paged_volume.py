@@ -2,7 +2,7 @@
 
     python benchmarks/paged_volume.py [--frames 200] [--voxel-size 0.01] [--share 0.3]
 
-A camera moves along a corrugated wall, 10 cm per frame, and back. The paged volume holds `share` of the blocks in
+A camera moves along a corrugated wall, 10 cm per frame, and back. The paged volume holds `fraction` of the blocks in
 memory.
 """
 
@@ -58,7 +58,7 @@ def main() -> None:
         f"in memory: {seconds * 1e3:.2f} ms per frame, {in_memory.block_count:,} blocks, "
         f"{in_memory.memory_bytes / 1e6:.0f} MB"
     )
-    max_blocks = int(given.share * in_memory.block_count)
+    max_blocks = int(given.fraction * in_memory.block_count)
     with tempfile.TemporaryDirectory() as folder:
         pages_folder = Path(folder) / "pages"
         with loom.PagedTSDFVolume(pages_folder, **sizes, max_blocks=max_blocks, page_blocks=8) as volume:

@@ -30,7 +30,7 @@ from photo_writing import seen_points, write_set
 from sfm_accuracy import camera_errors, fit_similarity
 
 import pointloom as loom
-from pointloom.visualization.render.picture_files import save_picture
+from pointloom.visualization.render.picture_files import write_image
 
 SAMPLES = 100_000
 FITS = 40  # iterations of ICP
@@ -40,26 +40,26 @@ SIZE = 480  # of images for the depth maps [px]
 def run(name: str, work: Path, size: int) -> dict[str, Any]:
     """Run the pipeline on one set, in this process."""
     folder, photos = work / name, made_or_real(name)
-    if not (folder / "pictures").is_dir():
+    if not (folder / "images").is_dir():
         write_set(photos, folder) if isinstance(photos, PhotoSet) else photos.write(folder)
     masks = folder / "masks" if (folder / "masks").is_dir() else None
-    settings = loom.video.Settings(max_size=size, masks=masks)
-    outputs = loom.video.Outputs(mesh=folder / "mesh.ply")
-    result = loom.video.reconstruct(
-        folder / "pictures", settings, outputs=outputs, work=folder / "work", overwrite=True, device="cpu"
+    settings = loom.photogrammetry.VideoSettings(max_size=size, masks=masks)
+    outputs = loom.photogrammetry.VideoOutputs(mesh=folder / "mesh.ply")
+    result = loom.photogrammetry.reconstruct_video(
+        folder / "images", settings, outputs=outputs, work=folder / "work", overwrite=True, device="cpu"
     )
-    quality, count = result.figures.quality, result.figures.picture_count
+    quality, count = result.figures.quality, result.figures.image_count
     report: dict[str, Any] = {
         "set": name,
-        "pictures": count,
+        "images": count,
         "placed": quality.registered_count,
         "error_px": quality.error,
         "cameras": list(result.figures.cameras),
-        "confirmed_share": result.figures.confirmed_share,
+        "confirmed_fraction": result.figures.confirmed_fraction,
         "triangles": result.figures.triangle_count,
         "warnings": result.warnings,
         "units": result.units,
-        "cpu_seconds_a_picture": {
+        "cpu_seconds_an_image": {
             stage: round(reached.cost["cpu_seconds"] / count, 2) for stage, reached in result.reached.items()
         },
         "peak_mib": {stage: round(reached.cost["peak_bytes"] / 2**20) for stage, reached in result.reached.items()},
@@ -152,10 +152,10 @@ def colmap(name: str, work: Path) -> dict[str, Any]:
     if (folder / "masks").is_dir():
         reader.mask_path = folder / "masks"
     pycolmap.extract_features(
-        colmap_folder / "database.db", folder / "pictures", reader_options=reader, device=pycolmap.Device.cpu
+        colmap_folder / "database.db", folder / "images", reader_options=reader, device=pycolmap.Device.cpu
     )
     pycolmap.match_exhaustive(colmap_folder / "database.db", device=pycolmap.Device.cpu)
-    models = pycolmap.incremental_mapping(colmap_folder / "database.db", folder / "pictures", colmap_folder)
+    models = pycolmap.incremental_mapping(colmap_folder / "database.db", folder / "images", colmap_folder)
     report: dict[str, Any] = {"models": len(models), "placed": 0, "cpu_seconds": round(cpu_seconds() - begin, 1)}
     if models:
         best = max(models.values(), key=lambda model: model.num_reg_images())
@@ -196,7 +196,7 @@ def textured(name: str, work: Path) -> dict[str, Any]:
         camera = model.cameras[k]
         lens = loom.PinholeCameraIntrinsic(640, 480, *[camera.params[0] * 640 / camera.width] * 2, 319.5, 239.5)
         view = loom.View(lens, np.linalg.inv(model.T_camera_world[k]))
-        save_picture(folder / f"view{k}.png", loom.render({"geometry": mesh, "shaded": False}, view))
+        write_image(folder / f"view{k}.png", loom.render({"geometry": mesh, "shaded": False}, view))
     return report
 
 

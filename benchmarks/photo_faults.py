@@ -59,7 +59,7 @@ def write(folder: Path) -> None:
 
 def begin(folder: Path, work: Path, out: Path) -> subprocess.Popen[bytes]:
     outputs = ["-o", out / "mesh.ply", "--cloud", out / "cloud.ply", "--trajectory", out / "poses.log"]
-    command = [sys.executable, "-m", "pointloom", "video", folder / "pictures", "--masks", folder / "masks"]
+    command = [sys.executable, "-m", "pointloom", "video", folder / "images", "--masks", folder / "masks"]
     with (out / "log").open("wb") as log, (out / "errors").open("wb") as errors:
         return subprocess.Popen(
             [*map(str, command), *map(str, outputs), "--work", str(work), *OPTIONS],

@@ -24,19 +24,19 @@ class RealSet:
         poses: T_world_camera by file name without suffix.
     """
 
-    pictures: list[Path]
+    images: list[Path]
     poses: dict[str, NDArray[np.float64]]
 
     def write(self, folder: Path) -> None:
-        (folder / "pictures").mkdir(parents=True)
-        for path in self.pictures:
-            with Image.open(path) as picture:
-                if max(picture.size) <= LONGEST:
-                    shutil.copy(path, folder / "pictures")
+        (folder / "images").mkdir(parents=True)
+        for path in self.images:
+            with Image.open(path) as image:
+                if max(image.size) <= LONGEST:
+                    shutil.copy(path, folder / "images")
                     continue
-                exif: Any = picture.getexif()
-                picture.thumbnail((LONGEST, LONGEST), Image.Resampling.LANCZOS)
-                picture.save(folder / "pictures" / f"{path.stem}.jpg", quality=95, exif=exif)
+                exif: Any = image.getexif()
+                image.thumbnail((LONGEST, LONGEST), Image.Resampling.LANCZOS)
+                image.save(folder / "images" / f"{path.stem}.jpg", quality=95, exif=exif)
 
 
 def temple() -> RealSet:

@@ -3,7 +3,7 @@
 Scenes are meshes with procedural colors. An image is ray cast at twice its size, reduced, blurred by 0.6 px, its
 exposure
 changed by up to 15 %, with sensor noise, and written as JPEG with EXIF. Lenses have distortion (`BEND`). The frames of
-drone images are east, north, up about `WORLD_ORIGIN`, so `pictures.world` needs no similarity.
+drone images are east, north, up about `WORLD_ORIGIN`, so `images.world` needs no similarity.
 """
 
 from __future__ import annotations

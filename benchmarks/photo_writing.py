@@ -30,7 +30,7 @@ SEEN = 3  # minimum number of images that see an evaluated point
 def write_set(photos: PhotoSet, folder: Path, seed: int = 0) -> None:
     """Write images and, for a masked set, masks/; the seed selects noise, exposure and position errors."""
     rng, scene = np.random.default_rng([seed, 77]), photos.stage.scene()
-    (folder / "pictures").mkdir(parents=True)
+    (folder / "images").mkdir(parents=True)
     gains = 1 + EXPOSURE * rng.uniform(-1, 1, len(photos.views))
     for name, view, gain in zip(photos.names, photos.views, gains, strict=True):
         colors, seen = render(photos.stage, scene, view, 2)
@@ -39,10 +39,10 @@ def write_set(photos: PhotoSet, folder: Path, seed: int = 0) -> None:
             (folder / "masks").mkdir(exist_ok=True)
             mask = seen.reshape(HEIGHT, 2, WIDTH, 2).mean((1, 3)) > 0.5
             Image.fromarray((255 * mask).astype(np.uint8)).save(folder / "masks" / f"{name}.png")
-        picture = _sensor(colors, gain, rng)
+        image = _sensor(colors, gain, rng)
         exif, xmp = _metadata(view, photos.has_gps, rng)
         more = {"xmp": xmp} if xmp else {}
-        Image.fromarray(picture).save(folder / "pictures" / name, exif=exif, quality=QUALITY, **more)
+        Image.fromarray(image).save(folder / "images" / name, exif=exif, quality=QUALITY, **more)
 
 
 def rays_of(view: View, step: float, offset: float) -> tuple[Array, Array]:

@@ -39,7 +39,7 @@ class Kitchen:
 
     def _prepare(self, i: int) -> Any:
         frame = self.frames.read(i)
-        return loom.odometry.OdometryFrame(frame.depth, self.frames.intrinsic, frame.color, depth_max=DEPTH_MAX)
+        return loom.rgbd.OdometryFrame(frame.depth, self.frames.intrinsic, frame.color, depth_max=DEPTH_MAX)
 
     def errors(self, pose: np.ndarray, i: int, j: int) -> tuple[float, float]:
         """Rotation error [deg] and translation error [mm]."""
@@ -52,12 +52,12 @@ class Kitchen:
 
 def print_accuracy(kitchen: Kitchen) -> None:
     print("method         step   median deg   mm      p90 deg   mm   successes")
-    for method in loom.odometry.Method:
+    for method in loom.rgbd.OdometryMethod:
         for step in STEPS:
             errors, successes = [], 0
             for i in np.linspace(0, FRAMES - 1 - step, PAIRS).astype(int).tolist():
                 frames = kitchen.prepare(i), kitchen.prepare(i + step)
-                result = loom.odometry.align_frames(*frames, method=method)
+                result = loom.rgbd.align_frames(*frames, method=method)
                 errors.append(kitchen.errors(result.transformation, i, i + step))
                 successes += result.reliable
             (angle, distance), (angle_90, distance_90) = np.median(errors, 0), np.percentile(errors, 90, 0)
@@ -74,7 +74,7 @@ def other_frames(data: Path) -> dict[str, Any]:
     def camera(f: float, cx: float, cy: float) -> loom.PinholeCameraIntrinsic:
         return loom.PinholeCameraIntrinsic(640, 480, f, f, cx, cy)
 
-    make, frames = loom.odometry.OdometryFrame, {}
+    make, frames = loom.rgbd.OdometryFrame, {}
     redwood = data / "rgbd-cupoch-redwood5"
     pairs = zip(sorted(redwood.glob("color/*")), sorted(redwood.glob("depth/*")), strict=True)
     for k, (color, depth) in enumerate(pairs):
@@ -100,7 +100,7 @@ def print_like_pairs(frames: dict[str, Any]) -> None:
     names = list(frames)
     for first, second in itertools.pairwise(names):
         if first.split()[0] == second.split()[0]:
-            result = loom.odometry.align_frames(frames[first], frames[second])
+            result = loom.rgbd.align_frames(frames[first], frames[second])
             angle = np.degrees(np.arccos(np.clip((np.trace(result.transformation[:3, :3]) - 1) / 2, -1, 1)))
             distance = 1000 * np.linalg.norm(result.transformation[:3, 3])
             figures = f"{angle:.2f} deg {distance:.1f} mm, rmse {1000 * result.inlier_rmse:.1f} mm"
@@ -117,7 +117,7 @@ def unlike_pairs(kitchen: Kitchen, frames: dict[str, Any]) -> Iterator[tuple[Any
 
 
 def blank_pairs(kitchen: Kitchen) -> Iterator[tuple[Any, Any]]:
-    make, camera = loom.odometry.OdometryFrame, kitchen.frames.intrinsic
+    make, camera = loom.rgbd.OdometryFrame, kitchen.frames.intrinsic
     blank = make(np.zeros((480, 640), np.uint16), camera, np.zeros((480, 640, 3), np.uint8))
     for i in range(0, FRAMES, 6):
         complete, frame = kitchen.prepare(i), kitchen.frames.read(i)
@@ -132,9 +132,9 @@ def blank_pairs(kitchen: Kitchen) -> Iterator[tuple[Any, Any]]:
 
 def count_successes(pairs: Any) -> str:
     results = [
-        loom.odometry.align_frames(*pair, method=method)
+        loom.rgbd.align_frames(*pair, method=method)
         for pair in pairs
-        for method in (loom.odometry.Method.Hybrid, loom.odometry.Method.PointToPlane)
+        for method in (loom.rgbd.OdometryMethod.Hybrid, loom.rgbd.OdometryMethod.PointToPlane)
     ]
     return f"{sum(result.reliable for result in results)} of {len(results)}"
 
@@ -143,7 +143,7 @@ def print_far_pairs(kitchen: Kitchen, count: int = 400) -> None:
     rng, right, false, missed, farthest = np.random.default_rng(1), 0, 0, 0, (0.0, 0.0)
     pairs = [sorted(rng.integers(0, FRAMES, 2).tolist()) for _ in range(count)]
     for i, j in pairs:
-        result = loom.odometry.align_frames(kitchen.prepare(i), kitchen.prepare(j))
+        result = loom.rgbd.align_frames(kitchen.prepare(i), kitchen.prepare(j))
         errors = kitchen.errors(result.transformation, i, j)
         is_right = errors[0] < RIGHT[0] and errors[1] < RIGHT[1]
         right += result.reliable and is_right

@@ -142,7 +142,7 @@ def scene_of(mesh: Any) -> Any:
     return scene
 
 
-def cast_a_picture(mesh: Any) -> Any:
+def cast_an_image(mesh: Any) -> Any:
     rays = loom().RaycastingScene.create_rays_pinhole(
         fov_deg=60, center=[0, 0, 0], eye=[0, -3, 3], up=[0, 0, 1], width_px=1280, height_px=960
     )
@@ -171,7 +171,7 @@ MESH_OPERATIONS: dict[str, Callable[[Any, float], Any]] = {
     "mesh.get_self_intersecting_triangles": lambda m, s: m.get_self_intersecting_triangles(),
     "mesh.compute_metrics, with itself moved": lambda m, s: m.compute_metrics(m.transform(moved(s))),
     "mesh.voxelize": lambda m, s: m.voxelize(4 * s),
-    "mesh, a picture of 1280 x 960 by rays": lambda m, s: cast_a_picture(m),
+    "mesh, a picture of 1280 x 960 by rays": lambda m, s: cast_an_image(m),
     "mesh, distances of 1M points": lambda m, s: scene_of(m).compute_distance(random_positions()),
     "mesh.sample_points_uniformly, 1M": lambda m, s: m.sample_points_uniformly(1_000_000),
 }

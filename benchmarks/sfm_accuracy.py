@@ -55,7 +55,7 @@ def camera_errors(model: loom.SfmModel, truth: dict[str, np.ndarray]) -> dict[st
     return {
         "extent": float(extent),
         "rms": rms,
-        "share_of_extent": rms / float(extent),
+        "fraction_of_extent": rms / float(extent),
         "mean": float(distances.mean()),
         "worst": float(distances.max()),
         "mean_degrees": float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean()),
@@ -72,7 +72,7 @@ def round_frames(count: int) -> Any:
 
 def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
     """30 images of a circular path, 12 degrees and 10 cm apart."""
-    frames, folder = round_frames(ROOM_FRAMES), work / "pictures"
+    frames, folder = round_frames(ROOM_FRAMES), work / "images"
     folder.mkdir()
     names = [f"{frame.name}.jpg" for frame in frames]
     for name, frame in zip(names, frames, strict=True):
@@ -87,10 +87,10 @@ def room_video(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarra
     frames, path = round_frames(VIDEO_FRAMES), work / "room.mp4"
     with path.open("wb") as file:
         write_mp4(file, (frame.color for frame in frames), 20.0, path)
-    choice = loom.sfm.choose_frames(path, work / "pictures")
+    choice = loom.photogrammetry.choose_frames(path, work / "images")
     poses = frames.poses
     truth = {name: poses[number] for name, number in zip(choice.names, choice.numbers, strict=True)}
-    return work / "pictures", truth, {}, {"frames": choice.to_dict()}
+    return work / "images", truth, {}, {"frames": choice.to_dict()}
 
 
 def fountain(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
@@ -101,19 +101,19 @@ def fountain(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray]
         truth[path.stem] = np.eye(4)
         truth[path.stem][:3, :3], truth[path.stem][:3, 3] = rows[4:7], rows[7]
         K, (width, height) = np.array(rows[:3]), map(int, rows[8])
-    shutil.copytree(data / "images", work / "pictures", ignore=lambda _, names: [n for n in names if n[-4:] != ".jpg"])
+    shutil.copytree(data / "images", work / "images", ignore=lambda _, names: [n for n in names if n[-4:] != ".jpg"])
     intrinsic = loom.PinholeCameraIntrinsic(width, height, K[0, 0], K[1, 1], K[0, 2], K[1, 2])
-    return work / "pictures", truth, {"intrinsic": intrinsic}, {}
+    return work / "images", truth, {"intrinsic": intrinsic}, {}
 
 
 def redkitchen(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
     assert data is not None
-    (work / "pictures").mkdir()
+    (work / "images").mkdir()
     truth = {}
     for path in sorted(data.glob("*.color.jpg"))[:300:STRIDE]:
-        shutil.copy(path, work / "pictures")
+        shutil.copy(path, work / "images")
         truth[path.name] = np.loadtxt(data / path.name.replace("color.jpg", "pose.txt"))
-    return work / "pictures", truth, {"pairs": "sequential"}, {}
+    return work / "images", truth, {"pairs": "sequential"}, {}
 
 
 SETS = {"room": room, "room-video": room_video, "fountain": fountain, "redkitchen": redkitchen}
@@ -126,8 +126,8 @@ def main() -> None:
     arguments.add_argument("data", type=Path, nargs="?")
     given = arguments.parse_args()
     given.work.mkdir(parents=True)
-    pictures, truth, options, report = SETS[given.set](given.work, given.data)
-    result = loom.sfm.reconstruct(pictures, given.work / "sfm", **options)
+    images, truth, options, report = SETS[given.set](given.work, given.data)
+    result = loom.photogrammetry.reconstruct_images(images, given.work / "sfm", **options)
     report |= {"set": given.set, **result.to_dict()}
     if result.model is not None:
         report |= {"errors": camera_errors(result.model, truth), "camera": list(result.model.cameras[0].params)}

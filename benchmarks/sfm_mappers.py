@@ -21,16 +21,16 @@ import sfm_accuracy
 from real_data import real_data
 
 from pointloom.photogrammetry.sfm.features import find_features
-from pointloom.photogrammetry.sfm.mapping import map_pictures
-from pointloom.photogrammetry.sfm.matches import match
+from pointloom.photogrammetry.sfm.mapping import map_images
+from pointloom.photogrammetry.sfm.matches import match_features
 
 sfm_accuracy.ROOM_FRAMES, sfm_accuracy.STRIDE = 18, 10
 
 
 def sceaux(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict[str, Any], dict[str, Any]]:
     assert data is not None
-    shutil.copytree(data / "images", work / "pictures", ignore=lambda _, names: [n for n in names if n[-4:] != ".JPG"])
-    return work / "pictures", {}, {}, {}
+    shutil.copytree(data / "images", work / "images", ignore=lambda _, names: [n for n in names if n[-4:] != ".JPG"])
+    return work / "images", {}, {}, {}
 
 
 SETS = {
@@ -62,14 +62,14 @@ def compare(name: str, work: Path) -> None:
     make, folder = SETS[name]
     work.mkdir()
     data = None if folder is None else real_data(folder)
-    pictures, truth, options, _ = make(work, data)
+    images, truth, options, _ = make(work, data)
     intrinsic = None if "unknown" in name else options.get("intrinsic")
-    find_features(pictures, work / "f.db", intrinsic=intrinsic, max_size=1000, max_features=2048)
-    match(work / "f.db", work / "m.db", pairs="auto")
+    find_features(images, work / "f.db", intrinsic=intrinsic, max_size=1000, max_features=2048)
+    match_features(work / "f.db", work / "m.db", pairs="auto")
     for mapper in ("incremental", "global"):
         before = cpu_seconds()
         fixed = {"fix_intrinsic": intrinsic is not None, "mapper": mapper}
-        result = map_pictures(pictures, work / "m.db", work / mapper, **fixed)
+        result = map_images(images, work / "m.db", work / mapper, **fixed)
         seconds, model = cpu_seconds() - before, result.model
         if model is None:
             print(f"| {name} | {mapper} | none | | | | {seconds:.0f} |", flush=True)
@@ -78,10 +78,10 @@ def compare(name: str, work: Path) -> None:
             truth = dict(zip(model.names, model.T_world_camera, strict=True))
         known = [k for k, each in enumerate(model.names) if each in truth]
         errors = sfm_accuracy.camera_errors(model, truth) if len(known) == len(model) else {}
-        share, angle = (100 * errors.get("share_of_extent", np.nan)), errors.get("mean_degrees", np.nan)
-        registered, error = f"{len(model)} of {result.quality.picture_count}", result.quality.error
+        fraction, angle = (100 * errors.get("fraction_of_extent", np.nan)), errors.get("mean_degrees", np.nan)
+        registered, error = f"{len(model)} of {result.quality.image_count}", result.quality.error
         print(
-            f"| {name} | {mapper} | {registered} | {share:.3f} % | {angle:.3f} | {error:.2f} px | {seconds:.0f} |",
+            f"| {name} | {mapper} | {registered} | {fraction:.3f} % | {angle:.3f} | {error:.2f} px | {seconds:.0f} |",
             flush=True,
         )
 

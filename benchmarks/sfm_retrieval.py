@@ -28,13 +28,13 @@ def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("work", type=Path)
     work = arguments.parse_args().work
-    (work / "pictures").mkdir(parents=True)
+    (work / "images").mkdir(parents=True)
     files = sorted(real_data("rgbd-7scenes-redkitchen").glob("*.color.jpg"))[:300:STRIDE]
     order = np.random.default_rng(0).permutation(len(files))
     for number, k in enumerate(order):
-        shutil.copy(files[k], work / "pictures" / f"{number:03d}.jpg")
-    loom.sfm.find_features(work / "pictures", work / "f.db", max_features=FEATURES)
-    loom.sfm.match(work / "f.db", work / "m.db", pairs="exhaustive")
+        shutil.copy(files[k], work / "images" / f"{number:03d}.jpg")
+    loom.photogrammetry.find_features(work / "images", work / "f.db", max_features=FEATURES)
+    loom.photogrammetry.match_features(work / "f.db", work / "m.db", pairs="exhaustive")
     with sqlite3.connect(work / "m.db") as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries").fetchall()
     same = {divmod(pair, PAIR): count for pair, count in rows if count >= MIN_MATCHES}
@@ -65,10 +65,10 @@ def print_pairs(name: str, pairs: set, same: dict, count: int) -> None:
         parts[root(a)] = root(b)
     roots = [root(k) for k in parts]
     largest = max(roots.count(k) for k in set(roots))
-    shares = len(hit) / len(same), sum(same[pair] for pair in hit) / sum(same.values())
+    fractions = len(hit) / len(same), sum(same[pair] for pair in hit) / sum(same.values())
     right = 100 * len(hit) / len(pairs)
     print(
-        f"| {name} | {len(pairs)} | {right:.0f} % | {100 * shares[0]:.0f} % | {100 * shares[1]:.0f} % "
+        f"| {name} | {len(pairs)} | {right:.0f} % | {100 * fractions[0]:.0f} % | {100 * fractions[1]:.0f} % "
         f"| {largest} of {count} |"
     )
 

@@ -81,7 +81,7 @@ def run(name: str, scene: Scene) -> None:
     """Track a scene and print its lines."""
     import pointloom as loom
 
-    slam = loom.slam.DenseSLAM(scene.intrinsic, voxel_size=VOXEL_SIZE, **scene.options)
+    slam = loom.rgbd.DenseSLAM(scene.intrinsic, voxel_size=VOXEL_SIZE, **scene.options)
     truth, seconds = [], 0.0
     for number, frame in enumerate(scene.frames):
         start = time.process_time()

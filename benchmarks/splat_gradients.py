@@ -310,8 +310,8 @@ def step_splats_kernel(
     rates: array(dtype=float32),
     means: array(dtype=float32, ndim=2),
     squares: array(dtype=float32, ndim=2),
-    mean_share: float,
-    square_share: float,
+    mean_fraction: float,
+    square_fraction: float,
     splats: SplatColumns,
 ):
     """One step of Adam for each splat."""
@@ -321,7 +321,7 @@ def step_splats_kernel(
         gradient = gradients[i, k]
         means[i, k] = DECAY * means[i, k] + (1.0 - DECAY) * gradient
         squares[i, k] = SQUARE_DECAY * squares[i, k] + (1.0 - SQUARE_DECAY) * gradient * gradient
-        step = rates[k] * (means[i, k] / mean_share) / (sqrt(squares[i, k] / square_share) + EPSILON)
+        step = rates[k] * (means[i, k] / mean_fraction) / (sqrt(squares[i, k] / square_fraction) + EPSILON)
         if k < 3:
             position[k] = position[k] - step
         elif k == 3:
@@ -375,8 +375,8 @@ class Adam:
     def step(self, gradients: Array2[float32]) -> None:
         """Make one step."""
         self.iteration += 1
-        shares = 1 - DECAY**self.iteration, 1 - SQUARE_DECAY**self.iteration
-        arrays = [gradients, self.rates, self.means, self.squares, *shares, self.splats]
+        fractions = 1 - DECAY**self.iteration, 1 - SQUARE_DECAY**self.iteration
+        arrays = [gradients, self.rates, self.means, self.squares, *fractions, self.splats]
         launch(step_splats_kernel, self.splats.points.size, arrays)
 
 

@@ -24,7 +24,7 @@ import pointloom as loom
 from pointloom.kernels.drawing.z_buffer import View
 from pointloom.kernels.lang import float32, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.pcd.splat_pictures import columns_of, list_splats
+from pointloom.pcd.splat_images import columns_of, list_splats
 
 NEAR = 0.01
 # Step size of each parameter, as in common trainers; of positions relative to the scene's extent.
@@ -53,14 +53,14 @@ def beginnings(shots: Any, count: int, seed: int, device: Any) -> Any:
     """Splats at points of the surface, sized by the neighbor distance, with opacity 0.1."""
     rng = np.random.default_rng(seed)
     points, colors = [], []
-    for pose, depth, picture in zip(shots.poses, shots.depths, shots.pictures, strict=True):
+    for pose, depth, image in zip(shots.poses, shots.depths, shots.images, strict=True):
         rows, columns = np.nonzero(depth)
         chosen = rng.choice(len(rows), count // len(shots.poses), replace=False)
         rows, columns, z = rows[chosen], columns[chosen], depth[rows[chosen], columns[chosen]]
         lens = shots.intrinsic
         camera_points = np.column_stack([(columns - lens.cx) / lens.fx * z, (rows - lens.cy) / lens.fy * z, z])
         points.append(camera_points @ pose[:3, :3].T + pose[:3, 3])
-        colors.append(picture[rows, columns] / 255.0)
+        colors.append(image[rows, columns] / 255.0)
     cloud = loom.PointCloud(np.vstack(points), device=device)
     sizes = np.clip(cloud.compute_nearest_neighbor_distance(), 1e-4, None)
     harmonics = ((np.vstack(colors) - 0.5) / 0.28209479)[:, None]
@@ -71,19 +71,19 @@ def beginnings(shots: Any, count: int, seed: int, device: Any) -> Any:
 
 
 def train(arguments: argparse.Namespace) -> int:
-    shots = small(loom.datasets.photographs(arguments.pictures), arguments.scale)
-    is_held_out = np.arange(len(shots.pictures)) % 5 == 2
+    shots = small(loom.datasets.photographs(arguments.images), arguments.scale)
+    is_held_out = np.arange(len(shots.images)) % 5 == 2
     splats = beginnings(shots, arguments.splats, arguments.seed, arguments.device)
     columns, camera = columns_of(splats), shots.intrinsic
     extent = float(np.linalg.norm(shots.poses[:, :3, 3] - shots.poses[:, :3, 3].mean(axis=0), axis=1).max()) * 1.1
     rates = RATES * ([extent] * 3 + [1] * (PARAMETERS - 3))
     views = [view_of(camera, pose, splats.cloud.origin) for pose in shots.poses]
-    pictures = [picture.reshape(-1, 3) / np.float32(255) for picture in shots.pictures]
-    targets = [upload(picture, vec3, arguments.device) for picture in pictures]
+    images = [image.reshape(-1, 3) / np.float32(255) for image in shots.images]
+    targets = [upload(image, vec3, arguments.device) for image in images]
     background = vec3(0.80, 0.82, 0.85)
     adam = Adam(columns, upload(rates, float32, arguments.device))
     rng = np.random.default_rng(arguments.seed)
-    report(0, columns, views, pictures, is_held_out, background, shots, splats)
+    report(0, columns, views, images, is_held_out, background, shots, splats)
     began, cpu = time.perf_counter(), time.process_time()
     for iteration in range(1, arguments.steps + 1):
         k = int(rng.choice(np.flatnonzero(~is_held_out)))
@@ -93,24 +93,24 @@ def train(arguments: argparse.Namespace) -> int:
             float(download(light.left)[0])
             wall, busy = (time.perf_counter() - began) / iteration, (time.process_time() - cpu) / iteration
             print(f"  {1000 * wall:.1f} ms per step, {1000 * busy:.1f} ms CPU")
-            report(iteration, columns, views, pictures, is_held_out, background, shots, splats)
-    if arguments.picture:
+            report(iteration, columns, views, images, is_held_out, background, shots, splats)
+    if arguments.image:
         k = int(np.flatnonzero(is_held_out)[0])
         lists, projected = list_splats(columns, views[k], near=NEAR)
         rendered = download(light_pixels(lists, projected, background).colors).reshape(camera.height, camera.width, 3)
-        pair = np.hstack([np.rint(255 * np.clip(rendered, 0, 1)).astype(np.uint8), shots.pictures[k]])
-        loom.save_picture(arguments.picture, pair)
+        pair = np.hstack([np.rint(255 * np.clip(rendered, 0, 1)).astype(np.uint8), shots.images[k]])
+        loom.write_image(arguments.image, pair)
     return 0
 
 
 def report(
-    iteration: int, columns: Any, views: Any, pictures: Any, is_held_out: Any, background: Any, shots: Any, splats: Any
+    iteration: int, columns: Any, views: Any, images: Any, is_held_out: Any, background: Any, shots: Any, splats: Any
 ) -> None:
     values: list[list[float]] = [[], []]
     for k, view in enumerate(views):
         lists, projected = list_splats(columns, view, near=NEAR)
         colors = download(light_pixels(lists, projected, background).colors)
-        values[int(is_held_out[k])].append(nearness(colors, pictures[k]))
+        values[int(is_held_out[k])].append(nearness(colors, images[k]))
     depth_errors = []
     for k in np.flatnonzero(is_held_out):
         rendered = splats.rasterize(shots.intrinsic, np.linalg.inv(shots.poses[k]))
@@ -127,14 +127,14 @@ def small(shots: Any, scale: int) -> Any:
     camera = loom.PinholeCameraIntrinsic(
         width, height, lens.fx / scale, lens.fy / scale, (lens.cx + 0.5) / scale - 0.5, (lens.cy + 0.5) / scale - 0.5
     )
-    pictures = [
-        p.reshape(height, scale, width, scale, 3).mean(axis=(1, 3)).round().astype(np.uint8) for p in shots.pictures
+    images = [
+        p.reshape(height, scale, width, scale, 3).mean(axis=(1, 3)).round().astype(np.uint8) for p in shots.images
     ]
     depths = [d[scale // 2 :: scale, scale // 2 :: scale] for d in shots.depths]
-    return type(shots)(pictures, camera, shots.poses, depths)
+    return type(shots)(images, camera, shots.poses, depths)
 
 
-def picture_of(parameters: Any, camera: Any, background: Any, masks_of_splats: Any = None) -> Any:
+def image_of(parameters: Any, camera: Any, background: Any, masks_of_splats: Any = None) -> Any:
     """Render splats with a camera at the origin in float64: [h, w, 3], and a mask of contributing pixels for each
     splat.
     """
@@ -192,13 +192,13 @@ def largest_differences(device: Any) -> Any:
     gradients = download(find_gradients(columns, view, lists, projected, light, vec3(*sky)))
     arrays = [columns.points, columns.opacities, columns.scales, columns.quaternions, columns.first]
     parameters = np.column_stack([download(array) for array in arrays]).astype(np.float64)
-    numeric, masks = np.zeros_like(parameters), picture_of(parameters, camera, sky)[1]
+    numeric, masks = np.zeros_like(parameters), image_of(parameters, camera, sky)[1]
     for index in np.ndindex(parameters.shape):
         losses = []
         for side in (1e-5, -1e-5):
             moved = parameters.copy()
             moved[index] += side
-            losses.append(float((picture_of(moved, camera, sky, masks)[0] * weights).sum()))
+            losses.append(float((image_of(moved, camera, sky, masks)[0] * weights).sum()))
         numeric[index] = (losses[0] - losses[1]) / 2e-5
     return np.abs(numeric - gradients).max(axis=0) / np.abs(numeric).max(axis=0)
 

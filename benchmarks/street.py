@@ -113,12 +113,12 @@ def drive(
     street = make_street(speed * SCAN_PERIOD * scan_count, seed)
     scans, times, poses = [], [], []
     for k in range(scan_count):
-        rays, share = rotating_rays(rise, azimuths, rng)
-        positions, headings = pose_at((k + share - 1) * speed * SCAN_PERIOD, sway)
+        rays, fraction = rotating_rays(rise, azimuths, rng)
+        positions, headings = pose_at((k + fraction - 1) * speed * SCAN_PERIOD, sway)
         t = cast_rays(street, positions, in_world(rays, headings))
         is_hit = np.isfinite(t)
         ranges = t[is_hit] + rng.normal(0, noise, is_hit.sum())
         scans.append((rays[is_hit] * ranges[:, None]).astype(np.float32))
-        times.append((k + share[is_hit]) * SCAN_PERIOD)
+        times.append((k + fraction[is_hit]) * SCAN_PERIOD)
         poses.append(sensor_pose(k * speed * SCAN_PERIOD, sway))
     return Drive(scans, times, np.array(poses))

@@ -26,7 +26,7 @@ from pages import write_between
 from real_pairs import PAGE, STILL, keep, measure
 from real_scans import Array, ScanPair
 
-PICTURE = PAGE.with_name("success.png")
+IMAGE = PAGE.with_name("success.png")
 ANGLES = tuple(range(0, 181, 15))  # [degrees]
 MAX_VOXELS = 4.0  # [voxels] maximum correspondence distance of ICP
 HOME = 1.0, 1.0  # [degrees] and, at the center of the source, [voxels]
@@ -47,23 +47,23 @@ class Curve:
 
     Attributes:
         pair, method, library: Names.
-        shares: Success rates by angle; one value for a global method.
+        fractions: Success rates by angle; one value for a global method.
         trials: Number of trials of each.
     """
 
     pair: str
     method: str
     library: str
-    shares: list[float]
+    fractions: list[float]
     trials: int
 
     def cell(self) -> str:
         """The largest angle with a success rate of 90 %, and the mean rate; or the number of successes."""
-        if len(self.shares) == 1:
-            return f"{round(self.shares[0] * self.trials)} of {self.trials}"
-        sure = int(np.argmin([*(share >= SURE for share in self.shares), False]))
+        if len(self.fractions) == 1:
+            return f"{round(self.fractions[0] * self.trials)} of {self.trials}"
+        sure = int(np.argmin([*(fraction >= SURE for fraction in self.fractions), False]))
         limit = f"{ANGLES[sure - 1]}°" if sure else "none"
-        return f"{limit}, {np.mean(self.shares):.0%}"
+        return f"{limit}, {np.mean(self.fractions):.0%}"
 
 
 def rotated(pair: ScanPair, trials: int, seed: int = 0) -> Array:
@@ -175,11 +175,11 @@ def draw(curves: Sequence[Curve], path: Path) -> None:
         for curve in (c for c in curves if c.pair == name):
             style = "-" if curve.library == POINTLOOM else "--"
             label = f"{curve.method}, {curve.library}"
-            if len(curve.shares) > 1:
-                percent = [100 * share for share in curve.shares]
+            if len(curve.fractions) > 1:
+                percent = [100 * fraction for fraction in curve.fractions]
                 panel.plot(ANGLES, percent, style, color=CURVES[curve.method], label=label, linewidth=1.8)
             else:
-                percent = 2 * [100 * curve.shares[0] + LEVEL_GAP * levels]
+                percent = 2 * [100 * curve.fractions[0] + LEVEL_GAP * levels]
                 panel.plot([0, 180], percent, style, color=LINES[curve.method], label=label, linewidth=1.4)
                 levels += 1
         top = 102 + LEVEL_GAP * levels
@@ -203,10 +203,10 @@ def main() -> None:
     options = parser.parse_args()
     curves = [curve for key in options.only or ("bunny", "lidar", "kitchen") for curve in score(key, options.trials)]
     print(table(curves))
-    if options.picture:
-        draw(curves, options.picture)
+    if options.image:
+        draw(curves, options.image)
     if options.write:
-        draw(curves, PICTURE)
+        draw(curves, IMAGE)
         keep("success", {"angles": ANGLES, "curves": [vars(curve) for curve in curves]})
         write_between(PAGE, "success", table(curves))
 

@@ -19,7 +19,7 @@ import open3d as o3d
 from surface_scenes import SAMPLES, Scene, distances_to, scenes
 
 import pointloom as loom
-from pointloom.visualization.render.picture_files import save_picture
+from pointloom.visualization.render.picture_files import write_image
 from pointloom.visualization.render.surface_picture import draw_surface
 
 QUANTILE = 0.01
@@ -81,10 +81,10 @@ def main() -> None:
                 a, b, c, d = measure(scene, mesh)
                 figures = f"{a:.3g} / {b:.3g} | " + (f"{c:.3g} / {d:.3g}" if np.isfinite(c) else "-")
                 print(f"| {scene.name} | {method} | {name} | {len(mesh):,} | {figures} |", flush=True)
-                if arguments.pictures and name == "pointloom" and len(mesh):
-                    arguments.pictures.mkdir(parents=True, exist_ok=True)
-                    file = arguments.pictures / f"{scene.name.replace(' ', '_').replace(',', '')}-{method}.png"
-                    save_picture(file, draw_surface(mesh))
+                if arguments.images and name == "pointloom" and len(mesh):
+                    arguments.images.mkdir(parents=True, exist_ok=True)
+                    file = arguments.images / f"{scene.name.replace(' ', '_').replace(',', '')}-{method}.png"
+                    write_image(file, draw_surface(mesh))
 
 
 if __name__ == "__main__":

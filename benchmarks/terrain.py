@@ -38,7 +38,7 @@ def main() -> None:
     if len(sys.argv) > 1:
         dtm, dsm = (loom.rasterize(cloud, 3.0, kind, reach=200) for kind in ("dtm", "dsm"))
         shades = [hillshade(raster.fill_gaps(200).values, 3.0) for raster in (dsm, dtm)]
-        loom.save_picture(sys.argv[1], np.repeat(np.vstack(shades)[:, :, None], 3, axis=2))
+        loom.write_image(sys.argv[1], np.repeat(np.vstack(shades)[:, :, None], 3, axis=2))
 
 
 def left_out(cloud: Any, name: str, cell: float) -> str:
@@ -86,7 +86,7 @@ def beside_scipy(cloud: Any, cell: float) -> str:
     lines = [f"{columns} x {rows} cells, CPU s {seconds}"]
     for method, raster in rasters.items():
         differences = FOOT * abs(raster.values - (linear + cloud.origin[2]))
-        quantiles = [f"{np.nanpercentile(differences, share):.2g}" for share in (50, 95, 100)]
+        quantiles = [f"{np.nanpercentile(differences, fraction):.2g}" for fraction in (50, 95, 100)]
         lines.append(f"{method}: median, 95 %, most {quantiles} m; {int((~np.isfinite(raster.values)).sum())} empty")
     return "\n".join(lines)
 

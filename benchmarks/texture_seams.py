@@ -4,7 +4,7 @@
 
 The images are renderings of a mesh with known colors, each with its own exposure (0.8 to 1.2), vignetting (a quarter at
 the corners) and noise of 1 of 255; the given poses have errors of 0.05 degrees and a thousandth of the distance.
-Contestants are the mean over images (`project_images_to_albedo` on xatlas's charts), and `texture_from_pictures` with
+Contestants are the mean over images (`project_images_to_albedo` on xatlas's charts), and `texture_from_images` with
 parts and all of its leveling.
 
 A step is the color difference across an edge of the mesh whose sides are at different positions of the texture, at
@@ -46,7 +46,7 @@ class Scene:
     name: str
     mesh: Any
     colors: Colors
-    pictures: list[NDArray[np.uint8]]
+    images: list[NDArray[np.uint8]]
     camera: Any
     extrinsics: list[NDArray[np.float64]]
 
@@ -107,7 +107,7 @@ def photographed(
     v, u = np.mgrid[: camera.height, : camera.width]
     rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], -1)
     far = ((rays[..., :2] ** 2).sum(-1) / (rays[0, 0, :2] ** 2).sum())[..., None]
-    pictures, extrinsics = [], []
+    images, extrinsics = [], []
     for T in poses:
         directions = rays @ T[:3, :3].T
         distances = scene.cast_rays(np.concatenate([np.broadcast_to(T[:3, 3], directions.shape), directions], -1))[
@@ -116,9 +116,9 @@ def photographed(
         mask = np.isfinite(distances)[..., None]
         shade = colors(T[:3, 3] + directions * np.where(mask, distances[..., None], 0.0)) * mask
         exposed = shade * rng.uniform(0.8, 1.2) * (1 - 0.25 * far) * 255 + rng.normal(0, 1, shade.shape)
-        pictures.append(np.clip(np.rint(exposed), 0, 255).astype(np.uint8))
+        images.append(np.clip(np.rint(exposed), 0, 255).astype(np.uint8))
         extrinsics.append(shaken(rng, distance) @ np.linalg.inv(T))
-    return Scene(name, mesh, colors, pictures, camera, extrinsics)
+    return Scene(name, mesh, colors, images, camera, extrinsics)
 
 
 def shaken(rng: np.random.Generator, distance: float) -> NDArray[np.float64]:
@@ -130,13 +130,13 @@ def shaken(rng: np.random.Generator, distance: float) -> NDArray[np.float64]:
     return T
 
 
-def texture_at(picture: NDArray[np.uint8], uvs: NDArray[np.float64]) -> NDArray[np.float64]:
+def texture_at(image: NDArray[np.uint8], uvs: NDArray[np.float64]) -> NDArray[np.float64]:
     """Bilinear colors at texture coordinates [n, 2], 0..255."""
-    height, width = picture.shape[:2]
+    height, width = image.shape[:2]
     x = np.clip(uvs[:, 0] * width - 0.5, 0, width - 1)
     y = np.clip((1 - uvs[:, 1]) * height - 0.5, 0, height - 1)
     i, j = np.minimum(x.astype(int), width - 2), np.minimum(y.astype(int), height - 2)
-    s, t, p = (x - i)[:, None], (y - j)[:, None], picture.astype(np.float64)
+    s, t, p = (x - i)[:, None], (y - j)[:, None], image.astype(np.float64)
     upper = p[j, i] * (1 - s) + p[j, i + 1] * s
     return upper * (1 - t) + (p[j + 1, i] * (1 - s) + p[j + 1, i + 1] * s) * t
 
@@ -162,8 +162,10 @@ def seam_steps(mesh: Any, shown: NDArray[np.bool_] | None = None) -> NDArray[np.
     is_seam = (np.abs(first[rows] - first[other_rows]) + np.abs(last[rows] - last[other_rows])).max(1) > 1e-6
     rows, other_rows, steps = rows[is_seam], other_rows[is_seam], []
     for k in range(SAMPLES):
-        share = (k + 0.5) / SAMPLES
-        colors = [texture_at(mesh.textures[0], first[h] * (1 - share) + last[h] * share) for h in (rows, other_rows)]
+        fraction = (k + 0.5) / SAMPLES
+        colors = [
+            texture_at(mesh.textures[0], first[h] * (1 - fraction) + last[h] * fraction) for h in (rows, other_rows)
+        ]
         steps.append(np.abs(colors[0] - colors[1]).mean(1))
     return np.concatenate(steps) if len(rows) else np.zeros(0)
 
@@ -178,12 +180,12 @@ def samples_on(mesh: Any, shown: NDArray[np.bool_]) -> tuple[NDArray[np.int64], 
 
 
 def colors_on(
-    mesh: Any, colors: Colors, rows: NDArray[np.int64], shares: NDArray[np.float64]
+    mesh: Any, colors: Colors, rows: NDArray[np.int64], fractions: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Colors of the texture and known colors at points, 0..255."""
     corners = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)[rows]]
     uvs = np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows]
-    points, texture_uvs = (corners * shares[..., None]).sum(1), (uvs * shares[..., None]).sum(1)
+    points, texture_uvs = (corners * fractions[..., None]).sum(1), (uvs * fractions[..., None]).sum(1)
     return texture_at(mesh.textures[0], texture_uvs), 255 * colors(points)
 
 
@@ -197,12 +199,12 @@ def sharpness(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> float:
     """Contrast of the texture over `ACROSS` texels, relative to that of the known colors; nan without points."""
     if not shown.any():
         return float("nan")
-    rows, shares = samples_on(mesh, shown)
+    rows, fractions = samples_on(mesh, shown)
     uvs = np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows] * mesh.textures[0].shape[0]
     length = np.linalg.norm(uvs[:, 1] - uvs[:, 0], axis=1)
-    moved = shares + (ACROSS / np.maximum(length, ACROSS))[:, None] * np.array([-1.0, 1.0, 0.0])
+    moved = fractions + (ACROSS / np.maximum(length, ACROSS))[:, None] * np.array([-1.0, 1.0, 0.0])
     inside = (moved >= 0).all(1)
-    colors_here, colors_moved = (colors_on(mesh, colors, rows[inside], part[inside]) for part in (shares, moved))
+    colors_here, colors_moved = (colors_on(mesh, colors, rows[inside], part[inside]) for part in (fractions, moved))
     drawn, known = colors_moved[0] - colors_here[0], colors_moved[1] - colors_here[1]
     return float((drawn * known).sum() / (known**2).sum())
 
@@ -219,30 +221,30 @@ def beside_seams(mesh: Any, views: NDArray[np.int32]) -> NDArray[np.bool_]:
 
 def measure(scene: Scene, device: str) -> dict[str, Any]:
     """The meshes of all contestants, with a printed table."""
-    mesh, maps = scene.mesh.to(device), loom.color_map
-    given = (scene.pictures, scene.camera, scene.extrinsics)
+    mesh, maps = scene.mesh.to(device), loom.meshing
+    given = (scene.images, scene.camera, scene.extrinsics)
     variants: dict[str, dict[str, Any]] = {
-        "one picture each": {"exposures": False, "seam_leveling": False, "local_leveling": False},
+        "one image each": {"exposures": False, "seam_leveling": False, "local_leveling": False},
         "at one exposure": {"seam_leveling": False, "local_leveling": False},
         "and vertices shifted": {"local_leveling": False},
         "and strips blended": {},
         "without exposures": {"exposures": False},
     }
     meshes, views = {}, np.zeros(0, np.int32)
-    print(f"{scene.name}: {len(mesh):,} triangles, {len(scene.pictures)} pictures, {mesh.device}")
+    print(f"{scene.name}: {len(mesh):,} triangles, {len(scene.images)} images, {mesh.device}")
     figures = f"{'step mean':>11}{'95 %':>7}{'error mean':>12}{'95 %':>7}{'sharp':>7}{'beside':>8}{'seconds':>9}"
     print(f"{'':28}{'charts':>8}{figures}")
     for name, how in variants.items():
         begin = time.process_time()
-        result = maps.texture_from_pictures(mesh, *given, size=SIZE, **how)
+        result = maps.texture_from_images(mesh, *given, size=SIZE, **how)
         seconds = time.process_time() - begin
         views, meshes[name] = result.views, result.mesh
         _print(name, result.chart_count, result.mesh, scene, views, seconds)
     print(result)
     begin = time.process_time()
     mean = mesh.compute_uvatlas(SIZE, gutter=4).project_images_to_albedo(*given, tex_size=SIZE)
-    _print("mean over pictures", None, mean, scene, views, time.process_time() - begin)
-    return meshes | {"mean over pictures": mean}
+    _print("mean over images", None, mean, scene, views, time.process_time() - begin)
+    return meshes | {"mean over images": mean}
 
 
 def _print(name: str, charts: int | None, mesh: Any, scene: Scene, views: Any, seconds: float) -> None:

@@ -66,7 +66,7 @@ def with_distance(cloud: Any, other: Any, s: float) -> Any:
 
 def with_change(cloud: Any, other: Any, s: float) -> Any:
     """M3C2 as the step writes it."""
-    result = loom.change.m3c2(cloud, other, normal_radii=[3 * s, 6 * s], cylinder_radius=3 * s, max_distance=4 * s)
+    result = loom.m3c2(cloud, other, normal_radii=[3 * s, 6 * s], cylinder_radius=3 * s, max_distance=4 * s)
     before, after = result.counts.T.copy()
     return changed(
         cloud,
@@ -241,7 +241,7 @@ def check(name: str, data: Path, folder: Path, only: str | None) -> int:
     (folder / "after").mkdir(parents=True)
     table, s = tables_of(name, data, folder)
     paths, second_paths = write_parts(table, folder, 0.0), write_parts(table, folder / "after", 0.4 * s)
-    low, high = (np.quantile(table.points, share, axis=0) for share in (0.2, 0.8))
+    low, high = (np.quantile(table.points, fraction, axis=0) for fraction in (0.2, 0.8))
     low[2], high[2] = table.points[:, 2].min(), table.points[:, 2].max()
     bad = 0
     for step, (steps, in_memory) in steps_of(s, folder / "after", np.array([low, high])).items():

@@ -183,7 +183,7 @@ class Proxy:
 
 
 @contextmanager
-def opened(url: str, picture: Path | None) -> Iterator[Any]:
+def opened(url: str, image: Path | None) -> Iterator[Any]:
     """Open the page in Chromium."""
     from playwright.sync_api import sync_playwright
 
@@ -193,13 +193,13 @@ def opened(url: str, picture: Path | None) -> Iterator[Any]:
         page = browser.new_page(viewport={"width": 1280, "height": 800})
         page.goto(url, timeout=120_000, wait_until="commit")
         yield page
-        if picture is not None:
+        if image is not None:
             with suppress(Exception):  # rendering may take minutes: the measurements are valid nevertheless
-                page.screenshot(path=picture, timeout=120_000)
+                page.screenshot(path=image, timeout=120_000)
         browser.close()
 
 
-def measure(contestant: str, scene: str, body: str, python: str, pictures: Path | None) -> dict[str, Any]:
+def measure(contestant: str, scene: str, body: str, python: str, images: Path | None) -> dict[str, Any]:
     """Measure one scene of one contestant."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
@@ -223,8 +223,8 @@ def measure(contestant: str, scene: str, body: str, python: str, pictures: Path 
                 if f":{server_port}/" in url
                 else url.replace(str(server_port), str(proxy.own))
             )
-            picture = None if pictures is None else pictures / f"{scene}-{contestant}.png"
-            with opened(seen, picture):
+            image = None if images is None else images / f"{scene}-{contestant}.png"
+            with opened(seen, image):
                 proxy.wait_until_quiet()
                 page_bytes = proxy.bytes
                 proxy.last = time.monotonic()
@@ -259,7 +259,7 @@ def main() -> None:
         for contestant in ("pointloom", *options.peers):
             try:
                 row = measure(
-                    contestant, scene, bodies[contestant], pythons.get(contestant, sys.executable), options.pictures
+                    contestant, scene, bodies[contestant], pythons.get(contestant, sys.executable), options.images
                 )
             except Exception as error:  # a failing contestant does not stop the others
                 row = {"scene": scene, "who": contestant, "failed": f"{type(error).__name__}: {error}"[:200]}

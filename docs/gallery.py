@@ -218,8 +218,8 @@ def poisson() -> Scene:
     oriented = objects().orient_normals_consistent_tangent_plane(15)
     mesh, densities = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, 6)
     values = np.asarray(densities)
-    share = ((values - values.min()) / np.ptp(values))[:, None]
-    mesh.vertex_colors = share * [0.9, 0.3, 0.2] + (1 - share) * [0.3, 0.4, 0.8]
+    fraction = ((values - values.min()) / np.ptp(values))[:, None]
+    mesh.vertex_colors = fraction * [0.9, 0.3, 0.2] + (1 - fraction) * [0.3, 0.4, 0.8]
     mesh = mesh.remove_vertices_by_mask(values < np.quantile(values, 0.25)).compute_vertex_normals()
     return {"geometries": {"geometry": mesh, "shaded": True}}
 

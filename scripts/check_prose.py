@@ -43,7 +43,7 @@ PRIVATE_WORDS = (
 # Not in the list, since each is also correct in another sense:
 #   house, room, door: objects in scenes       place, turn: "in place", "in turn"       walk, reach, cheap: common verbs
 #   whole, own, shown: "whole number"          poor, peer: "poor texture", sockets      twin: a half-edge
-#   heap, ears, fans, forks: field terms       picture: a rendered file                 farthest: point sampling
+#   heap, ears, fans, forks: field terms       image: a rendered file                 farthest: point sampling
 BRITISH_WORDS = (
     r"(?:dis|un)?colour\w*|neighbour\w*|behaviour\w*|favour\w*|grey\w*|\w*metres?|centre[ds]?|centring|localisab\w+",
     "fibres?|litres?|lustre|artefacts?|aluminium|defence|licences?|fulfil|judgements?|programmes?|whilst|storeys?",

@@ -69,7 +69,7 @@ def icp() -> None:
 def surface() -> None:
     axis = np.linspace(-1, 1, 33)
     x, y, z = np.meshgrid(axis, axis, axis, indexing="ij")
-    mesh = loom.marching_cubes((np.sqrt(x * x + y * y + z * z) - 0.7).astype(np.float32))
+    mesh = loom.meshing.marching_cubes((np.sqrt(x * x + y * y + z * z) - 0.7).astype(np.float32))
     assert mesh.is_watertight()
     assert abs(mesh.get_volume() * (2 / 32) ** 3 / (4 / 3 * np.pi * 0.7**3) - 1) < 0.02
 

@@ -22,9 +22,12 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from pointloom import public_names
+
 ROOT = Path(__file__).resolve().parent.parent
 FILE = ROOT / "docs" / "api.txt"
 PACKAGE = "pointloom"
+PROTOCOL = {"reliable", "warnings", "notes", "fields", "to_dict"}  # of results, documented in core/reports.py
 
 
 def parameters(call: Any) -> str:
@@ -63,13 +66,14 @@ def members(cls: type) -> Iterator[str]:
             yield name
 
 
-def lines_of(name: str, value: Any) -> Iterator[str]:
-    """A public function or constant in one line, a class with its members below it."""
+def lines_of(name: str, value: Any, *, is_result: bool = False) -> Iterator[str]:
+    """A public function or constant in one line, a class with its members below it. Users do not construct results."""
     if not inspect.isclass(value):
         yield f"{name}{parameters(value)}" if callable(value) else name
         return
     is_error = issubclass(value, BaseException)
-    yield f"class {name}" if is_error else f"class {name}{parameters(value)}"
+    kind = "result" if is_result else "class"
+    yield f"{kind} {name}" if is_error or is_result else f"{kind} {name}{parameters(value)}"
     yield from (f"    {member}" for member in (() if is_error else members(value)))
 
 
@@ -86,22 +90,27 @@ def packages(name: str) -> Iterator[tuple[str, ModuleType]]:
 def api() -> str:
     """The text of the file."""
     lines: list[str] = []
-    names, member_count = 0, 0
+    counts = {False: [0, 0], True: [0, 0]}  # names and members, by "is a result"
     for title, package in packages(PACKAGE):
         lines += ["", title]
-        for name in package.__all__:
+        results = public_names.results_of(package.__name__)
+        for name in sorted(package.__all__, key=lambda name: (name in results, name)):
             value = getattr(package, name)
             if inspect.ismodule(value):
                 continue
-            member_lines = list(lines_of(name, value))
-            names, member_count = names + 1, member_count + len(member_lines) - 1
-            lines += [f"    {line}" for line in member_lines]
-    return "\n".join([f"{names} public classes and functions, {member_count} members", *lines, ""])
+            own = list(lines_of(name, value, is_result=name in results))
+            count = counts[name in results]
+            count[:] = count[0] + 1, count[1] + len(own) - 1
+            lines += [f"    {line}" for line in own]
+    (names, member_count), (result_count, field_count) = counts.values()
+    total = f"{names} public classes and functions, {member_count} members"
+    return "\n".join([f"{total}; {result_count} classes of results, {field_count} members", *lines, ""])
 
 
 def undocumented() -> Iterator[str]:
     """Each public class, function, method and property without a docstring."""
     for title, package in packages(PACKAGE):
+        results = public_names.results_of(package.__name__)
         for name in package.__all__:
             value = getattr(package, name)
             if not inspect.isclass(value):
@@ -114,7 +123,9 @@ def undocumented() -> Iterator[str]:
             for base in filter(is_own, value.__mro__):
                 for member, each in vars(base).items():
                     is_call = inspect.isroutine(each) or isinstance(each, property | staticmethod | classmethod)
-                    if is_call and not member.startswith("_") and not inspect.getdoc(getattr(value, member, None)):
+                    if not is_call or member.startswith("_") or (member in PROTOCOL and name in results):
+                        continue
+                    if not inspect.getdoc(getattr(value, member, None)):
                         yield f"{title}.{name}.{member}"
 
 
@@ -123,7 +134,7 @@ def entries(text: str) -> dict[str, str]:
     result, parents = {}, [""]
     for line in text.splitlines()[1:]:
         depth = (len(line) - len(line.lstrip())) // 4
-        name, parenthesis, rest = line.strip().removeprefix("class ").partition("(")
+        name, parenthesis, rest = line.strip().removeprefix("class ").removeprefix("result ").partition("(")
         if name:
             parents = [*parents[: depth + 1], f"{parents[depth]}{name}."]
             result[parents[-1][:-1]] = parenthesis + rest

@@ -42,7 +42,15 @@ FILES = (
 SLOW_ON_CPU = (
     *("coherent_point_drift", "detect_shapes", "fit_shape", "icp, held", "iterate_odometry", "mesh, create_from_point"),
     *("mesh, texture", "mvs, estimate_depth", "mvs, fuse", "odometry", "points picked", "ransac, pairs", "register_"),
-    *("rgbd odometry", "robust registration", "room, film", "run_system", "SLAC", "slam, ", "tsdf, paged"),
+    *(
+        "rgbd odometry",
+        "robust registration",
+        "room, film",
+        "run_reconstruction_system",
+        "SLAC",
+        "slam, ",
+        "tsdf, paged",
+    ),
 )
 Counts = dict[str, int]
 Row = dict[str, Any]  # a number for each column, or a list of one for each size; "why": the reason of the last rise

@@ -18,6 +18,7 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.core.units import NonFiniteWarning
+from pointloom.public_names import results_of
 
 # Values that are not numbers, or do not fit in 64 bits: refused wherever a number is expected.
 NO_NUMBERS: dict[str, Any] = {
@@ -187,7 +188,7 @@ def read_table(lines: str, homes: dict[str, str]) -> Table:
         assert isinstance(call, ast.Call), line
         function = ast.unparse(call.func)
         owner, _, method = function.rpartition(".")
-        name = f"{homes[owner]}.{method}" if owner in homes else function.removeprefix("loom.").removeprefix("reg.")
+        name = f"{homes[owner]}.{method}" if owner in homes else re.sub(r"^(loom|reg)\.([a-z]+\.)?", "", function)
         assert name not in table, name
         table[name] = function, {keyword.arg: ast.unparse(keyword.value) for keyword in call.keywords if keyword.arg}
     return table
@@ -199,14 +200,18 @@ def missing_from(table: Table, arguments: dict[str, set[str]]) -> dict[str, set[
     return {name: names for name, names in missing.items() if names}
 
 
-def public_arguments(module: ModuleType, left_out: set[str]) -> dict[str, set[str]]:
+def public_arguments(module: ModuleType, left_out: set[str], within: str = "") -> dict[str, set[str]]:
     """The arguments of each public call of a module that has any, but switches and `**options`.
 
-    A name with () is the constructor alone: of a `DetailTree`, users call `from_cloud` and `from_file`.
+    Results are left out, and names that are not defined in the package `within`. A name with () is
+    the constructor alone: of a `DetailTree`, users call `from_cloud` and `from_file`.
     """
     calls, left_out = {}, left_out | {"DetailTree()"}
+    left_out |= results_of(module.__name__) if inspect.ismodule(module) else set()
     for name in set(module.__all__) - left_out:
         value = getattr(module, name)
+        if not str(getattr(value, "__module__", "")).startswith(f"pointloom.{within}"):
+            continue
         if inspect.ismodule(value) or (inspect.isclass(value) and issubclass(value, Warning)):
             continue
         if f"{name}()" not in left_out:

@@ -97,7 +97,7 @@ def surfaces() -> dict[str, Any]:
     loom.write_point_cloud("scan.ply", room(8000))
     Path("redkitchen").mkdir()
     frames = sequence_in_folder("redkitchen/seq-01")["frames"]
-    return bunny() | {"room": loom.fuse(frames, voxel_size=0.05).mesh}
+    return bunny() | {"room": loom.rgbd.fuse(frames, voxel_size=0.05).mesh}
 
 
 def survey() -> dict[str, Any]:
@@ -109,19 +109,19 @@ def survey() -> dict[str, Any]:
 
 
 def colmap_project() -> dict[str, Any]:
-    """COLMAP's model of a few pictures, the pictures, and where they were taken by a receiver of satellites."""
+    """COLMAP's model of a few images, the images, and where they were taken by a receiver of satellites."""
     ring = ring_model(8)
     names = [f"IMG_{number}.jpg" for number in range(1, len(ring.names) + 1)]
     model = dataclasses.replace(ring, names=names)
     loom.write_colmap_model("project", model)
     Path("project/images").mkdir()
     camera = model.cameras[0]
-    picture = np.full((camera.height, camera.width, 3), 128, np.uint8)
-    Image.fromarray(picture).save(f"project/images/{names[0]}")
+    image = np.full((camera.height, camera.width, 3), 128, np.uint8)
+    Image.fromarray(image).save(f"project/images/{names[0]}")
     centers = -np.einsum("nij,ni->nj", model.T_camera_world[:, :3, :3], model.T_camera_world[:, :3, 3])
     rows = [f"{name} {x:.6f} {y:.6f} {z:.6f}" for name, (x, y, z) in zip(names, 3 * centers, strict=True)]
     Path("gps.txt").write_text("\n".join(rows) + "\n")
-    return {"picture": picture}
+    return {"image": image}
 
 
 def bent_fragments() -> dict[str, Any]:

@@ -38,7 +38,7 @@ class SmallScenes(digest_scenes.Scenes):
 
     @cached_property
     def ball(self) -> Any:
-        return loom.marching_cubes(scenes.wavy_ball(14), spacing=[0.15] * 3, device=self.device)
+        return loom.meshing.marching_cubes(scenes.wavy_ball(14), spacing=[0.15] * 3, device=self.device)
 
     @cached_property
     def thinned(self) -> list:

@@ -43,6 +43,6 @@ def test_every_page_is_reached_from_the_readme():
 def test_examples_import_only_public_names(page):
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), flags=re.DOTALL)
     imports = re.findall(r"from (pointloom[\w.]*) import|import (pointloom[\w.]+)", "\n".join(blocks))
-    public = {"pointloom", *(f"pointloom.{name}" for name in ("registration", "slam", "mvs", "sfm", "odometry"))}
-    public |= {"pointloom.reconstruction", "pointloom.color_map", "pointloom.open3d"}
+    packages = ("registration", "rgbd", "meshing", "photogrammetry", "open3d")
+    public = {"pointloom", *(f"pointloom.{name}" for name in packages)}
     assert {first or second for first, second in imports} <= public

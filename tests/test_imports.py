@@ -53,7 +53,7 @@ SUBPACKAGES = {
         *("poses", "icp", "volumes", "odometry", "meshes", "bending", "remeshing", "rays", "reconstruction", "images"),
         *("stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
     ],
-    "io": ["pictures", "points", "splats", "meshes", "frames", "models", "bags"],
+    "io": ["images", "points", "splats", "meshes", "frames", "models", "bags"],
     "registration": ["icp", "globally", "lidar", "pose_graphs", "stations", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],

@@ -47,8 +47,8 @@ def files(scene, tmp_path_factory):
     for name in ("scan.ply", "scans/a.ply", "scans/b.ply"):
         loom.write_point_cloud(folder / name, scene["cloud"])
     loom.write_triangle_mesh(folder / "chair.obj", scene["mesh"])
-    loom.save_picture(folder / "color.png", scene["color"])
-    loom.save_picture(folder / "depth.png", scene["depth"])
+    loom.write_image(folder / "color.png", scene["color"])
+    loom.write_image(folder / "depth.png", scene["depth"])
     return folder
 
 

@@ -37,7 +37,7 @@ MORE = """
 0 made(points, normals=normals).segment_shape("cylinder", 0.02, seed=1)[1]
 1e-4 loom.compute_fpfh_feature(made(points, normals=normals), radius=0.6)
 0 loom.detect_shapes(made(points, normals=normals), 0.02).labels
-1e-3 loom.create_surface(made(points, normals=normals)).mesh.get_surface_area()
+1e-3 loom.meshing.create_surface(made(points, normals=normals)).mesh.get_surface_area()
 1e-3 reg.registration_icp(other, made(points, covariances=covariances), 0.2, start, reg.TransformationEstimationForGeneralizedICP())
 1e-3 reg.registration_icp(made(points, covariances=covariances), other, 0.2, near, reg.TransformationEstimationForGeneralizedICP())
 1e-3 reg.registration_icp(made(points, normals=normals, dopplers=dopplers, directions=normals), cloud, 0.2, near, reg.TransformationEstimationForDopplerICP())
@@ -52,9 +52,9 @@ MORE = """
 0 reg.evaluate_trajectory(loom.Trajectory(poses, stamps), loom.Trajectory(poses, stamps)).absolute_translation.rmse
 0 reg.global_optimization(reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], [reg.PoseGraphEdge(0, 1, near, information)])).nodes[1].pose
 1e-5 drive(made(points, times=times))
-1e-6 loom.change.cloud_to_mesh(made(points), mesh).distances
-1e-6 loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(vertices, mesh.triangles)).distances
-1e-6 loom.change.m3c2(cloud, made(points), normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).level_of_detection
+1e-6 loom.meshing.compare_cloud_to_mesh(made(points), mesh).distances
+1e-6 loom.meshing.compare_cloud_to_mesh(cloud, loom.TriangleMesh(vertices, mesh.triangles)).distances
+1e-6 loom.m3c2(cloud, made(points), normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).level_of_detection
 1e-6 loom.height_above_ground(made(points, classification=np.full(len(points), 2, np.uint8)))
 1e-6 loom.rasterize(made(points), 0.5, "dsm").values
 0 loom.NearestNeighborSearch(made(points)).knn_search(queries, 3)[0]
@@ -80,18 +80,18 @@ MORE = """
 0 loom.TriangleMesh.revolve(outline[:2, 1:] + 1).vertices
 0 mesh.clip_plane([0, 0, 0], direction).vertices
 0 mesh.trim(values, 0.5).vertices
-1e-5 loom.odometry.compute_rgbd_odometry(rgbd(depth), rgbd(np.full_like(depth, 2.01)), camera, near).transformation
+1e-5 loom.rgbd.compute_rgbd_odometry(rgbd(depth), rgbd(np.full_like(depth, 2.01)), camera, near).transformation
 0 loom.filter_depth_bilateral(depth)
 0 loom.erode_depth_edges(depth)
-0 loom.fuse_volumes([volume, volume], poses).extract_point_cloud(weight_threshold=0).points
+0 loom.meshing.fuse_volumes([volume, volume], poses).extract_point_cloud(weight_threshold=0).points
 1e-4 loom.compute_metrics(made(points), other).chamfer
 0 loom.AxisAlignedBoundingBox.create_from_points(points).max_bound
 1e-6 loom.OrientedBoundingBox.create_from_points_minimal(points).extent
 0 loom.TriangleMesh(vertices, mesh.triangles).remove_duplicated_vertices().vertices
 0 loom.TriangleMesh(vertices, mesh.triangles).fill_holes().triangles
 1e-6 mesh.compute_error_map(loom.TriangleMesh(vertices, mesh.triangles))[1]
-0 loom.clean_mesh(loom.TriangleMesh(vertices, mesh.triangles)).mesh.triangles
-0 loom.orthophoto(loom.TriangleMesh(vertices, mesh.triangles), 0.25).heights.values
+0 loom.meshing.clean_mesh(loom.TriangleMesh(vertices, mesh.triangles)).mesh.triangles
+0 loom.meshing.orthophoto(loom.TriangleMesh(vertices, mesh.triangles), 0.25).heights.values
 0 loom.render(made(points), size=(64, 48))
 """  # noqa: E501
 

@@ -117,7 +117,7 @@ CASES = {
     "TSDFVolume, fused and copied": (
         volume_of,
         lambda volume, step: volume.integrate(DEPTH, CAMERA, moved(step)),
-        lambda volume: surface(loom.fuse_volumes([copy.copy(volume), volume], [np.eye(4)] * 2)),
+        lambda volume: surface(loom.meshing.fuse_volumes([copy.copy(volume), volume], [np.eye(4)] * 2)),
     ),
     "PagedTSDFVolume": (
         lambda device, folder: loom.PagedTSDFVolume(
@@ -143,17 +143,17 @@ CASES = {
         lambda odometry: (np.array(odometry.poses), odometry.map.points),
     ),
     "DenseSLAM": (
-        lambda device, _: loom.slam.DenseSLAM(ROOM.intrinsic, voxel_size=0.05, device=device),
+        lambda device, _: loom.rgbd.DenseSLAM(ROOM.intrinsic, voxel_size=0.05, device=device),
         room_steps,
         lambda slam: (slam.extract_triangle_mesh().vertices, slam.status_counts),
     ),
     "SubmapRecorder": (
-        lambda device, _: loom.slam.SubmapRecorder(CAMERA, voxel_size=0.05, frames=3, color=False, device=device),
+        lambda device, _: loom.rgbd.SubmapRecorder(CAMERA, voxel_size=0.05, frames=3, color=False, device=device),
         lambda recorder, step: recorder.add(DEPTH, np.eye(4)),
         lambda recorder: [each.volume.extract_triangle_mesh(0.0).vertices for each in list(recorder.submaps)],
     ),
     "ControlGrid": (
-        lambda device, _: loom.reconstruction.ControlGrid(1.0, device=device),
+        lambda device, _: loom.rgbd.ControlGrid(1.0, device=device),
         lambda grid, step: grid.touch(loom.PointCloud(BALL + along(step), device=grid.device)),
         positions,
     ),

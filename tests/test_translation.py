@@ -48,7 +48,7 @@ same 0 cloud.hidden_point_removal(at([2, 1.5, 1.2]), 100.0)[1]
 moved 0 cloud.compute_convex_hull()[0].vertices
 same 0 cloud.segment_plane(0.01, seed=1)[1]
 same 1e-4 cloud.segment_plane(0.01, seed=1)[0][:3]
-same 1e-4 loom.change.m3c2(cloud, other, normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).distances
+same 1e-4 loom.m3c2(cloud, other, normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).distances
 moved 1e-4 cloud.smooth_laplacian(2, 0.5, 8).points
 moved 1e-4 cloud.smooth_mls(radius=0.4, max_nn=15).points
 moved 1e-6 cloud.rotate(turn, center=at([1, 1, 1])).points
@@ -104,9 +104,9 @@ pose 1e-3 reg.registration_fgr_based_on_feature_matching(other, cloud, *features
 pose 2e-5 reg.registration_ransac_based_on_correspondence(other, cloud, pairs, 0.1, seed=1).transformation
 same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).alignment.displacement
 same 1e-3 reg.assess_registration(other, cloud, about(near), 0.2).covariance.sigmas
-same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).localizability.shares
+same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).localizability.fractions
 moved 1e-3 reg.register_nonrigid(other, cloud).warped.points
-world 1e-5 reg.register_fragments([cloud, other], voxel_size=0.1).poses[1] @ shift(1)
+world 1e-5 reg.register_multiway([cloud, other], voxel_size=0.1).poses[1] @ shift(1)
 world 1e-5 reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=0)).nodes[2].pose @ shift(1)
 moved 1e-5 reg.deskew_point_cloud(cloud, about(start), np.arange(len(cloud))).points
 moved 1e-3 reg.coherent_point_drift(other, cloud, max_iterations=5).warped.points
@@ -161,8 +161,8 @@ same 1e-4 loom.compute_eigen_features(cloud, radius=0.3)["linearity"]
 same 0 loom.compute_iss_keypoints(cloud).normals
 same 1e-4 loom.estimate_curvature(cloud, radius=0.4)["curvature"]
 same 1e-4 loom.fit_shape(ball, "sphere").radius
-same 1e-3 loom.create_surface(ball).mesh.get_surface_area()
-same 1e-6 loom.compare_meshes(mesh, mesh.translate([0.01, 0, 0])).metrics.hausdorff
+same 1e-3 loom.meshing.create_surface(ball).mesh.get_surface_area()
+same 1e-6 loom.meshing.compare_meshes(mesh, mesh.translate([0.01, 0, 0])).metrics.hausdorff
 """  # noqa: E501
 
 

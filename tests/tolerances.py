@@ -15,7 +15,7 @@ float32_relative = 6.1e-8  # one rounding to float32
 position = 1e-3  # [m] limit of the class for any cloud within 10 km of its own center: 1e4 x 6.0e-8
 normal_dot = 0.9999  # |dot| with Open3D's normals is above this (0.8 degrees) for 99.9 % of the points, as required.
 #     The rest are nearly isotropic neighborhoods, in which both results are correct
-normal_share = 0.999  # required fraction of normals that reach `normal_dot`
+normal_fraction = 0.999  # required fraction of normals that reach `normal_dot`
 unit_length = 2e-7  # three components rounded to float32, each by 6.0e-8 of at most 1
 eigen_residual = 1e-14  # |A v - lambda v| / |A| of a direct float64 solver: some 150 operations at 1.1e-16 each
 eigenvalue_relative = 2e-14  # the Rayleigh quotient of the computed vector against LAPACK's smallest eigenvalue,
@@ -30,9 +30,13 @@ color_8bit = 1.0 / 510 + 1e-6  # files with 8 bits per channel round by half of 
 transform_relative = 1e-7  # float64 arithmetic, then one rounding to float32 relative to the new origin
 smoothed_relative = 1.5e-7  # a smoothed position is rounded once to float32: 6.0e-8 of each of three coordinates,
 #     together 1.04e-7 of the largest. Weights are float32's exp, accurate to 1e-7 of the search radius
-smoothed_share = 0.9998  # neighbors with equal distances in float32, but not in Open3D's float64, may be exchanged: up
+smoothed_fraction = (
+    0.9998  # neighbors with equal distances in float32, but not in Open3D's float64, may be exchanged: up
+)
 #     to 1.4e-4 of the points (LiDAR, terrain)
-smoothed_share_of_two = 0.995  # after two passes each point that `smoothed_share` excludes has been a neighbor of some
+smoothed_fraction_of_two = (
+    0.995  # after two passes each point that `smoothed_fraction` excludes has been a neighbor of some
+)
 #     12 others, and rounding to float32 between the passes adds more
 plane_inliers = 0.97  # of the inliers of Open3D's best of 1000 samples: two sets of random samples, either of which may
 #     be better. Over 12 seeds the best of 1500 samples varied by 1.4 % for both
@@ -46,7 +50,9 @@ intensity_relative = 4e-7  # three products, two sums and a quotient in float32 
 normal_map = 2e-4  # Open3D subtracts points in float32: 1.2e-7 m of rounding at 2 m over steps of 2e-3 m between
 #     pixels, at both ends. pointloom uses float64 until the last rounding
 projected_relative = 3e-7  # Open3D transforms points and scales depth in float32: 4 roundings
-projected_share = 0.9999  # fraction of the pixels. Points that Open3D's float32 projects onto the border of two pixels
+projected_fraction = (
+    0.9999  # fraction of the pixels. Points that Open3D's float32 projects onto the border of two pixels
+)
 #     may be in the other one
 depth_filter_relative = 1.5e-6  # weighted means of up to 37 depths in float32: relative to the pixel's own depth in
 #     pointloom, relative to zero in Open3D, where each of the sums rounds
@@ -56,7 +62,9 @@ distance_absolute = 1e-5  # [m] coordinates below 100 m rounded to float32 at bo
 moment_relative = 1e-7  # mean and covariance relative to the extent of the cloud: the sums are float64, the coordinates
 #     rounded to float32
 mahalanobis_relative = 1e-5  # float32 coordinates at both ends: near the mean, a difference of nearly equal numbers
-outlier_share = 2e-5  # float32 distances decide about points whose mean distance equals the threshold to 7 digits: at
+outlier_fraction = (
+    2e-5  # float32 distances decide about points whose mean distance equals the threshold to 7 digits: at
+)
 #     most one in 50,000
 patch_degrees = 5.0  # [degrees] between the normal of a flat patch and that of Open3D's patch at the same position
 patch_slack = 0.03  # [m] maximum distance of a patch's plane from Open3D's: a few of the scan's depth steps of 5 to 10
@@ -77,7 +85,7 @@ eigen_feature = 2e-6  # ratios of eigenvalues, and verticality, rounded once to 
 #     of a nearly round neighborhood turns 1e-15 into 1e-6
 covariance_relative = 5e-7  # relative to the largest entry: a difference of float32 coordinates rounds once, its square
 #     counts that twice, and the entry rounds once: 3 x 6.0e-8, doubled for entries that are a difference of two sums
-orientation_share = 0.99  # fraction of normals with the sign of Open3D's: edges of equal weight, and bridges between
+orientation_fraction = 0.99  # fraction of normals with the sign of Open3D's: edges of equal weight, and bridges between
 #     parts of the graph instead of the full Euclidean tree, may flip a patch whose normals are noise
 hull_measure = 1e-9  # volume and area of a hull, relative: sums of up to some thousand float64 triangles, of which 99.9
 #     % cancels, and facets that Qhull merges within its own rounding
@@ -86,13 +94,15 @@ hull_outside = 1e-10  # maximum distance of a point outside a triangle of its hu
 #     thousandth of that
 box_volume = 1e-6  # requirement: the smallest box is at most this fraction larger than Open3D's, which rounds its own
 #     to about 1e-7
-box_share = 1e-9  # [of the cloud's size] extents and center of a box: float64 vertices rotated into eigenvectors that
+box_fraction = (
+    1e-9  # [of the cloud's size] extents and center of a box: float64 vertices rotated into eigenvectors that
+)
 #     two solvers compute to 1e-15 over the gap of their eigenvalues
 gaussian = 2e-7  # [relative, and m or the unit of a covariance of 1] means of a voxel, summed in float64 and rounded
 #     once to float32 (6.0e-8); small_gicp's are float64 of the same float32 coordinates
 gradient = 1e-5  # a color gradient, relative to the larger of itself and 1 % of the largest: intensities round to
 #     float32 (6e-8 of 1) and differ by some 1e-2 between neighbors
-gradient_share = 0.999  # fraction of gradients: another of two neighbors with equal distances at rank 30 changes one
+gradient_fraction = 0.999  # fraction of gradients: another of two neighbors with equal distances at rank 30 changes one
 plane_covariance = 1e-4  # a covariance of eigenvalues (1e-3, 1, 1) against small_gicp's: the error of the normal of
 #     about 1e-7 over the gap of the neighbors' eigenvalues. Larger values are nearly round or straight neighborhoods
 graph_pose = 1e-6  # [m] and of rotation matrices: residuals of up to 0.01 rad, where 2 sin(a/2) and Open3D's sin(a)

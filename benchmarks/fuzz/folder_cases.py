@@ -135,13 +135,13 @@ def _frames_of(dataset: Any) -> list[Any]:
 
 
 def depth_maps(folder: Path) -> None:
-    camera = loom.mvs.PosedCamera(loom.PinholeCameraIntrinsic(8, 6, 10.0, 10.0, 3.5, 2.5), np.eye(4))
+    camera = loom.photogrammetry.PosedCamera(loom.PinholeCameraIntrinsic(8, 6, 10.0, 10.0, 3.5, 2.5), np.eye(4))
     one = DepthMap(np.ones((6, 8)), np.tile([0, 0, -1.0], (6, 8, 1)), np.ones((6, 8)))
-    loom.mvs.DepthMaps([camera, camera], [(1,), (0,)], [one, one], folder=folder)
+    loom.photogrammetry.DepthMaps([camera, camera], [(1,), (0,)], [one, one], folder=folder)
 
 
 def read_maps(folder: Path) -> Any:
-    return list(loom.mvs.DepthMaps.open(folder))
+    return list(loom.photogrammetry.DepthMaps.open(folder))
 
 
 def paged(folder: Path) -> None:

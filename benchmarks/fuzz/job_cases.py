@@ -156,7 +156,7 @@ def transforms() -> list[bytes]:
 
 def configs() -> list[bytes]:
     """A configuration of the reconstruction system."""
-    return [json.dumps(loom.reconstruction.ReconstructionConfig().to_names()).encode()]
+    return [json.dumps(loom.rgbd.ReconstructionConfig().to_names()).encode()]
 
 
 def bundles() -> list[bytes]:
@@ -296,8 +296,8 @@ JOBS = [
     ("steps", ".toml", steps, mutations.text, parse_steps, anything),
     ("VPC", ".vpc", indexes, values, files_of_index, anything),
     ("transforms.json", ".json", transforms, values, read_transforms, anything),
-    ("configuration", ".json", configs, values, loom.reconstruction.ReconstructionConfig.read, anything),
-    ("depth bundle", ".npz", bundles, arrays, loom.mvs.read_depth_bundle, anything),
+    ("configuration", ".json", configs, values, loom.rgbd.ReconstructionConfig.read, anything),
+    ("depth bundle", ".npz", bundles, arrays, loom.photogrammetry.read_depth_bundle, anything),
     ("volume", ".npz", saved(write_volume), arrays, loom.TSDFVolume.load, anything),
     ("occupancy grid", ".npz", saved(_grid), arrays, loom.OccupancyGrid.load, anything),
     ("distance field", ".npz", saved(_field), arrays, loom.DistanceField.load, anything),

@@ -18,8 +18,8 @@ import numpy as np
 from job_cases import anything
 
 import pointloom as loom
-from pointloom.io.pictures.photo_files import read_alpha
-from pointloom.photogrammetry.sfm.picture_folder import read_header, read_lens, read_picture
+from pointloom.io.images.photo_files import read_alpha
+from pointloom.photogrammetry.sfm.image_folder import read_header, read_image, read_lens
 
 _ROOT = Path(__file__).resolve().parents[2]
 _FORMS = {1: "B", 2: "B", 3: "H", 4: "I", 5: "II", 10: "ii"}  # of the types of TIFF
@@ -62,7 +62,7 @@ def _packed(kind: int, values: list[Any]) -> bytes:
 def read_photograph(path: Path) -> Any:
     """Header, pixels and lens, as read from a folder of images."""
     header = read_header(path)
-    return header, read_picture(path, header), read_lens(path), read_alpha(path)
+    return header, read_image(path, header), read_lens(path), read_alpha(path)
 
 
 def films(suffix: str, *options: str) -> Callable[[], list[bytes]]:
@@ -84,7 +84,7 @@ def films(suffix: str, *options: str) -> Callable[[], list[bytes]]:
 def read_film(path: Path) -> Any:
     folder = path.with_name("chosen")
     shutil.rmtree(folder, ignore_errors=True)
-    return loom.sfm.choose_frames(path, folder, max_frames=4).to_dict()
+    return loom.photogrammetry.choose_frames(path, folder, max_frames=4).to_dict()
 
 
 def networks() -> list[bytes]:
@@ -93,21 +93,21 @@ def networks() -> list[bytes]:
 
     kernel = numpy_helper.from_array(np.array([0.25, 0.5, 0.125], np.float32).reshape(1, 3, 1, 1), "kernel")
     one = numpy_helper.from_array(np.array([1], np.int64), "one")
-    picture = helper.make_tensor_value_info("x", TensorProto.FLOAT, [1, 3, "h", "w"])
+    image = helper.make_tensor_value_info("x", TensorProto.FLOAT, [1, 3, "h", "w"])
     result = helper.make_tensor_value_info("depth", TensorProto.FLOAT, [1, "h", "w"])
     nodes = [
         helper.make_node("Conv", ["x", "kernel"], ["map"], kernel_shape=[1, 1]),
         helper.make_node("Relu", ["map"], ["positive"]),
         helper.make_node("Squeeze", ["positive", "one"], ["depth"]),
     ]
-    graph = helper.make_graph(nodes, "tiny", [picture], [result], [kernel, one])
+    graph = helper.make_graph(nodes, "tiny", [image], [result], [kernel, one])
     model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=8)
     return [model.SerializeToString()]
 
 
 def read_network(path: Path) -> Any:
     image = np.random.default_rng(_RNG).integers(0, 256, (28, 42, 3), np.uint8)
-    return loom.DepthModel(path, threads=1).run(image)
+    return loom.photogrammetry.DepthModel(path, threads=1).run(image)
 
 
 # name, suffix, seeds, mutate, read, oracle: as in cases.Case

@@ -24,7 +24,7 @@ import pointloom as loom
 from pointloom.cli.jobs.evaluate import read_extrinsic
 from pointloom.cli.jobs.info import describe
 from pointloom.cli.jobs.stations import read_control, read_targets
-from pointloom.io.pictures.photo_files import read_exif, read_photo
+from pointloom.io.images.photo_files import read_exif, read_photo
 from pointloom.photogrammetry.depth.estimation import read_distances
 from pointloom.photogrammetry.video.control_files import read_ground_control
 from pointloom.visualization.viewer.view_files import read_geometry
@@ -242,7 +242,7 @@ def splat_files() -> list[Any]:
 
 GCP = "EPSG:32632\n447000 5260000 410 320 240 a.jpg A\n447000 5260000 410 100 240 b.jpg A\n"
 BARS = "bar A B 2 0.01\nmark A a.jpg 1 2\nmark B a.jpg 3 4\nmark A b.jpg 1 2\nmark B b.jpg 3 4\n"
-GCP_CSV = "# crs EPSG:25832\nname,x,y,z,picture,column,row\nA,447000,5260000,410,a.jpg,320,240\nmark B b.jpg 1 2\n"
+GCP_CSV = "# crs EPSG:25832\nname,x,y,z,image,column,row\nA,447000,5260000,410,a.jpg,320,240\nmark B b.jpg 1 2\n"
 CONTROL = "name,x,y,z,sigma\nA,1,2,3,0.01\nB,4,5,6,0.02\n"
 TARGETS = "station,name,x,y,z\n0,A,1,2,3\n1,A,4,5,6\n"
 MATRIX = "1 0 0 0\n0 1 0 0\n0 0 1 2\n0 0 0 1\n"
@@ -251,7 +251,7 @@ NAMES = ["0001_a.jpg", "0002_b.jpg"]
 
 
 def _places(path: Path) -> Any:
-    return loom.sfm.read_picture_places([path])
+    return loom.photogrammetry.read_image_positions([path])
 
 
 def _describe_folder(path: Path) -> Any:

@@ -26,7 +26,7 @@ import pointloom as loom
 from pointloom.datasets.scenes.room import write_room_sequence
 from pointloom.photogrammetry.mvs.plane_search import PlaneFiles
 
-_CONFIG = loom.reconstruction.ReconstructionConfig(n_frames_per_fragment=3, tsdf_voxel_size=0.04, depth_max=4.0)
+_CONFIG = loom.rgbd.ReconstructionConfig(n_frames_per_fragment=3, tsdf_voxel_size=0.04, depth_max=4.0)
 _SQL: list[Any] = [None, 0, -1, 1, 7, 2**31, 2**62, -(2**63), 1e300, -0.5, "", "x", "../x", "a\x1b[31m", b"", b"\0" * 7]
 
 
@@ -36,16 +36,16 @@ def frames(folder: Path) -> None:
 
 def system(folder: Path) -> None:
     """A finished job of the reconstruction system."""
-    run_system(folder)
+    run_reconstruction_system(folder)
 
 
-def run_system(folder: Path) -> Any:
+def run_reconstruction_system(folder: Path) -> Any:
     source = loom.open_frames(made(frames))
-    loom.reconstruction.run_system(source, _CONFIG, folder, resume=folder.exists(), slac=True)
+    loom.rgbd.run_reconstruction_system(source, _CONFIG, folder, resume=folder.exists(), slac=True)
     return (folder / "scene" / "integrated.ply").read_bytes()
 
 
-def pictures(folder: Path) -> None:
+def images(folder: Path) -> None:
     """Six images of a camera that moves sideways, with four boards at different depths in front of a wall."""
     rng = np.random.default_rng(16)
     noise = (rng.integers(0, 256, (size, size), np.uint8) for size in (60, 120) for _ in range(5))
@@ -66,9 +66,9 @@ def video(folder: Path) -> None:
 
 
 def run_video(folder: Path) -> Any:
-    settings = loom.video.Settings(max_features=500, max_size=80)
+    settings = loom.photogrammetry.VideoSettings(max_features=500, max_size=80)
     resume = folder.exists()
-    loom.video.reconstruct(made(pictures), settings, work=folder, resume=resume, device="cpu")
+    loom.photogrammetry.reconstruct_video(made(images), settings, work=folder, resume=resume, device="cpu")
     return (folder / "mesh" / "mesh.ply").read_bytes()
 
 
@@ -83,19 +83,19 @@ def resumed(name: str, make: Callable[[Path], Any], file: str, mutate: mutations
 
 def features(folder: Path) -> None:
     folder.mkdir()
-    loom.sfm.find_features(made(pictures), folder / "x.db", max_features=300)
+    loom.photogrammetry.find_features(made(images), folder / "x.db", max_features=300)
 
 
 def matches(folder: Path) -> None:
     folder.mkdir()
-    loom.sfm.match(made(features) / "x.db", folder / "x.db", pairs="exhaustive")
+    loom.photogrammetry.match_features(made(features) / "x.db", folder / "x.db", pairs="exhaustive")
 
 
 def read_features(path: Path) -> Any:
     """Match the images of a damaged database, half of them by retrieval."""
     pairs = "retrieval" if zlib.crc32(path.read_bytes()) % 2 else "exhaustive"
     try:
-        return loom.sfm.match(path, path.with_name("out.db"), pairs=pairs)
+        return loom.photogrammetry.match_features(path, path.with_name("out.db"), pairs=pairs)
     except ValueError as error:
         if str(error).startswith("pairs:"):  # the features are of another kind by the database
             raise loom.FileError(path, str(error)) from error
@@ -104,7 +104,7 @@ def read_features(path: Path) -> Any:
 
 def read_matches(path: Path) -> Any:
     shutil.rmtree(path.with_name("model"), ignore_errors=True)
-    return loom.sfm.map_pictures(made(pictures), path, path.with_name("model")).to_dict()
+    return loom.photogrammetry.map_images(made(images), path, path.with_name("model")).to_dict()
 
 
 def cells(rng: random.Random, data: bytes) -> bytes:
@@ -159,13 +159,13 @@ RECORD = "records/{}.json"
 
 # name, suffix, seeds, mutate, read, oracle: as in cases.Case
 STAGES = [
-    *(resumed(f"reconstruction, record {name}", system, RECORD.format(name), values, run_system)
+    *(resumed(f"reconstruction, record {name}", system, RECORD.format(name), values, run_reconstruction_system)
       for name in ("fragment_000", "register", "refine", "slac", "integrate")),
-    resumed("reconstruction, configuration", system, "config.json", values, run_system),
-    resumed("reconstruction, graph", system, "fragments/fragment_000.json", values, run_system),
-    resumed("reconstruction, cloud", system, "fragments/fragment_000.ply", mutations.binary, run_system),
-    resumed("reconstruction, grid", system, "slac/control_grid.npz", arrays, run_system),
-    resumed("reconstruction, mesh", system, "scene/integrated.ply", mutations.binary, run_system),
+    resumed("reconstruction, configuration", system, "config.json", values, run_reconstruction_system),
+    resumed("reconstruction, graph", system, "fragments/fragment_000.json", values, run_reconstruction_system),
+    resumed("reconstruction, cloud", system, "fragments/fragment_000.ply", mutations.binary, run_reconstruction_system),
+    resumed("reconstruction, grid", system, "slac/control_grid.npz", arrays, run_reconstruction_system),
+    resumed("reconstruction, mesh", system, "scene/integrated.ply", mutations.binary, run_reconstruction_system),
     *(resumed(f"video, record {name}", video, RECORD.format(name), values, run_video)
       for name in ("frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh")),
     resumed("video, marker", video, "video.json", values, run_video),

@@ -78,13 +78,13 @@ def tsdf(frames: Room) -> Sequence:
 
 
 def rgbd(frames: Room) -> Sequence:
-    from pointloom import odometry
+    from pointloom import rgbd
 
     previous = []
 
     def call(k: int) -> Any:
-        frame = odometry.OdometryFrame(frames.depths[k], frames.camera, frames.colors[k], device=devices.NAME)
-        result = odometry.align_frames(frame, previous.pop()) if previous else None
+        frame = rgbd.OdometryFrame(frames.depths[k], frames.camera, frames.colors[k], device=devices.NAME)
+        result = rgbd.align_frames(frame, previous.pop()) if previous else None
         previous.append(frame)
         return result
 
@@ -94,7 +94,7 @@ def rgbd(frames: Room) -> Sequence:
 def slam(frames: Room) -> Sequence:
     import pointloom as loom
 
-    system = loom.slam.DenseSLAM(frames.camera, voxel_size=6.4 / WIDTH, depth_max=DEPTH_MAX, device=devices.NAME)
+    system = loom.rgbd.DenseSLAM(frames.camera, voxel_size=6.4 / WIDTH, depth_max=DEPTH_MAX, device=devices.NAME)
     true = np.linalg.inv(frames.poses[0]) @ frames.poses
 
     def end() -> dict[str, Any]:

@@ -171,7 +171,7 @@ def marching_cubes(size: int, device: str) -> Pair:
         triangles = len(own.triangles), found.size // 3
         assert abs(triangles[0] / triangles[1] - 1) < 0.01, f"{triangles[0]} triangles, Warp {triangles[1]}"
 
-    return Pair(lambda: loom.marching_cubes(field), other, compare)
+    return Pair(lambda: loom.meshing.marching_cubes(field), other, compare)
 
 
 # ------------------------------------------------------------------------------------------------ CuPy, torch

@@ -70,7 +70,7 @@ def pairs() -> Iterator[Pair]:
     by_name = {scan.name: scan for scan in scans}
     for kind, voxel in VOXELS.items():
         chosen = [scan for scan in scans if scan.kind == kind and not scan.name.startswith("kitchen frame")]
-        found = [(a, b, T) for a, b, T, share in beliefs.overlapping(chosen, voxel) if share >= OVERLAP]
+        found = [(a, b, T) for a, b, T, fraction in beliefs.overlapping(chosen, voxel) if fraction >= OVERLAP]
         for scene, a, b in WITHOUT_POSE if kind == "room" else ():
             source, target = by_name.get(f"{scene} {b}"), by_name.get(f"{scene} {a}")
             if source is not None and target is not None:

@@ -183,11 +183,11 @@ def frame_components(seed: int) -> dict[str, Array]:
         depth, incidence, colors = room.render(camera, T)
         measured = download(measure_depth(depth, incidence, w, h, seed=seed, frame=k)).reshape(h, w)
         color = download(colors).reshape(h, w, 3)
-        frames.append(loom.odometry.OdometryFrame(measured, camera, color, depth_scale=1.0, depth_max=6.0))
+        frames.append(loom.rgbd.OdometryFrame(measured, camera, color, depth_scale=1.0, depth_max=6.0))
         poses.append(T)
     found = {}
-    for method in (loom.odometry.Method.PointToPlane, loom.odometry.Method.Hybrid):
-        result = loom.odometry.align_frames(*frames, method=method)
+    for method in (loom.rgbd.OdometryMethod.PointToPlane, loom.rgbd.OdometryMethod.Hybrid):
+        result = loom.rgbd.align_frames(*frames, method=method)
         if result.reliable:
             error = np.linalg.inv(poses[1]) @ poses[0] @ np.linalg.inv(result.transformation)
             found[method.name] = whitened(error, result.covariance, np.zeros(3))
@@ -208,11 +208,11 @@ def survey_components(survey: surveys.Survey, seed: int) -> dict[str, list[Array
     steps = [np.linalg.inv(rough[i]) @ rough[i + 1] for i in range(len(rough) - 1)]
     known = [reg.FragmentPair(i + 1, i, step, 1.0, 1.0) for i, step in enumerate(steps)]
     free = ("x", "y", "z", "yaw") if survey.level else None
-    fragments = reg.register_fragments(clouds, voxel_size=survey.voxel, known=known, pairs=(), free=free)
+    fragments = reg.register_multiway(clouds, voxel_size=survey.voxel, known=known, pairs=(), free=free)
     first, found = 2 if survey.level else 0, {}
     for name, result, covariances in (
         ("register_stations", stations, stations.pose_covariances),
-        ("register_fragments", fragments, fragments.pose_covariances(clouds)),
+        ("register_multiway", fragments, fragments.pose_covariances(clouds)),
     ):
         fixed = result.reference
         truth = result.poses[fixed] @ np.linalg.inv(survey.poses[fixed]) @ survey.poses

@@ -38,7 +38,7 @@ import pointloom as loom  # noqa: E402
 from pointloom.photogrammetry.depth import network  # noqa: E402
 from pointloom.photogrammetry.depth.heads import RECIPROCAL, UNKNOWN, Head  # noqa: E402
 from pointloom.photogrammetry.depth.presets import PRESETS  # noqa: E402
-from tests.photogrammetry.depth.published_networks import FILES, FOCAL, depth_of, picture_of, published  # noqa: E402
+from tests.photogrammetry.depth.published_networks import FILES, FOCAL, depth_of, image_of, published  # noqa: E402
 
 AREA = "depth network"
 MAX_ERROR = 0.05  # median, relative
@@ -82,7 +82,7 @@ def _forms(path: Path) -> Iterator[tuple[str, Path]]:
 def _judge_file(case: str, own: str, path: Path) -> Iterator[Judged]:
     """Its preset and wrong ones."""
     estimates = {preset: estimate for preset in PRESETS if (estimate := _answer(path, preset)) is not None}
-    truth = depth_of(picture_of(ROWS, COLUMNS))
+    truth = depth_of(image_of(ROWS, COLUMNS))
     if own in estimates and PRESETS[own].focal is not None:  # gray images contain no focal length
         truth = truth * float(np.median((estimates[own].depth / truth)[estimates[own].depth > 0]))
     errors = {preset: _error(estimate, truth) for preset, estimate in estimates.items()}
@@ -103,7 +103,7 @@ def _count(case: str, chosen: set[str], wrong: set[str], refusals: dict[str, str
 def _refusal(path: Path, preset: str) -> str | None:
     """The error message if the file is rejected under a preset."""
     try:
-        loom.estimate_depth(picture_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
+        loom.photogrammetry.estimate_depth(image_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
     except (loom.FileError, ValueError) as error:
         return str(error)
     return None
@@ -117,7 +117,7 @@ def _answer(path: Path, preset: str) -> DepthEstimate | None:
 
     with mock.patch.object(network, "check_head", accept), mock.patch.object(network, "_check_names", lambda *_: None):
         try:
-            return loom.estimate_depth(picture_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
+            return loom.photogrammetry.estimate_depth(image_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
         except (loom.FileError, ValueError):
             return None
 

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from picture_scenes import Shots, pinhole
+from image_scenes import Shots, pinhole
 from scipy.ndimage import gaussian_filter, map_coordinates
 
 from pointloom.datasets.scenes.room import look_along
@@ -83,8 +83,8 @@ def render(facade: Facade) -> Shots:
         eye = np.array([x, -distance * rng.uniform(0.9, 1.1), 1.7 + rng.normal(0, 0.1)])
         yaw, pitch = math.radians(rng.normal(0, 5)), math.radians(4 + rng.normal(0, 3))
         poses.append(look_along(eye, (math.sin(yaw), math.cos(yaw), math.sin(pitch))))
-    pictures = [_view(facade, pose, camera, textures, rng) for pose in poses]
-    return Shots(np.array(poses), [camera] * len(poses), pictures)
+    images = [_view(facade, pose, camera, textures, rng) for pose in poses]
+    return Shots(np.array(poses), [camera] * len(poses), images)
 
 
 def _textures(facade: Facade) -> dict[str, np.ndarray]:

@@ -33,9 +33,11 @@ def judge_seed(seed: int) -> Judged:
         *scenes.SIZE, scenes.FOCAL, scenes.FOCAL, scenes.SIZE[0] / 2, scenes.SIZE[1] / 2
     )
     with tempfile.TemporaryDirectory() as name:
-        pictures = Path(name) / "pictures"
-        truth = {each: pose for each, (pose, _) in scenes.render(facade).write(pictures).items()}
-        result = loom.sfm.reconstruct(pictures, Path(name) / "work", intrinsic=camera, max_features=FEATURES)
+        images = Path(name) / "images"
+        truth = {each: pose for each, (pose, _) in scenes.render(facade).write(images).items()}
+        result = loom.photogrammetry.reconstruct_images(
+            images, Path(name) / "work", intrinsic=camera, max_features=FEATURES
+        )
     return judged(facade, result.model, truth, result.warnings, held_out=seed in HELD_OUT)
 
 

@@ -4,7 +4,7 @@
 
 Poses of the pairs of trust/calibration.py: registered from the true pose, displaced, slid along streets, and of clouds
 of another place. Seeds from 0 are for the fit, those from surveys.HELD_OUT are held out. Two fits are made:
-the log odds of all matches, by a logistic regression on the share and the firmness of the evidence, and the limit of
+the log odds of all matches, by a logistic regression on the fraction and the firmness of the evidence, and the limit of
 the displacement. Prints the constants in use with their sources, both fits, and the rates. `--write` writes the table
 of constants and the rates into docs/assessment.md. The other constants are not fitted again.
 """
@@ -47,7 +47,7 @@ DISPLACED = {  # voxels, degrees
 }
 SLIDE = 3.3  # [m] along the street or the tunnel
 SLID = 2.0  # [voxels] minimum displacement of a pose that slid, after ICP
-ODDS = ("SHARE_WEIGHT", "FIRMNESS_WEIGHT", "OFFSET")
+ODDS = ("FRACTION_WEIGHT", "FIRMNESS_WEIGHT", "OFFSET")
 SAME_PLACE = ("halves of real scans",)  # most show one kitchen, so that a cloud of another pair may match rightly
 WITHIN = ("shifted by 0.5 voxels", "rotated by 2 degrees")  # the score refines these poses
 RIDGE = 1e-3  # of the regression, for features that separate the poses
@@ -121,9 +121,9 @@ def fit_odds(rows: Sequence[Row]) -> Array:
     """Weights of ln(share) and ln(firmness), and the offset, of a logistic regression of right and wrong poses."""
     known = [row for row in rows if row.found.evidence.matches and row.what not in WITHIN]
     evidence = [row.found.evidence for row in known]
-    shares = np.log([e.share + constants.SHARE_FLOOR for e in evidence])
+    fractions = np.log([e.fraction + constants.FRACTION_FLOOR for e in evidence])
     firmness = np.log([e.firmness + constants.FIRMNESS_FLOOR for e in evidence])
-    X, y = np.column_stack([shares, firmness, np.ones(len(known))]), np.array([float(r.is_right) for r in known])
+    X, y = np.column_stack([fractions, firmness, np.ones(len(known))]), np.array([float(r.is_right) for r in known])
     weights = np.zeros(3)
     for _ in range(50):  # Newton
         p = 1 / (1 + np.exp(-X @ weights))

@@ -42,7 +42,7 @@ def path_errors(seeds: range) -> Iterator[PoseError]:
             way = {"table": sensors.around, "staircase": sensors.climb}.get(kind, sensors.walking_path)
             frames = camera.film(way(FRAMES, seed))
             stream = loom.frames_from([(f.color, f.depth, f.timestamp) for f in frames], camera.intrinsic)
-            path = loom.track(stream, voxel_size=VOXEL)
+            path = loom.rgbd.track(stream, voxel_size=VOXEL)
             numbers, poses = np.asarray(path.trajectory.ids)[:, 0].tolist(), path.trajectory.poses
             print(f"{kind} {seed}: {len(numbers)} poses", file=sys.stderr, flush=True)
             start = poses[0] @ np.linalg.inv(frames[numbers[0]].pose)
@@ -75,8 +75,8 @@ def half_errors(count: int, held_out: bool) -> Iterator[PoseError]:
         v, u = np.indices(source.depth.shape)
         for along in (u >= source.depth.shape[1] // 2, v >= source.depth.shape[0] // 2):
             halves = [_frame(np.where(side, source.depth, 0), source.color, data) for side in (along, ~along)]
-            for method in (loom.odometry.Method.PointToPlane, loom.odometry.Method.Hybrid):
-                first, second = (loom.odometry.align_frames(half, fixed, method=method) for half in halves)
+            for method in (loom.rgbd.OdometryMethod.PointToPlane, loom.rgbd.OdometryMethod.Hybrid):
+                first, second = (loom.rgbd.align_frames(half, fixed, method=method) for half in halves)
                 if first.reliable and second.reliable:
                     error = first.transformation @ np.linalg.inv(second.transformation)
                     matrix = first.covariance + second.covariance
@@ -87,4 +87,4 @@ def _frame(depth: Any, color: Any, data: Any) -> Any:
     import pointloom as loom
 
     options: dict[str, Any] = {"depth_scale": data.depth_scale, "depth_max": DEPTH_MAX}
-    return loom.odometry.OdometryFrame(depth.astype(np.uint16), data.intrinsic, color, **options)
+    return loom.rgbd.OdometryFrame(depth.astype(np.uint16), data.intrinsic, color, **options)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from judged import Judged
 
-NEAR, MIN_SHARE = 0.03, 0.9  # [m], fraction of the vertices
+NEAR, MIN_FRACTION = 0.03, 0.9  # [m], fraction of the vertices
 FRAMES = 24
 WRONG_FOCAL = 0.05  # relative focal length error that should be reported
 
@@ -51,7 +51,7 @@ def _fused() -> Iterator[Judged]:
     for case, poses, unit in cases:
         for refined in (False, True):
             stream = _Posed(sequence.intrinsic, frames, poses, unit)
-            result = loom.fuse(stream, voxel_size=0.02, refine=refined, depth_max=4.0)
+            result = loom.rgbd.fuse(stream, voxel_size=0.02, refine=refined, depth_max=4.0)
             right, figure = _is_room(result.mesh)
             area = "fusion, poses refined" if refined else "fusion, poses as given"
             warnings = "; ".join(result.warnings)
@@ -94,8 +94,8 @@ def _is_room(mesh: Any) -> tuple[bool, str]:
     if not len(mesh):
         return False, "no surface"
     errors = np.abs(surface_errors(mesh.vertices))
-    share = float((errors < NEAR).mean())
-    return share >= MIN_SHARE, f"{share:.0%} within 3 cm"
+    fraction = float((errors < NEAR).mean())
+    return fraction >= MIN_FRACTION, f"{fraction:.0%} within 3 cm"
 
 
 def _focal() -> Iterator[Judged]:
@@ -109,8 +109,8 @@ def _focal() -> Iterator[Judged]:
         camera = dataclasses.replace(K, fx=K.fx * factor, fy=K.fy * factor)
         taken = [(f.color, _metres(f).astype(np.float32)) for f in frames]
         stream = loom.frames_from(taken, camera)
-        path = loom.track(stream, voxel_size=0.02)
-        check = loom.check_focal(stream, path.trajectory)
+        path = loom.rgbd.track(stream, voxel_size=0.02)
+        check = loom.rgbd.check_focal(stream, path.trajectory)
         wrong = abs(factor - 1) > WRONG_FOCAL
         warnings = "; ".join((*check.warnings, *path.warnings))
         passed = not warnings

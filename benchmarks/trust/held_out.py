@@ -28,7 +28,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 OFF = 0.10  # [m] maximum error of a correct camera pose, relative to the first pose
 MANY = 0.05  # fraction of the frames that may be wrong, or lost, in a correct path
-ASTRAY, STRAY_SHARE = 0.5, 0.02  # [m] and fraction of the distance: maximum final error of a scanner's path
+ASTRAY, STRAY_FRACTION = 0.5, 0.02  # [m] and fraction of the distance: maximum final error of a scanner's path
 NEAR_DEGREES, NEAR_VOXELS = 5.0, 3.0  # [degrees, voxels] maximum errors of a correct registration
 VOXEL = 0.05  # [m] for registration
 SEED = 40  # of the first site
@@ -43,7 +43,7 @@ def track_frames(frames: Sequence[CameraFrame], intrinsic: Any) -> tuple[Any, Ar
     import pointloom as loom
 
     stream = loom.frames_from([(f.color, f.depth, f.timestamp) for f in frames], intrinsic)
-    path = loom.track(stream, voxel_size=0.02)
+    path = loom.rgbd.track(stream, voxel_size=0.02)
     numbers = np.array(path.trajectory.ids, int)[:, 0] if len(path.trajectory) else np.zeros(0, int)
     if not len(numbers):
         return path, numbers, np.zeros(0)
@@ -177,7 +177,7 @@ def judge_scans(case: str, scans: Sequence[Any], truth: Sequence[Array], known: 
     positions = np.array([(np.linalg.inv(odometry.poses[0]) @ T)[:3, 3] for T in odometry.poses])
     errors = np.linalg.norm(positions - true, axis=1)
     distance = float(np.linalg.norm(np.diff(true, axis=0), axis=1).sum())
-    is_wrong = bool(errors[-1] > max(ASTRAY, STRAY_SHARE * distance))
+    is_wrong = bool(errors[-1] > max(ASTRAY, STRAY_FRACTION * distance))
     warnings = "; ".join(odometry.summary.warnings)
     counted = int(is_wrong or known)
     figure = f"{errors[-1]:.2f} m off after {distance:.0f} m"
@@ -315,11 +315,13 @@ def single_images(seed: int) -> Iterator[Scan]:
 
 def judge_overlapping(judge: beliefs.Judge, images: Sequence[Scan], name: str) -> Iterator[Judged]:
     """Pairs of images of one scene, as rows by their overlap."""
-    for source, target, T, share in beliefs.overlapping(images, VOXEL, OVERLAPS[0]):
-        k = int(np.searchsorted(OVERLAPS, share, side="right"))
+    for source, target, T, fraction in beliefs.overlapping(images, VOXEL, OVERLAPS[0]):
+        k = int(np.searchsorted(OVERLAPS, fraction, side="right"))
         low, high = (round(100 * limit) for limit in OVERLAPS[k - 1 : k + 1])
         between = f"more than {low} %" if high > 100 else f"{low} to {high} %"
-        yield judged(judge.judge(source, target, T, share), f"registration, {name} that overlap by {between}, held out")
+        yield judged(
+            judge.judge(source, target, T, fraction), f"registration, {name} that overlap by {between}, held out"
+        )
 
 
 def judged(belief: beliefs.Belief, area: str) -> Judged:
@@ -411,32 +413,34 @@ def _judge_album(case: str, site: Site, shots: list[tuple[Array, float]], given:
 
     cameras = {zoom: DepthCamera(site, 1, scale=2, zoom=zoom) for _, zoom in shots}
     with tempfile.TemporaryDirectory() as folder:
-        pictures = Path(folder, "pictures")
-        pictures.mkdir()
+        images = Path(folder, "images")
+        images.mkdir()
         truth, focal = {}, {}
         for k, (pose, zoom) in enumerate(shots):
             name = f"{k:03d}.png"
-            Image.fromarray(cameras[zoom].picture(pose, k)).save(pictures / name)
+            Image.fromarray(cameras[zoom].image(pose, k)).save(images / name)
             truth[name], focal[name] = pose, cameras[zoom].focal
         options: dict[str, Any] = {}
         if given is not None:
             camera = cameras[1.0]
             f, K = given * camera.focal, camera.intrinsic
             options["intrinsic"] = loom.PinholeCameraIntrinsic(K.width, K.height, f, f, K.cx, K.cy)
-        result = loom.sfm.reconstruct(pictures, Path(folder, "work"), max_features=2000, seed=0, **options)
+        result = loom.photogrammetry.reconstruct_images(
+            images, Path(folder, "work"), max_features=2000, seed=0, **options
+        )
     if result.model is None:
         return Judged(
-            "pictures, held out", case, int(known), 0, 0, int(known), "; ".join(result.warnings) or "", "no model"
+            "images, held out", case, int(known), 0, 0, int(known), "; ".join(result.warnings) or "", "no model"
         )
     errors = camera_errors(result.model, truth)
     ratio = [c.params[0] / focal[n] for n, c in zip(result.model.names, result.model.cameras, strict=True)]
     off_focal = max(abs(r - 1) for r in ratio)
-    is_wrong = errors["share_of_extent"] > 0.02 or off_focal > 0.05
+    is_wrong = errors["fraction_of_extent"] > 0.02 or off_focal > 0.05
     warnings = "; ".join(result.warnings)
-    centers, count = 100 * errors["share_of_extent"], len(result.model.names)
+    centers, count = 100 * errors["fraction_of_extent"], len(result.model.names)
     figure = f"centers {centers:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
     return Judged(
-        "pictures, held out",
+        "images, held out",
         case,
         int(known or is_wrong),
         int(is_wrong),

@@ -43,9 +43,9 @@ def interval(hits: int, count: int) -> tuple[float, float]:
     """The 95 % confidence interval of a rate (Wilson 1927); 0 to 1 for a count of zero."""
     if count == 0:
         return 0.0, 1.0
-    share, spread = hits / count, Z * Z / count
-    middle = (share + spread / 2) / (1 + spread)
-    half = Z / (1 + spread) * math.sqrt(share * (1 - share) / count + spread / (4 * count))
+    fraction, spread = hits / count, Z * Z / count
+    middle = (fraction + spread / 2) / (1 + spread)
+    half = Z / (1 + spread) * math.sqrt(fraction * (1 - fraction) / count + spread / (4 * count))
     return max(middle - half, 0.0), min(middle + half, 1.0)
 
 

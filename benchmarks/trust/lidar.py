@@ -25,7 +25,7 @@ import pointloom as loom  # noqa: E402
 AREA = "LiDAR odometry"
 SEEDS = range(7, 30)
 COUNT = 20  # scans of a drive
-MIN_ERROR, MIN_SHARE = 0.3, 0.02  # [m], fraction of the distance
+MIN_ERROR, MIN_FRACTION = 0.3, 0.02  # [m], fraction of the distance
 AROUND = ((31.0, 0.0), (9.0, 0.0), (20.0, 3.0), (20.0, -3.0), (29.0, 3.0), (29.0, -3.0))  # lorries about x = 20
 
 
@@ -148,7 +148,7 @@ def judge(names: tuple[str, ...] = ()) -> Iterator[Judged]:
             odometry.register(loom.PointCloud(scan))
         distance = float(np.linalg.norm(np.diff(run.poses[:, :3, 3], axis=0), axis=1).sum())
         error, warnings = error_of(odometry.poses, run.poses), "; ".join(odometry.summary.warnings)
-        wrong = error > max(MIN_ERROR, MIN_SHARE * distance)
+        wrong = error > max(MIN_ERROR, MIN_FRACTION * distance)
         accepted, refused = int(wrong and not warnings), int(not wrong and bool(warnings))
         peer = kiss_icp(run, max_range) if seed == SEEDS[0] else ""
         figure = f"{error:.2f} of {distance:.1f} m"

@@ -31,7 +31,7 @@ def judge() -> Iterator[Judged]:
 def _slam(frames: Sequence[Any], **options: Any) -> Any:
     import pointloom as loom
 
-    slam = loom.slam.DenseSLAM(map_scenes.camera(), voxel_size=VOXEL, **options)
+    slam = loom.rgbd.DenseSLAM(map_scenes.camera(), voxel_size=VOXEL, **options)
     slam.run(frames)
     return slam
 

@@ -63,19 +63,19 @@ def judge() -> Iterator[Judged]:
 def _changed(name: str, mesh: Any) -> Iterator[Judged]:
     import pointloom as loom
 
-    full, truth = loom.clean_mesh(mesh).mesh, Truth(mesh)
+    full, truth = loom.meshing.clean_mesh(mesh).mesh, Truth(mesh)
     count = len(full)
-    for share in (0.7, 0.5, 0.3, 0.1, 0.03, 0.01, 0.004):
-        few = max(int(share * count), 4)
-        simple = loom.simplify_mesh(full, triangles=few)
+    for fraction in (0.7, 0.5, 0.3, 0.1, 0.03, 0.01, 0.004):
+        few = max(int(fraction * count), 4)
+        simple = loom.meshing.simplify_mesh(full, triangles=few)
         yield judged("simplified mesh", f"{name}, {few:,} of {count:,} triangles", simple.mesh, truth, simple.warnings)
     for method, iterations in SMOOTHED:
-        smooth = loom.smooth_mesh(full, method, iterations)
+        smooth = loom.meshing.smooth_mesh(full, method, iterations)
         yield judged("smoothed mesh", f"{name}, {method} {iterations} times", smooth.mesh, truth, smooth.warnings)
     for merge in (1e-6, 1e-4, 0.01, 0.1, 0.3, 0.5):
-        clean = loom.clean_mesh(full, merge_distance=merge)
+        clean = loom.meshing.clean_mesh(full, merge_distance=merge)
         yield judged("cleaned mesh", f"{name}, vertices merged within {merge:g}", clean.mesh, truth, clean.warnings)
-    half = loom.simplify_mesh(full, triangles=max(count // 2, 4)).mesh
+    half = loom.meshing.simplify_mesh(full, triangles=max(count // 2, 4)).mesh
     for case, other, alike in (
         ("itself", full, True),
         ("itself with half the triangles", half, truth.is_right(half)[0]),
@@ -83,7 +83,7 @@ def _changed(name: str, mesh: Any) -> Iterator[Judged]:
         ("itself elsewhere", full.translate((0.5, 0, 0)), False),
         ("a sphere", loom.TriangleMesh.create_sphere(0.5), name.startswith("sphere")),
     ):
-        warnings = "; ".join(loom.compare_meshes(full, other, samples=5000).warnings)
+        warnings = "; ".join(loom.meshing.compare_meshes(full, other, samples=5000).warnings)
         wrong, passed = not alike, not warnings
         yield Judged(
             "compared meshes", f"{name} and {case}", 1, wrong, wrong and passed, alike and not passed, warnings

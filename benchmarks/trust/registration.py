@@ -52,8 +52,8 @@ def judge() -> Iterator[Judged]:
 
 
 def _shared(judge_pair: beliefs.Judge, scans: Sequence[Scan]) -> Iterator[beliefs.Belief]:
-    for source, target, T, share in beliefs.overlapping(scans, VOXEL):
-        yield judge_pair.judge(source, target, T, share)
+    for source, target, T, fraction in beliefs.overlapping(scans, VOXEL):
+        yield judge_pair.judge(source, target, T, fraction)
 
 
 def _apart(judge_pair: beliefs.Judge, sources: Sequence[Scan], targets: Sequence[Scan]) -> Iterator[beliefs.Belief]:

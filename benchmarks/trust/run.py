@@ -30,7 +30,7 @@ PAGE = FOLDER.parent.parent / "docs" / "trust.md"
 QUICK_SECONDS = 300.0  # of all areas with --quick
 MOST_CASES = 12  # of a kind of result in the table of failure cases
 OWN = (
-    "pictures",
+    "images",
     "facades",
     "depth",
     "lidar",

@@ -25,7 +25,7 @@ RATE = 30.0  # [Hz]
 
 @dataclass(frozen=True)
 class CameraFrame:
-    """A frame for `loom.track`: depth [m], colors, time [s], and the true pose T_world_camera."""
+    """A frame for `loom.rgbd.track`: depth [m], colors, time [s], and the true pose T_world_camera."""
 
     depth: NDArray[np.float32]
     color: NDArray[np.uint8]
@@ -64,7 +64,7 @@ class DepthCamera:
         depth = np.where(is_valid, np.rint(1000 * BASELINE * FOCAL_IR / disparity) / 1000, 0).astype(np.float32)
         return CameraFrame(depth, self._paint(pose, directions, rng), index / RATE, f"{index:06d}", pose)
 
-    def picture(self, pose: Array, index: int) -> NDArray[np.uint8]:
+    def image(self, pose: Array, index: int) -> NDArray[np.uint8]:
         """Render colors only."""
         return self._paint(pose, self.rays @ pose[:3, :3].T, np.random.default_rng([self.seed, index]))
 
@@ -161,12 +161,12 @@ def delayed(frames: Sequence[CameraFrame], count: int, start: int = 0, end: int 
     return late if start else late[count:]
 
 
-def with_gripper(frames: Sequence[CameraFrame], share: float, seed: int, *, side: str = "low") -> list[CameraFrame]:
+def with_gripper(frames: Sequence[CameraFrame], fraction: float, seed: int, *, side: str = "low") -> list[CameraFrame]:
     """Frames with an object fixed to the camera in the lower or left part of the image, 0.5 m away."""
     rng = np.random.default_rng([seed, 11])
     height, width = frames[0].depth.shape
     v, u = np.mgrid[:height, :width]
-    mask = v >= round(height * (1 - share)) if side == "low" else u < round(width * share)
+    mask = v >= round(height * (1 - fraction)) if side == "low" else u < round(width * fraction)
     x, y = u * (WIDTH / width), v * (HEIGHT / height)
     shape = 0.5 + 0.08 * np.sin(x / 31) * np.cos(y / 17)
     paint = (120 + 60 * np.sin(x / 9) * np.sin(y / 13))[..., None] * np.array([1.0, 0.8, 0.6])

@@ -55,14 +55,14 @@ def of(depth: Any, color: Any, pose: Any, time: float) -> Any:
     return SimpleNamespace(depth=depth, color=color, T_world_camera=pose, timestamp=time, name="")
 
 
-def with_object(frames: Sequence[Any], share: float, sway: float = 0.0) -> list[Any]:
+def with_object(frames: Sequence[Any], fraction: float, sway: float = 0.0) -> list[Any]:
     """Add an object half a meter in front of the camera over a fraction of the width, fixed to it or swaying."""
     height, width = frames[0].depth.shape
     v, u = np.mgrid[:height, :width]
     rng, out = np.random.default_rng(11), []
     for k, f in enumerate(frames):
-        left = (0.5 - 0.5 * share) * width + sway * width * np.sin(k / 15) if sway else 0.0
-        mask = (u >= left) & (u < left + share * width)
+        left = (0.5 - 0.5 * fraction) * width + sway * width * np.sin(k / 15) if sway else 0.0
+        mask = (u >= left) & (u < left + fraction * width)
         z = 520 + 60 * np.sin((u - left) / 23) + 30 * np.cos(v / 31) + rng.normal(0, 1.5, u.shape)
         shade = np.stack([120 + 60 * np.sin((u - left) / 9), 100 + 50 * np.cos(v / 7), np.full(u.shape, 90)], axis=-1)
         depth, color = f.depth.copy(), f.color.copy()
@@ -91,7 +91,7 @@ def run(case: str, frames: Sequence[Any], camera: Any, *, is_sound: bool = True,
     """Track frames and judge each, or the run as one if its images are not synchronized."""
     import pointloom as loom
 
-    slam = loom.slam.DenseSLAM(camera, voxel_size=VOXEL, T_init=frames[0].T_world_camera)
+    slam = loom.rgbd.DenseSLAM(camera, voxel_size=VOXEL, T_init=frames[0].T_world_camera)
     results = slam.run(frames)
     errors = np.array([_off(result, f) for result, f in zip(results, frames, strict=True)])
     tracked = np.array([result.is_tracked for result in results])
@@ -121,7 +121,7 @@ def judge_stall(
     """A run whose depth is frozen from a frame on: all frames from the fourth after it are wrong."""
     import pointloom as loom
 
-    slam = loom.slam.DenseSLAM(camera, voxel_size=VOXEL, T_init=frames[0].T_world_camera)
+    slam = loom.rgbd.DenseSLAM(camera, voxel_size=VOXEL, T_init=frames[0].T_world_camera)
     results = slam.run(frozen(frames, first, noise))
     tracked = np.array([result.is_tracked for result in results])
     wrong = np.arange(len(results)) > first + 3
@@ -136,7 +136,7 @@ def judge() -> Iterator[Judged]:
     yield run("room, nothing wrong", frames, camera)
     yield run("room, depth 0.1 s later", late(frames[:63], 3), camera)
     yield judge_stall("room, depth frozen from frame 60", frames[:80], camera, 60, held_out=True)
-    yield run("room, something fixed in 35 % of the picture", with_object(frames[:60], 0.35), camera)
+    yield run("room, something fixed in 35 % of the image", with_object(frames[:60], 0.35), camera)
     yield run("room, something over 45 % sways", with_object(frames[:60], 0.45, 0.2), camera)
     frames, camera = room(110, person=True, seed=3)
     yield run("room, somebody walks about", frames, camera)
@@ -152,8 +152,8 @@ def judge_kitchen(frames: list[Any], camera: Any) -> Iterator[Judged]:
     sound: list[tuple[str, Callable[[], list[Any]]]] = [
         ("nothing wrong, every second", lambda: frames[::2]),
         ("depth 0.1 s later", lambda: late(frames[:63], 3)),
-        ("something fixed in 30 % of the picture", lambda: with_object(frames[:60], 0.3)),
-        ("something fixed in 50 % of the picture", lambda: with_object(frames[:60], 0.5)),
+        ("something fixed in 30 % of the image", lambda: with_object(frames[:60], 0.3)),
+        ("something fixed in 50 % of the image", lambda: with_object(frames[:60], 0.5)),
         ("something over half the width sways", lambda: with_object(frames[:60], 0.5, 0.2)),
     ]
     for case, make in sound:

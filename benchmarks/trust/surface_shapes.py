@@ -55,7 +55,7 @@ def _mesh_of(field: Callable[[Array], Array]) -> Any:
     values[[0, -1]] = np.maximum(values[[0, -1]], 1e-3)  # closed at the cube
     values[:, [0, -1]] = np.maximum(values[:, [0, -1]], 1e-3)
     values[:, :, [0, -1]] = np.maximum(values[:, :, [0, -1]], 1e-3)
-    return loom.marching_cubes(values, spacing=[2 / CELLS] * 3, origin=[-1, -1, -1])
+    return loom.meshing.marching_cubes(values, spacing=[2 / CELLS] * 3, origin=[-1, -1, -1])
 
 
 def _sheet(height: Callable[[Array, Array], Array]) -> Any:

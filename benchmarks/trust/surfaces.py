@@ -16,7 +16,7 @@ from judged import Judged
 from real_data import DataMissingError, real_data
 from surface_shapes import HELD_OUT, Sampled, sampled
 
-NEAR, MIN_SHARE = 0.02, 0.95  # fraction of the diagonal; fraction of the surface
+NEAR, MIN_FRACTION = 0.02, 0.95  # fraction of the diagonal; fraction of the surface
 SHAPES = ("nefertiti", "cheburashka", "fandisk", "stanford-bunny")  # .obj files of the real data
 SAMPLES = 3000  # on each surface
 CASES, SEED = 1000, 53
@@ -50,10 +50,10 @@ class Truth:
         if not len(mesh) or mesh.get_surface_area() == 0:
             return False, "no surface"
         pairs = (self._scene, _points_of(mesh)), (_scene_of(mesh), self._points)
-        shares = [float((scene.compute_distance(points) < NEAR * self.size).mean()) for scene, points in pairs]
+        fractions = [float((scene.compute_distance(points) < NEAR * self.size).mean()) for scene, points in pairs]
         borders = (_border_of(mesh) - self._border) / self.size
-        right = min(shares[: 1 + is_complete]) >= MIN_SHARE and borders <= LONGEST
-        return right, f"{shares[0]:.0%} true, {shares[1]:.0%} there, borders {borders:.1f} times its size"
+        right = min(fractions[: 1 + is_complete]) >= MIN_FRACTION and borders <= LONGEST
+        return right, f"{fractions[0]:.0%} true, {fractions[1]:.0%} there, borders {borders:.1f} times its size"
 
 
 def _scene_of(mesh: Any) -> Any:
@@ -92,7 +92,7 @@ def _through_points(sample: Sampled, methods: tuple[str, ...] = ("poisson", "bal
     cloud, truth = loom.PointCloud(sample.points, normals=sample.normals), Truth(sample.truth)
     for method in methods:
         alpha = sample.alpha if method == "alpha" else None
-        result = loom.create_surface(cloud, method, alpha=alpha)
+        result = loom.meshing.create_surface(cloud, method, alpha=alpha)
         case = sample.case + ("" if alpha is None else f", alpha {alpha:.3g}")
         yield judged(f"surface, {method}", case, result.mesh, truth, result.warnings, sample.is_complete)
 

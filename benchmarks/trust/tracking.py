@@ -40,7 +40,7 @@ def judge() -> Iterator[Judged]:
 
 def tracked(case: str, frames: Sequence[Any], camera: Any, *, held_out: bool) -> Judged:
     """The tracking result for frames with known poses."""
-    slam = loom.slam.DenseSLAM(camera, voxel_size=VOXEL_SIZE, T_init=frames[0].T_world_camera)
+    slam = loom.rgbd.DenseSLAM(camera, voxel_size=VOXEL_SIZE, T_init=frames[0].T_world_camera)
     results = slam.run(frames)
     wrong = accepted = rejected = count = 0
     worst = sigma = 0.0

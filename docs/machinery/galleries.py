@@ -9,7 +9,7 @@ from .texts import titled, write_if_changed
 from .usage import CHAPTERS, EXAMPLES, gallery_of
 
 # Order of the sections. Others follow.
-SECTIONS = ("clouds", "registration", "meshes", "rgbd", "pictures", "kernels")
+SECTIONS = ("clouds", "registration", "meshes", "rgbd", "images", "kernels")
 HEAD = """Each page is a script that runs on its own. It creates its data, prints its results and
 compares them with the ground truth. Each page ends with links to download the script or a notebook.
 

@@ -33,7 +33,7 @@ GROUPS = {
     "photogrammetry": "Photographs",
     "pcd.terrain": "Terrain",
     "tiling": "Clouds larger than memory",
-    "visualization": "Pictures, recordings, the viewer",
+    "visualization": "Images, recordings, the viewer",
     "core": "Settings, errors, warnings",
 }
 ORDER = list(dict.fromkeys(GROUPS.values()))

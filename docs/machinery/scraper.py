@@ -15,7 +15,7 @@ import pointloom as loom
 from pointloom.visualization.recording.film import Film, view_frames
 from pointloom.visualization.recording.recorder import Recorder
 from pointloom.visualization.recording.shared_player import share_player
-from pointloom.visualization.render.picture import Picture
+from pointloom.visualization.render.picture import Image
 
 MADE = Path(__file__).parents[1] / "made"  # copied to the _static folder of the site
 RECORDINGS, SHOWN = "recordings", "_pointloom_shown"
@@ -44,19 +44,19 @@ def show_results(block: Any, script: dict[str, Any], gallery: dict[str, Any]) ->
     for name, value in list(script["example_globals"].items()):
         if id(value) in shown or name.startswith("_"):
             continue
-        if isinstance(value, Picture) and value._is_image():
+        if isinstance(value, Image) and value._is_image():
             shown[id(value)] = value
-            text += show_picture(name, value, script, gallery)
+            text += show_image(name, value, script, gallery)
         elif name == PAGE and isinstance(value, Path) and value.suffix == ".html" and value.exists():
             shown[id(value)] = value
             text += show_recording(value, script, gallery)
     return text
 
 
-def show_picture(name: str, picture: Picture, script: dict[str, Any], gallery: dict[str, Any]) -> str:
+def show_image(name: str, image: Image, script: dict[str, Any], gallery: dict[str, Any]) -> str:
     """Save an image at the path given by sphinx-gallery."""
     path = next(script["image_path_iterator"])
-    loom.save_picture(path, picture)
+    loom.write_image(path, image)
     alt = f"{Path(script['src_file']).stem.removeprefix('plot_').replace('_', ' ')}: {name.replace('_', ' ')}"
     return IMAGE.format(path=os.path.relpath(path, gallery["src_dir"]), alt=alt)
 
@@ -85,4 +85,4 @@ def save_still(script: dict[str, Any]) -> None:
         return
     view = view_frames(timeline, None, *STILL)
     film = Film(timeline, view, *STILL, (1.0, 1.0, 1.0))
-    loom.save_picture(next(script["image_path_iterator"]), film.draw(len(timeline.frames) - 1))
+    loom.write_image(next(script["image_path_iterator"]), film.draw(len(timeline.frames) - 1))

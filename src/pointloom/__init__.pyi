@@ -1,7 +1,10 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
 from . import datasets as datasets
+from . import meshing as meshing
+from . import photogrammetry as photogrammetry
 from . import registration as registration
+from . import rgbd as rgbd
 from . import tiling as tiling
 from .cameras.camera import PinholeCameraIntrinsic as PinholeCameraIntrinsic
 from .cameras.camera import read_pinhole_camera_intrinsic as read_pinhole_camera_intrinsic
@@ -19,7 +22,7 @@ from .cameras.trajectory import Trajectory as Trajectory
 from .cameras.trajectory import read_trajectory as read_trajectory
 from .cameras.trajectory import write_trajectory as write_trajectory
 from .cameras.undistortion import Undistortion as Undistortion
-from .cameras.undistortion import undistort_picture as undistort_picture
+from .cameras.undistortion import undistort_image as undistort_image
 from .core.device_memory import free_memory as free_memory
 from .core.dropped_results import DroppedResultWarning as DroppedResultWarning
 from .core.errors import CameraError as CameraError
@@ -47,14 +50,14 @@ from .io.frames.realsense import RealSenseCamera as RealSenseCamera
 from .io.frames.recordings import FrameRecorder as FrameRecorder
 from .io.frames.recordings import record_frames as record_frames
 from .io.frames.rgbd_sources import frames_from as frames_from
+from .io.images.image_files import read_color as read_color
+from .io.images.image_files import read_depth as read_depth
 from .io.models.camera_files import read_cameras as read_cameras
 from .io.models.colmap import read_colmap_model as read_colmap_model
 from .io.models.colmap import write_colmap_model as write_colmap_model
 from .io.models.metashape import read_metashape_cameras as read_metashape_cameras
 from .io.models.sfm_model import SfmModel as SfmModel
 from .io.models.transforms_writer import write_transforms as write_transforms
-from .io.pictures.image_files import read_color as read_color
-from .io.pictures.image_files import read_depth as read_depth
 from .io.points.e57_stations import read_stations as read_stations
 from .io.points.e57_stations import write_stations as write_stations
 from .io.points.las_crs import GeographicWarning as GeographicWarning
@@ -64,28 +67,19 @@ from .io.points.point_cloud import read_point_cloud as read_point_cloud
 from .io.points.point_cloud import write_point_cloud as write_point_cloud
 from .io.splats.splat_files import read_splats as read_splats
 from .io.splats.splat_files import write_splats as write_splats
-from .meshing import color_map as color_map
-from .meshing.mesh.cleaned_mesh import clean_mesh as clean_mesh
-from .meshing.mesh.cloud_surface import create_surface as create_surface
-from .meshing.mesh.isosurface import marching_cubes as marching_cubes
 from .meshing.mesh.mesh import TriangleMesh as TriangleMesh
-from .meshing.mesh.mesh_comparison import compare_meshes as compare_meshes
 from .meshing.mesh.mesh_files import read_triangle_mesh as read_triangle_mesh
 from .meshing.mesh.mesh_files import write_triangle_mesh as write_triangle_mesh
 from .meshing.mesh.mesh_reconstruction import NormalsWarning as NormalsWarning
-from .meshing.mesh.simplified_mesh import simplify_mesh as simplify_mesh
-from .meshing.mesh.smoothed_mesh import smooth_mesh as smooth_mesh
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
-from .meshing.scene.orthophoto import orthophoto as orthophoto
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.volume.distance_field import DistanceField as DistanceField
 from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
 from .meshing.volume.paged_volume import PagedTSDFVolume as PagedTSDFVolume
-from .meshing.volume.splat_fusion import fuse_splats as fuse_splats
 from .meshing.volume.tsdf import TSDFVolume as TSDFVolume
-from .meshing.volume.volume_fusion import fuse_volumes as fuse_volumes
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .pcd.boxes import OrientedBoundingBox as OrientedBoundingBox
+from .pcd.change import m3c2 as m3c2
 from .pcd.cloud import PointCloud as PointCloud
 from .pcd.features import compute_eigen_features as compute_eigen_features
 from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
@@ -105,25 +99,13 @@ from .pcd.shape_fitting import fit_shape as fit_shape
 from .pcd.splats import GaussianSplats as GaussianSplats
 from .pcd.terrain import height_above_ground as height_above_ground
 from .pcd.terrain import rasterize as rasterize
-from .photogrammetry import mvs as mvs
-from .photogrammetry import sfm as sfm
-from .photogrammetry import video as video
-from .photogrammetry.depth.estimation import estimate_depth as estimate_depth
-from .photogrammetry.depth.evaluation import evaluate_depth as evaluate_depth
-from .photogrammetry.depth.network import DepthModel as DepthModel
-from .rgbd import odometry as odometry
-from .rgbd import reconstruction as reconstruction
-from .rgbd import slam as slam
-from .rgbd.fusion.fuse import fuse as fuse
-from .rgbd.reconstruction.frames_to_mesh import reconstruct as reconstruct
-from .rgbd.slam.focal_check import check_focal as check_focal
-from .rgbd.slam.tracking import track as track
-from .visualization import change as change
+from .visualization.change.pictures import draw_change as draw_change
+from .visualization.change.pictures import paint_change as paint_change
 from .visualization.recording.recorder import record as record
 from .visualization.render.frustum import CameraFrustum as CameraFrustum
 from .visualization.render.open3d_views import read_view as read_view
 from .visualization.render.open3d_views import write_view as write_view
-from .visualization.render.picture_files import save_picture as save_picture
+from .visualization.render.picture_files import write_image as write_image
 from .visualization.render.plots import draw_slice as draw_slice
 from .visualization.render.render import render as render
 from .visualization.render.view import View as View
@@ -132,5 +114,23 @@ from .visualization.viewer.detail_files import sample_file as sample_file
 from .visualization.viewer.detail_tree import DetailTree as DetailTree
 from .visualization.viewer.draw import draw as draw
 from .visualization.viewer.viewer import Viewer as Viewer
+
+# Results of functions, for annotations.
+# isort: split
+from .io.bags.recording import Recording as Recording
+from .io.frames.datasets import RGBDDataset as RGBDDataset
+from .io.frames.rgbd_sources import FrameStream as FrameStream
+from .io.points.e57_stations import Stations as Stations
+from .pcd.change import M3C2Result as M3C2Result
+from .pcd.convex_hull import ConvexHull as ConvexHull
+from .pcd.convex_hull import VisibleSurface as VisibleSurface
+from .pcd.metrics import CloudMetrics as CloudMetrics
+from .pcd.search import Neighbors as Neighbors
+from .pcd.shape import Shape as Shape
+from .pcd.shape_boxes import BoxShape as BoxShape
+from .pcd.shape_detection import DetectedShapes as DetectedShapes
+from .pcd.splat_images import SplatImage as SplatImage
+from .pcd.terrain import Raster as Raster
+from .pcd.voxel_trace import VoxelTrace as VoxelTrace
 
 __version__: str

@@ -15,6 +15,7 @@ _homes: dict[str, dict[str, str]] = {}  # results of `_read`
 
 MAX_HINTS = 3  # names of a private module in an error
 SHORT_NAME = "loom"  # usual import name
+RESULTS = "# Results of functions, for annotations."  # above the last block of a stub
 OPEN3D = f"{__name__.partition('.')[0]}.open3d"  # package of Open3D's names
 
 
@@ -91,12 +92,15 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
         return message
     from .core.attribute_hints import nearest_name
     from .core.open3d_names import BRIDGE, hint, row_of
+    from .core.renamed_names import renamed
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):
         own = hint(row_of(name, (BRIDGE,)))
         if not own and (other := _in_open3d(name)):
             return f"{message}; it is {other}"
         return message + (own or hint(row_of(name)) or _also(package, name) or nearest_name(name, known))
+    if new := renamed(package.replace(package.partition(".")[0], SHORT_NAME, 1), name):
+        return f"{message}; it is {new}"
     return message + (_also(package, name) or hint(row_of(name)) or nearest_name(name, known))
 
 
@@ -171,11 +175,19 @@ def _package_of(module: str, home: str) -> str:
     return ""
 
 
+def results_of(package: str) -> frozenset[str]:
+    """Public names of classes that functions return and users do not construct: the last block of the stub."""
+    return frozenset(_imports_of(package, _stub(package).partition(RESULTS)[2]))
+
+
 def _read(package: str) -> dict[str, str]:
     """Module of each public name. A module maps to itself."""
-    if package in _homes:
-        return _homes[package]
-    import ast
+    if package not in _homes:
+        _homes[package] = _imports_of(package, _stub(package))
+    return _homes[package]
+
+
+def _stub(package: str) -> str:
     import pkgutil
 
     try:
@@ -187,11 +199,16 @@ def _read(package: str) -> dict[str, str]:
             f"{package}/__init__.pyi is missing: it lists the public names. Reinstall pointloom; a program packed by "
             "PyInstaller needs --collect-data pointloom"
         )
+    return stub.decode()
+
+
+def _imports_of(package: str, stub: str) -> dict[str, str]:
+    import ast
+
     homes = {}
     for node in ast.parse(stub).body:
         if isinstance(node, ast.ImportFrom):
             base = package.rsplit(".", node.level - 1)[0]
             for alias in node.names:
                 homes[alias.name] = f"{base}.{node.module or alias.name}"
-    _homes[package] = homes
     return homes

@@ -120,5 +120,5 @@ def test_the_command_writes_the_picture_that_a_page_shows(show, tmp_path):
     page_image = see(page, lambda image: count_pixels(image, BRICK) > 500)
     sides = [np.array(image.shape[1::-1]) for image in (file, page_image)]
     middles = [np.array(middle_of(image, BRICK)) for image in (file, page_image)]
-    shares = [(middle - side / 2) / side[1] for middle, side in zip(middles, sides, strict=True)]
-    np.testing.assert_allclose(*shares, atol=0.02)
+    fractions = [(middle - side / 2) / side[1] for middle, side in zip(middles, sides, strict=True)]
+    np.testing.assert_allclose(*fractions, atol=0.02)

@@ -15,8 +15,8 @@ def test_keys_and_slider_change_the_size_of_points(show):
 
     def wait_for_size(size: float) -> None:
         wait_until(page, lambda: viewer.point_size == pytest.approx(size, abs=0.06), lambda: f"{viewer.point_size} px")
-        share = (size / first) ** 2
-        see(page, lambda image: 0.7 * share < count_pixels(image, RED, 120) / before < 1.4 * share)
+        fraction = (size / first) ** 2
+        see(page, lambda image: 0.7 * fraction < count_pixels(image, RED, 120) / before < 1.4 * fraction)
 
     before = count_pixels(see(page, lambda image: count_pixels(image, RED) > 30), RED, 120)
     for key, count, size in (("+", 4, 1.25**4), ("-", 2, 1.25**2), ("=", 2, 1.25**4)):

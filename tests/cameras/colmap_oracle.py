@@ -35,10 +35,10 @@ def undistort_cameras(asked):
     cameras = [pycolmap.undistort_camera(options_of(o), camera_of(c)) for c, o in asked]
     return [[u.model_name, u.width, u.height, u.params.tolist()] for u in cameras]
 
-def undistort_pictures(asked):
+def undistort_images(asked):
     for c, o, source, target in asked:
-        picture, _ = pycolmap.undistort_image(options_of(o), pycolmap.Bitmap.read(source, True), camera_of(c))
-        picture.write(target)
+        image, _ = pycolmap.undistort_image(options_of(o), pycolmap.Bitmap.read(source, True), camera_of(c))
+        image.write(target)
 
 def synthesize(asked):
     options = pycolmap.SyntheticDatasetOptions()
@@ -57,14 +57,14 @@ def describe(asked):
 
 def describe_model(model):
     model.update_point_3d_errors()
-    pictures = {}
+    images = {}
     for image in model.images.values():
         seen = [[*p.xy.tolist(), *model.points3D[p.point3D_id].xyz.tolist()] for p in image.points2D if p.has_point3D()]
         camera = model.cameras[image.camera_id]
         pose = image.cam_from_world().matrix().tolist()
-        pictures[image.name] = [[camera.model_name, camera.width, camera.height, camera.params.tolist()], pose, seen]
+        images[image.name] = [[camera.model_name, camera.width, camera.height, camera.params.tolist()], pose, seen]
     points = [[*p.xyz.tolist(), *p.color.tolist(), len(p.track.elements)] for p in model.points3D.values()]
-    return {"pictures": pictures, "points": points, "error": model.compute_mean_reprojection_error()}
+    return {"images": images, "points": points, "error": model.compute_mean_reprojection_error()}
 
 answer = globals()[sys.argv[1]](json.load(sys.stdin))
 json.dump(answer, sys.stdout)

@@ -164,7 +164,7 @@ def test_the_undistorted_camera_matches_colmap():
     cases = [([model, WIDTH, HEIGHT, p], setting) for model, p in LENSES.items() for setting in settings]
     results = query_colmap("undistort_cameras", cases)
     for ((model, *_), (blank, longest)), (_, width, height, params) in zip(cases, results, strict=True):
-        undistorted = camera_of(model).undistorted(blank_share=blank, max_size=None if longest < 0 else longest)
+        undistorted = camera_of(model).undistorted(blank_fraction=blank, max_size=None if longest < 0 else longest)
         fx, fy, cx, cy = params if len(params) == 4 else [params[0], *params]
         assert (undistorted.width, undistorted.height) == (width, height), (model, blank, longest)
         principal = [undistorted.cx + 0.5, undistorted.cy + 0.5]
@@ -187,7 +187,7 @@ def test_undistorted_camera_has_the_requested_size():
 
 
 def test_a_lens_has_no_intrinsic_and_without_an_inverse_along_a_border_no_straight_camera():
-    with pytest.raises(ValueError, match="undistort_picture"):
+    with pytest.raises(ValueError, match="undistort_image"):
         _ = camera_of("SIMPLE_RADIAL").intrinsic
     with pytest.raises(ValueError, match=r"^params:"):
         camera_of("SIMPLE_RADIAL", [100, 320, 240, -0.3]).undistorted()

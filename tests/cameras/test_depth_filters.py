@@ -158,17 +158,17 @@ def test_holes_and_other_surfaces_do_not_count_in_halved_depth(depth, threshold)
     np.testing.assert_allclose(pyrdown_depth(depth, threshold), expected, rtol=3e-7)
 
 
-def open3d_pyrdown(o3d, pictures):
-    return [pixels_of(tensor_image(o3d, picture).pyrdown()) for picture in pictures]
+def open3d_pyrdown(o3d, images):
+    return [pixels_of(tensor_image(o3d, image).pyrdown()) for image in images]
 
 
 def test_halved_colors_match_open3d(device, rng, oracle):
     color, depth = rng.integers(0, 256, (36, 40, 3)).astype(np.uint8), relief(rng)
     image = loom.RGBDImage.create_from_color_and_depth(color[:24], depth, device=device)
-    pictures = [color, color[:, :, 1], np.array(image.color)]
-    rgb, green, brightness = oracle("cameras/halved-colors", open3d_pyrdown, pictures)
-    for picture, expected in ((color, rgb), (color[:, :, 1], np.repeat(green[:, :, None], 3, axis=2))):
-        result = pyrdown_color(picture, device=device)
+    sources = [color, color[:, :, 1], np.array(image.color)]
+    rgb, green, brightness = oracle("cameras/halved-colors", open3d_pyrdown, sources)
+    for source, expected in ((color, rgb), (color[:, :, 1], np.repeat(green[:, :, None], 3, axis=2))):
+        result = pyrdown_color(source, device=device)
         assert result.shape == (18, 20, 3) and result.dtype == np.uint8
         off = np.abs(result - expected.astype(int))
         assert off.max() <= 1 and (off == 0).mean() > 0.99, "sums near a half round"

@@ -33,20 +33,20 @@ def source_pixels(camera: loom.CameraModel, intrinsic: loom.PinholeCameraIntrins
     return camera.project(rays.reshape(-1, 3)).reshape(*u.shape, 2)
 
 
-def bilinear(picture: np.ndarray, positions: np.ndarray) -> np.ndarray:
+def bilinear(image: np.ndarray, positions: np.ndarray) -> np.ndarray:
     """The oracle of reading between pixels, in float64; NaN outside."""
-    h, w = picture.shape[:2]
+    h, w = image.shape[:2]
     inside = (np.abs(positions - [(w - 1) / 2, (h - 1) / 2]) <= [w / 2, h / 2]).all(axis=2)
     x, y = np.clip(np.where(inside[..., None], positions, 0), 0, [w - 1, h - 1]).transpose(2, 0, 1)
     left, top = np.floor(x).astype(int), np.floor(y).astype(int)
     right, bottom = np.minimum(left + 1, w - 1), np.minimum(top + 1, h - 1)
     a, b = (x - left)[..., None], (y - top)[..., None]
-    p = picture.astype(float)
+    p = image.astype(float)
     upper, lower = (p[row, left] * (1 - a) + p[row, right] * a for row in (top, bottom))
     return np.where(inside[..., None], upper * (1 - b) + lower * b, np.nan)
 
 
-MADE = {  # lenses, and the share of blank pixels
+MADE = {  # lenses, and the fraction of blank pixels
     "folds": (loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [70, 48, 36, -0.3]), 1.0),  # before the corners
     "thin": (loom.CameraModel("FOV", WIDTH, HEIGHT, [70, 70, 48, 36, 1e-3]), 0.7),  # nearly a pinhole: a series
     "middle": (loom.CameraModel("FOV", WIDTH, HEIGHT, [70, 70, 48, 36, 0.9]), 0.0),  # a pixel is on the axis
@@ -58,7 +58,7 @@ MADE = {  # lenses, and the share of blank pixels
 @pytest.mark.parametrize("model", [*PARAMETERS, *MADE])
 def test_each_pixel_shows_its_original_position(device, model):
     camera, blank = MADE[model] if model in MADE else (STRONG[model], 0.7)
-    undistortion = Undistortion(camera, blank_share=blank, device=device)
+    undistortion = Undistortion(camera, blank_fraction=blank, device=device)
     expected = bilinear(ramp(), source_pixels(camera, undistortion.intrinsic))
     straight = undistortion.apply(ramp())
     visible = ~np.isnan(expected[..., 0])
@@ -88,27 +88,27 @@ def test_a_smaller_image_contains_local_means(device, model, longest):
 
 def test_a_pinhole_camera_does_not_change_the_image(device):
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [80, 81, 47.3, 36.9])
-    for picture in (ramp(), ramp()[..., 0]):
-        straight, intrinsic = loom.undistort_picture(picture, camera, device=device)
-        assert np.array_equal(straight, picture) and intrinsic == camera.intrinsic
+    for image in (ramp(), ramp()[..., 0]):
+        straight, intrinsic = loom.undistort_image(image, camera, device=device)
+        assert np.array_equal(straight, image) and intrinsic == camera.intrinsic
 
 
 @pytest.mark.slow
 def test_colmap_gives_the_same_image(tmp_path):
     rng = np.random.default_rng(0)
-    picture = np.asarray(Image.fromarray(rng.integers(30, 226, (30, 40, 3)).astype(np.uint8)).resize((640, 480)))
-    Image.fromarray(picture).save(tmp_path / "lens.png")
+    image = np.asarray(Image.fromarray(rng.integers(30, 226, (30, 40, 3)).astype(np.uint8)).resize((640, 480)))
+    Image.fromarray(image).save(tmp_path / "lens.png")
     jobs = []
     for model in ("OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV"):
         for blank, longest in ((0.0, -1), (1.0, 500)):
             target = str(tmp_path / f"{model}{longest}.png")
             jobs.append([[model, 640, 480, PARAMETERS[model]], [blank, longest], str(tmp_path / "lens.png"), target])
-    query_colmap("undistort_pictures", jobs)
+    query_colmap("undistort_images", jobs)
     for (model, *_), (blank, longest), _, target in jobs:
         expected = np.asarray(Image.open(target)).astype(int)
         camera = loom.CameraModel(model, 640, 480, PARAMETERS[model])
-        undistortion = Undistortion(camera, blank_share=blank, max_size=None if longest < 0 else longest)
-        undistorted = undistortion.apply(picture).astype(int)
+        undistortion = Undistortion(camera, blank_fraction=blank, max_size=None if longest < 0 else longest)
+        undistorted = undistortion.apply(image).astype(int)
         both = (expected.max(axis=2) > 0) & undistortion.seen
         if undistortion._side == 1 and undistortion.intrinsic.fx > 0.5 * camera._lens.focal[0]:  # COLMAP smooths below
             assert np.abs(undistorted - expected)[both].max() <= 1, model
@@ -117,17 +117,17 @@ def test_colmap_gives_the_same_image(tmp_path):
 
 
 def test_invalid_cameras_images_and_sizes_are_refused():
-    picture = ramp()
-    with pytest.raises(ValueError, match=r"^picture:.*96.*72.*72.*96"):
-        loom.undistort_picture(np.zeros((WIDTH, HEIGHT), np.uint8), STRONG["OPENCV"])
-    with pytest.raises(ValueError, match="picture:"):
-        loom.undistort_picture(np.zeros((HEIGHT, WIDTH, 4), np.uint8), STRONG["OPENCV"])
+    image = ramp()
+    with pytest.raises(ValueError, match=r"^image:.*96.*72.*72.*96"):
+        loom.undistort_image(np.zeros((WIDTH, HEIGHT), np.uint8), STRONG["OPENCV"])
+    with pytest.raises(ValueError, match="image:"):
+        loom.undistort_image(np.zeros((HEIGHT, WIDTH, 4), np.uint8), STRONG["OPENCV"])
     with pytest.raises(TypeError, match="camera:"):
-        loom.undistort_picture(picture, STRONG["PINHOLE"].intrinsic)  # pyright: ignore[reportArgumentType]
+        loom.undistort_image(image, STRONG["PINHOLE"].intrinsic)  # pyright: ignore[reportArgumentType]
     with pytest.raises(ValueError, match="max_size, size:"):
-        loom.undistort_picture(picture, STRONG["OPENCV"], size=(4, 4), max_size=3)
+        loom.undistort_image(image, STRONG["OPENCV"], size=(4, 4), max_size=3)
     with pytest.raises(ValueError, match="size:"):
-        loom.undistort_picture(picture, STRONG["OPENCV"], size=(4, 4, 4))  # pyright: ignore[reportArgumentType]
+        loom.undistort_image(image, STRONG["OPENCV"], size=(4, 4, 4))  # pyright: ignore[reportArgumentType]
 
 
 def test_a_lens_of_extreme_numbers_sees_little_or_has_no_inverse(device):
@@ -140,7 +140,7 @@ def test_a_lens_of_extreme_numbers_sees_little_or_has_no_inverse(device):
     ):
         camera = loom.CameraModel(model, WIDTH, HEIGHT, params)
         with contextlib.nullcontext() if has_inverse else pytest.raises(ValueError, match=r"params: .* has no inverse"):
-            assert loom.undistort_picture(ramp(), camera, max_size=200, device=device)[0].dtype == np.uint8
+            assert loom.undistort_image(ramp(), camera, max_size=200, device=device)[0].dtype == np.uint8
 
 
 SPHERE_WIDTH, SPHERE_HEIGHT = 256, 128

@@ -21,7 +21,7 @@ from pointloom.cli.shell.cli import cli
 from pointloom.core import cuda_driver
 from pointloom.core.threads import get_num_threads
 from pointloom.core.wording import format_bytes
-from pointloom.io.pictures.image_files import write_png
+from pointloom.io.images.image_files import write_png
 from pointloom.io.points import ply
 
 from ..sigint import sigint_enabled
@@ -209,7 +209,7 @@ def test_a_signal_while_writing_leaves_nothing(cloud, tmp_path, number, code):
 import time
 from pointloom.cli.shell.cli import main
 from pointloom.io.points import ply
-from pointloom.io.pictures.image_files import write_png
+from pointloom.io.images.image_files import write_png
 def stall(*_args, **_options):
     print("writing", file=sys.stderr, flush=True)
     time.sleep(60)

@@ -14,8 +14,8 @@ import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
 from pointloom.cli.shell import pipes
 from pointloom.io.bags import recording
+from pointloom.io.images.image_files import write_png
 from pointloom.io.meshes import tables
-from pointloom.io.pictures.image_files import write_png
 from pointloom.io.points.formats import READERS, WRITTEN
 
 from ..io.las_files import write_raw
@@ -226,11 +226,11 @@ def test_info_reports_a_colmap_model(tmp_path, form, subfolder):
     (report,) = answer("info", tmp_path)["files"]
     assert report["kind"] == "COLMAP model" and report["form"] == {"bin": "binary", "txt": "text"}[form]
     assert report["folder"] == (None if subfolder == "." else subfolder)
-    assert (report["pictures"], report["points"], report["observations"]) == (6, 40, len(MODEL.observations))
+    assert (report["images"], report["points"], report["observations"]) == (6, 40, len(MODEL.observations))
     assert sorted(line.split()[0] for line in report["cameras"]) == ["OPENCV", "SIMPLE_RADIAL"]
     assert report["mean_views"] == pytest.approx(len(MODEL.observations) / 40) and 0 < report["mean_error_px"] < 1
     printed = run("info", tmp_path).stdout
-    assert "SIMPLE_RADIAL 640 x 480, 500, 320, 240, -0.05; 4 pictures" in printed and "arbitrary" in printed
+    assert "SIMPLE_RADIAL 640 x 480, 500, 320, 240, -0.05; 4 images" in printed and "arbitrary" in printed
 
 
 def test_info_reports_metashape_cameras_and_a_model_without_points(tmp_path):
@@ -240,7 +240,7 @@ def test_info_reports_metashape_cameras_and_a_model_without_points(tmp_path):
     assert run("info", tmp_path).exit_code == 0
     (tmp_path / "cameras.xml").write_text(document(camera() + camera("lost", None)))
     (report,) = answer("info", tmp_path / "cameras.xml")["files"]
-    assert report["kind"] == "Metashape cameras" and report["pictures"] == 1
+    assert report["kind"] == "Metashape cameras" and report["images"] == 1
     assert report["left_out"] == ["lost: not aligned"]
     assert report["camera_bounds"] == {"min": [2, 3, 4], "max": [2, 3, 4]}
 

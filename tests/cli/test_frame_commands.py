@@ -19,7 +19,7 @@ from pointloom.core.errors import FileError
 from pointloom.core.wording import json_text
 from pointloom.datasets.scenes.room import write_room_sequence
 from pointloom.io.frames.datasets import open_dataset
-from pointloom.io.pictures.image_files import read_color, read_depth, write_png
+from pointloom.io.images.image_files import read_color, read_depth, write_png
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 from pointloom.rgbd.fusion.refine import PoseRefinement
 from pointloom.rgbd.slam import dense_slam, looped_model, tracking
@@ -78,7 +78,7 @@ def test_the_kitchen_becomes_a_mesh(device, real_file, tmp_path):
     outputs = ModelOutputs(tmp_path / "kitchen.ply")
     report = fuse_folder(kitchen, outputs, options=options, voxel_size=0.04, device=device).to_dict()
     assert (report["reliable"], report["frames"]) == (True, 6)
-    assert report["used_share"] > 0.8 and report["triangles"] > 10_000
+    assert report["used_fraction"] > 0.8 and report["triangles"] > 10_000
     assert (np.array(report["bounds"]["min"]) > [-3, -2, 0]).all()
     assert (np.array(report["bounds"]["max"]) < [2, 2, 4.5]).all()
 
@@ -106,7 +106,7 @@ CAMERAS |= {"upside down": (np.eye(3), np.diag([-1, -1, 1]))}
 
 @pytest.mark.parametrize("rotations", CAMERAS.values(), ids=CAMERAS)
 def test_a_view_shows_the_complete_scene_for_any_camera_poses(rotations):
-    mesh, poses = loom.fuse(Wall(), voxel_size=0.05).mesh, np.tile(np.eye(4), (2, 1, 1))
+    mesh, poses = loom.rgbd.fuse(Wall(), voxel_size=0.05).mesh, np.tile(np.eye(4), (2, 1, 1))
     poses[:, :3, :3] = rotations
     view = view_scene(mesh, poses, width=160, height=120)
     T = np.linalg.inv(view.T_world_camera)
@@ -310,7 +310,7 @@ def test_a_camera_of_another_size_is_an_error_that_names_the_option(guided, fram
 @pytest.fixture(scope="module")
 def scan(folder):
     """A folder of the frames, in `room`, and their mesh without colors."""
-    fused = loom.fuse(open_dataset(folder), voxel_size=0.06).mesh
+    fused = loom.rgbd.fuse(open_dataset(folder), voxel_size=0.06).mesh
     bare = loom.TriangleMesh(fused.vertices, fused.triangles)
     loom.write_triangle_mesh(folder.parent / "bare.ply", bare)
     side = int(np.ceil(np.sqrt(len(bare))))  # a trivial atlas: a small square for each triangle
@@ -325,12 +325,12 @@ def scan(folder):
 def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
     report = answer("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--device", "cpu")
     assert report["command"] == "texture" and report["method"] == "rigid" and report["frames"] == 12
-    assert report["seen_share"] > 0.5 and report["residual"] < report["residual_before"]
+    assert report["seen_fraction"] > 0.5 and report["residual"] < report["residual_before"]
     assert report["size"] is None and report["reliable"]
     mesh = loom.read_triangle_mesh(tmp_path / "out.ply")
     assert len(mesh) == report["triangles"] and np.ptp(mesh.vertex_colors) > 0.5
     bare, frames = loom.read_triangle_mesh(scan / "bare.ply", device="cpu"), loom.open_dataset(scan / "room")
-    result = loom.color_map.texture_mesh(bare, frames)  # the same call in Python
+    result = loom.meshing.texture_mesh(bare, frames)  # the same call in Python
     loom.write_triangle_mesh(tmp_path / "called.ply", result.mesh)
     assert (tmp_path / "called.ply").read_bytes() == (tmp_path / "out.ply").read_bytes()
     figures = json.loads(json_text(result.to_dict()))
@@ -341,7 +341,7 @@ def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
 def test_a_texture_is_filled_if_the_mesh_has_texture_coordinates(scan, tmp_path):
     words = ["texture", scan / "mapped.obj", scan / "room", "-o", tmp_path / "out.glb", "--size", "256"]
     report = answer(*words, "--method", "non-rigid", "--every", "2", "--device", "cpu")
-    assert report["size"] == 256 and report["texel_share"] > 0.3
+    assert report["size"] == 256 and report["texel_fraction"] > 0.3
     mesh = loom.read_triangle_mesh(tmp_path / "out.glb")
     assert mesh.textures[0].shape == (256, 256, 3) and mesh.textures[0].std() > 10 and mesh.vertex_colors is None
 
@@ -359,7 +359,7 @@ def test_the_summary_matches_the_library(scan, tmp_path):
     for word in ("of the vertices", "residual", "moved", "out.ply"):
         assert word in shown
     bare, frames = loom.read_triangle_mesh(scan / "bare.ply"), loom.open_dataset(scan / "room", every=2)
-    assert "\n".join(shown.splitlines()[1:-3]) == str(loom.color_map.texture_mesh(bare, frames))
+    assert "\n".join(shown.splitlines()[1:-3]) == str(loom.meshing.texture_mesh(bare, frames))
 
 
 def test_frames_that_do_not_show_the_mesh_or_little_of_it_are_unreliable(scan, tmp_path):
@@ -390,7 +390,7 @@ def test_invalid_input_is_an_error_that_names_it(scan, tmp_path):
 
 
 def test_images_of_a_model_give_a_texture(tmp_path):
-    from ..meshing.picture_scenes import CAMERA, wall_scene
+    from ..meshing.image_scenes import CAMERA, wall_scene
 
     scene = wall_scene((0.8, 1.1, 1.0))
     loom.write_triangle_mesh(tmp_path / "wall.ply", scene.mesh)
@@ -399,12 +399,12 @@ def test_images_of_a_model_give_a_texture(tmp_path):
     for sparse, images in (("project/sparse/0", "project/images"), ("work/mesh/sparse", "work/undistorted/images")):
         (tmp_path / images).mkdir(parents=True)
         (tmp_path / sparse).parent.mkdir(parents=True, exist_ok=True)
-        for name, picture in zip(names, scene.pictures, strict=True):
+        for name, picture in zip(names, scene.images, strict=True):
             write_png(tmp_path / images / name, picture)
         loom.write_colmap_model(tmp_path / sparse, model)
     words = ["texture", tmp_path / "wall.ply"]
     report = answer(*words, tmp_path / "project", "-o", tmp_path / "a.glb", "--size", "256", "--device", "cpu")
-    assert report["layout"] == "model" and report["pictures"] == 3 and report["size"] == 256
+    assert report["layout"] == "model" and report["images"] == 3 and report["size"] == 256
     assert report["reliable"] and report["seen"] > 0.3 * report["triangles"]
     assert answer(*words, tmp_path / "work", "-o", tmp_path / "b.glb", "--size", "256", "--device", "cpu")["files"]
     assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()

@@ -19,7 +19,7 @@ from pointloom.cli.shell import chapters as book
 from pointloom.cli.shell.cli import cli
 from pointloom.cli.shell.completion import SHELLS, complete_path
 from pointloom.cli.shell.help_commands import VARIABLE
-from pointloom.core.wording import format_share
+from pointloom.core.wording import format_fraction
 
 from ..programs import ROOT, script
 from .commands import names_in, run
@@ -206,7 +206,7 @@ CALLS = [
     ("crop a.ply b.ply --box 0 0 0 1 nan 1", "'--box': expected a coordinate"),
     ("crop a.ply b.ply --box 0 2 0 1 1 1", "--box: expected Y0 <= Y1, got 2 and 1"),
     ("downsample a.ply b.ply", "one of --every, --ratio, --farthest and --voxel, got none"),
-    ("downsample a.ply b.ply --ratio 1.5", "'--ratio': expected a share above 0 and up to 1"),
+    ("downsample a.ply b.ply --ratio 1.5", "'--ratio': expected a fraction above 0 and up to 1"),
     ("downsample a.ply b.ply --every 2 --nearest", "--nearest requires --voxel"),
     ("simplify a.ply b.ply", "--triangles"),
     ("simplify a.ply b.ply --voxel 0.1 --max-error 1", "--max-error"),
@@ -217,7 +217,7 @@ CALLS = [
     (f"{MESH} --method alpha --new-normals", "--new-normals requires --method poisson or ball"),
     (f"{MESH} --method ball --radii 0.1,0", "expected lengths in meters above 0"),
     (f"{MESH} --method alpha --alpha much", "expected a length in meters above 0, or auto"),
-    (f"{MESH} --density-quantile 1", "expected a share from 0 and below 1"),
+    (f"{MESH} --density-quantile 1", "expected a fraction from 0 and below 1"),
     (f"{MESH} --picture b.ply", "--picture is the same file as OUT"),
     ("texture a.ply frames -o b.ply --picture b.ply", "--picture is the same file as --output"),
     ("convert - b.ply", "- has no extension; pass its format, such as --from ply"),
@@ -255,19 +255,19 @@ def test_a_wrong_call_exits_with_2_and_explains_the_fix(tmp_path, monkeypatch, w
 
 
 @pytest.mark.parametrize(
-    ("share", "text"),
+    ("fraction", "text"),
     [
         (0, "0.0%"), (1, "100.0%"), (0.5, "50.0%"), (51 / 113662, "0.04%"), (0.0004, "0.04%"), (0.001, "0.1%"),
         (0.9996, "99.96%"), (1 - 1e-6, "99.9999%"), (0.905, "90.5%"), (math.nan, "nan%"), (1e-7, "0.00001%"),
     ],
 )  # fmt: skip
-def test_fractions_have_enough_digits(share, text):
-    assert format_share(share) == text
+def test_fractions_have_enough_digits(fraction, text):
+    assert format_fraction(fraction) == text
 
 
 @settings(max_examples=25)
 @given(st.integers(1, 10**9).flatmap(lambda total: st.tuples(st.integers(0, total), st.just(total))))
 def test_only_0_and_1_are_printed_as_0_and_100_percent(counts):
     count, total = counts
-    printed = float(format_share(count / total).rstrip("%"))
+    printed = float(format_fraction(count / total).rstrip("%"))
     assert (printed == 0) == (count == 0) and (printed == 100) == (count == total)

@@ -9,7 +9,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.io.pictures.image_files import read_color
+from pointloom.io.images.image_files import read_color
 from pointloom.meshing.mesh.cloud_surface import _find_fit
 from pointloom.meshing.mesh.mesh_summary import describe_surface
 from pointloom.meshing.mesh.surface_result import MadeUp, NormalsUsed, PointsOff, SurfaceResult
@@ -64,11 +64,11 @@ def test_the_surface_matches_the_library_with_estimated_normals_and_trimming(bal
     assert picture.shape == (960, 1280, 3) and 0.2 < (picture != picture[0, 0]).any(axis=-1).mean() < 0.8
 
 
-@pytest.mark.parametrize(("share", "quantile"), [(1.0, 0.0), (0.5, 0.01)])
-def test_only_extrapolated_surfaces_are_trimmed(ball, tmp_path, share, quantile):
+@pytest.mark.parametrize(("fraction", "quantile"), [(1.0, 0.0), (0.5, 0.01)])
+def test_only_extrapolated_surfaces_are_trimmed(ball, tmp_path, fraction, quantile):
     points = loom.read_point_cloud(ball).remove_non_finite_points()
     heights = points.points[:, 2]
-    rows = np.flatnonzero(heights <= np.quantile(heights, share))
+    rows = np.flatnonzero(heights <= np.quantile(heights, fraction))
     loom.write_point_cloud(tmp_path / "cap.ply", points.select_by_index(rows))
     report = json.loads(run("mesh", tmp_path / "cap.ply", tmp_path / "out.ply", "--depth", 5, "--json").stdout)
     assert report["density_quantile"] == quantile and report["watertight"] is (quantile == 0)
@@ -161,15 +161,22 @@ def test_a_surface_with_holes_is_unreliable_and_written(ball, tmp_path, monkeypa
 def test_surface_statistics_describe_edges_and_parts():
     sheet = describe_surface(grid())
     assert (sheet.edges, sheet.boundary_edges, sheet.crowded_edges) == (385, 44, 0)
-    assert (sheet.area, sheet.parts, sheet.largest_share, sheet.watertight) == (121.0, 1, 1.0, False)
+    assert (sheet.area, sheet.parts, sheet.largest_fraction, sheet.watertight) == (121.0, 1, 1.0, False)
     assert sheet.bounds == ((0.0, 0.0, 0.0), (11.0, 11.0, 0.0))
     fan = TriangleMesh([[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
     assert describe_surface(fan).crowded_edges == 1 and describe_surface(closed()).watertight
     nothing = describe_surface(TriangleMesh())
-    assert (nothing.triangles, nothing.largest_share, nothing.bounds) == (0, 0.0, None)
+    assert (nothing.triangles, nothing.largest_fraction, nothing.bounds) == (0, 0.0, None)
 
 
-LIMITS = {"triangles": 900, "edges": 1000, "boundary_edges": 100, "crowded_edges": 10, "islands_share": 0.1, "parts": 3}
+LIMITS = {
+    "triangles": 900,
+    "edges": 1000,
+    "boundary_edges": 100,
+    "crowded_edges": 10,
+    "islands_fraction": 0.1,
+    "parts": 3,
+}
 NEEDLESS = NormalsUsed("not needed", given=False, disagreement=None)
 
 
@@ -184,7 +191,7 @@ def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it():
     for figures, word in (
         ({"boundary_edges": 101}, "10.1% of its edges are boundary edges"),
         ({"crowded_edges": 11}, "1.1% of its edges have three or more triangles"),
-        ({"islands_share": 0.11}, "11.0% of the area is in small islands"),
+        ({"islands_fraction": 0.11}, "11.0% of the area is in small islands"),
         ({"made_up": 0.051}, "5.1% of the area is farther than 0.2 m from all points"),
     ):
         for method, remedy in (("poisson", "density_quantile"), ("ball", "radii")):
@@ -195,8 +202,8 @@ def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it():
 
 
 def test_an_alpha_shape_may_have_non_manifold_edges_and_walls_between_its_two_sides():
-    assert not warnings_of("alpha", crowded_edges=900, islands_share=0.9)
-    warnings = str(warnings_of("alpha", islands_share=0.91))
+    assert not warnings_of("alpha", crowded_edges=900, islands_fraction=0.9)
+    warnings = str(warnings_of("alpha", islands_fraction=0.91))
     assert "91.0% of the area is in small islands" in warnings and "a larger alpha" in warnings
 
 
@@ -215,7 +222,7 @@ def test_a_surface_far_from_half_of_its_points_is_unreliable():
 def test_an_alpha_shape_that_closes_a_cavity_is_unreliable():
     x, y = np.random.default_rng(1).uniform(-1, 1, (2, 1500))
     bowl = loom.PointCloud(np.column_stack([x, y, 0.2 * (x * x + y * y)]))  # a few spacings deep
-    spanned, followed = (loom.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
+    spanned, followed = (loom.meshing.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
     assert "was extrapolated to close the surface; use a smaller alpha" in str(spanned.warnings)
     assert "extrapolated" not in str(followed.warnings)
 

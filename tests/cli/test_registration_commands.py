@@ -15,7 +15,7 @@ import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.cli.jobs.stations import read_control, read_targets
 from pointloom.cli.shell import console
-from pointloom.io.pictures.image_files import read_color
+from pointloom.io.images.image_files import read_color
 from pointloom.registration import LidarOdometry
 from pointloom.registration.globally import pair as pair_module
 from pointloom.registration.globally.pair import METHODS

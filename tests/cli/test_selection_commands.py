@@ -163,7 +163,7 @@ def test_plane_writes_its_inliers(scene, points, tmp_path, device):
     assert rows_of(tmp_path / "out.npz") == inliers.tolist() == [*FLOOR, REPEATED]
     np.testing.assert_array_equal(plane["model"], model)
     np.testing.assert_allclose(model, [0, 0, 1, 0], atol=1e-12)
-    assert (report["points"], plane["points"], plane["share"]) == (601, 601, 601 / 852)
+    assert (report["points"], plane["points"], plane["fraction"]) == (601, 601, 601 / 852)
     answer(*words, "--invert", "--force")
     assert rows_of(tmp_path / "out.npz") == [*FIRST_BLOB, *SECOND_BLOB, STRAY, NOT_FINITE]
     assert "0.000000000 0.000000000 1.000000000 0.000000: 601 points, 70.5%" in run(*words, "--force").stdout
@@ -236,7 +236,7 @@ def test_downsample_writes_the_means_of_voxels(scene, tmp_path, device):
 def test_downsample_reports_its_method(scene, tmp_path):
     for options, way in (
         ("--every 2", "427 of 853, one in 2"),
-        ("--ratio 0.5 --seed 3", "426 of 853, a share of 0.5 at random, seed 3"),
+        ("--ratio 0.5 --seed 3", "426 of 853, a fraction of 0.5 at random, seed 3"),
         ("--farthest 5", "5 of 853, the farthest from each other"),
         ("--voxel 90", "1 of 853, one a voxel of 90 m, the mean"),
         ("--voxel 90 --nearest", "1 of 853, one a voxel of 90 m, the nearest to the mean"),
@@ -408,7 +408,7 @@ def test_two_clouds_are_compared_by_m3c2(files, device):
     words += ["-o", files / "out.npz", "--device", device]
     report = answer("change", files / "before.npz", files / "after.npz", *words)
     before, after = (loom.read_point_cloud(files / f"{name}.npz") for name in ("before", "after"))
-    expected = loom.change.m3c2(before, after, **sizes)
+    expected = loom.m3c2(before, after, **sizes)
     cloud = loom.read_point_cloud(files / "out.npz")
     np.testing.assert_array_equal(cloud["distance"], expected.distances.astype(np.float32))
     np.testing.assert_array_equal(cloud["significant"] != 0, expected.is_significant)

@@ -1,4 +1,4 @@
-"""view: pictures and pages of files, and the viewer's server."""
+"""view: images and pages of files, and the viewer's server."""
 
 import json
 import os
@@ -81,11 +81,11 @@ def test_pictures_and_pages_need_no_server(cloud, tmp_path):
 def test_color_and_view_options_change_the_image(cloud, tmp_path):
     bounds = ([0, 0, 0], [1, 1, 1])
     loom.write_view(tmp_path / "view.json", loom.View.from_open3d(bounds, front=[0, 0, 1], up=[0, 1, 0]), bounds)
-    pictures = []
+    images = []
     for k, words in enumerate(([], ["--color-by", "height", "--colormap", "jet"], ["--view", tmp_path / "view.json"])):
         answer("view", cloud, "--screenshot", tmp_path / f"{k}.png", *words)
-        pictures.append(loom.read_color(tmp_path / f"{k}.png").tobytes())
-    assert len(set(pictures)) == 3
+        images.append(loom.read_color(tmp_path / f"{k}.png").tobytes())
+    assert len(set(images)) == 3
 
 
 def test_a_cloud_is_read_from_a_pipe(cloud, tmp_path):

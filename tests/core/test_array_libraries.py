@@ -334,7 +334,7 @@ class Scene:
 
     @functools.cached_property
     def control(self):
-        control = loom.reconstruction.ControlGrid(0.5, device=self.device)
+        control = loom.rgbd.ControlGrid(0.5, device=self.device)
         control.touch(self.cloud)
         return control
 
@@ -388,12 +388,10 @@ RESULTS = {
     "control grid": lambda s: (s.control.get_init_positions(), s.control.get_curr_positions()),
     "moved control grid": lambda s: moved_anchors(s.control, s.make),
     "change of clouds": lambda s: (lambda c: (*fields_of(c), c.is_significant))(
-        loom.change.m3c2(
-            s.cloud, s.cloud.translate([0, 0, 0.02]), normal_radii=0.2, cylinder_radius=0.2, max_distance=1
-        )
+        loom.m3c2(s.cloud, s.cloud.translate([0, 0, 0.02]), normal_radii=0.2, cylinder_radius=0.2, max_distance=1)
     ),
     "change from a mesh": lambda s: (lambda c: (*fields_of(c), c.is_significant))(
-        loom.change.cloud_to_mesh(s.cloud, s.mesh, radius=0.2)
+        loom.meshing.compare_cloud_to_mesh(s.cloud, s.mesh, radius=0.2)
     ),
     "rays through a scene of arrays": lambda s: scene_of(s).cast_rays(s.make(RAYS))["t_hit"],
     "isosurfaces": lambda s: loom.TriangleMesh.create_isosurfaces(
@@ -435,8 +433,8 @@ ARGUMENTS = {
     "errors of depth": lambda s: np.array(evaluate_depth(s.make(CUBE[0] + 1), s.make(CUBE[1] + 1)).rmse),
     "a weighted plane": lambda s: loom.fit_shape(s.cloud, "plane", weights=s.make(WEIGHTS)).axis,
     "isosurfaces": lambda s: loom.TriangleMesh.create_isosurfaces(s.make(CUBE), [20.0], s.device).vertices,
-    "painted change": lambda s: loom.change.paint(s.cloud, s.make(WEIGHTS)).colors,
-    "text of a change": lambda s: np.array(repr(loom.change.cloud_to_mesh(s.cloud, s.mesh)).split()),
+    "painted change": lambda s: loom.paint_change(s.cloud, s.make(WEIGHTS)).colors,
+    "text of a change": lambda s: np.array(repr(loom.meshing.compare_cloud_to_mesh(s.cloud, s.mesh)).split()),
 }
 
 RAINBOW = (np.arange(32 * 64 * 3) * 7 % 251).astype(np.uint8).reshape(32, 64, 3)
@@ -555,7 +553,7 @@ def test_asnumpy_returns_numpy_arrays_and_lists_and_rejects_others(library, clou
 
 
 SHAPES = ("box", "plane", "tetrahedron", "octahedron", "icosahedron", "sphere", "ellipsoid", "cylinder", "cone")
-SHAPES += ("torus", "arrow", "coordinate_frame", "mobius", "moebius")
+SHAPES += ("torus", "arrow", "coordinate_frame", "mobius")
 SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
 # Constructors and readers of clouds and meshes. They get the keywords `device` and `arrays`, and a folder with files.
 MADE = {
@@ -563,7 +561,7 @@ MADE = {
     "depth": lambda f, **k: loom.PointCloud.create_from_depth_image(CUBE[0] + 1, PINHOLE, **k),
     "mesh": lambda f, **k: loom.TriangleMesh(np.eye(3), [[0, 1, 2]], **k),
     "isosurfaces": lambda f, **k: loom.TriangleMesh.create_isosurfaces(CUBE, [20.0], **k),
-    "marching cubes": lambda f, **k: loom.marching_cubes(CUBE, 20.0, **k),
+    "marching cubes": lambda f, **k: loom.meshing.marching_cubes(CUBE, 20.0, **k),
     "polygon": lambda f, **k: loom.TriangleMesh.from_polygon(SQUARE, **k),
     "revolved": lambda f, **k: loom.TriangleMesh.revolve([[1, 0], [1, 1]], resolution=4, **k),
     "splats": lambda f, **k: loom.GaussianSplats(np.eye(3), np.ones((3, 3)), np.eye(4)[:3], [0.5] * 3, np.eye(3), **k),

@@ -76,7 +76,7 @@ def test_invalid_paths_raise_the_same_error(name, tmp_path, monkeypatch):
 
 
 def test_the_table_has_the_readers_and_writers():
-    names = {"read_point_cloud", "write_point_cloud", "read_triangle_mesh", "write_triangle_mesh", "save_picture"}
+    names = {"read_point_cloud", "write_point_cloud", "read_triangle_mesh", "write_triangle_mesh", "write_image"}
     names |= {"read_trajectory", "write_trajectory", "open_frames", "registration.read_pose_graph", "TSDFVolume.load"}
     assert {f"loom.{name}" for name in names} <= CALLS.keys() and len(CALLS) > 50
 
@@ -122,7 +122,7 @@ TEMPLATES = ("fragment_pointcloud", "fragment_posegraph", "fragment_posegraph_op
 
 def reconstruction(root, template=TEMPLATES[0]):
     name = "a/b/%03d.ply" if "fragment" in template else "a/b/000.ply"
-    return JobFiles.make(root, loom.reconstruction.ReconstructionConfig(**{f"template_{template}": name}))
+    return JobFiles.make(root, loom.rgbd.ReconstructionConfig(**{f"template_{template}": name}))
 
 
 FOLDERS_OF_JOBS = {

@@ -31,6 +31,7 @@ from pointloom.io.bags.recording import Recording
 from pointloom.io.columns import warn_of_loss
 from pointloom.io.points.formats import read_points
 from pointloom.photogrammetry.video.ground_control import ScaleBar
+from pointloom.public_names import results_of
 from pointloom.rgbd.reconstruction.config import ReconstructionConfig
 from pointloom.tiling.jobs.job import JobStatus
 
@@ -148,7 +149,7 @@ MESSAGES = [
     ("loom.io.read_point_cloud", "here: loom itself: open3d.io.read_point_cloud is loom.read_point_cloud"),
     ("loom.PoseGraph()", "it is loom.registration.PoseGraph"),
     ("loom.registration.compute_iss_keypoints", "it is loom.compute_iss_keypoints"),
-    ("loom.registration.OdometryOption", "it is loom.odometry.OdometryOption"),
+    ("loom.registration.OdometryOption", "it is loom.rgbd.OdometryOption"),
     ("loom.PointClouds", "did you mean 'PointCloud'"),
     ("loom.registration.registration_ipc", r"did you mean 'registration_icp'\?"),
     ("cloud.normal", r"PointCloud has no attribute 'normal'; did you mean 'normals'\?"),
@@ -433,7 +434,8 @@ FOR_CODE_ON_THE_DEVICE = {"geometry"}
 
 
 def public_classes(module):
-    for name in module.__all__:
+    """Classes that users construct, without those of results."""
+    for name in sorted(set(module.__all__) - results_of(module.__name__)):
         value = getattr(module, name)
         if inspect.isclass(value):
             yield value

@@ -128,9 +128,9 @@ def test_options_out_of_range_and_existing_folders_are_refused(tmp_path):
             write_room_sequence(path, frame_count=1, **SMALL)
 
 
-def local_contrast(picture):
+def local_contrast(image):
     """Fraction of 8 x 8 px blocks in which brightness varies by more than 3 %."""
-    gray = picture.astype(float).mean(axis=2)
+    gray = image.astype(float).mean(axis=2)
     blocks = gray.reshape(gray.shape[0] // 8, 8, -1, 8).swapaxes(1, 2).reshape(-1, 64)
     return (blocks.std(axis=1) > 0.03 * 255).mean()
 

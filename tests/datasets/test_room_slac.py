@@ -11,7 +11,7 @@ from pointloom.registration.rigid import fit_pose, invert_pose
 from pointloom.rgbd.reconstruction.volumes import integrate_deformed
 
 VIEWS, DEPTH_MAX = 31, 4.0  # frames of one round, and the maximum depth [m]
-slac = loom.reconstruction
+slac = loom.rgbd
 
 
 def moved(T, points):

@@ -314,8 +314,8 @@ def table(coverages: list[FileCoverage]) -> list[str]:
     def row(name: str, files: list[FileCoverage]) -> str:
         lines, missed = sum(len(f.lines) for f in files), sum(len(f.missed_lines) for f in files)
         branches, untaken = sum(len(f.branches) for f in files), sum(len(f.missed_branches) for f in files)
-        share = 1 - untaken / branches if branches else 1.0
-        return f"{name:<52}{lines:>7,}{missed:>8,}{branches:>10,}{untaken:>8,}{share:>9.1%}"
+        fraction = 1 - untaken / branches if branches else 1.0
+        return f"{name:<52}{lines:>7,}{missed:>8,}{branches:>10,}{untaken:>8,}{fraction:>9.1%}"
 
     incomplete = [f for f in coverages if f.missed_lines or f.missed_branches]
     rows = [row(str(f.path.relative_to(ROOT)), [f]) for f in incomplete]
@@ -323,8 +323,8 @@ def table(coverages: list[FileCoverage]) -> list[str]:
     kinds: dict[str, list[bool]] = {}
     for (_, _, text), taken in (branch for f in coverages for branch in f.branches.items()):
         kinds.setdefault(text.replace("never ", ""), []).append(taken)
-    shares = ", ".join(f"{kind} {sum(taken) / len(taken):.1%}" for kind, taken in sorted(kinds.items()))
-    return [head, *rows, note, shares, row(f"total of {len(coverages)} files", coverages)]
+    fractions = ", ".join(f"{kind} {sum(taken) / len(taken):.1%}" for kind, taken in sorted(kinds.items()))
+    return [head, *rows, note, fractions, row(f"total of {len(coverages)} files", coverages)]
 
 
 def main() -> int:

@@ -81,7 +81,7 @@ OPERATIONS = {
     "closest": lambda c, e: e.scene.compute_closest_points(e.points),
     "inside": lambda c, e: e.scene.compute_occupancy(e.points),
     "depth": lambda c, e: loom.PointCloud.create_from_depth_image(e.depth, e.camera),
-    "pictures": lambda c, e: loom.RGBDImage(e.color, e.depth),
+    "images": lambda c, e: loom.RGBDImage(e.color, e.depth),
     "frame": lambda c, e: loom.TSDFVolume(voxel_size=0.1, device=DEVICE).integrate(
         e.depth, e.camera, np.eye(4), color=e.color
     ),

@@ -37,13 +37,13 @@ def frame_of_a_relief(k: float):
     depth = 1.5 + 0.2 * np.sin((u + k) / 13) * np.cos(v / 11) + 0.1 * np.sin((v - k) / 7)
     shade = 127 + 60 * np.sin((u + k) / 3 + v / 9) + 50 * np.cos(v / 4 - (u + k) / 17)
     camera = loom.PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.5, 35.5)
-    return loom.odometry.OdometryFrame(depth.astype(np.float32), camera, shade.astype(np.uint8), device=DEVICE)
+    return loom.rgbd.OdometryFrame(depth.astype(np.float32), camera, shade.astype(np.uint8), device=DEVICE)
 
 
 def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
     clear_descents()
     first, second, third = (frame_of_a_relief(k) for k in range(3))
-    align = loom.odometry.align_frames
+    align = loom.rgbd.align_frames
     counts = emulated.count_requests(lambda: align(first, second))
     assert (counts["graphs made"], counts["waits"]) == (1, 1)
     results = []
@@ -55,6 +55,6 @@ def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
     np.testing.assert_array_equal(results[0].information, fresh.information)
     for k in range(2 * MAX_CACHED):
         camera = loom.PinholeCameraIntrinsic(64 + 8 * k, 48, 60.0, 60.0, 31.5, 23.5)
-        frame = loom.odometry.OdometryFrame(np.ones((48, 64 + 8 * k), np.float32), camera, device=DEVICE)
+        frame = loom.rgbd.OdometryFrame(np.ones((48, 64 + 8 * k), np.float32), camera, device=DEVICE)
         align(frame, frame)
     assert _descents.size == MAX_CACHED

@@ -23,7 +23,14 @@ MORE = {
     "the line of the digests reads points, vertices or triangles as NumPy": (
         *("knn_search, array", "points picked", "mesh, cluster", "mesh, deform", "mesh, metrics", "mesh, remove_"),
         *("mesh, sample_points_uniformly", "mesh, topology", "mesh, triangles that meet", "mesh, trim"),
-        *("room, film", "run_system", "slam, DenseSLAM", "splats", "occupancy, asked", "occupancy, cast_rays"),
+        *(
+            "room, film",
+            "run_reconstruction_system",
+            "slam, DenseSLAM",
+            "splats",
+            "occupancy, asked",
+            "occupancy, cast_rays",
+        ),
     ),
     "samples of features, rows of matches and of what agrees, up to a number": (
         *("correspondences_from_features", "ransac, ", "fast global", "robust registration", "register_"),

@@ -17,9 +17,16 @@ ON_SCENES = (
     *("ransac, pairs", "ransac, features", "fast global", "robust registration", "register_globally"),
     *("icp, colored", "icp, overlap", "icp, degeneracy", "registration_icp_batch", "multi_scale_icp"),
     *("mesh, ", "rays, ", "scene, ", "color_map", "render, "),
-    *("mvs, ", "rgbd odometry", "deskew_point_cloud", "undistort_picture", "tsdf, fuse_volumes"),
+    *("mvs, ", "rgbd odometry", "deskew_point_cloud", "undistort_image", "tsdf, fuse_volumes"),
 )
-LONG = ("slam, DenseSLAM", "odometry", "odometry, as measured", "run_system", "SLAC", "register_fragments")
+LONG = (
+    "slam, DenseSLAM",
+    "odometry",
+    "odometry, as measured",
+    "run_reconstruction_system",
+    "SLAC",
+    "register_multiway",
+)
 
 
 @pytest.fixture

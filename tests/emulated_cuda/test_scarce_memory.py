@@ -47,7 +47,7 @@ OPERATIONS = {
     "cluster_dbscan": (cloud, lambda c: c.cluster_dbscan(0.1, 4)),
     "registration_icp": (lambda: cloud(normals=NORMALS), icp),
     "integrate": (fused, lambda v: [v.integrate(DEPTHS[1], CAMERA, np.eye(4)), v][1]),
-    "marching_cubes": (lambda: SDF, lambda s: loom.marching_cubes(s, 0.0, device="cuda:0")),
+    "marching_cubes": (lambda: SDF, lambda s: loom.meshing.marching_cubes(s, 0.0, device="cuda:0")),
     "poisson": (
         lambda: cloud(normals=NORMALS),
         lambda c: loom.TriangleMesh.create_from_point_cloud_poisson(c, depth=2),

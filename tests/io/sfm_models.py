@@ -8,11 +8,11 @@ LENS = loom.CameraModel("SIMPLE_RADIAL", 640, 480, [500.0, 320.0, 240.0, -0.05])
 OTHER = loom.CameraModel("OPENCV", 640, 480, [510.0, 505.0, 322.0, 239.0, -0.1, 0.02, 1e-3, -1e-3])
 
 
-def ring_model(pictures: int = 6, points: int = 40, *, seed: int = 0) -> loom.SfmModel:
-    """Pictures of two cameras with long and unusual names; points with colors and errors, seen by many pictures."""
+def ring_model(images: int = 6, points: int = 40, *, seed: int = 0) -> loom.SfmModel:
+    """Images of two cameras with long and unusual names; points with colors and errors, seen by many images."""
     rng = np.random.default_rng(seed)
-    poses = np.tile(np.eye(4), (pictures, 1, 1))
-    for pose, angle in zip(poses, np.arange(pictures) * (2 * np.pi / pictures), strict=True):
+    poses = np.tile(np.eye(4), (images, 1, 1))
+    for pose, angle in zip(poses, np.arange(images) * (2 * np.pi / images), strict=True):
         forward = -np.array([np.cos(angle), np.sin(angle), 0.1 * np.sin(3 * angle)])
         forward /= np.linalg.norm(forward)
         right = np.cross(forward, [0.0, 0.0, 1.0])
@@ -20,8 +20,8 @@ def ring_model(pictures: int = 6, points: int = 40, *, seed: int = 0) -> loom.Sf
         pose[:3, :3] = np.stack([right, np.cross(forward, right), forward])
         pose[:3, 3] = pose[:3, :3] @ (4 * forward)
     positions = rng.uniform(-1, 1, (points, 3))
-    names = [f"room_{i:02d}_größe.jpg" if i % 2 else f"left/{i:02d}.png" for i in range(pictures)]
-    cameras = [OTHER if i % 3 == 0 else LENS for i in range(pictures)]
+    names = [f"room_{i:02d}_größe.jpg" if i % 2 else f"left/{i:02d}.png" for i in range(images)]
+    cameras = [OTHER if i % 3 == 0 else LENS for i in range(images)]
     rows, pixels = [], []
     for i, pose in enumerate(poses):
         pixels_of_points = cameras[i].project(positions @ pose[:3, :3].T + pose[:3, 3])

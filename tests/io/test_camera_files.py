@@ -84,7 +84,7 @@ def test_invalid_transforms_are_rejected(tmp_path, changes, message):
 
 
 @pytest.mark.parametrize(("name", "file"), [("./train/r_0", "train/r_0.png"), ("r.JPG", "r.JPG"), ("r.0", "r.0.png")])
-def test_transforms_without_a_size_take_that_of_the_picture(tmp_path, name, file):
+def test_transforms_without_a_size_take_that_of_the_image(tmp_path, name, file):
     frame = {"file_path": name, "transform_matrix": ARKIT.tolist()}
     path = write(tmp_path / "t.json", {"camera_angle_x": 0.7, "camera_angle_y": 0.5, "frames": [frame]})
     with pytest.raises(FileError, match=r"/t\.json \(frames\[0\]\):"):
@@ -131,7 +131,7 @@ def test_cameras_of_polycam_have_y_up_and_z_back_and_need_a_lens(tmp_path):
         loom.read_cameras(tmp_path / "cameras")
 
 
-def test_frames_of_the_scanner_app_take_their_size_from_the_picture(tmp_path):
+def test_frames_of_the_scanner_app_take_their_size_from_the_image(tmp_path):
     frame = {"cameraPoseARFrame": ARKIT.ravel().tolist(), "intrinsics": [60, 0, 32.5, 0, 61, 24, 0, 0, 1]}
     for number in (0, 1):
         write(tmp_path / f"frame_0000{number}.json", frame)
@@ -152,7 +152,7 @@ def trajectory(tmp_path, name, **more):
     return tmp_path / name
 
 
-def test_poses_are_of_the_pictures_with_their_times_or_numbers_or_in_natural_order(tmp_path):
+def test_poses_are_of_the_images_with_their_times_or_numbers_or_in_natural_order(tmp_path):
     times = trajectory(tmp_path, "p.tum", timestamps=[5.0, 5.1, 5.2])
     numbers = trajectory(tmp_path, "p.log", ids=np.array([[4, 4, 5], [8, 8, 9], [12, 12, 13]]))
     plain = trajectory(tmp_path, "p.kitti")
@@ -161,11 +161,11 @@ def test_poses_are_of_the_pictures_with_their_times_or_numbers_or_in_natural_ord
         (numbers, {"f_4.png": 0, "f_8.png": 1}, ["f_5.png"]),
         (plain, {"f_2.png": 0, "f_9.png": 1, "f_10.png": 2}, []),
     ):
-        model = loom.read_cameras(path, pictures=[*left_out, *expected][::-1], intrinsic=PINHOLE)
+        model = loom.read_cameras(path, images=[*left_out, *expected][::-1], intrinsic=PINHOLE)
         assert dict(zip(model.names, model.centers[:, 0].tolist(), strict=True)) == expected
         assert model.left_out == tuple(f"{name}: no pose" for name in left_out)
     with pytest.raises(FileError, match=r"/p\.kitti:.*3.*2"):
-        loom.read_cameras(plain, pictures=["a.png", "b.png"], intrinsic=PINHOLE)
+        loom.read_cameras(plain, images=["a.png", "b.png"], intrinsic=PINHOLE)
 
 
 def test_unknown_paths_and_a_missing_or_additional_lens_are_rejected(tmp_path):
@@ -174,7 +174,7 @@ def test_unknown_paths_and_a_missing_or_additional_lens_are_rejected(tmp_path):
     with pytest.raises(FileError, match="no supported cameras"):
         loom.read_cameras(tmp_path)
     with pytest.raises(FileError, match="no lens"):
-        loom.read_cameras(trajectory(tmp_path, "p.kitti"), pictures=["a.png"])
+        loom.read_cameras(trajectory(tmp_path, "p.kitti"), images=["a.png"])
     with pytest.raises(ValueError, match="intrinsic: "):
         loom.read_cameras(transforms(tmp_path), intrinsic=PINHOLE)
 
@@ -208,7 +208,7 @@ def test_transforms_round_trip(tmp_path, model, params):
     points = rng.normal(size=(5, 3))
     lens = loom.CameraModel(model, 64, 48, params)
     before = loom.SfmModel(["b.png", "sub/a.png"], [lens] * 2, poses, points, colors=np.full((5, 3), 40, np.uint8))
-    loom.write_transforms(tmp_path / "transforms.json", before, pictures="images")
+    loom.write_transforms(tmp_path / "transforms.json", before, images="images")
     after = loom.read_cameras(tmp_path / "transforms.json")
     assert after.names == ("images/b.png", "images/sub/a.png")
     np.testing.assert_allclose(after.T_camera_world, before.T_camera_world, atol=1e-15)
@@ -384,12 +384,12 @@ def reprojections(model: loom.SfmModel) -> np.ndarray:
     return seen
 
 
-def test_pictures_are_sorted_by_name_with_all_that_belongs_to_them():
+def test_images_are_sorted_by_name_with_all_that_belongs_to_them():
     order = [3, 1, 5, 0, 4, 2]
     rows = np.column_stack([np.argsort(order)[MODEL.observations[:, 0]], MODEL.observations[:, 1]])
-    pictures = [MODEL.names[i] for i in order], [MODEL.cameras[i] for i in order], MODEL.T_camera_world[order]
+    images = [MODEL.names[i] for i in order], [MODEL.cameras[i] for i in order], MODEL.T_camera_world[order]
     points = MODEL.points, MODEL.colors, MODEL.errors
-    shuffled = loom.SfmModel(*pictures, *points, rows[::-1], MODEL.pixels[::-1])
+    shuffled = loom.SfmModel(*images, *points, rows[::-1], MODEL.pixels[::-1])
     assert shuffled.names == tuple(sorted(MODEL.names))
     assert_same(shuffled, MODEL)
 
@@ -418,7 +418,7 @@ def test_centers_follow_from_poses_and_scaling_is_inverted_by_the_inverse_scale(
     assert np.array_equal(larger.pixels, MODEL.pixels)
 
 
-def test_selected_pictures_keep_their_observed_points():
+def test_selected_images_keep_their_observed_points():
     names = [MODEL.names[4], MODEL.names[1]]
     part = MODEL.select(names)
     assert part.names == tuple(sorted(names))
@@ -460,7 +460,7 @@ def test_model_is_immutable_copies_its_arguments_and_survives_pickling():
         assert_same(other, MODEL)
 
 
-def test_picture_index_is_looked_up_by_name():
+def test_image_index_is_looked_up_by_name():
     assert [MODEL.index_of(name) for name in MODEL.names] == list(range(6))
     with pytest.raises(KeyError, match="did you mean"):
         MODEL.index_of("left/0.png")

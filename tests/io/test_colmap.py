@@ -43,9 +43,9 @@ def test_models_written_by_colmap_are_read(synthetic, which):
     folders, expected = synthetic
     model = loom.read_colmap_model(folders[which])
     assert {"rigs", "frames"} <= {path.stem for path in folders[which].iterdir()}  # of version 4
-    assert sorted(expected["pictures"]) == list(model.names)
+    assert sorted(expected["images"]) == list(model.names)
     for i, name in enumerate(model.names):
-        (lens, width, height, params), pose, observed = expected["pictures"][name]
+        (lens, width, height, params), pose, observed = expected["images"][name]
         assert model.cameras[i] == loom.CameraModel(lens, width, height, params)
         assert np.abs(model.T_camera_world[i, :3] - pose).max() < 1e-14
         rows = model.observations[:, 0] == i
@@ -57,19 +57,19 @@ def test_models_written_by_colmap_are_read(synthetic, which):
 
 def test_colmap_reads_written_models(folder):
     description = query_colmap("describe", str(folder))
-    assert sorted(description["pictures"]) == list(MODEL.names)
+    assert sorted(description["images"]) == list(MODEL.names)
     assert description["error"] < 1e-3  # the keypoints have three decimals
     assert len(description["points"]) == len(MODEL.points)
     for i, name in enumerate(MODEL.names):
-        _, pose, observed = description["pictures"][name]
+        _, pose, observed = description["images"][name]
         assert np.abs(MODEL.T_camera_world[i, :3] - pose).max() < 1e-14
         assert len(observed) == (MODEL.observations[:, 0] == i).sum()
 
 
-@pytest.mark.parametrize(("pictures", "points"), [(1, 0), (1, 1), (2, 3), (None, None)])
-def test_model_round_trip(tmp_path, form, pictures, points):
-    lists = [values[:pictures] for values in (MODEL.names, MODEL.cameras, MODEL.T_camera_world)]
-    model = loom.SfmModel(*lists, MODEL.points[:points]) if pictures else MODEL
+@pytest.mark.parametrize(("images", "points"), [(1, 0), (1, 1), (2, 3), (None, None)])
+def test_model_round_trip(tmp_path, form, images, points):
+    lists = [values[:images] for values in (MODEL.names, MODEL.cameras, MODEL.T_camera_world)]
+    model = loom.SfmModel(*lists, MODEL.points[:points]) if images else MODEL
     loom.write_colmap_model(tmp_path / "m", model, format=form)
     assert_same(loom.read_colmap_model(tmp_path / "m"), model, poses=1e-15, pixels=1e-12)
 
@@ -117,7 +117,7 @@ def test_a_model_that_may_not_be_replaced_stays(folder):
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
 
 
-@pytest.mark.parametrize("failing", ["write_cameras", "write_pictures", "write_points"])
+@pytest.mark.parametrize("failing", ["write_cameras", "write_images", "write_points"])
 def test_full_disk_preserves_the_existing_files(folder, form, failing, monkeypatch, tmp_path):
     def fail(*_):
         raise OSError(28, "No space left on device")
@@ -145,7 +145,7 @@ def test_models_unsupported_by_colmap_are_rejected(tmp_path):
     assert not (tmp_path / "m").exists()
 
 
-POSE = 8 + 4  # the quaternion of the first picture
+POSE = 8 + 4  # the quaternion of the first image
 NAME = 8 + 4 + 56 + 4
 KEYPOINTS = NAME + len(MODEL.names[0]) + 1
 

@@ -18,7 +18,7 @@ from pointloom.io.frames.dataset_layouts import associate, list_redwood, list_se
 from pointloom.io.frames.datasets import open_dataset, open_frames
 from pointloom.io.frames.frames import source_warnings
 from pointloom.io.frames.rgbd_sources import RGBDSource
-from pointloom.io.pictures.image_files import write_png
+from pointloom.io.images.image_files import write_png
 
 from ..scan_cases import on_sets
 
@@ -36,7 +36,7 @@ def depth_map(value: int, shape=(6, 8)) -> np.ndarray:
     return np.full(shape, value, np.uint16)
 
 
-def picture(value: int, shape=(6, 8, 3)) -> np.ndarray:
+def image(value: int, shape=(6, 8, 3)) -> np.ndarray:
     return np.full(shape, value, np.uint8)
 
 
@@ -44,7 +44,7 @@ def make_seven_scenes(folder: Path, count: int = 3) -> Path:
     folder.mkdir()
     for i in range(count):
         write_png(folder / f"frame-{i:06d}.depth.png", depth_map(1000 + i))
-        write_png(folder / f"frame-{i:06d}.color.png", picture(i))
+        write_png(folder / f"frame-{i:06d}.color.png", image(i))
         np.savetxt(folder / f"frame-{i:06d}.pose.txt", pose(i))
     return folder
 
@@ -54,7 +54,7 @@ def make_redwood(folder: Path, count: int = 3) -> Path:
         (folder / name).mkdir(parents=True)
     for i in range(count):
         write_png(folder / "depth" / f"{i:05d}.png", depth_map(1000 + i))
-        Image.fromarray(picture(i)).save(folder / "color" / f"{i:05d}.jpg")
+        Image.fromarray(image(i)).save(folder / "color" / f"{i:05d}.jpg")
     write_log(folder, range(count))
     return folder
 
@@ -72,7 +72,7 @@ def make_tum(folder: Path, count: int = 3) -> Path:
     color_times = [time + 0.012 for time in depth_times]
     for i in range(count):
         write_png(folder / "depth" / f"{depth_times[i]:.6f}.png", depth_map(5000 + i))
-        write_png(folder / "rgb" / f"{color_times[i]:.6f}.png", picture(i))
+        write_png(folder / "rgb" / f"{color_times[i]:.6f}.png", image(i))
     write_listing(folder, "depth", depth_times)
     write_listing(folder, "rgb", color_times)
     write_poses(folder, [(time + 0.004, i) for i, time in enumerate(depth_times)])
@@ -81,7 +81,7 @@ def make_tum(folder: Path, count: int = 3) -> Path:
 
 def write_listing(folder: Path, name: str, times) -> None:
     lines = [f"{time:.6f} {name}/{time:.6f}.png" for time in times]
-    (folder / f"{name}.txt").write_text("\n".join(["# pictures", "# timestamp filename", *lines, ""]))
+    (folder / f"{name}.txt").write_text("\n".join(["# images", "# timestamp filename", *lines, ""]))
 
 
 def write_poses(folder: Path, entries) -> None:
@@ -173,9 +173,9 @@ def test_only_in_seven_scenes_the_largest_depth_is_no_measurement(tmp_path):
 def test_default_camera_depends_on_the_layout(tmp_path, layout):
     folder = make(layout, tmp_path / "set")
     for path in folder.rglob("*.png"):
-        write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
+        write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else image(1, (480, 640, 3)))
     for path in folder.rglob("*.jpg"):
-        Image.fromarray(picture(1, (480, 640, 3))).save(path)
+        Image.fromarray(image(1, (480, 640, 3))).save(path)
     expected = PinholeCameraIntrinsic(640, 480, 585, 585, 320, 240) if layout == "7scenes" else None
     assert open_dataset(folder).intrinsic == (expected or PinholeCameraIntrinsic.prime_sense_default())
 
@@ -243,7 +243,7 @@ def test_camera_that_contradicts_the_images_is_reported(tmp_path, numbers, warni
 def test_a_file_like_a_camera_that_is_not_read_is_reported_with_the_default(tmp_path, name):
     folder = make("7scenes", tmp_path / "set", 1)
     for path in folder.glob("*.png"):
-        write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
+        write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else image(1, (480, 640, 3)))
     dataset = open_dataset(folder)
     assert not dataset.reliable and "contains no camera file, so it is assumed" in dataset.warnings[0]
     (folder / name).write_text("fx: 500\n")
@@ -262,7 +262,7 @@ def test_a_camera_of_another_size_is_refused(tmp_path, layout):
         open_dataset(folder, intrinsic=SMALL.scaled(0.5))
 
 
-def test_pictures_that_change_after_opening_are_noticed(tmp_path):
+def test_images_that_change_after_opening_are_noticed(tmp_path):
     folder = make("redwood", tmp_path / "set")
     dataset = open_dataset(folder, intrinsic=SMALL)
     write_png(folder / "depth" / "00001.png", depth_map(1, (3, 4)))
@@ -362,7 +362,7 @@ def test_time_jumps_are_reported_by_frame(tmp_path):
 
 
 @pytest.mark.parametrize("missing", ["depth", "color"])
-def test_a_picture_missing_in_the_middle_is_named_or_skipped_and_listed(tmp_path, missing):
+def test_an_image_missing_in_the_middle_is_named_or_skipped_and_listed(tmp_path, missing):
     folder = without_poses(make("7scenes", tmp_path / "set"))
     (folder / f"frame-000001.{missing}.png").unlink()
     source = open_frames(folder, intrinsic=SMALL, skip_missing=True)
@@ -398,7 +398,7 @@ def test_folder_without_complete_frames_is_rejected(tmp_path, layout):
 def test_fusing_frames_without_pose_is_an_error(tmp_path):
     source = open_frames(without_poses(make("7scenes", tmp_path / "set")), intrinsic=SMALL)
     with pytest.raises(ValueError, match="frame frame-000000:"):
-        loom.fuse(source)
+        loom.rgbd.fuse(source)
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -407,7 +407,7 @@ def test_color_of_another_size_is_named_or_brought_to_that_of_depth(tmp_path, la
     for path in [*folder.rglob("*.*")]:
         name = str(path.relative_to(folder))
         if path.suffix in (".png", ".jpg") and ("color" in name or "rgb" in name):
-            colors = np.repeat(np.repeat(picture(50), 2, axis=0), 2, axis=1)
+            colors = np.repeat(np.repeat(image(50), 2, axis=0), 2, axis=1)
             path.unlink()
             write_png(path.with_suffix(".png"), colors)
     with pytest.raises(DatasetError, match=r"is 16 x 12, but .* is 8 x 6.*resize_color=True"):
@@ -426,26 +426,26 @@ def test_depth_of_8_bits_is_refused_by_name(tmp_path, layout):
         open_frames(folder, intrinsic=SMALL)
 
 
-def make_pictures(folder: Path, names="{}_depth {}") -> Path:
+def make_images(folder: Path, names="{}_depth {}") -> Path:
     folder.mkdir()
     for i in (1, 2, 10):
         depth, color = names.format(i, i).split()
         write_png(folder / f"{depth}.png", depth_map(5000 * i))
-        write_png(folder / f"{color}.png", picture(i))
+        write_png(folder / f"{color}.png", image(i))
     return folder
 
 
 @pytest.mark.parametrize("names", ["{}_depth {}", "dep_{} img_{}", "depth{} rgb{}", "{}-D-depth {}-D-color"])
-def test_pictures_in_one_folder_pair_by_the_rest_of_their_names(tmp_path, names):
-    folder = make_pictures(tmp_path / "set", names)
+def test_images_in_one_folder_pair_by_the_rest_of_their_names(tmp_path, names):
+    folder = make_images(tmp_path / "set", names)
     source = open_frames(folder, intrinsic=SMALL, depth_scale=5000)
-    assert (source.layout, source.depth_scale) == ("pictures", 5000)
+    assert (source.layout, source.depth_scale) == ("images", 5000)
     frames = [(f.depth[0, 0] / 5000, f.color[0, 0, 0], f.T_world_camera) for f in source]
     assert frames == [(1, 1, None), (2, 2, None), (10, 10, None)]
 
 
-def test_poses_of_pictures_are_matrices_or_a_line_of_tum(tmp_path):
-    folder = make_pictures(tmp_path / "set", "dep_{} img_{}")
+def test_poses_of_images_are_matrices_or_a_line_of_tum(tmp_path):
+    folder = make_images(tmp_path / "set", "dep_{} img_{}")
     np.savetxt(folder / "pose_1.txt", pose(4))
     (folder / "pose_2.txt").write_text("5 0 0 0 0 0 1\n")
     frames = list(open_frames(folder, intrinsic=SMALL, depth_scale=1000))
@@ -456,7 +456,7 @@ def test_poses_of_pictures_are_matrices_or_a_line_of_tum(tmp_path):
 
 
 def test_parameters_missing_from_the_files_must_be_given(tmp_path):
-    folder = make_pictures(tmp_path / "set")
+    folder = make_images(tmp_path / "set")
     for given in ({"depth_scale": 5000}, {"intrinsic": SMALL}):
         with pytest.raises(DatasetError, match="/set:"):
             open_frames(folder, **given)
@@ -464,9 +464,9 @@ def test_parameters_missing_from_the_files_must_be_given(tmp_path):
         open_frames(folder, intrinsic=SMALL, depth_scale=0)
 
 
-def test_pictures_that_do_not_pair_are_refused_by_name(tmp_path):
-    folder = make_pictures(tmp_path / "set")
-    write_png(folder / "3.png", picture(3))
+def test_images_that_do_not_pair_are_refused_by_name(tmp_path):
+    folder = make_images(tmp_path / "set")
+    write_png(folder / "3.png", image(3))
     with pytest.raises(DatasetError, match=r"3\.png"):
         open_frames(folder, intrinsic=SMALL, depth_scale=5000)
     source = open_frames(folder, intrinsic=SMALL, depth_scale=5000, skip_missing=True)
@@ -478,7 +478,7 @@ def test_pictures_that_do_not_pair_are_refused_by_name(tmp_path):
 
 
 def test_parent_and_empty_folders_are_rejected_with_a_hint(tmp_path):
-    make_pictures(tmp_path / "set")
+    make_images(tmp_path / "set")
     with pytest.raises(DatasetError, match=r"Did you mean .*set\?"):
         open_frames(tmp_path)
     (tmp_path / "nothing").mkdir()
@@ -492,14 +492,14 @@ def test_parent_and_empty_folders_are_rejected_with_a_hint(tmp_path):
     real=[
         ("rgbd-cupoch-redwood5", "redwood", 5, True),
         ("rgbd-nvblox-3dmatch/seq-01", "7scenes", 5, True),
-        ("rgbd-slambook-ch7", "pictures", 2, False),
-        ("rgbd-tum-pairs/case_1", "pictures", 2, True),
-        ("rgbd-tum-pairs/case_2", "pictures", 2, True),
+        ("rgbd-slambook-ch7", "images", 2, False),
+        ("rgbd-tum-pairs/case_1", "images", 2, True),
+        ("rgbd-tum-pairs/case_2", "images", 2, True),
     ],
 )
 def test_small_real_sets_open(scan_file, name, layout, count, posed):
     options = {}
-    if layout == "pictures":
+    if layout == "images":
         options = {"intrinsic": PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5), "depth_scale": 5000}
     source = open_frames(scan_file(name), **options)
     assert (source.layout, len(source)) == (layout, count)
@@ -651,7 +651,7 @@ def matrix(mark, rows=4):
 
 def make_lost(folder, layout, marks):
     """A folder of frames whose poses have these marks, or are valid if the mark is empty."""
-    if layout == "pictures":
+    if layout == "images":
         folder.mkdir()
     else:
         make(layout, folder, len(marks))
@@ -662,16 +662,16 @@ def make_lost(folder, layout, marks):
         elif layout == "tum":
             rows.append(f"{100 + i / 10} {' '.join([mark] * 7) if mark else '0 0 0 0 0 0 1'}\n")
         else:
-            name = f"{i:06d}_pose.txt" if layout == "pictures" else f"frame-{i:06d}.pose.txt"
+            name = f"{i:06d}_pose.txt" if layout == "images" else f"frame-{i:06d}.pose.txt"
             (folder / name).write_text(matrix(mark))
-        if layout == "pictures":
+        if layout == "images":
             write_png(folder / f"{i:06d}_depth.png", depth_map(1500))
     if rows:
         (folder / ("groundtruth.txt" if layout == "tum" else "trajectory.log")).write_text("".join(rows))
     return folder
 
 
-@pytest.mark.parametrize("layout", ["7scenes", "redwood", "tum", "pictures"])
+@pytest.mark.parametrize("layout", ["7scenes", "redwood", "tum", "images"])
 @pytest.mark.parametrize("lost_value", MARKS)
 def test_frames_with_lost_poses_are_left_out_by_name(tmp_path, layout, lost_value):
     folder = make_lost(tmp_path / "set", layout, ["", "", lost_value, ""])
@@ -681,13 +681,13 @@ def test_frames_with_lost_poses_are_left_out_by_name(tmp_path, layout, lost_valu
     assert [frame.T_world_camera is None for frame in frames] == [False, False, True, False]
     frames = loom.open_frames(folder, **options, **scale, skip_missing=True)
     assert len(frames) == 3 and len(frames.left_out) == 1 and name in frames.left_out[0]
-    assert len(loom.open_frames(folder, **options, **scale, skip_missing="pictures")) == 4
-    if layout != "pictures":
+    assert len(loom.open_frames(folder, **options, **scale, skip_missing="images")) == 4
+    if layout != "images":
         with pytest.raises(loom.FileError, match=r"inf or NaN.*skip_missing=True"):
             loom.open_dataset(folder, **options)
         frames = loom.open_dataset(folder, **options, skip_missing=True)
         assert len(frames) == 3 and name in frames.left_out[0]
-        assert loom.fuse(frames, voxel_size=0.1).T_world_camera.shape == (3, 4, 4)
+        assert loom.rgbd.fuse(frames, voxel_size=0.1).T_world_camera.shape == (3, 4, 4)
 
 
 def test_a_folder_of_lost_poses_alone_is_refused(tmp_path):
@@ -723,5 +723,5 @@ def test_trajectory_omits_lost_poses_on_request(tmp_path, name, lost_value):
     result = loom.read_trajectory(path, skip_missing=True)
     numbers = result.timestamps if name == "path.tum" else result.ids[:, 0]
     assert len(result) == 2 and list(numbers) == [0, 2] and np.isfinite(result.poses).all()
-    lens = loom.read_cameras(path, pictures=["0.png", "1.png", "2.png"], intrinsic=SMALL)
+    lens = loom.read_cameras(path, images=["0.png", "1.png", "2.png"], intrinsic=SMALL)
     assert len(lens) == 2 and lens.left_out == ("1.png: no pose",)

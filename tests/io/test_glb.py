@@ -10,12 +10,12 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.io.images.image_files import encode_png
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb
-from pointloom.io.pictures.image_files import encode_png
 
 from .gltf_scenes import TRIANGLE, Scene, changed, container, one_triangle
-from .textured_meshes import PICTURE, square
+from .textured_meshes import IMAGE, square
 
 Z = [[0.0, 0.0, 1.0]] * 3
 
@@ -97,11 +97,11 @@ def materials_of(tmp_path, materials, used, **more):
         extra = {} if material is None else {"material": material}
         uvs = {"TEXCOORD_0": np.zeros((3, 2), "f4"), "TEXCOORD_1": np.ones((3, 2), "f4")}
         scene.primitive(POSITION=TRIANGLE, **uvs, extra=extra)
-    picture = scene.bytes(encode_png(PICTURE))
-    uri = "data:image/png;base64," + base64.b64encode(encode_png(PICTURE[::-1])).decode()
+    image = scene.bytes(encode_png(IMAGE))
+    uri = "data:image/png;base64," + base64.b64encode(encode_png(IMAGE[::-1])).decode()
     scene.more = {
         "materials": materials, "textures": [{"source": 0}, {"source": 1}],
-        "images": [{"bufferView": picture, "mimeType": "image/png"}, {"uri": uri}], **more,
+        "images": [{"bufferView": image, "mimeType": "image/png"}, {"uri": uri}], **more,
     }  # fmt: skip
     return scene.write(tmp_path / "m.glb")
 
@@ -118,9 +118,9 @@ def test_materials_are_textures_factors_and_white(tmp_path):
     with pytest.warns(UserWarning, match=r"/m\.glb:.*TEXCOORD_0.*TEXCOORD_1"):
         mesh = read_glb(materials_of(tmp_path, materials, [0, 1, None, 3]))
     np.testing.assert_array_equal(mesh.triangle_material_ids, [0, 1, 3, 2])  # no mesh uses the third
-    np.testing.assert_array_equal(mesh.textures[0], PICTURE[::-1])
-    np.testing.assert_array_equal(mesh.textures[2], PICTURE)
-    pixels = [picture.reshape(3).tolist() for picture in mesh.textures if picture.size == 3]
+    np.testing.assert_array_equal(mesh.textures[0], IMAGE[::-1])
+    np.testing.assert_array_equal(mesh.textures[2], IMAGE)
+    pixels = [image.reshape(3).tolist() for image in mesh.textures if image.size == 3]
     assert pixels == [[255, 128, 0], [255, 255, 255]]  # 128 in sRGB is 0.216 of the light
     np.testing.assert_array_equal(mesh.triangle_uvs, np.repeat([[1, 0], [0, 1], [0, 1], [0, 1]], 3, axis=0))
 

@@ -13,16 +13,16 @@ from PIL import Image
 import pointloom as loom
 from pointloom.core.checks import check_textures
 from pointloom.core.errors import FileError
+from pointloom.io.images import texture_files
+from pointloom.io.images.image_files import encode_png
 from pointloom.io.meshes import gltf_file
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb, write_gltf
-from pointloom.io.pictures import texture_files
-from pointloom.io.pictures.image_files import encode_png
 from pointloom.io.source import netted
 from pointloom.io.table import MeshTable
 
 from .gltf_scenes import TRIANGLE, Scene, changed, one_triangle
-from .textured_meshes import PICTURE, textured
+from .textured_meshes import IMAGE, textured
 
 
 def test_a_gltf_is_read_as_its_glb_is(tmp_path):
@@ -92,10 +92,10 @@ CLIMBING = {
 
 
 @pytest.mark.parametrize("name", [*CLIMBING, "m.gltf", "far.gltf"])
-def test_pictures_outside_the_folder_are_omitted_by_default(tmp_path, name):
+def test_images_outside_the_folder_are_omitted_by_default(tmp_path, name):
     folder = tmp_path / "in"
     folder.mkdir()
-    (tmp_path / "p.png").write_bytes(encode_png(PICTURE))
+    (tmp_path / "p.png").write_bytes(encode_png(IMAGE))
     (folder / "m.mtl").write_text("newmtl a\nmap_Kd ..\\p.png\n")
     (tmp_path / "n.mtl").write_text("newmtl a\nmap_Kd ../p.png\n")
     if name in CLIMBING:
@@ -111,18 +111,18 @@ def test_pictures_outside_the_folder_are_omitted_by_default(tmp_path, name):
     assert len(mesh.triangles) == 1 and mesh.textures == ()
     if name != "far.gltf":
         with_outside = loom.read_triangle_mesh(folder / name, outside_files=True)
-        np.testing.assert_array_equal(with_outside.textures[0], PICTURE)
+        np.testing.assert_array_equal(with_outside.textures[0], IMAGE)
 
 
 def test_a_link_beside_the_file_may_lead_anywhere(tmp_path):
     folder = tmp_path / "in"
     folder.mkdir()
-    (tmp_path / "p.png").write_bytes(encode_png(PICTURE))
+    (tmp_path / "p.png").write_bytes(encode_png(IMAGE))
     (folder / "p.png").symlink_to(tmp_path / "p.png")
     (folder / "sub").mkdir()
     (folder / "m.mtl").write_text("newmtl a\nmap_Kd sub/../p.png\n")
     (folder / "m.obj").write_text(CLIMBING["m.obj"])
-    np.testing.assert_array_equal(loom.read_triangle_mesh(folder / "m.obj").textures[0], PICTURE)
+    np.testing.assert_array_equal(loom.read_triangle_mesh(folder / "m.obj").textures[0], IMAGE)
 
 
 def sparse_scene(rows, values, *, base: bool, code="u2", count=None) -> Scene:
@@ -209,14 +209,14 @@ def test_vertices_that_make_no_sense_are_refused(tmp_path, scene, path, reason):
 
 
 def painted(path, materials, *, corners=((0, 0), (1, 0), (0, 1)), **more):
-    """A GLB with a triangle for each material; the first texture is PICTURE."""
+    """A GLB with a triangle for each material; the first texture is IMAGE."""
     scene = Scene()
     for number in range(len(materials)):
         uvs = np.array(corners, "f4")
         scene.primitive(POSITION=TRIANGLE, TEXCOORD_0=uvs, TEXCOORD_1=1 - uvs, extra={"material": number})
     scene.more = {
         "materials": materials, "textures": [{"source": 0}],
-        "images": [{"bufferView": scene.bytes(encode_png(PICTURE)), "mimeType": "image/png"}], **more,
+        "images": [{"bufferView": scene.bytes(encode_png(IMAGE)), "mimeType": "image/png"}], **more,
     }  # fmt: skip
     return scene.write(path)
 
@@ -245,44 +245,44 @@ def test_texture_transforms_are_baked_into_coordinates(tmp_path, transform, expe
 
 
 @pytest.mark.filterwarnings("ignore:.*texture coordinates TEXCOORD")
-def test_materials_of_one_picture_share_it_and_it_is_decoded_once(tmp_path, monkeypatch):
+def test_materials_of_one_image_share_it_and_it_is_decoded_once(tmp_path, monkeypatch):
     calls, decode = [], texture_files.decode_texture
     monkeypatch.setattr(texture_files, "decode_texture", lambda *given: (calls.append(given), decode(*given))[1])
     materials = [transformed(offset=[k, 0]) for k in range(5)]
     path = painted(tmp_path / "m.glb", materials, textures=[{"source": 0}] * 3)
     mesh = loom.read_triangle_mesh(path)
-    assert len(calls) == 1 and len({id(picture) for picture in mesh.textures}) == 1
+    assert len(calls) == 1 and len({id(image) for image in mesh.textures}) == 1
     assert mesh.triangle_material_ids.tolist() == [0, 1, 2, 3, 4] and not mesh.textures[0].flags.writeable
-    (tmp_path / "p.png").write_bytes(encode_png(PICTURE))
+    (tmp_path / "p.png").write_bytes(encode_png(IMAGE))
     (tmp_path / "m.mtl").write_text("".join(f"newmtl m{k}\nmap_Kd {'./' * k}p.png\n" for k in range(5)))
     faces = "".join(f"usemtl m{k}\nf 1 2 3\n" for k in range(0, 5, 2))
     (tmp_path / "m.obj").write_text(f"mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n{faces}")
     mesh = loom.read_triangle_mesh(tmp_path / "m.obj")
-    assert len(calls) == 2 and [picture is mesh.textures[0] for picture in mesh.textures] == [True] * 3
+    assert len(calls) == 2 and [image is mesh.textures[0] for image in mesh.textures] == [True] * 3
     for name in ("n.glb", "n.obj"):  # and is written once
         loom.write_triangle_mesh(tmp_path / name, mesh)
         again = loom.read_triangle_mesh(tmp_path / name)
-        assert [picture is again.textures[0] for picture in again.textures] == [True] * 3
+        assert [image is again.textures[0] for image in again.textures] == [True] * 3
     assert not (tmp_path / "n_1.png").exists()
 
 
-def test_pictures_that_can_change_are_copied_once_and_others_shared():
-    fixed, loose = PICTURE.copy(), PICTURE.copy()
+def test_images_that_can_change_are_copied_once_and_others_shared():
+    fixed, loose = IMAGE.copy(), IMAGE.copy()
     fixed.flags.writeable = False
     textures = check_textures("textures", [fixed, loose, loose, loose[::-1], fixed[:, ::-1]])
     loose[:] = 0
     assert textures[0] is fixed and textures[1] is textures[2]
-    for picture, expected in zip(textures, (PICTURE, PICTURE, PICTURE, PICTURE[::-1], PICTURE[:, ::-1]), strict=True):
-        np.testing.assert_array_equal(picture, expected)
-        assert not picture.flags.writeable
+    for image, expected in zip(textures, (IMAGE, IMAGE, IMAGE, IMAGE[::-1], IMAGE[:, ::-1]), strict=True):
+        np.testing.assert_array_equal(image, expected)
+        assert not image.flags.writeable
 
 
 def test_materials_that_no_face_has_are_not_looked_at(tmp_path):
-    (tmp_path / "bad.png").write_bytes(b"no picture")
+    (tmp_path / "bad.png").write_bytes(b"no image")
     (tmp_path / "m.mtl").write_text("newmtl bad\nmap_Kd bad.png\nnewmtl red\nKd 1 0 0\n")
     (tmp_path / "m.obj").write_text("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")
     mesh = loom.read_triangle_mesh(tmp_path / "m.obj")
-    assert [picture.tolist() for picture in mesh.textures] == [[[[255, 0, 0]]]] and mesh.triangle_material_ids is None
+    assert [image.tolist() for image in mesh.textures] == [[[[255, 0, 0]]]] and mesh.triangle_material_ids is None
     scene = one_triangle(extra={"material": 1})
     red = {"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}
     scene.more = {"materials": [{"pbrMetallicRoughness": 3}, red]}
@@ -290,7 +290,7 @@ def test_materials_that_no_face_has_are_not_looked_at(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["m.obj", "m.ply", "m.glb"])
-def test_pictures_have_a_budget_together(tmp_path, monkeypatch, name):
+def test_images_have_a_budget_together(tmp_path, monkeypatch, name):
     table = textured()
     mesh = loom.TriangleMesh(
         table.vertices, table.triangles, triangle_uvs=table.triangle_uvs,
@@ -332,10 +332,10 @@ def test_factors_are_pixels_whose_alpha_is_blended_masked_by_its_cutoff_or_dropp
 )
 @pytest.mark.parametrize("suffix", [".glb", ".gltf"])
 def test_texture_alpha_follows_the_alpha_mode_of_its_material(tmp_path, suffix, mode, alphas, again, expected_alpha):
-    picture = np.zeros((1, 3, 4), np.uint8)
-    picture[0, :, 3] = alphas
+    image = np.zeros((1, 3, 4), np.uint8)
+    image[0, :, 3] = alphas
     scene = one_triangle(TEXCOORD_0=np.zeros((3, 2), "f4"), extra={"material": 0})
-    view = scene.bytes(encode_png(picture))
+    view = scene.bytes(encode_png(image))
     look = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}} | ({"alphaMode": mode} if mode else {})
     scene.more = {"images": [{"bufferView": view}], "textures": [{"source": 0}], "materials": [look]}
     source, target = scene.write(tmp_path / "m.glb"), tmp_path / f"again{suffix}"
@@ -349,10 +349,10 @@ def test_texture_alpha_follows_the_alpha_mode_of_its_material(tmp_path, suffix, 
 
 @pytest.mark.parametrize(("mode", "shape"), [("BLEND", (2, 2, 4)), ("OPAQUE", (2, 2, 3))])
 def test_transparency_of_a_palette_is_an_alpha(tmp_path, mode, shape):
-    picture = Image.new("P", (2, 2), 1)
-    picture.putpalette([255, 0, 0, 0, 0, 255])
+    image = Image.new("P", (2, 2), 1)
+    image.putpalette([255, 0, 0, 0, 0, 255])
     file = io.BytesIO()
-    picture.save(file, "PNG", transparency=bytes([255, 80]))
+    image.save(file, "PNG", transparency=bytes([255, 80]))
     scene = one_triangle(TEXCOORD_0=np.zeros((3, 2), "f4"), extra={"material": 0})
     view = scene.bytes(file.getvalue())
     look = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "alphaMode": mode}
@@ -361,7 +361,7 @@ def test_transparency_of_a_palette_is_an_alpha(tmp_path, mode, shape):
     assert texture.shape == shape and texture[0, 0].tolist() == [0, 0, 255, 80][: shape[2]]
 
 
-def test_a_picture_of_a_kind_that_is_not_read_leaves_textures_behind(tmp_path):
+def test_an_image_of_a_kind_that_is_not_read_leaves_textures_behind(tmp_path):
     texture = {"extensions": {"EXT_texture_webp": {"source": 0}}}
     materials = [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]
     more = {"textures": [texture], "extensionsRequired": ["EXT_texture_webp"]}

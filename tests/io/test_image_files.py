@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from PIL import Image, ImageFile
 
 from pointloom.core.errors import FileError
-from pointloom.io.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header, write_png
+from pointloom.io.images.image_files import ImageHeader, read_color, read_depth, read_image_header, write_png
 
 from ..pcd.any_cloud import examples
 
@@ -59,14 +59,14 @@ def test_any_memory_layout_is_written_correctly(tmp_path, depth, view):
 
 
 @pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGBA", "CMYK"])
-def test_every_kind_of_picture_becomes_rgb(tmp_path, color, mode):
+def test_every_kind_of_image_becomes_rgb(tmp_path, color, mode):
     name = "c.jpg" if mode == "CMYK" else "c.png"
-    picture = Image.fromarray(color).convert(mode)
-    picture.save(tmp_path / name)
+    image = Image.fromarray(color).convert(mode)
+    image.save(tmp_path / name)
     again = read_color(tmp_path / name)
     assert again.shape == (24, 32, 3) and again.dtype == np.uint8
     if mode != "CMYK":
-        assert np.array_equal(again, np.asarray(picture.convert("RGB")))
+        assert np.array_equal(again, np.asarray(image.convert("RGB")))
 
 
 def test_transparency_is_dropped_and_does_not_darken(tmp_path, color):
@@ -90,12 +90,12 @@ def test_float_depth_is_read_from_npy_with_nan(tmp_path):
 def test_headers_report_size_and_type_without_pixels(tmp_path, depth, color):
     write_png(tmp_path / "d.png", depth)
     (tmp_path / "d.png").write_bytes((tmp_path / "d.png").read_bytes()[:33])
-    assert read_picture_header(tmp_path / "d.png") == PictureHeader("png", 32, 24, 1, 16)
+    assert read_image_header(tmp_path / "d.png") == ImageHeader("png", 32, 24, 1, 16)
     Image.fromarray(color).save(tmp_path / "c.jpg")
-    assert read_picture_header(tmp_path / "c.jpg") == PictureHeader("jpeg", 32, 24, 3, 8)
+    assert read_image_header(tmp_path / "c.jpg") == ImageHeader("jpeg", 32, 24, 3, 8)
 
 
-def test_pictures_are_not_taken_for_depth_nor_depth_or_an_animation_for_color(tmp_path, depth, color):
+def test_images_are_not_taken_for_depth_nor_depth_or_an_animation_for_color(tmp_path, depth, color):
     for mode in ("L", "RGB", "RGBA", "P"):
         Image.fromarray(color).convert(mode).save(tmp_path / "c.png")
         with pytest.raises(FileError, match=r"/c\.png:.*16-bit"):
@@ -154,7 +154,7 @@ def test_npy_with_too_few_bytes_is_rejected_before_allocation(tmp_path):
 
 
 def test_missing_files_and_folders_are_file_errors(tmp_path):
-    for read in (read_depth, read_color, read_picture_header):
+    for read in (read_depth, read_color, read_image_header):
         for path in (tmp_path / "none.png", tmp_path):
             with pytest.raises(FileError, match="cannot be read"):
                 read(path)
@@ -189,7 +189,7 @@ def test_any_changed_byte_is_detected(tmp_path, depth, offset, change):
 @given(
     start=st.integers(0, 10_000), length=st.integers(0, 8), patch=st.binary(max_size=8), valid_checksums=st.booleans()
 )
-def test_changed_bytes_give_a_picture_or_a_file_error(tmp_path, color, name, start, length, patch, valid_checksums):
+def test_changed_bytes_give_an_image_or_a_file_error(tmp_path, color, name, start, length, patch, valid_checksums):
     """Includes corrected checksums, so that the decoder sees the damage."""
     path = tmp_path / name
     if name == "d.npy":
@@ -281,7 +281,7 @@ def test_text_and_profiles_of_a_png_are_not_decompressed(tmp_path, depth):
     assert np.array_equal(read_depth(tmp_path / "d.png"), depth)
 
 
-def test_interlaced_pictures_of_every_depth_and_size_are_read(tmp_path):
+def test_interlaced_images_of_every_depth_and_size_are_read(tmp_path):
     """Their passes have up to seven sizes, some of them empty. Pillow writes none, so all have one value."""
     for bits, color_type, channels in [(1, 0, 1), (4, 0, 1), (8, 2, 3), (8, 4, 2), (16, 0, 1), (16, 2, 3), (16, 6, 4)]:
         for width, height in [(1, 1), (2, 1), (1, 5), (4, 4), (5, 3), (8, 8), (9, 17)]:
@@ -311,8 +311,8 @@ JPEGS = {
 @pytest.mark.parametrize("end", [b"", b"\xff\xd9"])
 def test_a_jpeg_that_ends_early_is_refused_with_and_without_an_end_mark(tmp_path, kind, is_gray, end):
     path, file = tmp_path / "c.jpg", io.BytesIO()
-    picture = np.random.default_rng(3).integers(0, 256, (53, 70, 3), np.uint8) // 3 + 80
-    Image.fromarray(picture[:, :, 0] if is_gray else picture).save(file, "JPEG", **JPEGS[kind])
+    image = np.random.default_rng(3).integers(0, 256, (53, 70, 3), np.uint8) // 3 + 80
+    Image.fromarray(image[:, :, 0] if is_gray else image).save(file, "JPEG", **JPEGS[kind])
     data = file.getvalue()
     path.write_bytes(data + b"what some cameras append")
     assert np.array_equal(read_color(path), np.asarray(Image.open(file).convert("RGB")))

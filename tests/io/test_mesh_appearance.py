@@ -12,19 +12,19 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.io.images import image_files
+from pointloom.io.images.image_files import encode_png, write_png
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb, write_gltf
 from pointloom.io.meshes.mesh_formats import read_mesh
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.stl import write_stl
 from pointloom.io.meshes.tables import is_mesh_file, read_table, write_mesh_table
-from pointloom.io.pictures import image_files
-from pointloom.io.pictures.image_files import encode_png, write_png
 from pointloom.io.points.ply import read_ply, read_ply_mesh, write_ply_mesh
 from pointloom.io.table import MeshTable
 
 from .gltf_scenes import one_triangle
-from .textured_meshes import CORNERS, PICTURE, corner_table, seen_at_corners, square, textured
+from .textured_meshes import CORNERS, IMAGE, corner_table, seen_at_corners, square, textured
 
 FORMATS = {".obj": (write_obj, read_obj), ".ply": (write_ply_mesh, read_ply_mesh), ".glb": (write_glb, read_glb)}
 FORMATS[".gltf"] = write_gltf, read_glb
@@ -33,23 +33,23 @@ FACE = "f 1/1 2/2 3/3 4/4\n"
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_trimesh_sees_our_picture_upright(tmp_path, suffix):
+def test_trimesh_sees_our_image_upright(tmp_path, suffix):
     trimesh = pytest.importorskip("trimesh")
     FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
     loaded = trimesh.load(tmp_path / f"m{suffix}", process=False, force="mesh")
     material = loaded.visual.material
-    picture = material.baseColorTexture if suffix.startswith(".gl") else material.image
+    image = material.baseColorTexture if suffix.startswith(".gl") else material.image
     uvs = np.asarray(loaded.visual.uv)[loaded.faces.reshape(-1)]
     mesh = MeshTable(np.asarray(loaded.vertices), np.asarray(loaded.faces), triangle_uvs=uvs)
-    mesh.textures = (np.asarray(picture.convert("RGB")),)
+    mesh.textures = (np.asarray(image.convert("RGB")),)
     assert seen_at_corners(mesh) == CORNERS
 
 
-def test_we_see_pictures_of_trimesh_upright(tmp_path):
+def test_we_see_images_of_trimesh_upright(tmp_path):
     trimesh = pytest.importorskip("trimesh")
     mesh = square()
     uvs = [[0, 0], [1, 0], [1, 1], [0, 1]]
-    look = trimesh.visual.TextureVisuals(uvs, image=Image.fromarray(PICTURE))
+    look = trimesh.visual.TextureVisuals(uvs, image=Image.fromarray(IMAGE))
     other = trimesh.Trimesh(mesh.vertices, mesh.triangles, visual=look, process=False)
     for name in ("t.glb", "t.obj"):
         other.export(tmp_path / name)
@@ -76,7 +76,7 @@ def test_textured_meshes_survive_a_round_trip(tmp_path, suffix, options, bare):
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_texture_coordinates_without_a_picture_survive(tmp_path, suffix):
+def test_texture_coordinates_without_an_image_survive(tmp_path, suffix):
     write, read = FORMATS[suffix]
     mesh = square()
     mesh.textures = ()
@@ -120,17 +120,17 @@ def test_files_beside_appear_all_or_none_and_have_no_blanks_in_their_names(tmp_p
 
 
 def obj(tmp_path, faces, mtl="newmtl a\nmap_Kd p.png\nnewmtl b\nKd 1 0.5 0\nnewmtl c\n"):
-    write_png(tmp_path / "p.png", PICTURE)
+    write_png(tmp_path / "p.png", IMAGE)
     (tmp_path / "m.mtl").write_text(mtl)
     (tmp_path / "m.obj").write_text(f"mtllib m.mtl\n{SQUARE}{faces}")
     return tmp_path / "m.obj"
 
 
-def test_materials_are_pictures_colors_and_white(tmp_path):
+def test_materials_are_images_colors_and_white(tmp_path):
     mesh = read_obj(obj(tmp_path, "f 1 2 3\nusemtl c\nf 1 2 3\nusemtl b\nf 1 2 3 4\nusemtl a\n" + FACE))
     np.testing.assert_array_equal(mesh.triangle_material_ids, [3, 2, 1, 1, 0, 0])
-    np.testing.assert_array_equal(mesh.textures[0], PICTURE)
-    assert [picture.tolist() for picture in mesh.textures[1:]] == [[[[255, 128, 0]]], *[[[[255, 255, 255]]]] * 2]
+    np.testing.assert_array_equal(mesh.textures[0], IMAGE)
+    assert [image.tolist() for image in mesh.textures[1:]] == [[[[255, 128, 0]]], *[[[[255, 255, 255]]]] * 2]
     np.testing.assert_array_equal(mesh.triangle_uvs[:12], 0)
     np.testing.assert_array_equal(mesh.triangle_uvs[12:], square().triangle_uvs)
 
@@ -141,11 +141,11 @@ def test_texture_coordinates_have_one_to_three_values(tmp_path):
     np.testing.assert_array_equal(read_obj(tmp_path / "m.obj").triangle_uvs, [[0.25, 0], [0.5, 0.75], [-1, 2]])
 
 
-def test_picture_path_with_blanks_and_options_is_read(tmp_path):
-    (tmp_path / "my pictures").mkdir()
-    path = obj(tmp_path, "usemtl a\n" + FACE, "newmtl a\nmap_Kd -clamp on -s 1 1 1 -o 0 my pictures\\p 1.png\n")
-    write_png(tmp_path / "my pictures" / "p 1.png", PICTURE)
-    np.testing.assert_array_equal(read_obj(path).textures[0], PICTURE)
+def test_image_path_with_blanks_and_options_is_read(tmp_path):
+    (tmp_path / "my images").mkdir()
+    path = obj(tmp_path, "usemtl a\n" + FACE, "newmtl a\nmap_Kd -clamp on -s 1 1 1 -o 0 my images\\p 1.png\n")
+    write_png(tmp_path / "my images" / "p 1.png", IMAGE)
+    np.testing.assert_array_equal(read_obj(path).textures[0], IMAGE)
 
 
 @pytest.mark.parametrize(
@@ -156,7 +156,7 @@ def test_picture_path_with_blanks_and_options_is_read(tmp_path):
         (f"newmtl a\nmap_Kd {'x' * 5000}\n", "is not beside it"),
     ],
 )
-def test_a_missing_picture_leaves_textures_behind_with_a_warning(tmp_path, mtl, reason):
+def test_a_missing_image_leaves_textures_behind_with_a_warning(tmp_path, mtl, reason):
     path = obj(tmp_path, "usemtl a\n" + FACE, mtl)
     with pytest.warns(UserWarning, match=r"/m\.obj:") as caught:
         mesh = read_obj(path)
@@ -169,7 +169,7 @@ def test_a_material_that_is_not_defined_is_white_with_a_warning(tmp_path):
     with pytest.warns(UserWarning, match=r"/m\.obj:.*m\.mtl"):
         mesh = read_obj(path)
     np.testing.assert_array_equal(mesh.triangle_material_ids, [1, 0])
-    assert [picture.tolist() for picture in mesh.textures] == [[[[0, 0, 255]]], [[[255, 255, 255]]]]
+    assert [image.tolist() for image in mesh.textures] == [[[[0, 0, 255]]], [[[255, 255, 255]]]]
 
 
 @pytest.mark.parametrize(
@@ -180,11 +180,11 @@ def test_a_material_that_is_not_defined_is_white_with_a_warning(tmp_path):
         ("newmtl a\nKd nan 0 0\n", "line 2: Kd: expected three numbers", None),
         ("newmtl a\nKd 1.5 -1 0.2\n", "line 2: Kd 1.5 -1 0.2 is clamped", [255, 0, 51]),
         ("newmtl a\nKd 0 0 1\nmap_Kd\n", "line 3: map_Kd, which names no image", [0, 0, 255]),
-        ("newmtl a\nmap_Kd -q 2 p.png\n", "line 2: the unknown option '-q' of map_Kd", PICTURE),
-        ("newmtl a\nmap_Kd -mm 0 2 -t 1 p.png\n", "line 2: the option -mm of map_Kd, the option -t", PICTURE),
+        ("newmtl a\nmap_Kd -q 2 p.png\n", "line 2: the unknown option '-q' of map_Kd", IMAGE),
+        ("newmtl a\nmap_Kd -mm 0 2 -t 1 p.png\n", "line 2: the option -mm of map_Kd, the option -t", IMAGE),
         ("\ufeffNEWMTL a\nKD 0 0 1 # blue\n", None, [0, 0, 255]),
-        ("newmtl a\nmap_kd p.png\n", None, PICTURE),
-        ("newmtl a\nmap_Kd p.png\nmap_d o.png\n", "the opacity map 'o.png' of 'a' is ignored", PICTURE),
+        ("newmtl a\nmap_kd p.png\n", None, IMAGE),
+        ("newmtl a\nmap_Kd p.png\nmap_d o.png\n", "the opacity map 'o.png' of 'a' is ignored", IMAGE),
     ],
 )
 def test_mtl_errors_are_warnings_and_the_mesh_is_read(tmp_path, mtl, warning, seen):
@@ -194,10 +194,10 @@ def test_mtl_errors_are_warnings_and_the_mesh_is_read(tmp_path, mtl, warning, se
         mesh = read_obj(path)
     assert len(mesh.triangles) == 2 and len(mesh.textures) == (seen is not None)
     if seen is not None:
-        np.testing.assert_array_equal(mesh.textures[0], np.reshape(seen, (-1, 8 if seen is PICTURE else 1, 3)))
+        np.testing.assert_array_equal(mesh.textures[0], np.reshape(seen, (-1, 8 if seen is IMAGE else 1, 3)))
 
 
-def test_scales_and_shifts_of_a_picture_are_in_the_texture_coordinates_of_its_material(tmp_path):
+def test_scales_and_shifts_of_an_image_are_in_the_texture_coordinates_of_its_material(tmp_path):
     faces = f"usemtl a\n{FACE}usemtl b\n{FACE}"
     mesh = read_obj(obj(tmp_path, faces, "newmtl a\nmap_Kd -s 2 3 1 -o 0.5 p.png\nnewmtl b\nmap_Kd -s 4 p.png\n"))
     plain = square().triangle_uvs
@@ -206,10 +206,10 @@ def test_scales_and_shifts_of_a_picture_are_in_the_texture_coordinates_of_its_ma
 
 @pytest.mark.parametrize("kind", ["WEBP", "TGA", "text"])  # TGA is identified by its name only, which is .png here
 @pytest.mark.parametrize("suffix", [".obj", ".ply"])
-def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_path, suffix, kind):
+def test_an_image_of_another_kind_leaves_textures_behind_with_a_warning(tmp_path, suffix, kind):
     FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
     if kind == "text":
-        (tmp_path / "m_0.png").write_text("no picture")
+        (tmp_path / "m_0.png").write_text("no image")
     else:
         Image.new("RGB", (8, 8)).save(tmp_path / "m_0.png", kind)
     with pytest.warns(UserWarning, match="the textures are dropped.*neither PNG nor JPEG"):
@@ -220,20 +220,20 @@ def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_pat
 @pytest.mark.parametrize("mode", ["RGB", "RGBA", "L", "P", "1"])
 @pytest.mark.parametrize("name", ["p.bmp", "p.tif", "P.TGA"])
 def test_other_image_formats_agree_with_pillow(tmp_path, name, mode):
-    picture = Image.fromarray(PICTURE)
+    image = Image.fromarray(IMAGE)
     if mode == "RGBA":
-        picture.putalpha(80)
-    picture = picture.convert(mode)
-    picture.save(tmp_path / name)
+        image.putalpha(80)
+    image = image.convert(mode)
+    image.save(tmp_path / name)
     result = read_obj(obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd {name}\nd 0.5\n")).textures[0]
     has_alpha = mode == "RGBA" and name != "p.bmp"  # whose fourth byte Pillow writes but does not read
-    np.testing.assert_array_equal(result, np.array(picture.convert("RGBA" if has_alpha else "RGB")))
+    np.testing.assert_array_equal(result, np.array(image.convert("RGBA" if has_alpha else "RGB")))
 
 
 @pytest.mark.parametrize("name", ["p.bmp", "p.tif", "p.tga"])
 def test_other_image_formats_are_read_strictly(tmp_path, name, monkeypatch):
     path = obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd {name}\n")
-    Image.fromarray(np.tile(PICTURE, (8, 8, 1))).save(tmp_path / name)
+    Image.fromarray(np.tile(IMAGE, (8, 8, 1))).save(tmp_path / name)
     valid = (tmp_path / name).read_bytes()
     (tmp_path / name).write_bytes(valid[: len(valid) // 2])
     with pytest.warns(UserWarning, match=r"/m\.obj:"):
@@ -253,17 +253,17 @@ def test_other_image_formats_are_read_strictly(tmp_path, name, monkeypatch):
 def test_texture_alpha_of_an_obj_follows_its_material(tmp_path, look):
     with_alpha = look not in ("", "d 1\n")
     path = obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd p.png\n{look}")
-    picture = np.dstack([PICTURE, np.full(PICTURE.shape[:2], 80, np.uint8)])
-    (tmp_path / "p.png").write_bytes(encode_png(picture))
+    image = np.dstack([IMAGE, np.full(IMAGE.shape[:2], 80, np.uint8)])
+    (tmp_path / "p.png").write_bytes(encode_png(image))
     for _ in range(2):
         mesh = read_obj(path)
-        np.testing.assert_array_equal(mesh.textures[0], picture if with_alpha else PICTURE)
+        np.testing.assert_array_equal(mesh.textures[0], image if with_alpha else IMAGE)
         path = tmp_path / "again.obj"
         write_obj(path, mesh)
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_a_damaged_picture_leaves_textures_behind_with_a_warning(tmp_path, suffix):
+def test_a_damaged_image_leaves_textures_behind_with_a_warning(tmp_path, suffix):
     path = tmp_path / f"m{suffix}"
     FORMATS[suffix][0](path, square())
     damaged = path if suffix == ".glb" else tmp_path / "m_0.png"
@@ -285,8 +285,8 @@ UVS = "8 0 0 1 0 1 1 0 1"
 
 
 def ply(tmp_path, faces, vertex="", face="property list uchar float texcoord\nproperty int texnumber\n", uv=("",) * 4):
-    write_png(tmp_path / "p.png", PICTURE)
-    (tmp_path / "q r.png").write_bytes(encode_png(PICTURE[::-1]))
+    write_png(tmp_path / "p.png", IMAGE)
+    (tmp_path / "q r.png").write_bytes(encode_png(IMAGE[::-1]))
     rows = [f"{corner} {more}\n" for corner, more in zip(("0 0 0", "1 0 0", "1 1 0", "0 1 0"), uv, strict=True)]
     (tmp_path / "m.ply").write_text(HEAD.format(vertex, face) + "".join(rows) + faces)
     return tmp_path / "m.ply"
@@ -297,7 +297,7 @@ def test_ply_faces_take_their_coordinates_into_the_fan(tmp_path):
     np.testing.assert_array_equal(mesh.triangle_uvs[:6], square().triangle_uvs)
     np.testing.assert_array_equal(mesh.triangle_uvs[6:], square().triangle_uvs[:3])
     np.testing.assert_array_equal(mesh.triangle_material_ids, [0, 0, 1])
-    np.testing.assert_array_equal(mesh.textures[1], PICTURE[::-1])
+    np.testing.assert_array_equal(mesh.textures[1], IMAGE[::-1])
 
 
 @pytest.mark.parametrize("names", [("s", "t"), ("u", "v"), ("texture_u", "texture_v")])

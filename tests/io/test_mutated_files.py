@@ -14,10 +14,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pointloom.cameras.camera import PinholeCameraIntrinsic
-from pointloom.cameras.picture_names import number_of
+from pointloom.cameras.image_names import number_of
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.core.errors import FileError
 from pointloom.io.bags.mcap import read_mcap
+from pointloom.io.images.image_files import read_color
 from pointloom.io.meshes import obj
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb
@@ -26,7 +27,6 @@ from pointloom.io.meshes.off import read_off, write_off
 from pointloom.io.meshes.stl import read_stl, write_stl
 from pointloom.io.models import colmap_binary, colmap_text
 from pointloom.io.models.metashape import read_metashape_cameras
-from pointloom.io.pictures.image_files import read_color
 from pointloom.io.points import text_table as tables
 from pointloom.io.points.e57 import read_e57
 from pointloom.io.points.e57_writer import write_e57
@@ -380,7 +380,7 @@ def _chunks(n: int) -> bytes:
     return b"".join([*parts, _record(15, bytes(4)), _record(2, bytes(20)), parts[0]])
 
 
-def _pictures(n: int) -> bytes:
+def _images(n: int) -> bytes:
     parts = [struct.pack("<I7dI", k, 1, *[0] * 6, 1) + b"%d.png\0" % k + bytes(8) for k in range(n)]
     return struct.pack("<Q", n) + b"".join(parts)
 
@@ -405,9 +405,9 @@ REPEATED: dict[str, tuple[Callable[[int], bytes], Callable[[Path], object]]] = {
     ),
     "libraries.obj": (lambda n: b"mtllib libraries.obj\n" * n + OBJ + b"usemtl a\nf 1 2 3\n", read_obj),
     "chunks.mcap": (_chunks, read_mcap),
-    "images.bin": (_pictures, colmap_binary.read_pictures),
+    "images.bin": (_images, colmap_binary.read_images),
     "images.txt": (
-        lambda n: b"".join(b"%d 1 0 0 0 0 0 0 1 %d.png\n\n" % (k, k) for k in range(n)), colmap_text.read_pictures
+        lambda n: b"".join(b"%d 1 0 0 0 0 0 0 1 %d.png\n\n" % (k, k) for k in range(n)), colmap_text.read_images
     ),
     "frames.txt": (
         lambda n: b"".join(b"%d 1 1 0 0 0 0 0 0 1 CAMERA 1 %d\n" % (k, k) for k in range(n)), colmap_text.read_frames

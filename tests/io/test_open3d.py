@@ -12,8 +12,8 @@ import pointloom as loom
 from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.io.color_space import linear_to_srgb
+from pointloom.io.images.image_files import read_color, read_depth, write_png
 from pointloom.io.meshes.mesh_formats import write_mesh
-from pointloom.io.pictures.image_files import read_color, read_depth, write_png
 from pointloom.io.points.formats import READERS, write_table
 from pointloom.io.points.pcd import read_pcd, write_pcd
 from pointloom.io.points.ply import read_ply, read_ply_mesh
@@ -23,7 +23,7 @@ from pointloom.kernels.linear_algebra import inv
 
 from ..pcd.test_splats import made
 from ..scan_cases import on_sets
-from .textured_meshes import CORNERS, PICTURE, seen_at_corners, square
+from .textured_meshes import CORNERS, IMAGE, seen_at_corners, square
 
 CLOUDS = ["binary.ply", "ascii.ply", "binary.pcd", "ascii.pcd", "binary_compressed.pcd", "a.xyz", "a.xyzn", "a.xyzrgb",
           "a.pts"]  # fmt: skip
@@ -164,7 +164,7 @@ def write_open3d_mesh(o3d, path, table):
     o3d_mesh = o3d.geometry.TriangleMesh(vector(table.vertices), o3d.utility.Vector3iVector(table.triangles))
     if table.textures:
         o3d_mesh.triangle_uvs = o3d.utility.Vector2dVector(table.triangle_uvs)
-        o3d_mesh.textures = [o3d.geometry.Image(np.ascontiguousarray(PICTURE[::-1]))]
+        o3d_mesh.textures = [o3d.geometry.Image(np.ascontiguousarray(IMAGE[::-1]))]
         o3d_mesh.triangle_material_ids = o3d.utility.IntVector([0, 0])
     elif table.vertex_normals is None:
         o3d_mesh.compute_triangle_normals()
@@ -214,7 +214,7 @@ def test_open3d_reads_written_meshes(o3d, tmp_path, name):
 def test_open3d_reads_written_textures_upright(o3d, tmp_path, suffix):
     write_mesh(tmp_path / f"m{suffix}", square(), ascii=False, overwrite=True)
     read = o3d.io.read_triangle_mesh(str(tmp_path / f"m{suffix}"))
-    (flipped,) = [picture for picture in map(np.asarray, read.textures) if picture.ndim == 3]  # the other is assimp's
+    (flipped,) = [image for image in map(np.asarray, read.textures) if image.ndim == 3]  # the other is assimp's
     vertices, triangles, uvs = map(np.asarray, (read.vertices, read.triangles, read.triangle_uvs))
     result = MeshTable(vertices, triangles, triangle_uvs=uvs)
     result.textures = (flipped[::-1],)  # Open3D stores images with the lowest row first
@@ -323,7 +323,7 @@ def test_open3d_reads_our_splats(o3d, tmp_path, name):
     assert_same_splats(as_in_open3d(loom.read_splats(tmp_path / name), name), splats_in_open3d(o3d, tmp_path / name))
 
 
-def test_open3d_reads_our_pictures(o3d, tmp_path):
+def test_open3d_reads_our_images(o3d, tmp_path):
     rng = np.random.default_rng(0)
     depth, color = rng.integers(0, 2**16, (24, 32), np.uint16), rng.integers(0, 256, (24, 32, 3), np.uint8)
     for array in (depth, color, color[:, :, 0]):

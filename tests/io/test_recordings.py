@@ -24,7 +24,7 @@ from rosbags import rosbag1, rosbag2
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 HEIGHT, WIDTH = 12, 16
-PICTURES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
+IMAGES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
 K = [20.0, 0, 7.5, 0, 21.0, 5.5, 0, 0, 1]
 DEPTH_TOPIC, COLOR_TOPIC, INFO = "/cam/depth/image_raw", "/cam/color/image_raw", "/cam/depth/camera_info"
 
@@ -81,10 +81,10 @@ class Writer:
     def image(self, topic, time, encoding, array, big=False, padding=0):
         rows = np.ascontiguousarray(array.astype(array.dtype.newbyteorder(">" if big else "<")))
         data = np.pad(rows.view(np.uint8).reshape(HEIGHT, -1), ((0, 0), (0, padding)))
-        self.send(topic, PICTURES[0], time, HEIGHT, WIDTH, encoding, int(big), data.shape[1], data.reshape(-1))
+        self.send(topic, IMAGES[0], time, HEIGHT, WIDTH, encoding, int(big), data.shape[1], data.reshape(-1))
 
     def packed(self, topic, time, form, data):
-        self.send(topic, PICTURES[1], time, form, np.frombuffer(data, np.uint8))
+        self.send(topic, IMAGES[1], time, form, np.frombuffer(data, np.uint8))
 
     def info(self, topic=INFO, k=K, d=(0.0,) * 5, p=None):
         roi = self.store.types["sensor_msgs/msg/RegionOfInterest"](0, 0, 0, 0, False)
@@ -143,7 +143,7 @@ def test_depth_in_floats_is_metres(tmp_path, big):
     assert frame.color is None
 
 
-def test_packed_pictures_are_unpacked(tmp_path):
+def test_packed_images_are_unpacked(tmp_path):
     a, b = 100.0, -20.0
     meters = depth_of(0) / 1000.0
     inverse = np.zeros((HEIGHT, WIDTH), np.uint16)
@@ -166,7 +166,7 @@ def test_packed_pictures_are_unpacked(tmp_path):
     np.testing.assert_allclose(floats, meters, rtol=0.02)
 
 
-def test_pictures_pair_by_their_headers_and_the_rest_is_listed(tmp_path):
+def test_images_pair_by_their_headers_and_the_rest_is_listed(tmp_path):
     with Writer(tmp_path) as out:
         out.info()
         for i in range(6):

@@ -283,9 +283,7 @@ def test_a_listed_frame_that_is_gone_is_named_or_skipped(tmp_path):
     assert len(source) == 2 and len(source.left_out) == 1
 
 
-@pytest.mark.parametrize(
-    "line", ["frame-000000 1", "frame-000001", "picture-1 2", "frame-000001 x", "frame-000001 nan"]
-)
+@pytest.mark.parametrize("line", ["frame-000000 1", "frame-000001", "image-1 2", "frame-000001 x", "frame-000001 nan"])
 def test_a_damaged_list_of_times_is_refused_by_line(tmp_path, line):
     loom.record_frames(stream((COLOR, DEPTH, 0.1)), tmp_path / "set")
     with (tmp_path / "set" / FRAME_TIMES).open("a") as file:

@@ -5,9 +5,9 @@ import numpy as np
 from pointloom.io.table import MeshTable
 
 # The corners of the image differ: red above left, green above right, blue below left, yellow below right.
-PICTURE = np.zeros((8, 8, 3), np.uint8)
-PICTURE[:4] = [[255, 0, 0]] * 4 + [[0, 255, 0]] * 4
-PICTURE[4:] = [[0, 0, 255]] * 4 + [[255, 255, 0]] * 4
+IMAGE = np.zeros((8, 8, 3), np.uint8)
+IMAGE[:4] = [[255, 0, 0]] * 4 + [[0, 255, 0]] * 4
+IMAGE[4:] = [[0, 0, 255]] * 4 + [[255, 255, 0]] * 4
 CORNERS = {(0.0, 0.0): (0, 0, 255), (1.0, 0.0): (255, 255, 0), (0.0, 1.0): (255, 0, 0), (1.0, 1.0): (0, 255, 0)}
 
 
@@ -17,12 +17,12 @@ def square() -> MeshTable:
         np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32),
         np.array([[0, 1, 2], [0, 2, 3]]),
         triangle_uvs=np.array([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], np.float32),
-        textures=(PICTURE,),
+        textures=(IMAGE,),
     )
 
 
 def textured(dtype=np.float32, *, normals=True, colors=True) -> MeshTable:
-    """A mesh with seams, two pictures and a color, in no order."""
+    """A mesh with seams, two images and a color, in no order."""
     rng = np.random.default_rng(3)
     vectors = rng.normal(size=(20, 3))
     return MeshTable(
@@ -32,7 +32,7 @@ def textured(dtype=np.float32, *, normals=True, colors=True) -> MeshTable:
         rng.integers(0, 256, (20, 3)).astype(np.float32) / np.float32(255) if colors else None,
         triangle_uvs=rng.random((90, 2)).astype(np.float32),
         triangle_material_ids=rng.integers(0, 3, 30).astype(np.int32),
-        textures=(PICTURE, np.full((1, 1, 3), 77, np.uint8), np.dstack([PICTURE[::-1], PICTURE[..., 0]])),
+        textures=(IMAGE, np.full((1, 1, 3), 77, np.uint8), np.dstack([IMAGE[::-1], IMAGE[..., 0]])),
     )
 
 
@@ -51,7 +51,7 @@ def seen_at_corners(mesh) -> dict:
     """The image's color at each corner of a mesh; rows from above, v from below."""
     colors = {}
     for at, (u, v) in zip(mesh.triangles.reshape(-1), mesh.triangle_uvs, strict=True):
-        picture = mesh.textures[0]
-        row, column = round((1 - float(v)) * (len(picture) - 1)), round(float(u) * (picture.shape[1] - 1))
-        colors[tuple(mesh.vertices[at, :2].tolist())] = tuple(picture[row, column].tolist())
+        image = mesh.textures[0]
+        row, column = round((1 - float(v)) * (len(image) - 1)), round(float(u) * (image.shape[1] - 1))
+        colors[tuple(mesh.vertices[at, :2].tolist())] = tuple(image[row, column].tolist())
     return colors

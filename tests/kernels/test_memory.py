@@ -159,7 +159,9 @@ def test_a_new_array_of_the_host_has_the_state_of_a_warp_array(shape, dtype):
     np.testing.assert_array_equal(array.numpy(), warps.numpy())
 
 
-@pytest.mark.parametrize(("threshold", "calls"), [(0, [memory.POOL_SHARE]), (123, [])], ids=["default", "of the user"])
+@pytest.mark.parametrize(
+    ("threshold", "calls"), [(0, [memory.POOL_FRACTION]), (123, [])], ids=["default", "of the user"]
+)
 def test_the_pool_of_a_gpu_is_configured_once_to_keep_released_memory(monkeypatch, threshold, calls):
     gpu = Pooled(monkeypatch, threshold)
     for _ in range(2):

@@ -6,7 +6,8 @@ import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from pointloom import TriangleMesh, marching_cubes
+from pointloom import TriangleMesh
+from pointloom.meshing import marching_cubes
 
 BOX = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
 BOX_SIDES = np.array(

@@ -16,10 +16,10 @@ def sphere(count: int, seed: int = 0) -> Points:
     return points / np.linalg.norm(points, axis=1, keepdims=True)
 
 
-def clustered_sphere(count: int, share: float = 0.01, seed: int = 0) -> Points:
+def clustered_sphere(count: int, fraction: float = 0.01, seed: int = 0) -> Points:
     """The upper cap of a sphere, and a hundredth of its point density below: octree cells of several levels."""
     points = sphere(count, seed)
-    return points[np.random.default_rng(seed + 1).random(count) < np.where(points[:, 2] > 0.6, 1, share)]
+    return points[np.random.default_rng(seed + 1).random(count) < np.where(points[:, 2] > 0.6, 1, fraction)]
 
 
 def torus(count: int, seed: int = 0) -> tuple[Points, Points]:
@@ -76,7 +76,7 @@ def assert_only_the_cube_cuts(mesh: Any, points: Points, scale: float = 1.1) -> 
     edges, counts, twisted = edges_by_use(mesh.triangles)
     assert counts.max() == 2 and twisted == 0
     corner, side = cube_around(points, scale)
-    shares = (mesh.vertices[edges[counts == 1]] - corner) / side  # [open edges, 2, 3]
-    on_side = (np.abs(shares) < 1e-5).all(axis=1) | (np.abs(shares - 1) < 1e-5).all(axis=1)
+    fractions = (mesh.vertices[edges[counts == 1]] - corner) / side  # [open edges, 2, 3]
+    on_side = (np.abs(fractions) < 1e-5).all(axis=1) | (np.abs(fractions - 1) < 1e-5).all(axis=1)
     assert on_side.any(axis=1).all(), "an edge within the cube is open: a crack"
-    return len(shares)
+    return len(fractions)

@@ -45,9 +45,9 @@ def welded(mesh: TriangleMesh) -> TriangleMesh:
     return mesh.remove_duplicated_vertices()
 
 
-def partly_flipped(mesh: TriangleMesh, share: float = 0.3) -> TriangleMesh:
+def partly_flipped(mesh: TriangleMesh, fraction: float = 0.3) -> TriangleMesh:
     triangles = mesh.triangles.copy()
-    chosen = np.random.default_rng(0).random(len(triangles)) < share
+    chosen = np.random.default_rng(0).random(len(triangles)) < fraction
     triangles[chosen] = triangles[chosen][:, ::-1]
     return TriangleMesh(mesh.vertices, triangles)
 

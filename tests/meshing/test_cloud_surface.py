@@ -28,7 +28,7 @@ def ball(count: int = 1500, **attributes) -> loom.PointCloud:
 def test_a_cloud_in_memory_gives_the_result_and_report_of_its_file(tmp_path, device, settings):
     loom.write_point_cloud(tmp_path / "ball.ply", ball(intensity=np.arange(1500.0, dtype=np.float32)))
     report = mesh_file(tmp_path / "ball.ply", tmp_path / "out.ply", device=device, **settings)
-    result = loom.create_surface(loom.read_point_cloud(tmp_path / "ball.ply", device=device), **settings)
+    result = loom.meshing.create_surface(loom.read_point_cloud(tmp_path / "ball.ply", device=device), **settings)
     written = loom.read_triangle_mesh(tmp_path / "out.ply")
     np.testing.assert_array_equal(written.vertices, result.mesh.vertices)
     np.testing.assert_array_equal(written.triangles, result.mesh.triangles)
@@ -42,23 +42,23 @@ def test_a_cloud_in_memory_gives_the_result_and_report_of_its_file(tmp_path, dev
 
 def test_stages_are_reported_at_their_start():
     stages = []
-    loom.create_surface(ball(), "ball", progress=lambda *stage: stages.append(stage))
+    loom.meshing.create_surface(ball(), "ball", progress=lambda *stage: stages.append(stage))
     assert stages == [("normals", 0, 0), ("ball", 0, 0), ("check", 0, 0)]
 
 
 def test_the_remedy_names_the_python_argument(recwarn):
     points = ball().points
     mixed = loom.PointCloud(points, normals=points * np.where(np.arange(1500) % 3 == 0, -1, 1)[:, None])
-    result = loom.create_surface(mixed, depth=4)
+    result = loom.meshing.create_surface(mixed, depth=4)
     assert str(result).splitlines()[-1].split(maxsplit=1) == ["warning", result.warnings[-1]]
     assert result.normals.given and "new_normals" in str(result.warnings)
-    assert not recwarn.list and loom.create_surface(mixed, depth=4, new_normals=True).reliable
+    assert not recwarn.list and loom.meshing.create_surface(mixed, depth=4, new_normals=True).reliable
 
 
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
 def test_without_a_finite_point_there_is_no_surface_and_no_error(method, device):
     for points in (np.full((4, 3), np.nan), np.zeros((0, 3))):
-        result = loom.create_surface(loom.PointCloud(points, device=device), method)
+        result = loom.meshing.create_surface(loom.PointCloud(points, device=device), method)
         assert len(result.mesh) == 0 and result.warnings == ("no point is finite, so there is no surface",)
         assert (result.points_in, result.points, result.to_dict()["bounds"]) == (len(points), 0, None)
         assert result.mesh.device == loom.PointCloud(points, device=device).device
@@ -67,7 +67,7 @@ def test_without_a_finite_point_there_is_no_surface_and_no_error(method, device)
 @pytest.mark.parametrize("tilt", [0, 0.3])
 def test_no_alpha_is_advised_for_a_flat_cloud(tilt, recwarn):
     x, y = np.mgrid[0:1:12j, 0:1:12j].reshape(2, -1)
-    result = loom.create_surface(loom.PointCloud(np.column_stack([x, y, tilt * x])), "alpha")
+    result = loom.meshing.create_surface(loom.PointCloud(np.column_stack([x, y, tilt * x])), "alpha")
     assert len(result.mesh) == 0 and not recwarn.list
     text = str(result.warnings)
     assert "one plane" in text and "larger" not in text and "ball" in text
@@ -75,9 +75,9 @@ def test_no_alpha_is_advised_for_a_flat_cloud(tilt, recwarn):
 
 def test_the_mesh_has_the_arrays_of_the_cloud():
     cloud = loom.PointCloud(wp.array(ball().points.astype(np.float32), device="cpu"))
-    result = loom.create_surface(cloud, depth=4)
+    result = loom.meshing.create_surface(cloud, depth=4)
     assert isinstance(result.mesh.cluster_connected_triangles()[0], wp.array)
-    plain = loom.create_surface(cloud.to("cpu", arrays="numpy"), depth=4)
+    plain = loom.meshing.create_surface(cloud.to("cpu", arrays="numpy"), depth=4)
     np.testing.assert_array_equal(result.mesh.vertices, plain.mesh.vertices)
     assert result.to_dict() == plain.to_dict()
 
@@ -90,7 +90,7 @@ def torus(count: int, noise: float = 0.0) -> loom.PointCloud:
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
 def test_points_too_sparse_for_their_shape_are_reported(method, device):
     """A tenth of the points does not show the hole of the torus or the thickness of its tube."""
-    enough, few = (loom.create_surface(torus(count).to(device), method) for count in (3000, 60))
+    enough, few = (loom.meshing.create_surface(torus(count).to(device), method) for count in (3000, 60))
     assert enough.reliable, enough.warnings
     assert not few.reliable and "more points" in str(few.warnings) and "nan" not in str(few.warnings)
 
@@ -98,7 +98,7 @@ def test_points_too_sparse_for_their_shape_are_reported(method, device):
 @pytest.mark.parametrize("scale", [1e-3, 1e4])
 def test_the_checks_depend_neither_on_the_unit_nor_on_the_position(scale):
     def figures(points, size):
-        support = loom.create_surface(loom.PointCloud(points), "ball").support
+        support = loom.meshing.create_surface(loom.PointCloud(points), "ball").support
         return np.array([support.near / size, support.sparse, support.bent, support.turned, support.missed])
 
     points = torus(300, 0.02).points
@@ -109,24 +109,24 @@ def test_the_checks_depend_neither_on_the_unit_nor_on_the_position(scale):
 
 def test_two_objects_are_reliable_and_many_small_pieces_are_not():
     objects = [torus(1500).points + np.array([3.0 * k, 0, 0]) for k in range(2)]
-    assert loom.create_surface(loom.PointCloud(np.vstack(objects)), "ball").reliable
+    assert loom.meshing.create_surface(loom.PointCloud(np.vstack(objects)), "ball").reliable
     specks = [objects[0][:300] * 0.01 + [0.2 * k, 3, 0] for k in range(40)]
     cloud = loom.PointCloud(np.vstack([objects[0], *specks]))
-    result = loom.create_surface(cloud, "ball", radii=[0.0005, 0.001, 0.002])
+    result = loom.meshing.create_surface(cloud, "ball", radii=[0.0005, 0.001, 0.002])
     assert "islands" in str(result.warnings) or "holes" in str(result.warnings)
 
 
 def test_long_borders_of_ball_pivoting_are_reported():
     """Random points leave many small holes, of which the edges are few."""
     cloud = loom.TriangleMesh.create_sphere(1.0, 60).sample_points_uniformly(4000, seed=2)
-    result = loom.create_surface(loom.PointCloud(cloud.points), "ball", radii=[0.066])
+    result = loom.meshing.create_surface(loom.PointCloud(cloud.points), "ball", radii=[0.066])
     assert result.summary.boundary_length > 8 * result.off.size and "its boundary is" in str(result.warnings)
 
 
 def test_an_alpha_shape_of_two_sides_is_reliable():
     """Edges of three triangles occur where the inner and the outer side touch."""
     cloud = loom.TriangleMesh.create_torus(0.4, 0.12).sample_points_uniformly(4000, seed=3)
-    result = loom.create_surface(loom.PointCloud(cloud.points), "alpha")
+    result = loom.meshing.create_surface(loom.PointCloud(cloud.points), "alpha")
     assert result.summary.crowded_edges > 0.01 * result.summary.edges and result.reliable, result.warnings
 
 
@@ -137,11 +137,11 @@ def torn() -> TriangleMesh:
 
 SHARPEN = {"method": "sharpen", "iterations": 1}
 CALLS = {
-    "clean": (clean_mesh_file, {"fill": 0.6}, loom.clean_mesh, {"hole_size": 0.6}),
-    "simplify": (simplify_file, {"by": "ratio", "amount": 0.5}, loom.simplify_mesh, {"ratio": 0.5}),
-    "voxels": (simplify_file, {"by": "voxel", "amount": 0.2}, loom.simplify_mesh, {"voxel_size": 0.2}),
-    "smooth": (smooth_mesh_file, {"factors": {"mu": -0.6}}, loom.smooth_mesh, {"mu": -0.6}),
-    "sharpen": (smooth_mesh_file, SHARPEN, loom.smooth_mesh, SHARPEN),
+    "clean": (clean_mesh_file, {"fill": 0.6}, loom.meshing.clean_mesh, {"hole_size": 0.6}),
+    "simplify": (simplify_file, {"by": "ratio", "amount": 0.5}, loom.meshing.simplify_mesh, {"ratio": 0.5}),
+    "voxels": (simplify_file, {"by": "voxel", "amount": 0.2}, loom.meshing.simplify_mesh, {"voxel_size": 0.2}),
+    "smooth": (smooth_mesh_file, {"factors": {"mu": -0.6}}, loom.meshing.smooth_mesh, {"mu": -0.6}),
+    "sharpen": (smooth_mesh_file, SHARPEN, loom.meshing.smooth_mesh, SHARPEN),
 }
 
 
@@ -170,28 +170,30 @@ def test_comparison_in_memory_matches_that_of_files(tmp_path, device):
     options = {"samples": 500, "limit": 0.05, "seed": 3}
     report = compare_mesh_files(tmp_path / "a.ply", tmp_path / "b.ply", device=device, **options).to_dict()
     meshes = [loom.read_triangle_mesh(tmp_path / name, device=device) for name in ("a.ply", "b.ply")]
-    result = loom.compare_meshes(*meshes, **options)
+    result = loom.meshing.compare_meshes(*meshes, **options)
     assert result.to_dict() == {key: report[key] for key in result.to_dict()}
     assert report["fscore"].keys() == {str(0.01 * result.diagonal)} and "more than 0.05 m" in str(result.warnings)
-    assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).reliable
+    assert loom.meshing.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).reliable
 
 
 def test_a_mesh_without_triangles_is_unreliable_but_no_error():
     for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
-        assert loom.clean_mesh(mesh).warnings == ("no triangles remain",)
-        assert "no triangles remain" in loom.simplify_mesh(mesh, ratio=0.5).warnings[0]
-        assert loom.smooth_mesh(mesh).warnings == ("the mesh has no triangles",)
+        assert loom.meshing.clean_mesh(mesh).warnings == ("no triangles remain",)
+        assert "no triangles remain" in loom.meshing.simplify_mesh(mesh, ratio=0.5).warnings[0]
+        assert loom.meshing.smooth_mesh(mesh).warnings == ("the mesh has no triangles",)
         with pytest.raises(ValueError, match="first:"):
-            loom.compare_meshes(mesh, torn())
-    assert loom.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
+            loom.meshing.compare_meshes(mesh, torn())
+    assert loom.meshing.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
 
 
 def test_a_destructive_repair_is_unreliable():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
-    lost = loom.clean_mesh(fin)
+    lost = loom.meshing.clean_mesh(fin)
     assert lost.repair.removed_crowding_triangles == 1 and "% of the area was lost" in str(lost.warnings)
-    holed = loom.clean_mesh(TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles))
+    holed = loom.meshing.clean_mesh(
+        TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles)
+    )
     assert "of the triangles were removed" in str(holed.warnings)
     opened = replace(holed, triangles_in=10**6, was_watertight=True)
     assert opened.warnings == ("the input was closed, the result is not: compare it with the input (compare_meshes)",)
@@ -203,6 +205,6 @@ def test_saturated_colors_are_clamped_and_written(method, tmp_path):
     mesh.vertex_colors = np.where(mesh.vertices[:, 2:] > 0, [1.0, 1.0, 1.0], 0.0)
     beyond = mesh.filter_smooth_taubin(10) if method == "taubin" else mesh.filter_sharpen(10)
     assert beyond.vertex_colors.max() > 1 and beyond.vertex_colors.min() < 0
-    smooth = loom.smooth_mesh(mesh, method, 10).mesh
+    smooth = loom.meshing.smooth_mesh(mesh, method, 10).mesh
     np.testing.assert_array_equal(smooth.vertex_colors, beyond.vertex_colors.clip(0, 1))
     loom.write_triangle_mesh(tmp_path / "smooth.ply", smooth)

@@ -11,10 +11,10 @@ from pointloom.meshing.color_map.results import NothingSeenError
 
 from ..hostile import faults_of
 from .color_scenes import make_scene, paint, perturb, pose_errors
+from .image_scenes import bilinear
 from .open3d_meshes import in_open3d
-from .picture_scenes import bilinear
 
-color_map = loom.color_map
+color_map = loom.meshing
 RIGID, BENT = color_map.RigidOptimizerOption, color_map.NonRigidOptimizerOption
 FORMS = {"rigid": (color_map.run_rigid_optimizer, RIGID), "non-rigid": (color_map.run_non_rigid_optimizer, BENT)}
 FINE = 81  # vertices per side: enough per anchor cell to warp an image
@@ -128,11 +128,11 @@ def test_warped_images_are_rectified(device):
 
 
 def check_unwarped(scene, bent):
-    picture, flat = scene.frames[1].color.astype(float), bent.unwarped_image(1)
+    image, flat = scene.frames[1].color.astype(float), bent.unwarped_image(1)
     warp, step = bent.warp(1), 8
     v, u = 61, 83
     shift = bilinear(warp, u / step, v / step)
-    expected = bilinear(picture, u + shift[0], v + shift[1])
+    expected = bilinear(image, u + shift[0], v + shift[1])
     assert np.abs(flat[v, u] - expected).max() <= 0.5 + 1e-9
     plain = color(scene)
     assert (plain.unwarped_image(0) == scene.frames[0].color).all() and plain.warp(0).size == 0
@@ -217,32 +217,32 @@ def wall(**options: Any) -> loom.TriangleMesh:
 
 
 def frames(count: int = 2, color: Any = (0, 255, 0)) -> Any:
-    picture = np.full((48, 64, 3), color, np.uint8)
-    return loom.frames_from([(picture, np.full((48, 64), 1000, np.uint16))] * count, CAMERA)
+    image = np.full((48, 64, 3), color, np.uint8)
+    return loom.frames_from([(image, np.full((48, 64), 1000, np.uint16))] * count, CAMERA)
 
 
 def test_frames_in_memory_color_a_mesh(device):
     stages = []
     options = {"method": "none", "progress": lambda *stage: stages.append(stage)}
-    result = loom.color_map.texture_mesh(wall(device=device), frames(), [POSE] * 2, **options)
+    result = loom.meshing.texture_mesh(wall(device=device), frames(), [POSE] * 2, **options)
     assert (result.mesh.vertex_colors == (0, 1, 0)).all() and result.reliable
-    assert result.frame_count == 2 and result.blind_frames == 0 and 0.3 < result.seen_share < 0.9
-    assert result.texel_share is None and (result.turned, result.moved) == (0.0, 0.0)
+    assert result.frame_count == 2 and result.blind_frames == 0 and 0.3 < result.seen_fraction < 0.9
+    assert result.texel_fraction is None and (result.turned, result.moved) == (0.0, 0.0)
     assert stages == [("frames", 0, 2), ("frames", 1, 2), ("frames", 2, 2), ("colors", 0, 0)]
 
 
 def test_a_texture_replaces_vertex_colors():
     mesh = wall()
     mesh.triangle_uvs = (mesh.vertices[mesh.triangles][..., :2] + 0.42).reshape(-1, 2) / 0.84
-    result = loom.color_map.texture_mesh(mesh, frames(), loom.Trajectory([POSE] * 2), size=32)
+    result = loom.meshing.texture_mesh(mesh, frames(), loom.Trajectory([POSE] * 2), size=32)
     assert result.mesh.vertex_colors is None and result.mesh.textures[0].shape == (32, 32, 3)
-    assert result.size == 32 and 0.3 < result.texel_share < 0.9
+    assert result.size == 32 and 0.3 < result.texel_fraction < 0.9
     assert "32 x 32, " in str(result).splitlines()[-1]
     assert (result.colors.mesh.vertex_colors == (0, 1, 0)).all()
 
 
 def test_images_without_improved_agreement_are_unreliable():
-    good = loom.color_map.texture_mesh(wall(), frames(10), [POSE] * 10, method="none")
+    good = loom.meshing.texture_mesh(wall(), frames(10), [POSE] * 10, method="none")
 
     def warnings(method: str, before: float, after: float, blind: int = 0) -> tuple[str, ...]:
         views = np.where(np.arange(10) < blind, 0, 9)
@@ -258,7 +258,7 @@ def test_images_without_improved_agreement_are_unreliable():
 
 def test_color_maps_report_what_the_images_contradict():
     images, path = [np.full((48, 64, 3), 200, np.uint8)] * 2, loom.Trajectory([POSE] * 2)
-    good = loom.color_map.run_rigid_optimizer(wall(), images, path, intrinsic=CAMERA)
+    good = loom.meshing.run_rigid_optimizer(wall(), images, path, intrinsic=CAMERA)
     assert good.reliable and good.to_dict()["warnings"] == []
     for text, values in {
         "frames show only 0.0% of the vertices": {"seen": np.arange(143) < 0},
@@ -281,12 +281,12 @@ def test_invalid_frames_are_rejected_by_name():
         (frames(1), [2 * POSE], r"poses\[0\]"),
     ):
         with pytest.raises(ValueError, match=message):
-            loom.color_map.texture_mesh(wall(), given, poses)
+            loom.meshing.texture_mesh(wall(), given, poses)
     for size in ({}, {"size": 8}):
         with pytest.raises(ValueError, match="mesh:"):
-            loom.color_map.texture_mesh(loom.TriangleMesh(), frames(1), [POSE], **size)
+            loom.meshing.texture_mesh(loom.TriangleMesh(), frames(1), [POSE], **size)
     with pytest.raises(NothingSeenError):
-        loom.color_map.texture_mesh(wall().translate([0, 0, 100]), frames(1), [POSE])
+        loom.meshing.texture_mesh(wall().translate([0, 0, 100]), frames(1), [POSE])
 
 
 ARGUMENTS = {"method": "none", "size": 8, "depth_max": 4.0, "progress": None}
@@ -297,5 +297,5 @@ def test_a_hostile_value_is_rejected_by_name(argument):
     mesh = wall()
     mesh.triangle_uvs = (mesh.vertices[mesh.triangles][..., :2] + 0.42).reshape(-1, 2) / 0.84
     good = {"mesh": mesh, "frames": frames(1), "poses": [POSE], **ARGUMENTS}
-    faults = faults_of(loom.color_map.texture_mesh, good, argument)
+    faults = faults_of(loom.meshing.texture_mesh, good, argument)
     assert not faults, "\n".join(faults)

@@ -198,8 +198,8 @@ def test_a_slice_and_its_image_match_the_array(scan):
     section = field.to_array()[:, int((UTM[1] + 4.2 - low[1]) / SIZE)]
     np.testing.assert_array_equal(layer.distances, section.T)
     np.testing.assert_array_equal(layer.extent, np.array([low, high])[:, [0, 2]])
-    picture = loom.draw_slice(layer, size=(480, 360))
-    colors = {tuple(color) for color in picture.reshape(-1, 3).tolist()}
+    image = loom.draw_slice(layer, size=(480, 360))
+    colors = {tuple(color) for color in image.reshape(-1, 3).tolist()}
     assert {(26, 26, 26), (153, 153, 153)} <= colors and len(colors) > 50
 
 

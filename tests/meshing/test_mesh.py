@@ -8,7 +8,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom import TriangleMesh, marching_cubes
+from pointloom import TriangleMesh
+from pointloom.meshing import marching_cubes
 
 from .open3d_meshes import arrays_of, for_each, in_open3d, one_by_one
 

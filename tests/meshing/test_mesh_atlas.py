@@ -99,13 +99,13 @@ def colored(mesh: TriangleMesh) -> TriangleMesh:
     return mesh
 
 
-def sampled(picture: np.ndarray, uvs: np.ndarray) -> np.ndarray:
+def sampled(image: np.ndarray, uvs: np.ndarray) -> np.ndarray:
     """The image at texture coordinates, bilinear, in 0..1."""
-    size = len(picture)
+    size = len(image)
     pixels = np.clip(uvs * [size, -size] + [-0.5, size - 0.5], 0, size - 1.001)
     x, y = np.floor(pixels).astype(int).T
     s, t = (pixels - np.floor(pixels)).T[:, :, None]
-    rows = picture.astype(float) / 255
+    rows = image.astype(float) / 255
     upper, lower = rows[y, x] * (1 - s) + rows[y, x + 1] * s, rows[y + 1, x] * (1 - s) + rows[y + 1, x + 1] * s
     return upper * (1 - t) + lower * t
 
@@ -114,22 +114,22 @@ def test_a_baked_texture_shows_the_colors_of_the_surface(device):
     mesh = colored(TriangleMesh.create_torus(device=device)).compute_uvatlas(256, 4)
     baked = mesh.bake_vertex_colors(256)
     assert baked.vertex_colors is None
-    (picture,) = baked.textures
+    (image,) = baked.textures
     rng = np.random.default_rng(0)
     weights = rng.dirichlet([0.5] * 3, (len(mesh), 8))
     uvs = np.einsum("tkc,tcx->tkx", weights, mesh.triangle_uvs.reshape(-1, 3, 2)).reshape(-1, 2)
     colors = np.einsum("tkc,tcx->tkx", weights, mesh.vertex_colors[mesh.triangles]).reshape(-1, 3)
-    error = np.abs(sampled(picture, uvs) - colors)
+    error = np.abs(sampled(image, uvs) - colors)
     assert error.max() < 0.03  # a texel is 1/40 of the ring; background would be off by up to 1
 
 
 def test_texels_are_the_colors_at_their_centers(device):
     plane = TriangleMesh.create_plane(create_uv_map=True, device=device)
     plane.vertex_colors = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
-    (picture,) = plane.bake_vertex_colors(16, gutter=0).textures
+    (image,) = plane.bake_vertex_colors(16, gutter=0).textures
     centers = (np.arange(16) + 0.5) / 16
     expected = np.stack([np.tile(centers, (16, 1)), np.tile(centers[::-1, None], 16), np.zeros((16, 16))], axis=-1)
-    np.testing.assert_array_equal(picture, np.floor(expected * 255 + 0.5).astype(np.uint8))
+    np.testing.assert_array_equal(image, np.floor(expected * 255 + 0.5).astype(np.uint8))
 
 
 def test_gutter_has_the_requested_width(device):
@@ -137,13 +137,13 @@ def test_gutter_has_the_requested_width(device):
     mesh.vertex_colors, mesh.triangle_uvs = [[1, 1, 1]] * 3, [[0.5, 0.5], [0.75, 0.5], [0.5, 0.75]]
     inside = covered(mesh.triangle_uvs, 32, 1e-6) > 0
     for gutter in (0, 1, 3):
-        (picture,) = mesh.bake_vertex_colors(32, gutter=gutter).textures
+        (image,) = mesh.bake_vertex_colors(32, gutter=gutter).textures
         wide = inside.copy()
         for _ in range(gutter):
             grown = np.pad(wide, 1)
             wide = np.any([grown[1 + y : 33 + y, 1 + x : 33 + x] for y in (-1, 0, 1) for x in (-1, 0, 1)], axis=0)
-        np.testing.assert_array_equal(picture[..., 0] == 255, wide)
-        assert set(np.unique(picture)) <= {0, 255}
+        np.testing.assert_array_equal(image[..., 0] == 255, wide)
+        assert set(np.unique(image)) <= {0, 255}
 
 
 @settings(max_examples=15, derandomize=True, deadline=None, database=None)
@@ -152,6 +152,6 @@ def test_triangles_of_a_texture_color_the_texels_that_they_cover(seed, size):
     rng = np.random.default_rng(seed)
     mesh = TriangleMesh(rng.random((12, 3)), np.arange(12).reshape(-1, 3))
     mesh.vertex_colors, mesh.triangle_uvs = np.ones((12, 3)), rng.random((12, 2))
-    (picture,) = mesh.bake_vertex_colors(size, gutter=0).textures
+    (image,) = mesh.bake_vertex_colors(size, gutter=0).textures
     surely, perhaps = covered(mesh.triangle_uvs, size) > 0, covered(mesh.triangle_uvs, size, 1e-4) > 0
-    assert (picture[surely] == 255).all() and (picture[~perhaps] == 0).all()
+    assert (image[surely] == 255).all() and (image[~perhaps] == 0).all()

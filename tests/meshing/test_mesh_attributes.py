@@ -121,7 +121,7 @@ def test_operations_that_drop_attributes_warn():
     assert not bare.vertex_attributes and not bare.triangle_attributes
 
 
-PICTURE = np.arange(4 * 5 * 3, dtype=np.uint8).reshape(4, 5, 3)
+IMAGE = np.arange(4 * 5 * 3, dtype=np.uint8).reshape(4, 5, 3)
 
 
 def textured(device=None) -> TriangleMesh:
@@ -129,7 +129,7 @@ def textured(device=None) -> TriangleMesh:
     triangles = rng.permuted(np.tile(np.arange(30), (40, 1)), axis=1)[:, :3]
     return TriangleMesh(
         rng.normal(size=(32, 3)), triangles, triangle_uvs=rng.random((120, 2)),
-        triangle_material_ids=rng.integers(0, 2, 40), textures=[PICTURE, PICTURE[::-1]], device=device,
+        triangle_material_ids=rng.integers(0, 2, 40), textures=[IMAGE, IMAGE[::-1]], device=device,
     )  # fmt: skip
 
 
@@ -153,7 +153,7 @@ def test_texture_survives_copies_pickles_and_devices(device):
     mesh = textured(device)
     for again in (mesh.copy(), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh)), mesh.to("cpu")):
         np.testing.assert_array_equal(corner_table(again), corner_table(mesh))
-        np.testing.assert_array_equal(again.textures[1], PICTURE[::-1])
+        np.testing.assert_array_equal(again.textures[1], IMAGE[::-1])
 
 
 def test_dropping_texture_coordinates_drops_images():
@@ -178,7 +178,7 @@ def split_at_seams(mesh: TriangleMesh, device=None) -> TriangleMesh:
     keys, corners = np.unique(piece[:, None] * len(mesh.vertices) + mesh.triangles, return_inverse=True)
     split = TriangleMesh(mesh.vertices[keys % len(mesh.vertices)], corners.reshape(-1, 3), device=device)
     split.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
-    split.textures = [PICTURE]
+    split.textures = [IMAGE]
     split.vertex_colors = np.random.default_rng(1).random((len(split.vertices), 3))
     return split
 

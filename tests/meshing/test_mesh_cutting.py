@@ -226,14 +226,14 @@ def test_a_cut_ball_matches_brute_force(device):
     a, b = edges.T
     cut = (values[a] - 0.25) * (values[b] - 0.25) < 0
     a, b = a[cut], b[cut]
-    share = ((0.25 - values[a]) / (values[b] - values[a]))[:, None]
-    positions = np.float32(vertices[a] * (1 - share) + vertices[b] * share)
+    fraction = ((0.25 - values[a]) / (values[b] - values[a]))[:, None]
+    positions = np.float32(vertices[a] * (1 - fraction) + vertices[b] * fraction)
     remaining = np.unique(triangles[(values[triangles] > 0.25).any(axis=1)])
     remaining = remaining[values[remaining] >= 0.25]
     wanted = np.concatenate([np.float32(vertices[remaining]), positions])
     np.testing.assert_array_equal(left.vertices, np.float64(wanted))
     normals = mesh.vertex_normals.astype(float)
-    between = normals[a] * (1 - share) + normals[b] * share
+    between = normals[a] * (1 - fraction) + normals[b] * fraction
     between /= np.linalg.norm(between, axis=1, keepdims=True)
     np.testing.assert_allclose(left.vertex_normals, np.concatenate([normals[remaining], between]), atol=1e-7)
 
@@ -315,12 +315,12 @@ def parts_of(triangles, chosen):
 
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 10**6), st.sampled_from([0.0, 0.01, 0.05, 0.2]), st.floats(0.1, 0.9))
-def test_islands_and_holes_match_flood_fill(seed, ratio, share):
+def test_islands_and_holes_match_flood_fill(seed, ratio, fraction):
     """Values of 0 and 1, so that every cut is in the middle of an edge."""
     rng = np.random.default_rng(seed)
     mesh = grid(8)
     corners = mesh.triangles[rng.permutation(128)[:120]]  # some missing: an inner boundary
-    wanted = rng.random(len(corners)) < share
+    wanted = rng.random(len(corners)) < fraction
     vertices = mesh.vertices[corners].reshape(-1, 3)  # a value per corner: separate triangles, then one mesh
     values = np.repeat(wanted, 3) * 2.0 - 1
     levels = np.zeros(81)

@@ -12,8 +12,8 @@ import pytest
 import pointloom as loom
 
 from .color_scenes import make_scene
-from .picture_scenes import CAMERA, wall_scene
-from .test_mesh_attributes import PICTURE, textured
+from .image_scenes import CAMERA, wall_scene
+from .test_mesh_attributes import IMAGE, textured
 from .tsdf_scenes import SMALL
 
 CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [np.nan] * 3]
@@ -52,20 +52,20 @@ bend = partial(
     constraint_vertex_indices=[0, 1], constraint_vertex_positions=np.eye(3)[:2], max_iter=3,
 )  # fmt: skip
 color_map = partial(
-    loom.color_map.run_rigid_optimizer,
+    loom.meshing.run_rigid_optimizer,
     mesh=SCENE.mesh, images_rgbd=SCENE.frames, camera_trajectory=SCENE.path(), intrinsic=SCENE.camera,
 )  # fmt: skip
 texture = partial(
-    loom.color_map.texture_from_pictures,
-    mesh=WALL.mesh, pictures=WALL.pictures, cameras=CAMERA, extrinsics=WALL.extrinsics,
+    loom.meshing.texture_from_images,
+    mesh=WALL.mesh, images=WALL.images, cameras=CAMERA, extrinsics=WALL.extrinsics,
 )  # fmt: skip
 NAMES = {
     "loom": loom, "np": np, "nan": np.nan, "inf": np.inf, "eye": np.eye(4), "make": loom.TriangleMesh,
     "box": loom.TriangleMesh.create_box(), "corners": loom.TriangleMesh(CORNERS, [[0, 1, 2]]), "ball": BALL,
-    "none": loom.TriangleMesh(), "sphere": SPHERE.vertices, "textured": textured(), "PICTURE": PICTURE,
+    "none": loom.TriangleMesh(), "sphere": SPHERE.vertices, "textured": textured(), "IMAGE": IMAGE,
     "splats": SPLATS, "volume": VOLUME, "shifted": SHIFTED, "camera": SMALL, "s": SCENE, "poses": SCENE.poses,
     "boxes": BOXES, "frame": loom.WorldFrame(48.75, 9.0), "poisson": poisson, "color_map": color_map,
-    "rigid": loom.color_map.RigidOptimizerOption(), "texture": texture, "wall": WALL, "scene": loom.RaycastingScene(),
+    "rigid": loom.meshing.RigidOptimizerOption(), "texture": texture, "wall": WALL, "scene": loom.RaycastingScene(),
     "pivot": partial(loom.TriangleMesh.create_from_point_cloud_ball_pivoting, BALL),
     "alpha_shape": partial(loom.TriangleMesh.create_from_point_cloud_alpha_shape, CUBE),
     "bend": bend, "bake": bake, "fine": FINE, "obj": object(),
@@ -98,14 +98,14 @@ scene.create_rays_pinhole(60, [0, 0, 0], [0, 0, 1], [0, 0, 1], 2, 2) | up
 scene.create_rays_pinhole(np.zeros((3, 3)), eye, 2, 2) | intrinsic_matrix
 scene.create_rays_pinhole(np.eye(3), eye, 2**15, 2**15) | width_px, height_px:
 boxes.set_pose(0, 2 * eye) | pose:
-loom.change.cloud_to_mesh(ball, box, radius=-1) | radius:
-loom.change.cloud_to_mesh(ball, box, max_distance=0) | max_distance:
-loom.create_surface(ball, radii=[0.1]) | radii:
-loom.create_surface(ball, "ball", depth=7) | depth:
-loom.create_surface(ball, "alpha", density_quantile=0.1) | density_quantile:
-loom.create_surface(ball, alpha=0.1) | alpha:
-loom.create_surface(ball, "voronoi") | method:
-loom.create_surface(ball, density_quantile=1) | density_quantile:
+loom.meshing.compare_cloud_to_mesh(ball, box, radius=-1) | radius:
+loom.meshing.compare_cloud_to_mesh(ball, box, max_distance=0) | max_distance:
+loom.meshing.create_surface(ball, radii=[0.1]) | radii:
+loom.meshing.create_surface(ball, "ball", depth=7) | depth:
+loom.meshing.create_surface(ball, "alpha", density_quantile=0.1) | density_quantile:
+loom.meshing.create_surface(ball, alpha=0.1) | alpha:
+loom.meshing.create_surface(ball, "voronoi") | method:
+loom.meshing.create_surface(ball, density_quantile=1) | density_quantile:
 poisson(X) | np.zeros((0, 3)); np.ones((1, 3)); np.ones((40, 3)) | cloud:
 poisson(sphere, np.zeros((62, 3))) | cloud:
 poisson(np.full((9, 3), nan)) | cloud:
@@ -117,11 +117,11 @@ poisson(sphere, width=X) | -1; 1e-9 | width:
 poisson(sphere, scale=X) | 0.99; 17.0, depth=5 | scale:
 poisson(sphere, point_weight=X) | -1; 1001 | point_weight:
 poisson(sphere, samples_per_node=1e-4) | samples_per_node:
-loom.marching_cubes(np.zeros((3, X)), 0) | 3; 1, 3 | field:
-loom.marching_cubes(np.zeros((2, 2, 2)), 1e39) | level:
-loom.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=X) | 1.0; (1, 0, 1); (1, 1e-60, 1) | spacing:
-loom.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=(1, 1e39, 1)) | origin, spacing:
-loom.marching_cubes(np.zeros((2, 2, 2)), 0, origin=(nan, 0, 0)) | origin, spacing:
+loom.meshing.marching_cubes(np.zeros((3, X)), 0) | 3; 1, 3 | field:
+loom.meshing.marching_cubes(np.zeros((2, 2, 2)), 1e39) | level:
+loom.meshing.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=X) | 1.0; (1, 0, 1); (1, 1e-60, 1) | spacing:
+loom.meshing.marching_cubes(np.zeros((2, 2, 2)), 0, spacing=(1, 1e39, 1)) | origin, spacing:
+loom.meshing.marching_cubes(np.zeros((2, 2, 2)), 0, origin=(nan, 0, 0)) | origin, spacing:
 box.scale(1e60) | scale, center:
 box.paint_uniform_color([255, 0, 0]) | color:
 box.vertex_attributes.__setitem__("a", X) | [1, 2]; np.zeros((8, 2, 2)) | a:
@@ -147,14 +147,14 @@ box.remesh_isotropic(0.1, -1) | iterations:
 box.remesh_isotropic(0.1, feature_angle=200) | feature_angle:
 box.repair(hole_size=X) | 0; inf | hole_size:
 box.repair(merge_distance=X) | 0; inf | merge_distance:
-loom.simplify_mesh(X) | box; box, triangles=9, ratio=0.5 | pass one of triangles, ratio and voxel_size
-loom.simplify_mesh(box, ratio=0) | ratio:
-loom.simplify_mesh(box, voxel_size=1, max_error=1) | max_error, boundary_weight:
-loom.smooth_mesh(box, "simple", mu=-1) | mu:
-loom.smooth_mesh(box, strength=1) | strength:
-loom.smooth_mesh(box, "bilateral") | method:
-loom.clean_mesh(box, min_triangles=0) | min_triangles:
-loom.compare_meshes(box, box, limit=0) | limit:
+loom.meshing.simplify_mesh(X) | box; box, triangles=9, ratio=0.5 | pass one of triangles, ratio and voxel_size
+loom.meshing.simplify_mesh(box, ratio=0) | ratio:
+loom.meshing.simplify_mesh(box, voxel_size=1, max_error=1) | max_error, boundary_weight:
+loom.meshing.smooth_mesh(box, "simple", mu=-1) | mu:
+loom.meshing.smooth_mesh(box, strength=1) | strength:
+loom.meshing.smooth_mesh(box, "bilateral") | method:
+loom.meshing.clean_mesh(box, min_triangles=0) | min_triangles:
+loom.meshing.compare_meshes(box, box, limit=0) | limit:
 box.sample_points_uniformly(X) | 0; 2**31 | number_of_points:
 box.sample_points_poisson_disk(X) | 0; 2**31 | number_of_points:
 box.sample_points_poisson_disk(X) | 4_000_000; 10, init_factor=2**30 | number_of_points, init_factor:
@@ -179,7 +179,7 @@ box.subdivide_midpoint(X) | -1; 15 | number_of_iterations:
 box.subdivide_loop(X) | -1; 2**31 - 1 | number_of_iterations:
 setattr(textured, "triangle_uvs", np.zeros((40, 2))) | triangle_uvs:
 setattr(textured, "triangle_material_ids", X) | [0]; np.full(40, -1) | triangle_material_ids:
-setattr(textured, "textures", [PICTURE.astype(float)]) | textures[0]:
+setattr(textured, "textures", [IMAGE.astype(float)]) | textures[0]:
 box.trim(X, 0) | [1, 2]; np.zeros((8, 1)); np.full(8, nan) | vertex_values:
 box.trim(np.zeros(8), inf) | level:
 box.trim(np.zeros(8), 0, island_ratio=X) | -0.1; 2 | island_ratio:
@@ -191,12 +191,12 @@ box.voxelize(X) | 3e-9; 1e-6 | voxel_size:
 box.voxelize(0.1, [0, 0]) | min_bound:
 box.voxelize(0.1, [0, 0, nan]) | min_bound:
 box.voxelize(0.1, [0, 0, 0], [1, 1, -1]) | min_bound, max_bound:
-loom.orthophoto(box, 0) | cell:
-loom.orthophoto(box, 1.0, epsg=32632) | epsg:
-loom.orthophoto(box, 1.0, frame=frame, crs="EPSG:4326") | crs:
-loom.orthophoto(box, 1.0, frame=frame, epsg=4326) | epsg:
-loom.orthophoto(box, 1.0, bounds=(0, 0, 0, 1)) | bounds:
-loom.orthophoto(box, 1.0, corner=(1e300, 0)) | corner:
+loom.meshing.orthophoto(box, 0) | cell:
+loom.meshing.orthophoto(box, 1.0, epsg=32632) | epsg:
+loom.meshing.orthophoto(box, 1.0, frame=frame, crs="EPSG:4326") | crs:
+loom.meshing.orthophoto(box, 1.0, frame=frame, epsg=4326) | epsg:
+loom.meshing.orthophoto(box, 1.0, bounds=(0, 0, 0, 1)) | bounds:
+loom.meshing.orthophoto(box, 1.0, corner=(1e300, 0)) | corner:
 box.simplify_quadric_decimation(-1) | target_number_of_triangles:
 box.simplify_quadric_decimation(2, maximum_error=-1) | maximum_error:
 box.simplify_quadric_decimation(2, boundary_weight=X) | -1; inf | boundary_weight:
@@ -204,11 +204,11 @@ box.simplify_vertex_clustering(X) | 0; 1e-30 | voxel_size:
 box.simplify_vertex_clustering(1, "median") | contraction:
 scene.compute_distance([[0, 0]]) | query_points:
 scene.compute_signed_distance([[0, 0, 0]], nsamples=2) | nsamples:
-loom.fuse_splats(splats, X, voxel_size=0.1) | camera; extrinsics=[eye] | extrinsics:
-loom.fuse_splats(splats, voxel_size=0) | voxel_size:
-loom.fuse_splats(splats, voxel_size=0.1, depth_max=-1) | depth_max:
-loom.fuse_splats(splats, voxel_size=0.1, depth_max=1e-3) | extrinsics:
-loom.fuse_splats(splats.select_by_index([]), voxel_size=0.1) | splats:
+loom.meshing.fuse_splats(splats, X, voxel_size=0.1) | camera; extrinsics=[eye] | extrinsics:
+loom.meshing.fuse_splats(splats, voxel_size=0) | voxel_size:
+loom.meshing.fuse_splats(splats, voxel_size=0.1, depth_max=-1) | depth_max:
+loom.meshing.fuse_splats(splats, voxel_size=0.1, depth_max=1e-3) | extrinsics:
+loom.meshing.fuse_splats(splats.select_by_index([]), voxel_size=0.1) | splats:
 volume.ray_cast(camera, eye, depth_min=X) | 0; 2, depth_max=1 | depth_min:
 volume.ray_cast(camera, eye, weight_threshold=-1) | weight_threshold:
 volume.ray_cast(camera, np.diag([2.0, 2, 2, 1])) | extrinsic:
@@ -219,29 +219,29 @@ field.collides([[9, 9, 9]], 3.0) | radii:
 field.collides_bodies([[0, 0, 0, 1]], np.stack([eye, 2 * eye])) | poses[1]
 loom.DistanceField.from_voxels([[0, 0, 0]], 0.001, 50.0) | max_distance:
 loom.DistanceField.from_array(np.zeros((40_000, 1, 1), bool)) | occupied:
-loom.fuse_volumes([], []) | volumes:
-loom.fuse_volumes([volume], [eye, eye]) | poses:
-loom.fuse_volumes([volume], [2 * eye]) | poses[0]:
-loom.fuse_volumes([volume, volume], [eye, shifted]) | poses:
-loom.fuse_volumes([volume], [eye], voxel_size=0.0) | voxel_size:
-loom.fuse_volumes([volume], [eye], truncation=X) | 0.2; 0.01 | truncation:
-loom.fuse_volumes([volume], [eye], color=True) | color:
+loom.meshing.fuse_volumes([], []) | volumes:
+loom.meshing.fuse_volumes([volume], [eye, eye]) | poses:
+loom.meshing.fuse_volumes([volume], [2 * eye]) | poses[0]:
+loom.meshing.fuse_volumes([volume, volume], [eye, shifted]) | poses:
+loom.meshing.fuse_volumes([volume], [eye], voxel_size=0.0) | voxel_size:
+loom.meshing.fuse_volumes([volume], [eye], truncation=X) | 0.2; 0.01 | truncation:
+loom.meshing.fuse_volumes([volume], [eye], color=True) | color:
 color_map(camera_trajectory=loom.Trajectory(poses[:4])) | camera_trajectory.poses:
 color_map(intrinsic=[s.camera] * 2) | intrinsic:
 color_map(intrinsic=loom.PinholeCameraIntrinsic(16, 12, 15.0, 15.0, 7.5, 5.5)) | images_rgbd[0]:
 color_map(images_rgbd=[], camera_trajectory=loom.Trajectory(poses[:0])) | images_rgbd:
 color_map(camera_trajectory=loom.Trajectory([*poses[:3], nan * eye, poses[4]])) | camera_trajectory.poses[3]:
 color_map(occlusion="no") | occlusion:
-loom.color_map.NonRigidOptimizerOption(maximum_allowable_depth=0) | maximum_allowable_depth:
-loom.color_map.NonRigidOptimizerOption(depth_threshold_for_visibility_check=0) | depth_threshold_for_visibility_check:
-loom.color_map.NonRigidOptimizerOption(number_of_vertical_anchors=0) | number_of_vertical_anchors:
+loom.meshing.NonRigidOptimizerOption(maximum_allowable_depth=0) | maximum_allowable_depth:
+loom.meshing.NonRigidOptimizerOption(depth_threshold_for_visibility_check=0) | depth_threshold_for_visibility_check:
+loom.meshing.NonRigidOptimizerOption(number_of_vertical_anchors=0) | number_of_vertical_anchors:
 color_map(images_rgbd=[f.color for f in s.frames], occlusion="depth") | occlusion:
 color_map(images_rgbd=[gray] * 5) | images_rgbd[0]:
 texture(mesh=box.remove_triangles_by_mask(np.ones(12, bool))) | mesh:
-texture(cameras=loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)) | pictures[0]:
+texture(cameras=loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)) | images[0]:
 texture(extrinsics=[*wall.extrinsics[:2], np.full((4, 4), nan)]) | extrinsics[2]:
 texture(extrinsics=X) | wall.extrinsics[:2]; None | extrinsics:
-texture(pictures=[], extrinsics=[]) | pictures:
+texture(images=[], extrinsics=[]) | images:
 """
 TYPES = """
 make(np.eye(3), [[0.0, 1.0, 2.0]]) | triangles:
@@ -251,10 +251,10 @@ bend(energy=1) | energy:
 pivot(X) | "0.1"; ["0.1"]; True; obj | radii:
 setattr(box, "up", obj) | up:
 poisson(sphere, depth=4, envelope="box") | envelope:
-loom.change.cloud_to_mesh(ball, ball) | mesh:
-loom.create_surface(ball, "alpha", alpha=[0.1, 0.2]) | alpha:
+loom.meshing.compare_cloud_to_mesh(ball, ball) | mesh:
+loom.meshing.create_surface(ball, "alpha", alpha=[0.1, 0.2]) | alpha:
 poisson(sphere, depth=5.0) | depth:
-loom.marching_cubes(np.zeros((2, 2, 2), complex), 0) | field:
+loom.meshing.marching_cubes(np.zeros((2, 2, 2), complex), 0) | field:
 box.vertex_attributes.__setitem__("a", X) | ["x"] * 8; np.zeros(8, np.longdouble) | a:
 box.remove_small_components(min_triangles=1.5) | min_triangles:
 corners.compute_geodesic_distances([0.5]) | sources:
@@ -275,10 +275,10 @@ scene.compute_closest_points("abc") | query_points:
 scene.add_triangles([[0, 0, 0]]) | mesh: expected a TriangleMesh
 scene.add_triangles(box, [[0, 1, 2]]) | triangles: expected None with a mesh
 scene.create_rays_pinhole(60, [0, 0, 0]) | create_rays_pinhole: expected
-loom.fuse_splats(ball, voxel_size=0.1) | splats:
+loom.meshing.fuse_splats(ball, voxel_size=0.1) | splats:
 volume.ray_cast("prime sense", eye) | intrinsic:
-loom.fuse_volumes([volume, None], [eye, eye]) | volumes[1]:
-loom.color_map.run_non_rigid_optimizer(s.mesh, s.frames, s.path(), rigid, intrinsic=s.camera) | option:
+loom.meshing.fuse_volumes([volume, None], [eye, eye]) | volumes[1]:
+loom.meshing.run_non_rigid_optimizer(s.mesh, s.frames, s.path(), rigid, intrinsic=s.camera) | option:
 color_map(camera_trajectory=poses) | camera_trajectory:
 color_map(images_rgbd=[np.zeros((24, 32, 3))] * 5) | images_rgbd[0]:
 """

@@ -10,7 +10,7 @@ from pointloom import TriangleMesh
 from . import repair_scenes
 from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, soup
 from .repair_scenes import REPAIR_CASES, VALID, blocks, box, flipped, joined, loose, partly_flipped, welded
-from .test_mesh_attributes import PICTURE, corner_table
+from .test_mesh_attributes import IMAGE, corner_table
 from .test_mesh_topology import is_consistent
 
 HYPOTHESIS = settings(deadline=None, max_examples=20)
@@ -134,7 +134,7 @@ def test_new_triangles_take_texture_from_the_boundary(device):
     mesh = without_sides([0, 1], device)
     mesh.triangle_uvs = np.random.default_rng(0).random((30, 2))
     mesh.triangle_material_ids = np.arange(10) % 2
-    mesh.textures = [PICTURE, PICTURE]
+    mesh.textures = [IMAGE, IMAGE]
     mesh.vertex_colors = BOX
     filled = mesh.fill_holes()
     np.testing.assert_array_equal(corner_table(filled)[:30], corner_table(mesh))
@@ -247,7 +247,7 @@ def test_a_surface_that_touches_itself_along_an_edge_is_split_there(device):
     mesh = repair_scenes.ring().to(device)
     mesh.vertex_colors = np.linspace(0, 1, 3 * len(mesh.vertices)).reshape(-1, 3)
     mesh.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
-    mesh.textures = [PICTURE]
+    mesh.textures = [IMAGE]
     mesh.vertex_attributes["place"] = mesh.vertices
     mesh.triangle_attributes["label"] = np.arange(len(mesh))
     repaired, report = mesh.repair()
@@ -262,8 +262,8 @@ def test_a_surface_that_touches_itself_along_an_edge_is_split_there(device):
 
 @settings(deadline=None, max_examples=25)
 @given(st.integers(0, 2**32 - 1), st.floats(0.2, 0.7), st.sampled_from([lambda m: m, loose, partly_flipped]))
-def test_cubes_of_any_grid_become_closed_with_unchanged_area(seed, share, change):
-    full = np.random.default_rng(seed).random((3, 3, 3)) < share
+def test_cubes_of_any_grid_become_closed_with_unchanged_area(seed, fraction, change):
+    full = np.random.default_rng(seed).random((3, 3, 3)) < fraction
     full[0, 0, 0] = True
     mesh = blocks(full)
     repaired, report = change(mesh).repair()
@@ -279,7 +279,7 @@ def test_each_fan_gets_its_own_vertex(device):
     mesh.vertex_colors = np.random.default_rng(0).random((15, 3))
     mesh.triangle_uvs = np.random.default_rng(1).random((72, 2))
     mesh.triangle_material_ids = np.zeros(24, int)
-    mesh.textures = [PICTURE]
+    mesh.textures = [IMAGE]
     mesh = mesh.to(device)
     split = mesh.split_non_manifold_vertices()
     assert not mesh.is_vertex_manifold() and split.is_vertex_manifold() and len(split.vertices) == 16

@@ -205,8 +205,8 @@ def test_texture_is_interpolated_for_each_corner(device, method):
     """Each new corner has the interpolated coordinates of the old triangle, seams included."""
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
     uvs = np.array([[0, 0], [4, 0], [0, 4], [9, 9], [9, 1], [1, 9]], float)
-    picture = np.zeros((2, 2, 3), np.uint8)
-    options = {"triangle_uvs": uvs, "triangle_material_ids": [3, 5], "textures": [picture] * 6}
+    image = np.zeros((2, 2, 3), np.uint8)
+    options = {"triangle_uvs": uvs, "triangle_material_ids": [3, 5], "textures": [image] * 6}
     mesh = getattr(TriangleMesh(corners, [[0, 1, 2], [3, 2, 1]], device=device, **options), method)(2)
     assert mesh.triangle_material_ids.tolist() == [3] * 16 + [5] * 16 and len(mesh.textures) == 6
     flat = TriangleMesh(corners, [[0, 1, 2], [3, 2, 1]], device=device).subdivide_midpoint(2)

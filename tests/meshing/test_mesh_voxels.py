@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from scipy.spatial import cKDTree
 
-from pointloom import TriangleMesh, marching_cubes
+from pointloom import TriangleMesh
+from pointloom.meshing import marching_cubes
 
 from .open3d_meshes import in_open3d
 from .surface_oracles import winding_numbers

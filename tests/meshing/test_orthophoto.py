@@ -69,7 +69,7 @@ def seen_from_above(vertices, triangles, x, y):
 
 
 def test_heights_and_colors_of_a_slope_and_a_box_are_exact(device):
-    made = loom.orthophoto(town(device=device), 0.5, crs="EPSG:32632")
+    made = loom.meshing.orthophoto(town(device=device), 0.5, crs="EPSG:32632")
     assert made.bounds == (500_000.0, 5_400_000.0, 500_020.5, 5_400_016.5)
     x, y = (axis - at for axis, at in zip(centers(made), ORIGIN[:2], strict=True))
     (x0, y0), (x1, y1), top = BOX
@@ -95,7 +95,7 @@ def test_a_map_of_any_triangles_matches_float64_rays(seed, cell, corner):
     triangles, colors = rng.integers(0, 24, (14, 3)), rng.random((24, 3))
     vertices[rng.integers(0, 24), 1] = np.nan
     mesh = loom.TriangleMesh(vertices + ORIGIN, triangles, vertex_colors=colors, origin=ORIGIN)
-    made = loom.orthophoto(mesh, cell, corner=(corner, 0.0))
+    made = loom.meshing.orthophoto(mesh, cell, corner=(corner, 0.0))
     x, y = centers(made)
     is_finite = np.isfinite(vertices[triangles]).all(axis=(1, 2))
     stored = vertices.astype(np.float32).astype(np.float64)
@@ -113,18 +113,18 @@ def test_a_map_of_any_triangles_matches_float64_rays(seed, cell, corner):
 
 def test_textures_are_interpolated_between_pixels(device):
     rng = np.random.default_rng(3)
-    picture = rng.integers(0, 256, (8, 12, 4)).astype(np.uint8)  # alpha of images is not read
+    image = rng.integers(0, 256, (8, 12, 4)).astype(np.uint8)  # alpha of images is not read
     mesh = loom.TriangleMesh(
         np.array([[0, 0, 1], [12, 0, 1], [12, 8, 3], [0, 8, 3]]) + ORIGIN, [[0, 1, 2], [0, 2, 3]], device=device,
-        triangle_uvs=[[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], textures=[picture],
+        triangle_uvs=[[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], textures=[image],
         vertex_colors=np.ones((4, 3)),
     )  # fmt: skip
     area = (500_000, 5_400_000, 500_012, 5_400_008)
-    full = loom.orthophoto(mesh, 1.0, bounds=area)
-    np.testing.assert_array_equal(full.colors[..., :3], picture[..., :3])  # one cell per pixel, first row in the north
+    full = loom.meshing.orthophoto(mesh, 1.0, bounds=area)
+    np.testing.assert_array_equal(full.colors[..., :3], image[..., :3])  # one cell per pixel, first row in the north
     assert (full.colors[..., 3] == 255).all()
-    finer = loom.orthophoto(mesh, 0.5, bounds=area)
-    values = picture[..., :3].astype(np.float64)
+    finer = loom.meshing.orthophoto(mesh, 0.5, bounds=area)
+    values = image[..., :3].astype(np.float64)
     expected = (9 * values[3, 4] + 3 * values[3, 5] + 3 * values[4, 4] + values[4, 5]) / 16
     assert np.abs(finer.colors[7, 9, :3] - expected).max() <= 0.51
 
@@ -133,19 +133,19 @@ def test_each_material_uses_its_texture(device):
     squares = np.array([[[k, 0, 0], [k + 1, 0, 0], [k + 1, 1, 0], [k, 1, 0]] for k in range(3)], float).reshape(-1, 3)
     triangles = [[4 * k + j for j in corner] for k in range(3) for corner in ((0, 1, 2), (0, 2, 3))]
     options = {"triangle_uvs": np.full((18, 2), 0.5), "triangle_material_ids": [0, 0, 1, 1, 2, 2], "device": device}
-    pictures = [np.full((2, 2, 3), value, np.uint8) for value in (60, 90)]
-    mesh = loom.TriangleMesh(squares, triangles, textures=pictures, **options)
-    made = loom.orthophoto(mesh, 0.5, bounds=(0, 0, 3, 1))
+    images = [np.full((2, 2, 3), value, np.uint8) for value in (60, 90)]
+    mesh = loom.TriangleMesh(squares, triangles, textures=images, **options)
+    made = loom.meshing.orthophoto(mesh, 0.5, bounds=(0, 0, 3, 1))
     assert made.colors[0, ::2].tolist() == [[60] * 3 + [255], [90] * 3 + [255], [0] * 4]  # the third has no image
     assert np.isfinite(made.heights.values).all()
     mesh.vertex_colors = np.full((12, 3), 0.2)
-    assert loom.orthophoto(mesh, 0.5, bounds=(0, 0, 3, 1)).colors[0, 4].tolist() == [51, 51, 51, 255]
+    assert loom.meshing.orthophoto(mesh, 0.5, bounds=(0, 0, 3, 1)).colors[0, 4].tolist() == [51, 51, 51, 255]
 
 
 def test_strips_of_rows_give_one_map(monkeypatch):
-    full = loom.orthophoto(town(), 0.5)
+    full = loom.meshing.orthophoto(town(), 0.5)
     monkeypatch.setattr(source, "STRIP", 100)  # two rows and a part of one
-    parts = loom.orthophoto(town(), 0.5)
+    parts = loom.meshing.orthophoto(town(), 0.5)
     np.testing.assert_array_equal(parts.heights.values, full.heights.values)
     np.testing.assert_array_equal(parts.colors, full.colors)
 
@@ -153,7 +153,7 @@ def test_strips_of_rows_give_one_map(monkeypatch):
 def test_a_frame_georeferences_the_map_in_its_utm_zone(device, monkeypatch):
     monkeypatch.setattr(source, "PART", 5)  # several parts of vertices
     mesh = town(np.zeros(3), device)
-    made = loom.orthophoto(mesh, 0.25, frame=FRAME)
+    made = loom.meshing.orthophoto(mesh, 0.25, frame=FRAME)
     assert made.heights.crs == "EPSG:32632"
     true = FRAME.to_utm(mesh.vertices)
     x, y = centers(made)
@@ -162,13 +162,13 @@ def test_a_frame_georeferences_the_map_in_its_utm_zone(device, monkeypatch):
     np.testing.assert_allclose(made.heights.values[sure], heights[sure], rtol=0, atol=2e-4)  # float32 at 431 m
     roof = sure & np.isin(triangle, (2, 3))
     assert roof.any() and (made.colors[roof] == [*ROOF, 255]).all()
-    other = loom.orthophoto(mesh, 0.25, frame=FRAME, epsg=32633)
+    other = loom.meshing.orthophoto(mesh, 0.25, frame=FRAME, epsg=32633)
     assert other.heights.crs == "EPSG:32633" and other.bounds[0] < 1e5  # six degrees west of that zone's meridian
 
 
 def test_files_store_the_map_location(tmp_path):
     rasterio, tifffile = pytest.importorskip("rasterio"), pytest.importorskip("tifffile")
-    made = loom.orthophoto(town(), 0.05, crs="EPSG:32632")
+    made = loom.meshing.orthophoto(town(), 0.05, crs="EPSG:32632")
     path, dem = made.write(tmp_path / "ortho.tif"), made.heights.write(tmp_path / "dem.tif")
     with tifffile.TiffFile(path) as file:
         tags = {tag.name: tag.value for tag in file.pages[0].tags.values()}
@@ -189,15 +189,15 @@ def test_files_store_the_map_location(tmp_path):
 
 def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path):
     pytest.importorskip("rasterio")
-    made = loom.orthophoto(town(), 1.0, crs="no system")
+    made = loom.meshing.orthophoto(town(), 1.0, crs="no system")
     with pytest.raises(loom.FileError, match="crs:"):
         made.write(tmp_path / "a.tif")
     with pytest.raises(loom.FileError, match=r"/a\.png:"):
         made.write(tmp_path / "a.png")
     (tmp_path / "b.tif").write_text("old")
     with pytest.raises(loom.FileError, match="exists already"):
-        loom.orthophoto(town(), 1.0).write(tmp_path / "b.tif", overwrite=False)
-    plain = loom.orthophoto(loom.TriangleMesh.create_box(), 0.5)
+        loom.meshing.orthophoto(town(), 1.0).write(tmp_path / "b.tif", overwrite=False)
+    plain = loom.meshing.orthophoto(loom.TriangleMesh.create_box(), 0.5)
     assert plain.colors is None and np.nanmax(plain.heights.values) == 1
     with pytest.raises(ValueError, match=r"^colors:"):
         plain.write(tmp_path / "c.tif")
@@ -208,17 +208,17 @@ def test_an_empty_mesh_gives_an_empty_map(device):
     nothing = loom.TriangleMesh(np.full((3, 3), np.nan), [[0, 1, 2]], device=device)
     for mesh in (loom.TriangleMesh(device=device), nothing):
         with pytest.raises(ValueError, match=r"^mesh:"):
-            loom.orthophoto(mesh, 1.0)
-        made = loom.orthophoto(mesh, 1.0, bounds=(0, 0, 3, 2), frame=FRAME)
+            loom.meshing.orthophoto(mesh, 1.0)
+        made = loom.meshing.orthophoto(mesh, 1.0, bounds=(0, 0, 3, 2), frame=FRAME)
         assert made.heights.values.shape == (2, 3) and np.isnan(made.heights.values).all()
     upright = loom.TriangleMesh([[0, 0, 0], [1, 1, 0], [1, 1, 2]], [[0, 1, 2]], device=device)
-    assert np.isnan(loom.orthophoto(upright, 0.4).heights.values).all()  # a wall has no width from above
+    assert np.isnan(loom.meshing.orthophoto(upright, 0.4).heights.values).all()  # a wall has no width from above
 
 
 @pytest.mark.parametrize("cell", [1e-3, 1e-7, 1e-300])
 def test_too_many_cells_are_rejected_with_a_suitable_cell_size(cell):
     with pytest.raises(ValueError, match="cell:") as caught:
-        loom.orthophoto(town(), cell)
+        loom.meshing.orthophoto(town(), cell)
     fits = float(str(caught.value).split("a cell of ")[1].split(" fits")[0])
     assert 0.8 < 20 * 16 / fits**2 / MAX_CELLS <= 1  # and none that is much smaller does
 
@@ -226,9 +226,9 @@ def test_too_many_cells_are_rejected_with_a_suitable_cell_size(cell):
 def test_units_other_than_meters_are_rejected():
     mesh = town()
     mesh.unit = "foot"
-    assert loom.orthophoto(mesh, 1.0).heights.values.shape == (17, 21)
+    assert loom.meshing.orthophoto(mesh, 1.0).heights.values.shape == (17, 21)
     with pytest.raises(ValueError, match="mesh:"):
-        loom.orthophoto(mesh, 1.0, frame=FRAME)
+        loom.meshing.orthophoto(mesh, 1.0, frame=FRAME)
     mesh.unit = "degree"
     with pytest.raises(ValueError, match="mesh:"):
-        loom.orthophoto(mesh, 1.0)
+        loom.meshing.orthophoto(mesh, 1.0)

@@ -170,13 +170,13 @@ def samples(kind: str, noise: float, depth: int = 5):
     return points + noise * rng.normal(size=points.shape), noisy / np.linalg.norm(noisy, axis=1)[:, None], distance
 
 
-SHARES = (0.5, 0.95)
+FRACTIONS = (0.5, 0.95)
 SCENES = [("sphere", 5, 0.0), ("torus", 5, 0.0), ("sphere", 5, 0.01)]
 
 
 def open3d_errors(o3d, kind, depth, noise):
     points, normals, distance = samples(kind, noise, depth)
-    return np.quantile(distance(open3d_poisson(o3d, points, normals, depth)[0]), SHARES)
+    return np.quantile(distance(open3d_poisson(o3d, points, normals, depth)[0]), FRACTIONS)
 
 
 @pytest.mark.parametrize(("kind", "depth", "noise"), SCENES)
@@ -184,7 +184,7 @@ def test_the_surface_is_as_accurate_as_that_of_open3d(device, oracle, tolerances
     theirs = oracle(f"meshing/poisson/{kind}_{depth}_{noise}", open3d_errors, kind, depth, noise)
     points, normals, distance = samples(kind, noise, depth)
     vertices = poisson(points, normals, depth, device=device)[0].vertices
-    assert (np.quantile(distance(vertices), SHARES) < tolerances.poisson_error * theirs).all()
+    assert (np.quantile(distance(vertices), FRACTIONS) < tolerances.poisson_error * theirs).all()
 
 
 def open3d_some_vertices(o3d, kind, depth):

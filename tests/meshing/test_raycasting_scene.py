@@ -6,8 +6,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from pointloom import RaycastingScene, marching_cubes
+from pointloom import RaycastingScene
 from pointloom.kernels.lang import cpu_compiler
+from pointloom.meshing import marching_cubes
 
 from ..registration.poses import as_pose
 from .open3d_meshes import raycasting_scene

@@ -337,7 +337,7 @@ def test_distances_match_brute_force_and_signs_mark_above_and_below(device, rng,
     lift = rng.choice([-1, 1], 100) * (0.4 + rng.random(100))
     points = np.column_stack([positions, height + lift])
     mesh = loom.TriangleMesh(corners + at, triangles, device=device)
-    result = loom.change.cloud_to_mesh(loom.PointCloud(points + at, device=device), mesh)
+    result = loom.meshing.compare_cloud_to_mesh(loom.PointCloud(points + at, device=device), mesh)
     expected = distances_to_triangles(points, corners[triangles]).min(axis=1)
     np.testing.assert_allclose(np.abs(result.distances), expected, rtol=0, atol=2e-6)
     np.testing.assert_array_equal(result.distances > 0, lift > 0)
@@ -348,18 +348,18 @@ def test_a_point_over_a_sharp_edge_is_above_although_one_triangle_faces_away(dev
     roof = [[0, 0, 0], [4, 0, 0], [4, 1, 3], [0, 1, 3], [4, 1.5, 0], [0, 1.5, 0]]
     mesh = loom.TriangleMesh(roof, [[0, 1, 2], [0, 2, 3], [3, 2, 4], [3, 4, 5]], device=device)
     over, under = [2, 1.0, 3.5], [2, 0.9, 2]
-    result = loom.change.cloud_to_mesh(loom.PointCloud([over, under], device=device), mesh)
+    result = loom.meshing.compare_cloud_to_mesh(loom.PointCloud([over, under], device=device), mesh)
     assert result.distances[0] == pytest.approx(0.5) and result.distances[1] < 0
 
 
 def test_points_beside_an_open_mesh_are_flagged(device):
     mesh = loom.TriangleMesh(*ground(), device=device)
     points = [[-2, 5, 1], [-1, -1, 0], [31, 31, 1], [15.2, 15.3, 3]]
-    result = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), mesh)
+    result = loom.meshing.compare_cloud_to_mesh(loom.PointCloud(points, device=device), mesh)
     assert result.beside.tolist() == [True, True, True, False]
     assert result.is_significant.tolist() == [False, False, False, True]
     assert result.warnings[0].startswith("only 1 of 4 distances are not from the border of the mesh (25.0%)")
-    over = loom.change.cloud_to_mesh(loom.PointCloud(points[-1:] * 3, device=device), mesh)
+    over = loom.meshing.compare_cloud_to_mesh(loom.PointCloud(points[-1:] * 3, device=device), mesh)
     assert over.reliable and not result.reliable
 
 
@@ -370,7 +370,7 @@ def test_neighbors_determine_the_noise(device, rng):
     raised = points[:, 0] > 20
     points[raised, 2] += 0.05
     cloud = loom.PointCloud(points, device=device)
-    result = loom.change.cloud_to_mesh(cloud, mesh, radius=1.0, registration_error=0.001)
+    result = loom.meshing.compare_cloud_to_mesh(cloud, mesh, radius=1.0, registration_error=0.001)
     tree, heights = cKDTree(points), points[:, 2]
     for row in range(0, 8000, 97):
         near = heights[tree.query_ball_point(points[row], 1.0 - 1e-6)]
@@ -386,13 +386,13 @@ def test_neighbors_determine_the_noise(device, rng):
 def test_undefined_distances_are_nan(device):
     mesh = loom.TriangleMesh(*ground(), device=device)
     points = [[15, 15, 50], [np.nan, 0, 0], [15, 15, 1.2]]
-    result = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), mesh, max_distance=10)
+    result = loom.meshing.compare_cloud_to_mesh(loom.PointCloud(points, device=device), mesh, max_distance=10)
     assert np.isnan(result.distances).tolist() == [True, True, False]
     assert "only 1 of 3 points have a distance (33.3%): use a larger max_distance" in result.warnings[0]
     assert result.is_significant.tolist()[:2] == [False, False]
     empty = loom.TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32), device=device)
-    assert np.isnan(loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), empty).distances).all()
-    none = loom.change.cloud_to_mesh(loom.PointCloud(np.zeros((0, 3)), device=device), mesh, radius=1.0)
+    assert np.isnan(loom.meshing.compare_cloud_to_mesh(loom.PointCloud(points, device=device), empty).distances).all()
+    none = loom.meshing.compare_cloud_to_mesh(loom.PointCloud(np.zeros((0, 3)), device=device), mesh, radius=1.0)
     assert repr(none) == "CloudToMeshResult(0 points, 0 with a distance, 0 significant)"
 
 

@@ -55,7 +55,7 @@ def test_every_device_has_bitwise_identical_blocks_in_the_same_order(device, on_
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("ROOM_SHARE", 0.0), ("MAX_GRID", 0), ("MAX_GRID", 3000)], ids=["counted", "listed", "some"]
+    ("name", "value"), [("ROOM_FRACTION", 0.0), ("MAX_GRID", 0), ("MAX_GRID", 3000)], ids=["counted", "listed", "some"]
 )
 def test_counted_capacity_and_boxes_beyond_the_grid_change_nothing(device, on_cpu, monkeypatch, name, value):
     monkeypatch.setattr(device_frames, name, value)
@@ -195,7 +195,7 @@ def add(volume, seed, pose):
 def without_spare_room(device, monkeypatch):
     """Make GPU volumes grow with the counted blocks as well; by default they allocate a frame's blocks beforehand."""
     if device.startswith("cuda"):
-        monkeypatch.setattr(device_frames, "ROOM_SHARE", 0.0)
+        monkeypatch.setattr(device_frames, "ROOM_FRACTION", 0.0)
 
 
 @pytest.mark.slow

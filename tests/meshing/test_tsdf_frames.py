@@ -78,7 +78,7 @@ def test_depth_types_mean_what_they_mean_for_one_frame(device, dtype):
 
 
 def test_frames_without_room_for_all_blocks_are_integrated_one_by_one(device, monkeypatch):
-    monkeypatch.setattr(device_frames, "ROOM_SHARE", 0.0)
+    monkeypatch.setattr(device_frames, "ROOM_FRACTION", 0.0)
     depths, poses, colors = scene(3)
     single, together = volume(device), volume(device)
     for k in range(3):

@@ -325,7 +325,7 @@ def test_a_surface_of_random_values_matches_the_dense_copy(device, rng):
     scenes.set_voxels(volume, "weights", rng.integers(0, 30, count).astype(np.uint16))
     mesh = volume.extract_triangle_mesh(1)
     field, low = dense_field(volume, 1)
-    dense = loom.marching_cubes(field, spacing=[VOXEL] * 3, origin=low * VOXEL, device=device)
+    dense = loom.meshing.marching_cubes(field, spacing=[VOXEL] * 3, origin=low * VOXEL, device=device)
     assert len(mesh) == len(dense) > 10_000 and len(mesh.vertices) == len(dense.vertices)
     a, b = (np.sort(scenes.triangle_normals(m)[1].round(4), axis=0) for m in (mesh, dense))
     assert np.abs(a - b).max() < 2e-4 and cKDTree(dense.vertices).query(mesh.vertices)[0].max() < 2e-6

@@ -35,7 +35,7 @@ def seen_of(volume):
 @pytest.mark.parametrize("center", [(0, 0, 0), (500_000.0, 5_400_000.0, 300.0)])
 def test_an_unmoved_volume_is_bitwise_unchanged(device, center):
     volume = colored_volume(device, center=center)
-    fused = loom.fuse_volumes([volume], [np.eye(4)])
+    fused = loom.meshing.fuse_volumes([volume], [np.eye(4)])
     assert seen_of(fused) == seen_of(volume)
     assert (fused.origin == volume.origin).all() and fused.frame_count == volume.frame_count
     assert (fused.voxel_size, fused.truncation) == (volume.voxel_size, volume.truncation)
@@ -44,9 +44,9 @@ def test_an_unmoved_volume_is_bitwise_unchanged(device, center):
 def test_a_volume_shifted_by_integer_voxels_is_bitwise_identical(device):
     volume = colored_volume(device)
     there = as_pose(shift=np.array([8, -16, 24]) * volume.voxel_size)
-    moved = loom.fuse_volumes([volume], [there])
+    moved = loom.meshing.fuse_volumes([volume], [there])
     assert [len(v) for v in voxels_of(moved)[:1]] == [len(np.unique(voxels_of(moved)[0], axis=0))]
-    assert seen_of(loom.fuse_volumes([moved], [np.linalg.inv(there)])) == seen_of(volume)
+    assert seen_of(loom.meshing.fuse_volumes([moved], [np.linalg.inv(there)])) == seen_of(volume)
     a, b = voxels_of(moved), voxels_of(volume)
     is_used = b[2].reshape(len(b[2]), -1).any(axis=1)
     assert (a[0] == b[0][is_used] + [1, -2, 3]).all() and (a[2] == b[2][is_used]).all()
@@ -58,14 +58,14 @@ def test_the_order_of_volumes_does_not_matter(device):
     volumes = [colored_volume(device, count=1 + i, seed=i) for i in range(3)]
     poses = [as_pose((0.02 * i, 0.1 * i, 0), (0.03 * i, 0, 0.01)) for i in range(3)]
     orders = itertools.permutations(zip(volumes, poses, strict=True))
-    assert len({fingerprint(loom.fuse_volumes(*map(list, zip(*order, strict=True)))) for order in orders}) == 1
+    assert len({fingerprint(loom.meshing.fuse_volumes(*map(list, zip(*order, strict=True)))) for order in orders}) == 1
 
 
 def test_volumes_of_frame_subsets_give_the_full_volume(device):
     """On one grid: the mean of means equals the mean within rounding."""
     frames = list(sphere_frames())
     full, parts = fuse(frames, device), [fuse(frames[i::2], device) for i in range(2)]
-    fused = loom.fuse_volumes(parts, [np.eye(4)] * 2)
+    fused = loom.meshing.fuse_volumes(parts, [np.eye(4)] * 2)
     a, b = voxels_of(full), voxels_of(fused)
     is_used = a[2].reshape(len(a[2]), -1).any(axis=1)
     # a frame updates voxels of blocks added by other frames only in a shared volume
@@ -85,7 +85,7 @@ def test_volumes_in_different_frames_are_aligned_by_their_poses(device):
         poses.append(T_world_part)
 
     def off(poses):
-        mesh = loom.fuse_volumes(parts, poses).extract_triangle_mesh(0)
+        mesh = loom.meshing.fuse_volumes(parts, poses).extract_triangle_mesh(0)
         return np.abs(np.linalg.norm(mesh.vertices, axis=1) - RADIUS)
 
     direct = np.abs(np.linalg.norm(fuse(frames, device).extract_triangle_mesh(0).vertices, axis=1) - RADIUS)
@@ -98,18 +98,18 @@ def test_volumes_are_aligned_far_from_the_origin(device):
     far = np.array([500_000.0, 5_400_000.0, 300.0])
     frames = list(sphere_frames(center=far))
     parts = [fuse(frames[i::2], device) for i in range(2)]
-    fused = loom.fuse_volumes(parts, [np.eye(4)] * 2)
+    fused = loom.meshing.fuse_volumes(parts, [np.eye(4)] * 2)
     off = np.linalg.norm(fused.extract_triangle_mesh(0).vertices - far, axis=1) - RADIUS
     assert np.abs(off).max() < VOXEL and np.median(np.abs(off)) < 0.15 * VOXEL
     local = fuse(sphere_frames(), device)
-    moved = loom.fuse_volumes([local], [as_pose((0, 0, 1.0), far)])
+    moved = loom.meshing.fuse_volumes([local], [as_pose((0, 0, 1.0), far)])
     off = np.linalg.norm(moved.extract_triangle_mesh(0).vertices - far, axis=1) - RADIUS
     assert np.abs(off).max() < VOXEL and np.abs(moved.origin - far).max() < 1
 
 
 def test_coarser_voxels_represent_the_same_surface(device):
     volume = fused_sphere(device, voxel_size=0.01, truncation=TRUNCATION)
-    fused = loom.fuse_volumes([volume], [np.eye(4)], voxel_size=0.02, truncation=0.06)
+    fused = loom.meshing.fuse_volumes([volume], [np.eye(4)], voxel_size=0.02, truncation=0.06)
     assert (fused.voxel_size, fused.truncation) == (0.02, 0.06)
     off = np.linalg.norm(fused.extract_triangle_mesh(0).vertices, axis=1) - RADIUS
     assert np.median(np.abs(off)) < 0.15 * VOXEL
@@ -119,15 +119,15 @@ def test_coarser_voxels_represent_the_same_surface(device):
 
 def test_empty_volumes_add_nothing(device):
     empty = loom.TSDFVolume(voxel_size=0.05, truncation=0.1, device=device)
-    assert loom.fuse_volumes([empty, empty], [np.eye(4)] * 2).block_count == 0
+    assert loom.meshing.fuse_volumes([empty, empty], [np.eye(4)] * 2).block_count == 0
     volume = colored_volume(device)
-    assert seen_of(loom.fuse_volumes([empty, volume], [np.eye(4)] * 2)) == seen_of(volume)
+    assert seen_of(loom.meshing.fuse_volumes([empty, volume], [np.eye(4)] * 2)) == seen_of(volume)
 
 
 def test_weights_saturate_at_their_limit(device):
     volume = fuse([next(iter(sphere_frames(SMALL)))], device, camera=SMALL, voxel_size=0.05)
     for _ in range(17):
-        volume = loom.fuse_volumes([volume, volume], [np.eye(4)] * 2)
+        volume = loom.meshing.fuse_volumes([volume, volume], [np.eye(4)] * 2)
     assert voxels_of(volume)[2].max() == 65535 and volume.frame_count == 2**17
 
 
@@ -139,10 +139,10 @@ def test_colors_are_weighted_means(device):
         for _ in range(count):
             volume.integrate(depth, SMALL, T, color=np.full((SMALL.height, SMALL.width, 3), shade, np.uint8))
         parts.append(volume)
-    fused = loom.fuse_volumes(parts, [T, T])
+    fused = loom.meshing.fuse_volumes(parts, [T, T])
     weights, colors = voxels_of(fused)[2:]
     assert set(np.unique(weights)) == {0, 4} and np.abs(colors[weights == 4] / 257.0 - 160).max() < 0.01
-    plain = loom.fuse_volumes(parts, [T, T], color=False)
+    plain = loom.meshing.fuse_volumes(parts, [T, T], color=False)
     assert not plain.has_color and (voxels_of(plain)[2] == weights).all()
 
 
@@ -164,7 +164,7 @@ def splats_of(mesh, count, color=(0.8, 0.3, 0.1), *, thickness=0.1, at=(0, 0, 0)
 
 def test_a_ball_is_reconstructed_with_its_color(device, at=UTM):
     splats = splats_of(loom.TriangleMesh.create_sphere(1.0, 40), 2000, at=at, device=device)
-    mesh = loom.fuse_splats(splats, voxel_size=0.08)
+    mesh = loom.meshing.fuse_splats(splats, voxel_size=0.08)
     apart = np.linalg.norm(mesh.vertices - at, axis=1) - 1
     assert np.abs(apart).max() < 0.06 and np.abs(apart).mean() < 0.02
     assert abs(mesh.get_surface_area() / (4 * np.pi) - 1) < 0.05 and mesh.is_watertight()
@@ -181,7 +181,7 @@ def test_given_views_show_the_inside_of_a_room(device):
         rotation = Rotation.from_euler("yx", [30 * k, 35 * (-1) ** k], degrees=True)
         T[:3, :3] = (rotation.inv() * Rotation.from_euler("x", 90, degrees=True)).as_matrix()
         poses.append(T)
-    mesh = loom.fuse_splats(splats, camera, poses, voxel_size=0.1, weight_threshold=1)
+    mesh = loom.meshing.fuse_splats(splats, camera, poses, voxel_size=0.1, weight_threshold=1)
     v = mesh.vertices
     apart = np.min(np.abs(np.abs(v - [0, 0, 0.05]) - [2, 1.5, 1.25]), axis=1)
     assert len(v) > 5000 and np.median(apart) < 0.003 and np.quantile(apart, 0.95) < 0.02

@@ -259,10 +259,10 @@ def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path 
         print(error, file=sys.stderr)
         return 2
     noticed = sum(bool(outcome.noticed_by) for outcome in outcomes)
-    share = noticed / len(outcomes)
-    print(f"{noticed} of {len(outcomes)} noticed: {share:.1%}, at least {MIN_NOTICED:.0%} wanted")
+    fraction = noticed / len(outcomes)
+    print(f"{noticed} of {len(outcomes)} noticed: {fraction:.1%}, at least {MIN_NOTICED:.0%} wanted")
     print("\n".join(f"not noticed: {o.mutant.name} ({o.mutant.file})" for o in outcomes if not o.noticed_by), end="")
-    return 0 if share >= MIN_NOTICED else 1
+    return 0 if fraction >= MIN_NOTICED else 1
 
 
 if __name__ == "__main__":

@@ -18,10 +18,10 @@ POLYGON = [[-0.9, 0.0, 1.2], [0.6, 0.0, 1.2], [0.8, 0.0, 2.6], [-0.7, 0.0, 2.8]]
 
 def write_images(folder: Path, number: int, frame) -> np.ndarray:
     depth = (frame.depth * 1000).round().astype(np.uint16)
-    for name, picture, options in (("color/{}.jpg", frame.color, {"quality": 95}), ("depth/{}.png", depth, {})):
+    for name, image, options in (("color/{}.jpg", frame.color, {"quality": 95}), ("depth/{}.png", depth, {})):
         path = folder / name.format(number)
         path.parent.mkdir(exist_ok=True)
-        Image.fromarray(picture).save(path, **options)
+        Image.fromarray(image).save(path, **options)
     return depth
 
 

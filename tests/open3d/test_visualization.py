@@ -104,15 +104,15 @@ def box():
     return o3d.geometry.TriangleMesh.create_box(1, 2, 3).paint_uniform_color([1, 0, 0])
 
 
-def test_a_picture_is_captured_without_a_page(box, tmp_path):
+def test_an_image_is_captured_without_a_page(box, tmp_path):
     vis = o3d.visualization.Visualizer()
     assert vis.create_window("boxes", 64, 48, visible=False)
     vis.add_geometry(box)
     vis.get_render_option().background_color = [0, 0, 1]
     vis.capture_screen_image(tmp_path / "a.png", True)
-    picture = np.asarray(o3d.io.read_image(tmp_path / "a.png"))
-    assert picture.shape == (48, 64, 3) and picture[0, 0].tolist() == [0, 0, 255] and picture[24, 32, 0] > 100
-    assert picture[24, 32, 1:].max() == 0
+    image = np.asarray(o3d.io.read_image(tmp_path / "a.png"))
+    assert image.shape == (48, 64, 3) and image[0, 0].tolist() == [0, 0, 255] and image[24, 32, 0] > 100
+    assert image[24, 32, 1:].max() == 0
     vis.capture_depth_image(tmp_path / "depth.png")
     depth = np.asarray(o3d.io.read_image(tmp_path / "depth.png"))
     assert depth[24, 32] == pytest.approx(1000 * (3 * 0.7 * 3**0.5 - 1.5), abs=2)
@@ -145,7 +145,7 @@ def test_loops_of_an_unattended_script_end(box):
         o3d.visualization.draw_geometries(box)
 
 
-def test_pictures_and_clouds_are_drawn(rng):
+def test_images_and_clouds_are_drawn(rng):
     image = o3d.geometry.Image((rng.random((20, 30, 3)) * 255).astype(np.uint8))
     depth = o3d.geometry.Image(rng.random((20, 30)).astype(np.float32))
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(rng.random((50, 3)) * 30))

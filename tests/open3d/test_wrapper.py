@@ -140,9 +140,9 @@ def test_boxes_stay_valid():
 
 def test_textures_begin_with_their_lowest_row():
     mesh = o3d.geometry.TriangleMesh.create_box(create_uv_map=True)
-    picture = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
-    mesh.textures = [o3d.geometry.Image(picture)]
-    assert (np.asarray(mesh.textures[0]) == picture).all() and (mesh._native.textures[0] == picture[::-1]).all()
+    image = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
+    mesh.textures = [o3d.geometry.Image(image)]
+    assert (np.asarray(mesh.textures[0]) == image).all() and (mesh._native.textures[0] == image[::-1]).all()
 
 
 def test_random_operations_follow_one_seed():

@@ -54,7 +54,7 @@ def test_the_principal_box_of_a_cloud_is_open3ds(device, rng, oracle, tolerances
     expected = oracle("pcd/boxes/principal", open3d_principal, points)
     box, names = cloud.get_oriented_bounding_box(), ("center", "extent", "R")
     theirs = SimpleNamespace(**dict(zip(names, expected, strict=True)))
-    assert_same_box(box, theirs, tolerances.box_share * np.ptp(points))
+    assert_same_box(box, theirs, tolerances.box_fraction * np.ptp(points))
     assert len(cloud.crop(box)) == len(cloud)
     assert cloud.get_minimal_oriented_bounding_box().volume() <= box.volume()
 
@@ -248,7 +248,7 @@ def test_boxes_of_points_equal_boxes_of_their_cloud(rng, tolerances):
     assert loom.AxisAlignedBoundingBox.create_from_points(points) == cloud.get_axis_aligned_bounding_box()
     assert loom.AxisAlignedBoundingBox.create_from_points([]).is_empty()
     made = loom.OrientedBoundingBox.create_from_points(points)
-    assert_same_box(made, cloud.get_oriented_bounding_box(), 100 * tolerances.box_share)
+    assert_same_box(made, cloud.get_oriented_bounding_box(), 100 * tolerances.box_fraction)
     smallest = loom.OrientedBoundingBox.create_from_points_minimal(points)
     assert smallest.volume() == pytest.approx(cloud.get_minimal_oriented_bounding_box().volume())
     oriented = loom.OrientedBoundingBox.create_from_axis_aligned_bounding_box(cloud.get_axis_aligned_bounding_box())

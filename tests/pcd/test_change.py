@@ -48,7 +48,7 @@ def test_result_agrees_with_brute_force_in_float64(at, device):
     first, second = epoch(0, at=at), epoch(1, at=at, sunk=0.3)
     cores = first[::400]
     clouds = [loom.PointCloud(points, device=device) for points in (first, second, cores)]
-    result = loom.change.m3c2(
+    result = loom.m3c2(
         *clouds[:2], core_points=clouds[2], normal_radii=RADII, cylinder_radius=CYLINDER, max_distance=MAX_DISTANCE,
         registration_error=ERROR,
     )  # fmt: skip
@@ -68,7 +68,7 @@ def test_result_agrees_with_brute_force_in_float64(at, device):
 
 def compared(first, second, device, **options):
     given = {"normal_radii": 1.0, "cylinder_radius": 1.0, "max_distance": 2.0} | options
-    return loom.change.m3c2(loom.PointCloud(first, device=device), loom.PointCloud(second, device=device), **given)
+    return loom.m3c2(loom.PointCloud(first, device=device), loom.PointCloud(second, device=device), **given)
 
 
 def test_unchanged_points_are_significant_in_one_of_twenty(device):
@@ -86,9 +86,9 @@ def test_result_is_independent_of_the_traversal_order(device):
     far = np.random.default_rng(3).random((777, 3)) * 20 + [1000, 300, 50]
     cores = loom.PointCloud(first[::7], device=device)
     options = {"core_points": cores, "normal_radii": [0.91, 1.31], "cylinder_radius": 0.7, "max_distance": 2.0}
-    expected = loom.change.m3c2(*(loom.PointCloud(p, device=device) for p in (first, second)), **options)
+    expected = loom.m3c2(*(loom.PointCloud(p, device=device) for p in (first, second)), **options)
     mixed = (np.vstack([far, points])[::-1] for points in (first, second))
-    among = loom.change.m3c2(*(loom.PointCloud(p, origin=(0, 0, 0), device=device) for p in mixed), **options)
+    among = loom.m3c2(*(loom.PointCloud(p, origin=(0, 0, 0), device=device) for p in mixed), **options)
     for name in ("distances", "level_of_detection", "directions", "scales", "spreads", "counts"):
         np.testing.assert_array_equal(getattr(among, name), getattr(expected, name))
     assert np.isfinite(expected.distances).mean() > 0.9
@@ -117,7 +117,7 @@ def test_epochs_of_which_few_points_have_a_distance_are_reported(device):
     epochs = [epoch(k, count=4000, at=(0, 0, z)) for k, z in enumerate((0, 0, 9))]
     first, second, away = (loom.PointCloud(points, device=device) for points in epochs)
     options = {"normal_radii": RADII, "cylinder_radius": CYLINDER, "max_distance": MAX_DISTANCE}
-    good, far = (loom.change.m3c2(first, other, **options) for other in (second, away))
+    good, far = (loom.m3c2(first, other, **options) for other in (second, away))
     assert good.reliable and good.warnings == () and not far.reliable
     assert "of 4,000 core points have a distance (0.0%): use a larger max_distance" in far.warnings[0]
 

@@ -312,7 +312,7 @@ def test_meshes_are_converted_too():
         lambda a, b: loom.registration.registration_icp(a, b, 0.5),
         lambda a, b: loom.registration.evaluate_registration(a, b, 0.5),
         slow(lambda a, b: loom.registration.register_pair(a, b, init=np.eye(4), voxel_size=0.3)),
-        slow(lambda a, b: loom.registration.register_fragments([a, b], voxel_size=0.3)),
+        slow(lambda a, b: loom.registration.register_multiway([a, b], voxel_size=0.3)),
         slow(lambda a, b: loom.render([a, b], size=(32, 32))),
     ],
 )

@@ -57,8 +57,10 @@ OF_ALL = {
     "detect_planar_patches": lambda c: [len(c.estimate_normals().detect_planar_patches())],
     "remove_statistical_outlier": lambda c: np.unique(c.remove_statistical_outlier(20, 1.0)[0].points, axis=0),
     "compute_iss_keypoints": lambda c: np.unique(loom.compute_iss_keypoints(c).points, axis=0),
-    "create_surface, ball": lambda c: [loom.create_surface(c, "ball", new_normals=True).mesh.get_surface_area()],
-    "create_surface, alpha": lambda c: [loom.create_surface(c, "alpha").support.bent],
+    "create_surface, ball": lambda c: [
+        loom.meshing.create_surface(c, "ball", new_normals=True).mesh.get_surface_area()
+    ],
+    "create_surface, alpha": lambda c: [loom.meshing.create_surface(c, "alpha").support.bent],
     "registration_icp, generalized": icp(reg.TransformationEstimationForGeneralizedICP),
     "registration_icp, colored": icp(reg.TransformationEstimationForColoredICP),
     "registration_icp, planes": icp(reg.TransformationEstimationPointToPlane),

@@ -27,8 +27,8 @@ def redwood(shipped_file):
 def encoded(millimeters):
     """A depth image as stored by each format; `defaults` contains larger depths, which are truncated."""
     raw_values = millimeters.astype(np.uint16)
-    shares = 351.3 / np.maximum(raw_values, 500) * 1000  # NYU's own scale: meters = 351.3 / (1092.5 - word)
-    nyu = np.where(raw_values > 0, np.rint(1092.5 - shares), 2047).astype(np.uint16).byteswap()
+    fractions = 351.3 / np.maximum(raw_values, 500) * 1000  # NYU's own scale: meters = 351.3 / (1092.5 - word)
+    nyu = np.where(raw_values > 0, np.rint(1092.5 - fractions), 2047).astype(np.uint16).byteswap()
     sun = (raw_values << 3) | (raw_values >> 13)
     return {"redwood": raw_values, "tum": 5 * raw_values, "sun": sun, "nyu": nyu, "defaults": 2 * raw_values}
 
@@ -162,7 +162,7 @@ def test_the_depth_image_of_a_cloud_is_open3ds(device, rng, oracle, tolerances):
     expected = oracle("pcd/depth_clouds/projected", open3d_depth, points, camera.matrix, extrinsic)
     assert result.dtype == np.float32 and result.shape == (48, 64) and (expected > 0).mean() > 0.3
     same = np.isclose(result, expected, rtol=tolerances.projected_relative)
-    assert same.mean() > tolerances.projected_share, f"{1 - same.mean():.3%} of the pixels differ"
+    assert same.mean() > tolerances.projected_fraction, f"{1 - same.mean():.3%} of the pixels differ"
 
 
 def test_every_16_bit_depth_round_trips(device):

@@ -125,7 +125,7 @@ def test_statistical_outliers_are_open3ds(device, scan, nb_neighbors, std_ratio,
         crowded = np.flatnonzero(np.bincount(twins)[twins] >= nb_neighbors)
         expected = np.union1d(expected, crowded)
     differing = np.setxor1d(indices, expected)
-    assert len(differing) <= tolerances.outlier_share * len(points), f"{len(differing)} points differ"
+    assert len(differing) <= tolerances.outlier_fraction * len(points), f"{len(differing)} points differ"
     np.testing.assert_array_equal(filtered.points, loom.PointCloud(points, device=device).points[indices])
     assert (np.diff(indices) > 0).all()
 

@@ -18,7 +18,7 @@ SEARCHES["radius"] = {"radius": 0.03, "max_nn": None}
 
 def assert_agree(actual, expected, tolerances):
     fraction = ((actual * expected).sum(axis=1) > tolerances.normal_dot).mean()
-    assert fraction >= tolerances.normal_share, f"{fraction:.5f} of the normals agree"
+    assert fraction >= tolerances.normal_fraction, f"{fraction:.5f} of the normals agree"
     np.testing.assert_allclose(np.linalg.norm(actual, axis=1), 1, atol=tolerances.unit_length)
 
 
@@ -191,7 +191,7 @@ def assert_covariances(actual, expected, tolerances):
     sizes = np.abs(expected).max(axis=(1, 2))
     errors = np.abs(actual - expected).max(axis=(1, 2))
     fraction = (errors <= tolerances.covariance_relative * sizes).mean()
-    assert fraction >= tolerances.normal_share, f"{fraction:.5f} of the covariances agree"
+    assert fraction >= tolerances.normal_fraction, f"{fraction:.5f} of the covariances agree"
 
 
 @pytest.fixture(scope="module")

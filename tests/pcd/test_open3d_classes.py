@@ -140,7 +140,7 @@ def test_image_has_a_notebook_repr(shapes, tmp_path):
     assert noise._repr_png_() is None and 50_000 < len(noise._repr_jpeg_() or b"") <= 200_000
     assert isinstance(np.hstack([picture, np.asarray(picture)]), Picture)
     assert type(picture / 2) is np.ndarray and type(picture.mean(axis=2)) is np.ndarray and picture.max() <= 255
-    loom.save_picture(tmp_path / "a.png", picture)
+    loom.write_image(tmp_path / "a.png", picture)
     np.testing.assert_array_equal(loom.read_color(tmp_path / "a.png"), picture)
 
 
@@ -167,7 +167,7 @@ def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):
     assert len(loom.read_point_cloud("~/in/a.ply")) == 8
     loom.write_triangle_mesh("~/in/a.obj", mesh)
     assert loom.read_triangle_mesh("~/in/a.obj").has_textures
-    loom.save_picture("~/in/a.png", picture)
+    loom.write_image("~/in/a.png", picture)
     assert loom.read_color("~/in/a.png").shape == COLOR.shape
     loom.write_pinhole_camera_intrinsic("~/in/camera.json", CAMERA)
     assert loom.read_pinhole_camera_intrinsic("~/in/camera.json") == CAMERA

@@ -267,7 +267,7 @@ def graphs(scans):
 
 @pytest.mark.parametrize("k", [6, 15, 30, 100])
 def test_orientation_of_the_fragment_is_open3ds(device, k, scans, oracle, tolerances):
-    assert agreement(orient(*scans["fragment"], k, device), oracle("fragment", k)) >= tolerances.orientation_share
+    assert agreement(orient(*scans["fragment"], k, device), oracle("fragment", k)) >= tolerances.orientation_fraction
 
 
 @on_sets("scan", shipped=("terrain", FRAGMENT), real=("lidar", FRAGMENT))
@@ -281,9 +281,9 @@ def test_orientation_follows_open3ds_rule_on_the_complete_graph(device, scan, k,
     complete, reduced, nearest = graphs(scan, k)
     assert len(complete) - len(reduced) > 0.1 * len(nearest)
     expected = orient_along(*scans[scan], reduced)
-    assert agreement(expected, oracle(scan, k)) >= tolerances.orientation_share
+    assert agreement(expected, oracle(scan, k)) >= tolerances.orientation_fraction
     result = orient(*scans[scan], k, device)
-    assert agreement(result, orient_along(*scans[scan], complete)) >= tolerances.orientation_share
+    assert agreement(result, orient_along(*scans[scan], complete)) >= tolerances.orientation_fraction
 
 
 def ball(count: int, seed: int = 0) -> np.ndarray:

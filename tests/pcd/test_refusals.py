@@ -32,7 +32,7 @@ NAMES = {
     "depth_cloud": lambda **given: loom.PointCloud.create_from_depth_image(
         **{"depth": np.full((2, 3), 1000, np.uint16), "intrinsic": CAMERA} | given
     ),
-    "changed": lambda **given: loom.change.m3c2(
+    "changed": lambda **given: loom.m3c2(
         *(loom.PointCloud(np.random.default_rng(seed).random((50, 3)) * 30) for seed in (0, 1)),
         **{"normal_radii": 1.0, "cylinder_radius": 1.0, "max_distance": 2.0} | given,
     ),

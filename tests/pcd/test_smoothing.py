@@ -248,7 +248,7 @@ def scaled(search, factor):
 
 def assert_points(actual, expected, start, tolerances, *, fraction=None):
     """Check for equal positions, except for a fraction with tied last neighbors, whose displacement is not larger."""
-    fraction = tolerances.smoothed_share if fraction is None else fraction
+    fraction = tolerances.smoothed_fraction if fraction is None else fraction
     error = np.linalg.norm(actual - expected, axis=1)
     equal = error <= tolerances.smoothed_relative * np.abs(start).max()
     assert equal.mean() >= fraction, f"{1 - equal.mean():.5%} of the points are elsewhere, up to {error.max():.3g} m"
@@ -306,7 +306,7 @@ def test_laplacian_passes_are_open3ds(device, scan, fixed, scans, o3d, tolerance
     assert_points(cloud.smooth_laplacian(1, 0.4, 12, fixed).points, first, points, tolerances)
     second = np.asarray(oracle.smooth_taubin(1, 0.4, -0.45, 12, fixed).points)
     result = cloud.smooth_taubin(1, 0.4, -0.45, 12, fixed).points
-    assert_points(result, second, points, tolerances, fraction=tolerances.smoothed_share_of_two)
+    assert_points(result, second, points, tolerances, fraction=tolerances.smoothed_fraction_of_two)
 
 
 def test_the_defaults_are_open3ds(device, fragment, o3d, tolerances):

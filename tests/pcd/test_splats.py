@@ -123,7 +123,7 @@ def training():
 
 
 @pytest.mark.slow
-def test_gradients_are_differences_of_a_float64_picture(training, device):
+def test_gradients_are_differences_of_a_float64_image(training, device):
     assert training.largest_differences(device).max() < 1e-5
 
 
@@ -208,12 +208,12 @@ def reference(splats, camera, T, near=0.01):
 def test_image_follows_the_equations(degree, device):
     splats = made_splats(degree=degree, seed=degree, device=device)
     T = pose_at([0.1, 0.2, -1.5])
-    picture = splats.rasterize(CAMERA, T)
+    image = splats.rasterize(CAMERA, T)
     color, left, depth, median, normals = reference(splats, CAMERA, T)
     assert (left < 0.5).mean() > 0.2
     firm = left < 0.9
-    pairs = [(picture.opacity, 1 - left), (picture.color, color), (picture.depth[firm], depth[firm])]
-    pairs += [(picture.median_depth[firm], median[firm]), (picture.normals[firm], normals[firm])]
+    pairs = [(image.opacity, 1 - left), (image.color, color), (image.depth[firm], depth[firm])]
+    pairs += [(image.median_depth[firm], median[firm]), (image.normals[firm], normals[firm])]
     for actual, expected in pairs:
         # splats below 1/255 of opacity are skipped: rounding affects single pixels
         assert (np.abs(actual - expected) > 3e-5).mean() < 1e-3
@@ -225,17 +225,17 @@ def test_solid_surface_hides_the_splats_behind_it(device):
     corners = [[-9, -9, 2], [0, -9, 2], [0, 9, 2], [-9, 9, 2]]
     wall = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]], vertex_colors=np.full((4, 3), 0.2), device=device)
     view, background = loom.View(CAMERA, T), (0.6, 0.8, 1.0)
-    picture = np.asarray(loom.render([splats, wall], view, shading="none", background=background)) / 255
+    image = np.asarray(loom.render([splats, wall], view, shading="none", background=background)) / 255
     for columns, chosen, solid in (
         (slice(0, 32), splats.centers[:, 2] < 2, (0.2, 0.2, 0.2)),
         (slice(35, 70), splats.centers[:, 2] < 9, background),
     ):
         color, left, *_ = reference(splats.select_by_index(np.flatnonzero(chosen)), CAMERA, T)
         expected = np.clip(color + left[..., None] * solid, 0, 1)[:, columns]
-        assert np.quantile(np.abs(picture[:, columns] - expected), 0.99) < 3 / 255
+        assert np.quantile(np.abs(image[:, columns] - expected), 0.99) < 3 / 255
 
 
-def test_a_picture_at_utm_coordinates_is_the_same(device):
+def test_an_image_at_utm_coordinates_is_the_same(device):
     near, far = made_splats(device=device), made_splats(device=device, at=UTM)
     one, other = near.rasterize(CAMERA, pose_at([0, 0, -1.5])), far.rasterize(CAMERA, pose_at(UTM - [0, 0, 1.5]))
     assert np.abs(one.color - other.color).mean() < 1e-5
@@ -246,24 +246,24 @@ def test_a_flat_splat_gives_the_depth_of_its_plane(device):
     tilt = Rotation.from_rotvec([0.6, 0.3, 0])
     rotation = np.roll(tilt.as_quat(), 1)
     splats = loom.GaussianSplats([[0, 0, 3]], [[0.8, 0.8, 1e-6]], [rotation], [0.95], [[0, 0, 0]], device=device)
-    picture = splats.rasterize(CAMERA, np.eye(4))
+    image = splats.rasterize(CAMERA, np.eye(4))
     rays = rays_of(CAMERA)
     normal = tilt.as_matrix()[:, 2]
     plane = 3 * normal[2] / (rays @ normal)
-    visible = picture.opacity > 0.3
+    visible = image.opacity > 0.3
     assert visible.sum() > 300
-    np.testing.assert_allclose(picture.depth[visible], plane[visible], rtol=2e-5)
-    np.testing.assert_allclose(picture.normals[visible], np.broadcast_to(-normal, (visible.sum(), 3)), atol=1e-6)
+    np.testing.assert_allclose(image.depth[visible], plane[visible], rtol=2e-5)
+    np.testing.assert_allclose(image.normals[visible], np.broadcast_to(-normal, (visible.sum(), 3)), atol=1e-6)
 
 
 def test_the_nearer_of_two_hides_the_other_and_the_background_shows_beside(device):
     centers, harmonics, unturned = [[0, 0, 2], [0, 0, 1]], [[-2, -2, 2], [2, -2, -2]], [[1, 0, 0, 0]] * 2
     two = loom.GaussianSplats(centers, np.full((2, 3), 0.1), unturned, [1, 1], harmonics, device=device)
-    picture = two.rasterize(CAMERA, np.eye(4), background=(0, 1, 0))
-    red, green, blue = picture.color[26, 33]
+    image = two.rasterize(CAMERA, np.eye(4), background=(0, 1, 0))
+    red, green, blue = image.color[26, 33]
     assert red > 0.9 and green < 0.01 and 0 < blue < 0.02
-    np.testing.assert_allclose(picture.color[0, 0], [0, 1, 0], atol=1e-6)
-    assert picture.median_depth[26, 33] == pytest.approx(1, abs=1e-6) and picture.depth[0, 0] == 0
+    np.testing.assert_allclose(image.color[0, 0], [0, 1, 0], atol=1e-6)
+    assert image.median_depth[26, 33] == pytest.approx(1, abs=1e-6) and image.depth[0, 0] == 0
 
 
 def test_splats_that_are_not_finite_are_not_drawn(device):
@@ -284,8 +284,8 @@ def test_splats_that_are_not_finite_are_not_drawn(device):
 def test_splats_behind_or_beside_the_camera_are_invisible(device):
     splats = made_splats(device=device)
     for chosen in (splats.select_by_index([]), splats.translate([0, 0, -50]), splats.translate([1000, 0, 0])):
-        picture = chosen.rasterize(CAMERA, pose_at([0, 0, -1]))
-        assert not picture.opacity.any() and not picture.depth.any() and not picture.normals.any()
+        image = chosen.rasterize(CAMERA, pose_at([0, 0, -1]))
+        assert not image.opacity.any() and not image.depth.any() and not image.normals.any()
 
 
 @pytest.mark.slow

@@ -32,9 +32,9 @@ def armed(count: int, seed: int) -> Array:
     ways = np.array([[1, 0, 0], [-0.5, 0.8, 0.1], [-0.3, -0.6, 0.7], [0.1, -0.3, -0.9]])
     ways /= np.linalg.norm(ways, axis=1)[:, None]
     lengths, radii = np.array([1.3, 1.0, 0.8, 0.7]), np.array([0.13, 0.22, 0.16, 0.2])
-    arm, share, v = rng.integers(0, 4, 3 * count), rng.random((3 * count, 1)), rng.normal(size=(3 * count, 3))
+    arm, fraction, v = rng.integers(0, 4, 3 * count), rng.random((3 * count, 1)), rng.normal(size=(3 * count, 3))
     v -= (v * ways[arm]).sum(axis=1)[:, None] * ways[arm]
-    points = lengths[arm, None] * share * ways[arm] + radii[arm, None] * v / np.linalg.norm(v, axis=1)[:, None]
+    points = lengths[arm, None] * fraction * ways[arm] + radii[arm, None] * v / np.linalg.norm(v, axis=1)[:, None]
     inside = np.zeros(len(points), bool)
     for way, length, radius in zip(ways, lengths, radii, strict=True):
         along = np.clip(points @ way, 0, length)[:, None] * way

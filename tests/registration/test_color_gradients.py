@@ -41,7 +41,7 @@ def test_gradients_in_the_fragment_match_least_squares(device, scan_set, fragmen
     expected = reference_gradients(points, normals, intensities.astype(np.float64), 0.06, 30)
     size = np.abs(expected).max(axis=1)
     error = np.abs(gradients - expected).max(axis=1) / np.maximum(size, size.max() / 100)
-    assert size.max() > 1 and (error < tolerances.gradient).mean() >= tolerances.gradient_share
+    assert size.max() > 1 and (error < tolerances.gradient).mean() >= tolerances.gradient_fraction
     np.testing.assert_allclose(intensities, colors.mean(axis=1), atol=2e-7)
     lengths = np.linalg.norm(gradients, axis=1) * np.linalg.norm(normals, axis=1)
     assert (np.abs((gradients * normals).sum(axis=1)) <= 1e-6 * lengths).all(), "a gradient lies in the plane"

@@ -29,9 +29,9 @@ def generator(twist) -> np.ndarray:
     return G
 
 
-def skew_scan(world, twist, shares) -> np.ndarray:
+def skew_scan(world, twist, fractions) -> np.ndarray:
     """Points [n, 3] as seen by a sensor at exp(share * twist)."""
-    seen = [np.linalg.inv(expm(s * generator(twist))) @ [*p, 1] for s, p in zip(shares, world, strict=True)]
+    seen = [np.linalg.inv(expm(s * generator(twist))) @ [*p, 1] for s, p in zip(fractions, world, strict=True)]
     return np.array(seen).reshape(-1, 4)[:, :3]
 
 
@@ -39,11 +39,11 @@ def skew_scan(world, twist, shares) -> np.ndarray:
 @given(st.tuples(*[small] * 6), st.floats(1e-3, 1e9), st.floats(-1e6, 1e6), st.integers(2, 9))
 def test_a_scan_is_deskewed_to_its_end(device, tolerances, twist, unit, start, count):
     rng = np.random.default_rng(count)
-    shares = np.linspace(0, 1, count)[rng.permutation(count)]
+    fractions = np.linspace(0, 1, count)[rng.permutation(count)]
     world = rng.uniform(-60, 60, (count, 3))
-    scan = loom.PointCloud(skew_scan(world, twist, shares), device=device)
+    scan = loom.PointCloud(skew_scan(world, twist, fractions), device=device)
     T = expm(generator(twist))
-    deskewed = deskew_point_cloud(scan, T, start + shares * unit)
+    deskewed = deskew_point_cloud(scan, T, start + fractions * unit)
     expected = (world - T[:3, 3]) @ T[:3, :3]
     rounding = 200 * np.spacing(abs(start) + unit) / unit  # of the absolute times
     np.testing.assert_allclose(deskewed.points, expected, atol=tolerances.deskew + rounding)
@@ -78,12 +78,12 @@ def test_a_rotation_just_below_180_degrees_keeps_its_axis_and_sign(rng, gap):
 )
 def test_the_interval_can_be_longer_than_the_scan(device, rng, sweep, interval, expected):
     """From the visible part of a revolution of the sensor, unless the interval is given; beams differ by 5 degrees."""
-    share = np.sort(rng.random(2000))
-    azimuth = np.radians(sweep * share - 50 + rng.choice([-2.5, 2.5], 2000)) if sweep else rng.uniform(0, 6.28, 2000)
+    fraction = np.sort(rng.random(2000))
+    azimuth = np.radians(sweep * fraction - 50 + rng.choice([-2.5, 2.5], 2000)) if sweep else rng.uniform(0, 6.28, 2000)
     points = rng.uniform(5, 50, (2000, 1)) * np.c_[np.cos(azimuth), np.sin(azimuth), rng.uniform(-0.3, 0.3, 2000)]
     points[::7] = np.nan
     cloud, order = loom.PointCloud(points, device=device), rng.permutation(2000)
-    cloud, times = cloud.select_by_index(order), (100 + 0.05 * share)[order]
+    cloud, times = cloud.select_by_index(order), (100 + 0.05 * fraction)[order]
     part = part_of_interval(cloud._device_array("points"), point_times(cloud, times), cloud.origin, interval)
     assert part == pytest.approx(expected, rel=0.03)
 
@@ -142,7 +142,7 @@ def test_seconds_in_float32_are_rejected_if_they_are_too_coarse():
         ("timestamps", lambda: loom.Trajectory(poses, epoch)),
         ("timestamps", lambda: loom.registration.run_odometry([wall] * 3, timestamps=epoch)),
         ("frame-000000: timestamp", lambda: next(iter(loom.frames_from([frame], camera)))),
-        ("timestamp", lambda: loom.slam.DenseSLAM(camera, voxel_size=0.1).step(frame)),
+        ("timestamp", lambda: loom.rgbd.DenseSLAM(camera, voxel_size=0.1).step(frame)),
     ):
         with pytest.raises(ValueError, match=f"{name}: expected times in float64, got float32"):
             call()

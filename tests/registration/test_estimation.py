@@ -30,7 +30,7 @@ STEPS = [
     *(("ForGeneralizedICP", (1e-3, loss), 1) for loss in KERNELS),
     *(("ForGeneralizedICP", (1e-3, loss), 20) for loss in ("L2Loss", "CauchyLoss")),
     *(("ForColoredICP", (0.968, loss), 1) for loss in KERNELS),
-    *(("ForColoredICP", (share, loss), 20) for share, loss in ((0.968, "L2Loss"), (0.5, "HuberLoss"))),
+    *(("ForColoredICP", (fraction, loss), 20) for fraction, loss in ((0.968, "L2Loss"), (0.5, "HuberLoss"))),
 ]
 ESTIMATORS = ("PointToPoint", "PointToPlane", "Symmetric", "ForGeneralizedICP", "ForColoredICP")
 SHAPES = (2.0, 1.0, 0.0, -2.0, -1e8)
@@ -259,10 +259,10 @@ def test_doppler_steps_match_open3d(device, drive, answers, name, tolerances):
         np.testing.assert_allclose(result.transformation, expected, rtol=0, atol=tolerances.icp_pose_float32)
 
 
-@pytest.mark.parametrize("share", [0.01, 0.9])
-def test_the_weight_of_speeds_does_not_make_a_room_degenerate(device, drive, share, angle_between):
+@pytest.mark.parametrize("fraction", [0.01, 0.9])
+def test_the_weight_of_speeds_does_not_make_a_room_degenerate(device, drive, fraction, angle_between):
     """Rows of radial speeds are long, as they are divided by the period: they add no information to the walls'."""
-    method = reg.TransformationEstimationForDopplerICP(0.1, share, True)
+    method = reg.TransformationEstimationForDopplerICP(0.1, fraction, True)
     result = result_after(device, drive, method, 12)
     assert len(result.degenerate_directions) == 0 and angle_between(result.transformation, drive.T) < 0.1
 

@@ -290,7 +290,7 @@ def test_trimming_suppresses_outliers(device, rng, angle_between):
     source = loom.PointCloud(back(points, T), device=device)
     rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 60)
     given = source, target, 0.4, None, PLANE, rules
-    plain, trimmed = (reg.registration_icp(*given, overlap=share) for share in (1.0, 0.65))
+    plain, trimmed = (reg.registration_icp(*given, overlap=fraction) for fraction in (1.0, 0.65))
     off, wrong = (np.abs(r.transformation[:3, 3] - T[:3, 3]).max() for r in (trimmed, plain))
     assert off < 2e-4 and wrong > 0.04
     assert angle_between(trimmed.transformation, T) < 0.01 < 0.1 < angle_between(plain.transformation, T)
@@ -304,7 +304,7 @@ def test_an_overlap_above_the_matched_fraction_keeps_all_pairs(device, rng):
     source = np.concatenate([target[:1000], target[:1000]])
     source[:, 2] += np.where(np.arange(2000) < 1000, 0.01, 50)
     clouds = [loom.PointCloud(p, device=device).estimate_normals(max_nn=20) for p in (source, target)]
-    plain, trimmed = (reg.registration_icp(*clouds, 0.1, None, PLANE, overlap=share) for share in (1.0, 0.8))
+    plain, trimmed = (reg.registration_icp(*clouds, 0.1, None, PLANE, overlap=fraction) for fraction in (1.0, 0.8))
     assert (trimmed.fitness, trimmed.warnings) == (0.5, plain.warnings)
     np.testing.assert_array_equal(trimmed.transformation, plain.transformation)
 
@@ -346,7 +346,7 @@ def test_the_overlap_is_estimated(device, kind, rng, angle_between):
     source, target = source.estimate_normals(max_nn=20), target.estimate_normals(max_nn=20)
     rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 60)
     given = source, target, 0.3, None, KINDS[kind], rules
-    plain, trimmed = (reg.registration_icp(*given, overlap=share) for share in (1.0, None))
+    plain, trimmed = (reg.registration_icp(*given, overlap=fraction) for fraction in (1.0, None))
     off, wrong = (angle_between(r.transformation, T) for r in (trimmed, plain))
     assert off < 0.4 and wrong > 2.5 * off
     assert 0.3 < trimmed.fitness < min(0.45, plain.fitness)

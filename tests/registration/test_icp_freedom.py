@@ -154,9 +154,9 @@ def test_weights_count_as_duplicate_points(device, full_pair, rng):
     rows = np.repeat(np.arange(len(source)), weights)
     names = {"normals": source.normals, "colors": source.colors, "dopplers": source["dopplers"]}
     repeated = loom.PointCloud(source.points[rows], device=device, **{n: v[rows] for n, v in names.items()})
-    source["share"] = weights.astype(np.float32)
+    source["fraction"] = weights.astype(np.float32)
     for kind, method in KINDS.items():
-        weighted = reg.registration_icp(source, target, 0.2, None, method, LONG, weights="share", degeneracy=0)
+        weighted = reg.registration_icp(source, target, 0.2, None, method, LONG, weights="fraction", degeneracy=0)
         wanted = reg.registration_icp(repeated, target, 0.2, None, method, LONG, degeneracy=0)
         np.testing.assert_allclose(weighted.transformation, wanted.transformation, atol=1e-7, err_msg=kind)
         plain = reg.registration_icp(source, target, 0.2, None, method, LONG, degeneracy=0)

@@ -186,7 +186,7 @@ def test_parts_with_a_fifth_of_overlap_stay_aligned(device, parted_kitchen, o3d,
     """From one degree off: all pairs within 0.3 m end farther off in both libraries, an estimated overlap nearer."""
     pair = parted_kitchen
     given = pair.source.to(device), pair.target.to(device), pair.distance, pair.starts, KINDS["generalized"], RULES
-    plain, trimmed = (reg.registration_icp_batch(*given, overlap=share) for share in (1.0, None))
+    plain, trimmed = (reg.registration_icp_batch(*given, overlap=fraction) for fraction in (1.0, None))
     assert max(angle_between(result.transformation, pair.T) for result in trimmed) < 0.45
     assert min(angle_between(result.transformation, pair.T) for result in plain) > 1.2
     theirs = run_open3d(o3d, to_open3d, pair, "generalized", pair.starts[0])

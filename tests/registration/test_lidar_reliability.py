@@ -20,7 +20,7 @@ from .poses import as_pose
 PIERS = [-9.0, -2.5, 3.1, 8.0]
 
 
-def corridor_scan(rng, count=4000, piers=(), at=0.0, share=0.33):
+def corridor_scan(rng, count=4000, piers=(), at=0.0, fraction=0.33):
     """Points on the walls, floor and ceiling of a corridor along x (2 x 2.5 m), 12 m to either side of the sensor.
 
     A fraction of them is on piers at the given x, which protrude 50 cm from the walls.
@@ -31,7 +31,7 @@ def corridor_scan(rng, count=4000, piers=(), at=0.0, share=0.33):
     z = np.select([side == 2, side == 3], [-1.2, 1.3], rng.uniform(-1.2, 1.3, count))
     near = [pier - at for pier in piers if abs(pier - at) < 12]
     if near:
-        on_pier = rng.random(count) < share
+        on_pier = rng.random(count) < fraction
         x = np.where(on_pier, rng.choice(near, count), x)
         y = np.where(on_pier, rng.uniform(0.5, 1.0, count) * rng.choice([-1, 1], count), y)
         z = np.where(on_pier, rng.uniform(-1.2, 1.3, count), z)

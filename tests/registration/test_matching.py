@@ -29,7 +29,7 @@ def square_distances(a, b):
     return np.where(usable[0][:, None] & usable[1][None], total, np.float32(np.inf))
 
 
-def expected_pairs(sqdists, mutual=False, share=0.1, ratio=None):
+def expected_pairs(sqdists, mutual=False, fraction=0.1, ratio=None):
     """Open3D's rules and the ratio test by brute force; ties go to the first."""
     rows = np.flatnonzero(np.isfinite(sqdists).any(axis=1)) if sqdists.shape[1] else np.empty(0, int)
     if len(rows) == 0:
@@ -37,7 +37,7 @@ def expected_pairs(sqdists, mutual=False, share=0.1, ratio=None):
     nearest = sqdists.argmin(axis=1)
     if mutual:
         selected = rows[sqdists.argmin(axis=0)[nearest[rows]] == rows]
-        rows = rows if len(selected) < int(np.float32(share) * np.float32(len(sqdists))) else selected
+        rows = rows if len(selected) < int(np.float32(fraction) * np.float32(len(sqdists))) else selected
     if ratio is not None:
         ordered = np.sort(np.column_stack([sqdists, np.full(len(sqdists), np.inf)]), axis=1).astype(float)
         rows = rows[ordered[rows, 0] < ratio**2 * ordered[rows, 1]]
@@ -61,10 +61,10 @@ def assert_all_as_expected(device, a, b):
     assert np.array_equal(nearest, np.where(matched, sqdists.argmin(axis=1) if len(b) else 0, -1))
     assert np.array_equal(best, ordered[:, 0]) and np.array_equal(second, ordered[:, 1])
     filters = (False, 0.1, None), (True, 0.1, None), (True, 0, None), (False, 0, 0.8), (True, 0, 0.8)
-    for mutual, share, ratio in filters:
-        result = correspondences_from_features(a, b, mutual, share, ratio=ratio, device=device)
+    for mutual, fraction, ratio in filters:
+        result = correspondences_from_features(a, b, mutual, fraction, ratio=ratio, device=device)
         assert result.dtype == np.int32 and result.flags.writeable
-        assert np.array_equal(result, expected_pairs(sqdists, mutual, share, ratio)), (mutual, share, ratio)
+        assert np.array_equal(result, expected_pairs(sqdists, mutual, fraction, ratio)), (mutual, fraction, ratio)
 
 
 def as_open3d(o3d, features):
@@ -73,9 +73,9 @@ def as_open3d(o3d, features):
     return made
 
 
-def open3d_pairs(o3d, a, b, mutual, share=0.1):
+def open3d_pairs(o3d, a, b, mutual, fraction=0.1):
     features = as_open3d(o3d, a), as_open3d(o3d, b)
-    result = o3d.pipelines.registration.correspondences_from_features(*features, mutual, share)
+    result = o3d.pipelines.registration.correspondences_from_features(*features, mutual, fraction)
     return np.asarray(result, np.int32).reshape(-1, 2)
 
 
@@ -117,12 +117,12 @@ def test_matches_of_real_scans_equal_open3ds(device, scan, scenes, o3d, toleranc
     assert all(is_tied(a, b, i, j, tolerances.feature_tie) for i, j in one_sided)
 
 
-def is_tied(a, b, i, j, share):
+def is_tied(a, b, i, j, fraction):
     """True if two rows are mutual nearest neighbors and one of them is equally near to a third."""
     there = ((a[i].astype(float) - b) ** 2).sum(axis=1)
     back = ((b[j].astype(float) - a) ** 2).sum(axis=1)
-    limit = there[j] * (1 + share)
-    nearest = there[j] <= min(there.min(), back.min()) * (1 + share)
+    limit = there[j] * (1 + fraction)
+    nearest = there[j] <= min(there.min(), back.min()) * (1 + fraction)
     return nearest and np.count_nonzero(there <= limit) + np.count_nonzero(back <= limit) > 2
 
 
@@ -203,8 +203,8 @@ def test_of_equal_rows_the_first_is_matched(device):
     assert len(correspondences_from_features(a, b, ratio=1.0, device=device)) == 0, "all are ambiguous"
 
 
-def pairs_of_shares(o3d, a, b, shares):
-    return [open3d_pairs(o3d, a, b, True, share) for share in shares]
+def pairs_of_fractions(o3d, a, b, fractions):
+    return [open3d_pairs(o3d, a, b, True, fraction) for fraction in fractions]
 
 
 def test_the_mutual_filter_is_dropped_where_open3d_drops_it(device, oracle):
@@ -212,10 +212,10 @@ def test_the_mutual_filter_is_dropped_where_open3d_drops_it(device, oracle):
     b = np.arange(28, dtype=np.float32)[:, None] * 10
     a = np.concatenate([b, b[-1] + 1 + np.arange(72, dtype=np.float32)[:, None]])
     counts = {0.28: 28, 0.285: 28, 0.29: 100, 5: 100}
-    answers = oracle("registration/matching/shares", pairs_of_shares, a, b, list(counts))
-    for share, expected in zip(counts, answers, strict=True):
-        result = correspondences_from_features(a, b, True, share, device=device)
-        assert len(result) == counts[share] and np.array_equal(result, expected)
+    answers = oracle("registration/matching/shares", pairs_of_fractions, a, b, list(counts))
+    for fraction, expected in zip(counts, answers, strict=True):
+        result = correspondences_from_features(a, b, True, fraction, device=device)
+        assert len(result) == counts[fraction] and np.array_equal(result, expected)
 
 
 def test_the_ratio_test_follows_the_mutual_filter_and_its_fallback(device):

@@ -53,7 +53,7 @@ def worst_shift(poses: np.ndarray, truth: np.ndarray, members: list[int], points
 def test_fragments_in_any_order_are_aligned_to_the_first(device, fragments):
     order = [3, 0, 4, 1, 2]
     clouds = [loom.PointCloud(fragments.clouds[k], device=device) for k in order]
-    result = reg.register_fragments(clouds, voxel_size=0.06)
+    result = reg.register_multiway(clouds, voxel_size=0.06)
     assert result.placed.all() and result.reference == 0 and (result.groups == 0).all() and result.reliable
     np.testing.assert_array_equal(result.poses[0], np.eye(4))
     assert worst_shift(result.poses, fragments.poses[order], list(range(5)), fragments.clouds[order[0]][::50]) < 0.01
@@ -63,7 +63,7 @@ def test_fragments_in_any_order_are_aligned_to_the_first(device, fragments):
 def test_a_cloud_without_overlap_is_excluded_and_reported(fragments, rng):
     stray = rng.normal(0, 1, (4000, 3)) * [1, 1, 0.01]
     clouds = [loom.PointCloud(p) for p in (fragments.clouds[0], stray, fragments.clouds[1], fragments.clouds[2])]
-    result = reg.register_fragments(clouds, voxel_size=0.06)
+    result = reg.register_multiway(clouds, voxel_size=0.06)
     assert result.placed.tolist() == [True, False, True, True]
     np.testing.assert_array_equal(result.poses[1], np.eye(4))
     assert result.groups[1] not in result.groups[[0, 2, 3]]
@@ -72,14 +72,14 @@ def test_a_cloud_without_overlap_is_excluded_and_reported(fragments, rng):
 
 
 def test_a_single_cloud_defines_its_frame():
-    result = reg.register_fragments([loom.PointCloud(np.random.default_rng(0).random((500, 3)))], voxel_size=0.1)
+    result = reg.register_multiway([loom.PointCloud(np.random.default_rng(0).random((500, 3)))], voxel_size=0.1)
     np.testing.assert_array_equal(result.poses, np.eye(4)[None])
     assert result.placed.tolist() == [True] and not result.pairs and result.reliable
 
 
 def test_empty_clouds_are_excluded(fragments):
     clouds = [loom.PointCloud(p) for p in (np.empty((0, 3)), fragments.clouds[0], fragments.clouds[1])]
-    assert reg.register_fragments(clouds, voxel_size=0.06).placed.tolist() == [False, True, True]
+    assert reg.register_multiway(clouds, voxel_size=0.06).placed.tolist() == [False, True, True]
 
 
 def test_a_known_pair_is_refined_without_a_search(fragments):
@@ -87,7 +87,7 @@ def test_a_known_pair_is_refined_without_a_search(fragments):
     near, seen = np.linalg.inv(fragments.poses[0]) @ fragments.poses[1], []
     near[:3, 3] += 0.02
     known = [reg.FragmentPair(1, 0, near, 0.0, 1.0)]
-    result = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
+    result = reg.register_multiway(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
     assert seen == [("pairs", 0, 0)] and [(pair.source, pair.target) for pair in result.pairs] == [(1, 0)]
     assert worst_shift(result.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
 
@@ -96,7 +96,7 @@ def test_a_known_pair_without_overlap_is_unreliable(fragments):
     far = np.eye(4)
     far[0, 3] = 50.0
     clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
-    result = reg.register_fragments(clouds, voxel_size=0.06, known=[reg.FragmentPair(1, 0, far, 0.0, 1.0)])
+    result = reg.register_multiway(clouds, voxel_size=0.06, known=[reg.FragmentPair(1, 0, far, 0.0, 1.0)])
     assert result.placed.all() and not result.reliable and "(1 and 0)" in result.warnings[0]
 
 
@@ -107,7 +107,7 @@ SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ea
 def test_ten_scans_of_the_bunny_are_registered_without_a_guess(real_file, o3d):
     folder = real_file("reg-bunny-scans")
     scans = [loom.read_point_cloud(folder / "data" / f"{name}.ply") for name in SCANS]
-    result = reg.register_fragments(scans, voxel_size=0.003)
+    result = reg.register_multiway(scans, voxel_size=0.003)
     assert result.placed.all()
     # the model is in the frame of bun000, the reference
     model = o3d.io.read_triangle_mesh(str(folder / "reconstruction" / "bun_zipper.ply"))
@@ -154,14 +154,14 @@ def test_level_clouds_stay_level(fragments):
         world = moved(points, pose) - [0.3 * k, 0, 0.1 * k]
         clouds.append(loom.PointCloud(world @ rotation))  # as from a leveled scanner
         truth.append(make_pose(rotation, np.array([0.3 * k, 0, 0.1 * k])))
-    result = reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"))
+    result = reg.register_multiway(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"))
     assert result.placed.all()
     assert np.abs(result.poses[:, 2, :2]).max() < 1e-15 and np.abs(result.poses[:, :2, 2]).max() < 1e-15
     assert worst_shift(result.poses, np.linalg.inv(truth[0]) @ truth, [0, 1, 2], clouds[0].points[::50]) < 0.01
     tilted = make_pose(Rotation.from_euler("x", 1, degrees=True).as_matrix(), np.zeros(3))
     known = [reg.FragmentPair(1, 0, tilted, 0.0, 1.0)]
     with pytest.raises(ValueError, match=r"known\[0\]\.transformation:.*1"):
-        reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"), known=known)
+        reg.register_multiway(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"), known=known)
 
 
 def scipys(source, target, count) -> np.ndarray:
@@ -212,7 +212,7 @@ def parts(rng, shifts, count=6000):
 def registered(points, poses, pairs, device="cpu", **options):
     clouds = [loom.PointCloud(p, device=device) for p in points]
     known = [reg.FragmentPair(s, t, np.linalg.inv(poses[t]) @ poses[s], 1.0, 1.0) for s, t in pairs]
-    return clouds, reg.register_fragments(clouds, voxel_size=SIZE, known=known, pairs=(), **options)
+    return clouds, reg.register_multiway(clouds, voxel_size=SIZE, known=known, pairs=(), **options)
 
 
 def test_a_single_pair_has_the_covariance_of_its_pose(device, rng):

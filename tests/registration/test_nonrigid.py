@@ -173,10 +173,10 @@ def test_landmarks_alone_minimize_the_energy(device):
     T = result.deformation
     rest, n = T.nodes, len(T)
     assert result.converged and n > 6
-    shares = [_shares(p, rest) for p in np.concatenate([grid, positions])]
-    pairs = {(int(a), int(b)) for near, w in shares[: len(grid)] for a in near[w > 0] for b in near[w > 0] if a != b}
+    fractions = [_fractions(p, rest) for p in np.concatenate([grid, positions])]
+    pairs = {(int(a), int(b)) for near, w in fractions[: len(grid)] for a in near[w > 0] for b in near[w > 0] if a != b}
     edges = np.array(sorted(pairs))
-    near, weights = (np.array(part) for part in zip(*shares[len(grid) :], strict=True))
+    near, weights = (np.array(part) for part in zip(*fractions[len(grid) :], strict=True))
     data = (rest, edges, np.bincount(edges[:, 0], minlength=n), positions, near, weights, targets, 3.0, 2.0)
     start = np.hstack([Rotation.from_matrix(T.rotations).as_rotvec(), rest + T.translations])
     best = least_squares(lambda x: energy_of(x.reshape(n, 6), *data), start.ravel(), xtol=1e-15, ftol=1e-15, gtol=1e-15)
@@ -184,7 +184,7 @@ def test_landmarks_alone_minimize_the_energy(device):
     assert energy <= best.cost * (1 + 1e-6) and np.abs(best.x.reshape(n, 6)[:, 3:] - start[:, 3:]).max() < 1e-3
 
 
-def _shares(p, rest):
+def _fractions(p, rest):
     d = np.linalg.norm(rest - p, axis=1)
     near = np.argsort(d, kind="stable")[:5]
     w = (1 - d[near[:4]] / d[near[4]]) ** 2

@@ -60,10 +60,10 @@ def hall(rng, count=40000):
     return points + rng.normal(0, 0.002, points.shape)
 
 
-@pytest.mark.parametrize("share", [1.0, 0.3])
-def test_the_correct_pose_is_accepted_at_partial_overlap(device, rng, share):
+@pytest.mark.parametrize("fraction", [1.0, 0.3])
+def test_the_correct_pose_is_accepted_at_partial_overlap(device, rng, fraction):
     left, right = hills(rng, 30000), hills(rng, 30000)
-    left, right = left[left[:, 0] < 2 * share], right[right[:, 0] > -2 * share]
+    left, right = left[left[:, 0] < 2 * fraction], right[right[:, 0] > -2 * fraction]
     T = as_pose([0.5, 1.0, -2.0], [3, 4, 5])
     source = loom.PointCloud(moved(left, np.linalg.inv(T)), device=device)
     assert rate(source, loom.PointCloud(right, device=device), T, 0.12) > 0.9
@@ -200,10 +200,10 @@ def test_rating_is_limited_by_points_beside_the_planes():
 
 
 def test_structures_square_to_the_walls_need_more_evidence():
-    square, round_ = (Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share) for share in (0.9, 0.3))
+    square, round_ = (Evidence(0.4, 0.03, 1000, rest=0.14, aligned=fraction) for fraction in (0.9, 0.3))
     assert square.score < 0.5 < round_.score and "perpendicular planes" in square.problem
     assert Evidence(0.4, 0.03, 1000, rest=0.25, aligned=0.9).score > 0.75
-    scores = [Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share).score for share in (0.5, 0.6, 0.7, 0.75, 1.0)]
+    scores = [Evidence(0.4, 0.03, 1000, rest=0.14, aligned=fraction).score for fraction in (0.5, 0.6, 0.7, 0.75, 1.0)]
     assert np.all(np.diff(scores) <= 0) and scores[0] == round_.score and scores[3] == scores[4]
 
 
@@ -236,8 +236,8 @@ def test_points_beyond_the_border_of_the_other_surface_are_no_overlap(device, rn
     a, b = (hills(rng, 30000) for _ in range(2))
     halves = a[a[:, 0] < 0.5], b[b[:, 0] > -0.5]
     source, target = (surface_of(loom.PointCloud(points, device=device), 0.05) for points in halves)
-    share = evidence.compare_surfaces(source, target, np.eye(4), 0.075).share
-    assert evidence.compare_details(source, target, np.eye(4), 0.075).visible > share + 0.1
+    fraction = evidence.compare_surfaces(source, target, np.eye(4), 0.075).fraction
+    assert evidence.compare_details(source, target, np.eye(4), 0.075).visible > fraction + 0.1
 
 
 def test_details_decide_where_the_usual_evidence_does_not():
@@ -298,7 +298,7 @@ def test_matches_square_to_two_planes_count_as_aligned(device, rng):
 
 
 def test_more_blocking_points_lower_the_score():
-    scores = [Evidence(0.8, 0.03, 1000, rest=0.8, blocked=share).score for share in (0.0, 0.01, 0.02, 0.04, 0.2)]
+    scores = [Evidence(0.8, 0.03, 1000, rest=0.8, blocked=fraction).score for fraction in (0.0, 0.01, 0.02, 0.04, 0.2)]
     assert np.all(np.diff(scores) < 0) and scores[1] > 0.9 and scores[3] < 0.1
     assert "saw through" in Evidence(0.8, 0.03, 1000, rest=0.8, blocked=0.1).problem
     assert "three planes" in Evidence(0.8, 0.03, 1000, rest=0.1).problem
@@ -309,8 +309,8 @@ def test_more_blocking_points_lower_the_score():
 
 def test_rating_grows_with_overlap_and_constraint_and_needs_enough_matches():
     assert Evidence(0.0, 0.0, 0.0).score == 0.0
-    shares = [Evidence(share, 0.03, 1000).score for share in (0.05, 0.15, 0.2, 0.3, 0.6)]
-    assert np.all(np.diff(shares) > 0) and shares[1] < 0.4 and shares[3] > 0.8
+    fractions = [Evidence(fraction, 0.03, 1000).score for fraction in (0.05, 0.15, 0.2, 0.3, 0.6)]
+    assert np.all(np.diff(fractions) > 0) and fractions[1] < 0.4 and fractions[3] > 0.8
     assert Evidence(0.9, 0.0005, 1000).score < 0.1 < 0.9 < Evidence(0.9, 0.003, 1000).score
     assert Evidence(0.9, 0.03, 10).score < 0.5
 

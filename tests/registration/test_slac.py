@@ -13,7 +13,7 @@ from pointloom.registration.rigid import fit_pose, invert_pose, pose_of
 from .bent_fragments import BentRoom, moved
 from .poses import as_pose
 
-slac = loom.reconstruction
+slac = loom.rgbd
 
 
 @pytest.fixture(scope="module")

@@ -497,7 +497,7 @@ def partly_registered(rng) -> tuple[list[loom.PointCloud], FragmentsResult]:
     parts = points[x < 0.6], rng.random((900, 3)), points[x > -0.6] + [1, 2, 3]
     clouds = [loom.PointCloud(part, k=np.full(len(part), k, np.int32)) for k, part in enumerate(parts)]
     clouds[0]["more"] = np.zeros(len(parts[0]), np.float32)
-    return clouds, reg.register_fragments(clouds, voxel_size=0.08)
+    return clouds, reg.register_multiway(clouds, voxel_size=0.08)
 
 
 def test_registered_clouds_are_merged(partly_registered):

@@ -117,8 +117,8 @@ def test_a_drift_of_one_percent_is_one_percent(tolerances):
     lengths = np.array([segment.length for segment in error.segments])
     assert lengths.tolist() == [100, 200, 300, 400, 500, 600, 700, 800]
     # a segment ends at the first pose beyond its length, here one meter later
-    shares = [segment.translation for segment in error.segments]
-    np.testing.assert_allclose(shares, (lengths + 1) / lengths, rtol=tolerances.trajectory_relative)
+    fractions = [segment.translation for segment in error.segments]
+    np.testing.assert_allclose(fractions, (lengths + 1) / lengths, rtol=tolerances.trajectory_relative)
     assert error.segment_rotation == 0
     np.testing.assert_allclose(error.absolute_translation.max, 11.99)
 
@@ -387,7 +387,7 @@ def test_a_file_of_names_and_positions_is_read(tmp_path):
         ("a.png 1 2\n", "line 1.*name and three numbers, got 3"), ("a.png 1 2 x\n", "line 1.*not a number"),
         ("a.png 1 2 nan\n", "line 1.*finite"), ("a.png 1 2 3\na 1 2 3\n", "line 2.*'a.png' is duplicated"),
         ("b 1 2 3\n", r"line 1.*may be b.jpg or b.png"), ("", "contains no pose"),
-        ("z.png 1 2 3\n", "contains no name of a picture of the model.*'a.png'"),
+        ("z.png 1 2 3\n", "contains no name of an image of the model.*'a.png'"),
     ],
 )  # fmt: skip
 def test_an_invalid_position_file_is_rejected(tmp_path, text, message):

@@ -30,7 +30,7 @@ def folder(tmp_path_factory):
     return path
 
 
-@pytest.mark.parametrize("call", [loom.fuse, loom.track, loom.reconstruct])
+@pytest.mark.parametrize("call", [loom.rgbd.fuse, loom.rgbd.track, loom.rgbd.reconstruct])
 def test_no_frame_at_all_is_refused(call):
     for frames in ([], iter([])):
         with pytest.raises(ValueError, match="frames:"):
@@ -39,8 +39,8 @@ def test_no_frame_at_all_is_refused(call):
 
 def test_a_clock_counts_the_stages():
     fused, tracked = Clock(), Clock()
-    loom.fuse(Wall(3), voxel_size=0.05, clock=fused)
-    loom.track(loom.frames_from(waves()[:2], CAMERA), clock=tracked)
+    loom.rgbd.fuse(Wall(3), voxel_size=0.05, clock=fused)
+    loom.rgbd.track(loom.frames_from(waves()[:2], CAMERA), clock=tracked)
     assert list(fused.seconds) == ["read", "integrate", "extract", "check"]
     assert list(tracked.seconds) == ["read", "track"]
 
@@ -59,7 +59,7 @@ def command(*words: object) -> dict[str, Any]:
 def test_a_list_a_generator_and_a_folder_give_the_same_bits(folder, refine):
     listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
     options = {"voxel_size": 0.02, "refine": refine}
-    first, *others = (loom.fuse(frames, **options) for frames in (listed, streamed, loom.open_dataset(folder)))
+    first, *others = (loom.rgbd.fuse(frames, **options) for frames in (listed, streamed, loom.open_dataset(folder)))
     assert first.frame_count == 6 and len(first.mesh) > 100
     for other in others:
         assert other.frame_count == 6
@@ -69,34 +69,36 @@ def test_a_list_a_generator_and_a_folder_give_the_same_bits(folder, refine):
 
 def test_frames_of_unknown_number_are_counted_as_they_arrive():
     reported = []
-    loom.fuse(loom.frames_from(iter(waves()), CAMERA), voxel_size=0.05, progress=lambda *step: reported.append(step))
+    loom.rgbd.fuse(
+        loom.frames_from(iter(waves()), CAMERA), voxel_size=0.05, progress=lambda *step: reported.append(step)
+    )
     assert reported == [*(("frames", i, 0) for i in range(7)), ("extract", 0, 0)]
 
 
 def test_one_frame_is_a_surface_already():
-    result = loom.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
+    result = loom.rgbd.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
     assert (result.frame_count, result.weight_threshold, result.reliable) == (1, 0.0, True)
     assert len(result.mesh) > 100
-    refined = loom.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02, refine=True)
+    refined = loom.rgbd.fuse(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02, refine=True)
     assert refined.refinement is not None and refined.refinement.reliable
 
 
 def test_a_frame_without_a_pose_is_named():
     frames = [(None, np.full((48, 64), 1000, np.uint16))]
     with pytest.raises(ValueError, match="frame frame-000000:"):
-        loom.fuse(loom.frames_from(frames, CAMERA))
+        loom.rgbd.fuse(loom.frames_from(frames, CAMERA))
 
 
-def test_pictures_without_a_camera_are_sent_to_frames_from():
+def test_images_without_a_camera_are_sent_to_frames_from():
     with pytest.raises(TypeError, match="frames:"):
-        loom.fuse([(None, np.ones((48, 64), np.uint16))])  # type: ignore[arg-type]
+        loom.rgbd.fuse([(None, np.ones((48, 64), np.uint16))])  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("refine", [False, True], ids=["as given", "refined"])
 def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, refine):
     words = ["fuse", folder, "-o", tmp_path / "mesh.ply", "--voxel", 0.02, *(["--refine"] if refine else [])]
     shown, report = run(*words), json.loads(run(*words, "--force", "--json"))
-    result = loom.fuse(loom.open_dataset(folder), voxel_size=0.02, refine=refine)
+    result = loom.rgbd.fuse(loom.open_dataset(folder), voxel_size=0.02, refine=refine)
     loom.write_triangle_mesh(tmp_path / "own.ply", result.mesh)
     assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
     assert report.items() >= json.loads(json.dumps(result.to_dict())).items()
@@ -109,20 +111,22 @@ def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, ref
 
 
 def test_one_frame_is_a_mesh_already():
-    result = loom.reconstruct(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
+    result = loom.rgbd.reconstruct(loom.frames_from(waves()[:1], CAMERA), voxel_size=0.02)
     assert (result.method, len(result.trajectory), result.error, result.warnings) == ("slam", 1, None, ())
     assert len(result.mesh) > 100
 
 
 def test_an_empty_mesh_is_unreliable():
-    result = loom.reconstruct(loom.frames_from([(None, np.zeros((48, 64), np.uint16))] * 2, CAMERA))
+    result = loom.rgbd.reconstruct(loom.frames_from([(None, np.zeros((48, 64), np.uint16))] * 2, CAMERA))
     assert len(result.mesh) == len(result.trajectory) == 0 and "check the depth maps" in str(result.warnings)
 
 
 def test_the_command_gives_the_same_bits_and_figures(folder, tmp_path):
     words = ["--voxel", 0.02, "--trajectory", tmp_path / "poses.log"]
     report = command(folder, "-o", tmp_path / "mesh.ply", *words)
-    result = loom.reconstruct(loom.frames_from(iter(waves()), CAMERA), voxel_size=0.02)  # read once, as from a camera
+    result = loom.rgbd.reconstruct(
+        loom.frames_from(iter(waves()), CAMERA), voxel_size=0.02
+    )  # read once, as from a camera
     loom.write_triangle_mesh(tmp_path / "own.ply", result.mesh)
     loom.write_trajectory(tmp_path / "own.log", result.trajectory)
     assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
@@ -135,7 +139,7 @@ def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_pa
     words = ["--method", "fragments", "--voxel", 0.02, "--work", tmp_path / "stages"]
     report = command(folder, "-o", tmp_path / "mesh.ply", *words)
     config = ReconstructionConfig(depth_max=4.0, tsdf_voxel_size=0.02)
-    result = loom.reconstruct(loom.open_frames(folder), fragments=FragmentOptions(tmp_path / "own", config))
+    result = loom.rgbd.reconstruct(loom.open_frames(folder), fragments=FragmentOptions(tmp_path / "own", config))
     assert result.method == report["method"] == "fragments"
     loom.write_triangle_mesh(tmp_path / "own.ply", result.mesh)
     assert (tmp_path / "own.ply").read_bytes() == (tmp_path / "mesh.ply").read_bytes()
@@ -146,7 +150,7 @@ def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_pa
 
 
 def texture(frames: Any, _: Path) -> Any:
-    return loom.color_map.texture_mesh(loom.fuse(frames, voxel_size=0.1).mesh, frames, method="none")
+    return loom.meshing.texture_mesh(loom.rgbd.fuse(frames, voxel_size=0.1).mesh, frames, method="none")
 
 
 def fuse_by_cubes(frames: Any, job: Path) -> Any:
@@ -156,12 +160,16 @@ def fuse_by_cubes(frames: Any, job: Path) -> Any:
 
 SMALL_FRAGMENTS = ReconstructionConfig(depth_max=4.0, tsdf_voxel_size=0.1)
 CALLS = {
-    "fuse": lambda frames, _: loom.fuse(frames, voxel_size=0.1),
-    "fuse, refined": lambda frames, _: loom.fuse(frames, voxel_size=0.1, refine=True),
-    "track": lambda frames, _: loom.track(frames, voxel_size=0.1),
-    "reconstruct": lambda frames, _: loom.reconstruct(frames, voxel_size=0.1),
-    "by fragments": lambda frames, work: loom.reconstruct(frames, fragments=FragmentOptions(work, SMALL_FRAGMENTS)),
-    "run_system": lambda frames, work: loom.reconstruction.run_system(frames, SMALL_FRAGMENTS, work),
+    "fuse": lambda frames, _: loom.rgbd.fuse(frames, voxel_size=0.1),
+    "fuse, refined": lambda frames, _: loom.rgbd.fuse(frames, voxel_size=0.1, refine=True),
+    "track": lambda frames, _: loom.rgbd.track(frames, voxel_size=0.1),
+    "reconstruct": lambda frames, _: loom.rgbd.reconstruct(frames, voxel_size=0.1),
+    "by fragments": lambda frames, work: loom.rgbd.reconstruct(
+        frames, fragments=FragmentOptions(work, SMALL_FRAGMENTS)
+    ),
+    "run_reconstruction_system": lambda frames, work: loom.rgbd.run_reconstruction_system(
+        frames, SMALL_FRAGMENTS, work
+    ),
     "texture_mesh": texture,
     "tiling": fuse_by_cubes,
 }
@@ -195,7 +203,9 @@ class Damaged:
 
 def test_a_list_a_generator_and_a_folder_give_the_same_path(folder):
     listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
-    first, *others = (loom.track(frames, voxel_size=0.02) for frames in (listed, streamed, loom.open_frames(folder)))
+    first, *others = (
+        loom.rgbd.track(frames, voxel_size=0.02) for frames in (listed, streamed, loom.open_frames(folder))
+    )
     assert len(first.trajectory) == first.frame_count == 6
     for other in others:
         np.testing.assert_array_equal(other.trajectory.poses, first.trajectory.poses)
@@ -203,32 +213,34 @@ def test_a_list_a_generator_and_a_folder_give_the_same_path(folder):
 
 
 def test_the_error_is_reported_for_frames_with_poses():
-    path = loom.track(loom.frames_from(waves(), CAMERA), voxel_size=0.02)
+    path = loom.rgbd.track(loom.frames_from(waves(), CAMERA), voxel_size=0.02)
     assert path.error is not None and path.error.absolute_translation.rmse < 0.01
-    untold = loom.track(loom.frames_from([(f.color, f.depth, f.timestamp) for f in waves()], CAMERA), voxel_size=0.02)
+    untold = loom.rgbd.track(
+        loom.frames_from([(f.color, f.depth, f.timestamp) for f in waves()], CAMERA), voxel_size=0.02
+    )
     assert untold.error is None
     np.testing.assert_array_equal(untold.trajectory.poses, path.trajectory.poses)
 
 
 def test_one_frame_defines_the_world_origin():
-    path = loom.track(loom.frames_from(waves()[:1], CAMERA))
+    path = loom.rgbd.track(loom.frames_from(waves()[:1], CAMERA))
     np.testing.assert_array_equal(path.trajectory.poses, np.eye(4)[None])
     assert (path.residuals, path.warnings, path.error) == ((), (), None)
 
 
 def test_unreadable_frames_are_named_and_excluded():
-    path = loom.track(Damaged(2), voxel_size=0.02)
+    path = loom.rgbd.track(Damaged(2), voxel_size=0.02)
     assert path.unreadable == {2: "frame-2.png: damaged"}
     assert path.trajectory.ids[:, 0].tolist() == [0, 1, 3, 4, 5]
     assert "1 of 6 frames cannot be read and are left out: frame-2.png: damaged" in str(path.warnings)
     with pytest.raises(FileError, match=r"frame-0\.png"):
-        loom.track(Damaged(*range(6)))
+        loom.rgbd.track(Damaged(*range(6)))
 
 
 def test_the_command_gives_the_same_poses_figures_and_lines(folder, tmp_path):
     words = ["track", folder, "-o", tmp_path / "poses.log"]
     shown, report = run(*words), json.loads(run(*words, "--force", "--json"))
-    path = loom.track(loom.open_frames(folder))
+    path = loom.rgbd.track(loom.open_frames(folder))
     loom.write_trajectory(tmp_path / "own.log", path.trajectory)
     assert (tmp_path / "own.log").read_bytes() == (tmp_path / "poses.log").read_bytes()
     assert report.items() >= json.loads(json.dumps(path.to_dict())).items()
@@ -239,7 +251,7 @@ def test_the_command_gives_the_same_poses_figures_and_lines(folder, tmp_path):
 
 def test_without_a_trajectory_the_frames_are_tracked_first():
     """The frames hardly rotate: the check returns no result."""
-    assert loom.check_focal(loom.frames_from(waves(), CAMERA)) is None
+    assert loom.rgbd.check_focal(loom.frames_from(waves(), CAMERA)) is None
 
 
 def test_frames_of_a_list_are_checked_as_those_that_can_be_read():
@@ -248,7 +260,7 @@ def test_frames_of_a_list_are_checked_as_those_that_can_be_read():
             return waves()[0]
 
     listed = loom.frames_from([waves()[0]] * 6, CAMERA)
-    assert loom.check_focal(listed, turning_path()) == loom.check_focal(Readable(), turning_path())
+    assert loom.rgbd.check_focal(listed, turning_path()) == loom.rgbd.check_focal(Readable(), turning_path())
 
 
 def test_a_number_of_no_frame_is_refused():
@@ -256,7 +268,7 @@ def test_a_number_of_no_frame_is_refused():
     strange = loom.Trajectory(poses, ids=np.array([[0, 0, 1], [90, 90, 91], [91, 91, 92], [92, 92, 93]]))
     for frames in (Damaged(), loom.frames_from(waves(), CAMERA)):
         with pytest.raises(ValueError, match="trajectory:"):
-            loom.check_focal(frames, strange)
+            loom.rgbd.check_focal(frames, strange)
 
 
 ROOT = Path(__file__).parents[2]
@@ -268,8 +280,8 @@ import pytest
 import pointloom as loom
 from tests.rgbd.slam.slam_walks import begun, frame, frames, sequence
 
-first, second = (loom.odometry.OdometryFrame(frame(k).depth, sequence().intrinsic, frame(k).color) for k in (0, 3))
-pair = loom.odometry.align_frames(second, first)
+first, second = (loom.rgbd.OdometryFrame(frame(k).depth, sequence().intrinsic, frame(k).color) for k in (0, 3))
+pair = loom.rgbd.align_frames(second, first)
 slam = begun("cpu", submap_frames=3)
 slam.run(frames(*range(7)))
 tracked = slam.trajectory.poses.tobytes()

@@ -23,10 +23,10 @@ from .sequences import CAMERA, turning_path, waves
 # One line per call: the function, and a valid value of each of its arguments, as expressions over `things()`.
 CALLS = {
     "frames": """
-loom.fuse(frames=posed, voxel_size=0.1, truncation=0.4, depth_max=3.0, weight_threshold=0.0, device="cpu", read_ahead=0, progress=None, clock=None)
-loom.track(frames=frames, voxel_size=0.1, depth_max=3.0, device="cpu", read_ahead=0, progress=None, clock=None)
-loom.check_focal(frames=frames, trajectory=turning, uncertain=[7], depth_max=3.0, device="cpu")
-loom.reconstruct(frames=frames, voxel_size=0.1, depth_max=3.0, fragments=None, device="cpu", read_ahead=0, progress=None, clock=None)
+loom.rgbd.fuse(frames=posed, voxel_size=0.1, truncation=0.4, depth_max=3.0, weight_threshold=0.0, device="cpu", read_ahead=0, progress=None, clock=None)
+loom.rgbd.track(frames=frames, voxel_size=0.1, depth_max=3.0, device="cpu", read_ahead=0, progress=None, clock=None)
+loom.rgbd.check_focal(frames=frames, trajectory=turning, uncertain=[7], depth_max=3.0, device="cpu")
+loom.rgbd.reconstruct(frames=frames, voxel_size=0.1, depth_max=3.0, fragments=None, device="cpu", read_ahead=0, progress=None, clock=None)
 """,  # noqa: E501
     "odometry": """
 reg.OdometryOption(iteration_number_per_pyramid_level=[3, 2], depth_diff_max=0.03, depth_min=0.0, depth_max=4.0)
@@ -50,7 +50,7 @@ tracker().render(T_world_camera=pose)
 tracker().run(source=[frame], progress=None)
 tracker().step(frame=frame)
 tracker().track(frame=frame)
-reg.Model(intrinsic=camera, voxel_size=0.1, truncation=0.4, T_init=pose, depth_scale=1000.0, depth_max=3.0, device="cpu")
+reg.SlamModel(intrinsic=camera, voxel_size=0.1, truncation=0.4, T_init=pose, depth_scale=1000.0, depth_max=3.0, device="cpu")
 model().extract_point_cloud(weight_threshold=0.0)
 model().extract_triangle_mesh(weight_threshold=0.0)
 model().integrate(frame=frame, T_world_camera=pose)
@@ -59,7 +59,7 @@ model().render(T_world_camera=pose, weight_threshold=0.0)
 model().track_frame(frame=frame, T_world_camera=pose)
 Submap(volume=submap.volume, T_world_submap=pose, frames=[0, 1], T_submap_camera=[pose, pose])
 submap.cloud(voxel_size=0.1)
-reg.SubmapRecorder(intrinsic=camera, voxel_size=0.1, truncation=0.4, depth_scale=1000.0, depth_max=3.0, frames=4, way=1.0, shared=0.25, device="cpu")
+reg.SubmapRecorder(intrinsic=camera, voxel_size=0.1, truncation=0.4, depth_scale=1000.0, depth_max=3.0, frames=4, max_length=1.0, shared=0.25, device="cpu")
 recorder().add(depth=frame.depth, T_world_camera=pose, color=color, number=0)
 reg.close_loops(submaps=[submap], voxel_size=0.1, drift=0.05, seed=0, progress=None)
 reg.corrected_trajectory(submaps=[submap], T_world_submap=[pose])
@@ -76,7 +76,7 @@ reg.register_fragments(config=settings, folder="done", device="cpu", progress=No
 reg.refine_registration(config=settings, folder="done", device="cpu", progress=None)
 reg.refine_with_slac(config=settings, folder="done", device="cpu", progress=None)
 reg.integrate_scene(source=sequence, config=settings, folder="done", device="cpu", progress=None)
-reg.run_system(source=sequence, config=settings, folder="job", device="cpu", progress=None)
+reg.run_reconstruction_system(source=sequence, config=settings, folder="job", device="cpu", progress=None)
 reg.SLACOptimizerParams(max_iterations=2, voxel_size=0.05, distance_threshold=0.07, fitness_threshold=0.3, regularizer_weight=1.0, grid_size=0.375)
 reg.run_slac_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
 reg.run_rigid_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
@@ -90,21 +90,24 @@ integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_wo
 """,  # noqa: E501
 }
 HOMES = {
-    "tracker()": "DenseSLAM", "model()": "Model", "recorder()": "SubmapRecorder", "submap": "Submap",
+    "tracker()": "DenseSLAM", "model()": "SlamModel", "recorder()": "SubmapRecorder", "submap": "Submap",
     "settings": "ReconstructionConfig", "grid": "ControlGrid",
 }  # fmt: skip
 LEFT_OUT = {  # records, and methods of the model that tracking calls
-    "frames": set(loom.__all__) - {"fuse", "track", "check_focal", "reconstruct"},
     "odometry": {
-        "Method", "RGBDOdometryJacobianFromColorTerm", "RGBDOdometryJacobianFromHybridTerm", "OdometryFrame.from_image",
+        "OdometryMethod", "RGBDOdometryJacobianFromColorTerm", "RGBDOdometryJacobianFromHybridTerm",
+        "OdometryFrame.from_image",
     },
-    "slam": {"Model.seen_from", "Model.fuse", "Model.begin_anew", "SubmapRecorder.take_over"},
+    "slam": {"SlamModel.seen_from", "SlamModel.fuse", "SlamModel.begin_anew", "SubmapRecorder.take_over"},
     "reconstruction": set(),
 }  # fmt: skip
 MAY_BE_INFINITE = {("OdometryOption", "depth_max"), ("OdometryFrame", "depth_max")}
 ALSO = {"source": "frame", "depth": "intrinsic"}  # the names in messages of slam
 TABLES = {package: read_table(lines, HOMES) for package, lines in CALLS.items()}
-SLOW = [("check_focal", "depth_max"), *(("run_system", name) for name in TABLES["reconstruction"]["run_system"][1])]
+SLOW = [
+    ("check_focal", "depth_max"),
+    *(("run_reconstruction_system", name) for name in TABLES["reconstruction"]["run_reconstruction_system"][1]),
+]
 CASES = [
     pytest.param(package, call, name, marks=pytest.mark.slow if (call, name) in SLOW else ())
     for package, table in TABLES.items()
@@ -116,14 +119,10 @@ SMALL = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 SEEN = SimpleNamespace(depth=1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0)), color=None)
 
 
-def module_of(package: str) -> Any:
-    return loom if package == "frames" else getattr(loom, package)
-
-
 @cache
 def things(package: str) -> dict[str, Any]:
     make = {"frames": frame_things, "odometry": pair_things, "slam": slam_things, "reconstruction": job_things}[package]
-    return {"loom": loom, "reg": module_of(package), "pose": np.eye(4)} | make()
+    return {"loom": loom, "reg": loom.rgbd, "pose": np.eye(4)} | make()
 
 
 def frame_things() -> dict[str, Any]:
@@ -131,28 +130,29 @@ def frame_things() -> dict[str, Any]:
 
 
 def pair_things() -> dict[str, Any]:
-    od, depth = loom.odometry, np.full((24, 32), 1500, np.uint16)
+    od, depth = loom.rgbd, np.full((24, 32), 1500, np.uint16)
     color = np.random.default_rng(0).integers(0, 255, (24, 32, 3), np.uint8)
     return dict(
         depth=depth, color=color, camera=SMALL, frame=od.OdometryFrame(depth, SMALL, color),
-        rgbd=loom.RGBDImage(color, depth), hybrid=od.Method.Hybrid, term=od.RGBDOdometryJacobianFromHybridTerm(),
+        rgbd=loom.RGBDImage(color, depth), hybrid=od.OdometryMethod.Hybrid,
+        term=od.RGBDOdometryJacobianFromHybridTerm(),
         option=od.OdometryOption(), rules=od.OdometryConvergenceCriteria(2), params=od.OdometryLossParams(),
     )  # fmt: skip
 
 
 def slam_things() -> dict[str, Any]:
-    model = loom.slam.Model(SMALL, voxel_size=0.1, depth_max=2.0)
+    model = loom.rgbd.SlamModel(SMALL, voxel_size=0.1, depth_max=2.0)
     model.integrate(SEEN, np.eye(4))
 
     @cache  # for all values: a rejected call changes nothing
     def tracker() -> Any:
-        made = loom.slam.DenseSLAM(SMALL, voxel_size=0.1, submap_frames=10)
+        made = loom.rgbd.DenseSLAM(SMALL, voxel_size=0.1, submap_frames=10)
         made.step(SEEN)
         made.track(SEEN)
         return made
 
     def recorder(color: bool = True) -> Any:
-        return loom.slam.SubmapRecorder(SMALL, voxel_size=0.1, frames=4, color=color)
+        return loom.rgbd.SubmapRecorder(SMALL, voxel_size=0.1, frames=4, color=color)
 
     plain = recorder(color=False)
     plain.add(SEEN.depth, np.eye(4))
@@ -164,7 +164,7 @@ def slam_things() -> dict[str, Any]:
 
 
 def job_things() -> dict[str, Any]:
-    rec, points = loom.reconstruction, np.random.default_rng(0).random((300, 3)) * [1, 1, 0]
+    rec, points = loom.rgbd, np.random.default_rng(0).random((300, 3)) * [1, 1, 0]
     grid, clouds = rec.ControlGrid(), [loom.PointCloud(points), loom.PointCloud(points)]
     grid.touch(clouds[0])
     nodes = [registration.PoseGraphNode(), registration.PoseGraphNode()]
@@ -185,9 +185,9 @@ def folder(tmp_path, monkeypatch):
     config().write("config.json")
 
 
-@pytest.mark.parametrize("package", TABLES)
-def test_the_table_names_every_argument_of_every_public_call(package):
-    assert missing_from(TABLES[package], public_arguments(module_of(package), LEFT_OUT[package])) == {}
+def test_the_tables_name_every_argument_of_every_public_call():
+    table = {call: entry for calls in TABLES.values() for call, entry in calls.items()}
+    assert missing_from(table, public_arguments(loom.rgbd, set().union(*LEFT_OUT.values()))) == {}
 
 
 def good_call(package, call):

@@ -90,7 +90,7 @@ ATTRIBUTES = ("m3c2_distance", "level_of_detection", "significant", "points_befo
 
 
 def changed(cloud, cores, other, **options):
-    result = loom.change.m3c2(cloud, other, core_points=cores, **options)
+    result = loom.m3c2(cloud, other, core_points=cores, **options)
     cores = cores.copy()
     values = (result.distances, result.level_of_detection, result.is_significant, *result.counts.T)
     for name, value in zip(ATTRIBUTES, values, strict=True):

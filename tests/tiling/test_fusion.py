@@ -14,7 +14,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.datasets.scenes.room import write_room_sequence
-from pointloom.io.pictures.image_files import write_png
+from pointloom.io.images.image_files import write_png
 from pointloom.io.points.ply import read_ply_mesh
 from pointloom.meshing.volume.volume_part import VolumePart
 from pointloom.tiling.jobs import fusion
@@ -48,7 +48,7 @@ def expected(frames):
 def fused(frames, **options):
     """The mesh of one volume, read from a file."""
     intrinsic = options.pop("intrinsic", None)
-    mesh = loom.fuse(loom.open_frames(frames, intrinsic=intrinsic), **{"voxel_size": VOXEL} | options).mesh
+    mesh = loom.rgbd.fuse(loom.open_frames(frames, intrinsic=intrinsic), **{"voxel_size": VOXEL} | options).mesh
     with TemporaryDirectory() as folder:
         loom.write_triangle_mesh(Path(folder) / "mesh.ply", mesh)
         return read_ply_mesh(Path(folder) / "mesh.ply")

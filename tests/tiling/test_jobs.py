@@ -54,7 +54,7 @@ def surveyed(tmp_path_factory):
 
 def in_memory(paths, device="cpu", **options):
     clouds = [loom.read_point_cloud(path, device=device) for path in paths]
-    return loom.registration.register_fragments(clouds, voxel_size=SIZE, **options)
+    return loom.registration.register_multiway(clouds, voxel_size=SIZE, **options)
 
 
 def by_tasks(paths, job, device="cpu", **options):
@@ -125,7 +125,7 @@ def test_given_and_known_pairs_match_registration_in_memory(surveyed, expected, 
     first = expected.pairs[0]
     known = [FragmentPair(first.source, first.target, first.transformation, 0.0, 1.0)]
     how = {"pairs": [(2, 1), (0, 2)], "known": known}
-    assert_same(by_tasks(surveyed[0], tmp_path / "job", alike=0, **how), in_memory(surveyed[0], **how))
+    assert_same(by_tasks(surveyed[0], tmp_path / "job", max_similar=0, **how), in_memory(surveyed[0], **how))
     assert tasks_of(tmp_path / "job", 1) == ["pair 0 1", "pair 0 2", "pair 1 2"]
 
 
@@ -239,7 +239,7 @@ def test_a_scan_without_a_surface_is_reported_and_left_out(surveyed, tmp_path):
         ({"pairs": [(1, 1)]}, r"pairs\[0\]"),
         ({"pairs": [3]}, r"pairs\[0\]"),
         ({"place_error": -1}, "place_error"),
-        ({"alike": -1}, "alike"),
+        ({"max_similar": -1}, "max_similar"),
     ],
 )
 def test_invalid_arguments_are_rejected_before_files_are_written(surveyed, tmp_path, how, message):
@@ -258,7 +258,7 @@ def test_the_status_of_a_job_is_json(surveyed, tmp_path):
 
 
 SIZES = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.04, "depth_max": 4.0}
-CONFIG = loom.reconstruction.ReconstructionConfig(**SIZES)
+CONFIG = loom.rgbd.ReconstructionConfig(**SIZES)
 
 
 @pytest.fixture(scope="module")
@@ -282,7 +282,7 @@ def test_a_sequence_gives_the_files_of_a_single_run(sequences, tmp_path):
     assert plan_sequences(sequences[1:], tmp_path / "job", config=CONFIG).waiting == 1
     status = loom.tiling.run_job(tmp_path / "job")
     assert status.is_finished, status
-    alone = loom.reconstruction.run_system(loom.open_frames(sequences[1]), CONFIG, tmp_path / "alone")
+    alone = loom.rgbd.run_reconstruction_system(loom.open_frames(sequences[1]), CONFIG, tmp_path / "alone")
     for path in alone.files:
         output = tmp_path / "job" / "sequences" / "kitchen" / Path(path).relative_to(tmp_path / "alone")
         assert output.read_bytes() == Path(path).read_bytes()
@@ -292,7 +292,7 @@ def test_a_sequence_gives_the_files_of_a_single_run(sequences, tmp_path):
 @pytest.mark.slow
 def test_an_unreadable_sequence_fails_alone_and_can_be_replaced(broken, tmp_path, monkeypatch):
     job, started = tmp_path / "job", []
-    watch_calls(monkeypatch, run_jobs, "run_system", lambda *given: started.append(given[2].name))
+    watch_calls(monkeypatch, run_jobs, "run_reconstruction_system", lambda *given: started.append(given[2].name))
     plan_sequences(broken, job, config=CONFIG)
     status = loom.tiling.run_job(job)
     assert (status.done, status.failed, started) == (1, 1, ["a"])
@@ -315,15 +315,19 @@ def test_an_interrupted_sequence_is_resumed(sequences, tmp_path, monkeypatch):
         if stage == "integrate":
             raise KeyboardInterrupt
 
-    run_system = run_jobs.run_system
-    monkeypatch.setattr(run_jobs, "run_system", lambda *args, **how: run_system(*args, **how, progress=stop))
+    run_reconstruction_system = run_jobs.run_reconstruction_system
+    monkeypatch.setattr(
+        run_jobs,
+        "run_reconstruction_system",
+        lambda *args, **how: run_reconstruction_system(*args, **how, progress=stop),
+    )
     output = job / "sequences" / "kitchen"
     with pytest.raises(KeyboardInterrupt):
         loom.tiling.run_job(job)
     assert job_status(job).waiting == 1
     before = {path: path.stat().st_mtime_ns for path in output.rglob("*.ply")}
     assert before
-    monkeypatch.setattr(run_jobs, "run_system", run_system)
+    monkeypatch.setattr(run_jobs, "run_reconstruction_system", run_reconstruction_system)
     assert loom.tiling.run_job(job).is_finished
     assert all(path.stat().st_mtime_ns == time for path, time in before.items())
 

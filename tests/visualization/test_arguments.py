@@ -19,7 +19,7 @@ view.to_open3d(bounds=bounds)
 loom.fit_view(points=points, direction=(0, 1, 0), up=(0, 0, 1), width=16, height=12)
 loom.read_view(path="view.json", width=16, height=12)
 loom.write_view(path="view.json", view=view, bounds=bounds)
-loom.save_picture(path="picture.png", image=picture)
+loom.write_image(path="picture.png", image=picture)
 loom.CameraFrustum(intrinsic=camera, T_world_camera=pose, scale=0.2, color=(1, 0, 0))
 loom.record(path="a.html", fps=10.0, size=(32, 24), max_points=100, max_frames=10, title="t", view=view, background=(1, 1, 1), progress=print)
 loom.DetailTree.from_cloud(cloud=cloud)
@@ -32,7 +32,7 @@ tree.node(i=0)
 tree.pixels(view=view, lengths=tree.spacings)
 tree.points_of(i=0)
 tree.select(view=view, budget=100, counts=tree.counts, finest=0.5)
-tree.shares_in_view(view=view, nodes=[0])
+tree.fractions_in_view(view=view, nodes=[0])
 """  # noqa: E501
 TABLE = read_table(CALLS, {"view": "View", "tree": "DetailTree"})
 CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]
@@ -58,7 +58,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_the_table_names_every_argument_of_every_public_call():
-    known = {"render", "save_picture", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}
+    known = {"render", "write_image", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}
     known |= {"record", "DetailTree", "sample_file"}
     assert missing_from(TABLE, public_arguments(loom, set(loom.__all__) - known)) == {}
 

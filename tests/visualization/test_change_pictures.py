@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.pcd.change import M3C2Result
 from pointloom.visualization.change import pictures
-from pointloom.visualization.change.pictures import paint
+from pointloom.visualization.change.pictures import paint_change
 from pointloom.visualization.render.colormaps import MISSING
 
 
@@ -26,7 +26,7 @@ def row_of(count, device="cpu"):
 
 def test_noise_is_gray_and_changes_use_a_diverging_map(device):
     cloud = row_of(5, device)
-    colors = paint(cloud, result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])).colors
+    colors = paint_change(cloud, result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])).colors
     assert colors[0, 0] > 0.6 > 0.3 > colors[0, 2] and colors[1, 2] > 0.6 > 0.3 > colors[1, 0]
     np.testing.assert_allclose(colors[2:4], [MISSING] * 2, atol=1e-6)
     assert colors[4, 0] > colors[4, 2] and colors[4, 0] > 0.8
@@ -37,9 +37,9 @@ def test_limits_cover_nearly_all_changes(device):
     cloud = row_of(1000, device)
     values = np.linspace(-1, 1, 1000)
     values[0] = 300.0
-    far = paint(cloud, values)
-    np.testing.assert_array_equal(far.colors, paint(cloud, values, limit=0.99).colors)
-    assert np.ptp(paint(cloud, np.zeros(1000)).colors) < 0.01
+    far = paint_change(cloud, values)
+    np.testing.assert_array_equal(far.colors, paint_change(cloud, values, limit=0.99).colors)
+    assert np.ptp(paint_change(cloud, np.zeros(1000)).colors) < 0.01
 
 
 @pytest.fixture
@@ -52,7 +52,7 @@ def calls(monkeypatch):
 def test_an_image_has_a_legend_of_its_colors(device, tmp_path, rng, calls):
     cloud = loom.PointCloud(rng.random((4000, 3)) * (20, 10, 0.1), device=device)
     change = result(cloud.points[:, 0] - 10, np.full(4000, 2.0))
-    picture = loom.change.draw(cloud, change, tmp_path / "change.png", size=(640, 480))
+    picture = loom.draw_change(cloud, change, tmp_path / "change.png", size=(640, 480))
     assert picture.shape == (480, 640, 3)
     np.testing.assert_array_equal(loom.read_color(tmp_path / "change.png"), picture)
     call = calls[0].kwargs
@@ -68,9 +68,9 @@ def test_an_image_has_a_legend_of_its_colors(device, tmp_path, rng, calls):
 
 def test_the_legend_explains_gray(calls):
     cloud = row_of(3)
-    loom.change.draw(cloud, result([1, np.nan, 1], [0.1, np.nan, 0.1]), size=(64, 48))
-    loom.change.draw(cloud, result([1, np.nan, 0], [0.1, np.nan, 0.1]), size=(64, 48))
-    loom.change.draw(cloud, [1.0, -1, 0], size=(64, 48))
+    loom.draw_change(cloud, result([1, np.nan, 1], [0.1, np.nan, 0.1]), size=(64, 48))
+    loom.draw_change(cloud, result([1, np.nan, 0], [0.1, np.nan, 0.1]), size=(64, 48))
+    loom.draw_change(cloud, [1.0, -1, 0], size=(64, 48))
     entries = [[name for name, _ in call.kwargs["legend"] or ()] for call in calls]
     assert entries == [["no distance"], ["not significant, no distance"], []]
 
@@ -78,8 +78,8 @@ def test_the_legend_explains_gray(calls):
 def test_a_distance_from_a_mesh_is_painted_too(device):
     floor = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], [[0, 1, 2], [0, 2, 3]]
     cloud = loom.PointCloud([[1, 1, 0.5], [2, 3, -0.5], [2, 2, 0.01]], device=device)
-    result = loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(*floor, device=device), registration_error=0.1)
-    colors = paint(cloud, result).colors
+    result = loom.meshing.compare_cloud_to_mesh(cloud, loom.TriangleMesh(*floor, device=device), registration_error=0.1)
+    colors = paint_change(cloud, result).colors
     assert colors[0, 0] > colors[0, 2] and colors[1, 2] > colors[1, 0]
     np.testing.assert_allclose(colors[2], MISSING, atol=1e-6)
 
@@ -87,8 +87,8 @@ def test_a_distance_from_a_mesh_is_painted_too(device):
 def test_changes_of_another_cloud_are_refused():
     cloud = row_of(3)
     with pytest.raises(ValueError, match="change:"):
-        paint(cloud, [1.0, 2.0])
+        paint_change(cloud, [1.0, 2.0])
     with pytest.raises(ValueError, match="limit"):
-        paint(cloud, [1.0, 2.0, 3.0], limit=0)
+        paint_change(cloud, [1.0, 2.0, 3.0], limit=0)
     with pytest.raises(TypeError, match="cloud"):
-        loom.change.draw([1, 2], [1.0])
+        loom.draw_change([1, 2], [1.0])

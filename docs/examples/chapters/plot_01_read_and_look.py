@@ -63,15 +63,15 @@ assert np.allclose(extent, [5.0, 4.2, 2.6], atol=0.25)
 # %%
 # Look at it
 # ----------
-# ``loom.render`` makes a picture without a window or a display. A closed room shows its outside, so we leave out what
+# ``loom.render`` makes an image without a window or a display. A closed room shows its outside, so we leave out what
 # would hide the inside: the ceiling and the two walls on our side. A box in space says what stays.
 #
-# ``front`` is the direction from the middle of the cloud to the eye, ``up`` is what points upwards in the picture,
+# ``front`` is the direction from the middle of the cloud to the eye, ``up`` is what points upwards in the image,
 # and a smaller ``zoom`` is nearer. They are Open3D's parameters of ``draw_geometries``.
 
 inside = cloud.crop(loom.AxisAlignedBoundingBox([-0.1, 0.06, -0.1], [4.92, 4.3, 2.5]))
 above = {"front": [0.55, -0.75, 0.62], "up": [0, 0, 1], "zoom": 0.6}
-picture = loom.render(inside, above, (960, 640))
+image = loom.render(inside, above, (960, 640))
 
 # %%
 # Stand in the room
@@ -86,12 +86,12 @@ from_within = loom.render(cloud, eye)
 # Color by what you ask
 # ----------------------
 # Colors need not be those of the camera. By height one sees at once what is floor and what stands on it; the bar on
-# the picture tells the meters.
+# the image tells the meters.
 
 by_height = loom.render(
     {"geometry": inside, "color_by": "height", "colormap": "turbo"}, above, (960, 640), color_bar=True
 )
-loom.save_picture(folder / "by_height.png", by_height)
+loom.write_image(folder / "by_height.png", by_height)
 
 # %%
 # Turn it yourself
@@ -117,7 +117,7 @@ except loom.FileError as error:
 assert "rooms.ply" in message
 
 # %%
-# **The wrong unit.** Many scanners write millimeters. Nothing looks wrong in a picture, since the view fits itself; the
+# **The wrong unit.** Many scanners write millimeters. Nothing looks wrong in an image, since the view fits itself; the
 # extent tells it. Every later number (a voxel of 0.05, a radius of 0.1) would be a thousand times too small.
 
 in_millimeters = cloud.scale(1000.0, center=[0, 0, 0])
@@ -164,5 +164,5 @@ assert len(finite) == len(cloud) - 5
 # Where to go next
 # ----------------
 # :ref:`Chapter 2 <sphx_glr_chapters_plot_02_voxels_and_normals.py>` makes the cloud smaller and finds which way its
-# surfaces look. The page :doc:`Pictures </pictures>` has all of ``loom.render``, the page :doc:`The viewer </viewer>`
+# surfaces look. The page :doc:`Images </images>` has all of ``loom.render``, the page :doc:`The viewer </viewer>`
 # all of ``loom.draw``, :doc:`Units of length </files>` what a file tells of its unit.

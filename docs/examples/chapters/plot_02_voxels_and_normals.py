@@ -27,7 +27,7 @@ import pointloom as loom
 frame = loom.datasets.room_frames(24, noise=False)[20]
 image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=6.0)
 cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
-print("one picture of a depth camera:", len(cloud), "points")
+print("one image of a depth camera:", len(cloud), "points")
 
 for voxel_size in (0.01, 0.03, 0.1, 0.3):
     print(f"voxels of {voxel_size:5} m: {len(cloud.voxel_down_sample(voxel_size)):6} points")
@@ -121,7 +121,7 @@ assert np.median(tilt) < 8
 # --------------------
 # Real cameras are not exact. So the points get a noise of 5 mm, and the normals are made again with a
 # small and a large radius. Too small a one has too few neighbors to average the noise; too large a one reaches over
-# edges. Look at the figures for the floor, then at the share of points that seem to lie on a slope, of which a room
+# edges. Look at the figures for the floor, then at the fraction of points that seem to lie on a slope, of which a room
 # has few.
 
 noise = np.random.default_rng(0).normal(0, 0.005, thin.points.shape)

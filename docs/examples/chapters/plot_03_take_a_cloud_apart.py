@@ -150,10 +150,10 @@ shadow = loom.render(
 frame = loom.datasets.room_frames(24)[20]
 scan = loom.PointCloud.create_from_depth_image(frame.depth, frame.intrinsic)
 across = float(np.linalg.norm(scan.get_max_bound() - scan.get_min_bound()))
-shares = {times: len(scan.hidden_point_removal([0, 0, 0], times * across)[1]) / len(scan) for times in (100, 1000)}
-for times, share in shares.items():
-    print(f"{times:4} times the diameter: {share:.0%} of what the camera saw counts as seen")
-assert shares[100] < 0.6 and shares[1000] > 0.9
+fractions = {times: len(scan.hidden_point_removal([0, 0, 0], times * across)[1]) / len(scan) for times in (100, 1000)}
+for times, fraction in fractions.items():
+    print(f"{times:4} times the diameter: {fraction:.0%} of what the camera saw counts as seen")
+assert fractions[100] < 0.6 and fractions[1000] > 0.9
 
 # %%
 # The clusters one after another, as a page that plays:
@@ -201,4 +201,4 @@ planes_seen = loom.render(
 # ----------------
 # :ref:`Chapter 4 <sphx_glr_chapters_plot_04_thin_and_clean.py>` cleans clouds. The page
 # :doc:`Ground classification </terrain>` has what to take for uneven ground in the open, where no plane fits. The page
-# :doc:`Rendering images and plots </pictures>` has all styles of boxes, hulls and labels.
+# :doc:`Rendering images and plots </images>` has all styles of boxes, hulls and labels.

@@ -87,7 +87,7 @@ print(len(noisy), "points,", is_rubbish.sum(), "of them rubbish")
 
 
 def judged(rows: np.ndarray) -> tuple[float, float]:
-    """The share of the rubbish that went, and the share of good points that went with it."""
+    """The fraction of the rubbish that went, and the fraction of good points that went with it."""
     went = np.ones(len(noisy), bool)
     went[np.asarray(rows)] = False
     return float(went[is_rubbish].mean()), float(went[~is_rubbish].mean())
@@ -170,6 +170,6 @@ assert "nb_points" in message
 #
 # Where to go next
 # ----------------
-# :ref:`Chapter 5 <sphx_glr_chapters_plot_05_depth_pictures_to_clouds.py>` makes clouds of depth pictures. The shell
+# :ref:`Chapter 5 <sphx_glr_chapters_plot_05_depth_images_to_clouds.py>` makes clouds of depth images. The shell
 # does this chapter as ``pointloom clean scan.ply clean.ply``. For scans larger than the memory see the page
 # :doc:`Large clouds </large-clouds>`.

@@ -1,14 +1,14 @@
 """
-5. Depth pictures to clouds
+5. Depth images to clouds
 ===========================
 
-A depth camera gives two pictures: colors, and for each pixel how far away it is. You learn to make a cloud of them in
+A depth camera gives two images: colors, and for each pixel how far away it is. You learn to make a cloud of them in
 every convention that you will meet: meters and millimeters, the formats of Redwood, TUM, SUN3D and NYU, poses as camera
 to world or as extrinsics, y up or y down. Each of them goes wrong without an error if it is taken for another.
 """
 
 # %%
-# What a depth picture is
+# What a depth image is
 # -----------------------
 # A frame of the package's own walk through a room: colors as ``uint8`` [h, w, 3], depth as ``float32`` [h, w] in
 # meters, 0 where nothing was measured. Depth is not the distance from the camera: it is measured along the optical
@@ -30,7 +30,7 @@ print("depth from", frame.depth[frame.depth > 0].min().round(2), "to", frame.dep
 print(f"{(frame.depth == 0).mean():.1%} of the pixels have no depth")
 
 # %%
-# The camera is four numbers: the focal lengths fx and fy, and where the optical axis meets the picture, cx and cy,
+# The camera is four numbers: the focal lengths fx and fy, and where the optical axis meets the image, cx and cy,
 # all in pixels. With them a pixel becomes a point: x right, y **down**, z away from the camera.
 
 v, u = np.mgrid[: camera.height, : camera.width]
@@ -53,7 +53,7 @@ print(f"kept within 6 m: {(image.depth > 0).mean():.0%} of the pixels, within 3 
 assert len(colored) == (image.depth > 0).sum()
 
 # %%
-# Seen as the camera saw it, and from beside. What the camera could not see is empty: a depth picture is a relief.
+# Seen as the camera saw it, and from beside. What the camera could not see is empty: a depth image is a relief.
 
 wide = loom.PinholeCameraIntrinsic(960, 640, 780.0, 780.0, 479.5, 319.5)
 as_seen = loom.render(colored, loom.View(wide, np.eye(4)), point_size=4)
@@ -186,9 +186,9 @@ upright = colored.transform(to_opengl)
 assert upright.points[:, 2].max() < 0, "everything lies before the camera, along -z"
 
 # %%
-# A smaller picture is another camera
+# A smaller image is another camera
 # -----------------------------------
-# Halve a picture and its focal length is half, too. The camera of the whole picture would make a room that is
+# Halve an image and its focal length is half, too. The camera of the whole image would make a room that is
 # squeezed to a quarter; sizes that disagree are an error:
 
 half = frame.depth[::2, ::2]
@@ -219,11 +219,11 @@ page = folder / "frames.html"
 # %%
 # From your own files
 # -------------------
-# ``loom.read_color`` and ``loom.read_depth`` read pictures as they are stored, ``loom.read_trajectory`` poses. Here a
+# ``loom.read_color`` and ``loom.read_depth`` read images as they are stored, ``loom.read_trajectory`` poses. Here a
 # frame is written as a camera would, so that there is something to read:
 
-loom.save_picture(folder / "color.png", frame.color)
-loom.save_picture(folder / "depth.png", millimeters)
+loom.write_image(folder / "color.png", frame.color)
+loom.write_image(folder / "depth.png", millimeters)
 loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(pose[None]))
 
 poses = loom.read_trajectory(folder / "trajectory.log").poses

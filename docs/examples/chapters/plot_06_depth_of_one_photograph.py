@@ -2,7 +2,7 @@
 6. Depth of one photograph
 ==========================
 
-A depth network looks at one picture and guesses how far each pixel is. You learn the steps around such a network:
+A depth network looks at one image and guesses how far each pixel is. You learn the steps around such a network:
 which kind it is, what its numbers are worth, how one or two known distances make them meters, how to measure its
 errors, and how a cloud is made of the result. You bring the network as an ONNX file; the package downloads nothing.
 """
@@ -12,7 +12,7 @@ errors, and how a cloud is made of the result. You bring the network as an ONNX 
 # --------------------------
 # **This chapter has no real network.** Real ones (Depth Anything V2, MiDaS, Metric3D and others) are files of 50 MB
 # and more that their authors publish. So that the chapter runs anywhere we make a stand-in: an ONNX file that holds
-# the answer for one picture, spoilt in the ways in which networks spoil it. It does not look at the picture at all.
+# the answer for one image, spoilt in the ways in which networks spoil it. It does not look at the image at all.
 # All that follows is what you do with a real file; the quality of the result says nothing about any network.
 #
 # The stand-in answers as MiDaS and Depth Anything do, with **relative inverse depth**: near is large, far is small, and
@@ -30,7 +30,7 @@ from onnx import helper, numpy_helper
 import pointloom as loom
 from pointloom.photogrammetry.depth.evaluation import evaluate_depth
 
-SIDE = 384  # MiDaS looks at 384 x 384 pixels, whatever the picture's shape
+SIDE = 384  # MiDaS looks at 384 x 384 pixels, whatever the image's shape
 
 frame = loom.datasets.room_frames(24, noise=False)[20]
 truth = frame.depth  # meters, exact: what nobody has in life, and what we measure errors with
@@ -50,15 +50,15 @@ def answer_of_a_network(depth: np.ndarray) -> np.ndarray:
 
 
 def write_fake_network(path: Path, answer: np.ndarray) -> None:
-    """An ONNX file that gives this answer to any picture, and ends in a ReLU as MiDaS's files do."""
+    """An ONNX file that gives this answer to any image, and ends in a ReLU as MiDaS's files do."""
     nodes = [
-        helper.make_node("Mul", ["picture", "zero"], ["nothing"]),
+        helper.make_node("Mul", ["image", "zero"], ["nothing"]),
         helper.make_node("ReduceMean", ["nothing"], ["blank"], axes=[1], keepdims=0),
         helper.make_node("Add", ["blank", "answer"], ["sum"]),
         helper.make_node("Relu", ["sum"], ["depth"]),
     ]
     ends = [
-        helper.make_tensor_value_info("picture", onnx.TensorProto.FLOAT, [1, 3, SIDE, SIDE]),
+        helper.make_tensor_value_info("image", onnx.TensorProto.FLOAT, [1, 3, SIDE, SIDE]),
         helper.make_tensor_value_info("depth", onnx.TensorProto.FLOAT, [1, SIDE, SIDE]),
     ]
     values = [numpy_helper.from_array(np.float32(0), "zero"), numpy_helper.from_array(answer[None], "answer")]
@@ -76,8 +76,8 @@ write_fake_network(folder / "stand_in.onnx", answer_of_a_network(truth))
 # mean. The page *Depth of one photograph* lists them, with the licenses of the weights. Open3D has nothing for this
 # step; its users call OpenCV or PyTorch.
 
-model = loom.DepthModel(folder / "stand_in.onnx", preset="midas-v2.1-onnx")
-alone = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic)
+model = loom.photogrammetry.DepthModel(folder / "stand_in.onnx", preset="midas-v2.1-onnx")
+alone = loom.photogrammetry.estimate_depth(frame.color, model, intrinsic=frame.intrinsic)
 print(alone)
 print("unit:", alone.unit, " in meters:", alone.is_metric, " camera:", alone.intrinsic_source)
 assert not alone.is_metric
@@ -90,7 +90,8 @@ assert not alone.is_metric
 # Known distances make it meters
 # ------------------------------
 # Two distances are enough to find scale and shift: take a tape measure and note column, row and meters. More are
-# better, because two cannot be checked: the share of references that agree, ``inlier_share``, is then None, however
+# better, because two cannot be checked: the fraction of references that agree, ``inlier_fraction``, is then None,
+# however
 # wrong one of them is.
 
 
@@ -101,32 +102,32 @@ def at(column: int, row: int) -> tuple[int, int, float]:
 
 tape = np.array([at(60, 60), at(160, 150), at(260, 200), at(40, 210), at(280, 60)])
 print(tape)
-measured = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=tape)
-checked = measured.inlier_share is not None
-print("unit:", measured.unit, " references that agree:", f"{measured.inlier_share:.0%}" if checked else "not known")
+measured = loom.photogrammetry.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=tape)
+checked = measured.inlier_fraction is not None
+print("unit:", measured.unit, " references that agree:", f"{measured.inlier_fraction:.0%}" if checked else "not known")
 
-two = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=tape[:2])
-print("of two distances:", two.inlier_share)
-assert checked and two.inlier_share is None
+two = loom.photogrammetry.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=tape[:2])
+print("of two distances:", two.inlier_fraction)
+assert checked and two.inlier_fraction is None
 
 # %%
 # Or a depth camera that looked at the same view, however coarse and however full of holes; or a sparse model of COLMAP
-# (chapter 9). A depth picture of a file goes in as meters, too: ``loom.read_depth`` gives what is stored, mostly
+# (chapter 9). A depth image of a file goes in as meters, too: ``loom.read_depth`` gives what is stored, mostly
 # millimeters in 16 bits, so divide by 1000 (some data sets store other units). The same holds where you read a
-# distance off such a picture in place of a tape.
+# distance off such an image in place of a tape.
 
 sensor = loom.datasets.room_frames(24)[20].depth
 rng = np.random.default_rng(0)
 sparse = np.where(rng.random(sensor.shape) < 0.02, sensor, 0.0).astype(np.float32)
-fitted = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=sparse)
-print(f"{fitted.references} references, {fitted.inlier_share:.0%} agree")
-assert fitted.is_metric and fitted.inlier_share > 0.9
+fitted = loom.photogrammetry.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=sparse)
+print(f"{fitted.references} references, {fitted.inlier_fraction:.0%} agree")
+assert fitted.is_metric and fitted.inlier_fraction > 0.9
 
 # %%
 # How good is it?
 # ---------------
 # ``evaluate_depth`` gives the figures of the papers. ``abs_rel`` is the mean of ``abs(z - true) / true``: 0.05 means
-# that depth is off by 5 %. ``delta1`` is the share of pixels that are right within a factor of 1.25. They compare
+# that depth is off by 5 %. ``delta1`` is the fraction of pixels that are right within a factor of 1.25. They compare
 # with what a **metric** depth should be, so an arbitrary unit scores badly, however good the shapes.
 
 results = {"alone": alone, "with a tape": measured, "with a sensor": fitted}
@@ -150,7 +151,7 @@ print(f"{len(cloud)} points; {len(with_edges) - len(cloud)} that flew between tw
 assert len(cloud) < len(with_edges)
 
 beside = {"front": [0.55, -0.5, -0.75], "up": [0, -1, 0], "zoom": 0.48}
-picture = loom.render(cloud, beside, (960, 640))
+image = loom.render(cloud, beside, (960, 640))
 
 # %%
 # The same, colored by how far each point is from the truth. The error is the slow wave that the stand-in was
@@ -189,26 +190,28 @@ page = folder / "depth.html"
 # is an error before anything is computed, and names what to take:
 
 try:
-    loom.DepthModel(folder / "stand_in.onnx", preset="zoedepth")
+    loom.photogrammetry.DepthModel(folder / "stand_in.onnx", preset="zoedepth")
 except loom.FileError as error:
     message = str(error).replace(str(folder), "...")
     print(message)
 assert "preset" in message
 
 # %%
-# **References of another picture.** Rooms resemble each other: floor below, wall behind. So a scale and a shift are
-# often found, and part of the references agree with them by chance. Look at ``inlier_share``. With a depth camera's
-# picture of the same view it is near 1; well below that, ask whether both show the same. A wall that is seen from the
+# **References of another image.** Rooms resemble each other: floor below, wall behind. So a scale and a shift are
+# often found, and part of the references agree with them by chance. Look at ``inlier_fraction``. With a depth camera's
+# image of the same view it is near 1; well below that, ask whether both show the same. A wall that is seen from the
 # front tells nothing either way. Where near and far change places, or nearly nothing agrees, it is an error.
 
 elsewhere = loom.datasets.room_frames(24)[2].depth
 try:
-    share = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=elsewhere).inlier_share
+    fraction = loom.photogrammetry.estimate_depth(
+        frame.color, model, intrinsic=frame.intrinsic, align=elsewhere
+    ).inlier_fraction
 except ValueError as error:
-    share = 0.0
+    fraction = 0.0
     print(error)
-print(f"references of another picture: {share:.0%} agree; of this one: {fitted.inlier_share:.0%}")
-assert share < 0.8 and fitted.inlier_share > 0.95
+print(f"references of another image: {fraction:.0%} agree; of this one: {fitted.inlier_fraction:.0%}")
+assert fraction < 0.8 and fitted.inlier_fraction > 0.95
 
 # %%
 # **The camera is not known.** Without ``intrinsic`` the focal length is EXIF's, else 60 degrees are assumed, and said
@@ -217,8 +220,8 @@ assert share < 0.8 and fitted.inlier_share > 0.95
 # Try it
 # ------
 # - Give two distances only, one of them wrong by a metre. Nothing tells you, but ``evaluate_depth``, which wants the
-#   truth. With five, one of them wrong, ``inlier_share`` does.
-# - A picture that you like: ``loom.save_picture("room.png", picture)``.
+#   truth. With five, one of them wrong, ``inlier_fraction`` does.
+# - An image that you like: ``loom.write_image("room.png", image)``.
 # - With a real file: ``pointloom depth photo.jpg --model depth_anything_v2_vits.onnx -o cloud.ply --picture
 #   cloud.png``.
 #
@@ -226,4 +229,4 @@ assert share < 0.8 and fitted.inlier_share > 0.95
 # ----------------
 # :ref:`Chapter 9 <sphx_glr_chapters_plot_09_photographs_to_a_cloud.py>` gets depth from many photographs, which needs
 # no network and is far more exact. The page :doc:`Depth of one photograph </depth>` has all networks, and how large
-# pictures are shown to them in parts.
+# images are shown to them in parts.

@@ -10,7 +10,7 @@ what it cannot know.
 # %%
 # Two scans and the truth
 # -----------------------
-# Two pictures of a depth camera, a step apart, each a cloud in its camera's own coordinates. The data knows where the
+# Two images of a depth camera, a step apart, each a cloud in its camera's own coordinates. The data knows where the
 # cameras stood, so we can measure how wrong a result is. A pose is a 4 x 4 matrix that takes the source's coordinates
 # to the target's: ``T_target_source``.
 
@@ -77,7 +77,7 @@ before = loom.render(drawn(start), view, (960, 640), legend=True)
 # How good is a pose?
 # -------------------
 # Each source point looks for the nearest target point. If that is nearer than ``max_correspondence_distance``, the
-# two are a pair. **Fitness** is the share of source points that have a partner, 0 to 1. **inlier_rmse** is how far
+# two are a pair. **Fitness** is the fraction of source points that have a partner, 0 to 1. **inlier_rmse** is how far
 # the partners are apart, in meters. Neither knows the truth; and both depend on the distance, so compare them at one
 # distance only.
 #
@@ -155,7 +155,7 @@ assert off(narrow.transformation, truth)[0] > off(plane.transformation, truth)[0
 # Scans that share a part only
 # ----------------------------
 # What one camera alone saw has no right partner, but near the edge of the overlap it has a wrong one, and that pulls.
-# ``overlap=None`` finds in each iteration which share of the points to keep, those whose partners are nearest
+# ``overlap=None`` finds in each iteration which fraction of the points to keep, those whose partners are nearest
 # (*trimmed* ICP: the worst pairs are cut off). Take it from a start that is nearly right. It costs little where much
 # is shared, and saves the pose where little is, as of frames 0 and 23:
 
@@ -182,7 +182,8 @@ for name in room_pairs:
 assert figures["6 -> 10", None][0].fitness < figures["6 -> 10", None][1].fitness
 
 # %%
-# With ``overlap`` the fitness of the result is the share that was kept, and its rmse that of those pairs alone, so they
+# With ``overlap`` the fitness of the result is the fraction that was kept, and its rmse that of those pairs alone, so
+# they
 # do not compare with the figures of a run without it. ``evaluate_registration`` asks both poses the same. Even so the
 # wrong pose of frames 0 and 23 has the higher fitness, since its walls lie on walls that are others:
 # ``assess_registration`` compares the surfaces, and its score (0 to 1; accept poses above 0.5, chapter 8) rejects the

@@ -2,7 +2,7 @@
 9. Photographs and videos to a cloud
 ====================================
 
-No depth camera, only pictures: what several of them show from different places has a depth. You learn what the chain
+No depth camera, only images: what several of them show from different places has a depth. You learn what the chain
 from photographs to points consists of, how to run it where the cameras' places are known, the one command for videos
 where nothing is known, and why its unit is arbitrary.
 """
@@ -10,16 +10,16 @@ where nothing is known, and why its unit is arbitrary.
 # %%
 # The chain
 # ---------
-# ================== ======================================================== ==================================
-# step               what it finds                                            call
-# ================== ======================================================== ==================================
-# frames              sharp pictures of a video, where the camera has moved    ``loom.sfm.choose_frames``
-# poses               where each picture was taken, and the lens               ``loom.sfm.reconstruct``
-# sparse points       some thousand corners that several pictures show         ``loom.sfm.triangulate``
-# depth               how far every pixel is                                   ``loom.mvs.estimate_depth_maps``
-# filter              what several pictures say alike                          ``loom.mvs.filter_depth_maps``
-# cloud or mesh       each place once                                          ``loom.mvs.fuse``
-# ================== ======================================================== ==================================
+# =============  ===================================================  ===========================================
+# step           what it finds                                        call
+# =============  ===================================================  ===========================================
+# frames         sharp images of a video, where the camera has moved  ``loom.photogrammetry.choose_frames``
+# poses          where each image was taken, and the lens             ``loom.photogrammetry.reconstruct_images``
+# sparse points  some thousand corners that several images show       ``loom.photogrammetry.triangulate``
+# depth          how far every pixel is                               ``loom.photogrammetry.estimate_depth_maps``
+# filter         what several images say alike                        ``loom.photogrammetry.filter_depth_maps``
+# cloud or mesh  each place once                                      ``loom.photogrammetry.fuse_depth_maps``
+# =============  ===================================================  ===========================================
 #
 # For a video all of it is one command, which needs ``pip install "pointloom[sfm]"`` and some minutes:
 #
@@ -27,7 +27,7 @@ where nothing is known, and why its unit is arbitrary.
 #
 #    $ pointloom video walk.mp4 -o room.ply --picture room.png
 #
-# Open3D has nothing for pictures alone; its users take COLMAP or Metashape, whose cameras ``loom.read_cameras`` reads.
+# Open3D has nothing for images alone; its users take COLMAP or Metashape, whose cameras ``loom.read_cameras`` reads.
 # In this chapter the poses are known, as from there, or from a robot's arm, or a turntable.
 
 import tempfile
@@ -39,33 +39,33 @@ import numpy as np
 import pointloom as loom
 
 shots = loom.datasets.photographs(24)
-pictures, intrinsic, poses = shots.pictures[:4], shots.intrinsic, shots.poses[:4]
-height, width = pictures[0].shape[:2]
-print(f"{len(pictures)} pictures of {width} x {height} pixels, {intrinsic}")
+images, intrinsic, poses = shots.images[:4], shots.intrinsic, shots.poses[:4]
+height, width = images[0].shape[:2]
+print(f"{len(images)} images of {width} x {height} pixels, {intrinsic}")
 
 # %%
-# Pictures must **overlap and move**: the same place seen from 5 to 30 degrees apart, two thirds of each picture in the
+# Images must **overlap and move**: the same place seen from 5 to 30 degrees apart, two thirds of each image in the
 # next. A camera that only turns on the spot sees no depth.
 
 step = np.degrees(np.arccos(np.clip(np.einsum("ij,ij->i", poses[1:, :3, 2], poses[:-1, :3, 2]), -1, 1)))
-print("from one picture to the next:", step.round(0), "degrees")
+print("from one image to the next:", step.round(0), "degrees")
 assert (step > 3).all() and (step < 35).all()
 
 # %%
-# Half the size, and the middle columns, are quick and enough to learn on. Whoever changes pictures has to change the
+# Half the size, and the middle columns, are quick and enough to learn on. Whoever changes images has to change the
 # camera with them: half the size is half the focal length, and cutting columns off moves the principal point. (The
 # mean of 2 x 2 pixels has its center half a pixel off, which the principal point follows, too.)
 
 LEFT, RIGHT = 85, 235
 
 
-def halved(picture: np.ndarray) -> np.ndarray:
+def halved(image: np.ndarray) -> np.ndarray:
     """The mean of 2 x 2 pixels, and of that the middle columns."""
-    averaged = picture.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3))
+    averaged = image.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3))
     return averaged[:, LEFT:RIGHT].round().astype(np.uint8)
 
 
-small = [halved(picture) for picture in pictures]
+small = [halved(image) for image in images]
 camera = loom.PinholeCameraIntrinsic(
     RIGHT - LEFT, height // 2, intrinsic.fx / 2, intrinsic.fy / 2,
     (intrinsic.cx - 0.5) / 2 - LEFT, (intrinsic.cy - 0.5) / 2,
@@ -75,15 +75,15 @@ camera = loom.PinholeCameraIntrinsic(
 # Multi-view stereo wants world to camera: the **inverse** of the poses. Wrong ones are the commonest mistake; the
 # result is then empty or fog.
 
-cameras = [loom.mvs.PosedCamera(camera, np.linalg.inv(pose)) for pose in poses]
-maps = loom.mvs.estimate_depth_maps(small, cameras)
-filtered = loom.mvs.filter_depth_maps(maps)
-share = np.mean([(filtered[k].depth > 0).mean() for k in range(len(small))])
-print(f"{share:.0%} of the pixels have a depth that other pictures confirm")
+cameras = [loom.photogrammetry.PosedCamera(camera, np.linalg.inv(pose)) for pose in poses]
+maps = loom.photogrammetry.estimate_depth_maps(small, cameras)
+filtered = loom.photogrammetry.filter_depth_maps(maps)
+fraction = np.mean([(filtered[k].depth > 0).mean() for k in range(len(small))])
+print(f"{fraction:.0%} of the pixels have a depth that other images confirm")
 
 # %%
 # How far off is it? The truth is known here. Confirmed pixels are right to a fraction of a per cent; what nobody
-# confirms (the plain background, edges, what one picture alone sees) is left out rather than guessed.
+# confirms (the plain background, edges, what one image alone sees) is left out rather than guessed.
 
 truth = shots.depths[2][::2, ::2][:, LEFT:RIGHT]
 depth = filtered[2].depth
@@ -96,12 +96,12 @@ assert np.median(relative) < 0.01
 # %%
 # One cloud
 # ---------
-# Pixels of several pictures that show one place become one point, with its color, its normal, and ``views``: how
-# many pictures agree on it. The gray behind the figure is plain, so its depth is unknown, and
+# Pixels of several images that show one place become one point, with its color, its normal, and ``views``: how
+# many images agree on it. The gray behind the figure is plain, so its depth is unknown, and
 # estimates of it are unreliable. It is removed by its
 # color, and specks in the air by clusters (chapter 3).
 
-cloud = loom.mvs.fuse(filtered, small)
+cloud = loom.photogrammetry.fuse_depth_maps(filtered, small)
 print(cloud, "views from", int(cloud["views"].min()), "to", int(cloud["views"].max()))
 gray = np.median(small[2][:20].reshape(-1, 3), axis=0) / 255
 plain = np.linalg.norm(cloud.colors - gray, axis=1) < 0.12
@@ -149,31 +149,31 @@ page = folder / "owl.html"
 # %%
 # The unit
 # --------
-# These poses are in meters, so the cloud is. Where poses are found from pictures alone, the unit is **arbitrary**: a
-# doll's house and a house make the same pictures. One known distance settles it: ``--known IMG_0012,IMG_0040,1.5``
-# says that two pictures were taken 1.5 m apart.
+# These poses are in meters, so the cloud is. Where poses are found from images alone, the unit is **arbitrary**: a
+# doll's house and a house make the same images. One known distance settles it: ``--known IMG_0012,IMG_0040,1.5``
+# says that two images were taken 1.5 m apart.
 #
 # What goes wrong
 # ---------------
 # **Poses the wrong way round.** With the poses themselves in place of their inverse nothing agrees:
 
-wrong = [loom.mvs.PosedCamera(camera, pose) for pose in poses[:2]]
+wrong = [loom.photogrammetry.PosedCamera(camera, pose) for pose in poses[:2]]
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
-    mistaken = loom.mvs.filter_depth_maps(loom.mvs.estimate_depth_maps(small[:2], wrong))
+    mistaken = loom.photogrammetry.filter_depth_maps(loom.photogrammetry.estimate_depth_maps(small[:2], wrong))
 left = np.mean([(mistaken[k].depth > 0).mean() for k in range(2)])
 print(caught[0].message)
-print(f"confirmed with wrong poses: {left:.0%}, with right ones: {share:.0%}")
-assert left < 0.02 < share and "T_camera_world is world to camera" in str(caught[0].message)
+print(f"confirmed with wrong poses: {left:.0%}, with right ones: {fraction:.0%}")
+assert left < 0.02 < fraction and "T_camera_world is world to camera" in str(caught[0].message)
 
 # %%
-# **Plain, shiny and moving things** have nothing that can be recognized, or change from picture to picture: white
+# **Plain, shiny and moving things** have nothing that can be recognized, or change from image to image: white
 # walls, glass, people. Move closer, add a tablecloth with a pattern, ask people to wait.
 #
 # Try it
 # ------
-# - Take every second picture. What is lost first?
-# - ``loom.mvs.fuse(kept, small, to="tsdf")`` gives a mesh.
+# - Take every second image. What is lost first?
+# - ``loom.photogrammetry.fuse_depth_maps(kept, small, to="tsdf")`` gives a mesh.
 # - Film a thing on a table, once round, and run ``pointloom video``.
 #
 # Where to go next

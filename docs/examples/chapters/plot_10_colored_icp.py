@@ -113,19 +113,19 @@ assert off(at_once.transformation, truth)[1] < 10
 # How far does it reach?
 # ----------------------
 # The squares of the rug repeat every 37 cm. Begin nearer to the next red square than to the right one, and the wrong
-# squares meet. Patterns that repeat are for colors what a wall is for shape. Only the share of points that find a
+# squares meet. Patterns that repeat are for colors what a wall is for shape. Only the fraction of points that find a
 # partner tells, since a part of the rug now hangs over the edge.
 
-ends, shares = {}, {}
+ends, fractions = {}, {}
 for push in (0.05, 0.1, 0.3, 0.7):
     tried = reg.multi_scale_icp(
         source.without("normals"), target.without("normals"), [0.08, 0.04, 0.02], rules, [0.08, 0.04, 0.02],
         truth @ perturbation(0, (0, push, 0)), reg.TransformationEstimationForColoredICP(), estimate_normals=True,
     )  # fmt: skip
-    ends[push], shares[push] = off(tried.transformation, truth)[1], tried.fitness
+    ends[push], fractions[push] = off(tried.transformation, truth)[1], tried.fitness
     print(f"from {push * 100:2.0f} cm off it ends {ends[push] / 10:5.1f} cm off, fitness {tried.fitness:.2f}")
 assert ends[0.1] < 10 and ends[0.3] > 300
-assert shares[0.3] < shares[0.1] - 0.1
+assert fractions[0.3] < fractions[0.1] - 0.1
 
 # %%
 # The steps to watch:
@@ -193,5 +193,5 @@ assert "255" in message
 #
 # Where to go next
 # ----------------
-# :ref:`Chapter 13 <sphx_glr_chapters_plot_13_rgbd_odometry.py>` does the same with the pictures themselves, frame after
+# :ref:`Chapter 13 <sphx_glr_chapters_plot_13_rgbd_odometry.py>` does the same with the images themselves, frame after
 # frame. The page :doc:`Registration </registration>` compares all kinds of ICP.

@@ -2,7 +2,7 @@
 11. Surfaces from points
 ========================
 
-Points have no inside, no area, nothing to print or to put a picture on: for these one needs a surface. You learn the
+Points have no inside, no area, nothing to print or to put an image on: for these one needs a surface. You learn the
 three classic ways, which one suits which scan, what their one number means, and how to cut away what a method made
 up.
 """
@@ -40,7 +40,7 @@ view = {"front": [0.1, -1, 0.15], "up": [0, 0, 1], "zoom": 0.5}
 
 
 def side_by_side(meshes: list, names: list[str]) -> np.ndarray:
-    """A picture of meshes in a row, with what each is."""
+    """An image of meshes in a row, with what each is."""
     row = [mesh.translate(k * step) for k, mesh in enumerate(meshes)]
     labels = [(name, k * step - [0, 0, 0.2]) for k, name in enumerate(names)]
     return loom.render([mesh.compute_vertex_normals() for mesh in row], view, (960, 640), labels=labels)
@@ -116,12 +116,12 @@ print(f"{len(scan)} points of two sides; Poisson makes up the rest {closed}")
 # %%
 # What is made up? Each vertex has a **density**: how many points speak for it, as a depth of the tree, so that one
 # less means a quarter of the points. Low ones are guesses. Colored by density, the guess at the back shows, and a
-# mask cuts it. Here a third of the vertices is guessed; of a scan from all sides it is a hundredth. Raise the share
+# mask cuts it. Here a third of the vertices is guessed; of a scan from all sides it is a hundredth. Raise the fraction
 # until nothing is left that nobody saw.
 
-share = (densities - densities.min()) / np.ptp(densities)
+fraction = (densities - densities.min()) / np.ptp(densities)
 shown = surface.copy()
-shown.vertex_colors = (1 - share)[:, None] * [0.25, 0.25, 0.75] + share[:, None] * [1.0, 0.75, 0.2]
+shown.vertex_colors = (1 - fraction)[:, None] * [0.25, 0.25, 0.75] + fraction[:, None] * [1.0, 0.75, 0.2]
 low = float(np.quantile(densities, 0.35))
 sure = surface.remove_vertices_by_mask(densities < low)
 trimmed = surface.trim(densities, low)
@@ -152,7 +152,7 @@ assert not sure.is_watertight(), "it is open where nobody looked"
 #
 # All in one call: ``create_surface`` estimates missing normals and checks whether the result is reliable.
 
-result = loom.create_surface(scan, "poisson", depth=7)
+result = loom.meshing.create_surface(scan, "poisson", depth=7)
 print(result)
 assert not result.reliable and result.warnings[0] in str(result)
 
@@ -171,7 +171,7 @@ page = folder / "surface.html"
 # What goes wrong
 # ---------------
 # **Normals on both sides.** ``estimate_normals`` does not know outside from inside: its signs change from patch to
-# patch. Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the share of neighbors
+# patch. Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the fraction of neighbors
 # that look to opposite sides: it should be near 0. It counts the borders between patches, not their size: 2 % may be
 # half the surface, so look at it, colored by its normals. From a tenth on Poisson warns; a closed figure may be spoilt
 # below that. ``orient_normals_consistent_tangent_plane`` mends it.
@@ -200,6 +200,6 @@ inside_out = side_by_side([crumpled, repaired], ["signs as guessed", "oriented"]
 #
 # Where to go next
 # ----------------
-# :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` makes surfaces of depth pictures, which is better
+# :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` makes surfaces of depth images, which is better
 # still where one has them. The page :doc:`Surfaces from points </surfaces>` has figures for each method,
 # :doc:`Meshes </meshes>` what to do with a mesh: clean, simplify, smooth, texture.

@@ -106,7 +106,7 @@ print(f"half of the points within {history[0]:.1f} mm at first, {history[-1]:.1f
 assert history[-1] < 0.5 * history[0]
 
 # %%
-# The first and the last step as pictures, and in one picture the way of each step. A picture is an array: put two
+# The first and the last step as images, and in one image the way of each step. An image is an array: put two
 # side by side with NumPy.
 
 view = {"front": [0.35, -0.35, -1], "up": [0, -1, 0], "zoom": 0.62}
@@ -121,7 +121,7 @@ def drawn(T: np.ndarray) -> np.ndarray:
 first = drawn(np.eye(4))
 last = drawn(T)
 both = np.hstack([first[:, 180:660], last[:, 180:660]])
-loom.save_picture(folder / "both.png", both)
+loom.write_image(folder / "both.png", both)
 assert both.shape == (640, 960, 3)
 
 # %%

@@ -2,13 +2,13 @@
 13. Follow a depth camera
 =========================
 
-How did the camera move from one picture to the next? RGB-D odometry answers from the two pictures themselves, by
+How did the camera move from one image to the next? RGB-D odometry answers from the two images themselves, by
 brightness and shape together. You learn its two kinds, how to chain steps into a path, how errors add up, and to
 measure them.
 """
 
 # %%
-# Two pictures
+# Two images
 # ------------
 # Frames of a hand-held camera 3 degrees and 5 cm apart, as they come at some ten a second. Open3D wants them as
 # intensity, its default in ``create_from_color_and_depth``; here colors will do.
@@ -20,7 +20,7 @@ import numpy as np
 
 import pointloom as loom
 
-odometry = loom.odometry
+odometry = loom.rgbd
 frames = loom.datasets.room_frames(24)
 camera = frames[0].intrinsic
 images = [loom.RGBDImage(frame.color, frame.depth, depth_trunc=5.0) for frame in frames]
@@ -48,7 +48,7 @@ print("the camera moved {:.1f} degrees and {:.0f} mm".format(*off(np.eye(4), tru
 # is the one to take; color alone where depth is noisy.
 #
 # In Open3D this is ``o3d.pipelines.odometry.compute_rgbd_odometry(source, target, intrinsic, odo_init, jacobian,
-# option)``, the same here under ``loom.odometry``. It gives success, the pose T_target_source, and an information
+# option)``, the same here under ``loom.rgbd``. It gives success, the pose T_target_source, and an information
 # matrix: how surely the pairs of pixels hold each of the six motions, which a pose graph weighs the step with.
 
 terms = {"color": odometry.RGBDOdometryJacobianFromColorTerm(), "hybrid": odometry.RGBDOdometryJacobianFromHybridTerm()}
@@ -76,13 +76,13 @@ assert not blank.reliable
 # %%
 # A path
 # ------
-# Steps are chained: the pose of frame k is that of frame k - 1 times the step. ``OdometryFrame`` prepares a picture
+# Steps are chained: the pose of frame k is that of frame k - 1 times the step. ``OdometryFrame`` prepares an image
 # once for both steps that it takes part in, and ``align_frames`` does what ``compute_rgbd_odometry`` does. The depth of
 # these frames is in meters. That of a dataset is in whole numbers, whose unit is to be told:
 #
 # .. code-block:: python
 #
-#    source = loom.open_frames("desk", depth_scale=5000)  # loose pictures of TUM
+#    source = loom.open_frames("desk", depth_scale=5000)  # loose images of TUM
 #    prepared = [odometry.OdometryFrame(f.depth, source.intrinsic, f.color, depth_scale=source.depth_scale)
 #                for f in source]
 
@@ -186,9 +186,10 @@ assert np.allclose(loom.read_trajectory(folder / "path.log").poses, path.poses, 
 # **The unit of depth.** TUM's depth is in fifths of a millimetre: without ``depth_scale=5000`` the path is five times
 # too long, and nothing says so.
 #
-# **The camera of another picture size.** It is an error, as in chapter 5. **A focal length that is off** by a tenth
+# **The camera of another image size.** It is an error, as in chapter 5. **A focal length that is off** by a tenth
 # is not: every step then succeeds, the path is bent, and ``inlier_rmse`` hardly moves: in a
-# real kitchen from 4.8 to 5.1 mm, here by half at most. ``loom.check_focal`` tells, where the camera turned enough:
+# real kitchen from 4.8 to 5.1 mm, here by half at most. ``loom.rgbd.check_focal`` tells, where the camera turned
+# enough:
 
 long_lens = loom.PinholeCameraIntrinsic(
     camera.width, camera.height, 1.1 * camera.fx, 1.1 * camera.fy, camera.cx, camera.cy
@@ -198,7 +199,7 @@ right = odometry.align_frames(prepared[1], prepared[0])
 print(f"inlier_rmse {1000 * right.inlier_rmse:.1f} mm, with the wrong lens {1000 * step.inlier_rmse:.1f} mm")
 assert step.reliable and step.inlier_rmse < 2 * right.inlier_rmse
 
-check = loom.check_focal(loom.frames_from([(frame.color, frame.depth) for frame in frames], long_lens))
+check = loom.rgbd.check_focal(loom.frames_from([(frame.color, frame.depth) for frame in frames], long_lens))
 print(check)
 assert check is not None and not check.reliable
 
@@ -210,7 +211,7 @@ assert check is not None and not check.reliable
 # ------
 # - Give ``odometry.compute_rgbd_odometry(..., weights="open3d")`` for Open3D's numbers. Is it as exact? (Its
 #   ``inlier_rmse`` is 0: it is not computed there.)
-# - Darken every second picture by half. Which of the two terms minds?
+# - Darken every second image by half. Which of the two terms minds?
 #
 # Where to go next
 # ----------------

@@ -155,8 +155,8 @@ panels = {}
 for k, (name, T) in enumerate({"L2": start.transformation, "Tukey": best.transformation}.items()):
     panel = source.transform(T)
     panel["apart"] = panel.compute_point_cloud_distance(target) * 1000
-    share = float((panel["apart"][~is_wrong] < 3).mean())
-    print(f"{name}: {share:.0%} of the good points lie within 3 mm of the target")
+    fraction = float((panel["apart"][~is_wrong] < 3).mean())
+    print(f"{name}: {fraction:.0%} of the good points lie within 3 mm of the target")
     panels[name] = panel.translate([0.3 * k, 0, 0])
 errors = loom.render(
     [{"geometry": panel, "color_by": "apart", "limits": (0.0, 15.0), "colormap": "turbo"} for panel in panels.values()],

@@ -2,7 +2,7 @@
 15. From frames to a model
 ==========================
 
-The last step: many pictures of a depth camera become one model. You learn to put frames together where their poses
+The last step: many images of a depth camera become one model. You learn to put frames together where their poses
 are known, to fuse them into a surface that averages the noise, to do it where nobody knows the poses, and to ask how
 good the model is.
 """
@@ -91,23 +91,23 @@ for name, points in (("points", merged.points), ("surface", mesh.vertices)):
 assert np.median(errors(mesh.vertices)) < np.median(errors(merged.points))
 
 # %%
-# All of it is one call where frames have poses: ``loom.fuse``, which checks the result. Frames come from
+# All of it is one call where frames have poses: ``loom.rgbd.fuse``, which checks the result. Frames come from
 # ``loom.open_dataset(folder)``, a camera, or a list:
 
 source = loom.frames_from(frames[::2], camera)
-result = loom.fuse(source, voxel_size=0.03)
+result = loom.rgbd.fuse(source, voxel_size=0.03)
 print(result)
 assert result.reliable
 
 # %%
 # Nobody knows the poses
 # ----------------------
-# That is the usual case. ``loom.reconstruct`` holds each frame against the model of all frames before it, adds it
+# That is the usual case. ``loom.rgbd.reconstruct`` holds each frame against the model of all frames before it, adds it
 # there, and closes loops where the camera comes back to a place. It is told no pose, not even the first, so its world
 # is the first camera's. We give it the frames without their poses:
 
 blind = loom.frames_from([(frame.color, frame.depth) for frame in frames], camera)
-reconstruction = loom.reconstruct(blind, voxel_size=0.02)
+reconstruction = loom.rgbd.reconstruct(blind, voxel_size=0.02)
 print(reconstruction)
 assert reconstruction.reliable
 assert len(reconstruction.trajectory) == len(frames)
@@ -145,19 +145,19 @@ model = loom.render(
 # The reconstruction system
 # -------------------------
 # Open3D's system works in stages: fragments of some hundred frames, their registration, its refinement, and the
-# integration of the scene. ``loom.reconstruction`` has them under the same names, reads the same configuration, and
+# integration of the scene. ``loom.rgbd`` has them under the same names, reads the same configuration, and
 # goes on where it was interrupted. Take it for long recordings, or where tracking loses the camera: fragments find
 # each other again.
 #
 # .. code-block:: python
 #
-#    stages = loom.reconstruction.FragmentOptions("kitchen-job", resume=True)
-#    result = loom.reconstruct(loom.open_frames("kitchen"), fragments=stages)
+#    stages = loom.rgbd.FragmentOptions("kitchen-job", resume=True)
+#    result = loom.rgbd.reconstruct(loom.open_frames("kitchen"), fragments=stages)
 #
 # Watch the model grow:
 
 with loom.record(folder / "fusion.html", max_points=30_000, title="Frames become a model") as recording:
-    loom.fuse(loom.frames_from(frames[::4], camera), voxel_size=0.04)
+    loom.rgbd.fuse(loom.frames_from(frames[::4], camera), voxel_size=0.04)
 page = folder / "fusion.html"
 print(f"{page.stat().st_size / 1e6:.1f} MB")
 
@@ -175,9 +175,10 @@ assert len(loom.read_triangle_mesh(folder / "room.ply").triangles) == len(recons
 # **Extrinsics and poses mixed up** (chapter 5): the fused room is fog. ``integrate`` takes the extrinsic,
 # trajectories hold poses.
 #
-# **A voxel in millimeters.** ``voxel_size=20`` makes a room of one voxel; nothing is left of it. ``loom.fuse`` says so:
+# **A voxel in millimeters.** ``voxel_size=20`` makes a room of one voxel; nothing is left of it. ``loom.rgbd.fuse``
+# says so:
 
-huge = loom.fuse(loom.frames_from(frames[:3], camera), voxel_size=20.0)
+huge = loom.rgbd.fuse(loom.frames_from(frames[:3], camera), voxel_size=20.0)
 print(huge.warnings)
 assert "voxel_size: 20 m is larger than the scene" in huge.warnings[0]
 
@@ -189,7 +190,7 @@ assert "voxel_size: 20 m is larger than the scene" in huge.warnings[0]
 # Try it
 # ------
 # - A voxel of 1 cm: how many triangles more, and what for?
-# - ``frames[::2]``, ``frames[::4]``: from where on does ``loom.reconstruct`` lose the camera?
+# - ``frames[::2]``, ``frames[::4]``: from where on does ``loom.rgbd.reconstruct`` lose the camera?
 # - ``pointloom reconstruct FOLDER -o room.ply --picture room.png`` does this chapter from the shell.
 #
 # Where to go next

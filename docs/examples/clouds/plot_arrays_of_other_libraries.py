@@ -28,7 +28,7 @@ assert bright["intensity"].max() < 0.5 and len(bright["ring"]) == len(bright)
 # Masks and indices are NumPy's own, so one filters with what one knows. Colors are numbers from 0 to 1.
 swirl = np.sin(8 * cloud["intensity"] + np.arctan2(points[:, 1], points[:, 0]))
 cloud["swirl"] = swirl.astype(np.float32)
-picture = loom.render(
+image = loom.render(
     {"geometry": cloud, "color_by": "swirl", "colormap": "viridis", "point_size": 3},
     loom.fit_view(points, direction=(-0.4, 0.6, -0.6), width=960, height=640),
     color_bar=True,

@@ -2,8 +2,8 @@
 Colors that mean something, legends, and the same view again
 =============================================================
 
-A picture of a cloud answers a question when its colors do. Here the ways of coloring, what belongs beside them,
-and how a view is kept so that tomorrow's picture is taken from the same place.
+An image of a cloud answers a question when its colors do. Here the ways of coloring, what belongs beside them,
+and how a view is kept so that tomorrow's image is taken from the same place.
 """
 
 import tempfile
@@ -19,7 +19,7 @@ print(cloud, f"{100 * size:.1f} cm across")
 
 # %%
 # **By what?** "height", "normal", "label", "rgb", or any attribute; ``limits`` fixes what the ends of the map mean,
-# so that two pictures compare. Perceptually even maps (viridis) for amounts, turbo to see small steps.
+# so that two images compare. Perceptually even maps (viridis) for amounts, turbo to see small steps.
 cloud = loom.estimate_curvature(cloud, radius=0.03 * size, max_nn=None)
 cloud["side"] = (np.floor(6 * np.arctan2(*cloud.points[:, :2].T) / (2 * np.pi)) % 6).astype(np.int32)
 bend = np.percentile(cloud["curvature"], 98)
@@ -61,12 +61,12 @@ with tempfile.TemporaryDirectory() as folder:
     first = loom.render(cloud, saved)
     again = loom.render(cloud, loom.read_view(path, width=960, height=640))
 difference = np.abs(first.astype(int) - again.astype(int)).mean()
-print(f"pictures from the view and from its file differ by {difference:.3f} of 255 on average")
+print(f"images from the view and from its file differ by {difference:.3f} of 255 on average")
 assert difference < 1.0
 
 # %%
-# **Depth of the picture** comes along when asked for: meters along the axis, 0 where nothing is. So places of the
-# picture are places of the scene.
+# **Depth of the image** comes along when asked for: meters along the axis, 0 where nothing is. So places of the
+# image are places of the scene.
 shot, depth = loom.render(cloud, view, depth=True)
 row_, column = np.argwhere(depth > 0)[len(np.argwhere(depth > 0)) // 2]
 camera = view.intrinsic.intrinsic_matrix

@@ -77,7 +77,7 @@ else:
     raise AssertionError("there are eight GPUs?")
 
 # %%
-# Pictures are results too: drawn on either device they have the same bits.
+# Images are results too: drawn on either device they have the same bits.
 labels = pipeline(room)[2]
 thin = room.voxel_down_sample(0.05)
 palette = np.array(
@@ -95,7 +95,7 @@ thin.colors = palette[labels]
 low, high = room.get_min_bound(), room.get_max_bound()
 shown = thin.crop(loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2]))
 view = loom.fit_view(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
-picture = loom.render(shown, view)
+image = loom.render(shown, view)
 again = loom.render(shown.to(devices[-1]), view)
-print("picture", digest([picture]), "on", devices[-1], digest([again]))
-assert np.array_equal(picture, again)
+print("image", digest([image]), "on", devices[-1], digest([again]))
+assert np.array_equal(image, again)

@@ -45,12 +45,12 @@ right = {
     "floor": (strongest[kind == "floor"] == 1).mean(),
     "bush": (strongest[kind == "bush"] == 2).mean(),
 }
-print({name: f"{100 * share:.1f} %" for name, share in right.items()})
+print({name: f"{100 * fraction:.1f} %" for name, fraction in right.items()})
 assert right["wire"] > 0.99 and right["floor"] > 0.9 and right["bush"] > 0.5
 
 colors = np.array([[0.9, 0.35, 0.15], [0.35, 0.6, 0.8], [0.3, 0.65, 0.3]])[strongest]
 view = loom.fit_view(points, direction=(-0.5, 0.75, -0.45), width=960, height=640)
-edge_picture = loom.render(
+edge_image = loom.render(
     {"geometry": loom.PointCloud(points, colors=colors), "point_size": 3.5},
     view,
     legend=[("along a line", (0.9, 0.35, 0.15)), ("on a plane", (0.35, 0.6, 0.8)), ("all around", (0.3, 0.65, 0.3))],
@@ -81,7 +81,7 @@ marks = [
     loom.TriangleMesh.create_sphere(0.045).translate(position).paint_uniform_color([0.9, 0.2, 0.1])
     for position in keypoints.points
 ]
-keypoint_picture = loom.render(
+keypoint_image = loom.render(
     [{"geometry": shed, "color_by": "curvature", "colormap": "viridis", "point_size": 4}, *marks],
     loom.fit_view(shed.points, direction=(-0.5, 0.75, -0.6), width=960, height=640),
     color_bar=True,

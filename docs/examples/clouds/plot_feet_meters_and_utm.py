@@ -93,7 +93,7 @@ assert utm.unit == "metre"
 
 # %%
 # The color bar of a height is in the unit that the cloud has.
-picture = loom.render(
+image = loom.render(
     {"geometry": utm, "color_by": "height", "colormap": "viridis", "point_size": 6},
     loom.fit_view(utm.points, direction=(-0.3, 0.7, -0.55), width=960, height=640),
     color_bar=True,

@@ -2,7 +2,7 @@
 A cloud larger than the screen, or the memory
 =============================================
 
-A survey has hundreds of millions of points; a picture has one million pixels. Three ways of working with what does
+A survey has hundreds of millions of points; an image has one million pixels. Three ways of working with what does
 not fit: a first look taken evenly from the file, parts read one after the other, and a tree of details of which a
 view takes what it can show.
 """

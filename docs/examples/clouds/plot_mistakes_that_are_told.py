@@ -86,4 +86,4 @@ thin = loom.estimate_curvature(thin, max_nn=30)
 view = loom.fit_view(
     np.vstack([thin.points, thin.translate([0.24, 0, 0]).points]), direction=(-0.4, 0.8, -0.3), width=960, height=640
 )
-picture = loom.render([thin, {"geometry": thin.translate([0.24, 0, 0]), "color_by": "curvature"}], view, color_bar=True)
+image = loom.render([thin, {"geometry": thin.translate([0.24, 0, 0]), "color_by": "curvature"}], view, color_bar=True)

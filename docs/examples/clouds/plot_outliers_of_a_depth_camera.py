@@ -3,7 +3,7 @@ Clean the cloud of a depth camera
 =================================
 
 A depth camera smears points between an edge and what lies behind it, and measures noise far away. Each has its own
-cure: the first in the picture, the second among the points. One noisy frame of a room is cleaned here, and what
+cure: the first in the image, the second among the points. One noisy frame of a room is cleaned here, and what
 went is counted with the truth at hand.
 """
 
@@ -30,22 +30,22 @@ raw["error [mm]"] = 1000 * raw.compute_point_cloud_distance(truth)
 print(f"{len(raw)} points, {(raw['error [mm]'] > 30).sum()} of them more than 3 cm off")
 
 # %%
-# **In the picture.** ``filter_depth_bilateral`` evens out noise within a surface and leaves jumps alone: depths that
+# **In the image.** ``filter_depth_bilateral`` evens out noise within a surface and leaves jumps alone: depths that
 # differ by more than some 10 cm (``value_sigma``, above the noise of the farthest wall) do not mix. Then
 # ``erode_depth_edges`` drops a pixel on either side of a jump of 15 cm, where one pixel sees two surfaces.
 smooth = loom.filter_depth_bilateral(noisy.depth, 7, value_sigma=0.1)
 smooth = loom.erode_depth_edges(smooth, 1, 0.15)
-in_picture = cloud_of(smooth)
-in_picture["error [mm]"] = 1000 * in_picture.compute_point_cloud_distance(truth)
+in_image = cloud_of(smooth)
+in_image["error [mm]"] = 1000 * in_image.compute_point_cloud_distance(truth)
 
 # %%
 # **Among the points.** The statistical filter drops points whose mean distance to 20 neighbors is far above what is
 # usual (2 standard deviations); the radius filter those with fewer than 12 neighbors within 5 cm. The first adapts
 # to the density, the second says what it means in meters.
-filtered, rows = in_picture.remove_statistical_outlier(20, 2.0)
+filtered, rows = in_image.remove_statistical_outlier(20, 2.0)
 filtered, rows = filtered.remove_radius_outlier(12, 0.05)
 
-for name, cloud in {"raw": raw, "in the picture": in_picture, "both": filtered}.items():
+for name, cloud in {"raw": raw, "in the image": in_image, "both": filtered}.items():
     error = cloud["error [mm]"]
     print(
         f"{name:15} {len(cloud):6} points, median {np.median(error):.1f} mm off, "

@@ -76,5 +76,5 @@ print(f"{len(data)} bytes in, {len(cleaned.stdout)} out: the same as by files")
 shell("clean scan.ply clean.ply", expected=1)
 
 # %%
-# A picture without a display ends the script: ``pointloom view clusters.ply --picture clusters.png``, or from Python:
-picture = loom.render(clusters, loom.fit_view(clusters.points, direction=(-0.5, 0.62, -0.8), width=960, height=640))
+# An image without a display ends the script: ``pointloom view clusters.ply --picture clusters.png``, or from Python:
+image = loom.render(clusters, loom.fit_view(clusters.points, direction=(-0.5, 0.62, -0.8), width=960, height=640))

@@ -88,7 +88,7 @@ stems = loom.LineSet(
     np.vstack([crowns.points[tops[trees]], crowns.points[tops[trees]] - np.c_[np.zeros((len(trees), 2)), heights]]),
     np.column_stack([np.arange(len(trees)), np.arange(len(trees)) + len(trees)]).astype(np.int32),
 )
-picture = loom.render(
+image = loom.render(
     [
         ground.voxel_down_sample(0.8).paint_uniform_color([0.8, 0.76, 0.66]),
         loom.PointCloud(crowns.points, colors=palette[belongs]),

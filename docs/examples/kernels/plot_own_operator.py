@@ -113,12 +113,12 @@ assert rough > 5 * calm
 
 # %%
 # As an attribute the answer travels with the cloud through every operation, is written to files, and colors a
-# picture.
+# image.
 
 cloud["roughness"] = roughness
 eye = {"front": [0.2, -0.7, 0.65], "lookat": [0.04, -0.06, 0.0], "up": [0.0, 0.0, 1.0], "zoom": 0.62}
 shown = {"name": "roughness [m]", "geometry": cloud, "color_by": "roughness", "point_size": 3.0}
-picture = loom.render([shown], eye, size=(960, 640), color_bar=True)
+image = loom.render([shown], eye, size=(960, 640), color_bar=True)
 
 # %%
 # On the other device

@@ -27,7 +27,7 @@ print(f"original: {len(original.triangles)} triangles, {size:.3f} m across, {ori
 random = np.random.default_rng(0)
 corners = original.vertices[original.triangles]  # [t, 3, 3]
 middles = corners.mean(axis=1)
-look = np.array([-0.25, 1.0, -0.3])  # the direction in which the picture looks
+look = np.array([-0.25, 1.0, -0.3])  # the direction in which the image looks
 hole_center = middles[np.argmin(middles @ look)]
 hole = np.linalg.norm(middles - hole_center, axis=1) < 0.06 * size
 corners = corners[~hole]
@@ -52,7 +52,7 @@ print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts")
 # since a hole of that size may be the bottom of the scan. ``min_triangles`` drops parts with fewer triangles: the
 # crumbs.
 
-result = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
+result = loom.meshing.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
 print(result)
 
 # %%
@@ -83,4 +83,4 @@ scene = {
     "broken": {"geometry": left, "color": (0.85, 0.45, 0.35), "back_faces": False},
     "mended": {"geometry": right.compute_vertex_normals(), "color": (0.45, 0.65, 0.8)},
 }
-picture = loom.render(scene, view, (960, 640), legend=True)
+image = loom.render(scene, view, (960, 640), legend=True)

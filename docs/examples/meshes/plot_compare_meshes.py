@@ -20,16 +20,16 @@ truth = loom.datasets.object_mesh()
 scan = truth.sample_points_uniformly(60_000, seed=1)
 scan.points = scan.points + np.random.default_rng(0).normal(0, 0.0005, (len(scan), 3))
 scan = scan.estimate_normals(radius=0.006, max_nn=30).orient_normals_consistent_tangent_plane(20)
-made = loom.create_surface(scan, depth=7).mesh
+made = loom.meshing.create_surface(scan, depth=7).mesh
 
 # %%
 # Figures
 # -------
 #
-# An F-score is the share of both surfaces that have the other one within a threshold (harmonic mean, percent). The
+# An F-score is the fraction of both surfaces that have the other one within a threshold (harmonic mean, percent). The
 # Hausdorff distance is the worst place of all. ``limit`` [m] is what you allow: a larger distance adds a warning.
 
-comparison = loom.compare_meshes(made, truth, thresholds=[0.0005, 0.001, 0.002], limit=0.02)
+comparison = loom.meshing.compare_meshes(made, truth, thresholds=[0.0005, 0.001, 0.002], limit=0.02)
 print(comparison)
 figures = comparison.metrics
 print(
@@ -42,7 +42,7 @@ assert np.all(np.diff(figures.fscore) >= 0) and figures.fscore[-1] > 95
 # %%
 # Wrong units are told, not measured away.
 
-wrong = loom.compare_meshes(made.scale(1000, [0, 0, 0]), truth, samples=2000)
+wrong = loom.meshing.compare_meshes(made.scale(1000, [0, 0, 0]), truth, samples=2000)
 print(wrong.warnings)
 assert not wrong.reliable and "unit" in wrong.warnings[0]
 
@@ -58,4 +58,4 @@ made.vertex_attributes["error [mm]"] = errors * 1e3
 high = float(np.quantile(errors, 0.98)) * 1e3
 shown = {"geometry": made.compute_vertex_normals(), "color_by": "error [mm]", "limits": (0, high), "shaded": True}
 view = {"front": [0.3, -1, 0.25], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.72}
-picture = loom.render(shown, view, (640, 640), color_bar=True)
+image = loom.render(shown, view, (640, 640), color_bar=True)

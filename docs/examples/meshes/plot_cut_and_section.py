@@ -51,7 +51,7 @@ section_heights = np.unique(contours.points[:, 2].round(5))
 assert len(section_heights) == len(heights) and np.allclose(section_heights, heights, atol=2e-5)
 
 # %%
-# The picture: the closed half, its sections, and where the other half was cut away.
+# The image: the closed half, its sections, and where the other half was cut away.
 
 lid = loom.LineSet(np.vstack(loops), np.vstack([
     np.column_stack([np.arange(len(loop)), np.roll(np.arange(len(loop)), -1)]) + sum(map(len, loops[:i]))
@@ -65,4 +65,4 @@ scene = {
     "sections of the other half": {"geometry": rest, "color": (0.2, 0.4, 0.7), "line_width": 2},
     "the cut": {"geometry": lid, "color": (0.75, 0.1, 0.1), "line_width": 5},
 }
-picture = loom.render(scene, view, (800, 800), shading="flat", legend=True)
+image = loom.render(scene, view, (800, 800), shading="flat", legend=True)

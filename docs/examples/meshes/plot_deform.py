@@ -53,10 +53,10 @@ assert np.median(np.abs(stretch - 1)) < 0.1
 # For comparison, what a blend of the handles' motions would give: the bar collapses in the middle, like a sweet's
 # wrapper.
 
-share = np.clip((heights - 0.04) / 0.32, 0, 1)[:, None]
+fraction = np.clip((heights - 0.04) / 0.32, 0, 1)[:, None]
 moved = (bar.vertices - middle) @ rotation.T + [0.12, 0, 0.33]
 blend = bar.copy()
-blend.vertices = (1 - share) * bar.vertices + share * moved
+blend.vertices = (1 - fraction) * bar.vertices + fraction * moved
 squeezed = np.linalg.norm(np.diff(blend.vertices[ends], axis=1)[:, 0], axis=1) / lengths
 print(f"edges of the blend: {np.quantile(np.abs(squeezed - 1), 0.99) * 100:.0f} % (99 of 100)")
 print(
@@ -77,4 +77,4 @@ for i, mesh in enumerate((bar, blend, bent)):
     scene.append({"geometry": mesh.translate([0.33 * i - 0.1 * (i > 0), 0, 0]), "wireframe": True})
 labels = [("as it was", [0, 0, 0.43]), ("blended", [0.33, 0, 0.43]), ("as rigid as possible", [0.66, 0, 0.43])]
 view = {"front": [-0.15, -1, 0.25], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.5}
-picture = loom.render(scene, view, (960, 640), labels=labels)
+image = loom.render(scene, view, (960, 640), labels=labels)

@@ -99,4 +99,4 @@ scene.append(
     }
 )
 view = {"front": [0.1, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.38}
-picture = loom.render(scene, view, (960, 640))
+image = loom.render(scene, view, (960, 640))

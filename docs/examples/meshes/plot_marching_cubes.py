@@ -29,7 +29,7 @@ gyroid = (
 )
 radius = np.sqrt(x**2 + y**2 + z**2)
 body = np.maximum(gyroid / wave, radius - 0.045)
-mesh = loom.marching_cubes(body.astype(np.float32), 0.0, spacing=(step,) * 3, origin=(-size / 2,) * 3)
+mesh = loom.meshing.marching_cubes(body.astype(np.float32), 0.0, spacing=(step,) * 3, origin=(-size / 2,) * 3)
 inside = (body < 0).sum() * step**3
 print(f"{len(mesh.triangles)} triangles, {mesh.get_volume() * 1e6:.2f} cm^3, by counting samples {inside * 1e6:.2f}")
 assert mesh.is_watertight() and abs(mesh.get_volume() / inside - 1) < 0.02
@@ -44,7 +44,7 @@ assert mesh.is_watertight() and abs(mesh.get_volume() / inside - 1) < 0.02
 for count in (20, 40, 80):
     axis = np.linspace(-1.2, 1.2, count)
     grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1)
-    ball = loom.marching_cubes(
+    ball = loom.meshing.marching_cubes(
         (np.linalg.norm(grid, axis=-1) - 1).astype(np.float32), spacing=(axis[1] - axis[0],) * 3, origin=(-1.2,) * 3
     )
     error = np.abs(np.linalg.norm(ball.vertices, axis=1) - 1).max()
@@ -66,4 +66,4 @@ assert len(shells.cluster_connected_triangles()[1]) == 3
 mesh = mesh.compute_vertex_normals()
 mesh.vertex_attributes["from the middle [m]"] = np.linalg.norm(mesh.vertices, axis=1)
 view = {"front": [0.6, -1, 0.55], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.62}
-picture = loom.render({"geometry": mesh, "color_by": "from the middle [m]", "colormap": "turbo"}, view, (960, 640))
+image = loom.render({"geometry": mesh, "color_by": "from the middle [m]", "colormap": "turbo"}, view, (960, 640))

@@ -83,7 +83,7 @@ assert np.allclose(rotated.vertices[:, 1], mesh.vertices[:, 2], atol=1e-6)
 # ---------------------------------------------
 #
 # ``compute_uvatlas`` unwraps the mesh (xatlas, of the extra "mesh"), ``bake_vertex_colors`` draws its colors into a
-# picture. Where the atlas has a seam a GLB needs two vertices at one place; smoothing and subdivision here know that
+# image. Where the atlas has a seam a GLB needs two vertices at one place; smoothing and subdivision here know that
 # they are one.
 
 baked = mesh.compute_uvatlas(1024, gutter=4).bake_vertex_colors(1024)
@@ -97,4 +97,4 @@ assert textured.has_textures and len(textured.vertices) > len(mesh.vertices)
 
 view = {"front": [0.3, -1, 0.25], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.72}
 atlas = textured.textures[0][::2, ::2]
-picture = np.hstack([loom.render(textured, view, (512, 512), shading="smooth"), atlas])
+image = np.hstack([loom.render(textured, view, (512, 512), shading="smooth"), atlas])

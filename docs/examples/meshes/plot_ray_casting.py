@@ -46,12 +46,12 @@ for number, count in zip(*np.unique(hits["geometry_ids"], return_counts=True), s
 assert set(np.unique(hits["geometry_ids"]).tolist()) >= {owl_id, second_id, floor_id}
 
 # %%
-# The drawn picture agrees: its own depths along the optical axis are those of the rays.
+# The drawn image agrees: its own depths along the optical axis are those of the rays.
 
 depth = loom.render([owl, owl.transform(pose), floor], view, depth=True)[1]
 along = hits["t_hit"] * (np.asarray(rays)[..., 3:] @ view.T_world_camera[:3, 2])
 both = np.isfinite(along) & (depth > 0)
-print(f"rays and picture differ by {np.median(np.abs(along - depth)[both]) * 1e3:.3f} mm (median)")
+print(f"rays and image differ by {np.median(np.abs(along - depth)[both]) * 1e3:.3f} mm (median)")
 assert both.mean() > 0.5 and np.median(np.abs(along - depth)[both]) < 1e-4
 
 # %%
@@ -79,7 +79,7 @@ tint = np.array(
     ]
 )
 lit = loom.PointCloud(hit_points, colors=np.clip(tint * (0.35 + 0.65 * light * ~dark)[:, None], 0, 1))
-picture = loom.render({"geometry": lit, "shaded": False}, view)
+image = loom.render({"geometry": lit, "shaded": False}, view)
 
 # %%
 # Inside or outside

@@ -51,7 +51,7 @@ lengths = np.linalg.norm(np.diff(edges.points[edges.lines], axis=1)[:, 0], axis=
 print(f"after: {len(even.triangles)} triangles, smallest angles {smallest_angles(even).mean():.1f} degrees in the mean")
 print(f"edges {lengths.mean() * 1e3:.2f} mm in the mean, nine tenths from {np.quantile(lengths, 0.05) * 1e3:.2f} to "
       f"{np.quantile(lengths, 0.95) * 1e3:.2f}")  # fmt: skip
-off = loom.compare_meshes(even, part, samples=20_000)
+off = loom.meshing.compare_meshes(even, part, samples=20_000)
 print(f"the surface moved by {max(off.metrics.mean) * 1e6:.1f} um in the mean")
 assert even.is_watertight() and smallest_angles(even).mean() > 45
 assert abs(even.get_volume() / part.get_volume() - 1) < 0.005
@@ -85,4 +85,4 @@ shown = [
 colors = [(0.85, 0.6, 0.45), (0.55, 0.7, 0.82), (0.85, 0.6, 0.45), (0.55, 0.7, 0.82)]
 scene = [{"geometry": mesh, "color": color, "wireframe": True} for mesh, color in zip(shown, colors, strict=False)]
 view = {"front": [0.15, -1, 1.1], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.37}
-picture = loom.render(scene, view, (960, 640), shading="flat")
+image = loom.render(scene, view, (960, 640), shading="flat")

@@ -20,8 +20,8 @@ import pointloom as loom
 # from samples of either.
 
 mesh = loom.datasets.object_mesh()
-tenth = loom.simplify_mesh(mesh, ratio=0.1)
-hundredth = loom.simplify_mesh(mesh, ratio=0.01)
+tenth = loom.meshing.simplify_mesh(mesh, ratio=0.1)
+hundredth = loom.meshing.simplify_mesh(mesh, ratio=0.01)
 print(tenth)
 
 # %%
@@ -32,7 +32,7 @@ print(tenth)
 # farther off.
 
 voxel = float(np.sqrt(2.0 * mesh.get_surface_area() / len(tenth.mesh.triangles)))
-blunt = loom.simplify_mesh(mesh, voxel_size=voxel)
+blunt = loom.meshing.simplify_mesh(mesh, voxel_size=voxel)
 rows = {"a tenth, by edges": tenth, "a hundredth, by edges": hundredth, f"voxels of {voxel * 1e3:.1f} mm": blunt}
 for name, result in rows.items():
     print(f"{name:24} {len(result.mesh.triangles):6} triangles, rms error {result.errors.rms * 1e3:.3f} mm")
@@ -59,4 +59,4 @@ view = loom.fit_view(
 scene = [{"geometry": reduced, "wireframe": i > 0} for i, reduced in enumerate(side_by_side)]
 top = mesh.get_max_bound()[2] * 1.1
 labels = [(f"{len(reduced.triangles):,} triangles", [i * width, 0, top]) for i, reduced in enumerate(shown)]
-picture = loom.render(scene, view, (960, 640), shading="flat", labels=labels)
+image = loom.render(scene, view, (960, 640), shading="flat", labels=labels)

@@ -30,7 +30,7 @@ print(f"{len(truth.vertices)} vertices, {size:.3f} m across, noise of {sigma * 1
 # ``smooth_mesh`` tells how far vertices moved and how the area changed. More iterations smooth more; with "laplacian"
 # each of them shrinks the figure as well.
 
-results = {name: loom.smooth_mesh(noisy, name, 30) for name in ("laplacian", "taubin")}
+results = {name: loom.meshing.smooth_mesh(noisy, name, 30) for name in ("laplacian", "taubin")}
 print(results["taubin"])
 
 # %%
@@ -66,4 +66,4 @@ view = loom.fit_view(
 top = truth.get_max_bound()[2] * 1.1
 labels = [(name, [i * width, 0, top]) for i, name in enumerate(shown)]
 scene = [{"geometry": mesh, "color": (0.83, 0.78, 0.7)} for mesh in side_by_side]
-picture = loom.render(scene, view, (960, 640), shading="flat", labels=labels)
+image = loom.render(scene, view, (960, 640), shading="flat", labels=labels)

@@ -33,7 +33,7 @@ print(f"{len(scan)} points, {np.linalg.norm(high - low):.3f} m across")
 # reports: how much area lies far from all points, how many edges are open, and in ``warnings`` why the surface is
 # unreliable.
 
-results = {name: loom.create_surface(scan, name) for name in ("poisson", "ball", "alpha")}
+results = {name: loom.meshing.create_surface(scan, name) for name in ("poisson", "ball", "alpha")}
 for name, result in results.items():
     metrics = result.mesh.compute_metrics(truth, n_sampled_points=20_000)
     print(f"{name:8} {len(result.mesh.triangles):7} triangles, closed: {result.mesh.is_watertight()!s:5} "
@@ -92,4 +92,4 @@ for i, (name, geometry) in enumerate(shown.items()):
     scene.append({"geometry": geometry, "pose": pose, "color": color})
     labels.append((name, [i * width, 0, high[2] + 0.02]))
 view = {"front": [0.0, -1, 0.2], "up": [0, 0, 1], "field_of_view": 20, "zoom": 0.36}
-picture = loom.render(scene, view, (1080, 600), labels=labels, point_size=2.5)
+image = loom.render(scene, view, (1080, 600), labels=labels, point_size=2.5)

@@ -78,4 +78,4 @@ labels = [
     for name, offset in zip(["voxels of 8 mm", "of 4 mm", "random points", "even points"], offsets, strict=False)
 ]
 view = {"front": [-0.2, -1, 0.3], "up": [0, 0, 1], "field_of_view": 20, "zoom": 0.36}
-picture = loom.render(scene, view, (1080, 600), labels=labels)
+image = loom.render(scene, view, (1080, 600), labels=labels)

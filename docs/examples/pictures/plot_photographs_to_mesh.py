@@ -2,9 +2,9 @@
 Photographs with known poses to points, depth and a mesh
 ========================================================
 
-A turntable, a robot or Metashape knows where each photograph was taken. ``loom.sfm.triangulate`` finds points that they
-share and checks the poses; ``loom.mvs`` finds the depth of every pixel, keeps what several pictures confirm, and makes
-a cloud or a mesh.
+A turntable, a robot or Metashape knows where each photograph was taken. ``loom.photogrammetry.triangulate`` finds
+points that they share and checks the poses; ``loom.photogrammetry`` finds the depth of every pixel, keeps what several
+images confirm, and makes a cloud or a mesh.
 """
 
 import tempfile
@@ -27,20 +27,20 @@ camera = shots.intrinsic.scaled(0.25)
 folder = Path(tempfile.mkdtemp()) / "photos"
 folder.mkdir()
 names = [f"{i:02}.png" for i in range(count)]
-for name, taken in zip(names, shots.pictures, strict=False):
-    loom.save_picture(folder / name, taken)
+for name, taken in zip(names, shots.images, strict=False):
+    loom.write_image(folder / name, taken)
 T_camera_world = np.linalg.inv(shots.poses[:count])
 lens = loom.CameraModel.from_intrinsic(shots.intrinsic)
 known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 
 # %%
-# Points that pictures share
+# Points that images share
 # --------------------------
 #
 # Poses stay as they are. ``warnings`` reports poses that do not fit the images: a wrong lens, another order,
 # mirrored axes.
 
-result = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
+result = loom.photogrammetry.triangulate(folder, known, max_size=480, max_features=1000)
 model = result.model
 print(model, "|", "; ".join(result.warnings) or "the poses fit")
 scene = loom.RaycastingScene()
@@ -54,40 +54,38 @@ assert result.reliable and np.median(error) < 0.003
 # Depth of every pixel
 # --------------------
 #
-# A quarter of the size here, for time. Each picture is compared with others that see the same under good angles; then
+# A quarter of the size here, for time. Each image is compared with others that see the same under good angles; then
 # depth that fewer than two others confirm goes.
 
-posed = [loom.mvs.PosedCamera(camera, T) for T in T_camera_world]
+posed = [loom.photogrammetry.PosedCamera(camera, T) for T in T_camera_world]
 small = [
     taken.reshape(camera.height, 4, camera.width, 4, 3).mean(axis=(1, 3)).round().astype(np.uint8)
-    for taken in shots.pictures[:count]
+    for taken in shots.images[:count]
 ]
-maps = loom.mvs.estimate_depth_maps(small, posed, model)
-filtered = loom.mvs.filter_depth_maps(maps)
-errors, shares = [], []
+maps = loom.photogrammetry.estimate_depth_maps(small, posed, model)
+filtered = loom.photogrammetry.filter_depth_maps(maps)
+errors, fractions = [], []
 for one, depth in zip(filtered, shots.depths, strict=False):
     true, depth_map = 0.5 * (depth[1::4, 1::4] + depth[2::4, 2::4]), np.asarray(one.depth)
     known_here = (depth_map > 0) & (true > 0)
     errors.append(np.abs(depth_map - true)[known_here])
-    shares.append(known_here.sum() / (true > 0).sum())
+    fractions.append(known_here.sum() / (true > 0).sum())
 middle = float(np.median(np.concatenate(errors)))
-print(
-    f"{100 * np.mean(shares):.0f} % of what was photographed is confirmed, {middle * 1e3:.2f} mm off (median) at 0.6 m"
-)
-assert np.mean(shares) > 0.3 and middle < 0.003
+print(f"{100 * np.mean(fractions):.0f} % of the photographs is confirmed, {middle * 1e3:.2f} mm off (median) at 0.6 m")
+assert np.mean(fractions) > 0.3 and middle < 0.003
 
 # %%
 # One cloud, or one mesh
 # ----------------------
 #
-# Each place once, with normals, colors, and by how many pictures it was seen. ``to="tsdf"`` or ``to="poisson"`` gives
+# Each place once, with normals, colors, and by how many images it was seen. ``to="tsdf"`` or ``to="poisson"`` gives
 # a mesh.
 
-cloud = loom.mvs.fuse(filtered, small)
-mesh = loom.mvs.fuse(filtered, small, to="tsdf")
+cloud = loom.photogrammetry.fuse_depth_maps(filtered, small)
+mesh = loom.photogrammetry.fuse_depth_maps(filtered, small, to="tsdf")
 print(
     f"{len(cloud)} points, seen by {np.mean(cloud['views']):.1f} "
-    f"pictures in the mean; mesh of {len(mesh.triangles)} triangles"
+    f"images in the mean; mesh of {len(mesh.triangles)} triangles"
 )
 assert len(cloud) > 3000 and len(mesh.triangles) > 5000
 

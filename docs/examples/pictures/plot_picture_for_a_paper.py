@@ -1,5 +1,5 @@
 """
-A picture for a paper
+An image for a paper
 =====================
 
 Figures want the same view each time, a legend, labels, a scale and no window. ``loom.render`` draws without a display
@@ -62,7 +62,7 @@ assert np.array_equal(figure, loom.render(scene, view, legend=True, labels=label
 depth = loom.render(mesh, view, depth=True)[1]
 print(
     f"the model covers {100 * (depth > 0).mean():.0f} % of the "
-    f"picture, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away"
+    f"image, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away"
 )
 assert (depth > 0).mean() > 0.05
 
@@ -82,4 +82,4 @@ assert np.median(values) < 2
 
 shown = {"geometry": scan, "color_by": "distance from the model [mm]", "colormap": "turbo", "point_size": 4}
 errors = loom.render(shown, view, color_bar=True, background=(0.94, 0.95, 0.96))
-loom.save_picture(folder / "figure.png", errors)
+loom.write_image(folder / "figure.png", errors)

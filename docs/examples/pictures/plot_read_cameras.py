@@ -106,4 +106,4 @@ axes = {"geometry": loom.TriangleMesh.create_coordinate_frame(0.1, [-0.25, -0.25
 labels = [(name, center) for name, center in zip(metric.names, metric.centers, strict=False)]
 scene = [{"geometry": loom.datasets.object_mesh(), "shaded": False}, axes, *frusta]
 view = {"front": [0.5, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.45}
-picture = loom.render(scene, view, (960, 640), labels=labels)
+image = loom.render(scene, view, (960, 640), labels=labels)

@@ -26,7 +26,7 @@ frames = loom.datasets.room_frames(16)
 camera = frames[0].intrinsic
 page = folder / "fusion.html"
 with loom.record(page, title="Fusion of 16 frames") as recorder:
-    result = loom.fuse(loom.frames_from(frames, camera, depth_scale=1.0), voxel_size=0.04)
+    result = loom.rgbd.fuse(loom.frames_from(frames, camera, depth_scale=1.0), voxel_size=0.04)
 print(f"{page.name}: {page.stat().st_size / 1e6:.1f} MB; mesh of {len(result.mesh.triangles)} triangles")
 assert page.read_text(encoding="utf-8", errors="ignore").lstrip().lower().startswith("<!doctype html")
 
@@ -72,5 +72,5 @@ T = frames[8].T_world_camera.copy()
 T[:3, 3] -= 0.7 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
 cameras = [loom.CameraFrustum(camera, frame.T_world_camera, scale=0.15, color=(0.9, 0.35, 0.1)) for frame in frames]
-picture = loom.render([{"geometry": result.mesh, "shaded": False, "back_faces": False}, *cameras], view)
-loom.save_picture(folder / "room.png", picture)
+image = loom.render([{"geometry": result.mesh, "shaded": False, "back_faces": False}, *cameras], view)
+loom.write_image(folder / "room.png", image)

@@ -2,7 +2,7 @@
 Straighten a lens
 =================
 
-Wide lenses bend lines. Depth, stereo and fusion want a pinhole: ``undistort_picture`` gives the straight picture and
+Wide lenses bend lines. Depth, stereo and fusion want a pinhole: ``undistort_image`` gives the straight image and
 its camera. ``CameraModel`` knows the lenses of COLMAP, OpenCV and Metashape.
 """
 
@@ -25,7 +25,7 @@ print("pixels", pixels.round(2).tolist())
 assert np.allclose(lens.unproject(pixels)[:, :2] / lens.unproject(pixels)[:, 2:], rays[:, :2], atol=1e-9)
 
 # %%
-# A bent picture
+# A bent image
 # --------------
 #
 # What this lens would have taken: we draw the scene with a wide pinhole and look up, for each pixel of the lens, where
@@ -50,27 +50,28 @@ del ideal
 # Straight
 # --------
 #
-# ``blank_share`` 0 keeps the rectangle that is full everywhere, 1 all that the lens saw. The camera that comes with it
+# ``blank_fraction`` 0 keeps the rectangle that is full everywhere, 1 all that the lens saw. The camera that comes with
+# it
 # is a pinhole.
 
-straight, camera = loom.undistort_picture(bent, lens, size=(960, 640))
+straight, camera = loom.undistort_image(bent, lens, size=(960, 640))
 print(camera)
 assert straight.shape == (640, 960, 3)
 
 # %%
-# Is it straight? A pixel of the new picture shows the ray that the pinhole says: project any place by both.
+# Is it straight? A pixel of the new image shows the ray that the pinhole says: project any place by both.
 
 probe = np.array([[0.3, 0.2, 1.0]])
 u, v = (probe[0, :2] * [camera.fx, camera.fy] + [camera.cx, camera.cy]).round().astype(int)
 bu, bv = lens.project(probe)[0].round().astype(int)
 difference = np.abs(straight[v, u].astype(int) - bent[bv, bu].astype(int)).max()
-print(f"pixel ({u}, {v}) of the straight picture is ({bu}, {bv}) of the bent one; colors differ by {difference} of 255")
+print(f"pixel ({u}, {v}) of the straight image is ({bu}, {bv}) of the bent one; colors differ by {difference} of 255")
 assert difference < 30
 
 # %%
-# Many pictures of one lens: the places are computed once, and ``seen`` tells which pixels the lens showed.
+# Many images of one lens: the places are computed once, and ``seen`` tells which pixels the lens showed.
 
-undistortion = Undistortion(lens, blank_share=1.0)
+undistortion = Undistortion(lens, blank_fraction=1.0)
 full_view = undistortion.apply(bent)
 print(full_view.shape, undistortion.intrinsic, f"{100 * undistortion.seen.mean():.0f} % of it seen")
 assert 0.5 < undistortion.seen.mean() < 1.0
@@ -78,4 +79,4 @@ assert 0.5 < undistortion.seen.mean() < 1.0
 # %%
 # As the lens took it, and straightened.
 
-picture = np.hstack([bent, straight])
+image = np.hstack([bent, straight])

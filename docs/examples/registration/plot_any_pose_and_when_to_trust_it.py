@@ -19,11 +19,11 @@ reg = loom.registration
 # a slant axis.
 room = loom.datasets.room_cloud().without("colors")
 low, high = room.get_min_bound(), room.get_max_bound()
-share = (room.points[:, 0] - low[0]) / (high[0] - low[0])
+fraction = (room.points[:, 0] - low[0]) / (high[0] - low[0])
 rng = np.random.default_rng(1)
 is_odd = rng.random(len(room)) < 0.5  # no point is in both
-target = room.select_by_mask((share < 0.68) & is_odd)
-source = room.select_by_mask((share > 0.32) & ~is_odd)
+target = room.select_by_mask((fraction < 0.68) & is_odd)
+source = room.select_by_mask((fraction > 0.32) & ~is_odd)
 axis, angle = np.array([0.3, 0.5, 0.81]), np.radians(140)
 axis /= np.linalg.norm(axis)
 K = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
@@ -106,7 +106,7 @@ scene = {
     },
 }
 corners = np.vstack([style["geometry"].points for style in scene.values()])
-picture = loom.render(
+image = loom.render(
     scene,
     loom.fit_view(corners, direction=(-0.5, 0.62, -0.8), width=1120, height=560),
     legend=[("target", (0.2, 0.5, 0.8)), ("source", (0.95, 0.6, 0.15))],

@@ -58,7 +58,8 @@ assert plane.fitness > 0.9 and abs(plane.transformation[0, 3] - truth[0, 3]) > 1
 
 # %%
 # **With speeds.** The attribute is called ``dopplers`` [m/s], negative where a thing comes nearer. ``lambda_doppler``
-# is the share of the speeds in the sum, ``period`` the time between the scans [s]; points whose speed contradicts the
+# is the fraction of the speeds in the sum, ``period`` the time between the scans [s]; points whose speed contradicts
+# the
 # motion (cars) may be dropped.
 doppler = reg.TransformationEstimationForDopplerICP(period=period, lambda_doppler=0.05, reject_dynamic_outliers=True)
 criteria = reg.ICPConvergenceCriteria(max_iteration=100)
@@ -79,4 +80,4 @@ colored = {"geometry": near, "color_by": "dopplers", "colormap": "coolwarm", "li
 view = loom.fit_view(
     first.points[np.abs(first.points[:, 0]) < 30], direction=(0.45, 0.85, -0.35), width=960, height=560
 )
-picture = loom.render(colored, view, color_bar=True)
+image = loom.render(colored, view, color_bar=True)

@@ -128,4 +128,4 @@ scene += [
     },
 ]
 corners = np.vstack([part["geometry"].points for part in scene])
-picture = loom.render(scene, loom.fit_view(corners, direction=(0.05, 0.1, 1.0), up=(0, -1, 0), width=1120, height=480))
+image = loom.render(scene, loom.fit_view(corners, direction=(0.05, 0.1, 1.0), up=(0, -1, 0), width=1120, height=480))

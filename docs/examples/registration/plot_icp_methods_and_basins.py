@@ -75,7 +75,7 @@ for name, method in methods.items():
     print(
         f"{name:15} {exact[name][0]:.3f} degrees, {1000 * exact[name][1]:.3f} mm, {steps[name]:3.0f} steps; "
         "reached from "
-        + " ".join(f"{angle}:{100 * share:.0f}%" for angle, share in zip(angles, reached[name], strict=True))
+        + " ".join(f"{angle}:{100 * fraction:.0f}%" for angle, fraction in zip(angles, reached[name], strict=True))
     )
     assert reached[name][:2].min() == 1.0  # from 20 degrees all of them do
 assert exact["generalized"][0] < exact["point to point"][0] + 0.05
@@ -104,7 +104,7 @@ scene = {
     "after": {"geometry": source.without("colors").transform(end).translate(shift), "color": (0.95, 0.6, 0.1)},
 }
 corners = np.vstack([style["geometry"].points for style in scene.values()])
-picture = loom.render(
+image = loom.render(
     scene,
     loom.fit_view(corners, direction=(0.0, 1.0, -0.35), width=960, height=480),
     legend=[("target", (0.2, 0.5, 0.8)), ("source", (0.95, 0.6, 0.1))],

@@ -17,17 +17,17 @@ reg = loom.registration
 # registration leaves them.
 room = loom.datasets.room_cloud().voxel_down_sample(0.04)
 low, high = room.get_min_bound(), room.get_max_bound()
-share = (room.points[:, 0] - low[0]) / (high[0] - low[0])
+fraction = (room.points[:, 0] - low[0]) / (high[0] - low[0])
 rng = np.random.default_rng(2)
 is_odd = rng.random(len(room)) < 0.5
-target = room.select_by_mask((share < 0.57) & is_odd)
-source = room.select_by_mask((share > 0.43) & ~is_odd)
-truth_share = ((share > 0.43) & (share < 0.57) & ~is_odd).sum() / len(source)
+target = room.select_by_mask((fraction < 0.57) & is_odd)
+source = room.select_by_mask((fraction > 0.43) & ~is_odd)
+truth_fraction = ((fraction > 0.43) & (fraction < 0.57) & ~is_odd).sum() / len(source)
 theta = np.radians(2.0)
 start = np.eye(4)
 start[:2, :2] = [[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]]
 start[:3, 3] = source.get_center() - start[:3, :3] @ source.get_center() + [0.05, 0.03, 0.02]
-print(f"{len(source)} and {len(target)} points; {100 * truth_share:.0f} % of the source are in the target's part")
+print(f"{len(source)} and {len(target)} points; {100 * truth_fraction:.0f} % of the source are in the target's part")
 
 
 def off(T):
@@ -39,7 +39,7 @@ def off(T):
 
 # %%
 # The distance of a pair decides how much of what does not belong is heard. All pairs (``overlap=1.0``, what every
-# other library does), the share given, and the share found by the iterations themselves (``overlap=None``).
+# other library does), the fraction given, and the fraction found by the iterations themselves (``overlap=None``).
 method = reg.TransformationEstimationForGeneralizedICP()
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 errors = {}
@@ -103,6 +103,6 @@ for result, step in ((wide, 0), (good, 1)):
     ]
 corners = np.vstack([part["geometry"].points for part in scene])
 labels = [("all pairs", 0.5 * (low + high) + [0, 0, 1]), ("overlap found", 0.5 * (low + high) + shift + [0, 0, 1])]
-picture = loom.render(
+image = loom.render(
     scene, loom.fit_view(corners, direction=(0, 0.02, -1), up=(1, 0, 0), width=1120, height=640), labels=labels
 )

@@ -18,7 +18,7 @@ from pointloom.registration.trajectories.similarity import read_positions
 reg = loom.registration
 
 # %%
-# Twelve pictures round an owl, with their true poses in meters; the model is a copy of them that was scaled, turned
+# Twelve images round an owl, with their true poses in meters; the model is a copy of them that was scaled, turned
 # and moved as a reconstruction leaves it.
 shots = loom.datasets.photographs(12)
 names = [f"photo_{k:02}.jpg" for k in range(len(shots.poses))]
@@ -38,8 +38,8 @@ model = loom.SfmModel(names, [lens] * len(names), np.linalg.inv(poses))  # camer
 print(model)
 
 # %%
-# **One distance.** The cameras of the first and the fourth picture were measured to be so far apart;
-# ``scale_from_known`` takes names, or points of the model such as the two ends of a ruler in the picture.
+# **One distance.** The cameras of the first and the fourth image were measured to be so far apart;
+# ``scale_from_known`` takes names, or points of the model such as the two ends of a ruler in the image.
 measured = np.linalg.norm(shots.poses[0, :3, 3] - shots.poses[3, :3, 3])
 factor = reg.scale_from_known(model, names[0], names[3], measured)
 metric = model.scaled(factor)
@@ -50,7 +50,7 @@ assert abs(apart - np.linalg.norm(shots.poses[6, :3, 3] - shots.poses[1, :3, 3])
 
 # %%
 # **Places from GPS**, in a file of lines ``name x y z``. Each has 3 mm of noise (the owl is small: read meters where
-# this says millimeters), one picture has none, and two are wrong by half a metre.
+# this says millimeters), one image has none, and two are wrong by half a metre.
 rng = np.random.default_rng(2)
 gps = shots.poses[:, :3, 3] + rng.normal(scale=0.003, size=(len(names), 3))
 gps[4] += [0.4, 0.1, -0.3]
@@ -61,7 +61,7 @@ with tempfile.TemporaryDirectory() as folder:
         "".join(f"{name} {x:.4f} {y:.4f} {z:.4f}\n" for name, (x, y, z) in zip(names[:-1], gps[:-1], strict=True))
     )
     positions = read_positions(file, names)
-print(f"{len(positions)} of {len(names)} pictures have a place")
+print(f"{len(positions)} of {len(names)} images have a place")
 
 # %%
 # The fit finds which places agree, and rests on those. ``residuals`` are in the unit of the places; look at them, and
@@ -91,4 +91,4 @@ for name, position in positions.items():
     marks.append(loom.TriangleMesh.create_sphere(0.014).translate(position).paint_uniform_color(color))
 corners = np.vstack([np.array(list(positions.values())), owl.points])
 view = loom.fit_view(corners, direction=(-0.4, 0.8, -0.5), width=960, height=640)
-picture = loom.render([owl, *frusta, *marks], view)
+image = loom.render([owl, *frusta, *marks], view)

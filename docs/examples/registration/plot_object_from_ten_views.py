@@ -23,7 +23,7 @@ print(len(views.scans), "scans,", views.scans[0])
 
 # %%
 # The voxel is a tenth of what there is to recognize: 5 mm on a figure of 30 cm. Poses end up far finer than it.
-result = reg.register_fragments(views.scans, voxel_size=0.005)
+result = reg.register_multiway(views.scans, voxel_size=0.005)
 print(result)
 assert result.placed.all()
 best = max(result.pairs, key=lambda pair: pair.fitness)
@@ -90,11 +90,11 @@ view = loom.fit_view(
 
 # %%
 # **The surface**, made by one call with its defaults (the pages on surfaces say what else there is).
-surface = loom.create_surface(merged).mesh
+surface = loom.meshing.create_surface(merged).mesh
 off_surface = np.asarray(scene.compute_distance(surface.vertices.astype(np.float32)))
 print(surface, f"{1000 * np.median(off_surface):.2f} mm from the true one, watertight: {surface.is_watertight()}")
 assert np.median(off_surface) < 0.001
 nearest = loom.NearestNeighborSearch(merged).knn_search(surface.vertices, 1)
 surface.vertex_colors = merged.colors[np.ravel(nearest.indices)]
 drawn.append({"geometry": surface.compute_vertex_normals().translate(shift)})
-picture = loom.render(drawn, view)
+image = loom.render(drawn, view)

@@ -96,7 +96,7 @@ print(
 assert 2 * off(robust.transformation)[0] < off(plain)[0] and off(robust.transformation)[0] < 3
 
 # %%
-# **ICP** ends the work. ``evaluate_registration`` tells how well it lies: the share of points with a partner nearer
+# **ICP** ends the work. ``evaluate_registration`` tells how well it lies: the fraction of points with a partner nearer
 # than the distance, and how near.
 before = reg.evaluate_registration(source, target, 0.03 * size, first[5])
 result = reg.registration_icp(
@@ -128,4 +128,4 @@ scene = {
     "done target": {"geometry": target.translate(right).paint_uniform_color([0.2, 0.5, 0.8])},
 }
 corners = np.vstack([style["geometry"].points for style in scene.values()])
-picture = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420))
+image = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420))

@@ -87,6 +87,6 @@ scene = {
         "point_size": 3,
     },
 }
-picture = loom.render(
+image = loom.render(
     scene, loom.fit_view(target.crop(inner).points, direction=(-0.5, 0.62, -0.8), width=960, height=640), legend=True
 )

@@ -118,7 +118,7 @@ scene = {
         "line_width": 1,
     },
 }
-picture = loom.render(
+image = loom.render(
     scene,
     loom.fit_view(
         np.vstack([positions, from_first[:, :3, 3]]), direction=(0, 0.35, -1), up=(0, 1, 0), width=1120, height=420

@@ -2,7 +2,7 @@
 Depth filters and normal maps
 =============================
 
-A depth picture is noisy, has flying pixels at edges and holes. Smooth it without rounding edges, cut the edges away,
+A depth image is noisy, has flying pixels at edges and holes. Smooth it without rounding edges, cut the edges away,
 make it smaller without mixing near and far, and see its normals.
 """
 
@@ -68,12 +68,12 @@ for name, estimate in {"measured": raw, "smoothed": normals}.items():
 assert angles["smoothed"] < 0.7 * angles["measured"]
 
 # %%
-# Smaller pictures
+# Smaller images
 # ----------------
 #
 # A pyramid for coarse-to-fine work: depth is averaged only with depth that lies near, color with all. Pixel (u, v) of
 # a level lies at (2 u, 2 v) of the one before, so its camera has half of all four numbers. (``camera.scaled(0.5)`` is
-# for pictures that were resized by area: their borders keep their place.)
+# for images that were resized by area: their borders keep their place.)
 
 levels = create_depth_pyramid(smooth, 3, depth_scale=1.0)
 color = pyrdown_color(noisy.color)
@@ -87,12 +87,12 @@ assert levels[1].shape == color.shape[:2] == (half.height, half.width)
 # %%
 # The cloud of the frame as it was measured and as it is now, lit by its normals.
 
-pictures = []
+images = []
 for values in (depth, cut):
     cloud = loom.PointCloud.create_from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(
         radius=0.02, max_nn=12
     )
     cloud = cloud.orient_normals_towards_camera_location([0, 0, 0])
     view = loom.fit_view(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
-    pictures.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))
-picture = np.hstack(pictures)
+    images.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))
+image = np.hstack(images)

@@ -3,7 +3,7 @@ Frames in and out of folders
 ============================
 
 Record a depth camera, look into the recording, and read data sets in the layouts of others (7-Scenes, Redwood, TUM,
-plain pictures). Whatever gives frames is a source, and every source goes into everything that takes frames.
+plain images). Whatever gives frames is a source, and every source goes into everything that takes frames.
 """
 
 import tempfile
@@ -21,7 +21,7 @@ folder = Path(tempfile.mkdtemp())
 # --------------------
 #
 # Pairs of color and depth, from a list, a generator or your camera's loop. Depth is uint16 in units of
-# ``depth_scale``, or float32 in meters; 8-bit depth is refused, since it is a picture of depth and holds none.
+# ``depth_scale``, or float32 in meters; 8-bit depth is refused, since it is an image of depth and holds none.
 
 frames = loom.datasets.room_frames(12)
 camera = frames[0].intrinsic
@@ -61,7 +61,7 @@ assert difference <= 0.00051
 assert len(list(loom.open_frames(folder / "take-1", every=4))) == 3
 
 # %%
-# Single pictures, cameras and paths have readers of their own.
+# Single images, cameras and paths have readers of their own.
 
 color = loom.read_color(folder / "take-1" / "frame-000003.color.png")
 depth = loom.read_depth(folder / "take-1" / "frame-000003.depth.png")
@@ -85,11 +85,11 @@ for wrong in (folder, folder / "take-3"):
 # Straight into the rest: the recording as a mesh. Our frames came with poses, so the folder has them; ``open_dataset``
 # wants them.
 
-result = loom.fuse(loom.open_dataset(folder / "take-1"), voxel_size=0.03)
+result = loom.rgbd.fuse(loom.open_dataset(folder / "take-1"), voxel_size=0.03)
 assert result.reliable and result.frame_count == 12
 
 T = frames[6].T_world_camera.copy()
 T[:3, 3] -= 0.7 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
 cameras = [loom.CameraFrustum(camera, frame.T_world_camera, scale=0.15, color=(0.9, 0.35, 0.1)) for frame in frames]
-picture = loom.render([{"geometry": result.mesh, "shaded": False, "back_faces": False}, *cameras], view)
+image = loom.render([{"geometry": result.mesh, "shaded": False, "back_faces": False}, *cameras], view)

@@ -27,10 +27,10 @@ source = loom.frames_from(frames, camera, depth_scale=1.0)
 # One call
 # --------
 #
-# ``voxel_size`` [m] is the finest detail that stays. The result is a record: the mesh, the volume, what share of the
+# ``voxel_size`` [m] is the finest detail that stays. The result is a record: the mesh, the volume, what fraction of the
 # depth was used, and ``warnings`` if it is unreliable.
 
-result = loom.fuse(source, voxel_size=0.03)
+result = loom.rgbd.fuse(source, voxel_size=0.03)
 print(result)
 assert result.reliable and result.frame_count == 24
 
@@ -99,4 +99,4 @@ shown = [
     *cameras,
     {"geometry": path, "color": (0.1, 0.3, 0.8)},
 ]
-picture = loom.render(shown, view)
+image = loom.render(shown, view)

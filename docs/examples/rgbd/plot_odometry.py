@@ -2,7 +2,7 @@
 The motion between two depth frames
 ===================================
 
-RGB-D odometry: two pictures of one camera, and the motion in between. The result is checked, since two frames
+RGB-D odometry: two images of one camera, and the motion in between. The result is checked, since two frames
 that do not show the same place have no motion between them.
 """
 
@@ -12,7 +12,7 @@ import pointloom as loom
 from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
 from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix, rgbd_odometry_multi_scale
 
-od = loom.odometry
+od = loom.rgbd
 
 # %%
 # Two frames of a walk
@@ -46,9 +46,9 @@ result = od.align_frames(source, target)
 assert result.reliable, result.warnings
 print(f"fitness {result.fitness:.2f}, inlier rmse {result.inlier_rmse * 1e3:.1f} mm, {result.iterations} iterations")
 for name, method in {
-    "both": od.Method.Hybrid,
-    "surface": od.Method.PointToPlane,
-    "brightness": od.Method.Intensity,
+    "both": od.OdometryMethod.Hybrid,
+    "surface": od.OdometryMethod.PointToPlane,
+    "brightness": od.OdometryMethod.Intensity,
 }.items():
     tried = od.align_frames(source, target, method=method)
     angle, moved = difference(tried.transformation)
@@ -98,12 +98,12 @@ assert difference(T)[1] < 20 and difference(multi.transformation)[1] < 20
 clouds = [loom.PointCloud.create_from_rgbd_image(image, camera) for image in pair]
 colors = [(0.95, 0.6, 0.1), (0.1, 0.5, 0.85)]
 view = loom.fit_view(clouds[1].points, direction=(0.15, 0.75, 1.0), up=(0, -1, 0), width=640, height=640)
-pictures = []
+images = []
 for moved in (clouds[0], clouds[0].transform(result.transformation)):
     scene = [{"geometry": cloud, "color": color} for cloud, color in zip((moved, clouds[1]), colors, strict=False)]
-    pictures.append(
+    images.append(
         loom.render(
             scene, view, (640, 640), legend=[("first frame", colors[0]), ("second frame", colors[1])], point_size=2.5
         )
     )
-picture = np.hstack(pictures)
+image = np.hstack(images)

@@ -26,7 +26,7 @@ source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], ca
 #
 # ``voxel_size`` [m]: 3 cm for a quick look, 1 cm for keeps. ``print`` tells what happened to the frames.
 
-result = loom.reconstruct(source, voxel_size=0.03)
+result = loom.rgbd.reconstruct(source, voxel_size=0.03)
 print(result)
 
 # %%
@@ -72,7 +72,7 @@ assert np.median(off) < 0.02
 # Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. ``check_focal``
 # turns other frames onto each other and asks which focal length fits best: ``factor`` 1 means the one given.
 
-check = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
+check = loom.rgbd.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
 print("focal length:", "not observable" if check is None else f"factor {check.factor:.2f}; reliable {check.reliable}")
 assert check is None or check.reliable
 
@@ -83,7 +83,7 @@ path = loom.Trajectory(poses)
 T = poses[12].copy()
 T[:3, 3] -= 0.7 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
-picture = loom.render(
+image = loom.render(
     [
         {"geometry": mesh, "shaded": False, "back_faces": False},
         {"geometry": path, "color": (0.1, 0.3, 0.8), "line_width": 3},

@@ -13,7 +13,7 @@ import numpy as np
 
 import pointloom as loom
 
-system = loom.reconstruction
+system = loom.rgbd
 job = Path(tempfile.mkdtemp()) / "job"
 
 # %%
@@ -49,10 +49,11 @@ assert registration.placed.all() and refined.placed.all() and not fragments.lost
 # Or all at once
 # --------------
 #
-# ``run_system`` runs what is not done yet. With ``resume=True`` everything is kept here, since nothing changed: an
+# ``run_reconstruction_system`` runs what is not done yet. With ``resume=True`` everything is kept here, since nothing
+# changed: an
 # interrupted job loses at most the fragment that it was at, and ends with the same bits.
 
-report = system.run_system(frames, config, job, resume=True)
+report = system.run_reconstruction_system(frames, config, job, resume=True)
 print(report)
 assert report.reliable and not report.lost
 
@@ -83,4 +84,4 @@ cameras = [
     for fragment in fragments.fragments
     for i in fragment.indices
 ]
-picture = loom.render([{"geometry": mesh, "shaded": False, "back_faces": False}, *cameras], view)
+image = loom.render([{"geometry": mesh, "shaded": False, "back_faces": False}, *cameras], view)

@@ -36,7 +36,7 @@ for part in frame_sets:
 # Given where they lie: here by the true poses, else by registration of their clouds
 # (``loom.registration.register_globally``).
 
-both = loom.fuse_volumes(volumes, starts)
+both = loom.meshing.fuse_volumes(volumes, starts)
 mesh = both.extract_triangle_mesh(weight_threshold=3)
 scene = loom.RaycastingScene()
 scene.add_triangles(loom.datasets.room_mesh())
@@ -67,12 +67,12 @@ for i, frame in enumerate(frames):
     T = frame.T_world_camera.copy()
     T[:3, 3] += 0.002 * i * np.array([1.0, 0.5, 0.0])
     drifted.append(T)
-recorder = loom.slam.SubmapRecorder(camera, voxel_size=0.03, depth_scale=1.0, frames=8, shared=0.25)
+recorder = loom.rgbd.SubmapRecorder(camera, voxel_size=0.03, depth_scale=1.0, frames=8, shared=0.25)
 for frame, T in zip(frames, drifted, strict=False):
     recorder.add(frame.depth, T, frame.color)
 submaps = recorder.finish()
-closure = loom.slam.close_loops(submaps)
-numbers, poses = loom.slam.corrected_trajectory(submaps, closure.T_world_submap)
+closure = loom.rgbd.close_loops(submaps)
+numbers, poses = loom.rgbd.corrected_trajectory(submaps, closure.T_world_submap)
 true = np.array([frames[i].T_world_camera for i in numbers])
 
 
@@ -88,7 +88,7 @@ print(
     f"{worst(np.array(drifted)[numbers]):.0f} mm, corrected {worst(poses):.0f} mm"
 )
 assert len(closure.loops) > 0 and worst(poses) < worst(np.array(drifted)[numbers])
-model = loom.slam.fuse_submaps(submaps, closure.T_world_submap).extract_triangle_mesh(weight_threshold=3)
+model = loom.rgbd.fuse_submaps(submaps, closure.T_world_submap).extract_triangle_mesh(weight_threshold=3)
 assert len(model.triangles) > 10_000
 
 # %%

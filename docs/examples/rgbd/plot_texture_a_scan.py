@@ -41,7 +41,7 @@ mesh = volume.extract_triangle_mesh(weight_threshold=2)
 # leaves poses as they are.
 
 source = loom.frames_from(frames, camera, depth_scale=1.0)
-result = loom.color_map.texture_mesh(mesh, source, poses)
+result = loom.meshing.texture_mesh(mesh, source, poses)
 print(result)
 colors = result.colors
 print(f"residual {colors.residual_before:.4f} before, {colors.residual:.4f} after {colors.iterations} turns")
@@ -49,12 +49,12 @@ assert colors.residual < colors.residual_before and result.reliable
 
 # %%
 # The same by Open3D's names, for chains that need the options: ``run_rigid_optimizer`` moves poses,
-# ``run_non_rigid_optimizer`` bends the pictures as well.
+# ``run_non_rigid_optimizer`` bends the images as well.
 
-pictures = [loom.RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=4.0) for frame in frames]
-option = loom.color_map.RigidOptimizerOption(maximum_iteration=10, maximum_allowable_depth=4.0)
+images = [loom.RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=4.0) for frame in frames]
+option = loom.meshing.RigidOptimizerOption(maximum_iteration=10, maximum_allowable_depth=4.0)
 world_to_camera = loom.Trajectory(np.array(poses))
-rigid = loom.color_map.run_rigid_optimizer(mesh, pictures, world_to_camera, option, intrinsic=camera)
+rigid = loom.meshing.run_rigid_optimizer(mesh, images, world_to_camera, option, intrinsic=camera)
 print(
     f"by Open3D's name: {rigid.residual_before:.4f} before, {rigid.residual:.4f} "
     f"after; {100 * rigid.seen.mean():.0f} % of the vertices seen"
@@ -68,8 +68,8 @@ assert rigid.residual < rigid.residual_before
 # ``size`` texels a side: the mesh gets an atlas (extra "mesh") and the pixels of the frames, far finer than its
 # triangles.
 
-textured = loom.color_map.texture_mesh(mesh, source, colors.trajectory.poses, method="none", size=1024)
-print(f"{textured.size} x {textured.size} texels, {100 * (textured.texel_share or 0):.0f} % of them seen")
+textured = loom.meshing.texture_mesh(mesh, source, colors.trajectory.poses, method="none", size=1024)
+print(f"{textured.size} x {textured.size} texels, {100 * (textured.texel_fraction or 0):.0f} % of them seen")
 assert textured.mesh.has_textures
 
 # %%
@@ -78,5 +78,5 @@ assert textured.mesh.has_textures
 view = loom.View(loom.PinholeCameraIntrinsic(640, 640, 640.0, 640.0, 319.5, 319.5), frames[3].T_world_camera)
 fused = loom.render({"geometry": mesh, "shaded": False}, view, labels=None)
 sharp = loom.render(textured.mesh, view)
-picture = np.hstack([fused, sharp])
+image = np.hstack([fused, sharp])
 del fused, sharp

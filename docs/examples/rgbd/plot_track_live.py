@@ -39,7 +39,7 @@ def live(frames, rate):
 # an error or Ctrl-C too.
 
 start = recorded[0].T_world_camera  # only so that the map stands upright; a camera at home starts where it is
-slam = loom.slam.DenseSLAM(camera, voxel_size=0.04, T_init=start, depth_scale=1.0)
+slam = loom.rgbd.DenseSLAM(camera, voxel_size=0.04, T_init=start, depth_scale=1.0)
 stream = loom.frames_from(live(recorded, rate=8.0), camera, depth_scale=1.0)
 with loom.LatestFrames(stream) as frames:
     results = [slam.step(frame) for frame in frames]
@@ -54,7 +54,7 @@ assert len(results) + frames.dropped == len(recorded)
 # Where nothing is live, ``track`` takes all frames, and compares the path with the true one if the frames bring it: ATE
 # is how far the camera's places are off.
 
-path = loom.track(loom.frames_from(recorded, camera, depth_scale=1.0), voxel_size=0.03)
+path = loom.rgbd.track(loom.frames_from(recorded, camera, depth_scale=1.0), voxel_size=0.03)
 print(path)
 error = path.error
 print(f"off the true path by {error.absolute_translation.rmse * 1e3:.1f} mm (rms)")
@@ -81,4 +81,4 @@ shown = [
     *cameras,
     {"geometry": slam.trajectory, "color": (0.1, 0.3, 0.8)},
 ]
-picture = loom.render(shown, view)
+image = loom.render(shown, view)

@@ -18,11 +18,11 @@ from ..core.attribute_hints import nearest_name
 from ..core.checks import (
     check_count,
     check_finite,
+    check_fraction,
     check_list,
     check_name,
     check_number,
     check_numeric,
-    check_share,
     shown,
 )
 from ..core.exchange import hand_back, on_host
@@ -177,9 +177,7 @@ class CameraModel:
             ValueError: The lens has distortion. See `undistorted`.
         """
         if not self.is_pinhole:
-            raise ValueError(
-                f"model: expected a camera without distortion, got {self.model}. Use loom.undistort_picture"
-            )
+            raise ValueError(f"model: expected a camera without distortion, got {self.model}. Use loom.undistort_image")
         (fx, fy), (cx, cy) = self._lens.focal, self._lens.center
         return PinholeCameraIntrinsic(self.width, self.height, fx, fy, cx, cy)
 
@@ -245,16 +243,16 @@ class CameraModel:
         return hand_back(np.concatenate([rays, depth], axis=1), pixels)
 
     def undistorted(
-        self, *, blank_share: float = 0.0, max_size: int | None = None, size: tuple[int, int] | None = None
+        self, *, blank_fraction: float = 0.0, max_size: int | None = None, size: tuple[int, int] | None = None
     ) -> PinholeCameraIntrinsic:
         """The pinhole camera of the undistorted images.
 
         COLMAP's rule: focal lengths and the relative principal point stay. Each side is between the largest size
-        without blank pixels (`blank_share` 0) and the smallest without loss (1), limited to 0.2 to 2 times the
+        without blank pixels (`blank_fraction` 0) and the smallest without loss (1), limited to 0.2 to 2 times the
         original.
 
         Args:
-            blank_share: 0 to 1, position between the two sizes.
+            blank_fraction: 0 to 1, position between the two sizes.
             max_size: Maximum side length [px]. Larger images are scaled down.
             size: Width and height [px] to resize to, ignoring proportions. Not with `max_size`.
 
@@ -272,12 +270,12 @@ class CameraModel:
             >>> straight.width, straight.height, straight.fx
             (668, 490, 500.0)
         """
-        share = check_share("blank_share", blank_share)
+        fraction = check_fraction("blank_fraction", blank_fraction)
         if max_size is not None and size is not None:
             raise ValueError("max_size, size: give one of them")
         longest = None if max_size is None else check_count("max_size", max_size, maximum=MAX_PIXELS, because=_SIDES)
         sides = None if size is None else _check_size(size)
-        width, height = (self.width, self.height) if self.is_pinhole else _straight_size(self, share)
+        width, height = (self.width, self.height) if self.is_pinhole else _straight_size(self, fraction)
         (fx, fy), center = self._lens.focal, self._lens.center
         straight = PinholeCameraIntrinsic(self.width, self.height, fx, fy, *center)
         if (width, height) != (self.width, self.height):  # unchanged values stay bitwise equal
@@ -289,7 +287,7 @@ class CameraModel:
         return straight if sides is None else _resized(straight, *sides)
 
 
-def _straight_size(camera: CameraModel, blank_share: float) -> tuple[int, int]:
+def _straight_size(camera: CameraModel, blank_fraction: float) -> tuple[int, int]:
     """Width and height of the undistorted image at the lens's focal length."""
     width, height = camera.width, camera.height
     center = [value + HALF for value in camera._lens.center]  # in COLMAP's convention, for borders at 0 and width
@@ -310,7 +308,7 @@ def _straight_size(camera: CameraModel, blank_share: float) -> tuple[int, int]:
             max_ratio = max(
                 before / (before - np.nanmax(border_pixels[0])), after / (np.nanmin(border_pixels[1]) - before)
             )
-            scale = 1.0 / (min_ratio * blank_share + max_ratio * (1.0 - blank_share))
+            scale = 1.0 / (min_ratio * blank_fraction + max_ratio * (1.0 - blank_fraction))
         scale = min(max(scale, SMALLEST), LARGEST) if scale == scale else 1.0
         lengths.append(max(int(scale * side), 1))
     return lengths[0], lengths[1]

@@ -87,11 +87,11 @@ class Panorama:
             self.side, self.side / 2, rotations, self.width, self.height, self.device
         )
 
-    def apply(self, picture: ArrayLike) -> Any:
+    def apply(self, image: ArrayLike) -> Any:
         """Compute the cube faces of a panorama.
 
         Args:
-            picture: uint8 (height, width, 3) or (height, width).
+            image: uint8 (height, width, 3) or (height, width).
 
         Returns:
             uint8 (6, side, side, 3) or (6, side, side), the same kind of array.
@@ -100,28 +100,28 @@ class Panorama:
             TypeError: Not uint8.
             ValueError: Another shape.
         """
-        form = form_of(picture)
-        image = check_numeric("picture", picture) if form.on_host else take_numbers("picture", picture, self.device)
-        kind = image.dtype if form.on_host else wp.dtype_to_numpy(image.dtype)
+        form = form_of(image)
+        array = check_numeric("image", image) if form.on_host else take_numbers("image", image, self.device)
+        kind = array.dtype if form.on_host else wp.dtype_to_numpy(array.dtype)
         if kind != np.uint8:
-            raise TypeError(f"picture: expected uint8, got {np.dtype(kind)}; scale it to 0..255 and round")
-        if image.ndim not in (2, 3) or (image.ndim == 3 and image.shape[2] != 3):
-            raise ValueError(f"picture: expected shape [h, w] or [h, w, 3], got {list(image.shape)}")
-        if tuple(image.shape[:2]) != (self.height, self.width):
-            given = f"{image.shape[1]} x {image.shape[0]}"
-            raise ValueError(f"picture: expected {self.width} x {self.height} pixels, got {given}")
-        channels = image.shape[2] if image.ndim == 3 else 1
-        pixels = self._ring_of(image, channels)
+            raise TypeError(f"image: expected uint8, got {np.dtype(kind)}; scale it to 0..255 and round")
+        if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3):
+            raise ValueError(f"image: expected shape [h, w] or [h, w, 3], got {list(array.shape)}")
+        if tuple(array.shape[:2]) != (self.height, self.width):
+            given = f"{array.shape[1]} x {array.shape[0]}"
+            raise ValueError(f"image: expected {self.width} x {self.height} pixels, got {given}")
+        channels = array.shape[2] if array.ndim == 3 else 1
+        pixels = self._ring_of(array, channels)
         faces = sample_image(pixels, self.width + 2, self.height, 1, self._source_pixels)
-        shape = (len(FACES), self.side, self.side, *((3,) if image.ndim == 3 else ()))
+        shape = (len(FACES), self.side, self.side, *((3,) if array.ndim == 3 else ()))
         return form.hand_out(faces, shape=shape)
 
-    def _ring_of(self, image: Any, channels: int) -> Array2[uint8]:
+    def _ring_of(self, array: Any, channels: int) -> Array2[uint8]:
         """The image on the device, uint8 (pixels, channels), between copies of its last and first column."""
-        if isinstance(image, np.ndarray):
-            ring = np.concatenate([image[:, -1:], image, image[:, :1]], axis=1).reshape(-1, channels)
+        if isinstance(array, np.ndarray):
+            ring = np.concatenate([array[:, -1:], array, array[:, :1]], axis=1).reshape(-1, channels)
             return upload(np.ascontiguousarray(ring), uint8, self.device)
-        flat, width = view_as(image, uint8, (self.height, self.width * channels)), self.width * channels
+        flat, width = view_as(array, uint8, (self.height, self.width * channels)), self.width * channels
         ring = empty((self.height, width + 2 * channels), uint8, self.device)
         with lock_for(self.device):
             wp.copy(ring[:, channels : channels + width], flat)

@@ -28,7 +28,7 @@ class Undistortion:
 
     Args:
         camera: The lens.
-        blank_share: As in `CameraModel.undistorted`.
+        blank_fraction: As in `CameraModel.undistorted`.
         max_size: As in `CameraModel.undistorted` [px].
         size: As in `CameraModel.undistorted`, width and height [px].
         device: Device to use. None for the CPU.
@@ -49,9 +49,9 @@ class Undistortion:
         >>> import numpy as np, pointloom as loom
         >>> from pointloom.cameras.undistortion import Undistortion
         >>> camera = loom.CameraModel("SIMPLE_RADIAL", 64, 48, [50, 32, 24, -0.1])
-        >>> undistortion = Undistortion(camera, blank_share=1)
-        >>> pictures = [undistortion.apply(np.full((48, 64), gray, np.uint8)) for gray in (10, 20)]
-        >>> pictures[1].shape, int(pictures[1].max()), round(float(undistortion.seen.mean()), 2)
+        >>> undistortion = Undistortion(camera, blank_fraction=1)
+        >>> images = [undistortion.apply(np.full((48, 64), gray, np.uint8)) for gray in (10, 20)]
+        >>> images[1].shape, int(images[1].max()), round(float(undistortion.seen.mean()), 2)
         ((51, 68), 20, 0.98)
     """
 
@@ -59,7 +59,7 @@ class Undistortion:
         self,
         camera: CameraModel,
         *,
-        blank_share: float = 0.0,
+        blank_fraction: float = 0.0,
         max_size: int | None = None,
         size: tuple[int, int] | None = None,
         device: Any = None,
@@ -67,7 +67,7 @@ class Undistortion:
         if not isinstance(camera, CameraModel):
             raise TypeError(f"camera: expected a CameraModel, got {type(camera).__name__}; see its from_intrinsic")
         self.camera, self.device = camera, resolve_device(device)
-        self.intrinsic = camera.undistorted(blank_share=blank_share, max_size=max_size, size=size)
+        self.intrinsic = camera.undistorted(blank_fraction=blank_fraction, max_size=max_size, size=size)
         lens, (width, height) = camera._lens, (camera.width, camera.height)
         thin = lens.kind == FIELD_OF_VIEW and lens.shape[0] ** 2 < THIN
         wide = 2.0 * math.tan(lens.shape[0] / 2.0) if lens.kind == FIELD_OF_VIEW and not thin else 0.0
@@ -82,11 +82,11 @@ class Undistortion:
         shape = (self.intrinsic.height, self.intrinsic.width)
         return download(mask_visible(self._source_pixels)).reshape(shape).astype(bool)
 
-    def apply(self, picture: ArrayLike) -> Any:
+    def apply(self, image: ArrayLike) -> Any:
         """Undistort an image.
 
         Args:
-            picture: Image of the camera, uint8 (h, w) or (h, w, 3).
+            image: Image of the camera, uint8 (h, w) or (h, w, 3).
 
         Returns:
             The same kind of array. 0 where the lens did not see.
@@ -95,37 +95,37 @@ class Undistortion:
             TypeError: Not uint8.
             ValueError: Another shape, or a size that is not the camera's.
         """
-        form = form_of(picture)
-        pixels, channels = self._upload(picture, form.on_host)
+        form = form_of(image)
+        pixels, channels = self._upload(image, form.on_host)
         straight = sample_image(pixels, self.camera.width, self.camera.height, self._side, self._source_pixels)
         shape = (self.intrinsic.height, self.intrinsic.width, *([channels] if channels else []))
         return form.hand_out(straight, shape=shape)
 
-    def _upload(self, picture: ArrayLike, on_host: bool) -> tuple[wp.array, int]:
+    def _upload(self, image: ArrayLike, on_host: bool) -> tuple[wp.array, int]:
         """The image on the device, uint8 (pixels, channels), and its number of channels, 0 for gray."""
-        image = check_numeric("picture", picture) if on_host else take_numbers("picture", picture, self.device)
-        kind = image.dtype if isinstance(image, np.ndarray) else wp.dtype_to_numpy(image.dtype)
+        array = check_numeric("image", image) if on_host else take_numbers("image", image, self.device)
+        kind = array.dtype if isinstance(array, np.ndarray) else wp.dtype_to_numpy(array.dtype)
         if kind != np.uint8:
-            raise TypeError(f"picture: expected uint8, got {np.dtype(kind)}; scale it to 0..255 and round")
-        if image.ndim not in (2, 3) or (image.ndim == 3 and image.shape[2] != 3):
-            raise ValueError(f"picture: expected shape [h, w] or [h, w, 3], got {list(image.shape)}")
-        if tuple(image.shape[:2]) != (self.camera.height, self.camera.width):
-            given, wanted = f"{image.shape[1]} x {image.shape[0]}", f"{self.camera.width} x {self.camera.height}"
+            raise TypeError(f"image: expected uint8, got {np.dtype(kind)}; scale it to 0..255 and round")
+        if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3):
+            raise ValueError(f"image: expected shape [h, w] or [h, w, 3], got {list(array.shape)}")
+        if tuple(array.shape[:2]) != (self.camera.height, self.camera.width):
+            given, wanted = f"{array.shape[1]} x {array.shape[0]}", f"{self.camera.width} x {self.camera.height}"
             raise ValueError(
-                f"picture: expected {wanted} pixels, as the camera has, got {given}; was it resized or rotated?"
+                f"image: expected {wanted} pixels, as the camera has, got {given}; was it resized or rotated?"
             )
-        channels = image.shape[2] if image.ndim == 3 else 0
+        channels = array.shape[2] if array.ndim == 3 else 0
         flat = (self.camera.width * self.camera.height, channels or 1)
-        if isinstance(image, np.ndarray):
-            return upload(np.ascontiguousarray(image).reshape(flat), uint8, self.device), channels
-        return view_as(image, uint8, flat), channels
+        if isinstance(array, np.ndarray):
+            return upload(np.ascontiguousarray(array).reshape(flat), uint8, self.device), channels
+        return view_as(array, uint8, flat), channels
 
 
-def undistort_picture(
-    picture: ArrayLike,
+def undistort_image(
+    image: ArrayLike,
     camera: CameraModel,
     *,
-    blank_share: float = 0.0,
+    blank_fraction: float = 0.0,
     max_size: int | None = None,
     size: tuple[int, int] | None = None,
     device: Any = None,
@@ -133,9 +133,9 @@ def undistort_picture(
     """Undistort an image to a pinhole camera.
 
     Args:
-        picture: The distorted image, uint8 (h, w) or (h, w, 3).
+        image: The distorted array, uint8 (h, w) or (h, w, 3).
         camera: The lens.
-        blank_share: From 0 (almost no blank pixels) to 1 (nothing is cropped). See `CameraModel.undistorted`.
+        blank_fraction: From 0 (almost no blank pixels) to 1 (nothing is cropped). See `CameraModel.undistorted`.
         max_size: Maximum side length of the result [px].
         size: Width and height of the result [px], instead of `max_size`.
         device: Device to use; None: the GPU that the image is on, else the CPU.
@@ -155,12 +155,12 @@ def undistort_picture(
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.CameraModel("SIMPLE_RADIAL", 64, 48, [50, 32, 24, -0.1])
-        >>> straight, pinhole = loom.undistort_picture(np.full((48, 64, 3), 200, np.uint8), camera)
+        >>> straight, pinhole = loom.undistort_image(np.full((48, 64, 3), 200, np.uint8), camera)
         >>> straight.shape, pinhole.width, pinhole.fx
         ((48, 65, 3), 65, 50.0)
     """
     if not isinstance(camera, CameraModel):
         raise TypeError(f"camera: expected a CameraModel, got {type(camera).__name__}; see its from_intrinsic")
-    where = device_for(picture, device)
-    undistortion = Undistortion(camera, blank_share=blank_share, max_size=max_size, size=size, device=where)
-    return undistortion.apply(picture), undistortion.intrinsic
+    where = device_for(image, device)
+    undistortion = Undistortion(camera, blank_fraction=blank_fraction, max_size=max_size, size=size, device=where)
+    return undistortion.apply(image), undistortion.intrinsic

@@ -210,11 +210,11 @@ def check_positive(
     return number
 
 
-def check_share(name: str, value: Any) -> float:
-    share = check_number(name, value, allow_nan=True, allow_infinite=True)
-    if not 0 <= share <= 1:
+def check_fraction(name: str, value: Any) -> float:
+    fraction = check_number(name, value, allow_nan=True, allow_infinite=True)
+    if not 0 <= fraction <= 1:
         raise ValueError(f"{name}: expected a fraction from 0 to 1, got {shown(value)}")
-    return share
+    return fraction
 
 
 def check_count(
@@ -261,20 +261,20 @@ def check_list(name: str, values: Any, of: str) -> list[Any]:
 
 def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
     """Texture images, uint8 (height, width, 3 or 4), read-only; copied unless immutable, duplicates are shared."""
-    given = check_list(name, values, "pictures")
+    given = check_list(name, values, "images")
     taken: dict[int, NDArray[np.uint8]] = {}
     for number, value in enumerate(given):
         if id(value) in taken:
             continue
-        picture = check_numeric(f"{name}[{number}]", value)
-        if picture.dtype != np.uint8 or picture.ndim != 3 or picture.shape[2] not in (3, 4) or not picture.size:
+        image = check_numeric(f"{name}[{number}]", value)
+        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] not in (3, 4) or not image.size:
             raise ValueError(
-                f"{name}[{number}]: expected uint8 [height, width, 3 or 4], got {picture.dtype} {list(picture.shape)}"
+                f"{name}[{number}]: expected uint8 [height, width, 3 or 4], got {image.dtype} {list(image.shape)}"
             )
-        if type(picture) is not np.ndarray or picture.flags.writeable or not picture.flags.owndata:
-            picture = np.array(picture)
-            picture.flags.writeable = False
-        taken[id(value)] = picture
+        if type(image) is not np.ndarray or image.flags.writeable or not image.flags.owndata:
+            image = np.array(image)
+            image.flags.writeable = False
+        taken[id(value)] = image
     return tuple(taken[id(value)] for value in given)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .wording import format_share
+from .wording import format_fraction
 
 # Minimum fraction of the possible matches. With fewer, most of the data has no partner: figures of the rest do
 # not describe it, and the clocks or names probably differ.
@@ -19,4 +19,4 @@ def why_few_matched(matched: int, possible: int, what: str, remedy: str) -> str 
     """
     if matched >= MIN_MATCHED * possible:
         return None
-    return f"only {matched:,} of {possible:,} {what} ({format_share(matched / possible)}): {remedy}"
+    return f"only {matched:,} of {possible:,} {what} ({format_fraction(matched / possible)}): {remedy}"

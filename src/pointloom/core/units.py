@@ -18,9 +18,9 @@ from typing import Any
 from .checks import check_positive, shown
 from .escaped_text import escaped
 
-SAME_SHARE = 1e-7  # relative rounding tolerance of a known unit: the two feet differ by 2e-6
+SAME_FRACTION = 1e-7  # relative rounding tolerance of a known unit: the two feet differ by 2e-6
 _silenced: ContextVar[tuple[type[Warning], ...]] = ContextVar("silenced", default=())
-_NEAR_SHARE = 1e-5  # relative tolerance of a rounded length against the unit named with it
+_NEAR_FRACTION = 1e-5  # relative tolerance of a rounded length against the unit named with it
 
 
 _FOR_USERS = ("pointloom.cli.", "pointloom.open3d.")  # packages that only forward user calls
@@ -154,10 +154,10 @@ def unit_by_length(name: str, meters: float) -> LengthUnit | None:
     if not (math.isfinite(meters) and meters > 0):
         return None
     named = unit_by_name(name)
-    if named is not None and (named.meters is None or abs(meters / named.meters - 1) > _NEAR_SHARE):
+    if named is not None and (named.meters is None or abs(meters / named.meters - 1) > _NEAR_FRACTION):
         return None
     for unit in KNOWN:
-        if unit.meters is not None and abs(meters / unit.meters - 1) <= SAME_SHARE:
+        if unit.meters is not None and abs(meters / unit.meters - 1) <= SAME_FRACTION:
             return unit
     if named is not None:  # of few digits
         return named

@@ -17,11 +17,11 @@ def few_of(names: Sequence[str], max_names: int) -> str:
     return escaped(", ".join(names[:max_names])) + (", ..." if len(names) > max_names else "")
 
 
-def format_share(share: float) -> str:
+def format_fraction(fraction: float) -> str:
     """A fraction as a percentage. Only 0 prints 0.0% and only 1 prints 100.0%."""
-    rest = min(share, 1 - share)
+    rest = min(fraction, 1 - fraction)
     digits = max(1, math.ceil(-math.log10(100 * rest))) if rest > 0 else 1
-    return f"{share:.{digits}%}"
+    return f"{fraction:.{digits}%}"
 
 
 def format_bytes(count: float) -> str:

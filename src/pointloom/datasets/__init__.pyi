@@ -9,3 +9,9 @@ from .made.room import room_mesh as room_mesh
 from .made.street import street_scans as street_scans
 from .made.terrain import terrain as terrain
 from .public.fetching import fetch as fetch
+
+# Results of functions, for annotations.
+# isort: split
+from .made.results import PosedImages as PosedImages
+from .made.results import PosedScans as PosedScans
+from .scenes.room import RoomFrame as RoomFrame

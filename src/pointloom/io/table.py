@@ -122,7 +122,7 @@ def _corner_rows(values: Any, count: int) -> NDArray[np.float32] | None:
     return None if values is None else check_rows("triangle_uvs", values, 2, rows=3 * count, dtype=np.float32)
 
 
-def _material_ids(values: Any, count: int, picture_count: int) -> NDArray[np.int32] | None:
+def _material_ids(values: Any, count: int, image_count: int) -> NDArray[np.int32] | None:
     if values is None:
         return None
     ids = check_numeric("triangle_material_ids", values)
@@ -130,7 +130,7 @@ def _material_ids(values: Any, count: int, picture_count: int) -> NDArray[np.int
         raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
     if ids.shape != (count,):
         raise ValueError(f"triangle_material_ids: expected shape [{count}], got {list(ids.shape)}")
-    limit = picture_count or 2**31
+    limit = image_count or 2**31
     if ids.size and (ids.min() < 0 or ids.max() >= limit):
         raise ValueError(f"triangle_material_ids: expected 0..{limit - 1}, got {ids.min()}..{ids.max()}")
     return ids.astype(np.int32)

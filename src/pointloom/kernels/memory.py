@@ -21,7 +21,7 @@ from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import lock_for, own, why_no_cuda_here
 from .language.pinned_results import release_pinned
 
-POOL_SHARE = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
+POOL_FRACTION = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
 _pools: set[str] = set()  # GPUs whose pool keeps memory, by name
 
 
@@ -33,7 +33,7 @@ def _keep_pool(device: Device) -> None:
         return
     _pools.add(device.alias)
     if device.is_mempool_enabled and not wp.get_mempool_release_threshold(device):
-        wp.set_mempool_release_threshold(device, POOL_SHARE)
+        wp.set_mempool_release_threshold(device, POOL_FRACTION)
 
 
 on_give_back: list[Callable[[], None]] = [release_pinned]  # callbacks that release arrays kept for the next call

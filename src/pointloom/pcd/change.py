@@ -109,7 +109,7 @@ def m3c2(
         >>> rng = np.random.default_rng(0)
         >>> before, after = (rng.random((20_000, 3)) * (10, 10, 0.02) for _ in range(2))
         >>> after[after[:, 0] > 5, 2] += 0.1
-        >>> found = loom.change.m3c2(
+        >>> found = loom.m3c2(
         ...     loom.PointCloud(before), loom.PointCloud(after), core_points=loom.PointCloud([[2, 5, 0], [8, 5, 0]]),
         ...     normal_radii=0.5, cylinder_radius=0.5, max_distance=1,
         ... )
@@ -173,6 +173,6 @@ def _check_directions(directions: Any, count: int) -> NDArray[np.float32]:
     if values.ndim == 1:
         return np.tile(check_direction("directions", values), (count, 1)).astype(np.float32)
     rows = check_rows("directions", values, 3, rows=count).astype(np.float64)
-    lengths = np.linalg.norm(rows, axis=1, keepdims=True)
     with np.errstate(invalid="ignore", divide="ignore"):
-        return (rows / lengths).astype(np.float32)
+        rows /= np.abs(rows).max(axis=1, keepdims=True, initial=0)  # their squares do not overflow
+        return (rows / np.linalg.norm(rows, axis=1, keepdims=True)).astype(np.float32)

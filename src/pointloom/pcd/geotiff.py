@@ -14,7 +14,7 @@ from ..core.errors import FileError, FilePath
 BLOCK = 256  # cells per side of a block
 ENDINGS = (".tif", ".tiff")
 _VALUES = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
-_PICTURE = {
+_IMAGE = {
     "dtype": "uint8", "count": 4, "predictor": 2, "interleave": "pixel", "photometric": "RGB",
     "alpha": "non-premultiplied",
 }  # fmt: skip
@@ -34,24 +34,24 @@ def geotiff(
     *,
     overwrite: bool,
     for_maps: bool = False,
-    is_picture: bool = False,
+    is_image: bool = False,
 ) -> Iterator[Any]:
     """GeoTIFF opened for writing blocks, renamed when complete. FileError as `Raster.write`. Two float32 bands (values,
-    1 where filled), or RGBA uint8 if `is_picture`. `metadata` has `kind`, `crs` and `nodata`. With `for_maps` it is
+    1 where filled), or RGBA uint8 if `is_image`. `metadata` has `kind`, `crs` and `nodata`. With `for_maps` it is
     rewritten as a Cloud Optimized GeoTIFF."""
     path, rasterio = check_geotiff(path, overwrite=overwrite)
     profile = {
         "driver": "GTiff", "height": shape[0], "width": shape[1], "crs": metadata.crs,
         "transform": rasterio.Affine(cell, 0.0, corner[0], 0.0, -cell, corner[1] + shape[0] * cell),
         "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate", "BIGTIFF": "IF_SAFER",
-        **(_PICTURE if is_picture else {"nodata": metadata.nodata} | _VALUES),
+        **(_IMAGE if is_image else {"nodata": metadata.nodata} | _VALUES),
     }  # fmt: skip
     first: Path | None = None
     try:
         with atomic_path(path, overwrite=overwrite) as part:
             first = part.with_suffix(".first") if for_maps else part
             with rasterio.open(first, "w", **profile) as file:
-                for band, name in enumerate(() if is_picture else (metadata.kind, "filled"), start=1):
+                for band, name in enumerate(() if is_image else (metadata.kind, "filled"), start=1):
                     file.set_band_description(band, name)
                 yield file
             if for_maps:

@@ -79,16 +79,16 @@ def classify_ground(
     steepest = check_positive("slope", slope, allow_zero=True)
     window = check_positive("max_window", max_window)
     threshold = check_positive("elevation_threshold", elevation_threshold, allow_zero=True)
-    share = check_positive("scaling", scaling, allow_zero=True)
+    fraction = check_positive("scaling", scaling, allow_zero=True)
     fixed = None if corner is None else check_finite("corner", check_shape("corner", corner, (2,)))
-    _warn_of_defaults(cloud, cell == CELL or window == WINDOW or threshold == THRESHOLD or share == SCALING)
+    _warn_of_defaults(cloud, cell == CELL or window == WINDOW or threshold == THRESHOLD or fraction == SCALING)
     points = cloud._device_array("points")
     low, high, finite = bound_points(points)
     if not finite:
         return cloud._handed_out(zeros(len(cloud), uint8, cloud.device), dtype=bool)
     if fixed is not None:
         near = _near_ground(points, (low, high), fixed - cloud.origin[:2], cell, window)
-        return cloud._handed_out(near.mask(steepest, threshold, share), dtype=bool)
+        return cloud._handed_out(near.mask(steepest, threshold, fraction), dtype=bool)
     lowest = low.astype(np.float64)
     with np.errstate(over="ignore"):  # overflow means too many cells
         counts = np.floor((high.astype(np.float64) - lowest) / cell)[:2] + 1
@@ -97,7 +97,7 @@ def classify_ground(
     check_window(window, cell)
     grid = HeightGrid(points, lowest, cell, int(counts[0]), int(counts[1]))
     grid.uncover(steepest, window)
-    return cloud._handed_out(grid.near(threshold, share), dtype=bool)
+    return cloud._handed_out(grid.near(threshold, fraction), dtype=bool)
 
 
 def _near_ground(points: Points, box: tuple[Any, Any], corner: Any, cell: float, window: float) -> NearGround:

@@ -24,7 +24,7 @@ from ..kernels.memory import download
 from ..kernels.search.distinct_points import without_copies
 from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.covariances import estimate_covariances
-from ..kernels.surface.normal_agreement import share_of_opposed_normals
+from ..kernels.surface.normal_agreement import fraction_of_opposed_normals
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
@@ -230,7 +230,7 @@ class Normals(Selection):
         """
         normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         neighbors = min(check_count("max_nn", max_nn), max(1, len(self)))
-        return share_of_opposed_normals(self.search_tree(), self._arrays["points"], normals, neighbors)
+        return fraction_of_opposed_normals(self.search_tree(), self._arrays["points"], normals, neighbors)
 
     def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> Self:
         normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")

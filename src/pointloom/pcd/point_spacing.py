@@ -25,7 +25,7 @@ def probe_points(cloud: Any) -> NDArray[np.float64]:
 
 
 def distance_of_nearest(
-    search: NearestNeighborSearch, probes: NDArray[np.float64], count: int, share: float = 0.5
+    search: NearestNeighborSearch, probes: NDArray[np.float64], count: int, fraction: float = 0.5
 ) -> float | None:
     """Distance [m] within which this fraction of the probes have `count` points, themselves included. None if there are
     too few or too many points, or no probe."""
@@ -34,7 +34,7 @@ def distance_of_nearest(
     neighbors = search.knn_search(probes, count)
     if (neighbors.counts < count).any():
         return None
-    return float(np.sqrt(np.quantile(neighbors.sqdists[:, -1].astype(np.float64), share)))
+    return float(np.sqrt(np.quantile(neighbors.sqdists[:, -1].astype(np.float64), fraction)))
 
 
 def rounded_up(length: float) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.argument_errors import explain_argument_errors
-from ..core.checks import check_count, check_positive, check_seed, check_share, shown
+from ..core.checks import check_count, check_fraction, check_positive, check_seed, shown
 from ..core.observers import report
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
@@ -39,8 +39,8 @@ from .shape_checks import shape_of
 MAX_SIZE = 2**31 - 2  # more points than a cloud can have
 # Upper limit of thresholds.
 ANY: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
-EDGE_SHARE = 0.01  # of the cloud's longest edge: Open3D's default
-POINT_SHARE = 0.001  # of the points: Open3D's default
+EDGE_FRACTION = 0.01  # of the cloud's longest edge: Open3D's default
+POINT_FRACTION = 0.001  # of the points: Open3D's default
 MIN_POINTS = 10
 MAX_SAMPLES = 10_000_000
 WRAP = 2**30  # sample numbers stay below 2^31
@@ -171,12 +171,12 @@ class Segmentation(Selection):
         """
         spread = _check_angle("normal_variance_threshold_deg", normal_variance_threshold_deg)
         flatness = _check_angle("coplanarity_deg", coplanarity_deg)
-        share = check_positive("outlier_ratio", outlier_ratio, allow_zero=True)
-        if share > 1:
+        fraction = check_positive("outlier_ratio", outlier_ratio, allow_zero=True)
+        if fraction > 1:
             raise ValueError(f"outlier_ratio: expected a number in 0..1, got {outlier_ratio!r}")
         shortest = check_positive("min_plane_edge_length", min_plane_edge_length, allow_zero=True)
         min_count = check_count("min_num_points", min_num_points, minimum=0)
-        min_count = max(min_count, 3) if min_count else max(MIN_POINTS, int(POINT_SHARE * len(self)))
+        min_count = max(min_count, 3) if min_count else max(MIN_POINTS, int(POINT_FRACTION * len(self)))
         neighbor_count = check_count("max_nn", max_nn, minimum=2)
         search_radius = math.inf if radius is None else check_positive("radius", radius)
         points = self._arrays["points"]
@@ -191,14 +191,14 @@ class Segmentation(Selection):
             return []
         octree = Octree(points, rows)
         labels = full(len(self), -1, int32, self.device)
-        limits = Limits(math.cos(spread), math.cos(flatness), share, min_count, ROUNDING * octree.extent)
+        limits = Limits(math.cos(spread), math.cos(flatness), fraction, min_count, ROUNDING * octree.extent)
         planes = find_seeds(points, normals, labels, limits, octree)
         if not len(planes[0]):
             return []
         neighbors = self._neighbor_graph(min(neighbor_count, rows.size), search_radius)
         patches = Patches(points, normals, labels, planes, neighbors)
         patches.converge()
-        boxes = patches.boxes(shortest or EDGE_SHARE * octree.extent)
+        boxes = patches.boxes(shortest or EDGE_FRACTION * octree.extent)
         return [OrientedBoundingBox(c + self._origin, R, extent) for c, R, extent in zip(*boxes, strict=True)]
 
     def _neighbor_graph(self, max_nn: int, radius: float) -> Any:
@@ -525,4 +525,4 @@ def check_samples(num_iterations: Any, probability: Any, seed: Any) -> tuple[int
     max_samples = check_count(
         "num_iterations", num_iterations, maximum=MAX_SAMPLES, because="more iterations find no further shape"
     )
-    return max_samples, check_share("probability", probability), check_seed(seed)
+    return max_samples, check_fraction("probability", probability), check_seed(seed)

@@ -30,7 +30,7 @@ from .segmentation import check_samples, limits_of, search_of
 from .shape import KINDS, Shape
 from .shape_checks import is_flat, is_open, plane_of, shape_of
 
-MIN_POINTS, MIN_SHARE = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
+MIN_POINTS, MIN_FRACTION = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
 STEPS = 5.0  # maximum gap in a component, in median neighbor distances
 FIRST_BATCH, MAX_BATCH = 512, 8192  # samples per kind between evaluations
 POOL = 64  # candidates kept between rounds
@@ -131,7 +131,7 @@ def detect_shapes(
     kind_numbers = _check_kinds(kinds)
     limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
     max_samples, chance, start = check_samples(num_iterations, probability, seed)
-    min_points = max(MIN_POINTS, int(MIN_SHARE * len(cloud)))
+    min_points = max(MIN_POINTS, int(MIN_FRACTION * len(cloud)))
     if min_support is not None:
         min_points = check_count("min_support", min_support, minimum=10)
     epsilon = None if cluster_epsilon is None else check_positive("cluster_epsilon", cluster_epsilon)

@@ -111,8 +111,8 @@ def _best_start(search: ShapeSearch, kind: int, seed: int) -> ShapeFit | None:
         rows = every_of(rows, rows.size // COMPARED)
     part = ShapeSearch(search.points, search.normals, rows, search)
     limits = ShapeLimits(0.0, 0.0, 0.0, FREE_SIZE * search.size)
-    for level, share in enumerate(LEVELS):
-        near = replace(limits, distance=share * search.size)
+    for level, fraction in enumerate(LEVELS):
+        near = replace(limits, distance=fraction * search.size)
         drawn = part.draw(kind, DRAWN, seed, level * DRAWN, near)[0][:STARTS]
         if len(drawn):
             fits += search.fitter.fit_all([kind] * len(drawn), drawn, rows)

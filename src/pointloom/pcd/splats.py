@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import hand_out_host, library_for
 from ..core.checks import (
+    check_fraction,
     check_list,
     check_numeric,
     check_positive,
     check_rows,
     check_shape,
-    check_share,
     check_transformation,
 )
 from ..core.devices import check_same_device
@@ -33,7 +33,7 @@ from .harmonics import FIRST, MAX_DEGREE, degree_of, rotation_of_harmonics
 from .motion import Movable
 from .point_arrays import check_cloud, read_only
 from .polygon_volume import SelectionPolygonVolume
-from .splat_pictures import RasterizationMixin
+from .splat_images import RasterizationMixin
 
 #: The attributes of the cloud that keeps splats, by the names of PLY files: `f_rest` where the degree is above 0.
 NAMES = ("f_dc", "f_rest", "opacity", "scale", "rot")
@@ -92,14 +92,14 @@ class GaussianSplats(Movable, RasterizationMixin):
         count = len(cloud)
         sizes = check_rows("scales", scales, 3, rows=count, dtype=np.float64)
         quaternions = check_rows("rotations", rotations, 4, rows=count, dtype=np.float64)
-        shares = check_shape("opacities", opacities, (count,))
+        fractions = check_shape("opacities", opacities, (count,))
         colors = _coefficients(on_host("harmonics", harmonics), count)
         _check_all("scales", (sizes > 0).all(axis=1) & np.isfinite(sizes).all(axis=1), "three finite numbers above 0")
         lengths = np.square(quaternions).sum(axis=1)
         _check_all("rotations", np.isfinite(lengths) & (lengths > 0), "a finite quaternion of a length above 0")
-        _check_all("opacities", (shares >= 0) & (shares <= 1), "a number from 0 to 1")
+        _check_all("opacities", (fractions >= 0) & (fractions <= 1), "a number from 0 to 1")
         _check_all("harmonics", np.isfinite(colors).all(axis=(1, 2)), "finite coefficients")
-        cloud["opacity"] = logits_of(shares)
+        cloud["opacity"] = logits_of(fractions)
         cloud["scale"] = np.log(sizes).astype(np.float32)
         cloud["rot"] = quaternions.astype(np.float32)
         cloud["f_dc"] = colors[:, 0].astype(np.float32)
@@ -172,7 +172,7 @@ class GaussianSplats(Movable, RasterizationMixin):
     @property
     def opacities(self) -> NDArray[np.float32]:
         """Opacity at the center, 0 to 1, float32 (n,)."""
-        return read_only(shares_of(self._cloud["opacity"]).astype(np.float32))
+        return read_only(fractions_of(self._cloud["opacity"]).astype(np.float32))
 
     @property
     def harmonics(self) -> NDArray[np.float32]:
@@ -241,7 +241,7 @@ class GaussianSplats(Movable, RasterizationMixin):
             >>> len(two.clean(max_scale=5))
             1
         """
-        share = check_share("min_opacity", min_opacity)
+        fraction = check_fraction("min_opacity", min_opacity)
         smallest = check_positive("min_scale", min_scale, allow_zero=True)
         log_largest = (
             math.log(check_positive("max_scale", max_scale)) if max_scale is not None else float(np.finfo("f4").max)
@@ -253,7 +253,7 @@ class GaussianSplats(Movable, RasterizationMixin):
             opacity,
             scale,
             rot,
-            float(logits_of(np.array(share))),
+            float(logits_of(np.array(fraction))),
             math.log(smallest) if smallest else -math.inf,
             log_largest,
         )
@@ -349,13 +349,13 @@ class GaussianSplats(Movable, RasterizationMixin):
         return splats
 
 
-def logits_of(shares: NDArray[np.float64]) -> NDArray[np.float32]:
+def logits_of(fractions: NDArray[np.float64]) -> NDArray[np.float32]:
     """Logits of opacities, infinite for 0 and 1."""
     with np.errstate(divide="ignore"):
-        return (np.log(shares) - np.log1p(-shares)).astype(np.float32)
+        return (np.log(fractions) - np.log1p(-fractions)).astype(np.float32)
 
 
-def shares_of(logits: NDArray[Any]) -> NDArray[np.float64]:
+def fractions_of(logits: NDArray[Any]) -> NDArray[np.float64]:
     with np.errstate(over="ignore"):
         return 1 / (1 + np.exp(-logits.astype(np.float64)))
 

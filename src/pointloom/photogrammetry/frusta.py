@@ -50,15 +50,15 @@ def sample_visibility(
     return samples, seen, angles
 
 
-def shares_in_view(cameras: Sequence[PinholeCameraIntrinsic], poses: Array) -> Array:
+def fractions_in_view(cameras: Sequence[PinholeCameraIntrinsic], poses: Array) -> Array:
     """Fraction of each camera's sample points, weighted by visibility, that each other camera sees, [n, n]."""
-    shares = np.zeros((len(poses), len(poses)))
+    fractions = np.zeros((len(poses), len(poses)))
     for i in range(len(poses)):
         _, seen, _ = sample_visibility(i, cameras, poses)
         weights = seen.sum(axis=1).astype(float)
         if weights.any():
-            shares[i] = weights @ seen / weights.sum()
-    return shares
+            fractions[i] = weights @ seen / weights.sum()
+    return fractions
 
 
 def _rays(camera: PinholeCameraIntrinsic) -> Array:

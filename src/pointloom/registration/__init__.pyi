@@ -50,7 +50,7 @@ from .lidar.lidar_runs import run_odometry as run_odometry
 from .lidar.lidar_steps import summarize_steps as summarize_steps
 from .matching import correspondences_from_features as correspondences_from_features
 from .pose_graphs.fragment_graph import FragmentPair as FragmentPair
-from .pose_graphs.multiway import register_fragments as register_fragments
+from .pose_graphs.multiway import register_multiway as register_multiway
 from .pose_graphs.pose_graph import PoseGraph as PoseGraph
 from .pose_graphs.pose_graph import PoseGraphEdge as PoseGraphEdge
 from .pose_graphs.pose_graph import PoseGraphNode as PoseGraphNode
@@ -80,3 +80,22 @@ from .trajectories.similarity import read_positions as read_positions
 from .trajectories.similarity import scale_from_known as scale_from_known
 from .trajectories.trajectory_error import evaluate_trajectory as evaluate_trajectory
 from .voxel_size import choose_voxel_size as choose_voxel_size
+
+# Results of functions, for annotations.
+# isort: split
+from .alignment import Alignment as Alignment
+from .assessment import RegistrationAssessment as RegistrationAssessment
+from .deformable.coherent_drift import DriftResult as DriftResult
+from .deformable.nonrigid import NonRigidResult as NonRigidResult
+from .evidence import Evidence as Evidence
+from .globally.pair import PairRegistration as PairRegistration
+from .lidar.lidar_steps import OdometryStep as OdometryStep
+from .lidar.lidar_steps import OdometrySummary as OdometrySummary
+from .pose_errors import PoseCovariance as PoseCovariance
+from .pose_graphs.multiway import FragmentsResult as FragmentsResult
+from .pose_graphs.reports import GlobalOptimizationReport as GlobalOptimizationReport
+from .result import RegistrationResult as RegistrationResult
+from .stations.result import StationsResult as StationsResult
+from .trajectories.similarity import SimilarityFit as SimilarityFit
+from .trajectories.trajectory_error import TrajectoryError as TrajectoryError
+from .unobservable_motions import Localizability as Localizability

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.reports import Assessed, Fields, Report, as_json, failed, with_warnings
-from ..core.wording import format_share
+from ..core.wording import format_fraction
 from .alignment import Alignment
 from .assessment_constants import MIN_DISPLACEMENT, MIN_SCORE, VOXELS
 from .evidence import Evidence
@@ -67,7 +67,7 @@ class RegistrationAssessment(Report, Assessed):
         rotations, shifts = self.covariance.sigmas.reshape(2, 3)
         motions = self.localizability.open_motions
         rows = [
-            ("fitness", f"{format_share(self.fitness)}, rmse {self.inlier_rmse:.4g} m"),
+            ("fitness", f"{format_fraction(self.fitness)}, rmse {self.inlier_rmse:.4g} m"),
             ("score", f"{self.score:.2f}"),
             ("displacement", f"{self.alignment.displacement:.3g} m, standard deviation {self.alignment.sigma:.2g} m"),
             ("undetermined", describe_motions(motions) if len(motions) else "none"),

@@ -20,17 +20,17 @@ ODDS = "fitted: 580 ICP poses of objects, rooms and streets that overlap by 15 %
 ROOMS = "fitted: benchmarks/beliefs.py, 33 wrong and 235 correct poses, 2026-11-25"
 BOXES = "fitted: benchmarks/box_rooms.py, rooms 0 to 15, 2026-11-25"
 WRONG_BOXES = "fitted: supported wrong poses of benchmarks/box_rooms.py; kitchens and hills are correct, 2026-11-22"
-IMAGES = "fitted: depth images of a kitchen and of trust/places.py, seeds 60 to 62, 2026-11-26"
-SCANS = "fitted: 24 rooms, 60 sites, 40 streets and 40 divided real scans as in trust/calibration.py, 2026-11-26"
+IMAGES = "fitted: depth images of a kitchen and of benchmarks/trust/places.py, seeds 60 to 62, 2026-11-26"
+SCANS = "fitted: 24 rooms, 60 sites, 40 streets, 40 divided real scans of benchmarks/trust/calibration.py, 2026-11-26"
 REFINED = "fitted: ICP poses of 24 pairs of scans, rooms and objects, 2026-11-27"
-LEAST_SHARE = f"{REFINED}: 574 correct ones from 0.23, 112 of clouds that share nothing up to 0.10"
+LEAST_FRACTION = f"{REFINED}: 574 correct ones from 0.23, 112 of clouds that share nothing up to 0.10"
 OPEN_MOTIONS = f"{REFINED}: 14 of 1,587 correct ones are below it, a bare corridor has 0.003"
 SUPPORTED = f"{REFINED}: none of 513 correct ones is unsupported, 32 of 34 wrong ones are"
 FEW = "fitted: 29 wrong poses up to 4.3, 75 of 76 correct ones from 4.5, 2026-11-22"
-PAIRS = "fitted: 93 correct poses of the fitted half of trust/alignment.py, 2026-11-27"
+PAIRS = "fitted: 93 correct poses of the fitted half of benchmarks/trust/alignment.py, 2026-11-27"
 WALLS = "fitted: bare corridors and tunnels 0.0001 to 0.03; streets, halls, woods 0.02 to 0.3, 2026-11-22"
 BLOCKED = "fitted: LiDAR and moving cameras up to 0.013, half of the wrong poses above 0.02, 2026-11-25"
-PLACES = "fitted: trust/fit_assessment.py, rooms, sites, streets and real scans, seeds 0 to 11, 2026-11-28"
+PLACES = "fitted: benchmarks/trust/fit_assessment.py, rooms, sites, streets and real scans, seeds 0 to 11, 2026-11-28"
 OPEN_SITES = "fitted: three synthetic corridors, a tunnel, a field; doors of 6 cm and far boxes, 2026-11-25"
 
 # Surfaces
@@ -52,13 +52,13 @@ TIGHT: Annotated[float, Constant("distance along the normal at which a match cou
 OVERLAP_RIDGE: Annotated[float, Constant("ridge of the overlap", "mean eigenvalue", "weak overlap is no evidence")] = (
     1e-3
 )
-SHARE_WEIGHT: Annotated[float, Constant("log odds per ln(share)", "", ODDS)] = 5.15
+FRACTION_WEIGHT: Annotated[float, Constant("log odds per ln(share)", "", ODDS)] = 5.15
 FIRMNESS_WEIGHT: Annotated[float, Constant("log odds per ln(firmness)", "", ODDS)] = 0.48
 OFFSET: Annotated[float, Constant("log odds", "", f"{ODDS}; lowered to require 25 % more than even evidence")] = 10.2
-SHARE_FLOOR: Annotated[float, Constant("added to the share", "", "the logarithm of 0 is none")] = 0.01
+FRACTION_FLOOR: Annotated[float, Constant("added to the fraction", "", "the logarithm of 0 is none")] = 0.01
 FIRMNESS_FLOOR: Annotated[float, Constant("added to the firmness", "", "the logarithm of 0 is none")] = 3e-4
 FIRM: Annotated[float, Constant("minimum firmness", "", "planes, spheres, tubes: a quarter of it at most")] = 0.002
-FITS: Annotated[float, Constant("share of surfaces that match although a motion is undetermined", "", CHOSEN)] = 0.5
+FITS: Annotated[float, Constant("fraction of surfaces that match although a motion is undetermined", "", CHOSEN)] = 0.5
 # Score: number of matches
 CHANCE: Annotated[float, Constant("share times the root of the matches", "", FEW)] = 4.4
 STEEP: Annotated[float, Constant("steepness of scores at their limits", "", "20 % beyond the limit give 0.67")] = 4.0
@@ -77,11 +77,11 @@ MAX_BLOCKED: Annotated[float, Constant("occluding points relative to matches", "
 # Score: details
 MIN_DETAIL: Annotated[float, Constant("share beside the planes, within the borders", "", IMAGES)] = 0.19
 DETAIL_CHANCE: Annotated[float, Constant("the same times the root of its matches", "", IMAGES)] = 1.35
-MIN_VISIBLE: Annotated[float, Constant("share of all matches, within the borders", "", IMAGES)] = 0.3
+MIN_VISIBLE: Annotated[float, Constant("fraction of all matches, within the borders", "", IMAGES)] = 0.3
 VISIBLE_CHANCE: Annotated[float, Constant("the same times the root of the matches", "", IMAGES)] = 6.0
 MIN_RELIEF: Annotated[float, Constant("correlation of the slopes on planes", "", IMAGES)] = 0.75
 RELIEF_MATCHES: Annotated[int, Constant("number of these slopes", "", IMAGES)] = 400
-MIN_VISIBLE_WITH_RELIEF: Annotated[float, Constant("share of all matches with relief", "", IMAGES)] = 0.45
+MIN_VISIBLE_WITH_RELIEF: Annotated[float, Constant("fraction of all matches with relief", "", IMAGES)] = 0.45
 SIGMAS: Annotated[float, Constant("distance of a contradicting pair", SIGMA, "0.3 % of a normal distribution")] = 3.0
 NOISE_RADIUS: Annotated[float, Constant("radius of the noise", MATCH, "2 voxels")] = 4 / 3
 
@@ -102,7 +102,7 @@ MIN_SUPPORT: Annotated[float, Constant("constraint of the matches relative to th
 SUPPORT_RIDGE: Annotated[float, Constant("ridge of this ratio", "mean eigenvalue", "for undetermined motions")] = 0.01
 
 # Undetermined motions
-SUSPECT_SHARE: Annotated[float, Constant("squared component below which a motion is tested", "", WALLS)] = 0.03
+SUSPECT_FRACTION: Annotated[float, Constant("squared component below which a motion is tested", "", WALLS)] = 0.03
 STEP_VOXELS: Annotated[float, Constant("displacement both ways", VOXEL, "half of the match distance")] = 0.75
 JUDGING_POINTS: Annotated[int, Constant("sampled points", "", "detect a mean rise of the cost of 0.01")] = 1024
 MIN_RISE: Annotated[float, Constant("mean rise of the cost, 0..1", "", OPEN_SITES)] = 0.02
@@ -110,6 +110,6 @@ MIN_DEVIATIONS: Annotated[float, Constant("the same", SIGMA, OPEN_SITES)] = 3.0
 RADIUS_VOXELS: Annotated[float, Constant("search radius of planes", VOXEL, "beyond the displacement")] = 2.0
 
 # Refined poses (`warnings` of ICP and NDT), whose start excludes other places
-MIN_OPEN_SHARE: Annotated[float, Constant("share if a motion may be undetermined", "", LEAST_SHARE)] = 0.15
+MIN_OPEN_FRACTION: Annotated[float, Constant("share if a motion may be undetermined", "", LEAST_FRACTION)] = 0.15
 MAX_OPEN: Annotated[float, Constant("squared component of an undetermined motion", "", OPEN_MOTIONS)] = 5e-3
 MIN_PAIRS: Annotated[int, Constant("pairs that decide about support", "", SUPPORTED)] = 1000

@@ -24,7 +24,7 @@ from .surfaces import surface_for
 class Details(NamedTuple):
     """Evidence for a pose beside the dominant planes, and on them.
 
-    `visible`, `rest`: as `share` and `rest` of Evidence, without points beyond the border of the other surface;
+    `visible`, `rest`: as `fraction` and `rest` of Evidence, without points beyond the border of the other surface;
     `matches`: weighted count beside the planes; `relief`: correlation of the slopes of both surfaces on
     the planes; `relief_matches`: number of these slopes; `contrary`: number of pairs that are farther apart than the
     noise of the surfaces explains.
@@ -46,14 +46,14 @@ class Details(NamedTuple):
 class Evidence(NamedTuple):
     """Evidence for a pose.
 
-    `share` (0..1): fraction of the attainable constraint that the matches provide; `firmness`: smallest eigenvalue of
-    their mean normal matrix, rotations in units of the overlap radius; `matches`: weighted count; `rest`: `share`
+    `fraction` (0..1): fraction of the attainable constraint that the matches provide; `firmness`: smallest eigenvalue
+    of their mean normal matrix, rotations in units of the overlap radius; `matches`: weighted count; `rest`: `fraction`
     without the three main planes (1 if not computed); `aligned` (0..1): fraction of the rest parallel or square to
     these planes; `blocked`: points that occlude what the other cloud saw, relative to the matches; `details`: None if
     not computed.
     """
 
-    share: float
+    fraction: float
     firmness: float
     matches: float
     rest: float = 1.0
@@ -66,12 +66,13 @@ class Evidence(NamedTuple):
         """Log odds of all matches, without the correction for few matches; minus infinity without a match."""
         if not self.matches:
             return -np.inf
-        weighed = constants.SHARE_WEIGHT * math.log(self.share + constants.SHARE_FLOOR)
+        weighed = constants.FRACTION_WEIGHT * math.log(self.fraction + constants.FRACTION_FLOOR)
         firm = constants.FIRMNESS_WEIGHT * math.log(self.firmness + constants.FIRMNESS_FLOOR)
         return float(weighed + firm + constants.OFFSET)
 
     @property
     def score_with_planes(self) -> float:
+        """The score if matches beside the planes are not required."""
         certainty = min(1.0, self.firmness / constants.FIRM) ** 2 * min(1.0, self.matches / constants.ENOUGH)
         return float(certainty / (1 + math.exp(-self.odds))) if self.matches else 0.0
 
@@ -104,7 +105,7 @@ class Evidence(NamedTuple):
     @property
     def score_of_number(self) -> float:
         """Limit 0..1 for few matches, where a search finds an equal pose by chance."""
-        return _exceeds(self.share * math.sqrt(max(self.matches, 1.0)) / constants.CHANCE)
+        return _exceeds(self.fraction * math.sqrt(max(self.matches, 1.0)) / constants.CHANCE)
 
     @property
     def score_beside_planes(self) -> float:
@@ -116,7 +117,7 @@ class Evidence(NamedTuple):
 
     @property
     def _min_rest(self) -> float:
-        return constants.MIN_REST * max(self.share, 1e-9)
+        return constants.MIN_REST * max(self.fraction, 1e-9)
 
     @property
     def score_of_view(self) -> float:
@@ -125,8 +126,11 @@ class Evidence(NamedTuple):
 
     @property
     def problem(self) -> str:
+        """What rejects the pose."""
         if self.score_with_planes <= 0.5:
-            fits = self.firmness < constants.FIRM and self.share > constants.FITS and self.matches >= constants.ENOUGH
+            fits = (
+                self.firmness < constants.FIRM and self.fraction > constants.FITS and self.matches >= constants.ENOUGH
+            )
             slides = "the surfaces match, but the pose can rotate or slide, as on a sphere, cylinder or plane"
             return slides if fits else "the clouds hardly match under the best pose found"
         if self.score_of_number <= 0.5:
@@ -209,7 +213,7 @@ def complete(
     enough = max(beside.matches / constants.ENOUGH_BESIDE, beside.matches / (constants.PART_BESIDE * evidence.matches))
     square = _fraction_between(beside.aligned, constants.FEW_ALIGNED, constants.MANY_ALIGNED)
     chance = (1.0 - min(1.0, enough)) * square
-    evidence = evidence._replace(rest=beside.share * (1.0 - chance), aligned=beside.aligned)
+    evidence = evidence._replace(rest=beside.fraction * (1.0 - chance), aligned=beside.aligned)
     if evidence.score <= 0.5 or evidence.aligned < constants.SOME_ALIGNED:
         return evidence
     return evidence._replace(blocked=count_blocked(source, target, pose) / evidence.matches)
@@ -258,7 +262,9 @@ def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64],
     tight = constants.TIGHT * distance / constants.SIGMAS
     radius = constants.NOISE_RADIUS * distance
     deviating = count_deviating(pairs, *limits, radius=radius, sigmas=constants.SIGMAS, floor=tight)
-    return Details(visible.share, rest.share, rest.matches, relief, float(counts.min()), float(deviating[:, 1].max()))
+    return Details(
+        visible.fraction, rest.fraction, rest.matches, relief, float(counts.min()), float(deviating[:, 1].max())
+    )
 
 
 def both_ways(
@@ -278,8 +284,8 @@ def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evide
     for sums in both:
         near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
         ridge = constants.OVERLAP_RIDGE * np.trace(near) / 6 * np.eye(6)
-        share = float(np.trace(solve(near + ridge, matched))) / 6
+        fraction = float(np.trace(solve(near + ridge, matched))) / 6
         firmness = max(float(eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
-        sides.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
-    share, firmness, matches, square = np.min(sides, axis=0).tolist()
-    return Evidence(share, firmness, matches, aligned=-square)
+        sides.append((fraction, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
+    fraction, firmness, matches, square = np.min(sides, axis=0).tolist()
+    return Evidence(fraction, firmness, matches, aligned=-square)

@@ -61,13 +61,13 @@ def correspondences_from_features(
         >>> loom.registration.correspondences_from_features(source, target, ratio=0.4).tolist()
         [[1, 0], [2, 0]]
     """
-    share = check_positive("mutual_consistency_ratio", mutual_consistency_ratio, allow_zero=True)
+    fraction = check_positive("mutual_consistency_ratio", mutual_consistency_ratio, allow_zero=True)
     if ratio is not None:
         ratio = check_positive("ratio", ratio)
         if ratio > 1:
             raise ValueError(f"ratio: expected a number above 0 and at most 1, got {ratio!r}")
     on_device = features_on_device(source_features, target_features, device)
-    pairs = pair_features(*on_device, mutual=bool(mutual_filter), mutual_consistency_ratio=share, ratio=ratio)
+    pairs = pair_features(*on_device, mutual=bool(mutual_filter), mutual_consistency_ratio=fraction, ratio=ratio)
     return hand_out(pairs, library_of(source_features), on_host=not is_on_gpu(source_features))
 
 

@@ -37,7 +37,7 @@ def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, may_be_op
     evidence = compare_surfaces(witnesses[0].surface, witnesses[1].surface, pose, distance)
     if evidence.score_with_planes <= constants.MIN_SCORE:
         if may_be_open:
-            return "" if evidence.share > constants.MIN_OPEN_SHARE else APART.format(evidence.share)
+            return "" if evidence.fraction > constants.MIN_OPEN_FRACTION else APART.format(evidence.fraction)
         return _weakness(evidence, *witnesses, pose, distance)
     problem = _contradiction(evidence, *witnesses, pose, distance)
     if not problem and _is_unsupported(SurfacePair(source, target, distance), pose):
@@ -83,10 +83,10 @@ def _contradiction(evidence: Evidence, source: Witness, target: Witness, pose: M
 def _weakness(evidence: Evidence, source: Witness, target: Witness, pose: Matrix, distance: float) -> str:
     """Why matches are no support: they allow a motion, or they are too few."""
     judged = judge_motions(source.surface, target.surface, pose, distance)
-    is_enough = evidence.share > constants.MIN_OPEN_SHARE and evidence.matches >= constants.ENOUGH
+    is_enough = evidence.fraction > constants.MIN_OPEN_FRACTION and evidence.matches >= constants.ENOUGH
     if is_enough and judged is not None and len(judged.open_motions):
         return describe_open(judged.open_motions)
-    return APART.format(evidence.share)
+    return APART.format(evidence.fraction)
 
 
 def _is_unsupported(surfaces: SurfacePair, pose: Matrix) -> bool:
@@ -99,5 +99,5 @@ def _open_motions(source: Witness, target: Witness, pose: Matrix, distance: floa
     judged = judge_motions(source.surface, target.surface, pose, distance)
     if judged is None:
         return ""
-    is_open = (judged.shares < constants.MAX_OPEN) & [kind == "none" for kind in judged.kinds]
+    is_open = (judged.fractions < constants.MAX_OPEN) & [kind == "none" for kind in judged.kinds]
     return describe_open(judged.motions[is_open]) if is_open.any() else ""

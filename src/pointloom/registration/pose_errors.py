@@ -71,7 +71,7 @@ class Step(NamedTuple):
     influences: Matrix  # error of the motion by each block of space, [blocks, free]
     blocks: LongIntegers | None  # keys of the blocks
     unit: Matrix  # covariance of the motion by an error [1 m] that is common to all points
-    shares: NDArray[np.float64]  # constraint along the eigenvectors of the rows, 0..1
+    fractions: NDArray[np.float64]  # constraint along the eigenvectors of the rows, 0..1
     noise: float
 
     @property
@@ -134,7 +134,7 @@ def common_covariance(step: Step, motions: Callable[[], Localizability | None]) 
     apart = float(matmul(step.motion, solve(step.unit, step.motion))) / len(step.free)
     model = step.noise * (constants.MODEL_ERROR + constants.NORMAL_ERROR * step.noise * constants.FINE / step.voxel)
     covariance = (model**2 + constants.STEP_FACTOR * apart) * step.unit
-    if step.shares[0] < constants.SUSPECT_SHARE and (found := motions()) is not None:
+    if step.fractions[0] < constants.SUSPECT_FRACTION and (found := motions()) is not None:
         covariance = covariance + _open_motions(step, found)
     return covariance
 

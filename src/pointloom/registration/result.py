@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
 from ..core.reports import Assessed, failed, quality
-from ..core.wording import format_share, plain
+from ..core.wording import format_fraction, plain
 from ..kernels.memory import download
 from ..pcd.cloud import PointCloud
 from .assessment import RegistrationAssessment
@@ -150,7 +150,7 @@ class RegistrationResult(Assessed):
         if self._score is not None:
             return self._warnings
         motions = self.degenerate_directions[len(self.prior_directions) :]
-        low = f"only {format_share(self.fitness)} of the source has a correspondence, less than {MIN_FITNESS:.0%}"
+        low = f"only {format_fraction(self.fitness)} of the source has a correspondence, less than {MIN_FITNESS:.0%}"
         remedy = "Start closer to the true pose, or use a larger max_correspondence_distance"
         is_low = 0 < self.fitness < MIN_FITNESS
         open_motions = describe_open(motions) if len(motions) else None

@@ -28,14 +28,15 @@ class Localizability(AssessedRecord):
         middle: Center of rotations [m] in the target's world: the center of the overlap.
         lever: Length [m] that scales rotations: the spread of the overlap.
         motions: Of the free motions, float64 [6, 6] rows (rotation times lever, translation) along the target's axes.
-        shares: Constraint of each motion, 0..1: the mean squared component of the normals (rotations: of their levers).
+        fractions: Constraint of each motion, 0..1: the mean squared component of the normals (rotations: of their
+            levers).
         kinds: "full" if determined, "partial" if weak (share below 0.03), "none" if the clouds match as well along it.
     """
 
     middle: Matrix
     lever: float
     motions: Matrix
-    shares: Matrix
+    fractions: Matrix
     kinds: tuple[str, ...]
 
     @property
@@ -81,11 +82,11 @@ def judge_motions(
     size = distance / constants.VOXELS
     (matrix,) = symmetric_matrices(constraint.triangle[None])
     axes = list(free)
-    shares, free_vectors = eigh(matrix[np.ix_(axes, axes)] / constraint.matches)
+    fractions, free_vectors = eigh(matrix[np.ix_(axes, axes)] / constraint.matches)
     vectors = np.zeros((6, len(axes)))
     vectors[axes] = free_vectors
     scale = np.array([constraint.lever] * 3 + [1.0] * 3)
-    suspects = vectors.T[shares < constants.SUSPECT_SHARE]
+    suspects = vectors.T[fractions < constants.SUSPECT_FRACTION]
     kinds = ["full"] * len(axes)
     if len(suspects):
         steps = [sign * constants.STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
@@ -94,7 +95,9 @@ def judge_motions(
         rises = compare_pair(source, target, constants.JUDGING_POINTS, poses, *limits)
         is_constrained: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
         kinds[: len(suspects)] = ["partial" if constrained else "none" for constrained in is_constrained.tolist()]
-    return Localizability(constraint.middle, constraint.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
+    return Localizability(
+        constraint.middle, constraint.lever, vectors.T.copy(), np.maximum(fractions, 0.0), tuple(kinds)
+    )
 
 
 def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:

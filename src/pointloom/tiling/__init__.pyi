@@ -11,3 +11,9 @@ from .jobs.scans import plan_registration as plan_registration
 from .plan import plan_tiles as plan_tiles
 from .runners import retry_tiles as retry_tiles
 from .runners import run_tiles as run_tiles
+
+# Results of functions, for annotations.
+# isort: split
+from .jobs.job import JobStatus as JobStatus
+from .jobs.placed_scans import PlacedScans as PlacedScans
+from .status import TileStatus as TileStatus

@@ -13,7 +13,7 @@ from ..core.checks import check_count, check_progress, shown
 from ..core.coordinates import quiet
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
-from ..core.progress import ReportProgress, ignore_progress
+from ..core.progress import ReportProgress
 from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.copc_writer import CopcWriter
 from ..io.points.las import open_las, table_of
@@ -43,7 +43,7 @@ def finish_tiles(
     output: str | None = None,
     workers: int = 0,
     overwrite: bool = True,
-    progress: ReportProgress = ignore_progress,
+    progress: ReportProgress | None = None,
 ) -> Path:
     """Merge all tiles into one file and remove the job's intermediate data.
 

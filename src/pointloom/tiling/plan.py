@@ -15,7 +15,7 @@ from ..core.checks import check_count, check_finite, check_positive, check_progr
 from ..core.coordinates import choose_origin
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
-from ..core.progress import ReportProgress, ignore_progress
+from ..core.progress import ReportProgress
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
@@ -116,7 +116,7 @@ def plan_tiles(
     only: Any = None,
     only_crs: str | None = None,
     output: str = "laz",
-    progress: ReportProgress = ignore_progress,
+    progress: ReportProgress | None = None,
 ) -> TileStatus:
     """Plan a tiled job in a folder: files, steps and tiles. Of LAS only headers are read.
 
@@ -171,14 +171,15 @@ def plan_tiles(
     if not (folder / NAME).exists():
         check_folder(folder)
     with remove_on_failure(folder):
-        described = describe_all(paths, folder, check_progress(progress))
+        report = check_progress(progress)
+        described = describe_all(paths, folder, report)
         check_compatible(described)
         warn_of_lost_records(described)
         with naming_file(steps):
             for step in parsed:
                 step.adapt(described)
         data = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)
-        data["epochs"] = describe_epochs(parsed, described, folder, progress)
+        data["epochs"] = describe_epochs(parsed, described, folder, report)
         _passed[hash_of(data)] = passed
         if (folder / NAME).exists():
             with Manifest(folder) as manifest:
@@ -271,8 +272,8 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     extent = np.maximum((high - low)[:2], np.max((high - low)[:2]) / 1000)  # also for collinear points
     area = max(float(np.prod(extent)), 1e-12)
     if size is None:
-        share = check_count("points", POINTS if points is None else points)
-        size = math.sqrt(area * min(1.0, share / total)) * (1 + 1e-9)
+        fraction = check_count("points", POINTS if points is None else points)
+        size = math.sqrt(area * min(1.0, fraction / total)) * (1 + 1e-9)
         size = float(f"{size:.3g}") or float(np.max(sources[0]["scales"]))
     size = check_positive("size", size)
     shape = [int(n) for n in np.floor((high - low)[:2] / size) + 1]

@@ -30,7 +30,7 @@ def run_tiles(
     security: Any = None,
     device: str = "cpu",
     functions: Iterable[Callable[..., Any]] = (),
-    progress: ReportProgress = ignore_progress,
+    progress: ReportProgress | None = None,
 ) -> TileStatus:
     """Process the tiles of a folder. Finished ones stay.
 
@@ -64,7 +64,7 @@ def run_tiles(
     count, report = check_count("workers", workers, minimum=0), check_progress(progress)
     if tile is not None and part is not None:
         raise ValueError("tile, part: expected one of them, got both")
-    share = check_part(part)
+    fraction = check_part(part)
     if count and scheduler is not None:
         raise ValueError("workers, scheduler: expected one of them, got both")
     if scheduler is not None and not isinstance(scheduler, str):
@@ -72,13 +72,13 @@ def run_tiles(
     manifest, plan = open_plan(folder)
     with manifest:
         allow_functions(manifest, plan, functions)
-        share = share if tile is None else _share_of(manifest, plan, tile)
+        fraction = fraction if tile is None else _fraction_of(manifest, plan, tile)
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
         manifest.release_claims()
         notify = partial(_report_progress, manifest, plan, report)
         notify()
-        book_of = partial(Taskbook, manifest, plan, share)
+        book_of = partial(Taskbook, manifest, plan, fraction)
         call = partial(do_task_alone, str(manifest.folder.absolute()), plan.passed_functions)
         how: dict[str, Any] = {"scheduler": scheduler, "security": security, "device": device}
         run_tasks(manifest, book_of, call, notify, workers=count, **how)
@@ -121,7 +121,7 @@ def check_part(part: Any) -> tuple[int, int]:
     return check_count("part", part[0], maximum=of, because="that is the number of parts"), of
 
 
-def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
+def _fraction_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
     """Part that consists of one tile, reset if it failed."""
     match = re.fullmatch(r"(\d{1,9})_(\d{1,9})", tile) if isinstance(tile, str) else None
     rows = manifest.rows("SELECT id FROM tiles WHERE ix = ? AND iy = ?", *map(int, match.groups())) if match else []

@@ -75,7 +75,7 @@ class Taskbook:
 
     def __init__(self, manifest: Manifest, plan: Plan, part: tuple[int, int], owner: str):
         self._manifest, self._plan, self.owner = manifest, plan, owner
-        self._share: tuple[str, int, int] = ("id % ? = ?", part[1], part[0] - 1)
+        self._fraction: tuple[str, int, int] = ("id % ? = ?", part[1], part[0] - 1)
         self._numbers: dict[int, ExactSums] = {}
         self._fulls: dict[int, int] | None = None
 
@@ -96,11 +96,11 @@ class Taskbook:
             return False
         if number - 1 in self._plan.joined_passes and (task := self._join_task(number - 1)) is not None:
             return task
-        here = (f"pass = ? AND {self._share[0]}", number, *self._share[1:])
+        here = (f"pass = ? AND {self._fraction[0]}", number, *self._fraction[1:])
         row = manifest.claim("tiles", self.owner, *here)
         if row is not None:
             return self._tile_task(row)
-        left = manifest.counts("tiles", *self._share)
+        left = manifest.counts("tiles", *self._fraction)
         if not (left["waiting"] or left["running"]):
             return False
         if manifest.counts("tiles", "pass = ?", number)["running"]:

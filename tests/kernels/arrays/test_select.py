@@ -13,9 +13,9 @@ from pointloom.kernels.memory import download, empty, upload
 
 
 @pytest.mark.parametrize("size", [0, 1, 2, 255, 256, 257, 70_001])
-@pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
-def test_positions_of_a_mask_are_those_of_flatnonzero(device, size, share, rng):
-    mask = (rng.random(size) < share).astype(np.uint8) * rng.integers(1, 256, size).astype(np.uint8)
+@pytest.mark.parametrize("fraction", [0.0, 0.3, 1.0])
+def test_positions_of_a_mask_are_those_of_flatnonzero(device, size, fraction, rng):
+    mask = (rng.random(size) < fraction).astype(np.uint8) * rng.integers(1, 256, size).astype(np.uint8)
     result = positions_of(upload(mask, uint8, device))
     assert result.dtype == int32
     np.testing.assert_array_equal(result.numpy(), np.flatnonzero(mask))

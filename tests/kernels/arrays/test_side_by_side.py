@@ -19,7 +19,7 @@ def values_of(rng, count):
     return {
         "counts": (rng.integers(0, 99, count), int32),
         "places": (rng.random((count, 3)), vec3d),
-        "shares": (rng.random(count), float32),
+        "fractions": (rng.random(count), float32),
         "poses": (rng.random((count, 4, 4)), mat44d),
         "rows": (rng.random((count, 5)), float64),
     }
@@ -43,11 +43,11 @@ def test_a_launch_changes_its_arrays_and_no_neighbor(device, rng):
     values = values_of(rng, 7)
     together = SideBySide(values, device)
     launch(raise_kernel, 7, [together.arrays["counts"], together.arrays["places"]])
-    fill(together.arrays["shares"], 2.0)
+    fill(together.arrays["fractions"], 2.0)
     result = together.download()
     np.testing.assert_array_equal(result["counts"], values["counts"][0] + 1)
     np.testing.assert_array_equal(result["places"], values["places"][0] + [1.0, 2.0, 3.0])
-    np.testing.assert_array_equal(result["shares"], np.full(7, 2.0, np.float32))
+    np.testing.assert_array_equal(result["fractions"], np.full(7, 2.0, np.float32))
     for name in ("poses", "rows"):
         np.testing.assert_array_equal(result[name], values[name][0])
 

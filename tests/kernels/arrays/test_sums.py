@@ -101,10 +101,10 @@ def test_fewer_counts_than_the_capacity(device, rng):
     np.testing.assert_array_equal(download(sums), [*np.cumsum(counts[:size]), *[-7] * (capacity - size)])
 
 
-@pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
-def test_marks_are_listed_in_their_order(device, rng, share):
+@pytest.mark.parametrize("fraction", [0.0, 0.3, 1.0])
+def test_marks_are_listed_in_their_order(device, rng, fraction):
     warp_device, size = resolve_device(device), 2 * TILE + 77
-    mask = (rng.random(size) < share).astype(np.uint8)
+    mask = (rng.random(size) < fraction).astype(np.uint8)
     counts, marks = zeros(3, int32, warp_device), LoopList(size, warp_device)
     marks.find(upload(mask, uint8, warp_device), size, counts, 1)
     assert download(counts).tolist() == [0, mask.sum(), 0]
@@ -179,7 +179,7 @@ def test_means_of_large_numbers_are_exact(device, rng, offset):
     np.testing.assert_array_max_ulp(means, np.array(expected), 1)
 
 
-SHARES = (0.0, 0.02, 0.3, 0.5, 0.98, 1.0)
+FRACTIONS = (0.0, 0.02, 0.3, 0.5, 0.98, 1.0)
 
 
 def numbers(count, seed=0):
@@ -193,7 +193,7 @@ def numbers(count, seed=0):
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 7, 100, 1023])
 def test_quantiles_and_medians_are_bitwise_identical_to_numpy(device, count):
     values = numbers(count, count)
-    assert quantiles_of(upload(values, float64, device), SHARES) == np.quantile(values, SHARES).tolist()
+    assert quantiles_of(upload(values, float64, device), FRACTIONS) == np.quantile(values, FRACTIONS).tolist()
     assert median_above_zero(upload(values, float64, device)) == np.median(values)
 
 
@@ -203,11 +203,11 @@ def test_non_finite_values_are_ignored(device):
     mixed[::3], mixed[1::9], mixed[2::9] = np.nan, np.inf, 0.0
     device_values = upload(mixed, float64, device)
     finite = mixed[np.isfinite(mixed)]
-    assert quantiles_of(device_values, SHARES) == np.quantile(finite, SHARES).tolist()
+    assert quantiles_of(device_values, FRACTIONS) == np.quantile(finite, FRACTIONS).tolist()
     assert median_above_zero(device_values) == np.median(finite[finite > 0])
 
 
 @pytest.mark.parametrize("values", [[], [np.nan, np.inf]])
 def test_without_a_number_there_is_no_quantile(device, values):
     device_values = upload(np.array(values), float64, device)
-    assert quantiles_of(device_values, SHARES) == [] and median_above_zero(device_values) is None
+    assert quantiles_of(device_values, FRACTIONS) == [] and median_above_zero(device_values) is None

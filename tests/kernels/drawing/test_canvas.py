@@ -63,11 +63,11 @@ def test_strokes_that_cross_are_no_darker_there(sheet):
 
 def test_blending_uses_integers_and_clears_the_sheet(sheet):
     strokes.cover_box(sheet, ALL, (4.25, 3.5, 20.0, 10.5), (0, 0, 0, 0))
-    shares = coverage(sheet)
-    assert shares[6, 4] == 64 and shares[6, 10] == 255 and shares[3, 10] == 0 and shares[4, 10] == 255
+    fractions = coverage(sheet)
+    assert fractions[6, 4] == 64 and fractions[6, 10] == 255 and fractions[3, 10] == 0 and fractions[4, 10] == 255
     strokes.blend(sheet, ALL, Paint((0, 255, 100), 200))
-    share, new = 64 * 200, np.array([0, 255, 100])
-    assert (picture(sheet)[6, 4] == (200 * (65025 - share) + new * share + 32512) // 65025).all()
+    fraction, new = 64 * 200, np.array([0, 255, 100])
+    assert (picture(sheet)[6, 4] == (200 * (65025 - fraction) + new * fraction + 32512) // 65025).all()
     assert not sheet.words.numpy().any()
 
 

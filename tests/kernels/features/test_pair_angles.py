@@ -83,7 +83,7 @@ def test_bins_at_their_edges_are_float64s(device, rng):
     p, n, q, m = (np.float32(a) for a in random_pairs(rng, 4000, 1.0))
     other = np.float32(unit(rng.normal(size=m.shape)))
     low, high = np.zeros(len(p)), np.ones(len(p))
-    at = lambda share: np.float32(unit(m + share[:, None] * (other - m)))  # noqa: E731
+    at = lambda fraction: np.float32(unit(m + fraction[:, None] * (other - m)))  # noqa: E731
     start = np.floor(formula(p, n, q, at(low)))
     changed = (np.floor(formula(p, n, q, at(high))) != start).any(axis=1)
     for _ in range(40):
@@ -91,8 +91,8 @@ def test_bins_at_their_edges_are_float64s(device, rng):
         same = (np.floor(formula(p, n, q, at(middle))) == start).all(axis=1)
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     assert changed.mean() > 0.5
-    for share in (low, high):
-        sure = assert_agree(device, [a[changed] for a in (p, n, q, at(share))])
+    for fraction in (low, high):
+        sure = assert_agree(device, [a[changed] for a in (p, n, q, at(fraction))])
         assert sure.mean() < 0.2, "the edge is too near for float32"
 
 

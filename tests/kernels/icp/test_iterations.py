@@ -242,11 +242,11 @@ def trimmed_by_sorting(squares, rank):
     return np.sort(squares[squares <= limit])
 
 
-@pytest.mark.parametrize("share", [0.001, 0.1, 0.5, 0.7, 0.999, 1.0])
-def test_the_nearest_fraction_stays(device, share, rng):
+@pytest.mark.parametrize("fraction", [0.001, 0.1, 0.5, 0.7, 0.999, 1.0])
+def test_the_nearest_fraction_stays(device, fraction, rng):
     loop = matched(device, [rng.random((1234, 3))], [rng.random((1500, 3))])
     before = selected_pairs(loop)[2]
-    count = int(np.ceil(share * 1234))
+    count = int(np.ceil(fraction * 1234))
     after = nearest_pairs(loop, count)[2]
     assert len(after) == count  # no two distances are equal here
     np.testing.assert_array_equal(np.sort(after), trimmed_by_sorting(before, count))

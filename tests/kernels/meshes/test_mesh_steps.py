@@ -117,9 +117,9 @@ def by_heap(points: np.ndarray, count: int, widest: float) -> np.ndarray:
     gaps = points[rows][:, None] - points[rows][None]
     squares = gaps[..., 0] ** 2 + gaps[..., 1] ** 2 + gaps[..., 2] ** 2
     distances = np.sqrt(squares.astype(np.float64))
-    shares = np.clip((1 - distances / widest) / (1 - narrowest / widest), 0, 1)
+    fractions = np.clip((1 - distances / widest) / (1 - narrowest / widest), 0, 1)
     near = squares < widest**2
-    weights = np.where(near, (((shares**2) ** 2) ** 2 * 2**30).astype(np.int64), 0)
+    weights = np.where(near, (((fractions**2) ** 2) ** 2 * 2**30).astype(np.int64), 0)
     np.fill_diagonal(weights, 0)
     total = weights.sum(axis=1)
     left = np.ones(len(rows), bool)

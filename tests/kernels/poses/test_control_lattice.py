@@ -28,9 +28,9 @@ def bend_in_numpy(points, lattice, shifts):
     moved = points.astype(np.float64)
     for i, p in enumerate(points.astype(np.float64)):
         cell = np.floor(p / SIZE).astype(int)
-        share, total, weights = p / SIZE - cell, np.zeros(3), 0.0
+        fraction, total, weights = p / SIZE - cell, np.zeros(3), 0.0
         for step in np.ndindex(2, 2, 2):
-            w = np.prod(np.where(step, share, 1 - share))
+            w = np.prod(np.where(step, fraction, 1 - fraction))
             if tuple(cell + step) in known:
                 total, weights = total + w * known[tuple(cell + step)], weights + w
         moved[i] += total / weights if weights else 0
@@ -221,10 +221,10 @@ class Oracle:
         row[6 * t : 6 * t + 6] = -row[6 * s : 6 * s + 6]
         for sign, fragment, point in ((1, s, scene.parts[s][i]), (-1, t, scene.parts[t][j])):
             cell = np.floor(point.astype(np.float64) / SIZE).astype(int)
-            share = point / np.float64(SIZE) - cell
+            fraction = point / np.float64(SIZE) - cell
             for step in np.ndindex(2, 2, 2) if self.anchors else ():
                 at = 6 * len(scene.parts) + 3 * self.anchors[tuple(cell + step)]
-                w = np.prod(np.where(step, share, 1 - share))
+                w = np.prod(np.where(step, fraction, 1 - fraction))
                 row[at : at + 3] += sign * w * (scene.poses[fragment][:3, :3].T @ n)
         self.rows.append(row)
         self.residuals.append(residual)

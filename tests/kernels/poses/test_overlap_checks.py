@@ -113,15 +113,15 @@ def shifted(rows, device):
 
 
 @pytest.mark.parametrize(
-    ("x", "y", "share"),
+    ("x", "y", "fraction"),
     [(1.0, (-0.4, 0.4), 1), (1.75, (-0.4, 0.4), 0), (3.0, (-0.4, 0.4), 0), (1.0, (2.0, 2.5), 0)],
     ids=["before", "too near to it to tell", "behind", "beside"],
 )
-def test_an_object_before_a_wall_is_in_the_way(device, x, y, share):
+def test_an_object_before_a_wall_is_in_the_way(device, x, y, fraction):
     wall, there = shifted(plate(2.0), device)
     screen, origin = shifted(plate(x, y, (-0.4, 0.4)), device)
     counts = Sight(wall, EYE - there, 0.1).count_occluding(screen, as_pose(shift=origin - there))
-    assert counts.numpy().tolist() == [share * screen.size]
+    assert counts.numpy().tolist() == [fraction * screen.size]
 
 
 def test_a_surface_behind_another_plate_is_hidden(device):

@@ -19,11 +19,11 @@ SIDE, CORNER = 2.2, np.array([-1.1, -1.1, -1.1])
 
 
 @cache
-def ball_samples(count: int, share: float = 1.0):
+def ball_samples(count: int, fraction: float = 1.0):
     rng = np.random.default_rng(0)
     points = rng.normal(size=(count, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
-    return points[rng.random(count) < np.where(points[:, 2] > 0.6, 1, share)].astype(np.float32)
+    return points[rng.random(count) < np.where(points[:, 2] > 0.6, 1, fraction)].astype(np.float32)
 
 
 def tree_of(points, depth, device, normals=None, samples_per_cell=1.5):
@@ -120,8 +120,8 @@ STEPS = np.array(list(np.ndindex(3, 3, 3))) - 1  # to a cell's neighbors
 
 @pytest.fixture(params=TREES, ids=["full", "clustered"])
 def pyramid(request, device):
-    depth, count, share = request.param
-    return tree_of(ball_samples(count, share), depth, device)
+    depth, count, fraction = request.param
+    return tree_of(ball_samples(count, fraction), depth, device)
 
 
 def test_leaves_fill_the_cube_once(pyramid):
@@ -209,10 +209,10 @@ def spread_samples(pyramid, depth):
             continue
         cells, nodes = pyramid.cells[k], pyramid.nodes[k]
         local = download(nodes.depths).astype(float)
-        share = np.clip(1 - (k - local), 0, 1) if k > 1 else np.ones_like(local)
-        share = share if k == depth else 1 - share
-        share[download(nodes.states) != ENDS] = 0
-        values = download(cells.sums) * (share * 4.0 ** (depth - local) / 1.5)[:, None]
+        fraction = np.clip(1 - (k - local), 0, 1) if k > 1 else np.ones_like(local)
+        fraction = fraction if k == depth else 1 - fraction
+        fraction[download(nodes.states) != ENDS] = 0
+        values = download(cells.sums) * (fraction * 4.0 ** (depth - local) / 1.5)[:, None]
         into = np.arange(cells.count) if k == depth else download(cells.parents)
         np.add.at(flux, into, values)
     return download(pyramid.cells[depth].means).astype(float) * (1 << depth), flux
@@ -325,8 +325,8 @@ def test_the_value_on_the_surface_is_the_mean_at_the_samples_where_levels_differ
         n, cells, level = 1 << depth, pyramid.cells[depth], pyramid.levels[depth]
         existing = {tuple(p) for p in slot_cells(level)[is_cell(level)].tolist()}
         cell_indices = code_cells(download(cells.codes)).tolist()
-        shares = download(cells.means).astype(float) * n - cell_indices
-        for position, share, weight in zip(cell_indices, shares, download(cells.weights), strict=True):
+        fractions = download(cells.means).astype(float) * n - cell_indices
+        for position, fraction, weight in zip(cell_indices, fractions, download(cells.weights), strict=True):
             if tuple(position) not in existing:
                 missed += 1
                 continue
@@ -335,7 +335,7 @@ def test_the_value_on_the_surface_is_the_mean_at_the_samples_where_levels_differ
             value = 0.0
             for k in range(8):
                 step = np.array([k & 1, k >> 1 & 1, k >> 2 & 1])
-                value += np.where(step, share, 1 - share).prod() * grids[depth][tuple((position + step).tolist())]
+                value += np.where(step, fraction, 1 - fraction).prod() * grids[depth][tuple((position + step).tolist())]
             total += weight * np.array([value, 1])
         below |= {tuple(c // 2 for c in position) for position in existing}
     assert missed > 100

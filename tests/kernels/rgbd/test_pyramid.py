@@ -136,9 +136,9 @@ def wall():
 
 
 def with_box(column, depth=1.2):
-    picture = wall()
-    picture[10:40, column : column + 12] = depth
-    return picture
+    image = wall()
+    image[10:40, column : column + 12] = depth
+    return image
 
 
 def test_new_objects_are_hidden_and_uncovered_surfaces_are_not(device):

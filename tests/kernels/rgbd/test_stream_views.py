@@ -13,7 +13,7 @@ from pointloom.rgbd.slam.stream_check import shift_of
 WIDTH, HEIGHT = 330, 250  # 82 x 62 cells of 4 x 4, and a border outside all cells
 
 
-def pictures(shift=(0.0, 0.0)):
+def images(shift=(0.0, 0.0)):
     """Depth [m] and gray colors of a wavy wall, shifted by so many cells."""
     v, u = np.mgrid[:HEIGHT, :WIDTH]
     x, y = u / 4 - shift[0], v / 4 - shift[1]
@@ -32,20 +32,20 @@ def sums(now, before):
 
 
 def test_a_cell_is_the_mean_of_its_pixels(device):
-    depth, color = pictures()
+    depth, color = images()
     stream_view = view(device, depth, color)
     columns, rows = WIDTH // 4, HEIGHT // 4
     assert (stream_view.columns, stream_view.rows) == (columns, rows)
 
-    def means(picture):
-        return picture[: rows * 4, : columns * 4].reshape(rows, 4, columns, 4).mean(axis=(1, 3)).reshape(-1)
+    def means(image):
+        return image[: rows * 4, : columns * 4].reshape(rows, 4, columns, 4).mean(axis=(1, 3)).reshape(-1)
 
     assert np.allclose(download(stream_view.nearness), means(1 / depth.astype(np.float64)), atol=1e-6)
     assert np.allclose(download(stream_view.brightness), means(color[..., 0] / 255), atol=1e-6)
 
 
 def test_a_cell_that_is_measured_in_part_has_no_nearness_and_without_color_there_is_no_brightness(device):
-    depth, _ = pictures()
+    depth, _ = images()
     depth[:4, :4].flat[:5] = 0.0
     depth[4:8, :4].flat[:4] = 0.0
     stream_view = view(device, depth)
@@ -55,12 +55,12 @@ def test_a_cell_that_is_measured_in_part_has_no_nearness_and_without_color_there
 
 @pytest.mark.parametrize("shift", [(0.4, 0.0), (0.0, -0.7), (-0.5, 0.3)])
 def test_colors_give_the_shift(device, shift):
-    result = sums(view(device, *pictures(shift)), view(device, *pictures()))
+    result = sums(view(device, *images(shift)), view(device, *images()))
     assert np.allclose(shift_of(result), shift, atol=0.03)
 
 
 def test_depth_images_are_compared_bitwise(device):
-    depth, color = pictures()
+    depth, color = images()
     before = view(device, depth, color)
     assert sums(view(device, depth, color), before)[at.OTHER] == 0
     depth[100, 100] += 0.001
@@ -81,7 +81,7 @@ def test_what_is_near_is_hidden(device):
 
 
 def test_cells_are_hidden(device):
-    depth, _ = pictures()
+    depth, _ = images()
     stream_view = view(device, depth)
     hidden = np.zeros((stream_view.rows, stream_view.columns), np.uint8)
     hidden[3, 5] = 1
@@ -95,7 +95,7 @@ def test_cells_are_hidden(device):
 CODE_WIDTH, CODE_HEIGHT = 40, 30
 
 
-def picture(rng):
+def image(rng):
     v, u = np.mgrid[:CODE_HEIGHT, :CODE_WIDTH] / 10
     a, b, c, d = rng.uniform(0.5, 2.0, 4)
     depth = 2 + 1.2 * np.sin(a * u + c) * np.cos(b * v + d)
@@ -113,15 +113,15 @@ def difference(code, other):
 
 
 def test_an_image_equals_itself_and_differs_from_another(device, rng):
-    one, other = picture(rng), picture(rng)
+    one, other = image(rng), image(rng)
     code = code_of(device, *one)
     assert difference(code, code) == (4 * FERNS, 0.0)
-    common, share = difference(code, code_of(device, *other))
-    assert common == 4 * FERNS and share > 0.15
+    common, fraction = difference(code, code_of(device, *other))
+    assert common == 4 * FERNS and fraction > 0.15
 
 
 def test_noise_and_exposure_change_few_bits_and_the_start_of_an_image_in_its_array_none(device, rng):
-    depth, brightness = picture(rng)
+    depth, brightness = image(rng)
     code, noisy = code_of(device, depth, brightness), depth + rng.normal(0, 0.01, depth.shape).astype(np.float32)
     assert difference(code, code_of(device, noisy, 0.6 * brightness))[1] < 0.03
     shifted = [np.concatenate([np.full(7, 9, np.float32), x.reshape(-1)]) for x in (depth, brightness)]
@@ -129,33 +129,33 @@ def test_noise_and_exposure_change_few_bits_and_the_start_of_an_image_in_its_arr
 
 
 def test_holes_give_no_bits(device, rng):
-    depth, brightness = picture(rng)
+    depth, brightness = image(rng)
     torn = depth.copy()
     torn[:, ::2] = 0
-    common, share = difference(code_of(device, depth, brightness), code_of(device, torn, brightness))
-    assert share == 0.0 and 2 * FERNS < common < 4 * FERNS
+    common, fraction = difference(code_of(device, depth, brightness), code_of(device, torn, brightness))
+    assert fraction == 0.0 and 2 * FERNS < common < 4 * FERNS
     nothing = code_of(device, np.zeros_like(depth), np.full_like(depth, -1))
     assert difference(nothing, nothing) == (0, 0.0)
 
 
 def test_without_color_depth_decides(device, rng):
-    depth, brightness = picture(rng)
+    depth, brightness = image(rng)
     gray = code_of(device, depth, np.full_like(depth, -1))
     assert difference(gray, code_of(device, depth, brightness)) == (2 * FERNS, 0.0)
 
 
 def test_codes_are_stored_in_rows_and_each_is_compared(device, rng):
     codes = zeros(3 * FERNS, uint8, device)
-    pictures = [picture(rng) for _ in range(3)]
-    for row, (depth, brightness) in enumerate(pictures):
+    images = [image(rng) for _ in range(3)]
+    for row, (depth, brightness) in enumerate(images):
         code_of(device, depth, brightness, codes=codes, row=row)
-    counts = download(compare_codes(code_of(device, *pictures[1]), codes, 3))
+    counts = download(compare_codes(code_of(device, *images[1]), codes, 3))
     assert counts[1, 1] == 0 and counts[0, 1] > 0 and counts[2, 1] > 0
 
 
 @pytest.mark.parametrize("seed", [1, 2**31 - 1])
 def test_another_seed_gives_other_comparisons(device, rng, seed):
-    depth, brightness = picture(rng)
+    depth, brightness = image(rng)
     codes = [download(code_of(device, depth, brightness, s)).copy() for s in (0, seed)]
     assert (codes[0] != codes[1]).any()
 

@@ -98,8 +98,8 @@ def test_rays_stop_on_the_surface_and_misses_pass_it_by(device, kind, extent):
         return reference_distance(points, kind, np.eye(3), np.zeros(3), extent)
 
     assert np.abs(reference(origins[hit] + t[hit, None] * directions[hit])).max() < 2e-6
-    for share in np.linspace(0, 0.999, 50):  # nothing was met before
-        assert reference(origins[hit] + share * t[hit, None] * directions[hit]).min() > -1e-9
+    for fraction in np.linspace(0, 0.999, 50):  # nothing was met before
+        assert reference(origins[hit] + fraction * t[hit, None] * directions[hit]).min() > -1e-9
     for s in np.linspace(0, 6, 200):
         assert reference(origins[~hit] + s * directions[~hit]).min() > -2e-6
 

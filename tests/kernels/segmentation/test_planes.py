@@ -85,8 +85,8 @@ def test_samples_are_distinct_and_all_points_alike(device, rng, sample_size):
         return
     on_plane = np.abs(local @ planes[:, :3].T + planes[:, 3]) < 1e-12
     assert (on_plane.sum(axis=0) == 3).all()
-    share = on_plane.mean(axis=1)
-    assert np.abs(share - 3 / 9).max() < 4 * np.sqrt(3 / 9 * 6 / 9 / 4000), "within 4 standard deviations"
+    fraction = on_plane.mean(axis=1)
+    assert np.abs(fraction - 3 / 9).max() < 4 * np.sqrt(3 / 9 * 6 / 9 / 4000), "within 4 standard deviations"
 
 
 def test_plane_of_a_larger_sample_is_its_least_squares_plane(device, rng):

@@ -26,9 +26,9 @@ def made(kind, rng, count=700, noise=0.004):
     """Points of a shape with noise, float32, and their true normals."""
     p, r, s = np.array(TRUE[kind][:3]), *TRUE[kind][6:]
     u = np.cross(AXIS, [1.0, 0, 0]) / np.linalg.norm(np.cross(AXIS, [1.0, 0, 0]))
-    angle, share = rng.random((2, count)) * [[2 * np.pi], [1]]
+    angle, fraction = rng.random((2, count)) * [[2 * np.pi], [1]]
     e = np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * np.cross(AXIS, u)
-    h = share[:, None]
+    h = fraction[:, None]
     normals, points = e, r * e + (h - 0.3) * AXIS
     if kind == PLANE:
         normals, points = np.tile(AXIS, (count, 1)), np.sqrt(h) * e

@@ -17,7 +17,7 @@ HALF = 0.5
 
 
 def seen(p, lens):
-    """Column, row and inverse depth of points in a camera's frame; inverse depth 0 outside the picture."""
+    """Column, row and inverse depth of points in a camera's frame; inverse depth 0 outside the image."""
     with np.errstate(all="ignore"):
         u, v = lens.fx * p[0] / p[2] + lens.cx, lens.fy * p[1] / p[2] + lens.cy
         inside = (p[2] > 0) & (u >= -HALF) & (v >= -HALF) & (u < lens.width - HALF) & (v < lens.height - HALF)
@@ -75,7 +75,7 @@ def oracle(depth, source_depth, pair, T_source_reference, max_pixels, max_relati
 
 
 def checked(depths, posed, i, others, device, max_pixels=1.0, max_relative=0.01):
-    """Counts, totals and kept depth of picture i, on a device."""
+    """Counts, totals and kept depth of image i, on a device."""
     arrays = [upload(depth.reshape(-1), wp.float32, device) for depth in depths]
     checks = DepthChecks(arrays[i], max_pixels, max_relative)
     for j in others:
@@ -140,7 +140,7 @@ def uploaded(each, color, device):
 
 
 def fused(maps, posed, colors, i, device, min_views=1, angle=30.0):
-    """Arrays, kept and beaten pixels of picture i beside all others."""
+    """Arrays, kept and beaten pixels of image i beside all others."""
     limits = Agreement(2.0, 0.01, np.cos(np.radians(angle)))
     pixels = [uploaded(*given, device) for given in zip(maps, colors, strict=True)]
     gathered = Gathered(maps[i].depth.size, device)
@@ -213,7 +213,7 @@ def test_the_image_with_the_finest_pixels_makes_the_point(device, near):
     lens = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
     poses = [np.eye(4), np.eye(4)]
     poses[near][2, 3] = -2.0  # the wall is 3 m from the other and 1 m from this one
-    posed = [loom.mvs.PosedCamera(lens, T) for T in poses]
+    posed = [loom.photogrammetry.PosedCamera(lens, T) for T in poses]
     maps = [true_map(camera, balls=()) for camera in posed]
     colors = [np.zeros((24, 32, 3), np.uint8)] * 2
     selected = [fused(maps, posed, colors, i, device)[1] for i in (0, 1)]

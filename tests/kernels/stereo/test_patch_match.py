@@ -24,8 +24,8 @@ def as_blocks(levels: np.ndarray) -> np.ndarray:
     return np.stack([padded[k // 2 :, k % 2 :][:height, :width] for k in range(4)], -1)
 
 
-def stored(pictures: Sequence[np.ndarray], device: str) -> Any:
-    levels = [np.round(np.clip(each, 0, 1) * LEVELS).astype(np.uint16) for each in pictures]
+def stored(images: Sequence[np.ndarray], device: str) -> Any:
+    levels = [np.round(np.clip(each, 0, 1) * LEVELS).astype(np.uint16) for each in images]
     return upload(np.concatenate([as_blocks(each).reshape(-1) for each in levels]).view(np.uint64), uint64, device)
 
 
@@ -47,24 +47,24 @@ def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndar
     return blocks[..., 0]
 
 
-def views_of(pictures: Sequence[np.ndarray], lens: tuple[float, ...], patch: np.ndarray, device: str):
+def views_of(images: Sequence[np.ndarray], lens: tuple[float, ...], patch: np.ndarray, device: str):
     """A reference, and sources at the baseline with maps of inverse depth 0.5."""
-    width, count = pictures[0].shape[1], len(pictures) - 1
+    width, count = images[0].shape[1], len(images) - 1
     there, back = (np.column_stack([np.eye(3), [x, 0.0, 0.0]])[None].repeat(count, 0) for x in (-STEREO, STEREO))
     layout = [(width, HEIGHT, (1 + k) * width * HEIGHT) for k in range(count)]
     maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (width * HEIGHT, 1)), vec4, device)
-    sources = Sources(there, there, back, layout, [(width, HEIGHT, 0)] * count, stored(pictures, device), maps)
+    sources = Sources(there, there, back, layout, [(width, HEIGHT, 0)] * count, stored(images, device), maps)
     return Reference(width, HEIGHT, 0, lens, (0.2, 1.0), STEREO, patch_on(patch, device)), sources
 
 
 def problem(device: str, count: int = 1, hidden: int = -1):
-    """A picture and sources that see all of it SHIFT pixels to the left; a hidden one shows something else."""
+    """An image and sources that see all of it SHIFT pixels to the left; a hidden one shows something else."""
     rng = np.random.default_rng(0)
     wide = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
-    pictures = [wide[:, :WIDTH]]
+    images = [wide[:, :WIDTH]]
     for k in range(count):
-        pictures.append(rng.random((HEIGHT, WIDTH)).astype(np.float32) if k == hidden else wide[:, SHIFT:])
-    return views_of(pictures, LENS, PATCH, device)
+        images.append(rng.random((HEIGHT, WIDTH)).astype(np.float32) if k == hidden else wide[:, SHIFT:])
+    return views_of(images, LENS, PATCH, device)
 
 
 def planes_of(w: float, device: str):
@@ -110,10 +110,10 @@ def test_the_true_plane_costs_nothing_and_others_do(device):
 
 def test_brightness_and_contrast_of_a_source_do_not_matter(device):
     reference, sources = problem(device)
-    levels = np.array(download(sources.pictures)).view(np.uint16)
+    levels = np.array(download(sources.images)).view(np.uint16)
     source = levels[4 * WIDTH * HEIGHT :]
     source[:] = np.round(0.3 * source + 0.4 * LEVELS)
-    sources.pictures = upload(levels.view(np.uint64), uint64, device)
+    sources.images = upload(levels.view(np.uint64), uint64, device)
     planes = planes_of(0.5, device)
     costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)
     assert np.array(download(costs)).reshape(HEIGHT, WIDTH)[6:-6, SHIFT + 6 : -6].max() < 1e-3

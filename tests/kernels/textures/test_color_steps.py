@@ -10,7 +10,7 @@ from pointloom.kernels.textures import color_outliers as outliers
 from pointloom.kernels.textures import color_steps as steps
 from pointloom.kernels.textures.color_steps import SQUARES, ColorSearch, sum_pair_rows
 from pointloom.kernels.textures.face_views import FaceViews
-from pointloom.kernels.textures.posed_pictures import PosedPictures, Warps, smooth_brightness
+from pointloom.kernels.textures.stacked_images import StackedImages, Warps, smooth_brightness
 from pointloom.kernels.textures.vertex_views import Sightings
 from pointloom.kernels.textures.warp_steps import WarpSearch
 
@@ -102,7 +102,7 @@ def test_likely_views_belong_to_a_gaussian_fitted_until_convergence(device, rng)
 SIZES = ((48, 36), (40, 30))
 
 
-def make_pictures(warp_device, rng, paint=None):
+def make_images(warp_device, rng, paint=None):
     pixels, layout, first = [], [], 0
     for width, height in SIZES:
         v, u = np.mgrid[:height, :width]
@@ -114,7 +114,7 @@ def make_pictures(warp_device, rng, paint=None):
     lenses = np.array([(50.0, 51.0, 23.2, 17.1), (42.0, 41.0, 19.6, 14.7)])
     poses = np.tile(np.eye(4), (2, 1, 1))
     poses[1, :3, 3] = 0.02, -0.01, 0.03
-    return PosedPictures(layout, lenses, poses, every, smooth_brightness(every, layout), 1)
+    return StackedImages(layout, lenses, poses, every, smooth_brightness(every, layout), 1)
 
 
 def make_vertices(warp_device, rng, count=400):
@@ -124,7 +124,7 @@ def make_vertices(warp_device, rng, count=400):
 
 
 def dense_system(search, image):
-    """The matrix and the right side of one picture's anchors and pose, from its pairs' rows one after the other."""
+    """The matrix and the right side of one image's anchors and pose, from its pairs' rows one after the other."""
     system, warps = search.system, search.warps
     columns, rows, first = warps.layout[image].tolist()
     count, cells = 2 * columns * rows, download(system.cells)
@@ -146,16 +146,16 @@ def dense_system(search, image):
 
 @pytest.mark.parametrize("anchors", [2, 3, 5])
 def test_a_step_is_the_solution_of_the_dense_system(device, rng, anchors):
-    pictures, (vertices, sightings) = make_pictures(device, rng), make_vertices(device, rng)
-    warps = Warps(pictures.layout, anchors, device)
+    stack, (vertices, sightings) = make_images(device, rng), make_vertices(device, rng)
+    warps = Warps(stack.layout, anchors, device)
     start = rng.normal(0, 0.3, (warps.count, 2))
     copy(warps.shifts, upload(start, vec2d, device), count=warps.count)
-    search = WarpSearch(vertices, sightings, pictures, warps, 1, 0.9)
-    poses = download(pictures.poses).copy()
+    search = WarpSearch(vertices, sightings, stack, warps, 1, 0.9)
+    poses = download(stack.poses).copy()
     assert search.iterate()
     damping = 1 + 1e-6  # FIRST_DAMPING
     shifts = download(warps.shifts).copy()
-    moved = download(pictures.poses)
+    moved = download(stack.poses)
     copy(warps.shifts, upload(start, vec2d, device), count=warps.count)  # the ties are about the start
     for image in range(2):
         A, b = dense_system(search, image)
@@ -170,16 +170,16 @@ def test_a_step_is_the_solution_of_the_dense_system(device, rng, anchors):
 
 
 def test_slopes_are_those_of_the_residuals(device, rng):
-    """Of a picture whose brightness rises evenly, where bilinear values and Sobel's slopes are exact."""
-    pictures = make_pictures(device, rng, lambda u, v: 3 * u + 2 * v)
+    """Of an image whose brightness rises evenly, where bilinear values and Sobel's slopes are exact."""
+    stack = make_images(device, rng, lambda u, v: 3 * u + 2 * v)
     vertices, sightings = make_vertices(device, rng, 200)
-    warps = Warps(pictures.layout, 3, device)
+    warps = Warps(stack.layout, 3, device)
     copy(warps.shifts, upload(rng.normal(0, 0.2, (warps.count, 2)), vec2d, device), count=warps.count)
-    search = ColorSearch(vertices, sightings, pictures, warps, 0)
+    search = ColorSearch(vertices, sightings, stack, warps, 0)
     search.measure()
     sums = download(search.sums).copy()
     proxies = search.proxies
-    poses, h = download(pictures.poses).copy(), 1e-5
+    poses, h = download(stack.poses).copy(), 1e-5
     for unknown in range(6):
         errors = []
         for sign in (1, -1):
@@ -189,14 +189,14 @@ def test_slopes_are_those_of_the_residuals(device, rng):
                 motion[a, b], motion[b, a] = -sign * h, sign * h
             else:
                 motion[unknown - 3, 3] = sign * h
-            tried = ColorSearch(vertices, sightings, pictures, warps, 0)
-            copy(pictures.poses, upload(motion @ poses, pictures.poses.dtype, device), count=2)
+            tried = ColorSearch(vertices, sightings, stack, warps, 0)
+            copy(stack.poses, upload(motion @ poses, stack.poses.dtype, device), count=2)
             tried.measure()
             copy(tried.proxies, proxies, count=vertices.size)  # held
-            given = [tried.vertices, tried.sightings, tried.proxies, tried.samples, tried.pictures, tried.warps]
+            given = [tried.vertices, tried.sightings, tried.proxies, tried.samples, tried.images, tried.warps]
             reduce_segments(sum_pair_rows, tried.blocks, tried.live, given, tried.partials, tried.sums)
             errors.append(download(tried.sums)[:, SQUARES].copy())
-        copy(pictures.poses, upload(poses, pictures.poses.dtype, device), count=2)
+        copy(stack.poses, upload(poses, stack.poses.dtype, device), count=2)
         slope = (errors[0] - errors[1]) / (4 * h)  # of half the squares
         scale = np.abs(sums[:, 21:27]).max()
         # brightness is float32 in 0..1: 6e-8 over 2 h

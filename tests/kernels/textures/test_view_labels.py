@@ -13,11 +13,11 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.textures.charts import find_twins
 from pointloom.kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, energy_of
 
-from ...meshing.picture_scenes import CAMERA, sampled, wall_scene
+from ...meshing.image_scenes import CAMERA, sampled, wall_scene
 
 
 def make_graph(triangles, costs, price, warp_device):
-    """A graph of a mesh whose triangles may take the pictures with a cost of 0 or more."""
+    """A graph of a mesh whose triangles may take the images with a cost of 0 or more."""
     shown = costs >= 0
     starts = np.concatenate([[0], np.cumsum(shown.sum(1))])
     twins = find_twins(upload(triangles, vec3i, warp_device), int(triangles.max()) + 1)
@@ -80,24 +80,24 @@ def test_triangles_without_an_image_stay_without_and_cost_nothing(device):
     assert download(labels)[1] == -1 and energy_of(graph, labels) <= 5 + 9 + 5
 
 
-texture = loom.color_map.texture_from_pictures
+texture = loom.meshing.texture_from_images
 POSITIONS = np.linspace(0.02, 0.98, 9)
 HOW = {"exposures": False, "seam_leveling": False, "smoothness": 0.0, "outliers": False}
 
 
 def wedges(device):
-    """Three triangles about a point, and pictures that differ by constants, of which each is the best for one."""
+    """Three triangles about a point, and images that differ by constants, of which each is the best for one."""
     scene = wall_scene((1.0, 1.0, 1.0), device)
     around = [(0.3 * np.cos(t), 0.3 * np.sin(t), 0.0) for t in np.radians((90, 210, 330))]
     mesh = loom.TriangleMesh([(0.0, 0.0, 0.0), *around], [[0, 2, 1], [0, 3, 2], [0, 1, 3]], device=device)
     v, u = np.mgrid[: CAMERA.height, : CAMERA.width]
     angle = np.degrees(np.arctan2(v - CAMERA.cy, u - CAMERA.cx)) % 360
-    pictures = []
+    images = []
     for k, level in enumerate((90, 120, 180)):
         middle = (150, 270, 30)[k]
         detail = 12.0 * (np.abs((angle - middle + 180) % 360 - 180) < 58) * ((u + v) % 4 < 2)
-        pictures.append(np.repeat((level + detail)[..., None], 3, 2).astype(np.uint8))
-    return mesh, pictures, [scene.extrinsics[1]] * 3
+        images.append(np.repeat((level + detail)[..., None], 3, 2).astype(np.uint8))
+    return mesh, images, [scene.extrinsics[1]] * 3
 
 
 def steps_at(result, positions):
@@ -110,18 +110,18 @@ def steps_at(result, positions):
         for position in positions:
             colors = []
             for row in (a, b):
-                share = np.zeros(3)
-                share[triangles[row] == 0], share[triangles[row] == shared] = 1 - position, position
-                colors.append(sampled(result.mesh, row, share))
+                fraction = np.zeros(3)
+                fraction[triangles[row] == 0], fraction[triangles[row] == shared] = 1 - position, position
+                colors.append(sampled(result.mesh, row, fraction))
             steps.append(np.abs(colors[0] - colors[1]).mean())
     return np.array(steps)
 
 
 def test_three_adjacent_images_have_one_color_at_their_corner(device):
-    mesh, pictures, poses = wedges(device)
-    plain = texture(mesh, pictures, CAMERA, poses, local_leveling=False, **HOW)
+    mesh, images, poses = wedges(device)
+    plain = texture(mesh, images, CAMERA, poses, local_leveling=False, **HOW)
     assert len(set(plain.views.tolist())) == 3 and steps_at(plain, POSITIONS).min() > 15
-    result = texture(mesh, pictures, CAMERA, poses, **HOW)
+    result = texture(mesh, images, CAMERA, poses, **HOW)
     assert steps_at(result, POSITIONS).max() < 1.5
     middle = [sampled(result.mesh, row, np.asarray(result.mesh.triangles)[row] == 0).mean() for row in range(3)]
     assert np.ptp(middle) < 1.5
@@ -129,9 +129,9 @@ def test_three_adjacent_images_have_one_color_at_their_corner(device):
 
 
 def test_far_from_seams_nothing_changes(device):
-    mesh, pictures, poses = wedges(device)
+    mesh, images, poses = wedges(device)
     large = loom.PinholeCameraIntrinsic(CAMERA.width * 4, CAMERA.height * 4, 360.0, 360.0, 191.5, 143.5)
-    finer = [np.repeat(np.repeat(picture, 4, 0), 4, 1) for picture in pictures]
+    finer = [np.repeat(np.repeat(image, 4, 0), 4, 1) for image in images]
     plain = texture(mesh, finer, large, poses, local_leveling=False, **HOW)
     result = texture(mesh, finer, large, poses, **HOW)
     for row in range(3):

@@ -114,7 +114,7 @@ def test_a_box_too_large_for_the_grid_is_sorted(device, rng):
 @pytest.mark.parametrize("pixel", [(0, 0), (0, 5), (7, 0), (23, 31), (23, 2), (9, 31), (22, 30)])
 @pytest.mark.parametrize("path", [1 << 24, 0])
 def test_depth_at_the_border_of_the_image_is_used(device, monkeypatch, pixel, path):
-    """A picture fine enough for a stride of 4; only single pixels away from the border may be passed over."""
+    """An image fine enough for a stride of 4; only single pixels away from the border may be passed over."""
     monkeypatch.setattr(tsdf_blocks, "MAX_GRID", path)
     camera, T = (400.0, 400.0, 15.5, 11.5), np.eye(4)
     depth = np.zeros((HEIGHT, WIDTH))
@@ -130,7 +130,7 @@ def test_depth_at_the_border_of_the_image_is_used(device, monkeypatch, pixel, pa
 @pytest.mark.parametrize("distance", [0.4, 1.0, 2.7])
 @pytest.mark.parametrize("focal", [75.0, 200.0, 525.0])
 def test_neighboring_rays_are_less_than_half_a_block_apart(device, distance, focal):
-    """A wall that fills the picture: each block that it crosses by at least half its width is touched."""
+    """A wall that fills the image: each block that it crosses by at least half its width is touched."""
     voxel_size, width, height = 0.01, 160, 120
     camera = (focal, focal, 79.5, 59.5)
     blocks = touched(np.full((height, width), distance), np.eye(4), 0.04, voxel_size, device, camera)

@@ -417,9 +417,9 @@ def test_images_keep_pixels_and_type(tmp_path):
 @pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGB", "RGBA", "YCbCr", "CMYK"])
 @pytest.mark.parametrize("progressive", [False, True])
 def test_images_of_every_mode_have_the_colors_of_pillow(tmp_path, mode, name, progressive):
-    picture = PIL.Image.fromarray(RNG.integers(0, 255, (4, 6, 4), np.uint8), "RGBA")
+    image = PIL.Image.fromarray(RNG.integers(0, 255, (4, 6, 4), np.uint8), "RGBA")
     try:
-        base = picture if "A" in mode else picture.convert("RGB")
+        base = image if "A" in mode else image.convert("RGB")
         base.convert(mode).save(tmp_path / name, progressive=progressive)
     except OSError:  # not in this format
         return

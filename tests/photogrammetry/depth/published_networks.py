@@ -1,6 +1,6 @@
 """Tiny ONNX networks with the names, sizes, normalization and last operations of published exports.
 
-Instead of weights they decode the picture: gray g of 0..255 is depth 1 + 9 g / 255 meters. Each network encodes this
+Instead of weights they decode the image: gray g of 0..255 is depth 1 + 9 g / 255 meters. Each network encodes this
 depth as its family does, after the families' own code (src/pointloom/photogrammetry/depth/heads.py).
 """
 
@@ -17,20 +17,20 @@ HALF = np.full(3, 0.5), np.full(3, 0.5)
 UNIT = np.zeros(3), np.ones(3)
 BYTES = np.zeros(3), np.full(3, 1 / 255)
 
-FOCAL = 0.9  # of the pictures: the focal length over their width
+FOCAL = 0.9  # of the images: the focal length over their width
 MOGE_SHIFT, MOGE_SCALE = 0.75, 1.6  # the missing depth of MoGe's points, before the scale to meters
 
 
-def picture_of(height: int = 60, width: int = 80) -> np.ndarray:
-    """A picture whose gray encodes the depth of a sloping floor with a box in front."""
+def image_of(height: int = 60, width: int = 80) -> np.ndarray:
+    """An image whose gray encodes the depth of a sloping floor with a box in front."""
     v, u = np.mgrid[:height, :width]
     gray = 220 - 150 * v / height + 20 * np.sin(5 * u / width)
     box = (abs(u / width - 0.6) < 0.15) & (abs(v / height - 0.5) < 0.2)
     return np.repeat(np.where(box, 60, gray).round().astype(np.uint8)[..., None], 3, 2)
 
 
-def depth_of(picture: np.ndarray) -> np.ndarray:
-    return 1 + 9 * picture[..., 0].astype(np.float64) / 255
+def depth_of(image: np.ndarray) -> np.ndarray:
+    return 1 + 9 * image[..., 0].astype(np.float64) / 255
 
 
 # Nodes of heads from depth z [1, 1, h, w] to `out`, and their constants.

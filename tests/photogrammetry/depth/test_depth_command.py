@@ -12,31 +12,31 @@ from pointloom.io.points import ply
 from pointloom.photogrammetry.depth.presets import DEFAULT
 
 from ...cli.commands import answer, names_in, refusal, run, unreliable
-from .test_estimation import CAMERA, PICTURE, SIDE, scene, sparse_model
+from .test_estimation import CAMERA, IMAGE, SIDE, scene, sparse_model
 from .tiny_networks import fixed_map
 
 
 @pytest.fixture
 def folder(tmp_path):
-    """A picture, a network that gives its depth up to scale and shift, and its true depth."""
+    """An image, a network that gives its depth up to scale and shift, and its true depth."""
     z = scene()
     fixed_map(tmp_path / "net.onnx", 37 / z + 5)
-    Image.fromarray(PICTURE).save(tmp_path / "photo.png")
+    Image.fromarray(IMAGE).save(tmp_path / "photo.png")
     np.save(tmp_path / "z.npy", z.astype(np.float32))
     loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
     return tmp_path
 
 
-def words(folder, *more, output="out.ply", picture="photo.png"):
-    return ["depth", folder / picture, "--model", folder / "net.onnx", "-o", folder / output, "--device", "cpu", *more]
+def words(folder, *more, output="out.ply", image="photo.png"):
+    return ["depth", folder / image, "--model", folder / "net.onnx", "-o", folder / output, "--device", "cpu", *more]
 
 
-def test_a_picture_becomes_a_cloud_in_meters(folder):
+def test_an_image_becomes_a_cloud_in_meters(folder):
     extras = ["--picture", folder / "out.png", "--depth-map", folder / "depth.npy"]
     report = answer(*words(folder, "--align", folder / "z.npy", "--intrinsic", folder / "camera.json", *extras))
-    (each,) = report["pictures"]
+    (each,) = report["images"]
     assert (report["provider"], report["preset"], report["reliable"]) == ("CPUExecutionProvider", DEFAULT, True)
-    assert (each["unit"], each["is_metric"], each["inlier_share"], each["references"]) == ("m", True, 1.0, SIDE**2)
+    assert (each["unit"], each["is_metric"], each["inlier_fraction"], each["references"]) == ("m", True, 1.0, SIDE**2)
     assert each["camera"] == {
         "fx": 500.0, "fy": 510.0, "cx": 250.0, "cy": 262.0, "width": SIDE, "height": SIDE, "source": "given"
     }  # fmt: skip
@@ -95,50 +95,50 @@ def test_a_map_with_little_valid_depth_is_unreliable(folder):
 
 @pytest.mark.slow
 def test_a_folder_keeps_names_and_takes_references_by_name(folder):
-    pictures, sensors = folder / "pictures", folder / "sensors"
-    for folder_path in (pictures, sensors):
+    images, sensors = folder / "images", folder / "sensors"
+    for folder_path in (images, sensors):
         folder_path.mkdir()
     for name in ("b.jpg", "a.png", "c.PNG"):
-        Image.fromarray(PICTURE).save(pictures / name)
+        Image.fromarray(IMAGE).save(images / name)
         shutil.copy(folder / "z.npy", sensors / f"{name[0]}.npy")
-    (pictures / "notes.txt").write_text("no picture")
-    report = unreliable(*words(folder, "--align", sensors, picture="pictures", output="clouds"))
+    (images / "notes.txt").write_text("no image")
+    report = unreliable(*words(folder, "--align", sensors, image="images", output="clouds"))
     assert "the camera is assumed 60 degrees" in str(report["warnings"])
     assert names_in(folder / "clouds") == ["a.ply", "b.ply", "c.ply"]
-    assert [each["picture"] for each in report["pictures"]] == [str(pictures / n) for n in ("a.png", "b.jpg", "c.PNG")]
-    assert all(each["is_metric"] for each in report["pictures"])
-    assert "exists already" in refusal(*words(folder, picture="pictures", output="clouds"))
-    shown = run(*words(folder, "--force", picture="pictures", output="clouds"))
+    assert [each["image"] for each in report["images"]] == [str(images / n) for n in ("a.png", "b.jpg", "c.PNG")]
+    assert all(each["is_metric"] for each in report["images"])
+    assert "exists already" in refusal(*words(folder, image="images", output="clouds"))
+    shown = run(*words(folder, "--force", image="images", output="clouds"))
     assert shown.exit_code == 3
     assert "a.png" in shown.stdout
     assert "units arbitrary" in shown.stdout
 
 
 def test_a_folder_is_aligned_to_one_colmap_model(folder):
-    pictures = folder / "pictures"
-    pictures.mkdir()
+    images = folder / "images"
+    images.mkdir()
     for name in ("left.png", "photo.png"):
-        Image.fromarray(PICTURE).save(pictures / name)
+        Image.fromarray(IMAGE).save(images / name)
     loom.write_colmap_model(folder / "work" / "sparse" / "0", sparse_model(scene()))
-    report = unreliable(*words(folder, "--align", folder / "work", picture="pictures", output="clouds"))
-    (each,) = report["pictures"]
+    report = unreliable(*words(folder, "--align", folder / "work", image="images", output="clouds"))
+    (each,) = report["images"]
     assert (each["unit"], each["is_metric"], each["references"]) == ("the sparse model's", False, 120)
     message = "1 of 2 images failed: align: expected at least 20 references inside the image, got 2"
     assert "; ".join(report["warnings"]).startswith(message)
     assert b"comment pointloom depth: in the unit of the sparse model" in (folder / "clouds" / "photo.ply").read_bytes()
 
 
-def test_a_damaged_picture_of_a_folder_does_not_stop_the_others(folder):
-    pictures = folder / "pictures"
-    pictures.mkdir()
-    Image.fromarray(PICTURE).save(pictures / "good.png")
-    (pictures / "bad.png").write_bytes(b"no picture")
-    report = unreliable(*words(folder, picture="pictures", output="clouds"))
+def test_a_damaged_image_of_a_folder_does_not_stop_the_others(folder):
+    images = folder / "images"
+    images.mkdir()
+    Image.fromarray(IMAGE).save(images / "good.png")
+    (images / "bad.png").write_bytes(b"no image")
+    report = unreliable(*words(folder, image="images", output="clouds"))
     assert names_in(folder / "clouds") == ["good.ply"]
-    assert [each["picture"] for each in report["failures"]] == [str(pictures / "bad.png")]
+    assert [each["image"] for each in report["failures"]] == [str(images / "bad.png")]
     assert "1 of 2 images failed" in str(report["warnings"])
-    (pictures / "good.png").unlink()
-    assert "neither PNG nor JPEG" in refusal(*words(folder, "--force", picture="pictures", output="clouds"))
+    (images / "good.png").unlink()
+    assert "neither PNG nor JPEG" in refusal(*words(folder, "--force", image="images", output="clouds"))
 
 
 @pytest.mark.parametrize(
@@ -164,15 +164,15 @@ def test_errors_name_the_file_and_leave_nothing(folder, monkeypatch, more, reaso
 
 
 def test_colliding_names_in_a_folder_are_an_error(folder):
-    pictures = folder / "pictures"
-    pictures.mkdir()
-    given = {"picture": "pictures", "output": "clouds"}
+    images = folder / "images"
+    images.mkdir()
+    given = {"image": "images", "output": "clouds"}
     assert "contains no images" in refusal(*words(folder, **given))
     for name in ("a.png", "a.jpg"):
-        Image.fromarray(PICTURE).save(pictures / name)
+        Image.fromarray(IMAGE).save(images / name)
     assert "another image would also be written to a.ply" in refusal(*words(folder, **given))
-    assert "is a single cloud, but the source is a folder" in refusal(*words(folder, picture="pictures"))
-    (pictures / "a.jpg").unlink()
+    assert "is a single cloud, but the source is a folder" in refusal(*words(folder, image="images"))
+    (images / "a.jpg").unlink()
     more = ["--picture", folder / "out.png"]
     assert "--picture requires a single image" in refusal(*words(folder, *more, **given))
 

@@ -1,4 +1,4 @@
-"""Depth and points from one picture: references, scale and shift, cameras, edges, tiles."""
+"""Depth and points from one image: references, scale and shift, cameras, edges, tiles."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from pointloom.photogrammetry.depth.tiles import refine_by_tiles
 
 from .tiny_networks import fixed_map, linear
 
-SIDE = 518  # the network's picture goes in and comes out as it is
+SIDE = 518  # the network's image goes in and comes out as it is
 
 
 def scene(height=SIDE, width=SIDE):
@@ -30,16 +30,16 @@ def network(tmp_path):
     return fixed_map(tmp_path / "scene.onnx", 37 / z + 5), z
 
 
-PICTURE = np.random.default_rng(0).integers(0, 256, (SIDE, SIDE, 3), dtype=np.uint8)
+IMAGE = np.random.default_rng(0).integers(0, 256, (SIDE, SIDE, 3), dtype=np.uint8)
 CAMERA = loom.PinholeCameraIntrinsic(SIDE, SIDE, 500.0, 510.0, 250.0, 262.0)
 
 
 def test_a_depth_map_as_reference_gives_meters(network):
     path, z = network
     for align, scale in ((np.round(z * 5000).astype(np.uint16), 5000.0), (z.astype(np.float32), 1000.0)):
-        result = loom.estimate_depth(PICTURE, path, align=align, depth_scale=scale)
+        result = loom.photogrammetry.estimate_depth(IMAGE, path, align=align, depth_scale=scale)
         assert result.is_metric
-        assert (result.unit, result.inlier_share, result.references) == ("m", 1.0, SIDE * SIDE)
+        assert (result.unit, result.inlier_fraction, result.references) == ("m", 1.0, SIDE * SIDE)
         assert (result.scale, result.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-3)
         np.testing.assert_allclose(result.depth, z, rtol=1e-3)
         assert evaluate_depth(result.depth, z).abs_rel < 1e-3
@@ -51,9 +51,9 @@ def test_a_depth_map_of_another_size_is_aligned_at_its_borders(network):
     v, u = coarse
     z = np.minimum(1.5 / np.maximum((v / SIDE - 0.45), 1e-3), 4.0)
     z[(np.abs(u / SIDE - 0.4) < 0.2) & (np.abs(v / SIDE - 0.5) < 0.25)] = 0  # no depth near the board
-    result = loom.estimate_depth(PICTURE, path, align=z)
+    result = loom.photogrammetry.estimate_depth(IMAGE, path, align=z)
     assert result.references == (z > 0).sum()
-    assert result.inlier_share == 1.0
+    assert result.inlier_fraction == 1.0
     assert (result.scale, result.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-4)
 
 
@@ -64,38 +64,42 @@ def test_wrong_and_missing_sensor_depth_is_ignored(network):
     sensor[lost < 0.3] = 0
     sensor[lost < 0.05] = np.nan
     sensor[lost > 0.65] *= 2 * lost[lost > 0.65]  # by 1.3 and more
-    result = loom.estimate_depth(PICTURE, path, align=sensor)
+    result = loom.photogrammetry.estimate_depth(IMAGE, path, align=sensor)
     np.testing.assert_allclose(result.depth, z, rtol=1e-4)
-    assert result.inlier_share < 0.7
+    assert result.inlier_fraction < 0.7
 
 
 def test_the_invalid_value_of_sensors_is_no_depth(network):
     path, z = network
     sensor = np.round(z * 1000).astype(np.uint16)
     sensor[:200] = 65535
-    result = loom.estimate_depth(PICTURE, path, align=sensor)
-    assert (result.references, result.inlier_share) == (318 * SIDE, 1.0)
+    result = loom.photogrammetry.estimate_depth(IMAGE, path, align=sensor)
+    assert (result.references, result.inlier_fraction) == (318 * SIDE, 1.0)
 
 
 def test_reference_files_match_arrays(network, tmp_path):
     path, z = network
     np.save(tmp_path / "z.npy", z.astype(np.float32))
     Image.fromarray(np.round(z * 1000).astype(np.uint16)).save(tmp_path / "z.png")
-    by_array = loom.estimate_depth(PICTURE, path, align=z.astype(np.float32))
-    np.testing.assert_array_equal(loom.estimate_depth(PICTURE, path, align=tmp_path / "z.npy").depth, by_array.depth)
-    np.testing.assert_allclose(loom.estimate_depth(PICTURE, path, align=tmp_path / "z.png").depth, z, rtol=2e-3)
+    by_array = loom.photogrammetry.estimate_depth(IMAGE, path, align=z.astype(np.float32))
+    np.testing.assert_array_equal(
+        loom.photogrammetry.estimate_depth(IMAGE, path, align=tmp_path / "z.npy").depth, by_array.depth
+    )
+    np.testing.assert_allclose(
+        loom.photogrammetry.estimate_depth(IMAGE, path, align=tmp_path / "z.png").depth, z, rtol=2e-3
+    )
     for name, text in (
         ("a.txt", "# measured\n100 500 {a}\n300 20 {b}\n"),
         ("a.csv", "u,v,meters\n100,500,{a}\n300,20,{b}\n"),
     ):
         (tmp_path / name).write_text(text.format(a=z[500, 100], b=z[20, 300]))
-        result = loom.estimate_depth(PICTURE, path, align=tmp_path / name)
+        result = loom.photogrammetry.estimate_depth(IMAGE, path, align=tmp_path / name)
         np.testing.assert_allclose(result.depth, z, rtol=1e-4)
-        assert (result.references, result.inlier_share, result.is_metric) == (2, None, True)
+        assert (result.references, result.inlier_fraction, result.is_metric) == (2, None, True)
 
 
 def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
-    """A sparse model of three pictures. The second observes points of the scene, some of them wrong."""
+    """A sparse model of three images. The second observes points of the scene, some of them wrong."""
     rng = np.random.default_rng(4)
     u, v = rng.uniform(0, size - 1, (2, count))
     row, column = (np.round(x * SIDE / size).astype(int).clip(0, SIDE - 1) for x in (v, u))
@@ -117,25 +121,25 @@ def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
 
 def test_a_sparse_model_or_its_folder_gives_its_unit_and_camera(network, tmp_path):
     path, z = network
-    Image.fromarray(PICTURE).save(tmp_path / "photo.png")
+    Image.fromarray(IMAGE).save(tmp_path / "photo.png")
     model, photo = sparse_model(z), tmp_path / "photo.png"
     loom.write_colmap_model(tmp_path / "sparse", model)
-    for picture, align in ((photo, model), (PICTURE, (model, "b/photo.png")), (photo, tmp_path / "sparse")):
-        result = loom.estimate_depth(picture, path, align=align)
+    for image, align in ((photo, model), (IMAGE, (model, "b/photo.png")), (photo, tmp_path / "sparse")):
+        result = loom.photogrammetry.estimate_depth(image, path, align=align)
         assert not result.is_metric
         assert (result.unit, result.intrinsic_source) == ("the sparse model's", "the sparse model")
         assert result.intrinsic == CAMERA and result.references == 120
-        assert result.inlier_share > 0.6
+        assert result.inlier_fraction > 0.6
         assert evaluate_depth(result.depth, z).abs_rel < 5e-3
     (tmp_path / "empty").mkdir()
     with pytest.raises(loom.FileError, match="empty: "):
-        loom.estimate_depth(photo, path, align=tmp_path / "empty")
+        loom.photogrammetry.estimate_depth(photo, path, align=tmp_path / "empty")
 
 
 @pytest.mark.parametrize("options", [{"size": 259}, {"distorted": True}])
 def test_the_camera_of_a_sparse_model_is_scaled_and_its_distortion_removed(network, options):
     path, z = network
-    result = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, **options), "photo.png"))
+    result = loom.photogrammetry.estimate_depth(IMAGE, path, align=(sparse_model(z, **options), "photo.png"))
     assert evaluate_depth(result.depth, z).abs_rel < 5e-3
     left_out = ", its distortion left out" if "distorted" in options else ""
     assert result.intrinsic_source == f"the sparse model{left_out}"
@@ -147,7 +151,7 @@ def test_depth_far_beyond_the_references_is_dropped(tmp_path):
     w = np.tile(np.linspace(-0.1, 1, SIDE), (SIDE, 1))
     path = fixed_map(tmp_path / "m.onnx", w)
     sensor = np.where(w > 0.5, 1 / np.where(w > 0.5, w, 1), 0)
-    result = loom.estimate_depth(PICTURE, path, align=sensor)
+    result = loom.photogrammetry.estimate_depth(IMAGE, path, align=sensor)
     valid = result.depth > 0
     assert result.depth.max() == pytest.approx(20, rel=0.05)
     np.testing.assert_array_equal(valid[0], w[0] > 0.05)
@@ -169,9 +173,9 @@ def test_depth_far_beyond_the_references_is_dropped(tmp_path):
         ((sparse_model(scene()), "left.png"), ValueError, "references inside the image, got 2"),
     ],
 )
-def test_references_that_do_not_fit_the_picture_are_refused(network, align, error, reason):
+def test_references_that_do_not_fit_the_image_are_refused(network, align, error, reason):
     with pytest.raises(error, match=reason):
-        loom.estimate_depth(PICTURE, network[0], align=align)
+        loom.photogrammetry.estimate_depth(IMAGE, network[0], align=align)
 
 
 @pytest.mark.parametrize(
@@ -186,20 +190,20 @@ def test_a_damaged_file_of_distances_names_the_line(network, tmp_path, text, rea
     path = tmp_path / "d.txt"
     path.write_text(text)
     with pytest.raises(loom.FileError, match=reason):
-        loom.estimate_depth(PICTURE, network[0], align=path)
+        loom.photogrammetry.estimate_depth(IMAGE, network[0], align=path)
     path.write_bytes(b"\xff\xfe\x00")
     with pytest.raises(loom.FileError, match="no text"):
-        loom.estimate_depth(PICTURE, network[0], align=path)
+        loom.photogrammetry.estimate_depth(IMAGE, network[0], align=path)
 
 
 def test_points_are_unprojected_with_the_camera(network, device):
     path, z = network
-    result = loom.estimate_depth(PICTURE, path, intrinsic=CAMERA, align=z.astype(np.float32))
+    result = loom.photogrammetry.estimate_depth(IMAGE, path, intrinsic=CAMERA, align=z.astype(np.float32))
     cloud = result.to_point_cloud(keep_edges=True, device=device)
     v, u = np.mgrid[:SIDE, :SIDE]
     expected = np.stack([(u - 250) / 500 * z, (v - 262) / 510 * z, z], -1).reshape(-1, 3)
     np.testing.assert_allclose(cloud.points, expected, rtol=1e-4, atol=1e-4)
-    np.testing.assert_allclose(cloud.colors, PICTURE.reshape(-1, 3) / 255, atol=1e-6)
+    np.testing.assert_allclose(cloud.colors, IMAGE.reshape(-1, 3) / 255, atol=1e-6)
     assert str(cloud.device) == device
     assert len(result.to_point_cloud(keep_edges=True, stride=2)) == (SIDE // 2) ** 2
 
@@ -207,14 +211,16 @@ def test_points_are_unprojected_with_the_camera(network, device):
 def test_a_camera_of_another_size_is_refused(network):
     camera = loom.PinholeCameraIntrinsic(640, 480, 500.0, 500.0, 320.0, 240.0)
     with pytest.raises(ValueError, match="intrinsic:"):
-        loom.estimate_depth(PICTURE, network[0], intrinsic=camera)
+        loom.photogrammetry.estimate_depth(IMAGE, network[0], intrinsic=camera)
 
 
 def test_a_smoothed_edge_leaves_no_points_between_the_surfaces(tmp_path, device):
     z = scene()
     small = (1 / z)[::7, ::7].astype(np.float32)
     smooth = np.array(Image.fromarray(small).resize((SIDE, SIDE), Image.Resampling.BILINEAR))
-    result = loom.estimate_depth(PICTURE, fixed_map(tmp_path / "m.onnx", smooth), align=1 / smooth, intrinsic=CAMERA)
+    result = loom.photogrammetry.estimate_depth(
+        IMAGE, fixed_map(tmp_path / "m.onnx", smooth), align=1 / smooth, intrinsic=CAMERA
+    )
     result = DepthEstimate(**{**vars(result), "enlargement": 3.0})
     cloud = result.to_point_cloud(device=device)
     depth = cloud.project_to_depth_image(SIDE, SIDE, CAMERA, depth_scale=1, depth_max=100)
@@ -228,17 +234,17 @@ def test_a_smoothed_edge_leaves_no_points_between_the_surfaces(tmp_path, device)
     assert len(cloud) > 0.97 * SIDE * SIDE
 
 
-def test_one_model_serves_many_pictures(tmp_path):
+def test_one_model_serves_many_images(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 28))
-    model = loom.DepthModel(path)
+    model = loom.photogrammetry.DepthModel(path)
     for seed in range(3):
-        picture = np.random.default_rng(seed).integers(0, 256, (28, 28, 3), dtype=np.uint8)
-        once, again = (loom.estimate_depth(picture, each).depth for each in (path, model))
+        image = np.random.default_rng(seed).integers(0, 256, (28, 28, 3), dtype=np.uint8)
+        once, again = (loom.photogrammetry.estimate_depth(image, each).depth for each in (path, model))
         np.testing.assert_array_equal(once, again)
     with pytest.raises(ValueError, match=r"^preset:.*depth-anything-v2"):
-        loom.estimate_depth(PICTURE, model, preset="dpt")
+        loom.photogrammetry.estimate_depth(IMAGE, model, preset="dpt")
     with pytest.raises(ValueError, match=r"^device:"):
-        loom.estimate_depth(PICTURE, model, device="cpu")
+        loom.photogrammetry.estimate_depth(IMAGE, model, device="cpu")
 
 
 def test_tiles_add_detail_at_the_scale_of_the_full_image():
@@ -295,9 +301,9 @@ def test_contradicting_tiles_are_excluded():
 def test_tiles_without_finer_detail_match_the_untiled_estimate(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(252, 252))
     ramp = np.tile(np.linspace(20, 220, 600).astype(np.uint8)[None, :, None], (400, 1, 3))
-    untiled = loom.estimate_depth(ramp, path)
+    untiled = loom.photogrammetry.estimate_depth(ramp, path)
     steps = []
-    tiled = loom.estimate_depth(ramp, path, tiles=2, progress=lambda *each: steps.append(each))
+    tiled = loom.photogrammetry.estimate_depth(ramp, path, tiles=2, progress=lambda *each: steps.append(each))
     assert tiled.tiles == (4, 4)
     assert steps[-1] == ("tiles", 4, 4)
     np.testing.assert_allclose(tiled.depth, untiled.depth, rtol=0.02)
@@ -331,7 +337,7 @@ def test_wrong_references_do_not_change_the_fit_to_exact_ones(wrong):
     far = np.where(rng.random(400) < 0.5, y * rng.uniform(1.3, 5, 400), y * rng.uniform(0.1, 0.7, 400))
     result = align_inverse_depth(d, np.where(lost, far, y))
     assert (result.scale, result.shift) == pytest.approx((0.02, 0.1), rel=1e-9)
-    assert result.inlier_share == pytest.approx(1 - lost.mean(), abs=0.08)
+    assert result.inlier_fraction == pytest.approx(1 - lost.mean(), abs=0.08)
 
 
 def test_the_fit_is_the_weighted_least_squares_of_the_inliers():
@@ -348,7 +354,7 @@ def test_metric_depth_is_aligned_by_scale_only():
     y[::3] *= 3
     result = align_inverse_depth(d, y, with_shift=False)
     assert (result.scale, result.shift) == (pytest.approx(1.25, rel=1e-12), 0.0)
-    assert result.inlier_share == pytest.approx(66 / 100)
+    assert result.inlier_fraction == pytest.approx(66 / 100)
     assert result.farthest == pytest.approx(1 / y.reshape(-1)[np.arange(100) % 3 > 0].min())
 
 
@@ -356,7 +362,7 @@ def test_fewer_than_20_inliers_are_rejected():
     d, y = exact(200)
     with pytest.raises(AlignmentError, match=r"^align:.*20.*got 19"):
         align_inverse_depth(d[:19], y[:19])
-    assert align_inverse_depth(d[:20], y[:20]).inlier_share == 1.0
+    assert align_inverse_depth(d[:20], y[:20]).inlier_fraction == 1.0
     wrong = np.random.default_rng(3).uniform(0.01, 100, 30) ** 2
     with pytest.raises(AlignmentError, match=r"^align:.*30"):
         align_inverse_depth(d[:30], wrong)
@@ -372,13 +378,13 @@ def test_a_map_that_decreases_with_inverse_depth_is_rejected():
 
 def test_two_distances_determine_scale_and_shift_and_one_the_scale_unchecked():
     result = align_to_distances(np.array([10.0, 30.0]), np.array([0.25, 0.5]))
-    assert (result.scale, result.shift, result.inlier_share) == (pytest.approx(0.0125), pytest.approx(0.125), None)
+    assert (result.scale, result.shift, result.inlier_fraction) == (pytest.approx(0.0125), pytest.approx(0.125), None)
     with pytest.raises(AlignmentError, match=r"^align:"):
         align_to_distances(np.array([10.0, 30.0]), np.array([0.5, 0.25]))
     with pytest.raises(AlignmentError, match=r"^align:.*2.*got 1"):
         align_to_distances(np.array([10.0]), np.array([0.5]))
     result = align_to_distances(np.array([0.5]), np.array([0.25]), with_shift=False)
-    assert (result.scale, result.shift, result.inlier_share) == (0.5, 0.0, None)
+    assert (result.scale, result.shift, result.inlier_fraction) == (0.5, 0.0, None)
 
 
 def test_a_majority_of_the_distances_must_agree():
@@ -388,7 +394,7 @@ def test_a_majority_of_the_distances_must_agree():
     wrong[1] *= 3
     result = align_to_distances(d, wrong)
     assert (result.scale, result.shift) == pytest.approx((0.0125, 0.125), rel=1e-9)
-    assert result.inlier_share == pytest.approx(0.8)
+    assert result.inlier_fraction == pytest.approx(0.8)
     wrong[[0, 4]] *= (0.2, 6.0)
     with pytest.raises(AlignmentError, match=r"^align:.*5"):
         align_to_distances(d, wrong)

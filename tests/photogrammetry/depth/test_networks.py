@@ -1,4 +1,4 @@
-"""Inputs and outputs of the networks of each preset, pictures of all kinds, and models that do not match."""
+"""Inputs and outputs of the networks of each preset, images of all kinds, and models that do not match."""
 
 import math
 import sys
@@ -47,7 +47,7 @@ def test_the_command_offers_every_preset():
     assert "Apache-2.0" in PRESETS[depth_command.PRESETS[0]].license
 
 
-def picture_of(size, seed=0):
+def image_of(size, seed=0):
     return np.random.default_rng(seed).integers(0, 256, (*size, 3), dtype=np.uint8)
 
 
@@ -62,11 +62,11 @@ def test_the_normalization_matches_the_code_of_the_network(name):
     assert preset.levels == (255 if name.startswith("metric3d") else 1)
 
 
-def test_resized_inputs_stay_within_the_range_of_the_picture(tmp_path):
-    model = loom.DepthModel(linear(tmp_path / "m.onnx", weights=(1, 0, 0)), "midas-v2.1-small-onnx")
-    picture = np.zeros((40, 40, 3), np.uint8)
-    picture[:, 20:] = 255  # bicubic kernels go beyond at such edges
-    values = model.run(picture)
+def test_resized_inputs_stay_within_the_range_of_the_image(tmp_path):
+    model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx", weights=(1, 0, 0)), "midas-v2.1-small-onnx")
+    image = np.zeros((40, 40, 3), np.uint8)
+    image[:, 20:] = 255  # bicubic kernels go beyond at such edges
+    values = model.run(image)
     assert (values.min(), values.max()) == (0, 1)
 
 
@@ -74,28 +74,30 @@ def test_resized_inputs_stay_within_the_range_of_the_picture(tmp_path):
 def test_inputs_are_normalized_by_the_preset(name, tmp_path):
     preset = PRESETS[name]
     size = (384, 512) if name == "dpt" else input_size(preset, 480, 640)
-    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=size, squeeze=True, views=preset.takes_views), name)
-    picture = picture_of(size)
-    values, placement = model._run_with_placement(picture)
+    model = loom.photogrammetry.DepthModel(
+        linear(tmp_path / "m.onnx", size=size, squeeze=True, views=preset.takes_views), name
+    )
+    image = image_of(size)
+    values, placement = model._run_with_placement(image)
     assert (placement.rows, placement.columns) == placement.used == size
-    np.testing.assert_allclose(values, seen_by(preset, picture), rtol=1e-5, atol=2e-5 * preset.levels)
+    np.testing.assert_allclose(values, seen_by(preset, image), rtol=1e-5, atol=2e-5 * preset.levels)
 
 
 @pytest.mark.parametrize("name", ["depth-anything-v2", "midas-v2.1-small", "dpt", "depth-anything-3"])
 def test_a_model_of_any_size_gets_that_of_the_preset(name, tmp_path):
     preset = PRESETS[name]
-    model = loom.DepthModel(linear(tmp_path / "m.onnx"), name)
+    model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx"), name)
     u, v = np.meshgrid(np.arange(200), np.arange(150))
-    picture = np.stack([u, v, 255 - v], -1).astype(np.uint8)
-    values, placement = model._run_with_placement(picture)
+    image = np.stack([u, v, 255 - v], -1).astype(np.uint8)
+    values, placement = model._run_with_placement(image)
     assert (placement.rows, placement.columns) == input_size(preset, 150, 200)
     assert values.shape == (150, 200)
-    error = np.abs(values - seen_by(preset, picture)) / preset.levels * preset.std[0]
+    error = np.abs(values - seen_by(preset, image)) / preset.levels * preset.std[0]
     assert error.max() < 0.004  # a level of 255: ramps come back where they were, to the borders
 
 
-def test_a_strided_map_covers_the_picture_to_its_borders(tmp_path):
-    model = loom.DepthModel(in_strides(tmp_path / "m.onnx"), "depth-anything-v2")
+def test_a_strided_map_covers_the_image_to_its_borders(tmp_path):
+    model = loom.photogrammetry.DepthModel(in_strides(tmp_path / "m.onnx"), "depth-anything-v2")
     ramp = np.tile(np.linspace(0, 250, 500), (500, 1)).astype(np.uint8)
     values, placement = model._run_with_placement(np.repeat(ramp[..., None], 3, 2))
     assert (placement.rows, placement.columns) == (518, 518)
@@ -106,59 +108,59 @@ def test_a_strided_map_covers_the_picture_to_its_borders(tmp_path):
 
 
 def test_inputs_of_fixed_sizes_and_of_half_precision_are_taken_as_they_are(tmp_path):
-    picture = picture_of((28, 42))
+    image = image_of((28, 42))
     for kind, limit in ((FLOAT, 1e-5), (TensorProto.FLOAT16, 5e-3)):
-        model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42), kind=kind))
-        values = model._run_with_placement(picture)[0]
-        np.testing.assert_allclose(values, seen_by(PRESETS[model.preset], picture), atol=limit)
-    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42)))
-    assert model._run_with_placement(picture_of((100, 70)))[0].shape == (100, 70)
-    half = loom.DepthModel(linear(tmp_path / "half.onnx", size=(28, "w")))
+        model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42), kind=kind))
+        values = model._run_with_placement(image)[0]
+        np.testing.assert_allclose(values, seen_by(PRESETS[model.preset], image), atol=limit)
+    model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42)))
+    assert model._run_with_placement(image_of((100, 70)))[0].shape == (100, 70)
+    half = loom.photogrammetry.DepthModel(linear(tmp_path / "half.onnx", size=(28, "w")))
     assert (half._placement(100, 100).rows, half._placement(100, 100).columns) == (28, 518)
 
 
 def test_borders_are_filled_with_the_mean_color(tmp_path):
-    model = loom.DepthModel(with_mean(tmp_path / "m.onnx", (616, 1064)), "metric3d-v2")
-    picture = np.full((300, 400, 3), 10, np.uint8)
-    picture[:, 200:] = 20
+    model = loom.photogrammetry.DepthModel(with_mean(tmp_path / "m.onnx", (616, 1064)), "metric3d-v2")
+    image = np.full((300, 400, 3), 10, np.uint8)
+    image[:, 200:] = 20
     placement = model._placement(300, 400)
     assert placement.used == (616, 821)
     assert (placement.top, placement.left) == (0, 121)
-    share = 821 / 1064
-    mean = 15 * share + 123.675 * (1 - share)
-    values, _ = model._run_with_placement(picture)
+    fraction = 821 / 1064
+    mean = 15 * fraction + 123.675 * (1 - fraction)
+    values, _ = model._run_with_placement(image)
     assert values[150, 20] == pytest.approx(10 + mean, abs=0.02)
     assert values[150, 380] == pytest.approx(20 + mean, abs=0.02)
 
 
-def test_square_exports_of_depth_anything_3_see_undistorted_pictures(tmp_path):
-    model = loom.DepthModel(with_mean(tmp_path / "m.onnx", (504, 504)), "depth-anything-3")
+def test_square_exports_of_depth_anything_3_see_undistorted_images(tmp_path):
+    model = loom.photogrammetry.DepthModel(with_mean(tmp_path / "m.onnx", (504, 504)), "depth-anything-3")
     assert model._placement(1080, 1920).used == (283, 504)
-    picture = np.full((100, 200, 3), 200, np.uint8)
-    picture[0, 0] = 0
-    values, placement = model._run_with_placement(picture)
+    image = np.full((100, 200, 3), 200, np.uint8)
+    image[0, 0] = 0
+    values, placement = model._run_with_placement(image)
     red = (200 / 255 - 0.485) / 0.229
     assert placement.used == (252, 504)
     assert values[50, 100] == pytest.approx(red + red / 2, abs=1e-3)  # the mean around it is 0 once normalized
 
 
-def flat_estimate(tmp_path, name, picture, focal, **options):
+def flat_estimate(tmp_path, name, image, focal, **options):
     """The estimate of a network that returns the red channel, 0..levels before normalization."""
     preset = PRESETS[name]
     weights = (preset.std[0] / preset.levels * 255, 0, 0)
     offset = preset.mean[0] / preset.levels * 255
     views = preset.takes_views
     path = linear(tmp_path / "red.onnx", weights=weights, offset=offset, views=views)
-    height, width = picture.shape[:2]
+    height, width = image.shape[:2]
     fx, fy = 0.9 * focal, 1.1 * focal  # of mean focal
     camera = loom.PinholeCameraIntrinsic(width, height, fx, fy, (width - 1) / 2, (height - 1) / 2)
-    return loom.estimate_depth(picture, path, preset=name, intrinsic=camera, **options)
+    return loom.photogrammetry.estimate_depth(image, path, preset=name, intrinsic=camera, **options)
 
 
 def two_reds(size, near, far):
-    picture = np.full((*size, 3), near, np.uint8)
-    picture[:, size[1] // 2 :] = far
-    return picture
+    image = np.full((*size, 3), near, np.uint8)
+    image[:, size[1] // 2 :] = far
+    return image
 
 
 def test_depth_anything_3_metric_divides_by_300(tmp_path):
@@ -172,7 +174,7 @@ def test_depth_anything_3_metric_divides_by_300(tmp_path):
 
 def test_meters_require_a_known_focal_length(tmp_path):
     path = linear(tmp_path / "m.onnx", offset=1.0)
-    result = loom.estimate_depth(two_reds((300, 400), 10, 20), path, preset="metric3d-v2")
+    result = loom.photogrammetry.estimate_depth(two_reds((300, 400), 10, 20), path, preset="metric3d-v2")
     assert not result.is_metric
     assert (result.unit, result.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
     assert result.intrinsic.fx == pytest.approx(200 / np.tan(np.radians(30)))
@@ -217,33 +219,33 @@ MODELS = {  # nodes, shapes of the input and of the output, the reason, and more
 def test_a_model_of_another_preset_is_rejected_when_opened(title, tmp_path):
     nodes, shape, out, reason, *names = MODELS[title]
     with pytest.raises(loom.FileError, match=r"m\.onnx") as error:
-        loom.DepthModel(of_nodes(tmp_path / "m.onnx", nodes, shape, out, FLOAT, *names))
+        loom.photogrammetry.DepthModel(of_nodes(tmp_path / "m.onnx", nodes, shape, out, FLOAT, *names))
     assert reason in str(error.value)
 
 
 def test_a_model_of_bytes_or_of_another_size_is_rejected_when_opened(tmp_path):
     nodes, kind = "ReduceMax x -> y axes=[1] keepdims=0", TensorProto.UINT8
     with pytest.raises(loom.FileError, match=r"m\.onnx.*expected floats"):
-        loom.DepthModel(of_nodes(tmp_path / "m.onnx", nodes, [1, 3, *HW], [1, *HW], kind))
+        loom.photogrammetry.DepthModel(of_nodes(tmp_path / "m.onnx", nodes, [1, 3, *HW], [1, *HW], kind))
     with pytest.raises(loom.FileError, match=r"m\.onnx.*is the default; another network: --preset"):
-        loom.DepthModel(linear(tmp_path / "m.onnx", size=(500, 518)))
+        loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx", size=(500, 518)))
 
 
 def test_a_model_of_another_size_than_the_preset_s_is_refused(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(384, 384))
-    assert loom.DepthModel(path, "midas-v2.1").preset == "midas-v2.1"
+    assert loom.photogrammetry.DepthModel(path, "midas-v2.1").preset == "midas-v2.1"
     with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*256.*256.*midas-v2\.1-small-onnx.*384.*384"):
-        loom.DepthModel(path, "midas-v2.1-small-onnx")
+        loom.photogrammetry.DepthModel(path, "midas-v2.1-small-onnx")
     with pytest.raises(loom.FileError, match=r"616 x 1064.* for metric3d-v2"):
-        loom.DepthModel(path, "metric3d-v2")
+        loom.photogrammetry.DepthModel(path, "metric3d-v2")
     with pytest.raises(loom.FileError, match="for dpt"):  # only Depth Anything 3 has views
-        loom.DepthModel(linear(tmp_path / "views.onnx", views=True), "dpt")
+        loom.photogrammetry.DepthModel(linear(tmp_path / "views.onnx", views=True), "dpt")
 
 
 def test_a_map_of_another_size_than_its_input_is_an_error(tmp_path):
-    model = loom.DepthModel(in_strides(tmp_path / "m.onnx", 16))
+    model = loom.photogrammetry.DepthModel(in_strides(tmp_path / "m.onnx", 16))
     with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):.*518.*518.*1.*1.*512.*512"):
-        model._run_with_placement(picture_of((100, 100)))
+        model._run_with_placement(image_of((100, 100)))
 
 
 @pytest.mark.parametrize(
@@ -252,15 +254,17 @@ def test_a_map_of_another_size_than_its_input_is_an_error(tmp_path):
 def test_a_map_without_depth_is_an_error(tmp_path, value, reason):
     values = np.linspace(1, 2, 518 * 518).reshape(518, 518)
     values[::7] = value
-    model = loom.DepthModel(fixed_map(tmp_path / "m.onnx", np.full((518, 518), 3.0) if value == 3 else values))
+    model = loom.photogrammetry.DepthModel(
+        fixed_map(tmp_path / "m.onnx", np.full((518, 518), 3.0) if value == 3 else values)
+    )
     with pytest.raises(loom.FileError, match=reason):
-        model._run_with_placement(picture_of((100, 100)))
+        model._run_with_placement(image_of((100, 100)))
 
 
 def test_metric_depth_that_is_never_positive_is_an_error(tmp_path):
     path = linear(tmp_path / "m.onnx", offset=-1e4)
     with pytest.raises(loom.FileError, match=r"/m\.onnx:.*0"):
-        loom.estimate_depth(picture_of((50, 50)), path, preset="depth-anything-3-metric")
+        loom.photogrammetry.estimate_depth(image_of((50, 50)), path, preset="depth-anything-3-metric")
 
 
 def test_files_that_are_no_models_are_rejected_with_advice(tmp_path):
@@ -273,12 +277,12 @@ def test_files_that_are_no_models_are_rejected_with_advice(tmp_path):
         path = tmp_path / f"{name}.onnx"
         path.write_bytes(content)
         with pytest.raises(loom.FileError, match=f"{name}.onnx") as error:
-            loom.DepthModel(path)
+            loom.photogrammetry.DepthModel(path)
         assert "onnxruntime_src" not in str(error.value)
     with pytest.raises(loom.FileError, match="is a folder"):
-        loom.DepthModel(tmp_path)
+        loom.photogrammetry.DepthModel(tmp_path)
     with pytest.raises(loom.FileError, match=r"/none\.onnx:"):
-        loom.DepthModel(tmp_path / "none.onnx")
+        loom.photogrammetry.DepthModel(tmp_path / "none.onnx")
 
 
 @pytest.mark.parametrize("name", [b"side", b"depth", b"Conv"])
@@ -287,7 +291,7 @@ def test_a_name_that_is_no_text_is_rejected_without_a_banner(tmp_path, capsys, n
     path = tmp_path / "bad.onnx"
     path.write_bytes(data.replace(name, b"\xff" + name[1:]))
     with pytest.raises(loom.FileError, match=r"bad\.onnx"):
-        loom.DepthModel(path)
+        loom.photogrammetry.DepthModel(path)
     assert capsys.readouterr().out == ""
 
 
@@ -296,18 +300,20 @@ def test_a_model_of_a_newer_format_requires_an_update(tmp_path):
     model.ir_version = 99
     (tmp_path / "later.onnx").write_bytes(model.SerializeToString())
     with pytest.raises(loom.FileError, match="Update onnxruntime"):
-        loom.DepthModel(tmp_path / "later.onnx")
+        loom.photogrammetry.DepthModel(tmp_path / "later.onnx")
 
 
 def test_external_weights_are_read_from_the_folder_of_the_model(tmp_path):
     model = onnx.load(linear(tmp_path / "m.onnx", size=(28, 42)))
     onnx.save(model, tmp_path / "split.onnx", save_as_external_data=True, location="split.onnx_data", size_threshold=0)
-    picture = picture_of((28, 42))
-    expected = loom.DepthModel(tmp_path / "m.onnx")._run_with_placement(picture)[0]
-    np.testing.assert_array_equal(loom.DepthModel(tmp_path / "split.onnx")._run_with_placement(picture)[0], expected)
+    image = image_of((28, 42))
+    expected = loom.photogrammetry.DepthModel(tmp_path / "m.onnx")._run_with_placement(image)[0]
+    np.testing.assert_array_equal(
+        loom.photogrammetry.DepthModel(tmp_path / "split.onnx")._run_with_placement(image)[0], expected
+    )
     (tmp_path / "split.onnx_data").unlink()
     with pytest.raises(loom.FileError, match=r"/split\.onnx:"):
-        loom.DepthModel(tmp_path / "split.onnx")
+        loom.photogrammetry.DepthModel(tmp_path / "split.onnx")
 
 
 @pytest.mark.parametrize("package", ["onnx", "onnxruntime"])
@@ -315,26 +321,26 @@ def test_without_the_extra_the_error_names_it(package, tmp_path, monkeypatch):
     path = linear(tmp_path / "m.onnx")
     monkeypatch.setitem(sys.modules, package, None)
     with pytest.raises(loom.FileError, match=r"/m\.onnx:"):
-        loom.DepthModel(path)
+        loom.photogrammetry.DepthModel(path)
 
 
 def test_missing_cuda_is_an_error_without_fallback_to_the_cpu(tmp_path, monkeypatch):
     import onnxruntime
 
     path = linear(tmp_path / "m.onnx")
-    assert loom.DepthModel(path).provider == "CPUExecutionProvider"
-    assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"
+    assert loom.photogrammetry.DepthModel(path).provider == "CPUExecutionProvider"
+    assert loom.photogrammetry.DepthModel(path, device="auto").provider == "CPUExecutionProvider"
     with pytest.raises(loom.DeviceError, match=r"^device:"):
-        loom.DepthModel(path, device="cuda:0")
+        loom.photogrammetry.DepthModel(path, device="cuda:0")
     with pytest.raises(loom.DeviceError, match="device:"):
-        loom.DepthModel(path, device="tpu")
+        loom.photogrammetry.DepthModel(path, device="tpu")
     # CUDA by name, but its libraries are missing: onnxruntime goes on with the CPU
     both = ["CUDAExecutionProvider", "CPUExecutionProvider"]
     monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: both)
     monkeypatch.setattr(network, "resolve_device", lambda _: _Cuda)
     with pytest.raises(loom.DeviceError, match=r"^device:"):
-        loom.DepthModel(path, device="cuda")
-    assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"
+        loom.photogrammetry.DepthModel(path, device="cuda")
+    assert loom.photogrammetry.DepthModel(path, device="auto").provider == "CPUExecutionProvider"
 
 
 class _Cuda:
@@ -343,16 +349,18 @@ class _Cuda:
 
 @pytest.mark.slow
 def test_results_are_bitwise_identical_for_any_number_of_threads(tmp_path):
-    path, picture = busy(tmp_path / "m.onnx"), picture_of((200, 300))
-    first = loom.DepthModel(path, threads=1)._run_with_placement(picture)[0]
+    path, image = busy(tmp_path / "m.onnx"), image_of((200, 300))
+    first = loom.photogrammetry.DepthModel(path, threads=1)._run_with_placement(image)[0]
     for threads in (1, 2, None):
-        np.testing.assert_array_equal(loom.DepthModel(path, threads=threads)._run_with_placement(picture)[0], first)
+        np.testing.assert_array_equal(
+            loom.photogrammetry.DepthModel(path, threads=threads)._run_with_placement(image)[0], first
+        )
 
 
 UPRIGHT = np.random.default_rng(0).integers(0, 256, (24, 40), dtype=np.uint8).repeat(8, 0).repeat(8, 1)
 RGB = np.stack([UPRIGHT, 255 - UPRIGHT, UPRIGHT // 2], -1)
 
-# Stored pixels for each orientation that give this picture upright.
+# Stored pixels for each orientation that give this image upright.
 STORED = {
     1: RGB, 2: RGB[:, ::-1], 3: RGB[::-1, ::-1], 4: RGB[::-1], 5: RGB.transpose(1, 0, 2),
     6: np.rot90(RGB, 1), 7: np.rot90(RGB, 2).transpose(1, 0, 2), 8: np.rot90(RGB, -1),
@@ -370,7 +378,7 @@ def exif(**tags):
 
 
 @pytest.mark.parametrize(("orientation", "suffix"), [*((each, "png") for each in STORED), (6, "jpg")])
-def test_exif_rotates_pictures_upright(tmp_path, orientation, suffix):
+def test_exif_rotates_images_upright(tmp_path, orientation, suffix):
     path = tmp_path / f"photo.{suffix}"
     options = {"quality": 100, "subsampling": 0} if suffix == "jpg" else {}
     stored = np.ascontiguousarray(STORED[orientation])
@@ -378,23 +386,23 @@ def test_exif_rotates_pictures_upright(tmp_path, orientation, suffix):
     photo = take_photo(path)
     np.testing.assert_allclose(photo.color.astype(int), RGB, atol=8 if suffix == "jpg" else 0)
     assert photo.is_rotated == (orientation > 4)
-    with Image.open(path) as picture:
-        np.testing.assert_array_equal(photo.color, np.asarray(ImageOps.exif_transpose(picture)))
+    with Image.open(path) as image:
+        np.testing.assert_array_equal(photo.color, np.asarray(ImageOps.exif_transpose(image)))
 
 
 def test_a_rotated_jpeg_requires_an_upright_camera(tmp_path):
     path = tmp_path / "photo.jpg"
     Image.fromarray(np.ascontiguousarray(STORED[6])).save(path, exif=exif(orientation=6))
     model = linear(tmp_path / "m.onnx", size=(28, 28))
-    assert loom.estimate_depth(path, model).depth.shape == RGB.shape[:2]
+    assert loom.photogrammetry.estimate_depth(path, model).depth.shape == RGB.shape[:2]
     stored = loom.PinholeCameraIntrinsic(192, 320, 300.0, 300.0, 95.5, 159.5)
     with pytest.raises(ValueError, match=r"^intrinsic:.*320.*192"):
-        loom.estimate_depth(path, model, intrinsic=stored)
+        loom.photogrammetry.estimate_depth(path, model, intrinsic=stored)
     with pytest.raises(ValueError, match=r"^align:"):
-        loom.estimate_depth(path, model, align=np.ones((320, 192)))
+        loom.photogrammetry.estimate_depth(path, model, align=np.ones((320, 192)))
 
 
-def test_an_unknown_orientation_and_damaged_exif_leave_the_picture_as_it_is(tmp_path):
+def test_an_unknown_orientation_and_damaged_exif_leave_the_image_as_it_is(tmp_path):
     path = tmp_path / "photo.jpg"
     Image.fromarray(RGB).save(path, exif=exif(orientation=9))
     assert take_photo(path).color.shape == RGB.shape
@@ -410,7 +418,7 @@ def test_the_focal_length_comes_from_exif(tmp_path):
     diagonal = math.hypot(320, 192)
     assert focal_of(f35=26) == pytest.approx(26 / math.hypot(36, 24) * diagonal)
     assert focal_of(mm=4.25, plane=2000.0, unit=3, width=320) == pytest.approx(4.25 * 200)
-    assert focal_of(mm=4.25, plane=2000.0, unit=3, width=4000) is None  # the picture was scaled since
+    assert focal_of(mm=4.25, plane=2000.0, unit=3, width=4000) is None  # the image was scaled since
     assert focal_of(mm=4.25) is None
     assert focal_of(f35=0) is None
     Image.fromarray(RGB).save(tmp_path / "p.jpg", exif=exif(f35=26))
@@ -427,7 +435,7 @@ def test_60_degrees_are_assumed_and_reported_without_a_focal_length():
         assert 2 * math.degrees(math.atan(160 / camera.fx)) == pytest.approx(60)
 
 
-def test_gray_deep_and_transparent_pictures_are_taken(tmp_path):
+def test_gray_deep_and_transparent_images_are_taken(tmp_path):
     gray = np.repeat(UPRIGHT[..., None], 3, 2)
     deep = UPRIGHT.astype(np.uint16) * 257
     alpha = np.concatenate([RGB, np.full((*UPRIGHT.shape, 1), 7, np.uint8)], 2)
@@ -435,8 +443,8 @@ def test_gray_deep_and_transparent_pictures_are_taken(tmp_path):
         "gray.png": (Image.fromarray(UPRIGHT), gray), "deep.png": (Image.fromarray(deep), gray),
         "alpha.png": (Image.fromarray(alpha), RGB), "palette.png": (Image.fromarray(UPRIGHT).convert("P"), gray),
     }  # fmt: skip
-    for name, (picture, expected) in files.items():
-        picture.save(tmp_path / name)
+    for name, (image, expected) in files.items():
+        image.save(tmp_path / name)
         np.testing.assert_array_equal(take_photo(tmp_path / name).color, expected, err_msg=name)
     for array, expected in ((UPRIGHT, gray), (UPRIGHT[..., None], gray), (deep, gray), (alpha, RGB), (RGB, RGB)):
         np.testing.assert_array_equal(take_photo(array).color, expected)
@@ -444,33 +452,33 @@ def test_gray_deep_and_transparent_pictures_are_taken(tmp_path):
 
 
 def test_a_single_pixel_and_a_line_of_pixels_have_a_depth(tmp_path):
-    model = loom.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
+    model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
     line = np.linspace(0, 255, 30).astype(np.uint8)
-    result = loom.estimate_depth(line[None], model)
+    result = loom.photogrammetry.estimate_depth(line[None], model)
     assert result.depth.shape == (1, 30)
     assert len(result.to_point_cloud()) == 30
     with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):"):  # one color shows no depth
-        loom.estimate_depth(np.full((1, 1), 9, np.uint8), model)
+        loom.photogrammetry.estimate_depth(np.full((1, 1), 9, np.uint8), model)
 
 
-def test_a_huge_picture_is_downscaled_first(tmp_path):
-    model = loom.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
-    picture = np.tile(np.linspace(0, 255, 1500).astype(np.uint8), (1000, 1))
-    result = loom.estimate_depth(picture, model)
+def test_a_huge_image_is_downscaled_first(tmp_path):
+    model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
+    image = np.tile(np.linspace(0, 255, 1500).astype(np.uint8), (1000, 1))
+    result = loom.photogrammetry.estimate_depth(image, model)
     assert result.depth.shape == (1000, 1500)
     assert result.enlargement == 1000 / 160  # 171 rows of 256 columns, in multiples of 32
-    with pytest.raises(ValueError, match=r"^picture:.*depth-anything-v2"):
-        loom.estimate_depth(np.zeros((4, 6000), np.uint8), linear(tmp_path / "d.onnx"))
+    with pytest.raises(ValueError, match=r"^image:.*depth-anything-v2"):
+        loom.photogrammetry.estimate_depth(np.zeros((4, 6000), np.uint8), linear(tmp_path / "d.onnx"))
 
 
 @pytest.mark.parametrize(
     "content", [b"", b"hello", b"\x89PNG\r\n\x1a\n" + b"\0" * 50, b"\xff\xd8\xff\xe0" + b"\1" * 50]
 )
-def test_files_that_are_no_pictures_are_rejected(tmp_path, content):
+def test_files_that_are_no_images_are_rejected(tmp_path, content):
     path = tmp_path / "photo.jpg"
     path.write_bytes(content)
     with pytest.raises(loom.FileError, match=r"photo\.jpg"):
-        loom.estimate_depth(path, linear(tmp_path / "m.onnx"))
+        loom.photogrammetry.estimate_depth(path, linear(tmp_path / "m.onnx"))
 
 
 @pytest.mark.parametrize(
@@ -482,5 +490,5 @@ def test_files_that_are_no_pictures_are_rejected(tmp_path, content):
     ],
 )  # fmt: skip
 def test_other_arrays_are_refused_by_name(array, error):
-    with pytest.raises(error, match="picture:"):
+    with pytest.raises(error, match="image:"):
         take_photo(array)

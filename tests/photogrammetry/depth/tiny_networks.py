@@ -65,7 +65,7 @@ def in_strides(path: Path, stride: int = 14) -> Path:
 
 
 def fixed_map(path: Path, values: np.ndarray) -> Path:
-    """Gives these numbers, float32 [h, w], for any picture of their size."""
+    """Gives these numbers, float32 [h, w], for any image of their size."""
     nodes = "Mul x zero -> nothing; ReduceMean nothing -> plane axes=[1] keepdims=1; Add plane values -> depth"
     values = np.asarray(values, np.float32)[None, None]
     constants = {"zero": np.float32(0), "values": values}
@@ -95,7 +95,7 @@ def busy(path: Path) -> Path:
     return save(path, nodes, [("x", FLOAT, [1, 3, "h", "w"])], [("depth", FLOAT, [1, 1, "h", "w"])], **constants)
 
 
-def seen_by(preset: Any, picture: np.ndarray, weights: Sequence[float] = WEIGHTS) -> np.ndarray:
-    """The output of `linear` for a picture that is not resized, with the preset's normalization."""
-    values = (picture.astype(np.float64) / 255 * preset.levels - preset.mean) / preset.std
+def seen_by(preset: Any, image: np.ndarray, weights: Sequence[float] = WEIGHTS) -> np.ndarray:
+    """The output of `linear` for an image that is not resized, with the preset's normalization."""
+    values = (image.astype(np.float64) / 255 * preset.levels - preset.mean) / preset.std
     return values @ np.array(weights)

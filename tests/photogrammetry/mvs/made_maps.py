@@ -28,7 +28,7 @@ def cameras(count: int, *, step: float = 0.15, shift: Any = (0.0, 0.0, 0.0)) -> 
         at = (k - (count - 1) / 2) * step
         T = pose(at, 0.04 * (-1) ** k, -0.12 * at)
         T[:3, 3] -= T[:3, :3] @ np.asarray(shift)
-        made.append(loom.mvs.PosedCamera(LARGE if k % 2 else SMALL, T))
+        made.append(loom.photogrammetry.PosedCamera(LARGE if k % 2 else SMALL, T))
     return made
 
 
@@ -71,7 +71,7 @@ def true_maps(count: int, **scene: Any) -> Any:
 
 
 def changed(maps: Any, i: int, depth: Any) -> Any:
-    """The maps with another depth for one picture."""
+    """The maps with another depth for one image."""
     result = list(maps)
     result[i] = DepthMap(depth, result[i].normals, result[i].confidence)
     return DepthMaps(maps.cameras, maps.sources, result)
@@ -83,7 +83,7 @@ def moved(cameras: Any, scale: float = 1.0, shift: Any = (0.0, 0.0, 0.0)) -> lis
     for camera in cameras:
         T = camera.T_camera_world.copy()
         T[:3, 3] = T[:3, 3] * scale - T[:3, :3] @ np.asarray(shift)
-        result.append(loom.mvs.PosedCamera(camera.intrinsic, T))
+        result.append(loom.photogrammetry.PosedCamera(camera.intrinsic, T))
     return result
 
 

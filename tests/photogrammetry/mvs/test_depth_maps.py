@@ -12,12 +12,12 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.photogrammetry.mvs.depth_bundles import DepthBundle
 from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
-from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+from pointloom.photogrammetry.mvs.posed_images import SparsePoints
 
 from ...hostile import missing_from, read_table
 from ..argument_tests import argument_tests
+from .made_images import camera_at, intrinsic, scene
 from .made_maps import resized, true_map, true_maps
-from .made_pictures import camera_at, intrinsic, scene
 
 
 def a_map(seed: int, scale: float = 1.0) -> DepthMap:
@@ -76,7 +76,7 @@ def test_a_damaged_folder_is_refused(tmp_path, name, damage):
         list(DepthMaps.open(tmp_path))
 
 
-def test_maps_of_other_pictures_are_refused(tmp_path):
+def test_maps_of_other_images_are_refused(tmp_path):
     stored_in(tmp_path)
     index = json.loads((tmp_path / "depth_maps.json").read_text())
     (tmp_path / "000000.npz").write_bytes((tmp_path / "000001.npz").read_bytes())
@@ -159,7 +159,7 @@ def depths(T):
     """Depth of the ball and the wall, in float64."""
     lens = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, K[0, 0], K[1, 1], K[0, 2], K[1, 2])
     ball = [(*BALL[0], BALL[1])]
-    return np.array([true_map(loom.mvs.PosedCamera(lens, pose), balls=ball, wall=6.0).depth for pose in T])
+    return np.array([true_map(loom.photogrammetry.PosedCamera(lens, pose), balls=ball, wall=6.0).depth for pose in T])
 
 
 def arrays_of(layout, **changed):
@@ -187,8 +187,8 @@ def write(tmp_path, arrays):
 
 @pytest.mark.parametrize("layout", ["VGGT", "Depth Anything 3", "MapAnything"])
 def test_a_bundle_is_read_and_fused(tmp_path, layout):
-    bundle = loom.mvs.read_depth_bundle(write(tmp_path, arrays_of(layout)))
-    assert bundle.layout == layout and len(bundle.maps) == COUNT and bundle.pictures[0].max() == 128
+    bundle = loom.photogrammetry.read_depth_bundle(write(tmp_path, arrays_of(layout)))
+    assert bundle.layout == layout and len(bundle.maps) == COUNT and bundle.images[0].max() == 128
     np.testing.assert_allclose(bundle.maps.cameras[2].T_camera_world, poses()[2], atol=1e-12)
     np.testing.assert_allclose(bundle.maps[1].depth, depths(poses())[1], rtol=1e-6)
     assert set(np.unique(bundle.maps[0].confidence)) <= ({0.0, 1.0} if layout == "MapAnything" else {0.75})
@@ -201,7 +201,7 @@ def test_a_bundle_is_read_and_fused(tmp_path, layout):
 
 def test_a_bundle_is_brought_to_scale_by_known_positions(tmp_path):
     names = [f"{i}.png" for i in range(COUNT)]
-    bundle = loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT")), names=names)
+    bundle = loom.photogrammetry.read_depth_bundle(write(tmp_path, arrays_of("VGGT")), names=names)
     rotation = Rotation.from_rotvec([0.3, 0.5, -0.2]).as_matrix()
     eyes = np.linalg.inv(poses())[:, :3, 3]
     world = 2.5 * eyes @ rotation.T + [10, 20, 30]
@@ -219,7 +219,7 @@ def test_a_bundle_is_brought_to_scale_by_known_positions(tmp_path):
 def test_poses_that_contradict_the_depth_are_an_error(tmp_path):
     inverted = np.linalg.inv(poses())[:, :3]
     inverted[:, :, 3] += 3 * np.arange(COUNT)[:, None]
-    bundle = loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", extrinsic=inverted)))
+    bundle = loom.photogrammetry.read_depth_bundle(write(tmp_path, arrays_of("VGGT", extrinsic=inverted)))
     with pytest.raises(ValueError, match="of VGGT contradict each other"):
         bundle.fuse()
 
@@ -239,43 +239,43 @@ def test_poses_that_contradict_the_depth_are_an_error(tmp_path):
         ({"depth_conf": np.full((COUNT, HEIGHT, WIDTH), -1.0)}, "depth_conf: expected finite numbers"),
         ({"depth_conf": np.full((COUNT, HEIGHT, WIDTH), np.inf)}, "depth_conf: expected finite numbers"),
         ({"depth_conf": np.ones((COUNT, HEIGHT))}, "depth_conf: expected shape"),
-        ({"images": np.ones((COUNT, HEIGHT, WIDTH))}, "pictures: expected"),
-        ({"images": np.full((COUNT, HEIGHT, WIDTH, 3), 7.0)}, "pictures: expected uint8"),
+        ({"images": np.ones((COUNT, HEIGHT, WIDTH))}, "images: expected"),
+        ({"images": np.full((COUNT, HEIGHT, WIDTH, 3), 7.0)}, "images: expected uint8"),
     ],
 )
 def test_damaged_bundles_are_named(tmp_path, changed, match):
     with pytest.raises(FileError, match=match):
-        loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", **changed)))
+        loom.photogrammetry.read_depth_bundle(write(tmp_path, arrays_of("VGGT", **changed)))
 
 
 def test_other_archives_and_pickles_are_named(tmp_path):
     with pytest.raises(FileError, match=r"/predictions\.npz:"):
-        loom.mvs.read_depth_bundle(write(tmp_path, {"points": np.zeros((3, 3))}))
+        loom.photogrammetry.read_depth_bundle(write(tmp_path, {"points": np.zeros((3, 3))}))
     objects = np.array([{"a": 1}], dtype=object)
     with pytest.raises(FileError, match=r"predictions\.npz"):
-        loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", depth=objects)))
+        loom.photogrammetry.read_depth_bundle(write(tmp_path, arrays_of("VGGT", depth=objects)))
     path = write(tmp_path, arrays_of("VGGT", world_points=objects))  # not read
-    assert len(loom.mvs.read_depth_bundle(path).maps) == COUNT
+    assert len(loom.photogrammetry.read_depth_bundle(path).maps) == COUNT
     path.write_bytes(path.read_bytes()[:-40])
     with pytest.raises(FileError, match="truncated"):
-        loom.mvs.read_depth_bundle(path)
+        loom.photogrammetry.read_depth_bundle(path)
     with pytest.raises(ValueError, match="names:"):
-        loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT")), names=["a", "a", "b", "c"])
+        loom.photogrammetry.read_depth_bundle(write(tmp_path, arrays_of("VGGT")), names=["a", "a", "b", "c"])
 
 
 def test_rotations_in_half_precision_are_made_right(tmp_path):
     rough = poses()[:, :3].astype(np.float16)
-    bundle = loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", extrinsic=rough)))
+    bundle = loom.photogrammetry.read_depth_bundle(write(tmp_path, arrays_of("VGGT", extrinsic=rough)))
     R = bundle.maps.cameras[3].T_camera_world[:3, :3]
     np.testing.assert_allclose(R @ R.T, np.eye(3), atol=1e-12)
 
 
 CALLS = """
-loom.mvs.filter_depth_maps(maps=maps, min_views=2, max_pixels=1.0, max_relative=0.01, min_confidence=0.0, min_support=0.25, folder=None, device="cpu", progress=None)
-loom.mvs.fuse(maps=maps, pictures=None, to="points", voxel_size=0.5, min_views=2, max_pixels=2.0, max_relative=0.01, max_angle=30.0, device="cpu", progress=None)
-loom.mvs.PosedCamera(intrinsic=lens, T_camera_world=pose)
-loom.mvs.estimate_depth_maps(pictures=pictures, cameras=cameras, sparse=sparse, sources=sources, masks=None, method="patch_match", seed=0, device="cpu", folder=None, going=None, device_bytes=1000, progress=None)
-loom.mvs.read_depth_bundle(path=path, names=["a", "b"], device="cpu")
+loom.photogrammetry.filter_depth_maps(maps=maps, min_views=2, max_pixels=1.0, max_relative=0.01, min_confidence=0.0, min_support=0.25, folder=None, device="cpu", progress=None)
+loom.photogrammetry.fuse_depth_maps(maps=maps, images=None, to="points", voxel_size=0.5, min_views=2, max_pixels=2.0, max_relative=0.01, max_angle=30.0, device="cpu", progress=None)
+loom.photogrammetry.PosedCamera(intrinsic=lens, T_camera_world=pose)
+loom.photogrammetry.estimate_depth_maps(images=images, cameras=cameras, sparse=sparse, sources=sources, masks=None, method="patch_match", seed=0, device="cpu", folder=None, resume_from=None, device_bytes=1000, progress=None)
+loom.photogrammetry.read_depth_bundle(path=path, names=["a", "b"], device="cpu")
 bundle.transform(transformation=pose)
 bundle.fuse(to="points", voxel_size=0.5, min_confidence=0.1, max_relative=0.01, device="cpu", progress=None)
 """  # noqa: E501
@@ -288,19 +288,21 @@ def things(tmp_path_factory) -> dict[str, Any]:
     arrays = {"depth": np.ones((*shape, 1)), "depth_conf": np.ones(shape), "intrinsic": np.tile(np.eye(3), (2, 1, 1))}
     np.savez(path, extrinsic=poses, **arrays)
     maps, cameras = true_maps(2), [camera_at(0.0, scale=0.5), camera_at(0.2, scale=0.5)]
-    pictures, sparse = scene(cameras)
-    size = pictures[0].shape
+    images, sparse = scene(cameras)
+    size = images[0].shape
     depth, normals = np.ones(size), np.zeros((*size, 3))
     return {
         "loom": loom, "lens": intrinsic(), "pose": np.eye(4), "points": sparse.points, "sparse": sparse,
-        "observations": sparse.observations, "cameras": cameras, "pictures": pictures, "sources": [[1], [0]],
+        "observations": sparse.observations, "cameras": cameras, "images": images, "sources": [[1], [0]],
         "depth": depth, "normals": normals, "one": DepthMap(depth, normals, depth), "maps": maps,
         "bundle": DepthBundle(maps, None, ("a", "b"), "VGGT"), "path": path,
     }  # fmt: skip
 
 
 def test_the_table_names_every_argument():
-    calls = {name: set(inspect.signature(getattr(loom.mvs, name)).parameters) for name in TABLE if "." not in name}
+    calls = {
+        name: set(inspect.signature(getattr(loom.photogrammetry, name)).parameters) for name in TABLE if "." not in name
+    }
     assert missing_from({name: TABLE[name] for name in calls}, calls) == {}
 
 
@@ -314,7 +316,7 @@ test_good_arguments_are_accepted, test_hostile_values_are_rejected_by_name = arg
 def test_a_world_of_any_size_is_fused_or_refused(to, scale):
     maps = true_maps(2)
     try:
-        made = loom.mvs.fuse(resized(maps, scale), None, to=to)
+        made = loom.photogrammetry.fuse_depth_maps(resized(maps, scale), None, to=to)
     except (ValueError, MemoryError) as error:
         assert scale in (1e-30, 1e30), error
     else:

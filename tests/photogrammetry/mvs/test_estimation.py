@@ -10,15 +10,15 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.io.pictures.image_files import write_png
+from pointloom.io.images.image_files import write_png
 from pointloom.photogrammetry.mvs import plane_search
 from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
-from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+from pointloom.photogrammetry.mvs.posed_images import SparsePoints
 from pointloom.photogrammetry.mvs.rectification import rectify
 from pointloom.photogrammetry.mvs.sources import choose_sources
 
+from .made_images import FOCAL, HEIGHT, NORMAL, WIDTH, camera_at, look, scene, three
 from .made_maps import moved, pose
-from .made_pictures import FOCAL, HEIGHT, NORMAL, WIDTH, camera_at, look, scene, three
 
 ALL = [[1, 2], [0, 2], [0, 1]]
 
@@ -29,11 +29,13 @@ def digest(maps: DepthMaps) -> str:
 
 
 def estimate(cameras, **options):
-    pictures, sparse = scene(cameras)
-    return loom.mvs.estimate_depth_maps(pictures, cameras, sparse, **({"sources": ALL[: len(cameras)]} | options))
+    images, sparse = scene(cameras)
+    return loom.photogrammetry.estimate_depth_maps(
+        images, cameras, sparse, **({"sources": ALL[: len(cameras)]} | options)
+    )
 
 
-def errors(each: DepthMap, camera: loom.mvs.PosedCamera, unit: float = 1.0) -> np.ndarray:
+def errors(each: DepthMap, camera: loom.photogrammetry.PosedCamera, unit: float = 1.0) -> np.ndarray:
     """Reprojection error of each pixel in a source 0.18 to the side [px]."""
     truth, has = look(camera)[1], each.depth > 0
     return np.abs(unit / each.depth[has] - 1 / truth[has]) * FOCAL * 0.18
@@ -45,7 +47,7 @@ def test_a_textured_plane_has_accurate_depth(device):
     assert [each.depth.shape for each in maps] == [(36, 48)] * 3
     for each, camera in zip(maps, cameras, strict=True):
         wrong = errors(each, camera)
-        assert each.share > 0.8
+        assert each.fraction > 0.8
         assert np.median(wrong) < 0.05
         assert (wrong < 0.2).mean() > 0.9
 
@@ -87,45 +89,47 @@ def test_another_seed_gives_other_planes_of_the_same_surface():
 
 def test_files_give_what_their_arrays_give(tmp_path):
     cameras = three()
-    pictures, sparse = scene(cameras)
-    colored = [np.repeat(picture[..., None], 3, axis=2) for picture in pictures]
+    images, sparse = scene(cameras)
+    colored = [np.repeat(image[..., None], 3, axis=2) for image in images]
     paths = [tmp_path / f"{i}.png" for i in range(3)]
-    for path, picture in zip(paths, colored, strict=True):
-        Image.fromarray(picture).save(path)
-    files, arrays = (loom.mvs.estimate_depth_maps(each, cameras, sparse, sources=ALL) for each in (paths, colored))
+    for path, image in zip(paths, colored, strict=True):
+        Image.fromarray(image).save(path)
+    files, arrays = (
+        loom.photogrammetry.estimate_depth_maps(each, cameras, sparse, sources=ALL) for each in (paths, colored)
+    )
     assert digest(files) == digest(arrays)
 
 
-def test_pictures_of_several_sizes_have_maps_of_their_own_sizes():
+def test_images_of_several_sizes_have_maps_of_their_own_sizes():
     cameras = [camera_at(0.0), camera_at(0.18, scale=1.5), camera_at(-0.05, 0.15, scale=0.75)]
     maps = estimate(cameras)
     assert [each.depth.shape for each in maps] == [(36, 48), (54, 72), (27, 36)]
     assert all(np.median(errors(each, camera)) < 0.05 for each, camera in zip(maps, cameras, strict=True))
 
 
-def test_black_pictures_have_no_depth_and_harm_no_others():
+def test_black_images_have_no_depth_and_harm_no_others():
     cameras, black = three(), np.zeros((36, 48), np.uint8)
-    pictures, sparse = scene(cameras)
-    maps = loom.mvs.estimate_depth_maps([black] * 3, cameras, sparse, sources=ALL)
-    assert all(each.share == 0 and not each.confidence.any() for each in maps)
-    maps = loom.mvs.estimate_depth_maps([*pictures[:2], black], cameras, sparse, sources=ALL)
-    assert maps[2].share == 0
+    images, sparse = scene(cameras)
+    maps = loom.photogrammetry.estimate_depth_maps([black] * 3, cameras, sparse, sources=ALL)
+    assert all(each.fraction == 0 and not each.confidence.any() for each in maps)
+    maps = loom.photogrammetry.estimate_depth_maps([*images[:2], black], cameras, sparse, sources=ALL)
+    assert maps[2].fraction == 0
     assert np.median(errors(maps[0], cameras[0])) < 0.05
 
 
 def test_the_unit_of_the_poses_and_a_far_origin_change_little():
     cameras = three()
-    pictures, sparse = scene(cameras)
+    images, sparse = scene(cameras)
     for factor, origin in ((1e3, 0.0), (1e-3, 0.0), (1.0, 5e6)):
         posed = moved(cameras, factor, (origin, origin, origin))
         points = SparsePoints(sparse.points * factor + origin, sparse.observations)
-        maps = loom.mvs.estimate_depth_maps(pictures, posed, points, sources=ALL)
+        maps = loom.photogrammetry.estimate_depth_maps(images, posed, points, sources=ALL)
         assert np.median(errors(maps[0], cameras[0], factor)) < 0.05
 
 
-def test_a_picture_without_sources_has_no_depth():
+def test_an_image_without_sources_has_no_depth():
     maps = estimate(three(), sources=[[1], [0], []])
-    assert maps.sources[2] == () and maps[2].share == 0 and maps[0].share > 0.8
+    assert maps.sources[2] == () and maps[2].fraction == 0 and maps[0].fraction > 0.8
 
 
 def test_cameras_that_only_rotate_are_rejected():
@@ -135,45 +139,45 @@ def test_cameras_that_only_rotate_are_rejected():
 
 def test_depth_is_estimated_where_frusta_overlap_without_points():
     cameras = three()
-    pictures, _ = scene(cameras)
-    maps = loom.mvs.estimate_depth_maps(pictures, cameras)
+    images, _ = scene(cameras)
+    maps = loom.photogrammetry.estimate_depth_maps(images, cameras)
     for each, camera in zip(maps, cameras, strict=True):
         wrong = errors(each, camera)
-        assert each.share > 0.8
+        assert each.fraction > 0.8
         assert np.median(wrong) < 0.05
         assert (wrong < 0.2).mean() > 0.85
     none = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
-    assert digest(maps) == digest(loom.mvs.estimate_depth_maps(pictures, cameras, none))
+    assert digest(maps) == digest(loom.photogrammetry.estimate_depth_maps(images, cameras, none))
 
 
-def test_a_picture_that_sees_no_points_is_searched_where_frusta_meet():
+def test_an_image_that_sees_no_points_is_searched_where_frusta_meet():
     cameras = three()
-    pictures, sparse = scene(cameras)
+    images, sparse = scene(cameras)
     blind = SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 2])
-    maps = loom.mvs.estimate_depth_maps(pictures, cameras, blind, sources=ALL)
-    assert maps.sources[2] == (0, 1) and maps[2].share > 0.8
+    maps = loom.photogrammetry.estimate_depth_maps(images, cameras, blind, sources=ALL)
+    assert maps.sources[2] == (0, 1) and maps[2].fraction > 0.8
     assert np.median(errors(maps[2], cameras[2])) < 0.05
 
 
-def test_invalid_pictures_are_reported_by_number(tmp_path):
+def test_invalid_images_are_reported_by_number(tmp_path):
     cameras = three()
-    pictures, sparse = scene(cameras)
+    images, sparse = scene(cameras)
 
     def refused(changed, error, match):
         with pytest.raises(error, match=match):
-            loom.mvs.estimate_depth_maps(changed, cameras, sparse, sources=ALL)
+            loom.photogrammetry.estimate_depth_maps(changed, cameras, sparse, sources=ALL)
 
-    refused(pictures[:1], ValueError, "pictures: expected at least 2, got 1")
-    refused(pictures[:2], ValueError, "cameras: expected one for each of the 2 images, got 3")
-    wanted = r"pictures\[2\]: expected 48 x 36 pixels as of its camera, got 48 x 35"
-    refused([*pictures[:2], pictures[2][:-1]], ValueError, wanted)
-    refused([*pictures[:2], pictures[2].astype(np.uint16)], TypeError, r"pictures\[2\]: expected uint8.*divide 16-bit")
-    refused([*pictures[:2], np.zeros((36, 48, 4), np.uint8)], ValueError, r"pictures\[2\]: expected shape")
-    Image.fromarray(pictures[2][:-1]).save(tmp_path / "small.png")
-    refused([*pictures[:2], tmp_path / "small.png"], loom.FileError, "expected 48 x 36 pixels .*, got 48 x 35")
-    refused([*pictures[:2], tmp_path / "none.png"], loom.FileError, "cannot be read")
-    Image.fromarray(pictures[2].astype(np.uint16) * 256).save(tmp_path / "deep.png")
-    refused([*pictures[:2], tmp_path / "deep.png"], loom.FileError, "16-bit")
+    refused(images[:1], ValueError, "images: expected at least 2, got 1")
+    refused(images[:2], ValueError, "cameras: expected one for each of the 2 images, got 3")
+    wanted = r"images\[2\]: expected 48 x 36 pixels as of its camera, got 48 x 35"
+    refused([*images[:2], images[2][:-1]], ValueError, wanted)
+    refused([*images[:2], images[2].astype(np.uint16)], TypeError, r"images\[2\]: expected uint8.*divide 16-bit")
+    refused([*images[:2], np.zeros((36, 48, 4), np.uint8)], ValueError, r"images\[2\]: expected shape")
+    Image.fromarray(images[2][:-1]).save(tmp_path / "small.png")
+    refused([*images[:2], tmp_path / "small.png"], loom.FileError, "expected 48 x 36 pixels .*, got 48 x 35")
+    refused([*images[:2], tmp_path / "none.png"], loom.FileError, "cannot be read")
+    Image.fromarray(images[2].astype(np.uint16) * 256).save(tmp_path / "deep.png")
+    refused([*images[:2], tmp_path / "deep.png"], loom.FileError, "16-bit")
 
 
 def test_invalid_sources_are_rejected():
@@ -198,7 +202,7 @@ def test_a_failure_leaves_no_finished_folder(tmp_path):
     assert not [path for path in (tmp_path / "maps").iterdir() if path.is_dir()]
 
 
-def test_an_interrupted_search_resumes_at_the_next_picture(tmp_path, monkeypatch):
+def test_an_interrupted_search_resumes_at_the_next_image(tmp_path, monkeypatch):
     expected = digest(estimate(three(), sources=None))
     steps, matched, match = [], [], plane_search._PhaseRun.match
     noted = lambda phase, i: matched.append((phase.number, i)) or match(phase, i)  # noqa: E731
@@ -212,19 +216,19 @@ def test_an_interrupted_search_resumes_at_the_next_picture(tmp_path, monkeypatch
             if done == stop:
                 raise KeyboardInterrupt
 
-        return estimate(three(), sources=None, going=tmp_path / "going", progress=progress)
+        return estimate(three(), sources=None, resume_from=tmp_path / "resume_from", progress=progress)
 
     for stop in (2, 4, 6, 9):
         with pytest.raises(KeyboardInterrupt):
             run(stop)
     assert digest(run(None)) == expected
-    assert matched == [(k // 3, k % 3) for k in range(9, steps[0] // 3 * 3)]  # finished pictures are not matched again
+    assert matched == [(k // 3, k % 3) for k in range(9, steps[0] // 3 * 3)]  # finished images are not matched again
 
 
 def test_damaged_files_are_matched_again(tmp_path):
-    options = {"sources": None, "going": tmp_path / "going"}
+    options = {"sources": None, "resume_from": tmp_path / "resume_from"}
     expected = estimate(three(), **options)
-    files = sorted((tmp_path / "going").iterdir())
+    files = sorted((tmp_path / "resume_from").iterdir())
     files[0].write_bytes(files[0].read_bytes()[:-7])
     files[1].write_bytes(b"")
     np.save(files[2], np.zeros((3, 4), np.float32))
@@ -236,7 +240,7 @@ def test_damaged_files_are_matched_again(tmp_path):
 @pytest.mark.parametrize(
     "change", [lambda path: os.truncate(path, 400), lambda path: np.save(path, [1.0]), Path.unlink]
 )
-@pytest.mark.parametrize("options", [{"going": "planes"}, {"folder": "planes", "device_bytes": 0}])
+@pytest.mark.parametrize("options", [{"resume_from": "planes"}, {"folder": "planes", "device_bytes": 0}])
 def test_planes_that_another_program_changes_are_an_error(tmp_path, monkeypatch, options, change):
     def progress(name, done, total):
         if done == 3:  # the planes of the first phase are complete
@@ -249,7 +253,7 @@ def test_planes_that_another_program_changes_are_an_error(tmp_path, monkeypatch,
 
 @pytest.fixture(scope="module")
 def masks():
-    """A mask that excludes the right half of each picture."""
+    """A mask that excludes the right half of each image."""
     mask = np.zeros((HEIGHT, WIDTH), np.uint8)
     mask[:, : WIDTH // 2] = 255
     return mask
@@ -257,22 +261,22 @@ def masks():
 
 def test_masked_pixels_have_no_depth_and_no_points(masks, tmp_path):
     cameras = three()
-    pictures, sparse = scene(cameras)
+    images, sparse = scene(cameras)
     write_png(tmp_path / "m.png", masks)
     given = [tmp_path / "m.png", masks, masks > 0]
-    unmasked = loom.mvs.estimate_depth_maps(pictures, cameras, sparse)
-    maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=given)
+    unmasked = loom.photogrammetry.estimate_depth_maps(images, cameras, sparse)
+    maps = loom.photogrammetry.estimate_depth_maps(images, cameras, sparse, masks=given)
     for each, all_of_it in zip(maps, unmasked, strict=True):
         out = masks == 0
         assert not each.depth[out].any() and not each.confidence[out].any() and not each.normals[out].any()
         assert np.array_equal(each.depth[~out], all_of_it.depth[~out]) and each.depth[~out].any()
-    cloud = loom.mvs.fuse(maps, pictures)
+    cloud = loom.photogrammetry.fuse_depth_maps(maps, images)
     inside = np.zeros(len(cloud), bool)
     for camera in cameras:
         p = cloud.points @ camera.T_camera_world[:3, :3].T + camera.T_camera_world[:3, 3]
         inside |= camera.intrinsic.fx * p[:, 0] / p[:, 2] + camera.intrinsic.cx < WIDTH // 2 + 1
     assert len(cloud) > 100 and inside.all()
-    maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=[None, masks, None])
+    maps = loom.photogrammetry.estimate_depth_maps(images, cameras, sparse, masks=[None, masks, None])
     assert np.array_equal(maps[0].depth, unmasked[0].depth) and not np.array_equal(maps[1].depth, unmasked[1].depth)
 
 
@@ -291,7 +295,7 @@ def test_masks_that_do_not_fit_are_refused(masks, tmp_path):
 def camera_from(x, y=0.0, z=0.0, angle=0.0):
     T = pose(x, y, angle)
     T[:3, 3] -= T[:3, 2] * z
-    return loom.mvs.PosedCamera(loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), T)
+    return loom.photogrammetry.PosedCamera(loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), T)
 
 
 def scattered(rng, count=9, points=300):
@@ -302,7 +306,7 @@ def scattered(rng, count=9, points=300):
 
 
 def plain_cover(cameras, sparse, count):
-    """The greedy choice with one matrix per picture."""
+    """The greedy choice with one matrix per image."""
     centers, out = np.array([camera.center for camera in cameras]), []
     for i in range(len(cameras)):
         mine = sparse.seen_by(i)
@@ -334,7 +338,7 @@ def test_the_choice_matches_a_plain_loop(rng, count):
 
 
 def test_a_source_covering_unseen_points_precedes_better_ones():
-    """Pictures 1 to 4 see the left half well; only picture 5 sees the right half, at a poorer angle."""
+    """Images 1 to 4 see the left half well; only image 5 sees the right half, at a poorer angle."""
     cameras = [camera_from(x) for x in (0.0, 0.5, 0.52, 0.54, 0.56, 0.15)]
     points = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.full(40, 5.0)], axis=1)
     left = np.flatnonzero(points[:, 0] < 0).tolist()
@@ -377,7 +381,7 @@ def test_a_model_of_structure_from_motion_is_taken_for_its_points(rng):
     assert choose_sources(cameras, model) == choose_sources(cameras, sparse)
 
 
-def test_only_a_picture_without_shared_points_is_chosen_for_by_its_camera(rng):
+def test_only_an_image_without_shared_points_is_chosen_for_by_its_camera(rng):
     cameras, sparse = scattered(rng)
     bare = SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 4])
     chosen = choose_sources(cameras, bare, count=3)
@@ -392,7 +396,7 @@ def test_cameras_at_one_position_have_no_sources():
     assert choose_sources([camera_from(0.0)] * 3, sparse) == ((), (), ())
 
 
-def test_an_observation_by_a_picture_that_is_not_there_is_refused():
+def test_an_observation_by_an_image_that_is_not_there_is_refused():
     sparse = SparsePoints([[0.0, 0.0, 2.0]], [(3, 0)])
     with pytest.raises(ValueError, match="sparse:"):
         choose_sources([camera_from(0.0)] * 2, sparse)
@@ -403,18 +407,20 @@ PAIR_LENS = loom.PinholeCameraIntrinsic(PAIR_WIDTH, PAIR_HEIGHT, 2 * FOCAL, 2 * 
 BASELINE = 0.18
 
 
-def rotated_camera(x, y=0.0, z=0.0, *, angle=0.0, roll=0.0) -> loom.mvs.PosedCamera:
+def rotated_camera(x, y=0.0, z=0.0, *, angle=0.0, roll=0.0) -> loom.photogrammetry.PosedCamera:
     """A camera at a position, rotated about its vertical axis, then about its optical axis [rad]."""
     c, s, a, b = np.cos(angle), np.sin(angle), np.cos(roll), np.sin(roll)
     T = np.eye(4)
     T[:3, :3] = np.array([[a, -b, 0], [b, a, 0], [0, 0, 1]]) @ [[c, 0, -s], [0, 1, 0], [s, 0, c]]
     T[:3, 3] = -T[:3, :3] @ (x, y, z)
-    return loom.mvs.PosedCamera(PAIR_LENS, T)
+    return loom.photogrammetry.PosedCamera(PAIR_LENS, T)
 
 
 def estimate_pair(cameras, **options) -> DepthMaps:
-    pictures, sparse = scene(cameras)
-    return loom.mvs.estimate_depth_maps(pictures, cameras, sparse, method="sgm", **({"sources": [[1], [0]]} | options))
+    images, sparse = scene(cameras)
+    return loom.photogrammetry.estimate_depth_maps(
+        images, cameras, sparse, method="sgm", **({"sources": [[1], [0]]} | options)
+    )
 
 
 def disparity_errors(each, camera) -> np.ndarray:
@@ -439,7 +445,7 @@ def test_a_slanted_plane_has_subpixel_depth_and_its_normal(device, name):
     assert maps.sources == ((1,), (0,))
     for each, camera in zip(maps, cameras, strict=True):
         wrong = disparity_errors(each, camera)
-        assert each.share > 0.5
+        assert each.fraction > 0.5
         assert np.median(wrong) < 0.2
         assert (wrong < 1).mean() > 0.97
         has = each.depth > 0
@@ -453,12 +459,12 @@ def test_hidden_pixels_have_no_depth():
     """A textured bar before a textured wall hides a strip of the wall from the right image."""
     rng = np.random.default_rng(0)
     wall, bar = (rng.integers(0, 256, (PAIR_HEIGHT, 2 * PAIR_WIDTH), dtype=np.uint8) for _ in range(2))
-    pictures = [wall[:, 20 : 20 + PAIR_WIDTH].copy(), wall[:, 24 : 24 + PAIR_WIDTH].copy()]
-    pictures[0][:, 40:60], pictures[1][:, 28:48] = bar[:, :20], bar[:, :20]  # disparities 4 and 12
+    images = [wall[:, 20 : 20 + PAIR_WIDTH].copy(), wall[:, 24 : 24 + PAIR_WIDTH].copy()]
+    images[0][:, 40:60], images[1][:, 28:48] = bar[:, :20], bar[:, :20]  # disparities 4 and 12
     cameras = [rotated_camera(0.0), rotated_camera(BASELINE)]
     near, far = PAIR_LENS.fx * BASELINE / 12, PAIR_LENS.fx * BASELINE / 4
     points = SparsePoints([[0, 0, z] for z in (near, near, far, far)], [[i, k] for i in (0, 1) for k in range(4)])
-    left, right = loom.mvs.estimate_depth_maps(pictures, cameras, points, sources=[[1], [0]], method="sgm")
+    left, right = loom.photogrammetry.estimate_depth_maps(images, cameras, points, sources=[[1], [0]], method="sgm")
     hidden, inner = (slice(8, -8), slice(34, 38)), (slice(8, -8), slice(44, 56))
     assert (left.depth[hidden] > 0).mean() < 0.1
     np.testing.assert_allclose(np.median(left.depth[inner]), near, rtol=0.02)
@@ -472,8 +478,8 @@ def test_images_without_texture_have_no_depth(device, value):
     _, sparse = scene(list(PAIRS["rectified"]))
     plain = [np.full((PAIR_HEIGHT, PAIR_WIDTH), value, np.uint8)] * 2
     given = {"sources": [[1], [0]], "method": "sgm", "device": device}
-    maps = loom.mvs.estimate_depth_maps(plain, PAIRS["rectified"], sparse, **given)
-    assert [each.share for each in maps] == [0.0, 0.0]
+    maps = loom.photogrammetry.estimate_depth_maps(plain, PAIRS["rectified"], sparse, **given)
+    assert [each.fraction for each in maps] == [0.0, 0.0]
 
 
 @pytest.mark.parametrize("name", ["rectified", "rolled"])
@@ -490,14 +496,14 @@ def test_results_are_bitwise_identical_for_one_and_two_threads(name):
 
 def test_exposure_colors_files_and_folders_change_nothing(tmp_path):
     cameras = list(PAIRS["rectified"])
-    pictures, sparse = scene(cameras)
+    images, sparse = scene(cameras)
     given = {"sources": [[1], [0]], "method": "sgm"}
-    first = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, **given)
-    darker = [pictures[0], (pictures[1] // 2).astype(np.uint8)]
-    dark = loom.mvs.estimate_depth_maps(darker, cameras, sparse, **given)
+    first = loom.photogrammetry.estimate_depth_maps(images, cameras, sparse, **given)
+    darker = [images[0], (images[1] // 2).astype(np.uint8)]
+    dark = loom.photogrammetry.estimate_depth_maps(darker, cameras, sparse, **given)
     assert np.median(disparity_errors(dark[0], cameras[0])) < 0.2
-    given |= {"folder": tmp_path / "maps", "going": tmp_path / "going", "device_bytes": 0, "seed": 3}
-    stored = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, **given)
+    given |= {"folder": tmp_path / "maps", "resume_from": tmp_path / "resume_from", "device_bytes": 0, "seed": 3}
+    stored = loom.photogrammetry.estimate_depth_maps(images, cameras, sparse, **given)
     assert digest(first) == digest(stored) == digest(DepthMaps.open(tmp_path / "maps"))
 
 
@@ -505,17 +511,17 @@ def test_masked_pixels_and_images_without_sources_have_no_depth():
     mask = np.zeros((PAIR_HEIGHT, PAIR_WIDTH), bool)
     mask[:, : PAIR_WIDTH // 2] = True
     maps = estimate_pair(PAIRS["rectified"], masks=[None, mask], sources=[[1], [0]])
-    assert maps[0].share > 0.5 and not maps[1].depth[:, PAIR_WIDTH // 2 :].any()
+    assert maps[0].fraction > 0.5 and not maps[1].depth[:, PAIR_WIDTH // 2 :].any()
     maps = estimate_pair(PAIRS["rectified"], sources=[[1], []])
-    assert maps[0].share > 0.5 and maps[1].share == 0
+    assert maps[0].fraction > 0.5 and maps[1].fraction == 0
 
 
 def test_the_unit_of_the_poses_scales_the_depth():
     cameras = PAIRS["rectified"]
-    pictures, sparse = scene(list(cameras))
+    images, sparse = scene(list(cameras))
     points = SparsePoints(sparse.points * 1000, sparse.observations)
     scaled = moved(cameras, 1000, (0, 0, 0))
-    far = loom.mvs.estimate_depth_maps(pictures, scaled, points, sources=[[1], [0]], method="sgm")
+    far = loom.photogrammetry.estimate_depth_maps(images, scaled, points, sources=[[1], [0]], method="sgm")
     np.testing.assert_allclose(far[0].depth, 1000 * estimate_pair(cameras)[0].depth, rtol=1e-4)
 
 
@@ -534,8 +540,8 @@ def test_pairs_that_cannot_be_matched_are_rejected(tmp_path):
         assert not (tmp_path / "maps").exists()
 
     refused(ValueError, "cameras: expected a baseline across", (rotated_camera(0.0), rotated_camera(0.01, 0.0, 0.5)))
-    refused(ValueError, "pictures: expected 2", [rotated_camera(0.1 * k) for k in range(3)], sources=[[1], [0], []])
-    pictures, sparse = scene(list(PAIRS["rectified"]))
+    refused(ValueError, "images: expected 2", [rotated_camera(0.1 * k) for k in range(3)], sources=[[1], [0], []])
+    images, sparse = scene(list(PAIRS["rectified"]))
     for method, error in (("sgbm", ValueError), (None, TypeError), (1, TypeError)):
         with pytest.raises(error, match="method: expected"):
-            loom.mvs.estimate_depth_maps(pictures, PAIRS["rectified"], sparse, method=method)
+            loom.photogrammetry.estimate_depth_maps(images, PAIRS["rectified"], sparse, method=method)

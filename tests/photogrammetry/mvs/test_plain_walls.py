@@ -9,10 +9,10 @@ from scipy import ndimage
 import pointloom as loom
 from pointloom.photogrammetry.mvs import plane_search
 from pointloom.photogrammetry.mvs.depth_maps import DepthMaps
-from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+from pointloom.photogrammetry.mvs.posed_images import SparsePoints
 
+from .made_images import texture
 from .made_maps import pose
-from .made_pictures import texture
 from .test_estimation import ALL, digest
 
 WIDTH, HEIGHT, FOCAL = 96, 72, 100.0
@@ -23,12 +23,12 @@ CENTER, RADIUS = np.array([0.0, 0.0, 1.6]), 0.32  # of the ball
 NOISE = 2.0  # [of 255]
 
 
-def cameras() -> list[loom.mvs.PosedCamera]:
-    return [loom.mvs.PosedCamera(LENS, pose(x, y)) for x, y in ((0.0, 0.0), (0.12, 0.0), (-0.04, 0.12))]
+def cameras() -> list[loom.photogrammetry.PosedCamera]:
+    return [loom.photogrammetry.PosedCamera(LENS, pose(x, y)) for x, y in ((0.0, 0.0), (0.12, 0.0), (-0.04, 0.12))]
 
 
-def look(camera: loom.mvs.PosedCamera, seed: int, ball: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Noisy gray picture, depth, and labels (0 frame, 1 gray wall, 2 ball), each [h, w]."""
+def look(camera: loom.photogrammetry.PosedCamera, seed: int, ball: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Noisy gray image, depth, and labels (0 frame, 1 gray wall, 2 ball), each [h, w]."""
     v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
     rays = np.stack([(u - LENS.cx) / FOCAL, (v - LENS.cy) / FOCAL, np.ones_like(u)], axis=-1)
     start = camera.center
@@ -56,7 +56,7 @@ def estimate(ball: bool, **options) -> tuple[DepthMaps, list[np.ndarray], list[n
     points = np.stack([(u - LENS.cx) / FOCAL * depth, (v - LENS.cy) / FOCAL * depth, depth], -1)
     points = points[seen[0][2][v, u] != 1]  # there are no features on the gray wall
     sparse = SparsePoints(points, [(i, k) for i in range(3) for k in range(len(points))])
-    maps = loom.mvs.estimate_depth_maps([each[0] for each in seen], posed, sparse, sources=ALL, **options)
+    maps = loom.photogrammetry.estimate_depth_maps([each[0] for each in seen], posed, sparse, sources=ALL, **options)
     pairs = [(estimated.depth, true[1]) for estimated, true in zip(maps, seen, strict=True)]
     wrong = [np.where(depth > 0, np.abs(depth / true - 1), np.inf) for depth, true in pairs]
     return maps, wrong, [each[2] for each in seen]
@@ -77,7 +77,7 @@ def test_a_gray_wall_with_a_textured_frame_is_filled_and_passes_the_filter(devic
     for off, what in zip(wrong, kind, strict=True):
         assert (off[inner(what)] < 0.01).mean() > 0.95
     assert digest(maps) == digest(filled[0])  # on every device the same bits
-    assert (loom.mvs.filter_depth_maps(maps)[0].depth[inner(kind[0])] > 0).mean() > 0.8
+    assert (loom.photogrammetry.filter_depth_maps(maps)[0].depth[inner(kind[0])] > 0).mean() > 0.8
 
 
 def test_a_textured_ball_before_a_gray_wall_stays_a_ball(monkeypatch, device):

@@ -1,4 +1,4 @@
-"""Pictures of the synthetic scene, their features, and videos."""
+"""Images of the synthetic scene, their features, and videos."""
 
 import importlib.util
 import shutil
@@ -12,18 +12,18 @@ import pytest
 from PIL import Image
 
 from pointloom.photogrammetry.sfm.features import find_features
-from pointloom.photogrammetry.sfm.mapping import map_pictures
-from pointloom.photogrammetry.sfm.matches import match
+from pointloom.photogrammetry.sfm.mapping import map_images
+from pointloom.photogrammetry.sfm.matches import match_features
 
-from .scene import camera_path, picture
+from .scene import camera_path, image
 
 COUNT = 8
 FEATURES = 1200
 
 
-def write_pictures(folder: Path, pictures: Sequence[np.ndarray], names: Sequence[str] = ()) -> Path:
+def write_images(folder: Path, images: Sequence[np.ndarray], names: Sequence[str] = ()) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
-    for number, pixels in enumerate(pictures):
+    for number, pixels in enumerate(images):
         Image.fromarray(pixels).save(folder / (names[number] if names else f"view {number}.png"))
     return folder
 
@@ -33,37 +33,37 @@ def silent(*_step) -> None:
 
 
 def left_half(shape) -> np.ndarray:
-    """A mask that keeps the left half of a picture."""
+    """A mask that keeps the left half of an image."""
     mask = np.zeros(shape, np.uint8)
     mask[:, : shape[1] // 2] = 255
     return mask
 
 
 @pytest.fixture(scope="session")
-def scene_pictures() -> list[np.ndarray]:
-    return [picture(T) for T in camera_path(COUNT)]
+def scene_images() -> list[np.ndarray]:
+    return [image(T) for T in camera_path(COUNT)]
 
 
 @pytest.fixture(scope="session")
-def stages(scene_pictures, tmp_path_factory) -> SimpleNamespace:
-    """Features, matches and the model of 8 pictures, in a folder with spaces and non-ASCII characters."""
+def stages(scene_images, tmp_path_factory) -> SimpleNamespace:
+    """Features, matches and the model of 8 images, in a folder with spaces and non-ASCII characters."""
     pytest.importorskip("sqlite3")
     if not has_pycolmap():
         pytest.skip("pycolmap is not installed")
     work = tmp_path_factory.mktemp("sfm") / "Küche 1 ✓"
-    pictures = write_pictures(work / "Bilder", scene_pictures)
+    images = write_images(work / "Bilder", scene_images)
     features_db, matches_db, sparse = work / "features.db", work / "matches.db", work / "sparse"
     steps: list[tuple[str, int, int]] = []
 
     def progress(*step):
         steps.append(step)
 
-    features = find_features(pictures, features_db, max_features=FEATURES, progress=progress)
+    features = find_features(images, features_db, max_features=FEATURES, progress=progress)
     before = features_db.read_bytes()
-    matches = match(features_db, matches_db, progress=progress)
+    matches = match_features(features_db, matches_db, progress=progress)
     assert features_db.read_bytes() == before
     before = matches_db.read_bytes()
-    result = map_pictures(pictures, matches_db, sparse, progress=progress)
+    result = map_images(images, matches_db, sparse, progress=progress)
     assert matches_db.read_bytes() == before
     return SimpleNamespace(**locals())
 
@@ -92,5 +92,5 @@ def make_video(tmp_path) -> Callable[..., Path]:
 @pytest.fixture(scope="session")
 def panned() -> list[np.ndarray]:
     """40 frames of 160 x 120 that move by 3 pixels each."""
-    wide = np.array(Image.fromarray(picture(camera_path(2)[0])).resize((640, 120), Image.Resampling.BOX))
+    wide = np.array(Image.fromarray(image(camera_path(2)[0])).resize((640, 120), Image.Resampling.BOX))
     return [np.ascontiguousarray(wide[:, 3 * k : 3 * k + 160]) for k in range(40)]

@@ -1,4 +1,4 @@
-"""Synthetic features of points seen by cameras with known poses, without pictures and COLMAP."""
+"""Synthetic features of points seen by cameras with known poses, without images and COLMAP."""
 
 from collections.abc import Sequence
 
@@ -36,7 +36,7 @@ def camera_row(count: int = 7) -> loom.SfmModel:
 
 
 def features_of(model: loom.SfmModel, *, count: int = POINTS, noise: float = 0.2, strangers: int = 40) -> FeatureRays:
-    """Features of `count` points in the pictures of a model, and `strangers` unmatched features."""
+    """Features of `count` points in the images of a model, and `strangers` unmatched features."""
     rng = np.random.default_rng(0)
     points = rng.uniform(-1, 1, (count, 3)) * (1.2, 0.8, 0.8) + (0, 0, 4.0)
     looks = some_looks(rng, count)
@@ -60,7 +60,7 @@ def some_looks(rng: np.random.Generator, count: int) -> np.ndarray:
 
 
 def with_poses(model: loom.SfmModel, T_camera_world: np.ndarray, focal: float = FOCAL) -> loom.SfmModel:
-    """The same pictures with other poses, or another focal length."""
+    """The same images with other poses, or another focal length."""
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [focal, focal, 320.0, 240.0])
     return loom.SfmModel(model.names, [camera] * len(model), T_camera_world)
 

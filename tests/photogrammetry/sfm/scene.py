@@ -40,8 +40,8 @@ def camera_pose(along: float, *, rotate_only: bool = False) -> np.ndarray:
     return T
 
 
-def picture(T_camera_world: np.ndarray, focal: float = FOCAL) -> np.ndarray:
-    """The picture of a camera, shape [240, 320], uint8."""
+def image(T_camera_world: np.ndarray, focal: float = FOCAL) -> np.ndarray:
+    """The image of a camera, shape [240, 320], uint8."""
     R, t = T_camera_world[:3, :3], T_camera_world[:3, 3]
     center = -R.T @ t
     v, u = np.mgrid[:HEIGHT, :WIDTH]

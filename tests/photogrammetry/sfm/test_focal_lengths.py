@@ -9,8 +9,8 @@ from PIL import Image
 import pointloom as loom
 from pointloom.photogrammetry.sfm.features import find_features
 
-from .conftest import has_pycolmap, write_pictures
-from .scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
+from .conftest import has_pycolmap, write_images
+from .scene import FOCAL, HEIGHT, WIDTH, camera_path, image
 
 COUNT = 8
 
@@ -28,9 +28,9 @@ def exif_of(film: int, *, focal: float | tuple[int, int] = 4.25) -> Image.Exif:
     return exif
 
 
-def write_photographs(folder, pictures, films) -> None:
+def write_photographs(folder, images, films) -> None:
     folder.mkdir()
-    for k, (pixels, film) in enumerate(zip(pictures, films, strict=True)):
+    for k, (pixels, film) in enumerate(zip(images, films, strict=True)):
         options = {} if film is None else {"exif": exif_of(film)}
         Image.fromarray(pixels).save(folder / f"{k}.jpg", quality=95, **options)
 
@@ -43,9 +43,9 @@ def cameras_of(database) -> list[tuple[float, int]]:
 
 
 @pytest.mark.slow
-def test_pictures_of_one_size_are_grouped_into_cameras_by_exif(scene_pictures, tmp_path):
-    write_photographs(tmp_path / "photos", scene_pictures[:5], [28, 50, 28, None, 50])
-    choice = loom.sfm.choose_frames(tmp_path / "photos", tmp_path / "frames")
+def test_images_of_one_size_are_grouped_into_cameras_by_exif(scene_images, tmp_path):
+    write_photographs(tmp_path / "photos", scene_images[:5], [28, 50, 28, None, 50])
+    choice = loom.photogrammetry.choose_frames(tmp_path / "photos", tmp_path / "frames")
     assert any("EXIF contains 3 cameras or focal lengths" in remark for remark in choice.notes)
     features = find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
     assert (features.camera_count, features.sizes) == (3, {(WIDTH, HEIGHT): 5})
@@ -59,8 +59,10 @@ def test_pictures_of_one_size_are_grouped_into_cameras_by_exif(scene_pictures, t
 
 @pytest.mark.slow
 def test_an_unrecorded_zoom_becomes_two_cameras(tmp_path):
-    pictures = [picture(T, FOCAL * (1.5 if k % 2 else 1.0)) for k, T in enumerate(camera_path(COUNT))]
-    result = loom.sfm.reconstruct(write_pictures(tmp_path / "p", pictures), tmp_path / "work", max_features=800)
+    images = [image(T, FOCAL * (1.5 if k % 2 else 1.0)) for k, T in enumerate(camera_path(COUNT))]
+    result = loom.photogrammetry.reconstruct_images(
+        write_images(tmp_path / "p", images), tmp_path / "work", max_features=800
+    )
     assert result.model is not None and len(result.model) == COUNT and len(set(result.model.cameras)) == 2
     for name, camera in zip(result.model.names, result.model.cameras, strict=True):
         factor = 1.5 if int(name.split()[1][0]) % 2 else 1.0
@@ -69,10 +71,10 @@ def test_an_unrecorded_zoom_becomes_two_cameras(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_wrong_given_camera_is_reported_with_both_focal_lengths(scene_pictures, tmp_path):
-    pictures = write_pictures(tmp_path / "p", scene_pictures)
+def test_a_wrong_given_camera_is_reported_with_both_focal_lengths(scene_images, tmp_path):
+    images = write_images(tmp_path / "p", scene_images)
     wrong = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 1.2 * FOCAL, 1.2 * FOCAL, 159.5, 119.5)
-    result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=800, intrinsic=wrong)
+    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", max_features=800, intrinsic=wrong)
     assert not result.reliable and "given focal length is 360 px" in str(result.warnings)
     assert result.quality.focal is not None and result.quality.focal.found == pytest.approx(FOCAL, rel=0.03)
 
@@ -83,8 +85,8 @@ def test_forward_motion_keeps_the_focal_length_of_exif(tmp_path, film):
     poses = [np.eye(4) for _ in range(COUNT)]
     for k, T in enumerate(poses):
         T[2, 3] = -0.12 * k
-    write_photographs(tmp_path / "p", [picture(T) for T in poses], [film] * COUNT)
-    result = loom.sfm.reconstruct(tmp_path / "p", tmp_path / "work", max_features=800)
+    write_photographs(tmp_path / "p", [image(T) for T in poses], [film] * COUNT)
+    result = loom.photogrammetry.reconstruct_images(tmp_path / "p", tmp_path / "work", max_features=800)
     assert result.model is not None
     if film is None:
         assert not result.reliable and "the images do not determine the focal length" in str(result.warnings)

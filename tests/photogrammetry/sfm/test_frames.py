@@ -9,18 +9,18 @@ import pytest
 from PIL import Image, ImageOps
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm import frame_picker, picture_writing, video_files
+from pointloom.photogrammetry.sfm import frame_picker, image_writing, video_files
 from pointloom.photogrammetry.sfm.frame_picker import FramePicker, movement
 from pointloom.photogrammetry.sfm.video_files import VideoFile, VideoFrames, find_container, open_video
 
-from .conftest import write_pictures
+from .conftest import write_images
 
 READERS = pytest.mark.parametrize("reader", ["ffmpeg", pytest.param("opencv", marks=pytest.mark.slow)])
 
 
 def read(path: Path) -> np.ndarray:
-    with Image.open(path) as picture:
-        return np.array(picture.convert("RGB"))
+    with Image.open(path) as image:
+        return np.array(image.convert("RGB"))
 
 
 def blurred(frame: np.ndarray) -> np.ndarray:
@@ -107,7 +107,7 @@ def test_black_and_blank_frames_are_left_out(panned):
 def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, panned, tmp_path, reader):
     video, steps = make_video("Küche 1.mp4", panned), []
     how = {"kind": "png", "reader": reader, "progress": lambda *step: steps.append(step)}
-    choice = loom.sfm.choose_frames(video, tmp_path / "out here", **how)
+    choice = loom.photogrammetry.choose_frames(video, tmp_path / "out here", **how)
     assert (choice.kind, choice.reader, choice.frame_count, choice.frames_promised) == ("video", reader, 40, 40)
     assert len(choice.names) >= 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.notes == ()
     assert choice.reliable
@@ -130,7 +130,7 @@ def test_a_truncated_video_reports_the_missing_frames(make_video, panned, tmp_pa
     complete = make_video(f"whole.{kind}", panned * 3, *(["-movflags", "+faststart"] if kind == "mp4" else []))
     cut = tmp_path / f"cut.{kind}"
     cut.write_bytes(complete.read_bytes()[: complete.stat().st_size // 2])
-    choice = loom.sfm.choose_frames(cut, tmp_path / "out", reader=reader)
+    choice = loom.photogrammetry.choose_frames(cut, tmp_path / "out", reader=reader)
     assert 30 < choice.frame_count < 90 and choice.frames_promised == 120
     assert f"the video is damaged or truncated: {choice.frame_count} of 120 frames were decoded" in choice.warnings[0]
     assert choice.to_dict()["reliable"] is False and choice.notes == ()
@@ -141,7 +141,7 @@ def test_a_video_without_its_index_is_an_error(make_video, panned, tmp_path, rea
     complete, cut = make_video("whole.mp4", panned), tmp_path / "cut.mp4"
     cut.write_bytes(complete.read_bytes()[:-2000])
     with pytest.raises(loom.FileError, match=r"cut\.mp4:"):
-        loom.sfm.choose_frames(cut, tmp_path / "out", reader=reader)
+        loom.photogrammetry.choose_frames(cut, tmp_path / "out", reader=reader)
     assert not (tmp_path / "out").exists()
 
 
@@ -150,7 +150,7 @@ def test_a_video_without_its_index_is_an_error(make_video, panned, tmp_path, rea
 def test_files_that_are_no_videos_are_rejected(tmp_path, reader, content):
     (tmp_path / "junk.mp4").write_bytes(content)
     with pytest.raises(loom.FileError, match=r"junk\.mp4:"):
-        loom.sfm.choose_frames(tmp_path / "junk.mp4", tmp_path / "out", reader=reader)
+        loom.photogrammetry.choose_frames(tmp_path / "junk.mp4", tmp_path / "out", reader=reader)
 
 
 HLS = "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:1,\n{}\n#EXT-X-ENDLIST\n"
@@ -207,7 +207,7 @@ def rotated(video: Path) -> Path:
 @READERS
 def test_a_portrait_video_of_a_telephone_is_rotated(make_video, panned, tmp_path, reader):
     video = rotated(make_video("flat.mp4", panned))
-    choice = loom.sfm.choose_frames(video, tmp_path / "out", reader=reader, kind="png")
+    choice = loom.photogrammetry.choose_frames(video, tmp_path / "out", reader=reader, kind="png")
     assert set(choice.sizes) == {(120, 160)}
     written = read(tmp_path / "out" / choice.names[0])[..., 0].astype(int)
     errors = {k: np.abs(np.rot90(written, k) - panned[choice.numbers[0]]).mean() for k in (1, -1)}
@@ -218,7 +218,7 @@ def test_a_portrait_video_of_a_telephone_is_rotated(make_video, panned, tmp_path
 @pytest.mark.parametrize("upright", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_anamorphic_pixels_are_made_square(make_video, panned, tmp_path, reader, upright):
     video = make_video("wide.mp4", [np.ascontiguousarray(frame[:, ::2]) for frame in panned[:12]], "-vf", "setsar=2/1")
-    choice = loom.sfm.choose_frames(rotated(video) if upright else video, tmp_path / "out", reader=reader)
+    choice = loom.photogrammetry.choose_frames(rotated(video) if upright else video, tmp_path / "out", reader=reader)
     assert set(choice.sizes) == {(120, 160) if upright else (160, 120)}
 
 
@@ -234,7 +234,7 @@ def test_variable_frame_rates_neither_duplicate_nor_drop_frames(make_video, pann
 @READERS
 def test_large_frames_are_scaled_while_they_are_decoded(make_video, panned, tmp_path, reader):
     video = make_video("large.mp4", [np.kron(frame, np.ones((4, 4), np.uint8)) for frame in panned[:12]])
-    choice = loom.sfm.choose_frames(video, tmp_path / "out", max_size=160, reader=reader, kind="png")
+    choice = loom.photogrammetry.choose_frames(video, tmp_path / "out", max_size=160, reader=reader, kind="png")
     assert set(choice.sizes) == {(160, 120)}
     written = read(tmp_path / "out" / choice.names[0])[..., 0].astype(int)
     assert np.abs(written - panned[choice.numbers[0]]).mean() < 12
@@ -243,20 +243,20 @@ def test_large_frames_are_scaled_while_they_are_decoded(make_video, panned, tmp_
 def test_without_ffmpeg_opencv_reads_videos(make_video, panned, tmp_path, monkeypatch):
     video = make_video("v.mp4", panned)
     monkeypatch.setattr(video_files, "_ffmpeg", lambda: False)
-    assert loom.sfm.choose_frames(video, tmp_path / "out").reader == "opencv"
+    assert loom.photogrammetry.choose_frames(video, tmp_path / "out").reader == "opencv"
     with pytest.raises(loom.FileError, match=r"/v\.mp4:"):
-        loom.sfm.choose_frames(video, tmp_path / "other", reader="ffmpeg")
+        loom.photogrammetry.choose_frames(video, tmp_path / "other", reader="ffmpeg")
 
 
 def test_a_black_video_is_refused(make_video, tmp_path):
     video = make_video("night.mp4", [np.zeros((48, 64), np.uint8)] * 12)
     with pytest.raises(loom.FileError, match=r"/night\.mp4:.*12.*12"):
-        loom.sfm.choose_frames(video, tmp_path / "out")
+        loom.photogrammetry.choose_frames(video, tmp_path / "out")
 
 
 def test_black_frames_and_too_many_frames_are_reported(make_video, panned, tmp_path):
     video = make_video("v.mp4", [np.zeros_like(panned[0])] * 3 + panned)
-    choice = loom.sfm.choose_frames(video, tmp_path / "out", max_frames=4)
+    choice = loom.photogrammetry.choose_frames(video, tmp_path / "out", max_frames=4)
     assert len(choice.names) == 4 and set(choice.left_out) == {"0", "1", "2"}
     assert choice.numbers[0] < 8 and choice.numbers[-1] > 35 and np.ptp(np.diff(choice.numbers)) <= 8
     assert choice.notes[0] == "3 frames black or blank and left out: 0, 1, 2" and "max_frames" in choice.notes[1]
@@ -265,18 +265,18 @@ def test_black_frames_and_too_many_frames_are_reported(make_video, panned, tmp_p
 def test_a_video_that_takes_too_long_is_given_up(make_video, panned, tmp_path):
     video = make_video("v.mp4", panned * 5)
     with pytest.raises(loom.FileError, match=r"/v\.mp4:.*0\.001.*max_seconds"):
-        loom.sfm.choose_frames(video, tmp_path / "out", max_seconds=1e-3)
+        loom.photogrammetry.choose_frames(video, tmp_path / "out", max_seconds=1e-3)
     assert not (tmp_path / "out").exists()
 
 
 def test_photographs_keep_their_order_and_their_names(panned, tmp_path):
     names = ["IMG 2.png", "IMG 10.png", "IMG 1.png"]
-    source = write_pictures(tmp_path / "in", panned[:3], names)
-    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    source = write_images(tmp_path / "in", panned[:3], names)
+    choice = loom.photogrammetry.choose_frames(source, tmp_path / "out")
     assert choice.names == ("0000_IMG 1.png", "0001_IMG 2.png", "0002_IMG 10.png") and choice.numbers == (0, 1, 2)
     assert (tmp_path / "out" / "0001_IMG 2.png").read_bytes() == (source / "IMG 2.png").read_bytes()
-    plain = write_pictures(tmp_path / "plain", panned[:2], ["größe 1.png", "größe 2.png"])
-    assert loom.sfm.choose_frames(plain, tmp_path / "as they are").names == ("größe 1.png", "größe 2.png")
+    plain = write_images(tmp_path / "plain", panned[:2], ["größe 1.png", "größe 2.png"])
+    assert loom.photogrammetry.choose_frames(plain, tmp_path / "as they are").names == ("größe 1.png", "größe 2.png")
 
 
 @pytest.mark.parametrize("orientation", [2, 5, 6, 8])
@@ -287,7 +287,7 @@ def test_photographs_are_rotated_by_exif_orientation(panned, tmp_path, orientati
     exif.get_ifd(0x8769)[0xA405] = 28  # the focal length for 35 mm film
     (tmp_path / "in").mkdir()
     image.save(tmp_path / "in" / "a.jpg", exif=exif, quality=95)
-    choice = loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
+    choice = loom.photogrammetry.choose_frames(tmp_path / "in", tmp_path / "out")
     with Image.open(tmp_path / "in" / "a.jpg") as before, Image.open(tmp_path / "out" / choice.names[0]) as after:
         wanted = np.array(ImageOps.exif_transpose(before)).astype(int)
         assert np.abs(np.array(after.convert("L")) - wanted).mean() < 1
@@ -300,19 +300,19 @@ def test_gray_and_16_bit_photographs_become_8_bit(panned, tmp_path):
     for bits in (12, 16):
         for k in range(2):
             Image.fromarray(panned[k].astype(np.uint16) << (bits - 8)).save(tmp_path / "in" / f"{k}.png")
-        choice = loom.sfm.choose_frames(tmp_path / "in", tmp_path / f"out {bits}", kind="png")
+        choice = loom.photogrammetry.choose_frames(tmp_path / "in", tmp_path / f"out {bits}", kind="png")
         written = read(tmp_path / f"out {bits}" / choice.names[0])
         assert np.abs(written.astype(int) - panned[0][..., None]).max() <= 1
 
 
 def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
-    source = write_pictures(tmp_path / "in", panned[:4])
+    source = write_images(tmp_path / "in", panned[:4])
     content = (source / "view 1.png").read_bytes()
     (source / "view 1.png").write_bytes(content[: len(content) // 2])
     (source / "view 2.png").write_bytes(b"")
     (source / "wall.nef").write_bytes(b"nef")
-    write_pictures(source, [np.zeros((48, 64), np.uint8)], ["lens cap.png"])
-    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    write_images(source, [np.zeros((48, 64), np.uint8)], ["lens cap.png"])
+    choice = loom.photogrammetry.choose_frames(source, tmp_path / "out")
     assert choice.names == ("view 0.png", "view 3.png")
     assert set(choice.left_out) == {"view 1.png", "view 2.png", "lens cap.png"}
     assert "1 image black, or of one brightness, and left out: lens cap.png" in choice.notes[0]
@@ -321,32 +321,32 @@ def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
 
 
 def test_photographs_of_several_sizes_are_reported(panned, tmp_path):
-    source = write_pictures(tmp_path / "in", [panned[0], panned[1][:, :100], panned[2]])
-    choice = loom.sfm.choose_frames(source, tmp_path / "out", max_size=80)
+    source = write_images(tmp_path / "in", [panned[0], panned[1][:, :100], panned[2]])
+    choice = loom.photogrammetry.choose_frames(source, tmp_path / "out", max_size=80)
     assert choice.sizes == {(80, 60): 2, (67, 80): 1}
     assert "images of 2 sizes, each treated as a separate camera: 2 of 80 x 60, 1 of 67 x 80" in choice.notes
 
 
-def test_a_folder_without_a_picture_that_can_be_used_is_refused(panned, tmp_path):
+def test_a_folder_without_an_image_that_can_be_used_is_refused(panned, tmp_path):
     (tmp_path / "in").mkdir()
     with pytest.raises(loom.FileError, match="/in:"):
-        loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
+        loom.photogrammetry.choose_frames(tmp_path / "in", tmp_path / "out")
     (tmp_path / "in" / "a.nef").write_bytes(b"")
     with pytest.raises(loom.FileError, match=r"/in:.*1"):
-        loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
+        loom.photogrammetry.choose_frames(tmp_path / "in", tmp_path / "out")
     (tmp_path / "in" / "a.png").write_bytes(b"png")
     with pytest.raises(loom.FileError, match=r"/in:.*1.*a\.png"):
-        loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
+        loom.photogrammetry.choose_frames(tmp_path / "in", tmp_path / "out")
 
 
 def test_a_folder_with_contents_is_not_written_to(panned, tmp_path):
-    source = write_pictures(tmp_path / "in", panned[:2])
+    source = write_images(tmp_path / "in", panned[:2])
     with pytest.raises(loom.FileError, match="in:"):
-        loom.sfm.choose_frames(source, source)
+        loom.photogrammetry.choose_frames(source, source)
     assert len(list(source.iterdir())) == 2
     (tmp_path / "file").write_text("x")
     with pytest.raises(loom.FileError, match="file:"):
-        loom.sfm.choose_frames(source, tmp_path / "file")
+        loom.photogrammetry.choose_frames(source, tmp_path / "file")
 
 
 @pytest.mark.parametrize(("kind", "stage"), [("video", "look"), ("folder", "write")])
@@ -355,15 +355,15 @@ def test_an_interrupt_leaves_nothing_behind(make_video, panned, tmp_path, kind, 
         if now == stage and done == 3:
             raise KeyboardInterrupt
 
-    source = make_video("v.mp4", panned) if kind == "video" else write_pictures(tmp_path / "in", panned)
+    source = make_video("v.mp4", panned) if kind == "video" else write_images(tmp_path / "in", panned)
     with pytest.raises(KeyboardInterrupt):
-        loom.sfm.choose_frames(source, tmp_path / "out", progress=interrupt)
+        loom.photogrammetry.choose_frames(source, tmp_path / "out", progress=interrupt)
     assert not (tmp_path / "out").exists()
 
 
 def test_a_full_disk_leaves_nothing_behind(panned, tmp_path, monkeypatch):
-    source, written = write_pictures(tmp_path / "in", panned[:4]), []
-    real = picture_writing.atomic_write
+    source, written = write_images(tmp_path / "in", panned[:4]), []
+    real = image_writing.atomic_write
 
     def full(path, **options):
         written.append(path)
@@ -371,7 +371,7 @@ def test_a_full_disk_leaves_nothing_behind(panned, tmp_path, monkeypatch):
             raise loom.FileError(path, "cannot be written: No space left on device")
         return real(path, **options)
 
-    monkeypatch.setattr(picture_writing, "atomic_write", full)
+    monkeypatch.setattr(image_writing, "atomic_write", full)
     with pytest.raises(loom.FileError, match="No space left"):
-        loom.sfm.choose_frames(source, tmp_path / "out")
+        loom.photogrammetry.choose_frames(source, tmp_path / "out")
     assert not (tmp_path / "out").exists() and len(written) == 3

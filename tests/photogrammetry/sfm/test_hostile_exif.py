@@ -12,8 +12,8 @@ from PIL.TiffImagePlugin import IFDRational
 import pointloom as loom
 from pointloom.photogrammetry.sfm.exif_checks import focal_problem
 from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.image_folder import read_orientation
 from pointloom.photogrammetry.sfm.image_positions import Xmp, parse_xmp
-from pointloom.photogrammetry.sfm.picture_folder import read_orientation
 
 from .conftest import has_pycolmap
 
@@ -25,7 +25,7 @@ GOOD = {FOCAL: 4.25, FILM: 26, ACROSS: IFDRational(17136, 1), UNIT: 2, WIDTH: 40
 
 
 def shot(path, inner=None, gps=None, size=SIZE, seed=0, **more):
-    """A picture with these EXIF tags; `more` are those of the first table and options of Pillow."""
+    """An image with these EXIF tags; `more` are those of the first table and options of Pillow."""
     path.parent.mkdir(exist_ok=True)
     exif = Image.Exif()
     exif[0x010F], exif[0x0110] = "Maker", "Phone 1"
@@ -81,10 +81,10 @@ def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
         rows = database.execute(query).fetchall()
     assert len(rows) == len(FOCAL_LENGTHS)
     for (_, tags, problem), (name, params, width, prior) in zip(FOCAL_LENGTHS, rows, strict=True):
-        share = float(np.frombuffer(params)[0]) / width
-        assert math.isfinite(share) and 0.2 <= share <= 10, (name, tags, share)
+        fraction = float(np.frombuffer(params)[0]) / width
+        assert math.isfinite(fraction) and 0.2 <= fraction <= 10, (name, tags, fraction)
         if not prior:
-            assert share == pytest.approx(0.85), (name, tags)
+            assert fraction == pytest.approx(0.85), (name, tags)
         assert not (prior and problem), (name, tags)
     rejected = [remark.split(":")[0] for remark in features.notes]
     problems = [k for k, (_, _, problem) in enumerate(FOCAL_LENGTHS) if problem is not None]
@@ -95,7 +95,9 @@ def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
 @pytest.mark.parametrize("meters", [-4e8, 20_001.0])
 def test_an_impossible_altitude_is_reported_and_the_position_used_without_it(tmp_path, meters):
     sign = b"\1" if meters < 0 else b"\0"
-    positions = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=GPS_TAGS | {5: sign, 6: abs(meters)})])
+    positions = loom.photogrammetry.read_image_positions(
+        [shot(tmp_path / "a.jpg", gps=GPS_TAGS | {5: sign, 6: abs(meters)})]
+    )
     assert positions.places[0].altitude is None and positions.altitudes_refused == {"a.jpg": meters}
     assert positions.notes() == [f"the altitude of 1 image is rejected: a.jpg ({meters:g} m)"]
     assert positions.to_dict()["altitudes_refused"] == {"a.jpg": meters}
@@ -109,18 +111,18 @@ def test_an_invalid_orientation_is_ignored_and_reported(tmp_path, value):
         data, entry = path.read_bytes(), b"\x01\x12\0\3\0\0\0\1"
         assert data.count(entry) == 1
         path.write_bytes(data.replace(entry, b"\x01\x12" + value + b"\0\0\0\1"))
-    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    choice = loom.photogrammetry.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE: 1} and read_orientation(path) == 1
     warned = any("an invalid orientation, so they are used as stored: a.jpg" in remark for remark in choice.notes)
     assert warned == (value in (9, b"\0\2"))  # Pillow does not report the others
 
 
-def test_a_tag_that_points_out_of_the_file_is_a_named_error_of_the_picture(tmp_path):
+def test_a_tag_that_points_out_of_the_file_is_a_named_error_of_the_image(tmp_path):
     source = tmp_path / "in"
     shot(source / "b.jpg")
     data = shot(source / "a.jpg", tags={0x0112: 6}).read_bytes()
     (source / "a.jpg").write_bytes(data.replace(b"\x01\x12\0\3\0\0\0\1", b"\x01\x12\0\5\0\0\0\1"))
-    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    choice = loom.photogrammetry.choose_frames(source, tmp_path / "out")
     assert choice.names == ("b.jpg",) and choice.left_out["a.jpg"].startswith("damaged image")
 
 
@@ -130,16 +132,16 @@ def test_an_orientation_contradicting_the_exif_size_is_reported(tmp_path):
     shot(source / "b.jpg", {WIDTH: SIZE[0], HEIGHT: SIZE[1]}, tags={0x0112: 6})
     xmp = b'<x:xmpmeta><rdf:Description tiff:Orientation="1"/></x:xmpmeta>'
     shot(source / "c.jpg", tags={0x0112: 6}, xmp=xmp)  # EXIF has priority
-    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    choice = loom.photogrammetry.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE[::-1]: 3}
     (remark,) = [remark for remark in choice.notes if "rotated before" in remark]
     assert remark.endswith(": a.jpg")
 
 
-def test_exif_too_long_for_a_jpeg_is_left_out_and_the_picture_is_not(tmp_path):
+def test_exif_too_long_for_a_jpeg_is_left_out_and_the_image_is_not(tmp_path):
     source = tmp_path / "in"
     shot(source / "a.png", {0x927C: b"m" * 200_000}, tags={0x0112: 6})
-    assert loom.sfm.choose_frames(source, tmp_path / "out").names == ("a.jpg",)
+    assert loom.photogrammetry.choose_frames(source, tmp_path / "out").names == ("a.jpg",)
 
 
 XMPS = {
@@ -155,7 +157,7 @@ XMPS = {
 @pytest.mark.parametrize("name", XMPS)
 def test_invalid_xmp_is_ignored(tmp_path, name):
     path = shot(tmp_path / "a.jpg", gps={k: v for k, v in GPS_TAGS.items() if k != 6}, xmp=XMPS[name])
-    positions = loom.sfm.read_picture_places([path])
+    positions = loom.photogrammetry.read_image_positions([path])
     assert len(positions) == 1 and not positions.refused and positions.attitudes == {}
     assert positions.places[0].altitude == (431.2 if name == "cut off" else None)
 
@@ -177,9 +179,9 @@ def test_a_decompression_bomb_in_xmp_is_never_unpacked_completely(tmp_path):
     body = b"XML:com.adobe.xmp\0\1\0\0\0" + bomb
     chunk = len(body).to_bytes(4, "big") + b"iTXt" + body + zlib.crc32(b"iTXt" + body).to_bytes(4, "big")
     (source / "a.png").write_bytes(data[:33] + chunk + data[33:])
-    positions = loom.sfm.read_picture_places(source)
-    assert len(positions) == 0 and positions.picture_count == 2
-    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    positions = loom.photogrammetry.read_image_positions(source)
+    assert len(positions) == 0 and positions.image_count == 2
+    choice = loom.photogrammetry.choose_frames(source, tmp_path / "out")
     assert "b.png" in choice.names and (("a.png" in choice.names) != ("a.png" in choice.left_out))
 
 
@@ -205,7 +207,7 @@ def write(path, gps=None, xmp=None, orientation=None):
 
 
 def position_of(path, *args, **kwargs):
-    (position,) = loom.sfm.read_picture_places([write(path, *args, **kwargs)]).places
+    (position,) = loom.photogrammetry.read_image_positions([write(path, *args, **kwargs)]).places
     return position
 
 
@@ -226,8 +228,8 @@ def test_heights_rtk_and_attitude_are_read_from_drone_xmp(tmp_path):
     assert position_of(tmp_path / "b.jpg", POSITION_TAGS, PIX4D).attitude == (10.0, -84.5, -1.0)  # pitch 0 looks down
 
 
-def test_attitudes_of_rotated_pictures_are_excluded(tmp_path):
-    positions = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", POSITION_TAGS, DJI, orientation=6)])
+def test_attitudes_of_rotated_images_are_excluded(tmp_path):
+    positions = loom.photogrammetry.read_image_positions([write(tmp_path / "a.jpg", POSITION_TAGS, DJI, orientation=6)])
     assert (positions.places[0].attitude, positions.attitudes) == (None, {})
 
 
@@ -249,18 +251,18 @@ def test_attitudes_of_rotated_pictures_are_excluded(tmp_path):
     ],
 )
 def test_invalid_positions_are_rejected_with_a_reason(tmp_path, changed, reason):
-    positions = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", POSITION_TAGS | changed)])
+    positions = loom.photogrammetry.read_image_positions([write(tmp_path / "a.jpg", POSITION_TAGS | changed)])
     assert len(positions) == 0
     assert reason in positions.refused["a.jpg"]
     assert positions.notes() == [f"GPS of 1 image is rejected: a.jpg ({positions.refused['a.jpg']})"]
 
 
-def test_pictures_without_gps_are_neither_reported_nor_rejected(tmp_path):
+def test_images_without_gps_are_neither_reported_nor_rejected(tmp_path):
     write(tmp_path / "a.png")
     write(tmp_path / "b.jpg", {6: 430.0})
-    (tmp_path / "c.jpg").write_bytes(b"no picture")
-    positions = loom.sfm.read_picture_places(tmp_path)
-    assert (len(positions), positions.refused, positions.picture_count) == (0, {}, 3)
+    (tmp_path / "c.jpg").write_bytes(b"no image")
+    positions = loom.photogrammetry.read_image_positions(tmp_path)
+    assert (len(positions), positions.refused, positions.image_count) == (0, {}, 3)
     with pytest.raises(ValueError, match=r"^places:"):
         _ = positions.frame
 
@@ -269,7 +271,7 @@ def test_a_position_on_the_other_side_of_the_earth_is_reported(tmp_path):
     for k in range(4):
         write(tmp_path / f"{k}.jpg", POSITION_TAGS | {2: (47.0, 30.0, k * 0.5)})
     write(tmp_path / "wild.jpg", POSITION_TAGS | {1: "S"})
-    positions = loom.sfm.read_picture_places(tmp_path)
+    positions = loom.photogrammetry.read_image_positions(tmp_path)
     assert len(positions) == 4
     assert "km from the median of the others" in positions.refused["wild.jpg"]
 
@@ -277,15 +279,15 @@ def test_a_position_on_the_other_side_of_the_earth_is_reported(tmp_path):
 def test_positions_across_the_180th_meridian_are_centered_there(tmp_path):
     for k, (sign, minutes) in enumerate([("E", 59.999), ("E", 59.998), ("W", 59.999), ("W", 59.998)]):
         write(tmp_path / f"{k}.jpg", POSITION_TAGS | {3: sign, 4: (179.0, minutes, 0.0)})
-    positions = loom.sfm.read_picture_places(tmp_path)
+    positions = loom.photogrammetry.read_image_positions(tmp_path)
     assert not positions.refused
     assert abs(positions.frame.longitude) > 179.99
 
 
-def test_copied_pictures_keep_their_position(tmp_path):
+def test_copied_images_keep_their_position(tmp_path):
     (tmp_path / "in").mkdir()
     for k, orientation in enumerate((1, 6)):
         write(tmp_path / "in" / f"{k}.jpg", POSITION_TAGS, orientation=orientation)
-    loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out", kind="jpg")
-    before, after = (loom.sfm.read_picture_places(tmp_path / name).places for name in ("in", "out"))
+    loom.photogrammetry.choose_frames(tmp_path / "in", tmp_path / "out", kind="jpg")
+    before, after = (loom.photogrammetry.read_image_positions(tmp_path / name).places for name in ("in", "out"))
     assert before == after and len(after) == 2

@@ -1,4 +1,4 @@
-"""Pictures with known poses: matching along epipolar lines, and rejection of wrong poses."""
+"""Images with known poses: matching along epipolar lines, and rejection of wrong poses."""
 
 import dataclasses
 
@@ -13,9 +13,9 @@ from pointloom.photogrammetry.sfm import guided_matches, triangulation
 from pointloom.photogrammetry.sfm.guided_matches import essential_of, match_guided, pairs_in_view
 from pointloom.photogrammetry.sfm.model_quality import ModelQuality, assess_model
 from pointloom.photogrammetry.sfm.pose_check import check_poses
-from pointloom.photogrammetry.sfm.posed_pictures import with_poses as pictures_with_poses
+from pointloom.photogrammetry.sfm.posed_images import with_poses as images_with_poses
 
-from .conftest import has_pycolmap, silent, write_pictures
+from .conftest import has_pycolmap, silent, write_images
 from .made_features import FOCAL, POINTS, camera_row, features_of, rays_as, some_looks, with_poses
 from .scene import FOCAL as SCENE_FOCAL
 from .scene import HEIGHT, WIDTH
@@ -82,7 +82,7 @@ def test_guided_matches_are_points_visible_in_both(model, features, tmp_path):
     np.testing.assert_array_equal(again.matches, guided.matches)
 
 
-def test_pictures_without_overlap_or_baseline_are_no_pairs(model):
+def test_images_without_overlap_or_baseline_are_no_pairs(model):
     poses = np.array([model.T_camera_world[0], model.T_camera_world[1], model.T_camera_world[1]])
     assert [1, 2] not in pairs_in_view(model.cameras[:3], poses).tolist()  # at one position
     poses[2, :3, :3] = np.diag([-1.0, 1.0, -1.0]) @ poses[2, :3, :3]
@@ -91,13 +91,13 @@ def test_pictures_without_overlap_or_baseline_are_no_pairs(model):
 
 def test_right_poses_are_accepted_in_any_frame_and_unit(model, features):
     check = checked(model, features)
-    assert check.share > 0.95 and check.distance < 0.4
+    assert check.fraction > 0.95 and check.distance < 0.4
     assert not check.are_wrong and check.reasons(len(model)) == []
     T = np.diag([7.0, 7.0, 7.0, 1.0])
     T[:3, :3] = 7.0 * np.array([[0.0, 0, 1], [1, 0, 0], [0, 1, 0]])
     T[:3, 3] = 1e6, 2e5, -30.0
     moved = model.transform(T)
-    assert checked(moved, features).share == pytest.approx(check.share, abs=0.02)
+    assert checked(moved, features).fraction == pytest.approx(check.fraction, abs=0.02)
 
 
 FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
@@ -138,7 +138,7 @@ def test_common_mistakes_in_poses_are_identified(model, features, mistake, messa
     quality = assess_model(wrong, len(wrong), fix_intrinsic=True, poses=check)
     assert "; ".join(quality.warnings) == reason
     again = ModelQuality.from_json(quality.to_dict())
-    assert (again.warnings, again.poses.share) == (quality.warnings, check.share)
+    assert (again.warnings, again.poses.fraction) == (quality.warnings, check.fraction)
 
 
 @pytest.mark.parametrize("factor", [0.5, 1.25])
@@ -149,7 +149,7 @@ def test_a_wrong_focal_length_is_reported(model, features, factor):
     assert "focal length" in reason
 
 
-def test_pictures_without_overlap_are_reported(model, features):
+def test_images_without_overlap_are_reported(model, features):
     rng = np.random.default_rng(3)
     strange = dataclasses.replace(features, descriptors=some_looks(rng, len(features.descriptors)))
     (reason,) = checked(model, strange).reasons(len(model))
@@ -178,36 +178,36 @@ def cameras_named(*names):
     return loom.SfmModel(names, [camera] * len(names), poses)
 
 
-def test_cameras_are_matched_to_pictures_by_name_or_stem(tmp_path):
+def test_cameras_are_matched_to_images_by_name_or_stem(tmp_path):
     paths = blank(tmp_path / "p", ["IMG_1.png", "IMG_2.1.png", "IMG_3.jpg", "other.png"])
-    posed = pictures_with_poses(tmp_path / "p", paths, cameras_named("left/IMG_3.jpg", "IMG_1", "IMG_2.1", "IMG_9"))
+    posed = images_with_poses(tmp_path / "p", paths, cameras_named("left/IMG_3.jpg", "IMG_1", "IMG_2.1", "IMG_9"))
     assert posed.model.names == ("IMG_1.png", "IMG_2.1.png", "IMG_3.jpg")
     assert posed.model.centers[:, 0].tolist() == [1, 2, 0]  # each with its own pose
-    assert (posed.without_pose, posed.without_picture) == (("other.png",), ("IMG_9",))
+    assert (posed.without_pose, posed.without_image) == (("other.png",), ("IMG_9",))
     assert posed.notes == ("1 images have no pose: other.png", "1 poses have no image: IMG_9")
 
 
 def test_names_that_do_not_fit_or_mean_several_are_refused(tmp_path):
     paths = blank(tmp_path / "p", ["1.png", "1.jpg", "10.png"])
     with pytest.raises(FileError, match=r"/p:.*1.*1\.jpg.*1\.png"):
-        pictures_with_poses(tmp_path / "p", paths, cameras_named("1", "10"))
+        images_with_poses(tmp_path / "p", paths, cameras_named("1", "10"))
     with pytest.raises(FileError, match=r"/p:.*1.*3"):
-        pictures_with_poses(tmp_path / "p", paths, cameras_named("10", "0", "2"))  # 1 is no part of 10
+        images_with_poses(tmp_path / "p", paths, cameras_named("10", "0", "2"))  # 1 is no part of 10
     with pytest.raises(FileError, match=r"/p:.*10\.png"):
-        pictures_with_poses(tmp_path / "p", paths, cameras_named("10", "a/10.png"))
+        images_with_poses(tmp_path / "p", paths, cameras_named("10", "a/10.png"))
 
 
-def test_a_picture_of_another_size_than_its_camera_is_refused(tmp_path):
+def test_an_image_of_another_size_than_its_camera_is_refused(tmp_path):
     paths = blank(tmp_path / "p", ["a.png", "b.png"], (WIDTH // 2, HEIGHT // 2))
     with pytest.raises(FileError, match=r"/a\.png:.*320.*240.*160.*120"):
-        pictures_with_poses(tmp_path / "p", paths, cameras_named("a", "b"))
+        images_with_poses(tmp_path / "p", paths, cameras_named("a", "b"))
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_points_are_triangulated_with_fixed_poses(model, features, tmp_path, monkeypatch):
     rows = range(4)
     four = loom.SfmModel([model.names[i] for i in rows], model.cameras[:4], model.T_camera_world[:4])
-    write_pictures(tmp_path / "p", [np.full((480, 640), 40 * i + 90, np.uint8) for i in rows], four.names)
+    write_images(tmp_path / "p", [np.full((480, 640), 40 * i + 90, np.uint8) for i in rows], four.names)
     monkeypatch.setattr(triangulation, "read_feature_rays", lambda *_: features_of(four))
     matches, check = triangulation.match_posed(tmp_path / "db", four, device="cpu", progress=silent)
     given = (tmp_path / "db" / "x", four, matches, check, tmp_path / "p")
@@ -223,16 +223,16 @@ def test_points_are_triangulated_with_fixed_poses(model, features, tmp_path, mon
 
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_pictures_with_poses_become_points_on_the_surface(scene_pictures, tmp_path):
-    names = [f"view {k}.png" for k in range(len(scene_pictures))]
-    folder = write_pictures(tmp_path / "pictures", scene_pictures, names)
+def test_images_with_poses_become_points_on_the_surface(scene_images, tmp_path):
+    names = [f"view {k}.png" for k in range(len(scene_images))]
+    folder = write_images(tmp_path / "images", scene_images, names)
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [SCENE_FOCAL, SCENE_FOCAL, WIDTH / 2, HEIGHT / 2])
     right = loom.SfmModel([name[:-4] for name in names], [camera] * len(names), np.array(scene_poses(len(names))))
-    result = loom.sfm.triangulate(folder, right, max_features=1200)
+    result = loom.photogrammetry.triangulate(folder, right, max_features=1200)
     assert result.reliable and len(result.model.points) > 300
-    again = loom.sfm.triangulate(folder, right, max_features=1200)
+    again = loom.photogrammetry.triangulate(folder, right, max_features=1200)
     np.testing.assert_array_equal(result.model.points, again.model.points)
     inverted = loom.SfmModel(right.names, right.cameras, right.T_world_camera)
-    wrong = loom.sfm.triangulate(folder, inverted, max_features=1200)
+    wrong = loom.photogrammetry.triangulate(folder, inverted, max_features=1200)
     assert "each pose is inverted" in str(wrong.warnings) and not len(wrong.model.points)
-    assert wrong.to_dict()["quality"]["poses"]["share"] < 0.4
+    assert wrong.to_dict()["quality"]["poses"]["fraction"] < 0.4

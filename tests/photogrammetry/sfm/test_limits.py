@@ -19,11 +19,11 @@ import pointloom as loom
 from pointloom.photogrammetry.sfm import colmap_jobs, colmap_worker, features, limited_process
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.limited_process import LimitedProcess
-from pointloom.photogrammetry.sfm.mapping import map_pictures
-from pointloom.photogrammetry.sfm.matches import match
+from pointloom.photogrammetry.sfm.mapping import map_images
+from pointloom.photogrammetry.sfm.matches import match_features
 
 from ...sigint import sigint_enabled
-from .conftest import write_pictures
+from .conftest import write_images
 
 # Code of a worker instead of its job, and the expected message.
 FAIL = 'print("{{\\"failed\\": \\"{}\\"}}")'
@@ -53,31 +53,31 @@ def worker(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("death", DEATHS)
-def test_a_crashed_worker_is_an_error_with_its_last_output(scene_pictures, tmp_path, worker, death):
+def test_a_crashed_worker_is_an_error_with_its_last_output(scene_images, tmp_path, worker, death):
     lines, message = DEATHS[death]
     worker(lines)
-    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
+    images = write_images(tmp_path / "images", scene_images[:2])
     limits = {"hung": {"max_seconds": 1}, "greedy": {"max_memory": 200 * 2**20}}.get(death, {})
     began = time.monotonic()
     with pytest.raises(loom.FileError, match=message):
-        find_features(pictures, tmp_path / "f.db", **limits)
+        find_features(images, tmp_path / "f.db", **limits)
     assert time.monotonic() - began < 30
-    assert {path.name for path in tmp_path.iterdir()} == {"pictures", "worker.py"}
+    assert {path.name for path in tmp_path.iterdir()} == {"images", "worker.py"}
 
 
 @pytest.mark.parametrize("package", ["pycolmap", "cv2"])
-def test_a_missing_package_is_an_error(scene_pictures, tmp_path, monkeypatch, package):
+def test_a_missing_package_is_an_error(scene_images, tmp_path, monkeypatch, package):
     (tmp_path / "gone").mkdir()
     (tmp_path / "gone" / f"{package}.py").write_text("raise ImportError('no such package')")
     monkeypatch.setenv("PYTHONPATH", os.fspath(tmp_path / "gone"))
-    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
+    images = write_images(tmp_path / "images", scene_images[:2])
     if package == "pycolmap":
-        with pytest.raises(loom.FileError, match="/pictures:"):
-            find_features(pictures, tmp_path / "f.db")
+        with pytest.raises(loom.FileError, match="/images:"):
+            find_features(images, tmp_path / "f.db")
     else:
         (tmp_path / "video.mp4").write_bytes(b"video")
         with pytest.raises(loom.FileError, match=r"/video\.mp4:"):
-            loom.sfm.choose_frames(tmp_path / "video.mp4", tmp_path / "out", reader="opencv")
+            loom.photogrammetry.choose_frames(tmp_path / "video.mp4", tmp_path / "out", reader="opencv")
 
 
 def is_alive(pid: int) -> bool:
@@ -86,7 +86,7 @@ def is_alive(pid: int) -> bool:
     return False
 
 
-def test_an_interrupt_kills_the_worker_and_its_children(scene_pictures, tmp_path, worker):
+def test_an_interrupt_kills_the_worker_and_its_children(scene_images, tmp_path, worker):
     fifo, watched = tmp_path / "pids", []
     os.mkfifo(fifo)
     worker(
@@ -94,7 +94,7 @@ def test_an_interrupt_kills_the_worker_and_its_children(scene_pictures, tmp_path
         f"open({os.fspath(fifo)!r}, 'w').write(f'{{os.getpid()}} {{child.pid}}\\n')\n"
         "signal.signal(signal.SIGINT, signal.SIG_IGN)\ntime.sleep(60)"
     )
-    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
+    images = write_images(tmp_path / "images", scene_images[:2])
 
     def interrupt() -> None:
         pids = [int(text) for text in fifo.read_text().split()]  # once the worker has written them
@@ -103,7 +103,7 @@ def test_an_interrupt_kills_the_worker_and_its_children(scene_pictures, tmp_path
 
     threading.Thread(target=interrupt, daemon=True).start()
     with sigint_enabled(), pytest.raises(KeyboardInterrupt):
-        find_features(pictures, tmp_path / "f.db")
+        find_features(images, tmp_path / "f.db")
     assert len(watched) == 2
     for process in watched:
         assert select.select([process], [], [], 60)[0]  # it has ended
@@ -165,9 +165,9 @@ def test_the_largest_model_is_saved_in_any_order(tmp_path):
     models = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
     pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: models)
     pycolmap.Database = SimpleNamespace(open=lambda _: contextlib.nullcontext(SimpleNamespace(read_all_cameras=list)))
-    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": tmp_path}
+    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "images": "", "scratch": tmp_path}
     job |= {"model": tmp_path / "model", "mapper": "incremental"}
-    done = colmap_worker.map_pictures(pycolmap, job, io.StringIO())
+    done = colmap_worker.map_images(pycolmap, job, io.StringIO())
     assert done == {"sizes": [30, 30, 7, 3], "cameras": {}}  # models without points are not checked
     assert (tmp_path / "model").read_text() == "30"
     assert (options.num_threads, options.random_seed, options.ba_refine_focal_length) == (1, 5, False)
@@ -176,8 +176,8 @@ def test_the_largest_model_is_saved_in_any_order(tmp_path):
 def test_files_that_are_no_databases_are_rejected(tmp_path):
     (tmp_path / "no.db").write_bytes(b"no database" * 100)
     for call in (
-        lambda: match(tmp_path / "no.db", tmp_path / "m.db"),
-        lambda: map_pictures(tmp_path, tmp_path / "no.db", tmp_path / "sparse"),
+        lambda: match_features(tmp_path / "no.db", tmp_path / "m.db"),
+        lambda: map_images(tmp_path, tmp_path / "no.db", tmp_path / "sparse"),
     ):
         with pytest.raises(loom.FileError, match=r"no\.db:"):
             call()
@@ -187,7 +187,7 @@ def test_files_that_are_no_databases_are_rejected(tmp_path):
 @pytest.mark.slow
 def test_a_database_without_matches_is_an_error(stages, tmp_path):
     with pytest.raises(loom.FileError, match=r"contains no matches. sfm.match computes them"):
-        map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")
+        map_images(stages.images, stages.features_db, tmp_path / "sparse")
 
 
 @pytest.fixture

@@ -112,12 +112,12 @@ def test_the_quality_does_not_depend_on_the_unit_or_the_position(points, scale):
     assert (moved.angle, moved.parallax) == (pytest.approx(before.angle, rel=1e-5), pytest.approx(before.parallax))
 
 
-def test_few_pictures_few_points_and_several_models_are_reported(points):
+def test_few_images_few_points_and_several_models_are_reported(points):
     model = model_of(views(4, side=1.0, angle=0.3), points)
     assert assess_model(model, 4).reliable
     assert "only 4 of 10 images could be registered" in str(assess_model(model, 10).warnings)
     assert "the images form 2 separate models (4, 2 images)" in str(assess_model(model, 6, model_sizes=(4, 2)).warnings)
-    assert assess_model(model, 4, model_sizes=(4, 2)).reliable  # the same pictures again
+    assert assess_model(model, 4, model_sizes=(4, 2)).reliable  # the same images again
     few = assess_model(model_of(views(4, side=1.0, angle=0.3), points[:30]), 4)
     assert "only 30 points were triangulated" in str(few.warnings)
 
@@ -128,19 +128,19 @@ def row_of(centers, seen, pixels=None):
     poses = np.tile(np.eye(4), (len(centers), 1, 1))
     poses[:, 0, 3] = np.negative(centers)
     points = np.random.default_rng(0).uniform([-1, -1, 4], [1, 1, 6], (max(seen), 3))
-    observations = np.array([[picture, k] for picture, count in enumerate(seen) for k in range(count)])
+    observations = np.array([[image, k] for image, count in enumerate(seen) for k in range(count)])
     pixels = np.zeros((len(observations), 2)) if pixels is None else pixels
     made = {"points": points, "observations": observations, "pixels": pixels}
     return loom.SfmModel([str(k) for k in range(len(centers))], cameras, poses, **made)
 
 
-def test_a_picture_is_compared_with_one_that_is_far_and_sees_much_of_the_same(monkeypatch):
-    monkeypatch.setattr(module, "_MAX_PAIRS", 1)  # for the first picture alone
+def test_an_image_is_compared_with_one_that_is_far_and_sees_much_of_the_same(monkeypatch):
+    monkeypatch.setattr(module, "_MAX_PAIRS", 1)  # for the first image alone
     # distance times the root of the number of shared points: 45, 54 and 42
     assert module._far_pairs(row_of([0.0, 10.0, 7.0, 3.0], [200, 20, 60, 200])) == [(0, 2)]
 
 
-def test_a_mirrored_picture_is_no_rotated_one():
+def test_a_mirrored_image_is_no_rotated_one():
     rays = np.random.default_rng(1).uniform(-0.5, 0.5, (60, 2))
     once = rays * 500 + [319.5, 239.5]
     for second, is_rotated in ((once, True), ((rays * [-1, 1]) * 500 + [319.5, 239.5], False)):
@@ -252,7 +252,7 @@ def test_a_given_camera_is_reported_with_both_numbers():
 @pytest.mark.parametrize(
     "figures",
     [
-        {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45},  # the pictures do not determine it
+        {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45},  # the images do not determine it
         {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45, "spread": 0.03},  # nor do parts of them
         {"given": 526, "found": 530, "error": 0.85, "freed_error": 0.5},  # it was something else
         {"given": 526, "found": 526, "error": 0.5, "freed_error": 0.5, "own_error": 0.45},
@@ -273,7 +273,7 @@ def test_an_undetermined_focal_length_is_reported():
     assert "the 525 px of EXIF fit worse" in warnings_of(found=663, rise=0, error=0.4, exif=525, freed_error=0.6)
 
 
-def test_exif_determines_the_focal_length_if_the_pictures_do_not():
+def test_exif_determines_the_focal_length_if_the_images_do_not():
     check = CameraCheck(found=663, rise=0.0, error=0.4, exif=525, freed_error=0.401)
     assert check.reasons() == []
     (remark,) = check.notes()
@@ -333,7 +333,7 @@ print(json.dumps(results))
 
 
 def zoomed(poses, points) -> loom.SfmModel:
-    """A model with one camera, although every second picture has another focal length."""
+    """A model with one camera, although every second image has another focal length."""
     near, far = (model_of(poses, points, focal=focal, noise=0.2) for focal in (FOCAL, 1.3 * FOCAL))
     parts = [(model, model.observations[:, 0] % 2 == k) for k, model in enumerate((near, far))]
     seen = np.concatenate([model.observations[mine] for model, mine in parts])
@@ -343,7 +343,7 @@ def zoomed(poses, points) -> loom.SfmModel:
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory) -> dict:
-    """Results of COLMAP's process for models of synthetic points, without pictures."""
+    """Results of COLMAP's process for models of synthetic points, without images."""
     if not has_pycolmap():
         pytest.skip("pycolmap is not installed")
     rng = np.random.default_rng(0)
@@ -371,13 +371,13 @@ def test_sideways_motion_determines_the_focal_length_and_forward_motion_does_not
     assert results["ahead"]["rise"] < 0.002
 
 
-def test_a_given_focal_length_is_checked_against_the_pictures(results):
+def test_a_given_focal_length_is_checked_against_the_images(results):
     assert CameraCheck.from_json(results["around"]).reasons() == []
     check = CameraCheck.from_json(results["wrong"])
     assert check.given == pytest.approx(1.15 * FOCAL) and check.found == pytest.approx(FOCAL, rel=0.01)
     assert check.freed_error < 0.6 * check.error
 
 
-def test_pictures_of_two_focal_lengths_form_two_clusters(results):
+def test_images_of_two_focal_lengths_form_two_clusters(results):
     assert results["zoom"]["own"] < 0.5 < 0.9 < results["around"]["own"]
     assert results["zoom"]["clusters"] == [4, 4] and results["around"]["clusters"] == [8]

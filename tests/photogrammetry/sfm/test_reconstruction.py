@@ -1,4 +1,4 @@
-"""Structure from motion of a synthetic scene with known cameras, builds of pycolmap, retrieval of pictures."""
+"""Structure from motion of a synthetic scene with known cameras, builds of pycolmap, retrieval of images."""
 
 import json
 import runpy
@@ -13,11 +13,11 @@ from PIL import Image
 import pointloom as loom
 from pointloom.photogrammetry.sfm import colmap_jobs, features, matches
 from pointloom.photogrammetry.sfm.features import find_features
-from pointloom.photogrammetry.sfm.mapping import map_pictures
-from pointloom.photogrammetry.sfm.matches import match
+from pointloom.photogrammetry.sfm.mapping import map_images
+from pointloom.photogrammetry.sfm.matches import match_features
 
-from .conftest import COUNT, FEATURES, has_pycolmap, write_pictures
-from .scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
+from .conftest import COUNT, FEATURES, has_pycolmap, write_images
+from .scene import FOCAL, HEIGHT, WIDTH, camera_path, image
 
 
 def fit_similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
@@ -35,7 +35,7 @@ def content(database) -> list:
 
 
 @pytest.mark.slow
-def test_all_pictures_have_their_true_pose(stages):
+def test_all_images_have_their_true_pose(stages):
     model = stages.result.model
     assert stages.result.reliable and len(model) == COUNT and stages.result.missing == ()
     truth = np.linalg.inv(camera_path(COUNT))
@@ -76,7 +76,7 @@ def test_each_stage_reports_its_results(stages):
 
 @pytest.mark.slow
 def test_the_model_is_the_same_from_run_to_run(stages, tmp_path):
-    map_pictures(stages.pictures, stages.matches_db, tmp_path / "again")
+    map_images(stages.images, stages.matches_db, tmp_path / "again")
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "again" / name).read_bytes() == (stages.sparse / name).read_bytes()
 
@@ -86,54 +86,54 @@ def test_the_model_is_the_same_from_run_to_run(stages, tmp_path):
 def test_features_and_matches_are_the_same_on_any_number_of_cores(stages, tmp_path, monkeypatch, cores):
     monkeypatch.setattr(features, "usable_cores", lambda: cores)
     monkeypatch.setattr(matches, "usable_cores", lambda: cores)
-    find_features(stages.pictures, tmp_path / "f.db", max_features=FEATURES)
-    match(tmp_path / "f.db", tmp_path / "m.db")
+    find_features(stages.images, tmp_path / "f.db", max_features=FEATURES)
+    match_features(tmp_path / "f.db", tmp_path / "m.db")
     assert content(tmp_path / "m.db") == content(stages.matches_db)
 
 
 @pytest.mark.slow
 def test_sequential_pairs_are_matched(stages, tmp_path):
-    report = match(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
+    report = match_features(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
     with sqlite3.connect(tmp_path / "m.db") as connection:
         assert connection.execute("SELECT count(*) FROM matches").fetchone() == (report.pair_count,)
     assert report.pairs == "sequential" and report.pair_count == 7 + 6 + 4  # offsets 1, 2 and 4
 
 
 @pytest.mark.slow
-def test_a_known_camera_is_fixed_and_scaled_to_the_pictures(scene_pictures, tmp_path):
-    pictures = write_pictures(tmp_path / "pictures", scene_pictures)
+def test_a_known_camera_is_fixed_and_scaled_to_the_images(scene_images, tmp_path):
+    images = write_images(tmp_path / "images", scene_images)
     twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
-    result = loom.sfm.reconstruct(pictures, tmp_path / "work", intrinsic=twice, max_features=500)
+    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", intrinsic=twice, max_features=500)
     assert len(result.model) == COUNT and result.reliable
     camera = result.model.cameras[0]
     assert (camera.model, camera.params) == ("PINHOLE", (FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2))
     assert set(result.seconds) == {"features", "pairs", "model"}
     with pytest.raises(loom.FileError, match="sparse:"):
-        loom.sfm.reconstruct(pictures, tmp_path / "work")
+        loom.photogrammetry.reconstruct_images(images, tmp_path / "work")
 
 
-def test_a_camera_of_other_pictures_is_refused(scene_pictures, tmp_path):
+def test_a_camera_of_other_images_is_refused(scene_images, tmp_path):
     other = loom.PinholeCameraIntrinsic(640, 640, 500, 500, 320, 320)
-    pictures = write_pictures(tmp_path / "in", scene_pictures[:2])
+    images = write_images(tmp_path / "in", scene_images[:2])
     with pytest.raises(ValueError, match="intrinsic:"):
-        find_features(pictures, tmp_path / "f.db", intrinsic=other)
+        find_features(images, tmp_path / "f.db", intrinsic=other)
 
 
 @pytest.mark.slow
 def test_a_camera_that_only_rotates_is_reported(tmp_path):
-    """COLMAP registers all pictures, with a focal length that imitates motion."""
-    pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in camera_path(6, rotate_only=True)])
-    result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=500)
+    """COLMAP registers all images, with a focal length that imitates motion."""
+    images = write_images(tmp_path / "images", [image(T) for T in camera_path(6, rotate_only=True)])
+    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", max_features=500)
     assert "move instead of only rotating" in str(result.warnings)
 
 
 def test_blank_images_give_no_model_but_a_warning(tmp_path):
-    pictures = write_pictures(tmp_path / "pictures", [np.full((64, 96), 40 * k, np.uint8) for k in range(3)])
-    features = find_features(pictures, tmp_path / "f.db")
+    images = write_images(tmp_path / "images", [np.full((64, 96), 40 * k, np.uint8) for k in range(3)])
+    features = find_features(images, tmp_path / "f.db")
     assert features.counts == (0, 0, 0) and len(features.poor_names) == 3
-    matched = match(tmp_path / "f.db", tmp_path / "m.db")
+    matched = match_features(tmp_path / "f.db", tmp_path / "m.db")
     assert matched.verified_count == 0 and len(matched.isolated) == 3
-    result = map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
+    result = map_images(images, tmp_path / "m.db", tmp_path / "sparse")
     assert result.model is None and len(result.missing) == 3
     assert "none of the 3 images could be registered" in str(result.warnings)
     assert "3 of 3 images have fewer than 50 features (view 0.png, view 1.png, " in str(features.warnings)
@@ -145,28 +145,28 @@ def test_blank_images_give_no_model_but_a_warning(tmp_path):
 @pytest.mark.parametrize(
     ("name", "remedy"), [("empty.png", "empty"), ("gray.png", "16-bit gray"), ("side.jpg", "is not upright")]
 )
-def test_pictures_misread_by_colmap_are_rejected(scene_pictures, tmp_path, name, remedy):
-    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
+def test_images_misread_by_colmap_are_rejected(scene_images, tmp_path, name, remedy):
+    images = write_images(tmp_path / "images", scene_images[:2])
     exif = Image.Exif()
     exif[0x0112] = 6
     if name == "empty.png":
-        (pictures / name).touch()
+        (images / name).touch()
     else:
-        pixels = scene_pictures[0].astype(np.uint16) * 256 if name == "gray.png" else scene_pictures[0]
-        Image.fromarray(pixels).save(pictures / name, **({} if name == "gray.png" else {"exif": exif}))
+        pixels = scene_images[0].astype(np.uint16) * 256 if name == "gray.png" else scene_images[0]
+        Image.fromarray(pixels).save(images / name, **({} if name == "gray.png" else {"exif": exif}))
     with pytest.raises(loom.FileError, match=rf"{name}.*{remedy}"):
-        find_features(pictures, tmp_path / "f.db")
+        find_features(images, tmp_path / "f.db")
 
 
-def test_a_picture_alone_is_refused(scene_pictures, tmp_path):
+def test_an_image_alone_is_refused(scene_images, tmp_path):
     with pytest.raises(loom.FileError, match="/one:"):
-        find_features(write_pictures(tmp_path / "one", scene_pictures[:1]), tmp_path / "f.db")
+        find_features(write_images(tmp_path / "one", scene_images[:1]), tmp_path / "f.db")
 
 
 @pytest.mark.slow
 def test_global_and_incremental_mapping_agree(stages, tmp_path):
-    result = map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
-    map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
+    result = map_images(stages.images, stages.matches_db, tmp_path / "g", mapper="global")
+    map_images(stages.images, stages.matches_db, tmp_path / "h", mapper="global")
     assert result.model is not None and result.model.names == stages.result.model.names
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()
@@ -197,10 +197,10 @@ def test_a_requested_but_missing_gpu_is_an_error(monkeypatch):
 
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_missing_networks_are_a_named_error(scene_pictures, tmp_path):
-    pictures = write_pictures(tmp_path / "p", scene_pictures[:2])
+def test_missing_networks_are_a_named_error(scene_images, tmp_path):
+    images = write_images(tmp_path / "p", scene_images[:2])
     with pytest.raises(loom.FileError, match="ALIKED and LightGlue require a pycolmap built with ONNX"):
-        find_features(pictures, tmp_path / "f.db", kind="aliked")
+        find_features(images, tmp_path / "f.db", kind="aliked")
     assert not (tmp_path / "f.db").exists()
 
 
@@ -216,15 +216,15 @@ def descriptors_of_scenes(count: int, views: int, seed: int = 0) -> list[np.ndar
     return sets
 
 
-def test_pictures_without_features_are_like_none():
+def test_images_without_features_are_like_none():
     none = np.zeros((0, 128), np.uint8)
     sets = [*descriptors_of_scenes(count=2, views=2), none]
-    alike = matches.alike_pictures(sets, 9, seed=0, words=8)
+    alike = matches.alike_images(sets, 9, seed=0, words=8)
     assert alike[4] == [] and [len(row) for row in alike] == [3, 3, 3, 3, 0]
-    assert matches.alike_pictures([none, none], 9, seed=0) == [[], []]
+    assert matches.alike_images([none, none], 9, seed=0) == [[], []]
 
 
-def test_many_pictures_are_matched_in_sequence_and_by_retrieval(tmp_path, monkeypatch):
+def test_many_images_are_matched_in_sequence_and_by_retrieval(tmp_path, monkeypatch):
     sets = descriptors_of_scenes(count=11, views=4)
     order = np.random.default_rng(3).permutation(len(sets))
     database = tmp_path / "f.db"
@@ -233,7 +233,7 @@ def test_many_pictures_are_matched_in_sequence_and_by_retrieval(tmp_path, monkey
         connection.execute("CREATE TABLE descriptors (image_id INTEGER, rows INTEGER, cols INTEGER, data BLOB)")
         connection.execute("CREATE TABLE two_view_geometries (pair_id INTEGER, rows INTEGER)")
         for k, index in enumerate(order):
-            connection.execute("INSERT INTO images VALUES (?, ?)", (k + 1, f"a picture {k:02d}.png"))
+            connection.execute("INSERT INTO images VALUES (?, ?)", (k + 1, f"an image {k:02d}.png"))
             connection.execute("INSERT INTO descriptors VALUES (?, 45, 128, ?)", (k + 1, sets[index].tobytes()))
     connection.close()
     given = {}
@@ -245,9 +245,9 @@ def test_many_pictures_are_matched_in_sequence_and_by_retrieval(tmp_path, monkey
 
     monkeypatch.setattr(matches, "run_job", run_job)
     for pairs in ("retrieval", "auto"):
-        report = match(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbors=3)
+        report = match_features(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbors=3)
         with sqlite3.connect(tmp_path / "m.db") as connection:
-            assert "a picture 07.png" in {name for (name,) in connection.execute("SELECT name FROM images")}
+            assert "an image 07.png" in {name for (name,) in connection.execute("SELECT name FROM images")}
         connection.close()
         assert report.pair_count == len(given[report.pairs]) == len(set(given[report.pairs]))
     looks, mixed = given["retrieval"], given[matches.MIXED]

@@ -14,31 +14,31 @@ from pointloom.photogrammetry.sfm import features, mapping, matches
 
 from ...hostile import missing_from, public_arguments, read_table
 from ..argument_tests import argument_tests, call_of
-from .conftest import write_pictures
+from .conftest import write_images
 
 LIMITS = "seed=0, max_seconds=60.0, max_memory=2**32, progress=None"
 KINDS = "masks=None, kind='sift', use_gpu=None"
 FEATURE_OPTIONS = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500, {KINDS}, {LIMITS}"
 CALLS = f"""
-loom.sfm.choose_frames(source=pictures, folder=new(), max_frames=5, max_size=64, min_movement=0.04, max_gap=30, kind="png", reader="auto", masks=None, max_seconds=60.0, max_memory=2**32, progress=None)
-loom.sfm.find_features(pictures=pictures, database=new(), {FEATURE_OPTIONS})
-loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbors=5, use_gpu=None, {LIMITS})
-loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
-loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FEATURE_OPTIONS})
-loom.sfm.assess_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None, repetition=None)
-loom.sfm.read_picture_places(source=pictures)
-loom.sfm.write_training_folder(folder=new(), model=model, pictures=[gray, gray], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
-loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
+loom.photogrammetry.choose_frames(source=images, folder=new(), max_frames=5, max_size=64, min_movement=0.04, max_gap=30, kind="png", reader="auto", masks=None, max_seconds=60.0, max_memory=2**32, progress=None)
+loom.photogrammetry.find_features(images=images, database=new(), {FEATURE_OPTIONS})
+loom.photogrammetry.match_features(database=database, matches=new(), pairs="auto", overlap=10, neighbors=5, use_gpu=None, {LIMITS})
+loom.photogrammetry.map_images(images=images, matches=database, folder=new(), mapper="auto", {LIMITS})
+loom.photogrammetry.reconstruct_images(images=images, work=new(), pairs="auto", overlap=10, mapper="auto", {FEATURE_OPTIONS})
+loom.photogrammetry.assess_model(model=model, image_count=3, model_sizes=[2, 1], focal=None, poses=None, repetition=None)
+loom.photogrammetry.read_image_positions(source=images)
+loom.photogrammetry.write_training_folder(folder=new(), model=model, images=[gray, gray], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
+loom.photogrammetry.triangulate(images=images, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
 """  # noqa: E501
-TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
-RESULTS = {"FrameChoice", "PicturePlace", "PicturePlaces", "TrainingFolder", "TriangulationResult"}
+TABLE = read_table(CALLS, {})
+RESULTS = {"FrameChoice", "ImagePosition", "ImagePositions", "TrainingFolder", "TriangulationResult"}
 RESULTS |= {"FeatureReport", "MatchReport", "SfmResult", "ModelQuality"}
 
 
 @pytest.fixture(scope="module")
 def things(tmp_path_factory) -> dict[str, Any]:
     rng, folder, numbers = np.random.default_rng(0), tmp_path_factory.mktemp("sfm"), itertools.count()
-    pictures = write_pictures(folder / "in", rng.integers(0, 256, (2, 48, 64)).astype(np.uint8))
+    images = write_images(folder / "in", rng.integers(0, 256, (2, 48, 64)).astype(np.uint8))
     database = folder / "made.db"
     with sqlite3.connect(database) as connection:
         connection.execute("CREATE TABLE images (image_id INTEGER, name TEXT)")
@@ -53,7 +53,7 @@ def things(tmp_path_factory) -> dict[str, Any]:
     poses[1, 0, 3] = -1
     gray = rng.integers(0, 256, (48, 64)).astype(np.uint8)
     return {
-        "loom": loom, "pictures": pictures, "database": database, "gray": gray, "seen": gray >= 0,
+        "loom": loom, "images": images, "database": database, "gray": gray, "seen": gray >= 0,
         "model": loom.SfmModel(["a", "b"], [camera] * 2, poses, points=[[0, 0, 2.0]]),
         "posed": loom.SfmModel(["view 0", "view 1"], [camera] * 2, poses),
         "new": lambda: folder / f"new {next(numbers)}",
@@ -75,7 +75,7 @@ def no_colmap(monkeypatch, things):
 
 
 def test_the_table_names_every_argument_of_every_public_call():
-    assert missing_from(TABLE, public_arguments(loom.sfm, RESULTS)) == {}
+    assert missing_from(TABLE, public_arguments(loom.photogrammetry, RESULTS, "photogrammetry.sfm")) == {}
 
 
 test_good_arguments_are_accepted, test_hostile_values_are_rejected_by_name = argument_tests(TABLE)
@@ -94,7 +94,7 @@ def test_values_of_other_types_in_a_database_are_errors_that_name_it(things, tmp
     with contextlib.closing(sqlite3.connect(database)) as connection, connection:
         connection.execute(change)
     with pytest.raises(loom.FileError, match=r"changed\.db|out\.db"):
-        loom.sfm.match(database, tmp_path / "out.db", pairs="retrieval")
+        loom.photogrammetry.match_features(database, tmp_path / "out.db", pairs="retrieval")
 
 
 def test_a_database_without_images_has_no_pairs(things, tmp_path):
@@ -102,14 +102,14 @@ def test_a_database_without_images_has_no_pairs(things, tmp_path):
     database.write_bytes(things["database"].read_bytes())
     with contextlib.closing(sqlite3.connect(database)) as connection, connection:
         connection.execute("DELETE FROM images")
-    assert loom.sfm.match(database, tmp_path / "out.db", pairs="retrieval").pair_count == 0
+    assert loom.photogrammetry.match_features(database, tmp_path / "out.db", pairs="retrieval").pair_count == 0
 
 
-def test_a_mapper_is_chosen_by_how_many_pictures_there_are(monkeypatch, things):
+def test_a_mapper_is_chosen_by_how_many_images_there_are(monkeypatch, things):
     jobs, results = [], {"sizes": [], "cameras": {}}
     monkeypatch.setattr(mapping, "run_job", lambda job, *_, **__: jobs.append(job) or (results, 0))
-    call, good = call_of(TABLE, "map_pictures", things)
+    call, good = call_of(TABLE, "map_images", things)
     for many in (2, 1):
-        monkeypatch.setattr(mapping, "MANY_PICTURES", many)
+        monkeypatch.setattr(mapping, "MANY_IMAGES", many)
         call(**good)
     assert [job["mapper"] for job in jobs] == ["incremental", "global"]

@@ -1,4 +1,4 @@
-"""Training folders for splats: undistorted pictures, COLMAP's files and transforms.json agree with the model."""
+"""Training folders for splats: undistorted images, COLMAP's files and transforms.json agree with the model."""
 
 import json
 import subprocess
@@ -42,13 +42,13 @@ def photographs(folder: Path, model: loom.SfmModel) -> Path:
 
 
 def source_of(model: loom.SfmModel, name: str) -> int:
-    """Index of the model's picture for a picture of the folder, whose order may differ."""
+    """Index of the model's image for an image of the folder, whose order may differ."""
     return [Path(each).stem for each in model.names].index(Path(name).stem)
 
 
 def written(tmp_path, model, **options):
-    pictures = photographs(tmp_path / "photos", model)
-    report = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures, **options)
+    images = photographs(tmp_path / "photos", model)
+    report = loom.photogrammetry.write_training_folder(tmp_path / "scene", model, images, **options)
     return report, tmp_path / "scene"
 
 
@@ -64,13 +64,13 @@ def test_points_project_to_undistorted_observations(tmp_path, kind, max_size):
     assert ((result.pixels >= -0.5) & (result.pixels <= sizes - 0.5)).all()
     straight = Undistortion(model.cameras[0], max_size=max_size).intrinsic
     for k, camera in enumerate(result.cameras):
-        with Image.open(scene / "images" / result.names[k]) as picture:
-            assert picture.size == (camera.width, camera.height) == (straight.width, straight.height)
+        with Image.open(scene / "images" / result.names[k]) as image:
+            assert image.size == (camera.width, camera.height) == (straight.width, straight.height)
         assert (camera.intrinsic.cx, camera.intrinsic.cy) == pytest.approx((straight.cx, straight.cy), abs=1e-9)
         mine = result.observations[result.observations[:, 0] == k, 1]
         T, own = result.T_camera_world[k], source_of(model, result.names[k])
         at = camera.project(result.points[mine] @ T[:3, :3].T + T[:3, 3])
-        # where the picture that the lens took has this very point, as the pinhole draws its ray
+        # where the image that the lens took has this very point, as the pinhole draws its ray
         before = model.pixels[(model.observations[:, 0] == own) & np.isin(model.observations[:, 1], mine)]
         rays = model.cameras[own].unproject(before)
         expected = rays[:, :2] * (straight.fx, straight.fy) + (straight.cx, straight.cy)
@@ -92,12 +92,12 @@ def test_transforms_match_the_colmap_files(tmp_path, kind):
 
 
 def test_undistorted_pixels_match_the_camera_model(tmp_path):
-    """Pictures whose brightness is the column or the row show the points at their original pixels."""
+    """Images whose brightness is the column or the row show the points at their original pixels."""
     model = model_of("OPENCV")
     v, u = np.mgrid[: SIZE[1], : SIZE[0]]
     for axis, ramp in enumerate((u, v)):
-        pictures = [np.rint(ramp * 2.5).astype(np.uint8)] * 3
-        loom.sfm.write_training_folder(tmp_path / f"{axis}", model, pictures)
+        images = [np.rint(ramp * 2.5).astype(np.uint8)] * 3
+        loom.photogrammetry.write_training_folder(tmp_path / f"{axis}", model, images)
         result, off = loom.read_colmap_model(tmp_path / f"{axis}" / "sparse" / "0"), []
         for k, name in enumerate(result.names):
             shown = loom.read_color(tmp_path / f"{axis}" / "images" / name)[..., 0] / 2.5
@@ -111,30 +111,30 @@ def test_undistorted_pixels_match_the_camera_model(tmp_path):
         assert abs(np.mean(off)) < 0.05 and np.abs(off).max() < 0.4  # a step of gray is 0.4 px
 
 
-def test_only_undistorted_upright_pictures_are_copied(tmp_path):
+def test_only_undistorted_upright_images_are_copied(tmp_path):
     model = model_of("PINHOLE")
-    pictures = photographs(tmp_path / "photos", model)
+    images = photographs(tmp_path / "photos", model)
     exif = Image.Exif()
     exif[0x0112] = 3
-    with Image.open(pictures / "day 2" / "b.jpg") as picture:
-        picture.save(pictures / "day 2" / "b.jpg", exif=exif)
-    with Image.open(pictures / "day 2" / "b.jpg") as picture:
-        pixels = np.array(picture)
-    report = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures)
-    images = tmp_path / "scene" / "images"
-    assert sorted(path.name for path in images.iterdir()) == ["a.jpg", "b.png", "c.png"]
-    assert (images / "a.jpg").read_bytes() == (pictures / "day 1" / "a.jpg").read_bytes()
-    with Image.open(images / "b.png") as picture:
-        assert picture.getexif().get(0x0112, 1) == 1 and np.array_equal(np.array(picture), pixels)
+    with Image.open(images / "day 2" / "b.jpg") as image:
+        image.save(images / "day 2" / "b.jpg", exif=exif)
+    with Image.open(images / "day 2" / "b.jpg") as image:
+        pixels = np.array(image)
+    report = loom.photogrammetry.write_training_folder(tmp_path / "scene", model, images)
+    copies = tmp_path / "scene" / "images"
+    assert sorted(path.name for path in copies.iterdir()) == ["a.jpg", "b.png", "c.png"]
+    assert (copies / "a.jpg").read_bytes() == (images / "day 1" / "a.jpg").read_bytes()
+    with Image.open(copies / "b.png") as image:
+        assert image.getexif().get(0x0112, 1) == 1 and np.array_equal(np.array(image), pixels)
     assert report.straightened_count == 1
 
 
-def test_points_outside_the_undistorted_pictures_have_no_observation(tmp_path):
+def test_points_outside_the_undistorted_images_have_no_observation(tmp_path):
     camera = loom.CameraModel("OPENCV_FISHEYE", *SIZE, LENSES["OPENCV_FISHEYE"])
     corner, middle = camera.unproject([[0.0, 0.0], [48.0, 32.0]]) * 2
     seen = {"observations": [[0, 0], [0, 1]], "pixels": [[0.0, 0.0], [48.0, 32.0]]}
     model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[corner, middle], **seen)
-    loom.sfm.write_training_folder(tmp_path / "scene", model, [np.zeros((SIZE[1], SIZE[0], 3), np.uint8)])
+    loom.photogrammetry.write_training_folder(tmp_path / "scene", model, [np.zeros((SIZE[1], SIZE[0], 3), np.uint8)])
     assert loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0").observations.tolist() == [[0, 1]]
 
 
@@ -164,7 +164,11 @@ def test_utm_coordinates_are_shifted_and_reported_or_stay_exact(tmp_path, shift)
         assert content["applied_scale"] == 1
     else:
         assert report.origin == (0, 0, 0) and "applied_transform" not in content
-    assert loom.sfm.write_training_folder(tmp_path / "near", model_of(), tmp_path / "photos").origin == (0, 0, 0)
+    assert loom.photogrammetry.write_training_folder(tmp_path / "near", model_of(), tmp_path / "photos").origin == (
+        0,
+        0,
+        0,
+    )
 
 
 def test_masks_are_undistorted_and_complete(tmp_path):
@@ -181,42 +185,44 @@ def test_masks_are_undistorted_and_complete(tmp_path):
     middle = round(lens.cx)
     assert first.shape == (lens.height, lens.width) and report.mask_count == 3
     assert first[3:-3, 2 : middle - 1].min() == 255 and first[:, middle + 2 :].max() == 0 and second.min() == 255
-    given = loom.sfm.write_training_folder(tmp_path / "again", model, tmp_path / "photos", masks=[None, mask > 0, mask])
+    given = loom.photogrammetry.write_training_folder(
+        tmp_path / "again", model, tmp_path / "photos", masks=[None, mask > 0, mask]
+    )
     again = np.array(Image.open(tmp_path / "again" / "masks" / "a.png.png"))
     assert given.mask_count == 3 and np.array_equal(again, first)
 
 
-def test_pictures_may_be_arrays_and_models_without_points(tmp_path):
+def test_images_may_be_arrays_and_models_without_points(tmp_path):
     model = model_of("OPENCV")
     bare = loom.SfmModel(model.names, model.cameras, model.T_camera_world)
-    pictures = [np.full((SIZE[1], SIZE[0]), 90, np.uint8)] * 3
-    report = loom.sfm.write_training_folder(tmp_path / "scene", bare, pictures)
+    images = [np.full((SIZE[1], SIZE[0]), 90, np.uint8)] * 3
+    report = loom.photogrammetry.write_training_folder(tmp_path / "scene", bare, images)
     assert report.point_count == 0 and not (tmp_path / "scene" / "sparse_pc.ply").exists()
     assert len(loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0")) == 3
 
 
 def test_invalid_inputs_are_named_and_nothing_is_written(tmp_path):
     model = model_of("PINHOLE")
-    pictures = photographs(tmp_path / "photos", model)
-    write = loom.sfm.write_training_folder
+    images = photographs(tmp_path / "photos", model)
+    write = loom.photogrammetry.write_training_folder
     for given, reason in (
         (tmp_path / "nowhere", "c.png: does not exist"),
-        ([np.zeros((9, 9, 3), np.uint8)] * 3, r"pictures\[0\]: expected shape \[64, 96, 3\]"),
-        ([np.zeros((64, 96, 3), np.uint8)] * 2, "pictures: expected one for each of the 3"),
-        ([np.zeros((64, 96, 3))] * 3, r"pictures\[0\]: expected a path or uint8"),
+        ([np.zeros((9, 9, 3), np.uint8)] * 3, r"images\[0\]: expected shape \[64, 96, 3\]"),
+        ([np.zeros((64, 96, 3), np.uint8)] * 2, "images: expected one for each of the 3"),
+        ([np.zeros((64, 96, 3))] * 3, r"images\[0\]: expected a path or uint8"),
     ):
         with pytest.raises((FileError, ValueError, TypeError), match=reason):
             write(tmp_path / "scene", model, given)
     with pytest.raises(FileError, match=r"/photos:.*c\.png\.png"):
-        write(tmp_path / "scene", model, pictures, masks=tmp_path / "photos")
-    Image.new("RGB", (50, 40)).save(pictures / "c.png")
+        write(tmp_path / "scene", model, images, masks=tmp_path / "photos")
+    Image.new("RGB", (50, 40)).save(images / "c.png")
     with pytest.raises(FileError, match=r"c\.png:"):
-        write(tmp_path / "scene", model, pictures)
+        write(tmp_path / "scene", model, images)
     photographs(tmp_path / "photos", model)
-    data = (pictures / "day 2" / "b.jpg").read_bytes()
-    (pictures / "day 2" / "b.jpg").write_bytes(data[: len(data) // 2])
+    data = (images / "day 2" / "b.jpg").read_bytes()
+    (images / "day 2" / "b.jpg").write_bytes(data[: len(data) // 2])
     with pytest.raises(FileError, match=r"b.jpg"):
-        write(tmp_path / "scene", model, pictures)
+        write(tmp_path / "scene", model, images)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["photos"]
 
 
@@ -225,11 +231,11 @@ def test_a_folder_of_this_kind_alone_is_replaced(tmp_path):
     _, scene = written(tmp_path, model)
     before = {path: path.read_bytes() for path in scene.rglob("*") if path.is_file()}
     with pytest.raises(FileError, match="exists already"):
-        loom.sfm.write_training_folder(scene, model, tmp_path / "photos")
-    loom.sfm.write_training_folder(scene, model, tmp_path / "photos", overwrite=True)
+        loom.photogrammetry.write_training_folder(scene, model, tmp_path / "photos")
+    loom.photogrammetry.write_training_folder(scene, model, tmp_path / "photos", overwrite=True)
     assert {path: path.read_bytes() for path in scene.rglob("*") if path.is_file()} == before
     with pytest.raises(FileError, match="/photos:"):
-        loom.sfm.write_training_folder(tmp_path / "photos", model, tmp_path / "photos", overwrite=True)
+        loom.photogrammetry.write_training_folder(tmp_path / "photos", model, tmp_path / "photos", overwrite=True)
 
 
 PYCOLMAP = """
@@ -254,11 +260,11 @@ def test_pycolmap_reads_the_folder_and_projects_the_points_where_they_are_seen(t
     model = model_of("OPENCV")
     _, scene = written(tmp_path, model)
     command = [sys.executable, "-c", PYCOLMAP, str(scene / "sparse" / "0")]
-    pictures, colors, tracks = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+    images, colors, tracks = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
     straight = Undistortion(model.cameras[0]).intrinsic
-    assert sorted(pictures) == ["a.png", "b.png", "c.png"] and colors == model.colors.tolist()
+    assert sorted(images) == ["a.png", "b.png", "c.png"] and colors == model.colors.tolist()
     expected = [straight.fx, straight.fy, straight.cx + 0.5, straight.cy + 0.5]
-    for kind, width, height, params, count, off in pictures.values():
+    for kind, width, height, params, count, off in images.values():
         assert (kind, width, height, params) == ("PINHOLE", straight.width, straight.height, pytest.approx(expected))
         assert count > 30 and off < 0.05
-    assert tracks == sum(count for *_, count, _ in pictures.values())
+    assert tracks == sum(count for *_, count, _ in images.values())

@@ -29,7 +29,9 @@ def film(tmp_path):
 @pytest.fixture
 def quick(monkeypatch):
     """Fast stages; `ran` lists the stages that ran, and the other attributes set their results."""
-    state = SimpleNamespace(ran=[], registered=COUNT, reasons=[], only_rotated=False, share=0.6, triangles=2, fail=None)
+    state = SimpleNamespace(
+        ran=[], registered=COUNT, reasons=[], only_rotated=False, fraction=0.6, triangles=2, fail=None
+    )
     state.damage = []
 
     def stage(name):
@@ -49,15 +51,15 @@ def quick(monkeypatch):
 
     @stage("frames")
     def take_frames(folder, report, *, source, max_frames):
-        (folder / motion.PICTURES).mkdir()
+        (folder / motion.IMAGES).mkdir()
         count = min(COUNT, max_frames)
         for number in range(0, 10 * count, 10):
-            (folder / motion.PICTURES / f"frame_{number:06d}.png").write_bytes(source.read_bytes() + b"%d" % number)
+            (folder / motion.IMAGES / f"frame_{number:06d}.png").write_bytes(source.read_bytes() + b"%d" % number)
         return {"kept": count, "frames": 80, "notes": ["80 of 90 suitable frames are used"], "warnings": state.damage}
 
     @stage("features")
     def find_features(folder, report, *, frames, intrinsic, seed):
-        of = motion.picture_names(frames)
+        of = motion.image_names(frames)
         write_json(folder / "features.json", camera=str(intrinsic), seed=seed, of=of)
         return {}
 
@@ -67,8 +69,8 @@ def quick(monkeypatch):
         return {}
 
     @stage("model")
-    def map_pictures(folder, report, *, frames, matches, fixed_camera, seed):
-        names = motion.picture_names(frames)[: state.registered]
+    def map_images(folder, report, *, frames, matches, fixed_camera, seed):
+        names = motion.image_names(frames)[: state.registered]
         quality = ModelQuality(COUNT, len(names), (len(names),), 100, 50.0, 8.0, 30.0, 0.4, tuple(state.reasons))
         if names:
             poses = np.tile(np.eye(4), (len(names), 1, 1))
@@ -83,18 +85,18 @@ def quick(monkeypatch):
         loom.write_colmap_model(folder / surface.SPARSE, motion.read_model(model))
         (folder / surface.IMAGES).mkdir()
         (folder / surface.IMAGES / "all").write_text(str(min(max_size, 64)))
-        return {"pictures": state.registered, "sizes": [[min(max_size, 64), 48]]}
+        return {"images": state.registered, "sizes": [[min(max_size, 64), 48]]}
 
     @stage("depth")
     def estimate(folder, report, *, undistorted, seed, device):
         write_json(folder / "depth.json", seed=seed, size=(undistorted.folder / surface.IMAGES / "all").read_text())
-        return {"pictures": state.registered, "share": 1.0}
+        return {"images": state.registered, "fraction": 1.0}
 
     @stage("fused")
     def fuse_points(folder, report, *, undistorted, depth, device):
         loom.write_point_cloud(folder / surface.CLOUD, loom.PointCloud([[0, 0, 1], [0, 1, 1], [1, 0, 1.0]]))
         (folder / "of").write_bytes((depth.folder / "depth.json").read_bytes())
-        return {"share": state.share, "points": 3}
+        return {"fraction": state.fraction, "points": 3}
 
     @stage("mesh")
     def make_mesh(folder, report, *, undistorted, fused, units, device):

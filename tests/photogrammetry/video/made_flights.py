@@ -1,9 +1,9 @@
-"""Synthetic flights: georeferenced cameras, the model of the pictures, and their GPS."""
+"""Synthetic flights: georeferenced cameras, the model of the images, and their GPS."""
 
 import numpy as np
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.image_positions import PicturePlace, PicturePlaces
+from pointloom.photogrammetry.sfm.image_positions import ImagePosition, ImagePositions
 from pointloom.registration.rigid import make_pose
 
 CAMERA = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
@@ -55,17 +55,17 @@ def hidden(poses, seed=0):
 
 
 def gps_of(poses, noise=0.0, wild=(), altitudes=True, attitudes=None, sigma=None, seed=0):
-    """GPS of pictures at these poses, with noise [m] in plan and twice as much in height; some are outliers."""
+    """GPS of images at these poses, with noise [m] in plan and twice as much in height; some are outliers."""
     rng = np.random.default_rng(seed)
     enu = poses[:, :3, 3] + rng.normal(size=(len(poses), 3)) * np.array([1, 1, 2]) * noise
     for k in wild:
         enu[k] += (40.0, -30.0, 5.0)
     rows = FRAME.to_geodetic(enu).tolist()
     positions = [
-        PicturePlace(f"IMG_{k:04d}.JPG", lat, lon, height if altitudes else None, horizontal_sigma=sigma)
+        ImagePosition(f"IMG_{k:04d}.JPG", lat, lon, height if altitudes else None, horizontal_sigma=sigma)
         for k, (lat, lon, height) in enumerate(rows)
     ]
-    return PicturePlaces(tuple(positions), attitudes or {}, {}, len(poses))
+    return ImagePositions(tuple(positions), attitudes or {}, {}, len(poses))
 
 
 def attitudes_of(poses):

@@ -12,7 +12,7 @@ from pointloom.photogrammetry.video.control_files import read_ground_control
 from pointloom.photogrammetry.video.control_systems import to_geodetic, utm_code
 from pointloom.photogrammetry.video.ground_control import ControlMark, GroundControl, ScaleBar
 from pointloom.photogrammetry.video.job import check_marks
-from pointloom.photogrammetry.video.units import Units, fit_units
+from pointloom.photogrammetry.video.units import VideoUnits, fit_units
 
 from .made_flights import FRAME, errors, gps_of, hidden, nadir, oblique
 
@@ -32,7 +32,7 @@ def model_of(poses):
 
 
 def marks_of(poses, points=GROUND, names=NAMES, noise=0.0, max_count=8, seed=0):
-    """Marks of the points in the pictures, in the order of the pictures."""
+    """Marks of the points in the images, in the order of the images."""
     rng = np.random.default_rng(seed)
     marks = []
     for name, point in zip(names, points, strict=True):
@@ -66,7 +66,7 @@ MODEL = model_of(POSES)
 
 
 def fit_control(gps=None, bars=(), align=None, **made):
-    return fit_units(Units(control=control_of(POSES, POINTS, bars=bars, **made), places=gps, align=align), MODEL)
+    return fit_units(VideoUnits(control=control_of(POSES, POINTS, bars=bars, **made), places=gps, align=align), MODEL)
 
 
 def row(fit, name):
@@ -78,7 +78,7 @@ def test_exact_marks_through_a_lens_with_distortion_give_utm_coordinates_exactly
     points = GROUND if poses[0, 2, 3] > 30 else POINTS
     control = control_of(poses, points, checks=("E",))
     model = model_of(poses)
-    fit = fit_units(Units(control=control), model)
+    fit = fit_units(VideoUnits(control=control), model)
     assert (fit.units, fit.by, fit.reliable, fit.notes, fit.is_upright) == ("meters", "control", True, (), True)
     scale, tilt, off = errors(fit, model, poses)
     assert abs(scale) < 1e-9 and off < 1e-6 and tilt < 1e-3  # up, some 33 m away, is rotated by 0.0003 degrees
@@ -89,8 +89,8 @@ def test_exact_marks_through_a_lens_with_distortion_give_utm_coordinates_exactly
 
 def test_maps_require_control_with_a_coordinate_system():
     control = control_of(POSES, POINTS)
-    assert Units(control=control).may_place
-    assert not Units(control=replace(control, crs="")).may_place
+    assert VideoUnits(control=control).may_place
+    assert not VideoUnits(control=replace(control, crs="")).may_place
 
 
 def test_errors_of_noisy_marks_agree_with_the_reported_accuracy():
@@ -135,7 +135,7 @@ def test_two_blunders_among_seven_points_do_not_hide_each_other():
 
 def test_contradictions_of_four_points_are_reported_without_excluding_one():
     control = control_of(POSES, POINTS[:4], NAMES[:4], wrong=[("B", (3.0, 0, 0))])
-    fit = fit_units(Units(control=control), MODEL)
+    fit = fit_units(VideoUnits(control=control), MODEL)
     assert {point.use for point in fit.control.points} == {"control"}
     words = str(fit.warnings)
     assert "times the stated accuracy" in words and "with 5 or more points the wrong one" in words
@@ -150,14 +150,14 @@ def test_points_less_accurate_than_stated_are_reported():
 def test_a_wrong_mark_is_excluded_and_named():
     marks = marks_of(POSES, POINTS, noise=0.2)
     k = next(k for k, mark in enumerate(marks) if mark.point == "B")
-    marks[k] = ControlMark("B", marks[k].picture, np.add(marks[k].pixel, (60, -40)))
+    marks[k] = ControlMark("B", marks[k].image, np.add(marks[k].pixel, (60, -40)))
     fit = fit_control(marks=marks)
-    assert marks[k].picture.lower() in row(fit, "B").warnings[0].lower() and row(fit, "B").use == "control"
+    assert marks[k].image.lower() in row(fit, "B").warnings[0].lower() and row(fit, "B").use == "control"
     assert fit.reliable and np.linalg.norm(row(fit, "B").residual) < 0.1
 
 
-def test_a_point_in_one_picture_is_unused_with_a_reason():
-    marks = [m for m in marks_of(POSES, POINTS) if m.point != "D" or m.picture == "IMG_0003.JPG"]
+def test_a_point_in_one_image_is_unused_with_a_reason():
+    marks = [m for m in marks_of(POSES, POINTS) if m.point != "D" or m.image == "IMG_0003.JPG"]
     marks += [] if any(m.point == "D" for m in marks) else marks_of(POSES, POINTS[3:4], ("D",), max_count=1)
     fit = fit_control(marks=marks)
     assert row(fit, "D").use == "unused"
@@ -174,7 +174,7 @@ def test_a_point_in_one_picture_is_unused_with_a_reason():
 )
 def test_insufficient_points_are_rejected_early(points, names, reason):
     with pytest.raises(ValueError, match=reason):
-        Units(control=control_of(POSES, points, names))
+        VideoUnits(control=control_of(POSES, points, names))
 
 
 def test_gps_is_used_with_a_warning_if_control_points_are_unusable():
@@ -200,7 +200,7 @@ def test_another_zone_than_that_of_gps_is_reported():
     positions = FRAME.to_utm(POINTS, 32632)
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, positions, strict=True)]
     control = GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")
-    fit = fit_units(Units(control=control, places=gps_of(POSES)), MODEL)
+    fit = fit_units(VideoUnits(control=control, places=gps_of(POSES)), MODEL)
     assert "km from the GPS positions" in str(fit.warnings) and "EPSG:32633" in str(fit.warnings)
 
 
@@ -226,7 +226,7 @@ def test_a_reported_origin_is_subtracted_from_large_local_coordinates():
     far = np.add(POINTS, (612000.0, 204000.0, 430.0))
     control = control_of(POSES, POINTS, crs="")
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, far, strict=True)]
-    fit = fit_units(Units(control=GroundControl(rows, control.marks)), MODEL)
+    fit = fit_units(VideoUnits(control=GroundControl(rows, control.marks)), MODEL)
     assert fit.frame is None and fit.control.origin.tolist() == [612000.0, 204000.0, 400.0]
     centers = MODEL.transform(fit.T_world_model).centers + fit.control.origin
     np.testing.assert_allclose(centers, POSES[:, :3, 3] + (612000, 204000, 430), atol=1e-6)
@@ -239,7 +239,7 @@ def bar(a, b, off=0.0, sigma=0.002):
 
 def bars_alone(*bars, noise=0.0, align="none"):
     control = GroundControl([], marks_of(POSES, POINTS, noise=noise), bars)
-    return fit_units(Units(control=control, align=align), MODEL)
+    return fit_units(VideoUnits(control=control, align=align), MODEL)
 
 
 def test_scale_bars_alone_set_the_scale_and_nothing_else():
@@ -276,7 +276,7 @@ def test_bars_beside_points_sharpen_the_scale_and_a_wrong_one_is_named():
 
 def test_too_few_points_beside_bars_are_ignored_with_a_note():
     control = control_of(POSES, POINTS[:2], NAMES[:2], bars=[bar("A", "B")])
-    fit = fit_units(Units(control=control), MODEL)
+    fit = fit_units(VideoUnits(control=control), MODEL)
     assert fit.by == "scale_bars" and fit.reliable and "the points are not used: 2 control points" in str(fit)
 
 
@@ -290,7 +290,7 @@ def test_the_report_has_residual_sigma_and_use_of_each_point_and_bar():
     assert report["gps"]["shift_m"][2] is None
 
 
-def test_marks_of_unused_pictures_are_ignored():
+def test_marks_of_unused_images_are_ignored():
     mark = ControlMark("A", "IMG_0009.jpg", (3, 4))
     check_marks(GroundControl([], [mark]), ["IMG_0001.jpg"], {}, ["IMG_0001.jpg", "IMG_0009.jpg"])
 
@@ -305,7 +305,7 @@ ODM = """WGS84 UTM 32N
 bar A CHK-1 41.2 0.01
 """
 CSV = """# crs: EPSG:25832
-name,x,y,z,sigma,sigma_z,use,picture,column,row
+name,x,y,z,sigma,sigma_z,use,image,column,row
 "A",447000.0,5260000.0,410.0,0.01,0.03,,a.jpg,320,240
 A,,,,,,,b.jpg,100,240.5
 Mill 2,447040.0,5260010.0,411.5,,,check,"a, b.jpg",12,14
@@ -335,7 +335,7 @@ def test_the_list_of_odm_is_read(written):
 
 def test_a_csv_is_read_with_sigma_and_use(written):
     control = read_ground_control(written("\ufeff" + CSV, "gcp.csv"))
-    assert (control.crs, control.checks, control.marks[2].picture) == ("EPSG:25832", ("Mill 2",), "a, b.jpg")
+    assert (control.crs, control.checks, control.marks[2].image) == ("EPSG:25832", ("Mill 2",), "a, b.jpg")
     assert np.asarray(control.points[0].sigma).tolist() == [0.01, 0.01, 0.03]
     assert control.bars == (ScaleBar("A", "Mill 2", 41.2),)
 
@@ -350,8 +350,8 @@ def test_scale_bars_are_read_from_a_separate_file_with_additional_marks(written)
     bars = written("mark P a.jpg 5 6\nmark P b.jpg 7 8\nbar P A 1.5\n", "bars.txt")
     control = read_ground_control(written(ODM), scale_bars=bars)
     assert (len(control.bars), len(control.marks), control.crs) == (2, 6, "WGS84 UTM 32N")
-    alone = "name,picture,column,row\nP,a.jpg,5,6\nP,b.jpg,6,7\nQ,a.jpg,5,6\nQ,b.jpg,7,7\nbar,P,Q,1.5\n"
-    assert Units(scale_bars=written(alone, "bars.csv")).ground.bars[0].meters == 1.5
+    alone = "name,image,column,row\nP,a.jpg,5,6\nP,b.jpg,6,7\nQ,a.jpg,5,6\nQ,b.jpg,7,7\nbar,P,Q,1.5\n"
+    assert VideoUnits(scale_bars=written(alone, "bars.csv")).ground.bars[0].meters == 1.5
     with pytest.raises(FileError, match=r"gcp2\.txt"):
         read_ground_control(None, scale_bars=written(ODM.replace("bar A", "# "), "gcp2.txt"))
 
@@ -374,7 +374,7 @@ def test_scale_bars_are_read_from_a_separate_file_with_additional_marks(written)
         (ODM.replace("bar A CHK-1 41.2 0.01", "bar A 41.2"), r"line 8\): expected `bar A B meters"),
         (ODM.replace("447040.0 5260010.0", "5260010.0 447040.0"), "x is the easting and y the northing"),
         (CSV.replace("name,x", "point,x"), "no coordinate system|line"),
-        (CSV.replace("picture,column,row", "picture,row"), r"line 2\): the header lacks column"),
+        (CSV.replace("image,column,row", "image,row"), r"line 2\): the header lacks column"),
         (CSV.replace("0.01,0.03", "0,0.03"), r"line 3\): expected standard deviations of 1e-06"),
         (CSV.replace("check", "chek"), r"line 5\): expected control or check as the use, got 'chek'"),
         (CSV.replace(",,,,,,,b.jpg", ",1,,,,,,b.jpg"), r"line 4\): expected x, y and z"),
@@ -388,15 +388,15 @@ def test_invalid_files_are_rejected_with_their_line(written, text, reason):
 
 def test_no_file_no_text_and_too_few_points_are_refused(written, tmp_path):
     with pytest.raises(FileError, match=r"/none\.txt:"):
-        Units(control=tmp_path / "none.txt")
+        VideoUnits(control=tmp_path / "none.txt")
     (tmp_path / "gcp.bin").write_bytes(b"\xff\xfe\x00\x01")
     with pytest.raises(FileError, match=r"/gcp\.bin:.*UTF-8"):
-        Units(control=tmp_path / "gcp.bin")
+        VideoUnits(control=tmp_path / "gcp.bin")
     path = written(ODM.replace("bar A", "# "))
     with pytest.raises(FileError, match=r"gcp\.txt"):
-        Units(control=path)
+        VideoUnits(control=path)
     with pytest.raises(ValueError, match="control:"):
-        Units(control=path, scale=2.0)
+        VideoUnits(control=path, scale=2.0)
     with pytest.raises(ValueError, match=r"^path:"):
         read_ground_control(None)
 

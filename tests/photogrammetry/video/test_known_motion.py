@@ -1,4 +1,4 @@
-"""`pointloom video --cameras`: pictures are matched to cameras by name, and wrong poses give no cloud."""
+"""`pointloom video --cameras`: images are matched to cameras by name, and wrong poses give no cloud."""
 
 import sqlite3
 from types import SimpleNamespace
@@ -15,8 +15,8 @@ from pointloom.photogrammetry.video import chain, known_motion, motion
 from pointloom.photogrammetry.video.units import OF_POSES, fit_as_given, fit_units
 
 from ...cli.commands import answer, refusal, unreliable
-from ..sfm.conftest import has_pycolmap, left_half, silent, write_pictures
-from ..sfm.scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
+from ..sfm.conftest import has_pycolmap, left_half, silent, write_images
+from ..sfm.scene import FOCAL, HEIGHT, WIDTH, camera_path, image
 
 COUNT = 6
 METASHAPE = (
@@ -43,9 +43,9 @@ def noise(count, size=(48, 64)):
 def take(tmp_path, source, cameras, masks=None, **options):
     folder = tmp_path / "frames"
     folder.mkdir()
-    given = {"max_frames": 150, "posed": loom.video.Settings(cameras=cameras, **options), "masks": masks}
-    report = known_motion.take_pictures(folder, silent, source=source, **given)
-    return report, read_colmap_model(folder / "cameras"), folder / "pictures"
+    given = {"max_frames": 150, "posed": loom.photogrammetry.VideoSettings(cameras=cameras, **options), "masks": masks}
+    report = known_motion.take_images(folder, silent, source=source, **given)
+    return report, read_colmap_model(folder / "cameras"), folder / "images"
 
 
 def steps(count):
@@ -54,17 +54,17 @@ def steps(count):
     return poses
 
 
-def test_pictures_are_matched_to_cameras_by_name_and_the_rest_is_reported(tmp_path):
-    source = write_pictures(tmp_path / "in", noise(4), ["b.png", "a.png", "c.png", "extra.png"])
+def test_images_are_matched_to_cameras_by_name_and_the_rest_is_reported(tmp_path):
+    source = write_images(tmp_path / "in", noise(4), ["b.png", "a.png", "c.png", "extra.png"])
     xml = write_metashape(tmp_path / "c.xml", ["c", "a", "b", "gone"], steps(4), size=(64, 48), focal=60)
-    report, model, pictures = take(tmp_path, source, xml)
+    report, model, images = take(tmp_path, source, xml)
     assert dict(zip(model.names, model.centers[:, 0], strict=True)) == {"a.png": 1.0, "b.png": 2.0, "c.png": 0.0}
     assert (report["kept"], report["missing"]) == (3, 1)
     assert report["notes"] == ["1 images have no pose: extra.png", "1 poses have no image: gone"]
-    assert (pictures / "a.png").read_bytes() == (source / "a.png").read_bytes()
+    assert (images / "a.png").read_bytes() == (source / "a.png").read_bytes()
 
 
-def test_pictures_keep_their_stored_orientation(tmp_path):
+def test_images_keep_their_stored_orientation(tmp_path):
     source = tmp_path / "in"
     source.mkdir()
     exif = Image.Exif()
@@ -72,25 +72,25 @@ def test_pictures_keep_their_stored_orientation(tmp_path):
     for name, pixels in zip(("a.jpg", "b.jpg"), noise(2), strict=True):
         Image.fromarray(pixels).save(source / name, exif=exif)
     xml = write_metashape(tmp_path / "c.xml", ["a", "b"], steps(2), size=(64, 48), focal=60)
-    _, model, pictures = take(tmp_path, source, xml)
+    _, model, images = take(tmp_path, source, xml)
     assert model.names == ("a.png", "b.png")
     stored = np.asarray(Image.open(source / "a.jpg").convert("RGB"))
-    with Image.open(pictures / "a.png") as written:
+    with Image.open(images / "a.png") as written:
         assert written.getexif().get(0x0112, 1) == 1
         np.testing.assert_array_equal(np.asarray(written.convert("RGB")), stored)
 
 
 def test_a_lens_that_colmap_does_not_have_is_straightened_first(tmp_path):
-    source = write_pictures(tmp_path / "in", noise(2), ["a.png", "b.png"])
+    source = write_images(tmp_path / "in", noise(2), ["a.png", "b.png"])
     xml = write_metashape(tmp_path / "c.xml", ["a", "b"], steps(2), size=(64, 48), focal=60, more="<k4>0.1</k4>")
     assert loom.read_cameras(xml).cameras[0].model == "METASHAPE"
-    _, model, pictures = take(tmp_path, source, xml)
+    _, model, images = take(tmp_path, source, xml)
     assert model.cameras[0].is_pinhole
-    assert loom.read_color(pictures / "a.png").shape[:2] == (model.cameras[0].height, model.cameras[0].width)
+    assert loom.read_color(images / "a.png").shape[:2] == (model.cameras[0].height, model.cameras[0].width)
 
 
 def test_a_trajectory_takes_the_lens_that_is_given(tmp_path):
-    source = write_pictures(tmp_path / "in", noise(3), ["1.0.png", "2.0.png", "3.0.png"])
+    source = write_images(tmp_path / "in", noise(3), ["1.0.png", "2.0.png", "3.0.png"])
     loom.write_trajectory(tmp_path / "p.tum", loom.Trajectory(steps(3), timestamps=[1.0, 2.0, 3.0]))
     lens = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
     _, model, _ = take(tmp_path, source, tmp_path / "p.tum", intrinsic=lens)
@@ -102,7 +102,7 @@ def test_cameras_that_do_not_match_the_source_are_rejected(tmp_path):
     xml = write_metashape(tmp_path / "c.xml", ["a", "b"], steps(2), size=(64, 48))
     with pytest.raises(DatasetError, match=r"/walk\.mp4:"):
         take(tmp_path, tmp_path / "walk.mp4", xml)
-    source = write_pictures(tmp_path / "in", noise(2), ["a.png", "b.png"])
+    source = write_images(tmp_path / "in", noise(2), ["a.png", "b.png"])
     (tmp_path / "frames").rmdir()
     lens = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
     with pytest.raises(FileError, match=r"c\.xml"):
@@ -112,12 +112,12 @@ def test_cameras_that_do_not_match_the_source_are_rejected(tmp_path):
 def test_the_unit_is_that_of_the_poses_unless_more_is_known():
     camera = loom.CameraModel("PINHOLE", 64, 48, [60, 60, 32, 24])
     model = loom.SfmModel(["1.png", "2.png"], [camera] * 2, steps(2))
-    assert fit_as_given(fit_units(loom.video.Units(), model)).units == OF_POSES
-    assert fit_as_given(fit_units(loom.video.Units(scale=2.0), model)).units == "meters"
+    assert fit_as_given(fit_units(loom.photogrammetry.VideoUnits(), model)).units == OF_POSES
+    assert fit_as_given(fit_units(loom.photogrammetry.VideoUnits(scale=2.0), model)).units == "meters"
 
 
 def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkeypatch):
-    source = write_pictures(tmp_path / "in", noise(3), ["a.png", "b.png", "c.png"])
+    source = write_images(tmp_path / "in", noise(3), ["a.png", "b.png", "c.png"])
     xml = write_metashape(tmp_path / "c.xml", ["a", "b", "c"], steps(3), size=(64, 48), focal=60)
     check = PoseCheck(500, 0.03, 1.0, "each pose is inverted", 0.9)
     nothing = SimpleNamespace(pairs=np.zeros((0, 2), int), firsts=np.zeros(1, int), matches=np.zeros((0, 2), int))
@@ -130,24 +130,24 @@ def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkey
 
 
 def test_a_trajectory_without_a_lens_is_refused(tmp_path):
-    source = write_pictures(tmp_path / "in", noise(2), ["1.0.png", "2.0.png"])
+    source = write_images(tmp_path / "in", noise(2), ["1.0.png", "2.0.png"])
     loom.write_trajectory(tmp_path / "p.tum", loom.Trajectory(steps(2), timestamps=[1.0, 2.0]))
     assert "--intrinsic" in refusal("video", source, "-o", tmp_path / "m.ply", "--cameras", tmp_path / "p.tum")
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_pictures_and_metashapes_cameras_become_points_on_the_true_surface(tmp_path):
+def test_images_and_metashapes_cameras_become_points_on_the_true_surface(tmp_path):
     poses = camera_path(COUNT)
     names = [f"view {k}" for k in range(COUNT)]
-    source = write_pictures(tmp_path / "in", [picture(T) for T in poses], [f"{name}.png" for name in names])
+    source = write_images(tmp_path / "in", [image(T) for T in poses], [f"{name}.png" for name in names])
     xml = write_metashape(tmp_path / "c.xml", names, np.linalg.inv(np.array(poses)))
     cloud = tmp_path / "points.pcd"
     report = answer("video", source, "-o", cloud, "--cameras", xml, "--max-size", 160)
     assert report["units"] == OF_POSES and report["files"] == [str(cloud)]
     points = loom.read_point_cloud(cloud).points
     assert len(points) > 3000
-    normal = np.cross((3, 0, 0.8), (0, 2.2, 0.3))  # of the wall, which fills most of the pictures
+    normal = np.cross((3, 0, 0.8), (0, 2.2, 0.3))  # of the wall, which fills most of the images
     off = np.abs((points - (0, 0, 4)) @ normal) / np.linalg.norm(normal)
     assert np.median(off) < 0.01 and 2.0 < points[:, 2].min() < points[:, 2].max() < 5.5
 
@@ -173,11 +173,11 @@ def mask_in(folder, name) -> np.ndarray:
 
 
 @pytest.mark.parametrize("orientation", [1, 6, 8, 3])
-def test_masks_keep_the_stored_orientation_of_their_pictures(tmp_path, orientation):
-    # A rotation by 180 degrees is ambiguous: the mask is assumed to match the stored picture.
+def test_masks_keep_the_stored_orientation_of_their_images(tmp_path, orientation):
+    # A rotation by 180 degrees is ambiguous: the mask is assumed to match the stored image.
     rotation_count = {1: 0, 6: 3, 8: 1, 3: 0}[orientation]
     upright = np.ascontiguousarray(np.rot90(left_half(SIZE), rotation_count))
-    masks = write_pictures(tmp_path / "masks", [left_half(SIZE), upright], ["a.jpg.png", "b.png"])
+    masks = write_images(tmp_path / "masks", [left_half(SIZE), upright], ["a.jpg.png", "b.png"])
     report, folder = take_masked(tmp_path, masks, names=("a.jpg", "b.jpg", "c.jpg"), orientation=orientation)
     ending = "jpg" if orientation == 1 else "png"
     for name in ("a", "b"):
@@ -185,19 +185,19 @@ def test_masks_keep_the_stored_orientation_of_their_pictures(tmp_path, orientati
     assert report["notes"] == ["1 image without a mask, used completely: c.jpg"]
 
 
-def test_a_mask_function_gets_stored_pictures_and_may_exclude_them(tmp_path):
+def test_a_mask_function_gets_stored_images_and_may_exclude_them(tmp_path):
     def mask_of(pixels, name):
         assert pixels.shape == (*SIZE, 3)
         return None if name == "a.jpg" else left_half(SIZE) if name == "b.jpg" else np.zeros(SIZE, bool)
 
     report, folder = take_masked(tmp_path, mask_of, names=("a.jpg", "b.jpg", "c.jpg"), orientation=6)
-    assert sorted(path.name for path in (folder / "pictures").iterdir()) == ["a.png", "b.png"]
+    assert sorted(path.name for path in (folder / "images").iterdir()) == ["a.png", "b.png"]
     assert loom.read_colmap_model(folder / "cameras").names == ("a.png", "b.png")
     assert report["kept"] == 2 and "since the mask excludes all pixels: c.jpg" in " ".join(report["notes"])
 
 
-def test_masks_are_straightened_with_pictures_whose_lens_colmap_does_not_have(tmp_path):
-    masks = write_pictures(tmp_path / "masks", [left_half(SIZE)] * 2, ["a.png", "b.png"])
+def test_masks_are_straightened_with_images_whose_lens_colmap_does_not_have(tmp_path):
+    masks = write_images(tmp_path / "masks", [left_half(SIZE)] * 2, ["a.png", "b.png"])
     _, folder = take_masked(tmp_path, masks, more="<k4>2.0</k4>")
     camera = loom.read_colmap_model(folder / "cameras").cameras[0]
     mask = mask_in(folder, "a.png")
@@ -207,12 +207,12 @@ def test_masks_are_straightened_with_pictures_whose_lens_colmap_does_not_have(tm
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_posed_pictures_have_no_feature_in_black_mask_pixels(tmp_path):
-    pictures = [picture(T) for T in camera_path(2)]
-    write_pictures(tmp_path / "frames" / motion.PICTURES, pictures, ["a.png", "b.png"])
+def test_posed_images_have_no_feature_in_black_mask_pixels(tmp_path):
+    images = [image(T) for T in camera_path(2)]
+    write_images(tmp_path / "frames" / motion.IMAGES, images, ["a.png", "b.png"])
     (tmp_path / "frames" / motion.MASKS).mkdir()
     for name in ("a.png.png", "b.png.png"):
-        Image.fromarray(left_half(pictures[0].shape)).save(tmp_path / "frames" / motion.MASKS / name)
+        Image.fromarray(left_half(images[0].shape)).save(tmp_path / "frames" / motion.MASKS / name)
     frames = SimpleNamespace(folder=tmp_path / "frames")
     (tmp_path / "out").mkdir()
     known_motion.find_features(tmp_path / "out", silent, frames=frames, max_features=300, seed=0)
@@ -220,4 +220,4 @@ def test_posed_pictures_have_no_feature_in_black_mask_pixels(tmp_path):
         rows = database.execute("SELECT data, rows, cols FROM keypoints").fetchall()
     for data, count, width in rows:
         columns = np.frombuffer(data, np.float32).reshape(count, width)[:, 0]
-        assert 30 < len(columns) <= 700 and columns.max() <= pictures[0].shape[1] / 2 + 1
+        assert 30 < len(columns) <= 700 and columns.max() <= images[0].shape[1] / 2 + 1

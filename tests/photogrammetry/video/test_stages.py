@@ -14,7 +14,7 @@ from pointloom.core.errors import FileError
 from pointloom.core.stages import Chain, Stage, StageResult
 from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
 from pointloom.photogrammetry.video import motion, surface
-from pointloom.photogrammetry.video.units import Units
+from pointloom.photogrammetry.video.units import VideoUnits
 
 from ...interruptions import run_lines
 from ..sfm.conftest import silent
@@ -46,7 +46,7 @@ class Job:
             (folder / "deep").mkdir()
             # only the letter counts, not its case: another setting may give the same files
             (folder / "deep" / "text").write_text(before + self.settings[name].lower())
-            return {"length": len(before) + 1, "share": float("nan")}
+            return {"length": len(before) + 1, "fraction": float("nan")}
 
         return Stage(name, make, {"letter": self.settings[name]}, after)
 
@@ -68,7 +68,7 @@ def test_a_finished_job_is_reused(tmp_path):
     assert [m.is_reused for m in reused.values()] == [True] * 3
     assert [m.report for m in reused.values()] == [m.report for m in made.values()]
     assert [m.cost for m in reused.values()] == [m.cost for m in made.values()]
-    assert made["third"].report == {"length": 3, "share": None}
+    assert made["third"].report == {"length": 3, "fraction": None}
     assert set(made["third"].cost) == {"seconds", "cpu_seconds", "peak_bytes"}
     assert (tmp_path / "third" / "deep" / "text").read_text() == "abc"
     assert first.reported == [(f"{name}: letter", 1, 2) for name in NAMES]
@@ -222,7 +222,7 @@ def test_a_killed_run_leaves_a_part_that_the_next_removes(tmp_path):
 
 
 WIDTH, HEIGHT = 96, 64
-PICTURE_NAMES = ("frame_000003.jpg", "frame_000010.jpg", "frame_000020.jpg")
+IMAGE_NAMES = ("frame_000003.jpg", "frame_000010.jpg", "frame_000020.jpg")
 
 
 def made(folder):
@@ -232,12 +232,12 @@ def made(folder):
 @pytest.fixture
 def before(tmp_path, rng):
     frames, model = tmp_path / "frames", tmp_path / "model"
-    (frames / motion.PICTURES).mkdir(parents=True)
-    for name in PICTURE_NAMES:
+    (frames / motion.IMAGES).mkdir(parents=True)
+    for name in IMAGE_NAMES:
         pixels = rng.integers(0, 256, (HEIGHT, WIDTH, 3), np.uint8)
-        Image.fromarray(pixels).save(frames / motion.PICTURES / name)
+        Image.fromarray(pixels).save(frames / motion.IMAGES / name)
     camera = loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [80.0, 47.0, 33.0, -0.12])
-    loom.write_colmap_model(model / motion.MODEL, seen_model(camera, PICTURE_NAMES, angle=0))
+    loom.write_colmap_model(model / motion.MODEL, seen_model(camera, IMAGE_NAMES, angle=0))
     return made(frames), made(model)
 
 
@@ -255,10 +255,10 @@ def straighten(before, tmp_path, max_size):
 
 
 @pytest.mark.parametrize("max_size", [1000, 64, 40])
-def test_undistorted_pictures_show_sparse_points_as_a_pinhole(before, tmp_path, max_size):
+def test_undistorted_images_show_sparse_points_as_a_pinhole(before, tmp_path, max_size):
     result = straighten(before, tmp_path, max_size)
     model, paths, cameras = surface.open_straightened(result)
-    assert model.names == tuple(f"{Path(name).stem}.png" for name in PICTURE_NAMES)
+    assert model.names == tuple(f"{Path(name).stem}.png" for name in IMAGE_NAMES)
     assert len(model.observations) > 60
     for k, (path, camera) in enumerate(zip(paths, cameras, strict=True)):
         assert loom.read_color(path).shape == (camera.intrinsic.height, camera.intrinsic.width, 3)
@@ -287,14 +287,14 @@ def empty_mesh(straight, tmp_path, units):
 
 
 def test_no_depth_gives_no_points_and_an_empty_mesh(straight, tmp_path):
-    fused, mesh = empty_mesh(straight, tmp_path, Units())
-    assert fused == {"share": 0.0, "points": 0}
+    fused, mesh = empty_mesh(straight, tmp_path, VideoUnits())
+    assert fused == {"fraction": 0.0, "points": 0}
     assert (mesh["triangles"], mesh["bounds"]) == (0, None)
 
 
 @pytest.mark.parametrize("scale", [None, 30.0])
-def test_poses_beside_the_mesh_carry_the_numbers_of_their_pictures_and_its_unit(straight, tmp_path, scale):
-    empty_mesh(straight, tmp_path, Units(scale=scale))
+def test_poses_beside_the_mesh_carry_the_numbers_of_their_images_and_its_unit(straight, tmp_path, scale):
+    empty_mesh(straight, tmp_path, VideoUnits(scale=scale))
     path = loom.read_trajectory(tmp_path / "mesh" / surface.POSES_LOG)
     assert path.ids[:, 0].tolist() == [3, 10, 20]
     expected = np.array([0, 0.1, 0.2]) * (scale or 1.0)
@@ -303,14 +303,14 @@ def test_poses_beside_the_mesh_carry_the_numbers_of_their_pictures_and_its_unit(
     np.testing.assert_allclose(model.centers[:, 0], expected, atol=1e-9)
 
 
-def test_the_share_of_a_masked_picture_counts_unmasked_pixels(tmp_path):
+def test_the_share_of_a_masked_image_counts_unmasked_pixels(tmp_path):
     Image.fromarray(np.repeat(np.array([[255, 0, 0, 0]], np.uint8), 3, axis=0)).save(tmp_path / "small.png")
     Image.fromarray(np.zeros((3, 4), np.uint8)).save(tmp_path / "hidden.png")
     depth = np.zeros((3, 4))
     depth[:2, 0] = 1.0  # 2 of the 3 pixels that are left, 2 of 12 of all
     one, none = (DepthMap(z, np.zeros((3, 4, 3)), np.zeros((3, 4))) for z in (depth, 0 * depth))
-    assert surface.mean_share([one], [tmp_path / "small.png"]) == pytest.approx(2 / 3)
-    assert surface.mean_share([one, none], [None, tmp_path / "hidden.png"]) == pytest.approx(1 / 12)
+    assert surface.mean_fraction([one], [tmp_path / "small.png"]) == pytest.approx(2 / 3)
+    assert surface.mean_fraction([one, none], [None, tmp_path / "hidden.png"]) == pytest.approx(1 / 12)
 
 
 def test_small_floating_parts_are_removed():

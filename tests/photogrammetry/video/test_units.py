@@ -5,8 +5,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.photogrammetry.sfm.image_positions import PicturePlaces
-from pointloom.photogrammetry.video.units import Units, fit_units
+from pointloom.photogrammetry.sfm.image_positions import ImagePositions
+from pointloom.photogrammetry.video.units import VideoUnits, fit_units
 from pointloom.registration.rigid import make_pose
 
 from .made_flights import FRAME, attitudes_of, errors, gps_of, hidden, nadir, oblique, street
@@ -35,7 +35,7 @@ def write_positions(path, names=NAMES, positions=POSITIONS):
     [(None, {"units": "arbitrary", "scale": 1.0, "by": None}), (2.5, {"units": "meters", "scale": 2.5, "by": "scale"})],
 )
 def test_a_factor_gives_meters_and_without_one_the_unit_is_arbitrary(scale, expected):
-    fit = fit_units(Units(scale=scale), model_of())
+    fit = fit_units(VideoUnits(scale=scale), model_of())
     assert fit.to_dict() == expected | {"reliable": True, "warnings": []}
     np.testing.assert_array_equal(fit.T_world_model, np.diag([scale or 1.0] * 3 + [1]))
 
@@ -44,7 +44,7 @@ def test_a_factor_gives_meters_and_without_one_the_unit_is_arbitrary(scale, expe
     "names", [("frame_000007.png", "frame_000041"), ("7", "41"), (7, 41), ("000007", "frame_000041")]
 )
 def test_the_distance_of_two_cameras_gives_meters(names):
-    fit = fit_units(Units(known=(*names, 6.0)), model_of())
+    fit = fit_units(VideoUnits(known=(*names, 6.0)), model_of())
     assert fit.units == "meters"
     assert fit.scale == pytest.approx(2.0, rel=1e-12)  # they are 3 apart
 
@@ -52,7 +52,7 @@ def test_the_distance_of_two_cameras_gives_meters(names):
 @pytest.mark.parametrize("called", ["{}", "{stem}", "{number}", "{number:06d}"])
 def test_known_positions_transform_the_model(tmp_path, called):
     names = [called.format(n, stem=n[:-4], number=int(n[6:12])) for n in NAMES]
-    fit = fit_units(Units(align=write_positions(tmp_path / "places.txt", names)), model_of())
+    fit = fit_units(VideoUnits(align=write_positions(tmp_path / "places.txt", names)), model_of())
     assert (fit.known_positions.count, fit.by, fit.reliable) == (5, "align", True)
     assert fit.scale == pytest.approx(2.5, rel=1e-9)
     assert fit.known_positions.rms_m < 1e-8
@@ -60,13 +60,13 @@ def test_known_positions_transform_the_model(tmp_path, called):
 
 
 @pytest.mark.parametrize("form", ["log", "tum"])
-def test_poses_of_some_pictures_are_known_positions(tmp_path, form):
+def test_poses_of_some_images_are_known_positions(tmp_path, form):
     numbers = np.array([[0], [12], [30], [41], [99]])
     poses = np.array([make_pose(np.eye(3), position) for position in [*POSITIONS[[0, 2, 3, 4]], POSITIONS[0] + 100]])
     ids, path = np.hstack([numbers, numbers, numbers + 1]), tmp_path / ("poses.log" if form == "log" else "poses.txt")
     numbering = {"ids": ids} if form == "log" else {"timestamps": numbers[:, 0] * 1.0}
     loom.write_trajectory(path, loom.Trajectory(poses, **numbering), format=form)
-    fit = fit_units(Units(align=path), model_of())
+    fit = fit_units(VideoUnits(align=path), model_of())
     assert fit.known_positions.count == 4
     np.testing.assert_allclose(fit.T_world_model, TRUE, atol=1e-6)
 
@@ -74,7 +74,7 @@ def test_poses_of_some_pictures_are_known_positions(tmp_path, form):
 def test_a_contradicting_position_is_excluded_and_named(tmp_path):
     wrong = POSITIONS.copy()
     wrong[2] += 5
-    fit = fit_units(Units(align=write_positions(tmp_path / "places.txt", positions=wrong)), model_of())
+    fit = fit_units(VideoUnits(align=write_positions(tmp_path / "places.txt", positions=wrong)), model_of())
     assert fit.reliable
     assert fit.known_positions.left_out == (NAMES[2],)
     np.testing.assert_allclose(fit.T_world_model, TRUE, atol=1e-8)
@@ -82,19 +82,19 @@ def test_a_contradicting_position_is_excluded_and_named(tmp_path):
 
 def test_positions_that_contradict_the_model_are_reported(tmp_path):
     wrong = POSITIONS + 3 * np.random.default_rng(0).normal(size=POSITIONS.shape)
-    fit = fit_units(Units(align=write_positions(tmp_path / "places.txt", positions=wrong)), model_of())
+    fit = fit_units(VideoUnits(align=write_positions(tmp_path / "places.txt", positions=wrong)), model_of())
     assert not fit.reliable
     assert "differ by" in str(fit.warnings)
 
 
 def test_two_cameras_at_one_position_have_no_distance():
     with pytest.raises(ValueError, match=r"^known:"):
-        fit_units(Units(known=("0", "7", 1.0)), model_of(centers=np.zeros((5, 3))))
+        fit_units(VideoUnits(known=("0", "7", 1.0)), model_of(centers=np.zeros((5, 3))))
     for second in ("frame_000007", "13"):
         with pytest.raises(ValueError, match=r"^known:"):
-            Units(known=("7", second, 1.0)).check_names(NAMES)
+            VideoUnits(known=("7", second, 1.0)).check_names(NAMES)
     with pytest.raises(ValueError, match="matches 2 images"):
-        Units(known=("7", "12", 1.0)).check_names([*NAMES, "other_7.png"])
+        VideoUnits(known=("7", "12", 1.0)).check_names([*NAMES, "other_7.png"])
 
 
 @pytest.mark.parametrize(
@@ -109,7 +109,7 @@ def test_two_cameras_at_one_position_have_no_distance():
 )
 def test_invalid_units_are_rejected(given, error):
     with pytest.raises(error, match=f"{next(iter(given))}|nowhere"):
-        Units(**given)
+        VideoUnits(**given)
 
 
 @pytest.mark.parametrize(
@@ -119,7 +119,7 @@ def test_invalid_units_are_rejected(given, error):
         ("0 1 2 3\n7 1 2 nan\n", "line 2.*finite"),
         ("0 1 2 3\n0 1 2 4\n7 1 1 1\n", "'frame_000000.png' is duplicated"),
         ("0 1 2 3\n7 3 2 1\n", "the positions of 2 images in the model; 3 or more"),
-        ("x 1 2 3\ny 2 2 3\nz 3 4 5\n", "contains no name of a picture of the model"),
+        ("x 1 2 3\ny 2 2 3\nz 3 4 5\n", "contains no name of an image of the model"),
         ("0 1 2 3\n7 2 4 6\n12 3 6 9\n", "on a line"),
     ],
 )
@@ -127,19 +127,19 @@ def test_a_file_of_insufficient_positions_is_an_error(tmp_path, text, message):
     path = tmp_path / "places.txt"
     path.write_text(text)
     with pytest.raises(FileError, match=message):
-        fit_units(Units(align=path), model_of())
+        fit_units(VideoUnits(align=path), model_of())
 
 
-def test_pictures_of_a_folder_keep_their_original_names():
+def test_images_of_a_folder_keep_their_original_names():
     names = ["0000_IMG_9.jpg", "0001_IMG_10.jpg", "0002_porch.jpg"]
     for known in (("IMG_9", "porch", 1.0), ("IMG_9.JPG", "porch.jpeg", 1.0), ("0000_IMG_9", "0002_porch.jpg", 1.0)):
-        fit = fit_units(Units(known=known), model_of(names, [[0, 0, 0], [9, 9, 9], [0, 0, 2.0]]))
+        fit = fit_units(VideoUnits(known=known), model_of(names, [[0, 0, 0], [9, 9, 9], [0, 0, 2.0]]))
         assert fit.scale == pytest.approx(0.5)
 
 
 def fit_gps(poses, gps, align=None, **known):
     model, _ = hidden(poses)
-    return fit_units(Units(align=align, places=gps, **known), model), model
+    return fit_units(VideoUnits(align=align, places=gps, **known), model), model
 
 
 @pytest.mark.parametrize(("flight", "wild"), [(nadir, ()), (oblique, (3,))])
@@ -230,14 +230,14 @@ def test_gps_is_ignored_with_other_units_or_none():
 
 
 def test_requested_gps_with_too_few_positions_is_rejected_early():
-    few = PicturePlaces(gps_of(oblique()).places[:2], {}, {"c.jpg": "its latitude is 97 degrees"}, 3)
+    few = ImagePositions(gps_of(oblique()).places[:2], {}, {"c.jpg": "its latitude is 97 degrees"}, 3)
     with pytest.raises(ValueError, match=r"^align:.*2.*3.*c\.jpg.*97"):
-        Units(align="exif", places=few).check_names(["IMG_0000.jpg", "IMG_0001.jpg", "c.jpg"])
+        VideoUnits(align="exif", places=few).check_names(["IMG_0000.jpg", "IMG_0001.jpg", "c.jpg"])
     with pytest.raises(ValueError, match=r"^align:"):
-        Units(align="exif").check_names(["frame_000000.png"])
+        VideoUnits(align="exif").check_names(["frame_000000.png"])
 
 
-def test_the_report_has_origin_zone_and_the_residual_of_each_picture():
+def test_the_report_has_origin_zone_and_the_residual_of_each_image():
     poses = nadir()
     fit, _ = fit_gps(poses, gps_of(poses, 0.5, (3,)))
     report = fit.to_dict()["gps"]
@@ -280,13 +280,13 @@ def test_attitudes_that_contradict_the_model_are_rejected():
     poses = oblique()
     rng = np.random.default_rng(0)
     wrong = {name: (0.0, *rng.uniform(-90, 90, 2)) for name in attitudes_of(poses)}
-    fit, model = fit_gps(poses, PicturePlaces((), wrong, {}, len(poses)))
+    fit, model = fit_gps(poses, ImagePositions((), wrong, {}, len(poses)))
     assert fit.up.by == "cameras"
     assert errors(fit, model, poses)[1] < 0.5
 
 
 def test_attitudes_make_a_nadir_flight_upright_without_gps():
     poses = nadir()
-    fit, model = fit_gps(poses, PicturePlaces((), attitudes_of(poses), {}, len(poses)))
+    fit, model = fit_gps(poses, ImagePositions((), attitudes_of(poses), {}, len(poses)))
     assert fit.up.by == "attitudes"
     assert errors(fit, model, poses)[1] < 0.01

@@ -1,4 +1,4 @@
-"""`pointloom video` and `loom.video.reconstruct`: stages that run again, rejected calls, results, control and maps."""
+"""`pointloom video` and `reconstruct_video`: stages that run again, rejected calls, results, control and maps."""
 
 import json
 
@@ -8,8 +8,8 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.core.work_folder import locked
-from pointloom.io.pictures.image_files import write_png
-from pointloom.photogrammetry.sfm.image_positions import PicturePlace, PicturePlaces
+from pointloom.io.images.image_files import write_png
+from pointloom.photogrammetry.sfm.image_positions import ImagePosition, ImagePositions
 from pointloom.photogrammetry.video import chain, motion
 
 from ...cli.commands import answer, names_in, refusal, run, unreliable
@@ -35,15 +35,15 @@ def test_a_video_becomes_a_mesh_and_a_report_of_each_stage(quick, film, output, 
     assert quick.ran == STAGES
     assert list(report["stages"]) == STAGES
     assert all(not stage["kept"] and stage["cpu_seconds"] >= 0 for stage in report["stages"].values())
-    assert (report["model"]["registered_count"], report["fused"]["share"], report["reliable"]) == (COUNT, 0.6, True)
+    assert (report["model"]["registered_count"], report["fused"]["fraction"], report["reliable"]) == (COUNT, 0.6, True)
     assert report["files"] == [str(output)]
     assert json.loads((tmp_path / "work" / "report.json").read_text()) == report
     assert names_in(tmp_path / "work") == sorted([*STAGES, "records", "report.json", "video.json"])
 
 
 def test_without_a_work_folder_nothing_is_left_but_the_outputs(quick, film, output, tmp_path):
-    poses, cloud, picture = tmp_path / "poses.log", tmp_path / "cloud.ply", tmp_path / "room.png"
-    others = ("--trajectory", poses, "--cloud", cloud, "--picture", picture)
+    poses, cloud, image = tmp_path / "poses.log", tmp_path / "cloud.ply", tmp_path / "room.png"
+    others = ("--trajectory", poses, "--cloud", cloud, "--picture", image)
     report = answer("video", film, "-o", output, *others)
     assert names_in(tmp_path) == ["cloud.ply", "poses.log", "room.ply", "room.png", "walk.mp4"]
     assert (len(report["files"]), report["work"]) == (4, None)
@@ -54,16 +54,16 @@ def test_without_a_work_folder_nothing_is_left_but_the_outputs(quick, film, outp
 
 def test_a_training_folder_is_written_in_the_unit_of_the_mesh(quick, film, output, tmp_path, monkeypatch):
     def take_frames(folder, report_progress, *, source, max_frames):
-        (folder / motion.PICTURES).mkdir()
+        (folder / motion.IMAGES).mkdir()
         for number in range(0, 10 * COUNT, 10):
-            write_png(folder / motion.PICTURES / f"frame_{number:06d}.png", np.full((48, 64, 3), number, np.uint8))
+            write_png(folder / motion.IMAGES / f"frame_{number:06d}.png", np.full((48, 64, 3), number, np.uint8))
         return {"kept": COUNT, "frames": 80, "notes": []}
 
     monkeypatch.setitem(chain.STAGES, "frames", take_frames)
     scene = tmp_path / "scene"
     report = answer("video", film, "-o", output, "--training", scene, "--scale", 2.5)
     assert report["files"] == [str(output), str(scene)]
-    assert report["training"]["picture_count"] == COUNT == len(names_in(scene / "images"))
+    assert report["training"]["image_count"] == COUNT == len(names_in(scene / "images"))
     model, twice = loom.read_colmap_model(scene / "sparse" / "0"), report["fit"]["scale"]
     assert twice == 2.5
     plain = answer("video", film, "-o", output, "--training", scene, "--force", "--align", "none")
@@ -75,7 +75,7 @@ def test_a_training_folder_is_written_in_the_unit_of_the_mesh(quick, film, outpu
     assert "other: contains other files" in message
 
 
-def test_the_summary_reports_the_use_of_the_pictures(quick, film, output):
+def test_the_summary_reports_the_use_of_the_images(quick, film, output):
     result = run("video", film, "-o", output)
     assert result.exit_code == 0, result.stderr
     texts = ("8 of 8 registered, chosen from 80, on ", "60.0% confirmed", "arbitrary: give --scale", "depth 0.0, ")
@@ -88,7 +88,7 @@ def test_the_summary_reports_the_use_of_the_pictures(quick, film, output):
         ([], []),
         (["--scale", "2"], ["mesh"]),
         (["--known", "0,10,3"], ["mesh"]),
-        (["--max-size", "64"], ["undistorted"]),  # the pictures are no larger: later stages are reused
+        (["--max-size", "64"], ["undistorted"]),  # the images are no larger: later stages are reused
         (["--max-frames", "4"], STAGES),
         (["--seed", "1"], ["features", "matches", "model", "depth", "fused", "mesh"]),
         (["--picture", "room.png"], []),
@@ -140,10 +140,10 @@ def test_a_camera_that_only_rotated_gives_no_mesh(quick, film, output, tmp_path)
 
 
 def test_an_unreliable_mesh_is_written_with_advice(quick, film, output):
-    quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
+    quick.reasons, quick.fraction = ["only 4 of 8 images could be placed: film more slowly"], 0.15
     quick.damage = ["the video is damaged or truncated: 80 of 90 frames were decoded"]
     first, damage, second = unreliable("video", film, "-o", output)["warnings"]
-    assert [damage] == quick.damage and first == "only 4 of 8 pictures could be placed: film more slowly"
+    assert [damage] == quick.damage and first == "only 4 of 8 images could be placed: film more slowly"
     assert "the depth of only 15.0% of the pixels" in second
     assert output.exists()
 
@@ -159,8 +159,8 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
     [
         (["--scale", "2", "--known", "0,10,1"], "--scale and --known both define the unit"),
         (["--scale", "0"], "expected a number above 0"),
-        (["--known", "0,10"], "expected two pictures and meters above 0"),
-        (["--known", ",10,-1"], "expected two pictures and meters above 0"),
+        (["--known", "0,10"], "expected two images and meters above 0"),
+        (["--known", ",10,-1"], "expected two images and meters above 0"),
         (["--max-frames", "1"], "--max-frames"),
         (["--max-size", "10"], "--max-size"),
         (["--resume"], "--resume requires --work"),
@@ -225,7 +225,7 @@ def test_a_missing_source_is_an_error(quick, output, tmp_path):
     assert "walk.mp4: does not exist. Give a video" in refusal("video", tmp_path / "walk.mp4", "-o", output)
 
 
-def test_a_missing_known_picture_is_an_error_after_the_frames(quick, film, output):
+def test_a_missing_known_image_is_an_error_after_the_frames(quick, film, output):
     assert "'7' matches no image" in refusal("video", film, "-o", output, "--known", "7,10,1")
     assert quick.ran == ["frames"]
     quick.registered = 3
@@ -240,19 +240,21 @@ def in_json(result):
 
 def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    result = loom.video.reconstruct(film)
+    result = loom.photogrammetry.reconstruct_video(film)
     assert names_in(tmp_path) == ["walk.mp4"]
     assert (len(result.mesh), len(result.cloud), len(result.model)) == (2, 3, COUNT)
     assert (result.files, result.work, result.reliable, result.units) == ((), None, True, "arbitrary")
     figures = result.figures
-    assert (figures.frame_count, figures.picture_count, figures.quality.registered_count) == (80, COUNT, COUNT)
-    assert (figures.picture_size, figures.confirmed_share, figures.triangle_count) == ((64, 48), 0.6, 2)
+    assert (figures.frame_count, figures.image_count, figures.quality.registered_count) == (80, COUNT, COUNT)
+    assert (figures.image_size, figures.confirmed_fraction, figures.triangle_count) == ((64, 48), 0.6, 2)
 
 
 def test_mesh_cloud_and_model_share_one_frame_and_unit(quick, film, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    arbitrary = loom.video.reconstruct(film)
-    meters = loom.video.reconstruct(film, loom.video.Settings(units=loom.video.Units(scale=3.0)))
+    arbitrary = loom.photogrammetry.reconstruct_video(film)
+    meters = loom.photogrammetry.reconstruct_video(
+        film, loom.photogrammetry.VideoSettings(units=loom.photogrammetry.VideoUnits(scale=3.0))
+    )
     assert (meters.units, meters.fit.scale) == ("meters", 3.0)
     np.testing.assert_allclose(meters.mesh.vertices, 3 * arbitrary.mesh.vertices, atol=1e-6)
     np.testing.assert_allclose(meters.cloud.points, 3 * arbitrary.cloud.points, atol=1e-6)
@@ -263,7 +265,9 @@ def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_pa
     monkeypatch.chdir(tmp_path)
     shown = run("video", film, "-o", "room.ply", "--cloud", "cloud.ply", "--work", "work", "--device", "cpu")
     settings = {"work": "work", "resume": True, "overwrite": True, "device": "cpu"}
-    result = loom.video.reconstruct(film, outputs=loom.video.Outputs("room.ply", cloud="cloud.ply"), **settings)
+    result = loom.photogrammetry.reconstruct_video(
+        film, outputs=loom.photogrammetry.VideoOutputs("room.ply", cloud="cloud.ply"), **settings
+    )
     same = [line for line in shown.stdout.splitlines() if not line.startswith(("  seconds", "  memory"))]
     assert same == [line for line in str(result).splitlines() if not line.startswith(("  seconds", "  memory"))]
     assert json.loads((tmp_path / "work" / "report.json").read_text()) == json.loads(json.dumps(result.to_dict()))
@@ -271,10 +275,10 @@ def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_pa
 
 
 def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, tmp_path):
-    quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
-    first = loom.video.reconstruct(film, work=tmp_path / "work")
+    quick.reasons, quick.fraction = ["only 4 of 8 images could be placed: film more slowly"], 0.15
+    first = loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work")
     quick.ran.clear()
-    again = loom.video.reconstruct(film, work=tmp_path / "work", resume=True)
+    again = loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work", resume=True)
     assert quick.ran == []
     assert again.figures == first.figures
     assert again.warnings == first.warnings and len(first.warnings) == 2
@@ -285,9 +289,13 @@ def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
     camera = loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
     loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", camera)
     work = tmp_path / "work"
-    loom.video.reconstruct(film, loom.video.Settings(intrinsic=tmp_path / "camera.json"), work=work)
+    loom.photogrammetry.reconstruct_video(
+        film, loom.photogrammetry.VideoSettings(intrinsic=tmp_path / "camera.json"), work=work
+    )
     quick.ran.clear()
-    loom.video.reconstruct(film, loom.video.Settings(intrinsic=camera), work=work, resume=True)
+    loom.photogrammetry.reconstruct_video(
+        film, loom.photogrammetry.VideoSettings(intrinsic=camera), work=work, resume=True
+    )
     assert quick.ran == []
 
 
@@ -295,13 +303,13 @@ POSITIONS = np.array([[5, 2, 40], [15, -11, 50], [25, 2, 45], [30, -8, 60], [10,
 
 
 @pytest.fixture
-def pictured(quick, film, tmp_path, monkeypatch):
-    """The fast stages with pictures of the size of the lens, and control in a frame twice as large."""
+def imaged(quick, film, tmp_path, monkeypatch):
+    """The fast stages with images of the size of the lens, and control in a frame twice as large."""
     make = chain.STAGES["frames"]
 
     def take_frames(folder, report, *, source, max_frames):
         contents = make(folder, report, source=source, max_frames=max_frames)
-        for path in (folder / motion.PICTURES).iterdir():
+        for path in (folder / motion.IMAGES).iterdir():
             Image.new("RGB", (64, 48)).save(path)
         return contents
 
@@ -319,18 +327,18 @@ def pictured(quick, film, tmp_path, monkeypatch):
     return path
 
 
-def test_control_is_reported_and_remakes_only_the_mesh(pictured, quick, film, output, tmp_path):
+def test_control_is_reported_and_remakes_only_the_mesh(imaged, quick, film, output, tmp_path):
     args = ("video", film, "-o", output, "--work", tmp_path / "work", "--force")
     answer(*args)
     quick.ran.clear()
-    report = answer(*args[:-1], "--force", "--resume", "--control", pictured)
+    report = answer(*args[:-1], "--force", "--resume", "--control", imaged)
     assert quick.ran == ["mesh"]
     assert (report["fit"]["by"], report["units"], report["reliable"]) == ("control", "meters", True)
     assert abs(report["fit"]["scale"] - 2) < 1e-4 and len(report["fit"]["control"]["points"]) == 6
     assert report["fit"]["control"]["control_rms_m"] < 1e-4
     quick.ran.clear()
-    pictured.write_text(pictured.read_text().replace(" E", " CHK-E"))
-    result = run(*args[:-1], "--force", "--resume", "--control", pictured)
+    imaged.write_text(imaged.read_text().replace(" E", " CHK-E"))
+    result = run(*args[:-1], "--force", "--resume", "--control", imaged)
     assert quick.ran == ["mesh"] and "5 control points" in result.stdout and "1 check point" in result.stdout
 
 
@@ -341,24 +349,24 @@ def test_control_is_reported_and_remakes_only_the_mesh(pictured, quick, film, ou
         (lambda text: text + "\n1 2 9 70 20 30 G", "outside of 30 of 64 x 48"),
     ],
 )
-def test_impossible_marks_are_rejected_early(pictured, quick, film, output, change, reason):
-    pictured.write_text(change(pictured.read_text()))
-    message = refusal("video", film, "-o", output, "--control", pictured)
+def test_impossible_marks_are_rejected_early(imaged, quick, film, output, change, reason):
+    imaged.write_text(change(imaged.read_text()))
+    message = refusal("video", film, "-o", output, "--control", imaged)
     assert reason in message and "gcp.txt (line " in message
     assert quick.ran == ["frames"]
 
 
-def test_a_blunder_has_exit_code_3_and_its_name(pictured, film, output):
-    text = pictured.read_text()
+def test_a_blunder_has_exit_code_3_and_its_name(imaged, film, output):
+    text = imaged.read_text()
     first = next(line for line in text.splitlines() if line.endswith(" C"))
     coordinates = " ".join(first.split()[:3])
-    pictured.write_text(text.replace(coordinates, f"{float(first.split()[0]) + 40} {' '.join(first.split()[1:3])}"))
-    assert "C by 40" in str(unreliable("video", film, "-o", output, "--control", pictured)["warnings"])
+    imaged.write_text(text.replace(coordinates, f"{float(first.split()[0]) + 40} {' '.join(first.split()[1:3])}"))
+    assert "C by 40" in str(unreliable("video", film, "-o", output, "--control", imaged)["warnings"])
 
 
-def test_scale_bars_alone_set_the_size(pictured, film, output, tmp_path):
+def test_scale_bars_alone_set_the_size(imaged, film, output, tmp_path):
     bars = tmp_path / "bars.txt"
-    marks = [line.split() for line in pictured.read_text().splitlines()[1:]]
+    marks = [line.split() for line in imaged.read_text().splitlines()[1:]]
     length = 2 * np.linalg.norm(POSITIONS[0] - POSITIONS[3])
     bars.write_text("\n".join([*(f"mark {w[6]} {w[5]} {w[3]} {w[4]}" for w in marks), f"bar A D {length}"]))
     report = answer("video", film, "-o", output, "--scale-bars", bars)
@@ -366,26 +374,30 @@ def test_scale_bars_alone_set_the_size(pictured, film, output, tmp_path):
 
 
 def gps_positions(count=COUNT, size=20.0, level=True):
-    """GPS of the fast stages' pictures for a unit of `size` meters, with x east and y north as in their poses."""
+    """GPS of the fast stages' images for a unit of `size` meters, with x east and y north as in their poses."""
     k = np.arange(count)
     enu = size * np.column_stack([0.5 * k, np.where(k % 2 == 0, -1.0, 0.0), np.zeros(count)])
     enu[:, 1] *= level
     sigmas, rows = {"horizontal_sigma": 0.02, "vertical_sigma": 0.02}, FRAME.to_geodetic(enu).tolist()
-    positions = [PicturePlace(f"frame_{10 * k:06d}.png", *row, **sigmas) for k, row in enumerate(rows)]
-    return PicturePlaces(tuple(positions), {}, {}, COUNT)
+    positions = [ImagePosition(f"frame_{10 * k:06d}.png", *row, **sigmas) for k, row in enumerate(rows)]
+    return ImagePositions(tuple(positions), {}, {}, COUNT)
 
 
 def settings_with(positions, **units):
-    return loom.video.Settings(units=loom.video.Units(places=positions, **units))
+    return loom.photogrammetry.VideoSettings(units=loom.photogrammetry.VideoUnits(places=positions, **units))
 
 
 def outputs(folder, cell=0.5):
-    return loom.video.Outputs(folder / "m.ply", ortho=folder / "ortho.tif", dem=folder / "dem.tif", cell=cell)
+    return loom.photogrammetry.VideoOutputs(
+        folder / "m.ply", ortho=folder / "ortho.tif", dem=folder / "dem.tif", cell=cell
+    )
 
 
 def test_maps_are_georeferenced_by_gps(quick, film, tmp_path):
     rasterio = pytest.importorskip("rasterio")
-    result = loom.video.reconstruct(film, settings_with(gps_positions()), outputs=outputs(tmp_path), device="cpu")
+    result = loom.photogrammetry.reconstruct_video(
+        film, settings_with(gps_positions()), outputs=outputs(tmp_path), device="cpu"
+    )
     assert result.fit is not None and result.fit.by == "exif" and result.mesh is not None
     assert [name.rsplit("/", 1)[1] for name in result.files] == ["m.ply", "ortho.tif", "dem.tif"]
     vertices = result.fit.frame.to_utm(result.mesh.vertices)
@@ -406,8 +418,8 @@ def test_maps_are_georeferenced_by_gps(quick, film, tmp_path):
 @pytest.mark.parametrize(
     ("settings", "ran"),
     [
-        (loom.video.Settings(), []),  # a film
-        (loom.video.Settings(units=loom.video.Units(scale=2.0)), []),
+        (loom.photogrammetry.VideoSettings(), []),  # a film
+        (loom.photogrammetry.VideoSettings(units=loom.photogrammetry.VideoUnits(scale=2.0)), []),
         (settings_with(gps_positions(2)), []),
         (settings_with(gps_positions(), align="none"), []),
         (settings_with(gps_positions(level=False)), STAGES[:4]),  # on a line, which only the model shows
@@ -416,7 +428,7 @@ def test_maps_are_georeferenced_by_gps(quick, film, tmp_path):
 def test_maps_without_georeference_are_rejected_early(quick, film, tmp_path, settings, ran):
     pytest.importorskip("rasterio")
     with pytest.raises(loom.FileError, match=r"ortho\.tif"):
-        loom.video.reconstruct(film, settings, outputs=outputs(tmp_path))
+        loom.photogrammetry.reconstruct_video(film, settings, outputs=outputs(tmp_path))
     assert (quick.ran, names_in(tmp_path)) == (ran, ["walk.mp4"])
 
 
@@ -431,11 +443,11 @@ def test_too_many_cells_are_rejected_early(quick, film, tmp_path, monkeypatch):
 
     monkeypatch.setattr(motion, "read_model", with_points)
     with pytest.raises(ValueError, match="cell:"):
-        loom.video.reconstruct(film, settings_with(gps_positions()), outputs=outputs(tmp_path, 1e-5))
+        loom.photogrammetry.reconstruct_video(film, settings_with(gps_positions()), outputs=outputs(tmp_path, 1e-5))
     assert quick.ran == STAGES[:4]
 
 
 @pytest.mark.parametrize("given", [{"ortho": "o.tif"}, {"cell": 1.0}, {"dem": "d.tif", "cell": -1.0}])
 def test_maps_and_cells_go_together(given):
     with pytest.raises(ValueError, match="cell: "):
-        loom.video.Outputs("m.ply", **given)
+        loom.photogrammetry.VideoOutputs("m.ply", **given)

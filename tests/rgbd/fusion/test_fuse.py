@@ -42,7 +42,7 @@ class Broken(Wall):
 
 def test_exact_frames_of_the_room_fuse_to_its_surface(device):
     frames = room_sequence(12, width=200, height=150, noise=False, device=device)
-    mesh = loom.fuse(frames, voxel_size=VOXEL, device=device, read_ahead=0).mesh
+    mesh = loom.rgbd.fuse(frames, voxel_size=VOXEL, device=device, read_ahead=0).mesh
     errors = surface_errors(mesh.vertices, device=device)
     assert np.median(errors) < 0.05 * VOXEL and np.mean(errors < VOXEL / 2) > 0.9
 
@@ -67,21 +67,21 @@ def test_only_contradictory_poses_are_reported(sequence):
     shaken[:, :3, 3] += np.random.default_rng(0).normal(0, 0.15, (12, 3))
     cases = {"right": right, "inverse": np.linalg.inv(right), "others": np.roll(right, 5, axis=0), "shaken": shaken}
     for name, poses in cases.items():
-        result = loom.fuse(Posed(sequence, poses), voxel_size=VOXEL)
+        result = loom.rgbd.fuse(Posed(sequence, poses), voxel_size=VOXEL)
         assert (result.reliable) == (name == "right"), name
         assert name == "right" or "of the measured depth is off the fused surface" in str(result.warnings)
-        assert result.to_dict()["share_off"] == result.share_off
-    assert loom.fuse(Wall(1), voxel_size=VOXEL).share_off is None  # one frame cannot contradict another
+        assert result.to_dict()["fraction_off"] == result.fraction_off
+    assert loom.rgbd.fuse(Wall(1), voxel_size=VOXEL).fraction_off is None  # one frame cannot contradict another
 
 
-@pytest.mark.parametrize(("depth", "share"), [(1000, 0), (1250, 1), (750, 1)])
-def test_depth_beyond_noise_is_off_the_surface(depth, share):
+@pytest.mark.parametrize(("depth", "fraction"), [(1000, 0), (1250, 1), (750, 1)])
+def test_depth_beyond_noise_is_off_the_surface(depth, fraction):
     wall, volume = Wall(1), loom.TSDFVolume(voxel_size=VOXEL)
     volume.integrate(wall.read(0).depth, wall.intrinsic, np.eye(4))
     check = PoseCheck(wall.intrinsic, 1000.0, 4.0)
     for _ in range(2):
         check.add(Wall(1, depth=depth).read(0).depth, np.eye(4))
-    assert check.share_off(volume) == share
+    assert check.fraction_off(volume) == fraction
 
 
 def test_frames_spread_over_a_long_sequence_are_checked_against_the_surface(sequence):
@@ -93,7 +93,7 @@ def test_frames_spread_over_a_long_sequence_are_checked_against_the_surface(sequ
 
 
 def test_reading_ahead_changes_no_bit(device, sequence):
-    meshes = [loom.fuse(sequence, voxel_size=VOXEL, device=device, read_ahead=n).mesh for n in (0, READ_AHEAD)]
+    meshes = [loom.rgbd.fuse(sequence, voxel_size=VOXEL, device=device, read_ahead=n).mesh for n in (0, READ_AHEAD)]
     for name in ("vertices", "triangles", "vertex_colors"):
         left, right = (getattr(mesh, name) for mesh in meshes)
         np.testing.assert_array_equal(left, right)
@@ -101,30 +101,30 @@ def test_reading_ahead_changes_no_bit(device, sequence):
 
 
 def test_the_wall_keeps_its_position_and_color(device):
-    mesh = loom.fuse(Wall(), voxel_size=0.02, device=device).mesh
+    mesh = loom.rgbd.fuse(Wall(), voxel_size=0.02, device=device).mesh
     np.testing.assert_allclose(mesh.vertices[:, 2], 1.0, atol=1e-4)
     np.testing.assert_allclose(mesh.vertex_colors, np.tile([1, 128 / 255, 0], (len(mesh.vertices), 1)), atol=0.005)
 
 
 def test_frames_without_color_give_a_mesh_without():
-    result = loom.fuse(Wall(color=False), voxel_size=0.02)
+    result = loom.rgbd.fuse(Wall(color=False), voxel_size=0.02)
     assert len(result.mesh) > 0 and result.mesh.vertex_colors is None
 
 
 @pytest.mark.parametrize(("frame_count", "threshold"), [(1, 0), (10, 1), (30, 3)])
 def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, threshold):
-    result = loom.fuse(Wall(frame_count), voxel_size=0.05)
+    result = loom.rgbd.fuse(Wall(frame_count), voxel_size=0.05)
     assert result.weight_threshold == threshold and result.frame_count == frame_count and len(result.mesh) > 0
     assert [frames for frames, _ in WEIGHTS] == sorted((frames for frames, _ in WEIGHTS), reverse=True)
 
 
 def test_shares_distinguish_missing_depth_from_depth_out_of_range():
-    far = loom.fuse(Wall(depth=3000), voxel_size=0.05, depth_max=2.0)
+    far = loom.rgbd.fuse(Wall(depth=3000), voxel_size=0.05, depth_max=2.0)
     assert "raise depth_max" in str(far.warnings) and "--" not in str(far.warnings)
-    assert (far.depth_share, far.used_share) == (1.0, 0.0)
-    none = loom.fuse(Wall(depth=0), voxel_size=0.05)
+    assert (far.depth_fraction, far.used_fraction) == (1.0, 0.0)
+    none = loom.rgbd.fuse(Wall(depth=0), voxel_size=0.05)
     assert "have a depth" in str(none.warnings) and "pointloom info" not in str(none.warnings)
-    assert (none.depth_share, none.used_share) == (0.0, 0.0) and len(far.mesh) == len(none.mesh) == 0
+    assert (none.depth_fraction, none.used_fraction) == (0.0, 0.0) and len(far.mesh) == len(none.mesh) == 0
 
 
 @pytest.mark.parametrize(
@@ -132,10 +132,10 @@ def test_shares_distinguish_missing_depth_from_depth_out_of_range():
     [(20.0, "20 m is larger than the scene (1 m)"), (0.2, "0.2 m is more than a twentieth of")],
 )
 def test_a_voxel_too_large_for_the_scene_is_reported(voxel_size, message):
-    result = loom.fuse(Wall(), voxel_size=voxel_size)
+    result = loom.rgbd.fuse(Wall(), voxel_size=voxel_size)
     assert f"voxel_size: {message}" in str(result.warnings) and "--" not in str(result.warnings)
     assert str(result).splitlines()[-1].split(maxsplit=1) == ["warning", result.warnings[0]]
-    fine = loom.fuse(Wall(), voxel_size=0.02)
+    fine = loom.rgbd.fuse(Wall(), voxel_size=0.02)
     assert fine.reliable and "poor" not in str(fine) and fine.seen_extent == pytest.approx(31 / 30)
 
 
@@ -143,7 +143,7 @@ def test_a_voxel_too_large_for_the_scene_is_reported(voxel_size, message):
 def test_a_damaged_frame_ends_the_reading(read_ahead):
     source = Broken()
     with pytest.raises(FileError, match=r"frame-2\.png"):
-        loom.fuse(source, voxel_size=0.05, read_ahead=read_ahead)
+        loom.rgbd.fuse(source, voxel_size=0.05, read_ahead=read_ahead)
     assert max(source.read_indices) <= 2 + read_ahead
     assert not [thread for thread in threading.enumerate() if thread.name.startswith("pointloom-read")]
 
@@ -158,7 +158,7 @@ def test_a_damaged_frame_ends_the_reading(read_ahead):
 )
 def test_a_frame_that_does_not_fit_is_named(part, reason):
     with pytest.raises(ValueError, match=f"frame frame-2: .*{reason}"):
-        loom.fuse(Broken(**part), voxel_size=0.05)
+        loom.rgbd.fuse(Broken(**part), voxel_size=0.05)
 
 
 @pytest.mark.parametrize(
@@ -173,10 +173,10 @@ def test_a_frame_that_does_not_fit_is_named(part, reason):
 )
 def test_options_out_of_range_are_named(options, name):
     with pytest.raises(ValueError, match=name):
-        loom.fuse(Wall(), **options)
+        loom.rgbd.fuse(Wall(), **options)
 
 
 @pytest.mark.parametrize(("depth_max", "used"), [(0.999, 0.0), (1.0, 1.0), (1.001, 1.0)])
 def test_a_depth_at_the_limit_counts_as_used_and_is_fused(depth_max, used):
-    result = loom.fuse(Wall(depth=1000), voxel_size=0.05, depth_max=depth_max)
-    assert (result.depth_share, result.used_share) == (1.0, used) and (len(result.mesh) > 0) == bool(used)
+    result = loom.rgbd.fuse(Wall(depth=1000), voxel_size=0.05, depth_max=depth_max)
+    assert (result.depth_fraction, result.used_fraction) == (1.0, used) and (len(result.mesh) > 0) == bool(used)

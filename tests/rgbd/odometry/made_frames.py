@@ -20,7 +20,7 @@ def pose_of(angles, shift):
     return pose
 
 
-def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
+def image(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
     """Depth, float32 [h, w] [m], and colors, uint8 [h, w, 3], from a pose; `noise` scales the noise of a Kinect."""
     v, u = np.mgrid[: camera.height, : camera.width]
     rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], -1)
@@ -47,8 +47,8 @@ def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
 
 
 def frame(pose, device, camera=CAMERA, *, with_color=True, **options):
-    depth, color = picture(pose, camera, **options)
-    return loom.odometry.OdometryFrame(depth, camera, color if with_color else None, device=device)
+    depth, color = image(pose, camera, **options)
+    return loom.rgbd.OdometryFrame(depth, camera, color if with_color else None, device=device)
 
 
 def errors_of(estimate, truth):

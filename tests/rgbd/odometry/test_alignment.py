@@ -8,10 +8,10 @@ from pointloom.kernels.rgbd import check_rows as at
 from pointloom.registration.rigid import rotation_vector
 from pointloom.rgbd.odometry.motion_checks import frame_noise, model_noise
 
-from .made_frames import CAMERA, errors_of, frame, picture, pose_of
+from .made_frames import CAMERA, errors_of, frame, image, pose_of
 
-od = loom.odometry
-METHODS = list(od.Method)
+od = loom.rgbd
+METHODS = list(od.OdometryMethod)
 FIRST, SECOND = pose_of([0, 0, 0], [0, 0, 0]), pose_of([0.03, -0.05, 0.02], [0.05, -0.03, 0.04])
 MOTION = np.linalg.inv(SECOND) @ FIRST  # of the first frame into the second
 
@@ -43,16 +43,18 @@ def test_a_start_nearby_is_used(device):
 
 @pytest.mark.parametrize(("gain", "offset"), [(0.7, 0.0), (1.2, -20.0)])
 def test_another_exposure_changes_little(device, gain, offset):
-    depth, color = picture(SECOND)
+    depth, color = image(SECOND)
     other = np.clip(gain * color.astype(float) + offset, 0, 255).astype(np.uint8)
     source = frame(FIRST, device)
-    result = od.align_frames(source, od.OdometryFrame(depth, CAMERA, other, device=device), method=od.Method.Intensity)
+    result = od.align_frames(
+        source, od.OdometryFrame(depth, CAMERA, other, device=device), method=od.OdometryMethod.Intensity
+    )
     angle, distance = errors_of(result.transformation, MOTION)
     assert result.reliable, result.warnings
     assert angle < 0.2 and distance < 8
 
 
-def test_the_information_counts_the_pixels_of_the_full_picture(device):
+def test_the_information_counts_the_pixels_of_the_full_image(device):
     one = frame(FIRST, device)
     information = od.align_frames(one, one).information
     assert 0.9 * CAMERA.width * CAMERA.height < information[5, 5] <= CAMERA.width * CAMERA.height
@@ -75,9 +77,9 @@ def test_a_result_unpacks_as_open3ds(device):
 MOVED = pose_of((0.02, -0.03, 0.01), (0.02, -0.01, 0.03))
 
 
-def aligned(device, seed, noise=1.0, method=od.Method.PointToPlane):
+def aligned(device, seed, noise=1.0, method=od.OdometryMethod.PointToPlane):
     source = frame(MOVED, device, noise=noise, seed=2 * seed)
-    return loom.odometry.align_frames(source, frame(np.eye(4), device, noise=noise, seed=2 * seed + 1), method=method)
+    return loom.rgbd.align_frames(source, frame(np.eye(4), device, noise=noise, seed=2 * seed + 1), method=method)
 
 
 def components(result):
@@ -89,7 +91,7 @@ def components(result):
     return vectors.T @ (motion / scale) / np.sqrt(values)
 
 
-@pytest.mark.parametrize("method", [od.Method.PointToPlane, od.Method.Hybrid])
+@pytest.mark.parametrize("method", [od.OdometryMethod.PointToPlane, od.OdometryMethod.Hybrid])
 def test_errors_of_noisy_frames_are_of_the_size_of_the_standard_deviations(device, method):
     found = np.concatenate([components(aligned(device, seed, method=method)) for seed in range(6)])
     assert 0.25 < np.sqrt(np.mean(found**2)) < 1.5  # below 1: coarse pixels round the surfaces, which is no noise
@@ -112,7 +114,7 @@ def test_the_unit_covariance_is_that_of_a_shift_in_the_middle_of_the_pixels(devi
 
 def test_frames_without_noise_have_a_positive_covariance(device):
     same = frame(np.eye(4), device)
-    assert np.linalg.eigvalsh(loom.odometry.align_frames(same, same).covariance).min() > 0
+    assert np.linalg.eigvalsh(loom.rgbd.align_frames(same, same).covariance).min() > 0
 
 
 def sums(excess):
@@ -133,11 +135,11 @@ def test_residuals_do_not_contain_the_errors_of_a_model():
 def test_frames_without_depth_have_no_finite_covariance(device):
     camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
     blank = od.OdometryFrame(np.zeros((48, 64), np.float32), camera, device=device)
-    result = loom.odometry.align_frames(blank, blank)
+    result = loom.rgbd.align_frames(blank, blank)
     assert np.isinf(result.covariance).all() and np.isinf(result.check_covariance).all()
 
 
-DEPTH, COLOR = picture(pose_of([0, 0, 0], [0, 0, 0]))
+DEPTH, COLOR = image(pose_of([0, 0, 0], [0, 0, 0]))
 IMAGE, SMALL = loom.RGBDImage(COLOR, DEPTH), loom.RGBDImage(COLOR[:60, :80], DEPTH[:60, :80])
 
 
@@ -152,7 +154,7 @@ IMAGE, SMALL = loom.RGBDImage(COLOR, DEPTH), loom.RGBDImage(COLOR[:60, :80], DEP
         (ValueError, "pinhole_camera_intrinsic: ", lambda: od.compute_rgbd_odometry(IMAGE, IMAGE, np.eye(3))),
     ],
 )
-def test_wrong_pictures_cameras_and_weights_are_refused(error, words, call):
+def test_wrong_images_cameras_and_weights_are_refused(error, words, call):
     with pytest.raises(error, match=words):
         call()
 

@@ -8,9 +8,9 @@ from pointloom.kernels.rgbd import check_rows as at
 from pointloom.kernels.rgbd.alignment import Alignment
 from pointloom.rgbd.odometry.motion_checks import _first_fault
 
-from .made_frames import BALL, CAMERA, errors_of, frame, picture, pose_of
+from .made_frames import BALL, CAMERA, errors_of, frame, image, pose_of
 
-od = loom.odometry
+od = loom.rgbd
 HERE = pose_of([0, 0, 0], [0, 0, 0])
 
 
@@ -33,7 +33,7 @@ def plane(rng, tilt, color=None):
 
 @pytest.mark.parametrize("blank", ["source", "target", "both"])
 def test_a_blank_frame_is_no_success(device, blank):
-    depth, color = picture(HERE)
+    depth, color = image(HERE)
     empty = od.OdometryFrame(np.zeros_like(depth), CAMERA, np.zeros_like(color), device=device)
     full = od.OdometryFrame(depth, CAMERA, color, device=device)
     result = od.align_frames(*{"source": (empty, full), "target": (full, empty), "both": (empty, empty)}[blank])
@@ -41,13 +41,13 @@ def test_a_blank_frame_is_no_success(device, blank):
 
 
 def test_two_different_image_halves_are_no_success(device):
-    depth, color = picture(HERE)
+    depth, color = image(HERE)
     frames = [od.OdometryFrame(half(depth, side), CAMERA, color, device=device) for side in ("left", "right")]
     assert not od.align_frames(*frames).reliable
 
 
 def test_two_equal_image_halves_are_enough(device):
-    depth, color = picture(HERE)
+    depth, color = image(HERE)
     one = od.OdometryFrame(half(depth, "left"), CAMERA, color, device=device)
     result = od.align_frames(one, one)
     assert result.reliable and np.abs(result.transformation - np.eye(4)).max() < 1e-4
@@ -59,38 +59,40 @@ def test_views_of_other_locations_are_no_success(device, angle):
     assert not od.align_frames(frame(HERE, device, noise=1.0), other).reliable
 
 
-@pytest.mark.parametrize("method", list(od.Method))
+@pytest.mark.parametrize("method", list(od.OdometryMethod))
 @pytest.mark.parametrize("tilt", [0.0, 0.6])
 def test_a_wall_without_texture_is_no_success(device, rng, method, tilt):
     frames = [od.OdometryFrame(d, CAMERA, c, device=device) for d, c in (plane(rng, tilt), plane(rng, tilt))]
     result = od.align_frames(*frames, method=method)
     assert not result.reliable
-    assert method is od.Method.Intensity or "determine" in result.warnings[0]  # it drifts off the surface without one
+    assert (
+        method is od.OdometryMethod.Intensity or "determine" in result.warnings[0]
+    )  # it drifts off the surface without one
 
 
 def test_a_wall_with_texture_is(device, rng):
     def pattern(u, v, shift=0):
         return 120 + 60 * np.sin((u + shift) / 4.0) * np.cos(v / 5.0) + 30 * np.cos((u + shift) / 9.0 + v / 7.0)
 
-    pictures = plane(rng, 0.2, pattern), plane(rng, 0.2, lambda u, v: pattern(u, v, 2))
-    frames = [od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures]
+    images = plane(rng, 0.2, pattern), plane(rng, 0.2, lambda u, v: pattern(u, v, 2))
+    frames = [od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in images]
     assert od.align_frames(*frames).reliable
 
 
 def test_a_wrong_camera_is_detected_by_the_residual(device):
     wrong = loom.PinholeCameraIntrinsic(CAMERA.width, CAMERA.height, 110.0, 110.0, 70.0, 66.0)
     poses = HERE, pose_of([0.04, -0.12, 0.06], [0.15, 0.05, 0.1])
-    pictures = [picture(pose, noise=0.5, seed=k) for k, pose in enumerate(poses)]
+    images = [image(pose, noise=0.5, seed=k) for k, pose in enumerate(poses)]
     rmse = []
     for camera in (CAMERA, wrong):
-        frames = [od.OdometryFrame(depth, camera, color, device=device) for depth, color in pictures]
+        frames = [od.OdometryFrame(depth, camera, color, device=device) for depth, color in images]
         rmse.append(od.align_frames(*frames).inlier_rmse)
     assert rmse[1] > 1.5 * rmse[0]
 
 
 def test_a_moving_object_does_not_affect_the_camera_pose(device):
-    pictures = [picture(HERE, ball=BALL + shift) for shift in ([0, 0, 0], [0.15, 0, 0])]
-    result = od.align_frames(*[od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures])
+    images = [image(HERE, ball=BALL + shift) for shift in ([0, 0, 0], [0.15, 0, 0])]
+    result = od.align_frames(*[od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in images])
     angle, distance = errors_of(result.transformation, np.eye(4))
     assert result.reliable and angle < 0.3 and distance < 8
 

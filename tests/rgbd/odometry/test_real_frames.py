@@ -8,9 +8,9 @@ import pointloom as loom
 from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
 from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix, rgbd_odometry_multi_scale
 
-from .made_frames import CAMERA, errors_of, picture, pose_of
+from .made_frames import CAMERA, errors_of, image, pose_of
 
-od = loom.odometry
+od = loom.rgbd
 
 
 @pytest.fixture(scope="module")
@@ -55,24 +55,26 @@ def test_a_desk_is_no_kitchen(kitchen, real_file):
 POSES = pose_of([0, 0, 0], [0, 0, 0]), pose_of([0.01, -0.02, 0.005], [0.02, -0.01, 0.01])
 STEPS = [(0, 0, 1), (0, 1, 0), (1, 0, 0), (6, 4, 2)]
 LEGACY = [(with_depth, steps) for with_depth in (True, False) for steps in STEPS]
-TENSOR = [(method, steps) for method in od.Method for steps in STEPS[:3]]  # with more, runs of Open3D differ in float32
+TENSOR = [
+    (method, steps) for method in od.OdometryMethod for steps in STEPS[:3]
+]  # with more, runs of Open3D differ in float32
 
 
-def made_pictures():
+def made_images():
     """Two synthetic images with holes, depth in whole millimeters."""
-    pictures = []
+    images = []
     for k, pose in enumerate(POSES):
-        depth, color = picture(pose, noise=0.3, seed=k)
+        depth, color = image(pose, noise=0.3, seed=k)
         raw = np.round(1000 * depth).astype(np.uint16)
         raw[20:24, 30:37] = raw[60, 100] = 0
-        pictures.append((color, raw))
-    return pictures, CAMERA
+        images.append((color, raw))
+    return images, CAMERA
 
 
-def legacy(o3d, pictures, camera, with_depth, steps):
+def legacy(o3d, pairs, camera, with_depth, steps):
     """(success, pose, information) of Open3D."""
     pipeline, images = o3d.pipelines.odometry, []
-    for color, raw in pictures:
+    for color, raw in pairs:
         both = o3d.geometry.Image(np.ascontiguousarray(color)), o3d.geometry.Image(raw)
         images.append(o3d.geometry.RGBDImage.create_from_color_and_depth(*both, 1000.0, 4.0, True))
     term = pipeline.RGBDOdometryJacobianFromHybridTerm() if with_depth else pipeline.RGBDOdometryJacobianFromColorTerm()
@@ -82,10 +84,10 @@ def legacy(o3d, pictures, camera, with_depth, steps):
     return pipeline.compute_rgbd_odometry(*images, intrinsic, np.eye(4), term, option)
 
 
-def tensor(o3d, pictures, camera, method, steps):
+def tensor(o3d, pairs, camera, method, steps):
     """(pose, fitness) of Open3D's tensor API."""
     pipeline, images = o3d.t.pipelines.odometry, []
-    for color, raw in pictures:
+    for color, raw in pairs:
         parts = (o3d.t.geometry.Image(o3d.core.Tensor(np.ascontiguousarray(part))) for part in (color, raw))
         images.append(o3d.t.geometry.RGBDImage(*parts))
     criteria = [pipeline.OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
@@ -95,17 +97,17 @@ def tensor(o3d, pictures, camera, method, steps):
     return result.transformation.numpy(), result.fitness
 
 
-def of_made_pictures(o3d):
+def of_made_images(o3d):
     """Open3D's results of all cases of the synthetic images."""
-    made = made_pictures()
+    made = made_images()
     of_legacy = [legacy(o3d, *made, with_depth, steps) for with_depth, steps in LEGACY]
     return of_legacy, [tensor(o3d, *made, method, steps) for method, steps in TENSOR]
 
 
-def test_the_odometries_of_made_pictures(device, oracle, tolerances):
-    of_legacy, of_tensor = oracle("rgbd/odometry", of_made_pictures)
-    pictures, camera = made_pictures()
-    images = [loom.RGBDImage.create_from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pictures]
+def test_the_odometries_of_made_images(device, oracle, tolerances):
+    of_legacy, of_tensor = oracle("rgbd/odometry", of_made_images)
+    pairs, camera = made_images()
+    images = [loom.RGBDImage.create_from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pairs]
     for (success, pose, information), (with_depth, steps) in zip(of_legacy, LEGACY, strict=True):
         term = od.RGBDOdometryJacobianFromHybridTerm() if with_depth else od.RGBDOdometryJacobianFromColorTerm()
         option = od.OdometryOption(steps)
@@ -129,7 +131,7 @@ def information_of(o3d, raws, camera, pose):
 
 
 def test_the_information_of_two_depths(oracle):
-    (first, second), camera = made_pictures()
+    (first, second), camera = made_images()
     raws, pose = [np.ascontiguousarray(pair[1]) for pair in (first, second)], np.linalg.inv(POSES[1]) @ POSES[0]
     expected = oracle("rgbd/odometry_information", information_of, raws, camera, pose)
     information = compute_odometry_information_matrix(*raws, camera, pose, 0.07)

@@ -24,7 +24,7 @@ from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
 from ...interruptions import run_lines
 from .walks import ShortSequence, blank, config, drift_of, frame_at
 
-run_system = loom.reconstruction.run_system
+run_reconstruction_system = loom.rgbd.run_reconstruction_system
 
 
 def digest_of(folder):
@@ -45,7 +45,7 @@ def on_the_truth(report, sequence, folder):
 def room(tmp_path_factory):
     """A sequence of nine frames in three fragments, and its reconstruction."""
     folder, sequence = tmp_path_factory.mktemp("job"), ShortSequence(range(9), width=160)
-    return sequence, folder, run_system(sequence, config(n_frames_per_fragment=3), folder)
+    return sequence, folder, run_reconstruction_system(sequence, config(n_frames_per_fragment=3), folder)
 
 
 @pytest.mark.slow
@@ -76,11 +76,11 @@ def test_open3d_reads_the_pose_graphs(room, o3d):
 def test_each_stage_can_be_run_by_itself(room, tmp_path):
     sequence, folder, _ = room
     settings = config(n_frames_per_fragment=3)
-    loom.reconstruction.make_fragments(sequence, settings, tmp_path)
-    loom.reconstruction.register_fragments(settings, tmp_path)
-    integrated = loom.reconstruction.integrate_scene(sequence, settings, tmp_path)
-    loom.reconstruction.refine_registration(settings, tmp_path)
-    refined = loom.reconstruction.integrate_scene(sequence, settings, tmp_path)
+    loom.rgbd.make_fragments(sequence, settings, tmp_path)
+    loom.rgbd.register_fragments(settings, tmp_path)
+    integrated = loom.rgbd.integrate_scene(sequence, settings, tmp_path)
+    loom.rgbd.refine_registration(settings, tmp_path)
+    refined = loom.rgbd.integrate_scene(sequence, settings, tmp_path)
     settings.write(tmp_path / "config.json")
     assert not np.array_equal(integrated.T_world_camera, refined.T_world_camera)
     assert digest_of(tmp_path) == digest_of(folder)
@@ -89,7 +89,7 @@ def test_each_stage_can_be_run_by_itself(room, tmp_path):
 
 
 def test_a_stage_requires_the_previous_one(tmp_path):
-    rec, settings, sequence = loom.reconstruction, config(), ShortSequence([0, 1])
+    rec, settings, sequence = loom.rgbd, config(), ShortSequence([0, 1])
     for stage in (rec.register_fragments, refine_with_slac):
         with pytest.raises(FileError, match="make_fragments"):
             stage(settings, tmp_path)
@@ -103,14 +103,14 @@ def test_a_stage_requires_the_previous_one(tmp_path):
 
 
 def test_recomputed_fragments_are_registered_again(tmp_path):
-    run_system(ShortSequence([0, 1]), config(), tmp_path)
-    loom.reconstruction.make_fragments(ShortSequence([0, 1, 2]), config(), tmp_path)
+    run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path)
+    loom.rgbd.make_fragments(ShortSequence([0, 1, 2]), config(), tmp_path)
     with pytest.raises(FileError, match="recreated after their registration"):
-        loom.reconstruction.integrate_scene(ShortSequence([0, 1, 2]), config(), tmp_path)
+        loom.rgbd.integrate_scene(ShortSequence([0, 1, 2]), config(), tmp_path)
 
 
 def test_parts_that_cannot_be_joined_are_listed(tmp_path):
-    report = run_system(ShortSequence([0, 1, 2, 3, 40, 41]), config(), tmp_path)
+    report = run_reconstruction_system(ShortSequence([0, 1, 2, 3, 40, 41]), config(), tmp_path)
     assert report.used == 4
     (lost,) = report.lost
     assert (lost.first, lost.last, lost.count, lost.stage) == ("frame-4", "frame-5", 2, "register_fragments")
@@ -120,19 +120,21 @@ def test_parts_that_cannot_be_joined_are_listed(tmp_path):
 
 @pytest.mark.slow
 def test_overlapping_parts_are_joined_without_odometry(tmp_path):
-    report = run_system(ShortSequence([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160), config(), tmp_path)
+    report = run_reconstruction_system(ShortSequence([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160), config(), tmp_path)
     assert [fragment.placed for fragment in report.fragments] == [True, False, True]
     assert [fragment.joined for fragment in report.fragments] == [False, False, False]
     assert report.trajectory_error["rmse"] < 0.01
 
 
 def test_one_frame_is_a_model(tmp_path):
-    report = run_system(ShortSequence([0]), config(), tmp_path)
+    report = run_reconstruction_system(ShortSequence([0]), config(), tmp_path)
     assert (report.used, report.reliable) == (1, True) and report.mesh["vertices"] > 1000
 
 
 def test_blank_frames_leave_no_model_and_are_reported(tmp_path):
-    report = run_system(ShortSequence([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path)
+    report = run_reconstruction_system(
+        ShortSequence([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path
+    )
     assert (report.used, report.files, report.mesh) == (0, (), None) and report.lost[0].count == 2
     assert "frames overlap" in str(report.warnings)
 
@@ -144,12 +146,12 @@ def stream(count):
 
 
 def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
-    report = run_system(stream(4), config(), tmp_path)
+    report = run_reconstruction_system(stream(4), config(), tmp_path)
     assert (report.used, report.trajectory_error) == (4, None)
     assert len(loom.open_frames(tmp_path / "frames")) == 4
-    assert run_system(stream(0), config(), tmp_path, resume=True).resumed == 1
+    assert run_reconstruction_system(stream(0), config(), tmp_path, resume=True).resumed == 1
     with pytest.raises(FileError, match="frames"):
-        run_system(stream(4), config(), tmp_path)
+        run_reconstruction_system(stream(4), config(), tmp_path)
 
 
 def test_frames_are_released_after_use(tmp_path):
@@ -164,7 +166,7 @@ def test_frames_are_released_after_use(tmp_path):
         return frame
 
     sequence.read = read
-    run_system(sequence, config(n_frames_per_fragment=4), tmp_path)
+    run_reconstruction_system(sequence, config(n_frames_per_fragment=4), tmp_path)
     assert len(alive_counts) == 24  # twice for fragments, once for the scene
     assert max(alive_counts) <= 6  # frames that are decoded ahead
 
@@ -183,7 +185,7 @@ def short_sequence():
 def done(tmp_path_factory):
     """An uninterrupted run: its folder, its report and its files."""
     folder = tmp_path_factory.mktemp("whole")
-    report = run_system(short_sequence(), SETTINGS, folder)
+    report = run_reconstruction_system(short_sequence(), SETTINGS, folder)
     return folder, report, digest_of(folder)
 
 
@@ -200,7 +202,7 @@ def job(done, tmp_path):
 
 def test_a_completed_run_is_unchanged(done, job):
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")}
-    again = run_system(short_sequence(), SETTINGS, job, resume=True)
+    again = run_reconstruction_system(short_sequence(), SETTINGS, job, resume=True)
     assert again.resumed == 2 and {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")} == times
     for name in ("lost", "fragments", "mesh", "trajectory_error", "warnings"):
         assert getattr(again, name) == getattr(done[1], name)
@@ -209,11 +211,14 @@ def test_a_completed_run_is_unchanged(done, job):
 
 @pytest.mark.slow
 def test_an_interrupted_run_resumes_to_the_same_bits(tmp_path, complete_digest):
-    lines = run_lines(lambda: run_system(short_sequence(), SETTINGS, tmp_path / "all"), FILES)
+    lines = run_lines(lambda: run_reconstruction_system(short_sequence(), SETTINGS, tmp_path / "all"), FILES)
     for k, stop in enumerate(np.linspace(1, lines - 1, 9).astype(int).tolist()):
         folder = tmp_path / str(k)
-        assert run_lines(lambda folder=folder: run_system(short_sequence(), SETTINGS, folder), FILES, stop) == stop
-        run_system(short_sequence(), SETTINGS, folder, resume=True)
+        assert (
+            run_lines(lambda folder=folder: run_reconstruction_system(short_sequence(), SETTINGS, folder), FILES, stop)
+            == stop
+        )
+        run_reconstruction_system(short_sequence(), SETTINGS, folder, resume=True)
         assert digest_of(folder) == complete_digest, f"interrupted before line {stop} of {lines}"
 
 
@@ -228,8 +233,8 @@ def test_an_interruption_loses_one_fragment_at_most(tmp_path):
 
     sequence.read = read
     with pytest.raises(KeyboardInterrupt):
-        run_system(sequence, SETTINGS, tmp_path)
-    assert run_system(short_sequence(), SETTINGS, tmp_path, resume=True).resumed == 1
+        run_reconstruction_system(sequence, SETTINGS, tmp_path)
+    assert run_reconstruction_system(short_sequence(), SETTINGS, tmp_path, resume=True).resumed == 1
 
 
 class FullDisk(io.FileIO):
@@ -250,9 +255,9 @@ def test_a_full_disk_is_reported_and_the_run_resumes_from_there(tmp_path, monkey
     with monkeypatch.context() as patch:
         patch.setattr(atomic.io, "FileIO", FullDisk)
         with pytest.raises(FileError, match="No space left"):
-            run_system(short_sequence(), SETTINGS, tmp_path)
+            run_reconstruction_system(short_sequence(), SETTINGS, tmp_path)
     assert not list(tmp_path.rglob("*.part"))
-    run_system(short_sequence(), SETTINGS, tmp_path, resume=True)
+    run_reconstruction_system(short_sequence(), SETTINGS, tmp_path, resume=True)
     assert digest_of(tmp_path) == complete_digest
 
 
@@ -260,51 +265,56 @@ def test_a_full_disk_is_reported_and_the_run_resumes_from_there(tmp_path, monkey
 def test_a_damaged_file_is_recomputed(job, complete_digest, name):
     path = job / name
     path.write_bytes(path.read_bytes()[:-40])
-    run_system(short_sequence(), SETTINGS, job, resume=True)
+    run_reconstruction_system(short_sequence(), SETTINGS, job, resume=True)
     assert digest_of(job) == complete_digest
 
 
 def test_a_changed_configuration_starts_a_new_run(job):
-    report = run_system(short_sequence(), config(n_frames_per_fragment=2), job, resume=True)
+    report = run_reconstruction_system(short_sequence(), config(n_frames_per_fragment=2), job, resume=True)
     assert report.resumed == 0 and [fragment.frames for fragment in report.fragments] == [2, 2]
 
 
 def test_a_stage_is_rerun_if_its_own_settings_change(done, job):
-    report = run_system(short_sequence(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), job, resume=True)
+    report = run_reconstruction_system(
+        short_sequence(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), job, resume=True
+    )
     assert report.resumed == 2 and report.mesh["vertices"] < done[1].mesh["vertices"]
 
 
 def test_a_changed_frame_reruns_its_fragment_and_later_ones(job):
     changed = ShortSequence(range(7), changed={3: blank(frame_at(3)), 5: {"depth": frame_at(5).depth + np.uint16(1)}})
-    assert run_system(changed, SETTINGS, job, resume=True).resumed == 1
+    assert run_reconstruction_system(changed, SETTINGS, job, resume=True).resumed == 1
 
 
 @pytest.mark.slow
 def test_a_longer_sequence_reuses_complete_fragments(tmp_path):
-    run_system(ShortSequence(range(5)), SETTINGS, tmp_path)
-    report = run_system(ShortSequence(range(8)), SETTINGS, tmp_path, resume=True)
+    run_reconstruction_system(ShortSequence(range(5)), SETTINGS, tmp_path)
+    report = run_reconstruction_system(ShortSequence(range(8)), SETTINGS, tmp_path, resume=True)
     assert report.resumed == 1 and [fragment.frames for fragment in report.fragments] == [3, 3, 2]
 
 
 def test_a_shorter_sequence_leaves_no_old_fragment(job):
-    report = run_system(ShortSequence(range(3)), SETTINGS, job, resume=True)
+    report = run_reconstruction_system(ShortSequence(range(3)), SETTINGS, job, resume=True)
     assert [fragment.frames for fragment in report.fragments] == [3] and report.used == 3
     assert not list(job.rglob("*_001.*"))
 
 
 @pytest.mark.slow
 def test_old_fragments_are_removed_even_after_an_interruption(tmp_path):
-    run_system(ShortSequence(range(8)), config(n_frames_per_fragment=2), tmp_path)
+    run_reconstruction_system(ShortSequence(range(8)), config(n_frames_per_fragment=2), tmp_path)
     (tmp_path / "records" / "fragment_001.json").unlink()
-    assert run_system(ShortSequence(range(4)), config(n_frames_per_fragment=2), tmp_path, resume=True).used == 4
+    assert (
+        run_reconstruction_system(ShortSequence(range(4)), config(n_frames_per_fragment=2), tmp_path, resume=True).used
+        == 4
+    )
     assert not list(tmp_path.rglob("*_003.*"))
 
 
 def test_without_resume_nothing_is_reused(job):
-    assert run_system(short_sequence(), SETTINGS, job).resumed == 0
+    assert run_reconstruction_system(short_sequence(), SETTINGS, job).resumed == 0
 
 
-Config = loom.reconstruction.ReconstructionConfig
+Config = loom.rgbd.ReconstructionConfig
 
 
 # Open3D's examples/python/reconstruction_system/config/tutorial.json, and the defaults of Open3D's
@@ -412,7 +422,7 @@ def test_a_list_is_rejected_as_a_configuration(tmp_path):
 
 def test_frames_of_redwood_give_a_model(tmp_path, scan_set, scan_file):
     frames = loom.open_frames(scan_file("rgbd-cupoch-redwood5"))
-    report = run_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
+    report = run_reconstruction_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
     assert len(frames) == {"shipped": 3, "real": 5}[scan_set]
     assert report.used == len(frames) and "(the default of redwood)" in report.warnings[0]
     assert report.trajectory_error["rmse"] < 0.005  # accuracy of the given poses
@@ -422,7 +432,7 @@ def test_frames_of_redwood_give_a_model(tmp_path, scan_set, scan_file):
 def test_frames_of_3dmatch_far_apart_are_joined_or_listed(tmp_path, real_file):
     """Frames 0, 1, 2, 116 and 422: three follow each other, the fourth shares half with the third, the last nothing."""
     frames = loom.open_frames(real_file("rgbd-nvblox-3dmatch/seq-01"))
-    report = run_system(frames, Config(tsdf_voxel_size=0.02, depth_max=4.0), tmp_path)
+    report = run_reconstruction_system(frames, Config(tsdf_voxel_size=0.02, depth_max=4.0), tmp_path)
     assert [run.first for run in report.lost] in (["frame-000422"], ["frame-000116", "frame-000422"])
     path = loom.read_trajectory(tmp_path / "scene" / "trajectory.log").poses
     truth = np.array([frames.read(i).T_world_camera for i in range(3)])
@@ -434,19 +444,19 @@ def test_a_pair_without_poses_gives_a_model(tmp_path, real_file):
     """The pair of slambook: two color images and two depth images in one folder, nothing else."""
     camera = loom.PinholeCameraIntrinsic(640, 480, 481.2, 480.0, 319.5, 239.5)
     frames = loom.open_frames(real_file("rgbd-slambook-ch7"), intrinsic=camera, depth_scale=5000.0)
-    report = run_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
+    report = run_reconstruction_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
     assert (report.used, report.trajectory_error) == (2, None) and report.mesh["vertices"] > 5000
 
 
 @pytest.mark.slow
 def test_every_sixth_frame_of_the_kitchen_is_registered(tmp_path, real_file):
     frames = loom.open_dataset(real_file("rgbd-7scenes-redkitchen"), every=6)
-    report = run_system(frames, Config(n_frames_per_fragment=25, tsdf_voxel_size=0.02), tmp_path)
+    report = run_reconstruction_system(frames, Config(n_frames_per_fragment=25, tsdf_voxel_size=0.02), tmp_path)
     assert (report.used, report.frames) == (50, 50)
     assert report.trajectory_error["rmse"] < 0.06  # the true poses are accurate to centimeters
 
 
-make_fragments = loom.reconstruction.make_fragments
+make_fragments = loom.rgbd.make_fragments
 
 
 def frames_of(result):

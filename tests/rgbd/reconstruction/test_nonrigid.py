@@ -17,7 +17,7 @@ from ...interruptions import run_lines
 from .test_job import digest_of
 from .walks import ShortSequence, config, frame_at
 
-rec = loom.reconstruction
+rec = loom.rgbd
 SETTINGS = config(n_frames_per_fragment=2, max_iterations=2)
 FILES = tuple(f"rgbd/reconstruction/{name}.py" for name in ("nonrigid", "scene", "job"))
 
@@ -40,7 +40,7 @@ def deformed_sequence(count=6):
 def completed_run(tmp_path_factory):
     """The folder, report and files of an uninterrupted run."""
     folder = tmp_path_factory.mktemp("complete")
-    report = rec.run_system(deformed_sequence(), SETTINGS, folder, slac=True)
+    report = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, folder, slac=True)
     return folder, report, digest_of(folder)
 
 
@@ -71,7 +71,7 @@ def test_the_surface_is_written_as_points_on_request(completed_run, job):
     settings = dataclasses.replace(SETTINGS, save_output_as="mesh")
     assert rec.integrate_scene(deformed_sequence(), settings, job, slac=True, resume=True).cloud_path is None
     assert not (job / "slac" / "output_slac_pointcloud.ply").exists()
-    again = rec.run_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+    again = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
     assert str(job / "slac" / "output_slac_pointcloud.ply") in again.files
 
 
@@ -95,10 +95,10 @@ def test_frames_go_through_the_grid(completed_run):
 
 @pytest.mark.slow
 def test_a_run_without_slac_ignores_earlier_slac_results(completed_run, job, tmp_path):
-    assert rec.run_system(deformed_sequence(), SETTINGS, job, resume=True).slac is None
+    assert rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, resume=True).slac is None
     plain = (job / "scene" / "integrated.ply").read_bytes()
     assert plain != completed_run[2]["scene/integrated.ply"]
-    rec.run_system(deformed_sequence(), SETTINGS, tmp_path / "plain")
+    rec.run_reconstruction_system(deformed_sequence(), SETTINGS, tmp_path / "plain")
     assert (tmp_path / "plain" / "scene" / "integrated.ply").read_bytes() == plain
 
 
@@ -115,8 +115,8 @@ def test_a_softer_grid_deforms_more(completed_run, job):
 
 
 def test_a_single_fragment_is_unchanged(tmp_path):
-    plain = rec.run_system(ShortSequence([0, 1]), config(), tmp_path / "plain")
-    report = rec.run_system(ShortSequence([0, 1]), config(), tmp_path / "slac", slac=True)
+    plain = rec.run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path / "plain")
+    report = rec.run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path / "slac", slac=True)
     assert (report.slac["anchors"], report.slac["edges"]) == (0, 0) and report.mesh == plain.mesh
 
 
@@ -124,14 +124,14 @@ def test_frames_without_color_are_deformed_too(tmp_path, device):
     sequence = deformed_sequence(4)
     changed = {i: change | {"color": None} for i, change in sequence.changed.items()}
     gray = ShortSequence(sequence.indices, changed=changed)
-    assert rec.run_system(gray, SETTINGS, tmp_path, slac=True, device=device).slac["anchors"] > 50
+    assert rec.run_reconstruction_system(gray, SETTINGS, tmp_path, slac=True, device=device).slac["anchors"] > 50
     assert loom.read_triangle_mesh(tmp_path / "scene" / "integrated.ply").vertex_colors is None
 
 
 def test_a_completed_run_is_unchanged(completed_run, job):
     _, first, content = completed_run
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.[np][pl][zy]")}
-    again = rec.run_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+    again = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
     assert {path: path.stat().st_mtime_ns for path in times} == times
     assert (again.slac, again.mesh, again.warnings) == (first.slac, first.mesh, first.warnings)
     assert digest_of(job) == content
@@ -140,7 +140,7 @@ def test_a_completed_run_is_unchanged(completed_run, job):
 @pytest.mark.slow
 def test_an_interrupted_stage_resumes_to_the_same_bits(completed_run, job):
     def act():
-        rec.run_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+        rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
 
     def forget():
         for name in ("records/slac.json", "records/integrate.json", "slac/control_grid.npz", "scene/integrated.ply"):
@@ -165,7 +165,7 @@ def test_a_damaged_file_is_recomputed(completed_run, job, name):
     path.write_bytes(path.read_bytes()[:-40])
     with pytest.raises(FileError, match=r"/job:.*refine_with_slac"):
         rec.integrate_scene(deformed_sequence(), SETTINGS, job, slac=True)
-    rec.run_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+    rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
     assert digest_of(job) == content
 
 
@@ -177,7 +177,7 @@ def test_newly_registered_fragments_are_aligned_again(job):
 
 def test_unsupported_slac_options_are_reported_first(tmp_path):
     with pytest.raises(ValueError, match="fitness_threshold"):
-        rec.run_system(ShortSequence([0, 1]), config(fitness_threshold=2.0), tmp_path, slac=True)
+        rec.run_reconstruction_system(ShortSequence([0, 1]), config(fitness_threshold=2.0), tmp_path, slac=True)
     assert not list(tmp_path.rglob("*.ply"))
 
 

@@ -43,8 +43,8 @@ def blank(frame: RoomFrame) -> dict[str, Any]:
     return {"depth": np.zeros_like(frame.depth), "color": np.zeros_like(frame.color)}
 
 
-def config(**names: Any) -> loom.reconstruction.ReconstructionConfig:
-    return loom.reconstruction.ReconstructionConfig(**(SIZES | names))
+def config(**names: Any) -> loom.rgbd.ReconstructionConfig:
+    return loom.rgbd.ReconstructionConfig(**(SIZES | names))
 
 
 def drift_of(fragment, sequence: ShortSequence) -> float:

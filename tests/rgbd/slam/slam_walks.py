@@ -43,7 +43,7 @@ def blank(original: Any) -> Any:
 def begun(device: str, **options: Any) -> DenseSLAM:
     """A DenseSLAM without frames that starts at the first pose of the sequence."""
     start = {"T_init": frame(0).T_world_camera, "voxel_size": VOXEL, "device": device}
-    return loom.slam.DenseSLAM(sequence().intrinsic, **{**start, **options})
+    return loom.rgbd.DenseSLAM(sequence().intrinsic, **{**start, **options})
 
 
 def error_of(result: Any, true: Any) -> tuple[float, float]:

@@ -29,12 +29,12 @@ def deviated(deviation: float, status="tracked") -> TrackingResult:
 
 
 @pytest.mark.parametrize(
-    ("share", "voxel_size", "status"), [(0.9, 0.04, "tracked"), (1.1, 0.04, "uncertain"), (1.5, 0.16, "tracked")]
+    ("fraction", "voxel_size", "status"), [(0.9, 0.04, "tracked"), (1.1, 0.04, "uncertain"), (1.5, 0.16, "tracked")]
 )
-def test_a_poorly_constrained_pose_is_uncertain_even_if_its_frame_fits(share, voxel_size, status):
+def test_a_poorly_constrained_pose_is_uncertain_even_if_its_frame_fits(fraction, voxel_size, status):
     """A coarser model allows more drift. The deviation is that of the least constrained direction."""
     assert np.isclose(deviated(0.02).position_deviation, 0.02)
-    result = judge_drift(deviated(share * MAX_DEVIATION), voxel_size)
+    result = judge_drift(deviated(fraction * MAX_DEVIATION), voxel_size)
     assert (result.status, result.has_drifted) == (status, status == "uncertain")
     assert result.reliable == (status != "uncertain")
     assert judge_drift(deviated(1.0, "lost"), 0.04).status == "lost"
@@ -67,7 +67,7 @@ def path():
     """The path of three equal frames."""
     v, u = np.mgrid[:48, :64]
     depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-    return loom.track(loom.frames_from([(None, depth)] * 3, CAMERA))
+    return loom.rgbd.track(loom.frames_from([(None, depth)] * 3, CAMERA))
 
 
 def test_a_path_with_large_deviation_is_unreliable_and_reports_it(path):
@@ -81,7 +81,7 @@ def test_each_pose_of_a_path_has_a_covariance_relative_to_the_first(device):
     slam = begun(device)
     given = [*frames(0, 2), blank(frame(3)), *frames(4, 6)]
     slam.run(given)
-    path = loom.track(loom.frames_from([(f.color, f.depth) for f in given], slam.model.intrinsic), voxel_size=0.04)
+    path = loom.rgbd.track(loom.frames_from([(f.color, f.depth) for f in given], slam.model.intrinsic), voxel_size=0.04)
     for tracked in (slam, path):
         found, poses = tracked.pose_covariances, tracked.trajectory.poses
         assert len(found) == len(poses) == 4
@@ -206,10 +206,10 @@ def with_object(original, left, width, depth=600, seed=0):
     mask = (left <= U) & (left + width > U)
     z = depth + 40 * np.sin((U - left) / 6) + 20 * np.cos(V / 8) + rng.normal(0, 1.5, U.shape)
     shade = 120 + 60 * np.sin((U - left) / 3) * np.cos(V / 4)
-    picture, color = original.depth.copy(), original.color.copy()
-    picture[mask] = np.rint(z[mask]).astype(picture.dtype)
+    image, color = original.depth.copy(), original.color.copy()
+    image[mask] = np.rint(z[mask]).astype(image.dtype)
     color[mask] = shade[mask][:, None].astype(np.uint8)
-    return changed(original, depth=picture, color=color)
+    return changed(original, depth=image, color=color)
 
 
 def off(results, true):

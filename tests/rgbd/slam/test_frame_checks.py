@@ -9,9 +9,9 @@ from pointloom.rgbd.odometry.motion_checks import UNDETERMINED
 from pointloom.rgbd.odometry.results import OdometryResult
 from pointloom.rgbd.slam.frame_checks import SURE_OVERLAP, judge_recognition, judge_tracking
 
-SHARES = {"inliers": 900, "fitness": 0.8, "overlap": 0.9}
+FRACTIONS = {"inliers": 900, "fitness": 0.8, "overlap": 0.9}
 ERRORS = {"inlier_rmse": 0.001, "intensity_rmse": 0.01, "smallest_eigenvalue": 0.1, "contradiction": ""}
-GOOD = OdometryResult(transformation=np.eye(4), information=np.eye(6), iterations=5, **SHARES, **ERRORS)
+GOOD = OdometryResult(transformation=np.eye(4), information=np.eye(6), iterations=5, **FRACTIONS, **ERRORS)
 
 
 def moved(shift=0.0, angle=0.0):

@@ -282,12 +282,12 @@ def test_exposure_changes_brightness_within_its_bounds_and_along_the_rows():
 
 def test_a_person_crosses_the_view():
     plain, crossed = (room_loop_sequence(60, **SMALL, noise=False, person=person) for person in (False, True))
-    shares = []
+    fractions = []
     for i in range(0, 60, 4):
         still, moved = plain.read(i).depth, crossed.read(i).depth
         assert (moved <= still).all()
-        shares.append((moved < still).mean())
-    assert max(shares) > 0.1 and min(shares) < 0.02
+        fractions.append((moved < still).mean())
+    assert max(fractions) > 0.1 and min(fractions) < 0.02
 
 
 @pytest.mark.parametrize(

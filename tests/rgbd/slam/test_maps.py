@@ -172,7 +172,7 @@ def test_few_models_are_stored(device, monkeypatch):
 
 
 class Away:
-    """Four frames, then nine of the other side of the room, for `loom.track`."""
+    """Four frames, then nine of the other side of the room, for `loom.rgbd.track`."""
 
     seen = (*range(4), *ELSEWHERE[:9])
     intrinsic, depth_scale = property(lambda _: sequence().intrinsic), 1000.0
@@ -185,7 +185,7 @@ class Away:
 
 
 def test_a_path_reports_poses_in_a_separate_map():
-    path = loom.track(Away(), voxel_size=0.04)
+    path = loom.rgbd.track(Away(), voxel_size=0.04)
     assert path.trajectory.ids[:, 0].tolist() == list(range(8, 13))
     assert len(path.true_poses) == 5 and path.error.absolute_translation.rmse < NEAR
     (other,) = path.other_maps
@@ -198,10 +198,10 @@ def test_a_path_reports_poses_in_a_separate_map():
 
 @pytest.mark.slow
 def test_a_model_is_of_one_map():
-    result = loom.reconstruct(Away(), voxel_size=0.04)
+    result = loom.rgbd.reconstruct(Away(), voxel_size=0.04)
     assert len(result.trajectory) == 5 and "2 maps" in str(result.warnings)
     lowest, highest = result.mesh.vertices.min(axis=0), result.mesh.vertices.max(axis=0)
     images = [(f.color, f.depth) for f in frames(*range(154, 159))]
-    alone = loom.reconstruct(loom.frames_from(images, sequence().intrinsic), voxel_size=0.04)
+    alone = loom.rgbd.reconstruct(loom.frames_from(images, sequence().intrinsic), voxel_size=0.04)
     np.testing.assert_allclose(lowest, alone.mesh.vertices.min(axis=0), atol=0.05)
     np.testing.assert_allclose(highest, alone.mesh.vertices.max(axis=0), atol=0.05)

@@ -43,7 +43,7 @@ def covered_sequence(device: str, has_texture: bool):
     """The results of a sequence in which the camera moves by one pillar while it is covered."""
     shown = [wall_frame(number, has_texture) for number in range(24)]
     source = [blank(frame) if 12 <= int(frame.name) < 21 else frame for frame in shown]
-    slam = loom.slam.DenseSLAM(CAMERA, voxel_size=0.03, device=device)
+    slam = loom.rgbd.DenseSLAM(CAMERA, voxel_size=0.03, device=device)
     return slam.run(source), slam
 
 
@@ -74,7 +74,7 @@ def test_rivals_of_a_wall_of_like_pillars_are_a_pillar_away(device):
 
 
 def test_a_frame_without_depth_has_no_rivals(device):
-    slam = loom.slam.DenseSLAM(CAMERA, voxel_size=0.03, device=device)
+    slam = loom.rgbd.DenseSLAM(CAMERA, voxel_size=0.03, device=device)
     slam.step(wall_frame(0, False))
     hole = changed(wall_frame(0, False), depth=np.zeros((HEIGHT, WIDTH), np.float32))
     assert find_rivals(slam.model, slam.model.prepare(hole).pyramid, np.eye(4)) == []

@@ -143,7 +143,7 @@ def test_tracking_alone_does_not_change_the_model(device):
 
 
 def test_a_model_tracks_and_renders(device):
-    model = loom.slam.Model(sequence().intrinsic, voxel_size=VOXEL, device=device)
+    model = loom.rgbd.SlamModel(sequence().intrinsic, voxel_size=VOXEL, device=device)
     first, second = frames(0, 1)
     model.integrate(first, first.T_world_camera)
     result = model.track_frame(second, first.T_world_camera)
@@ -155,7 +155,7 @@ def test_a_model_tracks_and_renders(device):
     assert len(model.extract_point_cloud(0)) > 100
 
 
-def test_pictures_of_another_size_are_refused(device):
+def test_images_of_another_size_are_refused(device):
     slam, shown = begun(device), frame(0)
     with pytest.raises(ValueError, match="intrinsic"):
         slam.step(changed(shown, depth=shown.depth[:-1], color=None))
@@ -209,10 +209,10 @@ def test_a_submap_without_its_own_frames_is_omitted():
 
 
 def test_a_fast_camera_fills_submaps_sooner():
-    submaps = record(along_x(20, step=0.1), frames=100, way=0.5, shared=0.2).finish()
+    submaps = record(along_x(20, step=0.1), frames=100, max_length=0.5, shared=0.2).finish()
     assert len(submaps) >= 4 and all(np.ptp(s.T_world_camera[:, 0, 3]) <= 0.61 for s in submaps)
     turning = [pose_of(np.array([0, 0.1 * i, 0, 0, 0, 0])) for i in range(20)]
-    assert len(record(turning, frames=100, way=0.5).finish()) >= 4
+    assert len(record(turning, frames=100, max_length=0.5).finish()) >= 4
 
 
 def test_a_submap_after_a_loss_follows_none():
@@ -260,7 +260,7 @@ def test_bad_frames_and_sizes_are_refused():
     for options, message in (
         ({"shared": 0.6}, "shared"),
         ({"frames": 0}, "frames"),
-        ({"way": 0.0}, "way"),
+        ({"max_length": 0.0}, "max_length"),
         ({"voxel_size": -1.0}, "voxel_size"),
     ):
         with pytest.raises(ValueError, match=message):

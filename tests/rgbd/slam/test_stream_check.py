@@ -149,7 +149,7 @@ def test_reported_frames_are_uncertain_and_withdrawn_from_the_surface(device, su
     assert [r.fused for r in slam.results] == [True, False, False, False] and slam.volume.frame_count == 1
     alone = begun(device, submap_frames=submap_frames)
     alone.run(source[:1])
-    for close in (lambda _: None, loom.slam.DenseSLAM.close_loops)[: 1 if submap_frames is None else 2]:
+    for close in (lambda _: None, loom.rgbd.DenseSLAM.close_loops)[: 1 if submap_frames is None else 2]:
         close(slam), close(alone)
         vertices, expected = (np.sort(each.extract_triangle_mesh(0).vertices, axis=0) for each in (slam, alone))
         np.testing.assert_allclose(vertices, expected, atol=1e-5)
@@ -159,8 +159,8 @@ def test_reported_frames_are_uncertain_and_withdrawn_from_the_surface(device, su
 @pytest.fixture(scope="module")
 def path():
     """The path of two frames."""
-    pictures = [(f.color, f.depth) for f in frames(0, 1)]
-    return loom.track(loom.frames_from(pictures, sequence().intrinsic), voxel_size=0.04)
+    images = [(f.color, f.depth) for f in frames(0, 1)]
+    return loom.rgbd.track(loom.frames_from(images, sequence().intrinsic), voxel_size=0.04)
 
 
 def test_a_path_with_unsynchronized_streams_is_unreliable(path):

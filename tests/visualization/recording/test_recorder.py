@@ -153,7 +153,7 @@ def test_rgbd_odometry_chains_the_motions(path):
     depths = [1.0 + 0.1 * np.sin((u + k) / 5) * np.cos(v / 7) for k in range(3)]
     images = [loom.RGBDImage(np.zeros((48, 64), np.uint8), depth) for depth in depths]
     with loom.record(path) as r:
-        results = [loom.odometry.compute_rgbd_odometry(b, a, camera) for a, b in itertools.pairwise(images)]
+        results = [loom.rgbd.compute_rgbd_odometry(b, a, camera) for a, b in itertools.pairwise(images)]
     assert all(result.reliable for result in results)
     first, second = (result.transformation for result in results)
     np.testing.assert_allclose(r.timeline.frames[-1].shown["camera"].pose, first @ second, atol=1e-12)
@@ -377,7 +377,7 @@ def test_unsupported_geometries_are_rejected_by_name(path):
 
 def test_closed_loops_move_the_path_and_no_loop_is_no_frame(path):
     frame = SimpleNamespace(depth=DEPTH, color=None)
-    slam = loom.slam.DenseSLAM(CAMERA, voxel_size=0.05, depth_max=2.0, submap_frames=4)
+    slam = loom.rgbd.DenseSLAM(CAMERA, voxel_size=0.05, depth_max=2.0, submap_frames=4)
     with loom.record(path) as r:
         slam.run([frame] * 3)
         report("loops", slam=slam, closure=SimpleNamespace(loops=[]))
@@ -496,7 +496,7 @@ WHITE = (255, 255, 255)
 ORANGE, BLUE = (255, 180, 0), (0, 166, 237)
 
 
-def pictures(count: int = 12, height: int = 41, width: int = 61) -> list[np.ndarray]:
+def images(count: int = 12, height: int = 41, width: int = 61) -> list[np.ndarray]:
     """A square that moves to the right and stops at the eighth image."""
     made = []
     for k in range(count):
@@ -542,7 +542,7 @@ def near(picture: np.ndarray, color: tuple[int, int, int]) -> np.ndarray:
 
 @pytest.mark.parametrize(("fps", "total"), [(30, 400), (7, 1714)])
 def test_a_gif_has_all_frames_and_the_right_duration(fps, total):
-    drawn, file = pictures(), io.BytesIO()
+    drawn, file = images(), io.BytesIO()
     palette = make_palette(drawn, WHITE)
     assert write_gif(file, drawn, palette, fps) == 12
     assert file.getvalue()[13 : 13 + 768] == palette.tobytes() and tuple(palette[0]) == WHITE  # one for all frames

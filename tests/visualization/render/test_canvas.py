@@ -28,9 +28,9 @@ def written(device, text, x=100, y=40, **options):
 
 
 def test_the_anchor_aligns_the_text(device):
-    for anchor, share in (("left", 0.0), ("center", 0.5), ("right", 1.0)):
+    for anchor, fraction in (("left", 0.0), ("center", 0.5), ("right", 1.0)):
         left, _, right, _ = ink_box(written(device, "HHHH", anchor=anchor, size=16))
-        assert left + share * (right - left) == pytest.approx(100, abs=2)
+        assert left + fraction * (right - left) == pytest.approx(100, abs=2)
     for anchor, edge in (("upper left", 1), ("lower left", 3)):
         assert ink_box(written(device, "HHHH", anchor=anchor, size=16))[edge] == 40
 
@@ -90,7 +90,7 @@ def test_everything_outside_the_picture_is_left_out(device):
 
 
 LOW, HIGH = (-1.0, 0.5), (2.0, 3.0)
-SHARES = np.linspace(0, 1, 2001)
+FRACTIONS = np.linspace(0, 1, 2001)
 
 
 @pytest.mark.parametrize("extent", [1.5, 4.0, 40.0])
@@ -100,9 +100,9 @@ def test_a_part_begins_and_ends_where_points_of_the_segment_do(rng, extent):
     visible_parts = dict(zip(rows.tolist(), parts, strict=True))
     assert list(visible_parts) == sorted(visible_parts)
     for row, ends in enumerate(segments):
-        points = ends[:2] + SHARES[:, None] * (ends[2:] - ends[:2])
+        points = ends[:2] + FRACTIONS[:, None] * (ends[2:] - ends[:2])
         inside = points[((points >= LOW) & (points <= HIGH)).all(axis=1)]
-        step = np.linalg.norm(ends[2:] - ends[:2]) / (len(SHARES) - 1)
+        step = np.linalg.norm(ends[2:] - ends[:2]) / (len(FRACTIONS) - 1)
         if len(inside):
             np.testing.assert_allclose(visible_parts[row], np.r_[inside[0], inside[-1]], rtol=0, atol=step)
         elif row in visible_parts:  # a corner between two of the points

@@ -15,7 +15,7 @@ from pointloom.core.up_axis import check_up
 from pointloom.kernels.memory import download
 from pointloom.visualization.render.geometries import PALETTE, bounds_of, named_geometries, outer_faces, parts_of
 from pointloom.visualization.render.parts import Lines, Points, Triangles
-from pointloom.visualization.render.picture_files import save_picture
+from pointloom.visualization.render.picture_files import write_image
 from pointloom.visualization.render.styles import Style
 from pointloom.visualization.render.up_axis import direction_under, level_up
 from pointloom.visualization.render.view import fit_view
@@ -494,15 +494,15 @@ def test_a_transparent_picture_laid_over_a_ground_is_the_picture_before_it(devic
     words = {"legend": [("a", RED)], "labels": [("here", (0, 0, 3))], "scale_bar": True}
     clear = draw(*shown, background="transparent", device=device, **({} if ground == "black" else words))
     opaque = draw(*shown, background=ground, device=device, **({} if ground == "black" else words))
-    share = clear[..., 3:] / 255
-    laid = clear[..., :3] * share + 255 * np.array((0, 0, 0) if ground == "black" else ground) * (1 - share)
+    fraction = clear[..., 3:] / 255
+    laid = clear[..., :3] * fraction + 255 * np.array((0, 0, 0) if ground == "black" else ground) * (1 - fraction)
     assert np.abs(laid - opaque).max() <= 2.5
 
 
 @pytest.mark.parametrize("name", ["a.png", "a.webp"])
 def test_files_contain_transparent_geometries(tmp_path, name):
     picture = draw(wall(2, RED, 0.4, half=0.5), background="transparent")
-    save_picture(tmp_path / name, picture)
+    write_image(tmp_path / name, picture)
     with Image.open(tmp_path / name) as read:
         assert read.mode == "RGBA" and np.array_equal(np.array(read), picture)
 
@@ -510,7 +510,7 @@ def test_files_contain_transparent_geometries(tmp_path, name):
 @pytest.mark.parametrize("name", ["a.jpg", "a.gif"])
 def test_files_without_transparency_support_are_rejected_with_a_remedy(tmp_path, name):
     with pytest.raises(FileError, match="does not support transparency"):
-        save_picture(tmp_path / name, np.zeros((4, 4, 4), np.uint8))
+        write_image(tmp_path / name, np.zeros((4, 4, 4), np.uint8))
 
 
 def test_lines_are_light_before_black(device):

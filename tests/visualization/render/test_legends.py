@@ -214,8 +214,8 @@ def test_a_scale_bar_shows_the_unit_and_is_omitted_behind_the_camera(device):
     cloud = slab((2, 2, 2), device)
     feet = slab((2, 2, 2), device)
     feet.unit = "foot"
-    pictures = [loom.render(c, size=(320, 240), scale_bar=True, device=device) for c in (cloud, feet)]
-    assert not np.array_equal(*pictures) and np.array_equal(pictures[0][:190], pictures[1][:190])
+    images = [loom.render(c, size=(320, 240), scale_bar=True, device=device) for c in (cloud, feet)]
+    assert not np.array_equal(*images) and np.array_equal(images[0][:190], images[1][:190])
     away = loom.View(loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), np.eye(4))
     assert (loom.render(loom.PointCloud([[0, 0, -5.0], [0, 1, -6]]), away, scale_bar=True) == 255).all()
 

@@ -94,8 +94,8 @@ def test_the_lower_left_corner_of_a_texture_is_its_last_row(device):
 
 def test_each_triangle_has_the_texture_of_its_material(device):
     vertices = [[-0.5, -0.5, 0], [0.5, -0.5, 0], [0.5, 0.5, 0], [-0.5, 0.5, 0]]
-    pictures = [np.full((2, 2, 4), color, np.uint8) for color in ((255, 0, 0, 255), (0, 255, 0, 255))]
-    mesh = loom.TriangleMesh(vertices, [[0, 2, 1], [0, 3, 2]], triangle_uvs=np.zeros((6, 2)), textures=pictures)
+    images = [np.full((2, 2, 4), color, np.uint8) for color in ((255, 0, 0, 255), (0, 255, 0, 255))]
+    mesh = loom.TriangleMesh(vertices, [[0, 2, 1], [0, 3, 2]], triangle_uvs=np.zeros((6, 2)), textures=images)
     mesh.triangle_material_ids = [1, 0]
     image = loom.render(mesh, straight_view(5.0), device=device)
     assert image[52, 87].tolist() == [0, 255, 0] and image[67, 72].tolist() == [255, 0, 0]
@@ -282,12 +282,12 @@ def test_coordinates_of_a_map_grid_are_drawn_as_exactly_as_small_ones(device):
 @pytest.mark.parametrize("scale", [1e-12, 1e12])
 def test_scenes_of_any_size_are_drawn_alike(device, scale):
     points, ball = np.random.default_rng(0).uniform(-1, 1, (2000, 3)), sphere(rings=20)
-    pictures = []
+    images = []
     for factor in (1.0, scale):
         mesh = SimpleNamespace(vertices=ball.vertices * factor, triangles=ball.triangles)
         lines = loom.LineSet(np.array([[-1, -1, -1], [1, 1, 1.0]]) * factor, [[0, 1]])
-        pictures.append(loom.render([mesh, points * factor * 2, lines], None, SMALL, device=device).astype(int))
-    assert np.abs(pictures[0] - pictures[1]).mean() < 1.0 and (pictures[1] < 200).any()
+        images.append(loom.render([mesh, points * factor * 2, lines], None, SMALL, device=device).astype(int))
+    assert np.abs(images[0] - images[1]).mean() < 1.0 and (images[1] < 200).any()
 
 
 def test_open3ds_parameters_and_files_give_the_same_picture(tmp_path, device):

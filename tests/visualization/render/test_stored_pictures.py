@@ -1,7 +1,7 @@
 """Rendered images are bitwise identical to the stored ones, on every device.
 
-After a change of how pictures look, `python -m tests.visualization.render.test_stored_pictures FOLDER` from the root of
-the repository writes the pictures into a folder to be looked at, and their hashes beside this file.
+After a change of how images look, `python -m tests.visualization.render.test_stored_pictures FOLDER` from the root of
+the repository writes the images into a folder to be looked at, and their hashes beside this file.
 """
 
 import hashlib
@@ -16,7 +16,7 @@ import pointloom as loom
 from pointloom.visualization.render.canvas import Canvas
 from pointloom.visualization.render.coloring import Coloring
 from pointloom.visualization.render.legends import draw_color_bar, draw_labels, draw_legend
-from pointloom.visualization.render.picture_files import save_picture
+from pointloom.visualization.render.picture_files import write_image
 
 STORED = Path(__file__).with_name("stored_pictures.json")
 SIZE = (160, 120)
@@ -210,5 +210,5 @@ if __name__ == "__main__":
     folder.mkdir(parents=True, exist_ok=True)
     images = {name: draw(name, "cpu") for name in [*PICTURES, *FIGURES]}
     for name, image in images.items():
-        save_picture(folder / f"{name.replace(': ', ' ')}.png", image)
+        write_image(folder / f"{name.replace(': ', ' ')}.png", image)
     STORED.write_text(json.dumps({name: digest(image) for name, image in images.items()}, indent=4) + "\n")

@@ -35,7 +35,7 @@ def hostile_messages(ids: Sequence[int]) -> Iterator[str]:
         for name in ("press", "command"):
             yield json.dumps({"say": name, "id": number, "value": "__class__"})
         yield json.dumps({"say": "file", "id": number, "name": "../x", "text": "\0"})
-    for name in ("", "Hello", "take", "__init__", "share", "node", "drop", "eval"):
+    for name in ("", "Hello", "take", "__init__", "fraction", "node", "drop", "eval"):
         yield json.dumps({"say": name, "id": 1})
 
 

@@ -23,7 +23,7 @@ CELLS = {
     "progress": "reported = []\nloom.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500,\n"
     "                   progress=lambda *step: reported.append(step))\nprint(len(reported) > 0, reported[-1][0])",
     "records": "with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):\n"
-    "    small = loom.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500)",
+    "    small = loom.meshing.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500)",
     "warning": "cloud.translate([1, 0, 0])\ncloud.estimate_normals(radius=0.01)\nNone",
 }
 STATE = (

@@ -142,7 +142,7 @@ def test_printing_costs_a_small_table_and_no_picture(monkeypatch, cloud):
     mesh = loom.TriangleMesh.create_box()
     lines = loom.LineSet.create_from_triangle_mesh(mesh)
     box = mesh.get_axis_aligned_bounding_box()
-    for shown in (cloud, mesh, lines, box, mesh.get_oriented_bounding_box(), loom.compare_meshes(mesh, mesh)):
+    for shown in (cloud, mesh, lines, box, mesh.get_oriented_bounding_box(), loom.meshing.compare_meshes(mesh, mesh)):
         text = shown._repr_html_()
         assert text.startswith("<table><caption>" + type(shown).__name__) and len(text) < 3000
     assert "<td>triangles</td><td>int32 [12, 3]</td>" in mesh._repr_html_()

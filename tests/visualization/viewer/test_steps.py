@@ -62,8 +62,8 @@ def test_each_point_is_in_one_step_and_each_step_everywhere():
     assert 100_000 <= len(steps[0]) <= 150_000
     assert (np.sort(np.concatenate(steps)) == np.arange(1_000_000)).all()
     for rows in steps:
-        shares = np.histogram(rows, 10, (0, 1_000_000))[0] / len(rows)
-        assert abs(shares - 0.1).max() < 0.001
+        fractions = np.histogram(rows, 10, (0, 1_000_000))[0] / len(rows)
+        assert abs(fractions - 0.1).max() < 0.001
     assert [len(rows) for rows in in_steps(150_000)] == [150_000]
     assert [len(rows) for rows in in_steps(0)] == [0]
 

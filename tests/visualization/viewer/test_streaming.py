@@ -404,9 +404,9 @@ def home(tree):
     return fit_view(tree.head.points, width=320, height=240)
 
 
-def near(tree, share=0.03):
+def near(tree, fraction=0.03):
     """A view of the dense corner from above."""
-    corners = np.array([20.0, 15.0, 1.0]) + UTM + 400 * share * np.array([[-1, -1, 0], [1, 1, 0.0]])
+    corners = np.array([20.0, 15.0, 1.0]) + UTM + 400 * fraction * np.array([[-1, -1, 0], [1, 1, 0.0]])
     return fit_view(corners, direction=(0, 0, -1), up=(0, 1, 0), width=320, height=240)
 
 

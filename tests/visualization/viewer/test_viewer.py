@@ -409,8 +409,8 @@ def test_a_resized_page_shows_everything_until_the_camera_is_moved(shown, page, 
     session_of(shown)
     position = lambda: session_of(shown).client.camera.position  # noqa: E731
     page.move(position(), size=(400, 600))
-    assert seen_share(shown, points) > 1  # as wide as before in half the width
-    wait_until(lambda: seen_share(shown, points) < 1)
+    assert seen_fraction(shown, points) > 1  # as wide as before in half the width
+    wait_until(lambda: seen_fraction(shown, points) < 1)
     page.move([5.0, 5.0, 5.0], size=(400, 600))
     rested = []
     monkeypatch.setattr(session_of(shown), "refresh_tools", lambda: rested.append(True))
@@ -419,7 +419,7 @@ def test_a_resized_page_shows_everything_until_the_camera_is_moved(shown, page, 
     assert position().tolist() == [5.0, 5.0, 5.0]
 
 
-def seen_share(shown, points):
+def seen_fraction(shown, points):
     """Largest horizontal distance of points from the image center: 1 at its edge."""
     view = shown.get_view()
     columns = np.array([project(view, point)[0] for point in points])

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.units import common_unit
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...io.meshes import tables
 from ...io.points.formats import columns_of
 from ...io.points.las import open_las
@@ -23,12 +23,12 @@ from ...io.points.point_cloud import cloud_of, table_of
 from ...io.table import MeshTable
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import mesh_of
-from ...meshing.scene.cloud_change import cloud_to_mesh
+from ...meshing.scene.cloud_change import compare_cloud_to_mesh
 from ...pcd.change import m3c2
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
-from ...visualization.change.pictures import draw, paint
+from ...visualization.change.pictures import draw_change, paint_change
 from ...visualization.render.picture_files import check_picture
 from .job import Job, JobReport, Settings
 from .rows import COLORED, LABELLED
@@ -65,8 +65,8 @@ class ChangeReport(JobReport):
     registration_error: float
 
     def fields(self) -> Fields:
-        m, share = self.m, self.significant / max(self.known, 1)
-        changed = f"{self.significant:,} of {self.known:,} points with a distance, {format_share(share)}"
+        m, fraction = self.m, self.significant / max(self.known, 1)
+        changed = f"{self.significant:,} of {self.known:,} points with a distance, {format_fraction(fraction)}"
         if self.median is not None:
             changed += f", by {self.median:.3g} {m} (median; 98 % by {self.lowest:.3g} to {self.highest:.3g})"
         level = (
@@ -160,7 +160,7 @@ def _with_mesh(
     where = after if cores is None else after.thin(cores)
     with job.stage("change", judged=True):
         options = {"radius": lengths["cylinder_radius"], "max_distance": lengths["max_distance"]}
-        result = cloud_to_mesh(where, mesh, registration_error=error, **options)
+        result = compare_cloud_to_mesh(where, mesh, registration_error=error, **options)
     columns = {"distance": result.distances, "beside": result.beside.astype(np.uint8)}
     return Compared("cloud to mesh", where, result, columns, {name: v for name, v in options.items() if v is not None})
 
@@ -232,10 +232,10 @@ def _write(
         cloud["significant"] = result.is_significant.astype(np.uint8)
         job.write_points(table_of(cloud), output)
     if painted is not None:
-        job.write_cloud(paint(where, result, limit=limit), painted)
+        job.write_cloud(paint_change(where, result, limit=limit), painted)
     if picture is not None:
         with job.stage("picture"):
-            draw(where, result, picture, limit=limit, overwrite=job.form["overwrite"])
+            draw_change(where, result, picture, limit=limit, overwrite=job.form["overwrite"])
         job.wrote(picture)
 
 
@@ -264,11 +264,11 @@ def _warning(
     known: NDArray[np.bool_], distances: NDArray[np.float64], changed: NDArray[np.bool_], method: str
 ) -> str | None:
     """Warn if the epochs do not overlap, or are shifted as a whole."""
-    share = float(known.mean()) if len(known) else 0.0
-    if share < _MIN_KNOWN:
+    fraction = float(known.mean()) if len(known) else 0.0
+    if fraction < _MIN_KNOWN:
         what = "a point of the other epoch in the cylinder" if method == "m3c2" else "a triangle within --max-distance"
         return (
-            f"only {format_share(share)} of the points have {what}: the epochs barely overlap, are in different "
+            f"only {format_fraction(fraction)} of the points have {what}: the epochs barely overlap, are in different "
             "coordinate systems, or the lengths are too small"
         )
     for side, word in ((distances > 0, "up"), (distances < 0, "down")):
@@ -276,7 +276,7 @@ def _warning(
         if one_way > _MAX_ONE_WAY:
             median = float(np.median(distances[changed & side]))
             return (
-                f"{format_share(one_way)} of the points have moved {word}, by {median:.3g} (median): probably a "
+                f"{format_fraction(one_way)} of the points have moved {word}, by {median:.3g} (median): probably a "
                 "shift of the whole cloud, not change; register the epochs first, or pass --registration-error"
             )
     return None

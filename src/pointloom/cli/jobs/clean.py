@@ -12,7 +12,7 @@ import numpy as np
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.units import symbol_of
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
@@ -108,7 +108,9 @@ def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_ne
     if gone <= _MAX_BY_RADIUS * count:
         return None
     m = symbol_of(before.unit)
-    message = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"
+    message = (
+        f"{format_fraction(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"
+    )
     distance = distance_of_nearest(NearestNeighborSearch(before), probe_points(before), min_neighbors + 1)
     if distance is None or distance < radius:  # too few points, or the sample is not representative
         return f"{message}; use a larger --radius or fewer --min-neighbors"

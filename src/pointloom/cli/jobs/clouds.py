@@ -14,7 +14,7 @@ from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.reports import Fields
 from ...core.units import symbol_of
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...io.meshes import tables
 from ...io.points.formats import WRITTEN
 from ...io.table import MeshTable, PointTable
@@ -147,7 +147,7 @@ def _warning(cloud: PointCloud, radius: float) -> str | None:
     if isolated <= 0.5:
         return None
     m = symbol_of(cloud.unit)
-    few = f"{format_share(isolated)} of the points have fewer than 3 neighbors within {radius:g} {m}"
+    few = f"{format_fraction(isolated)} of the points have fewer than 3 neighbors within {radius:g} {m}"
     reason = f"{few}, so their normals are meaningless"
     third = distance_of_nearest(search, probes, 3)
     if third is None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...core.errors import FilePath
 from ...core.reports import Fields
 from ...core.units import symbol_of
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...io.points.formats import WRITTEN
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
@@ -50,7 +50,7 @@ class ClusterReport(RowsReport):
         fields = [
             ("clusters", f"{self.clusters:,}, eps {self.eps:g} {self.m}, min points {self.min_points}"),
             ("largest", sizes or "none"),
-            ("noise", f"{self.noise:,} of {total:,} points, {format_share(self.noise / max(total, 1))}"),
+            ("noise", f"{self.noise:,} of {total:,} points, {format_fraction(self.noise / max(total, 1))}"),
         ]
         if self.points != total:
             fields.append(("kept", f"{self.points:,} points"))
@@ -125,7 +125,7 @@ def _warning(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: int
     m = symbol_of(cloud.unit)
     search, probes = NearestNeighborSearch(cloud), probe_points(cloud)
     if len(sizes):
-        distance = distance_of_nearest(search, probes, min_points, share=0.9)
+        distance = distance_of_nearest(search, probes, min_points, fraction=0.9)
         hint = f"one cluster contains all {finite:,} finite points; use a smaller --radius"
         return f"{hint}, such as {rounded_up(distance):g}" if distance and rounded_up(distance) < eps else hint
     distance = distance_of_nearest(search, probes, min_points)

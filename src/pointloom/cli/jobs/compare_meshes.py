@@ -16,7 +16,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
 from ...meshing.mesh.mesh_files import mesh_table, read_triangle_mesh
 from ...visualization.render.error_picture import draw_errors
-from ...visualization.render.picture_files import save_picture
+from ...visualization.render.picture_files import write_image
 from ...visualization.render.plots import check_plot
 from ...visualization.render.surface_picture import looks_inwards
 from .job import Job, JobReport, Settings
@@ -46,7 +46,7 @@ class ErrorMaps:
         if self.picture is not None:
             with job.stage("picture"):
                 image = draw_errors(first, np.asarray(distances), _TITLE, back_faces=not looks_inwards(first))
-                save_picture(self.picture, image, overwrite=job.form["overwrite"])
+                write_image(self.picture, image, overwrite=job.form["overwrite"])
         if self.mesh is not None:
             job.write_table(mesh_table(colored), self.mesh)
         if self.picture is not None:

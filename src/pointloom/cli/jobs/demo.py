@@ -20,12 +20,12 @@ from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.timing import Clock, peak_bytes
-from ...core.wording import format_share, json_text
+from ...core.wording import format_fraction, json_text
 from ...datasets.scenes.room import room_sequence, surface_errors
 from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...rgbd.fusion.fuse import fuse
 from ...rgbd.fusion.results import FusionResult
-from ...visualization.render.picture_files import save_picture
+from ...visualization.render.picture_files import write_image
 from ...visualization.render.render import render
 from ...visualization.render.scene_view import as_photographed
 from .fuse import fusion_fields
@@ -80,7 +80,7 @@ class SurfaceErrors:
     def __str__(self) -> str:
         rows = [(label, getattr(self, name)) for label, name in _SHOWN]
         lines = [f"{label:<18}{m * 1000:>8.2f} mm{m / self.voxel_size:>8.3f} voxels" for label, m in rows]
-        near = f"{'within half a voxel':<18}{format_share(self.within_half_voxel):>9} of the vertices"
+        near = f"{'within half a voxel':<18}{format_fraction(self.within_half_voxel):>9} of the vertices"
         return "\n".join([*lines, near])
 
 
@@ -152,7 +152,7 @@ def run_demo(
         image = render(as_photographed(result.mesh), mesh_show_back_face=False)
         clock.stop("picture")
         write_triangle_mesh(mesh, result.mesh, overwrite=overwrite)
-        save_picture(picture, image, overwrite=overwrite)
+        write_image(picture, image, overwrite=overwrite)
         report = DemoReport(noise, seed, result, errors, clock.seconds, peak_bytes(), (mesh, picture, report_file))
         with atomic_write(report_file, overwrite=overwrite) as file:
             file.write(json_text(report.to_dict()).encode() + b"\n")

@@ -16,7 +16,7 @@ from .rows import Rows, RowsReport, read_rows
 
 WAYS = {
     "every": "one in {:,}",
-    "ratio": "a share of {:g} at random, seed {seed}",
+    "ratio": "a fraction of {:g} at random, seed {seed}",
     "farthest": "the farthest from each other",
     "voxel": "one a voxel of {:g} {m}, the mean",
     "nearest": "one a voxel of {:g} {m}, the nearest to the mean",

@@ -16,7 +16,7 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Assessed, Fields, Report, quality
 from ...kernels.linear_algebra import inv
 from ...registration.trajectories.trajectory_error import TrajectoryError, evaluate_trajectory
-from ...visualization.render.picture_files import save_picture
+from ...visualization.render.picture_files import write_image
 
 KITTI_EXTRINSICS = ("Tr", "Tr_velo_to_cam", "Tr_velo_cam")  # velodyne to camera, in its calibration files
 
@@ -75,7 +75,7 @@ def evaluate_files(
     if picture is not None:
         title = f"{Path(poses).name} against {Path(truth).name}, aligned by {align}"
         sensor = np.eye(4) if T is None else inv(T)
-        save_picture(picture, _draw_paths(estimate, true_path, errors, title, sensor), overwrite=overwrite)
+        write_image(picture, _draw_paths(estimate, true_path, errors, title, sensor), overwrite=overwrite)
         files = (os.fspath(picture),)
     return EvaluateReport(os.fspath(poses), os.fspath(truth), errors, files)
 

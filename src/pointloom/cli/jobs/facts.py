@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from ...core.reports import Fields, Report, values_of
 from ...core.units import LengthUnit
-from ...core.wording import format_bounds, format_share, format_triple, plain
+from ...core.wording import format_bounds, format_fraction, format_triple, plain
 
 Bounds = dict[str, list[float]] | None  # of `describe_bounds`
 
@@ -56,7 +56,7 @@ def _format(name: str, value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        return format_share(value) if name.endswith("share") else f"{value:.6g}"
+        return format_fraction(value) if name.endswith("fraction") else f"{value:.6g}"
     return f"{value:,}" if isinstance(value, int) else str(value)
 
 
@@ -178,7 +178,7 @@ class DepthMap(Facts):
 
     size: str
     type: str
-    measured_share: float
+    measured_fraction: float
     depth: dict[str, float]
     unit: str
 
@@ -253,7 +253,7 @@ class DataSet(Facts):
     camera_from: str
     camera_notes: list[str] | None
     depth_scale: float
-    first_frame_measured_share: float
+    first_frame_measured_fraction: float
     first_frame_depth_m: dict[str, float]
     camera_path: CameraPath | None
 
@@ -262,7 +262,7 @@ class DataSet(Facts):
 class Cameras(Facts):
     """The cameras of a model: images with a pose, descriptions of lenses (truncated), bounds of positions."""
 
-    pictures: int
+    images: int
     cameras: list[str]
     camera_bounds: Bounds
 

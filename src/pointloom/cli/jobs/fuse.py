@@ -61,7 +61,7 @@ def fuse_folder(
 ) -> FuseReport:
     """Fuse a folder of frames into a mesh file and its image. Outputs are checked before the work.
 
-    An empty mesh and its poses are not written. See `loom.fuse` for the other arguments and errors.
+    An empty mesh and its poses are not written. See `loom.rgbd.fuse` for the other arguments and errors.
     """
     outputs.check(overwrite=overwrite)
     where, clock = resolve_device(device), Clock()

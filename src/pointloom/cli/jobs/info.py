@@ -30,11 +30,11 @@ from ...core.wording import format_triple
 from ...io.ascii_rows import is_number
 from ...io.bags.recording import is_recording, read_recording
 from ...io.frames.datasets import is_dataset, open_frames
+from ...io.images.image_files import read_color, read_depth, read_image_header
 from ...io.meshes import tables
 from ...io.models.colmap import find_colmap_model, is_colmap_model, read_colmap_model
 from ...io.models.metashape import read_metashape_cameras
 from ...io.models.sfm_model import SfmModel
-from ...io.pictures.image_files import read_color, read_depth, read_picture_header
 from ...io.points.copc import is_copc
 from ...io.points.e57 import describe_e57
 from ...io.points.las import attribute_types, open_las
@@ -265,7 +265,7 @@ def _type_name(values: NDArray[Any]) -> str:
 
 
 def _describe_picture(path: Path) -> Picture | DepthMap:
-    header = read_picture_header(path)
+    header = read_image_header(path)
     if (header.kind, header.channels, header.bits) == ("png", 1, 16):
         return _measure_depth(read_depth(path))
     read_color(path)  # checks that it is complete
@@ -282,7 +282,7 @@ def _measure_depth(depth: NDArray[Any]) -> DepthMap:
     return DepthMap(
         size=f"{depth.shape[1]} x {depth.shape[0]}",
         type=str(depth.dtype),
-        measured_share=measured.size / depth.size,
+        measured_fraction=measured.size / depth.size,
         depth={name: float(value) for name, value in limits.items()},
         unit="meters" if depth.dtype.kind == "f" else "stored numbers (often millimeters)",
     )
@@ -351,7 +351,7 @@ def _describe_dataset(folder: Path, layout: str) -> DataSet:
         camera_from=dataset.intrinsic_source,
         camera_notes=[*dataset.warnings] or None,
         depth_scale=dataset.depth_scale,
-        first_frame_measured_share=depth.measured_share,
+        first_frame_measured_fraction=depth.measured_fraction,
         first_frame_depth_m={name: value / dataset.depth_scale for name, value in depth.depth.items()},
         camera_path=_measure_path(np.array(poses, np.float64)) if poses else None,
     )
@@ -387,10 +387,10 @@ def _describe_cameras(model: SfmModel) -> Cameras:
     return Cameras(len(model), _cut(lines), describe_bounds(model.centers))
 
 
-def _camera_line(camera: CameraModel, pictures: int) -> str:
+def _camera_line(camera: CameraModel, images: int) -> str:
     numbers = ", ".join(f"{value:g}" for value in camera.params)
-    many = "" if pictures == 1 else "s"
-    return f"{camera.model} {camera.width} x {camera.height}, {numbers}; {pictures} picture{many}"
+    many = "" if images == 1 else "s"
+    return f"{camera.model} {camera.width} x {camera.height}, {numbers}; {images} image{many}"
 
 
 def _cut(lines: list[str]) -> list[str]:

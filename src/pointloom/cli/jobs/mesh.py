@@ -9,7 +9,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...io.meshes import tables
 from ...meshing.mesh.cloud_surface import create_surface
-from ...visualization.render.picture_files import check_picture, save_picture
+from ...visualization.render.picture_files import check_picture, write_image
 from ...visualization.render.surface_picture import draw_surface
 from .announced_stages import AnnouncedStages
 from .job import Job
@@ -44,6 +44,6 @@ def mesh_file(
     job.write_mesh(result.mesh, output)
     if picture is not None and len(result.mesh):
         with job.stage("picture"):
-            save_picture(picture, draw_surface(result.mesh), overwrite=overwrite)
+            write_image(picture, draw_surface(result.mesh), overwrite=overwrite)
         job.wrote(picture)
     return ResultReport(job.done(*result.warnings), result, str(cloud.device))

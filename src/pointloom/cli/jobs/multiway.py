@@ -20,7 +20,7 @@ from ...io.points.point_cloud import table_of
 from ...io.points.scan_files import list_scans
 from ...pcd.cloud import PointCloud
 from ...registration.globally.level_poses import LEVEL
-from ...registration.pose_graphs.multiway import FragmentsResult, register_fragments
+from ...registration.pose_graphs.multiway import FragmentsResult, register_multiway
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
 from ...registration.voxel_size import choose_voxel_size
 from .job import Job, JobReport
@@ -97,7 +97,7 @@ def register_folder(
         size = choose_voxel_size(*clouds) if voxel_size is None else voxel_size
     with job.stage("register", reported=False):
         how: dict[str, Any] = {"neighbors": neighbors, "free": LEVEL if level else None}
-        result = register_fragments(clouds, voxel_size=size, progress=job.progress, **how)
+        result = register_multiway(clouds, voxel_size=size, progress=job.progress, **how)
     is_written = int(result.placed.sum()) > 1
     with job.stage("write", reported=is_written):
         if is_written:

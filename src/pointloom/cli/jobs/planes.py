@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...core.errors import FilePath
 from ...core.reports import Fields
 from ...core.units import symbol_of
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from .job import Job, Settings
 from .rows import LABELLED, Rows, RowsReport, label_rows, read_rows
 
@@ -20,7 +20,7 @@ PLANE = "plane"
 MIN_POINTS = 100  # minimum size if several planes are searched
 
 # A smaller largest plane means that the scene has none, or that the distance is too small.
-_MIN_SHARE = 0.05
+_MIN_FRACTION = 0.05
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Plane:
 
     model: tuple[float, ...]
     points: int
-    share: float
+    fraction: float
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class PlaneReport(RowsReport):
         lines = []
         for plane in self.planes:
             a, b, c, d = plane.model
-            lines.append(f"{a:.9f} {b:.9f} {c:.9f} {d:.6f}: {plane.points:,} points, {format_share(plane.share)}")
+            lines.append(f"{a:.9f} {b:.9f} {c:.9f} {d:.6f}: {plane.points:,} points, {format_fraction(plane.fraction)}")
         count = f"{self.points:,} of {self.points_in:,}"
         if self.on_none is not None:
             count = f"{self.points:,}, {self.on_none:,} of them not on a plane"
@@ -134,9 +134,9 @@ def _warning(planes: Sequence[Plane], finite: int, distance: str, min_points: in
     if not planes:
         reason = f"no plane has {min_points:,} points within {distance}, or all samples are collinear"
         return f"{reason}; use a larger --distance or more --iterations"
-    if planes[0].share >= _MIN_SHARE:
+    if planes[0].fraction >= _MIN_FRACTION:
         return None
     return (
-        f"the largest plane has only {format_share(planes[0].share)} of the points within {distance}; "
+        f"the largest plane has only {format_fraction(planes[0].fraction)} of the points within {distance}; "
         "use a larger --distance or more --iterations"
     )

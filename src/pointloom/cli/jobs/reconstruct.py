@@ -38,7 +38,7 @@ class StageOptions:
     def check(
         self, mesh: FilePath, voxel_size: float | None, depth_max: float | None, *, overwrite: bool
     ) -> FragmentOptions:
-        """Options of `loom.reconstruct` after checking configuration and folder. Raises FileError or ValueError."""
+        """Checked options of `loom.rgbd.reconstruct`. Raises FileError or ValueError."""
         config = None if self.config is None else ReconstructionConfig.read(self.config)
         settings = settings_for(config, voxel_size, depth_max)
         folder = self.work or default_work_folder(mesh)

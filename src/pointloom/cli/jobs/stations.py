@@ -26,7 +26,7 @@ from ...io.points.e57_stations import Stations, read_stations, write_stations
 from ...registration.stations.observations import ControlPoint, TargetObservation
 from ...registration.stations.result import StationsResult
 from ...registration.stations.stations import register_stations
-from ...visualization.render.picture_files import save_picture
+from ...visualization.render.picture_files import write_image
 from ...visualization.render.plots import station_plan
 from .job import Job, JobReport, Settings
 
@@ -144,7 +144,7 @@ def _write_report(job: Job, paths: dict[str, Path], result: StationsResult) -> N
         for kind, text in texts.items():
             with atomic_write(paths[kind], overwrite=overwrite) as file:
                 file.write(text.encode())
-        save_picture(paths["plan"], station_plan(result), overwrite=overwrite)
+        write_image(paths["plan"], station_plan(result), overwrite=overwrite)
     for path in paths.values():
         job.wrote(path)
 

@@ -17,8 +17,8 @@ from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
 from ...io.meshes.mesh_formats import UPRIGHT
 from ...io.models.colmap import is_colmap_model, read_colmap_model
-from ...meshing.color_map.picture_texturing import texture_from_pictures
-from ...meshing.color_map.pictured_mesh import PicturedMesh
+from ...meshing.color_map.image_texture_result import ImageTextureResult
+from ...meshing.color_map.image_texturing import texture_from_images
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 
@@ -52,7 +52,7 @@ def texture_model(
 
     `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
     .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
-    `texture_from_pictures` for `size` and `depth_max`.
+    `texture_from_images` for `size` and `depth_max`.
     """
     notify = check_progress(progress)
     check_output(output, WRITTEN, what="textures from images", overwrite=overwrite)
@@ -62,10 +62,10 @@ def texture_model(
         raise FileError(
             mesh, "has no triangles, which a texture needs", remedy="Pass a mesh, such as one of pointloom video"
         )
-    model, pictures = _open(Path(folder))
+    model, images = _open(Path(folder))
     clock.stop("read")
     try:
-        result = texture_from_pictures(shape, pictures, model, size=size, depth_max=depth_max, progress=notify)
+        result = texture_from_images(shape, images, model, size=size, depth_max=depth_max, progress=notify)
     except NothingSeenError:
         result = None
     clock.stop("texture")
@@ -84,7 +84,7 @@ class ModelTextureReport(Report, Assessed):
     mesh: str
     folder: str
     picture_count: int
-    result: PicturedMesh | None
+    result: ImageTextureResult | None
     seconds: dict[str, float]
     files: list[str]
     peak_bytes: int = field(default_factory=peak_bytes)
@@ -95,13 +95,13 @@ class ModelTextureReport(Report, Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         given = {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
-        figures = {"pictures": self.picture_count} if self.result is None else self.result.to_dict()
+        figures = {"images": self.picture_count} if self.result is None else self.result.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
         return plain(given | figures | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
         return [
-            *(self.result.fields() if self.result else [("pictures", str(self.picture_count))]),
+            *(self.result.fields() if self.result else [("images", str(self.picture_count))]),
             ("seconds", format_seconds(self.seconds)),
             ("memory", f"{format_bytes(self.peak_bytes)} at most"),
             ("files", ", ".join(self.files) or "none"),
@@ -112,12 +112,12 @@ def _open(folder: Path) -> tuple[Any, Path]:
     if is_colmap_model(folder / SCALED_MODEL / "sparse"):
         return read_colmap_model(folder / SCALED_MODEL / "sparse"), folder / STRAIGHT
     candidates = [parent / IMAGES for parent in (folder, folder.parent, folder.parent.parent)]
-    pictures = next((path for path in candidates if path.is_dir()), None)
-    if pictures is None:
+    images = next((path for path in candidates if path.is_dir()), None)
+    if images is None:
         raise FileError(
             folder, "contains a model, but no folder with its images", remedy=f"Put the images into {candidates[0]}"
         )
-    return read_colmap_model(folder), pictures
+    return read_colmap_model(folder), images
 
 
 def _up_of(path: FilePath, up: str) -> str:

@@ -102,7 +102,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     \b
     Layouts of pointloom fuse, with or without poses, and
-      pictures  1.png and 1_depth.png, .... Requires --intrinsic and --depth-scale
+      images  1.png and 1_depth.png, .... Requires --intrinsic and --depth-scale
 
     FRAMES may also be a recording: a ROS 1 .bag, a .db3 or .mcap file, or a folder of them. Requires pointloom[ros].
 

@@ -51,7 +51,7 @@ class LengthOrAuto(click.ParamType):
         return number
 
 
-QUANTILE = Number("a share from 0 and below 1", lambda number: 0 <= number < 1)
+QUANTILE = Number("a fraction from 0 and below 1", lambda number: 0 <= number < 1)
 
 
 @click.command(short_help="Reconstruct a surface from a cloud.")

@@ -24,7 +24,7 @@ from .options import (
     refuse_same,
     up_option,
 )
-from .toolbox import COUNT, FACTOR, SEED, SHARE, Number
+from .toolbox import COUNT, FACTOR, FRACTION, SEED, Number
 
 AREA = Number("an area in square meters above 0", lambda number: 0 < number < math.inf)
 ANY = Number("a finite number", math.isfinite)
@@ -62,7 +62,7 @@ def clean_mesh(source: Path, output: Path, min_area: float | None, **options: An
 
 @click.command(short_help="Reduce the number of triangles of a mesh.")
 @click.option("--triangles", type=COUNT, metavar="N", help="Target number of triangles.")
-@click.option("--ratio", type=SHARE, metavar="R", help="Target fraction of the triangles.")
+@click.option("--ratio", type=FRACTION, metavar="R", help="Target fraction of the triangles.")
 @click.option("--voxel", type=LENGTH, metavar="M", help="Vertex clustering with this voxel size [m].")
 @click.option("--max-error", type=FACTOR, metavar="E", help="Stop if the cost of a step exceeds this.")
 @click.option("--boundary-weight", type=FACTOR, metavar="W", help="Weight that preserves borders. Default: 1.")

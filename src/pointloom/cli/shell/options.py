@@ -111,9 +111,9 @@ def force_option() -> Decorator:
 def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) -> Decorator:
     """`--layout`, `--intrinsic`, `--every`, `--depth-max`; `--skip-missing` if `posed`.
 
-    Otherwise also the layout `pictures` with `--depth-scale`, and recordings with `--topic` and `--color-topic`.
+    Otherwise also the layout `images` with `--depth-scale`, and recordings with `--topic` and `--color-topic`.
     """
-    layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["pictures"])]
+    layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["images"])]
     scale = click.option(
         "--depth-scale", type=SCALE, metavar="N", help="Stored value of one meter. Default: that of the data."
     )

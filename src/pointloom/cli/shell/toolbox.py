@@ -39,7 +39,7 @@ class Number(click.ParamType):
 COUNT = Number(f"a whole number from 1 to {MAX_POINTS}", lambda number: 1 <= number <= MAX_POINTS, int)
 SEED = Number(f"a whole number from 0 to {MAX_SEED}", lambda number: 0 <= number <= MAX_SEED, int)
 FACTOR = Number("a finite number above 0", lambda number: 0 < number < math.inf)
-SHARE = Number("a share above 0 and up to 1", lambda number: 0 < number <= 1)
+FRACTION = Number("a fraction above 0 and up to 1", lambda number: 0 < number <= 1)
 COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
 
 
@@ -198,7 +198,7 @@ def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Pat
 
 @click.command(short_help="Downsample a cloud.")
 @click.option("--every", type=COUNT, metavar="K", help="Keep every K-th point.")
-@click.option("--ratio", type=SHARE, metavar="R", help="Keep this fraction of the points, selected at random.")
+@click.option("--ratio", type=FRACTION, metavar="R", help="Keep this fraction of the points, selected at random.")
 @click.option("--farthest", type=COUNT, metavar="N", help="Keep N points by farthest point sampling.")
 @click.option("--voxel", type=LENGTH, metavar="M", help="Keep the mean of the points of each voxel of this size [m].")
 @click.option("--nearest", is_flag=True, help="With --voxel: keep the point nearest to the mean instead.")

@@ -26,7 +26,7 @@ from .options import (
 class KnownDistance(click.ParamType):
     """Two images and the distance of their cameras [m], such as 12,48,1.5."""
 
-    name = "pictures"
+    name = "images"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, str, float]:
         parts = [part.strip() for part in value.split(",")]
@@ -35,7 +35,7 @@ class KnownDistance(click.ParamType):
         except ValueError:
             meters = math.nan
         if len(parts) != 3 or not all(parts) or not (math.isfinite(meters) and meters > 0):
-            self.fail(f"expected two pictures and meters above 0, such as 12,48,1.5, got {value!r}", param, ctx)
+            self.fail(f"expected two images and meters above 0, such as 12,48,1.5, got {value!r}", param, ctx)
         return parts[0], parts[1], meters
 
 
@@ -174,21 +174,21 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
         refuse("--ortho and --dem require --cell, the side of their cells in meters")
     from ...io.meshes.tables import MESHES
     from ...io.points.formats import WRITTEN
-    from ...photogrammetry.video.job import reconstruct
-    from ...photogrammetry.video.outputs import Outputs
-    from ...photogrammetry.video.settings import Settings
-    from ...photogrammetry.video.units import Units
+    from ...photogrammetry.video.job import reconstruct_video
+    from ...photogrammetry.video.outputs import VideoOutputs
+    from ...photogrammetry.video.settings import VideoSettings
+    from ...photogrammetry.video.units import VideoUnits
 
-    units = Units(**{name: options.pop(name) for name in ("scale", "known", "align", "control", "scale_bars")})
+    units = VideoUnits(**{name: options.pop(name) for name in ("scale", "known", "align", "control", "scale_bars")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
     names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper")
-    settings = Settings(units=units, **{name: options.pop(name) for name in names})
+    settings = VideoSettings(units=units, **{name: options.pop(name) for name in names})
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
     if points_alone:
         options["cloud"] = output
-    outputs = Outputs(None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell")})
+    outputs = VideoOutputs(None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell")})
     with Progress() as progress:
-        result = reconstruct(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
+        result = reconstruct_video(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
     return answer_with(result, result.source, as_json)
 
 

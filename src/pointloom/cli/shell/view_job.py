@@ -21,7 +21,7 @@ from ...io.points.formats import columns_of
 from ...pcd.cloud import PointCloud
 from ...visualization.render.geometries import Named
 from ...visualization.render.open3d_views import read_view
-from ...visualization.render.picture_files import check_picture, save_picture
+from ...visualization.render.picture_files import check_picture, write_image
 from ...visualization.viewer.coloring_choice import choices_of
 from ...visualization.viewer.items import make_item
 from ...visualization.viewer.screenshots import as_entry, with_colors, write_geometries
@@ -144,8 +144,8 @@ class ViewJob:
                 open_up()
 
             def show_progress(stage: str, done: int, total: int) -> None:
-                share = min(done / total, 1.0) if total > 0 else None
-                viewer.tell_progress(f"preview of {self.title}; {stage}", share)
+                fraction = min(done / total, 1.0) if total > 0 else None
+                viewer.tell_progress(f"preview of {self.title}; {stage}", fraction)
 
             self.read(show_progress, in_parts=True)  # after checking that a server can run
             viewer.tell_progress("")
@@ -166,7 +166,7 @@ class ViewJob:
 
         entries = [as_entry(one) for one in named]
         picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None, up=self.up)
-        save_picture(path, picture, overwrite=self.force)
+        write_image(path, picture, overwrite=self.force)
 
     def _colored(self) -> list[Named]:
         colored: list[Named] = []

@@ -18,7 +18,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.scene.raycasting_scene import RaycastingScene
 from ..array_cache import Arrays, cached
 from .objects import object_mesh
-from .results import PosedPictures
+from .results import PosedImages
 from .views import MeshView, ring, scene_of, view_mesh
 
 CAMERA = PinholeCameraIntrinsic(640, 480, 720.0, 720.0, 319.5, 239.5)
@@ -32,7 +32,7 @@ AMBIENT = 0.55
 ABOVE = 0.0008  # [m] offset of shadow rays from the surface
 
 
-def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
+def photographs(count: int = 12, *, seed: int = 0) -> PosedImages:
     """Synthetic photographs of the owl of `object_mesh` on a checkered cloth, from all sides.
 
     The light is fixed. The camera circles once at 0.62 m from the center, alternating between 22 and 34 degrees above.
@@ -43,7 +43,7 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
         seed: Seed of the sensor noise, 1 of 255.
 
     Returns:
-        `pictures`: uint8 RGB (480, 640, 3); `intrinsic`: the camera, without distortion. Ground truth `poses`:
+        `images`: uint8 RGB (480, 640, 3); `intrinsic`: the camera, without distortion. Ground truth `poses`:
         T_object_camera, float64 (n, 4, 4) [m], in the frame of `object_mesh`, and `depths`, float32 (480, 640) [m].
 
     Raises:
@@ -56,7 +56,7 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
     Example:
         >>> import pointloom as loom
         >>> shots = loom.datasets.photographs(1)
-        >>> shots.pictures[0].shape, round(float(shots.depths[0].min()), 1)
+        >>> shots.images[0].shape, round(float(shots.depths[0].min()), 1)
         ((480, 640, 3), 0.0)
     """
     count, seed = check_count("count", count), check_seed(seed)
@@ -66,11 +66,11 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
         stage = _stage()
         scene = scene_of(stage)
         views = [view_mesh(stage, scene, CAMERA, T) for T in poses]
-        pictures = [_picture(view, scene, T, seed, k) for k, (view, T) in enumerate(zip(views, poses, strict=True))]
-        return {"pictures": np.array(pictures), "depths": np.array([view.depth for view in views], np.float32)}
+        images = [_image(view, scene, T, seed, k) for k, (view, T) in enumerate(zip(views, poses, strict=True))]
+        return {"images": np.array(images), "depths": np.array([view.depth for view in views], np.float32)}
 
     arrays = cached("photographs", {"count": count, "seed": seed}, make)
-    return PosedPictures(list(arrays["pictures"]), CAMERA, poses, list(arrays["depths"]))
+    return PosedImages(list(arrays["images"]), CAMERA, poses, list(arrays["depths"]))
 
 
 def _stage() -> TriangleMesh:
@@ -86,9 +86,7 @@ def _stage() -> TriangleMesh:
     return figure + cloth
 
 
-def _picture(
-    view: MeshView, scene: RaycastingScene, T: NDArray[np.float64], seed: int, frame: int
-) -> NDArray[np.uint8]:
+def _image(view: MeshView, scene: RaycastingScene, T: NDArray[np.float64], seed: int, frame: int) -> NDArray[np.uint8]:
     """The sensor image: color with light, shadow, texture and noise."""
     off = view.points + ABOVE * view.normals
     rays = np.concatenate([off, np.broadcast_to(LIGHT, off.shape)], axis=-1)

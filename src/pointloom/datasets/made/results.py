@@ -40,23 +40,23 @@ class PosedScans:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class PosedPictures:
+class PosedImages:
     """Images of one scene by one camera, with true poses.
 
     Attributes:
-        pictures: uint8 RGB (h, w, 3) each.
+        images: uint8 RGB (h, w, 3) each.
         intrinsic: The camera, without distortion.
         poses: T_world_camera, float64 (n, 4, 4) [m].
         depths: True depth along the optical axis, float32 (h, w) [m] each. 0 for background.
     """
 
-    pictures: list[NDArray[np.uint8]]
+    images: list[NDArray[np.uint8]]
     intrinsic: PinholeCameraIntrinsic
     poses: NDArray[np.float64]
     depths: list[NDArray[np.float32]]
 
     def __repr__(self) -> str:
-        return f"PosedPictures({len(self):,} pictures of {self.intrinsic.width} x {self.intrinsic.height})"
+        return f"PosedImages({len(self):,} images of {self.intrinsic.width} x {self.intrinsic.height})"
 
     def __len__(self) -> int:
-        return len(self.pictures)
+        return len(self.images)

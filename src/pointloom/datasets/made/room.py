@@ -172,16 +172,16 @@ def _views() -> Iterator[RoomFrame]:
 
 def _survey_pose(index: int) -> NDArray[np.float64]:
     """Five interleaved paths: two walks, near the ceiling, near the floor, and down from the corners."""
-    share, kind = index / VIEWS, index % 5
+    fraction, kind = index / VIEWS, index % 5
     if kind < 2:
-        return (room_pose, round_pose)[kind](share)
+        return (room_pose, round_pose)[kind](fraction)
     if kind == 4:
         x, y = CORNERS[index // 5 % 4]
         offset = (index // 20 % 5 - 2) * 0.3
         yaw, height, pitch = math.atan2(SIZE[1] / 2 - y, SIZE[0] / 2 - x) + offset, 2.25, -0.75
     else:
         wide, deep, height, pitch = ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2]
-        yaw = 4 * math.pi * share
+        yaw = 4 * math.pi * fraction
         x, y = SIZE[0] / 2 - wide * math.cos(yaw), SIZE[1] / 2 - deep * math.sin(yaw)
     direction = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
     return look_along(np.array([x, y, height]), direction)

@@ -64,8 +64,8 @@ def _drive(count: int, seed: int) -> Arrays:
     scene, colors, labels = parts.scene(), parts.colors, parts.labels
     rng, scans = np.random.default_rng([seed, 1]), []
     for k in range(count):
-        rays, share = rotating_rays(BEAMS, AZIMUTHS, rng)
-        positions, headings = pose_at((k + share - 1) * SPEED * SCAN_PERIOD, 0.0)
+        rays, fraction = rotating_rays(BEAMS, AZIMUTHS, rng)
+        positions, headings = pose_at((k + fraction - 1) * SPEED * SCAN_PERIOD, 0.0)
         directions = in_world(rays, headings)
         hits = scene.cast_rays(np.concatenate([positions, directions], axis=1))
         ranges = hits["t_hit"].astype(np.float64) + rng.normal(0, RANGE_NOISE, len(rays))
@@ -77,7 +77,7 @@ def _drive(count: int, seed: int) -> Arrays:
             {
                 "points": (rays[seen] * ranges[seen, None]).astype(np.float32),
                 "colors": colors[rows],
-                "time": (k + share[seen]) * SCAN_PERIOD,
+                "time": (k + fraction[seen]) * SCAN_PERIOD,
                 "ring": np.tile(np.arange(len(BEAMS), dtype=np.uint8), AZIMUTHS)[seen],
                 "intensity": light.astype(np.float32),
                 "label": labels[rows],

@@ -107,9 +107,9 @@ def _trees(parts: PaintedParts, rng: np.random.Generator, house_positions: NDArr
         floor, leaf = float(ground_height(np.array(x), np.array(y))), _CROWNS[rng.integers(len(_CROWNS))]
         parts.set_frame(x, y, floor, angle=rng.uniform(0, 6))
         if rng.random() < 0.35:  # a conifer
-            for share in (0.35, 0.55, 0.75, 0.92):
-                radius = 0.8 * wide * (1.15 - share)
-                parts.crown((0, 0, share * tall), (radius, radius, 0.16 * tall), _CROWNS[3], rng)
+            for fraction in (0.35, 0.55, 0.75, 0.92):
+                radius = 0.8 * wide * (1.15 - fraction)
+                parts.crown((0, 0, fraction * tall), (radius, radius, 0.16 * tall), _CROWNS[3], rng)
         else:
             for _ in range(3):
                 off = rng.normal(0, 0.3 * wide, 3)

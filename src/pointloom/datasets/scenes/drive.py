@@ -41,10 +41,10 @@ def rotating_rays(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Directions (n, 3) of one rotation from straight behind, and their fraction of the rotation (n,).
     The start is random within a step: a fixed raster would be registered instead of the street."""
-    share = np.arange(1, azimuths + 1) / azimuths
-    share, rise = np.repeat(share, len(beams)), np.tile(beams, azimuths)
-    azimuth = 2 * np.pi * (share - rng.random() / azimuths) - np.pi
-    return np.stack([np.cos(rise) * np.cos(azimuth), np.cos(rise) * np.sin(azimuth), np.sin(rise)], axis=1), share
+    fraction = np.arange(1, azimuths + 1) / azimuths
+    fraction, rise = np.repeat(fraction, len(beams)), np.tile(beams, azimuths)
+    azimuth = 2 * np.pi * (fraction - rng.random() / azimuths) - np.pi
+    return np.stack([np.cos(rise) * np.cos(azimuth), np.cos(rise) * np.sin(azimuth), np.sin(rise)], axis=1), fraction
 
 
 def in_world(rays: NDArray[np.float64], headings: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -131,8 +131,8 @@ def _colors(p: Field, parts: dict[str, Field]) -> NDArray[np.float32]:
     return np.stack(list(table.values()))[nearest, np.arange(len(p))].astype(np.float32)
 
 
-def _mix(first: ArrayLike, second: ArrayLike, share: NDArray[np.floating]) -> NDArray[np.floating]:
-    weight = np.asarray(share)[:, None]
+def _mix(first: ArrayLike, second: ArrayLike, fraction: NDArray[np.floating]) -> NDArray[np.floating]:
+    weight = np.asarray(fraction)[:, None]
     return np.asarray(first) * (1 - weight) + np.asarray(second) * weight
 
 

@@ -27,7 +27,7 @@ _STEEL: Color = (0.45, 0.47, 0.50)
 
 def furnished_room() -> SolidBuilder:
     room = SolidBuilder()
-    for add in (_shell, _window, _sofa, _rug, _table, _shelf, _lamps, _pictures, _small_things):
+    for add in (_shell, _window, _sofa, _rug, _table, _shelf, _lamps, _images, _small_things):
         room.set_frame(0, 0)
         add(room)
     return room
@@ -257,7 +257,7 @@ def _lamps(room: SolidBuilder) -> None:
     room.sphere((0, 0, 1.72), 0.035, _STEEL)
 
 
-def _pictures(room: SolidBuilder) -> None:
+def _images(room: SolidBuilder) -> None:
     frame = (0.16, 0.15, 0.15)
     room.set_frame(0, 1.9, 1.55)  # above the sofa
     for y, wide, high, first, second, kind in (

@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
 from ...core.atomic import part_name
-from ...core.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows, check_share
+from ...core.checks import check_count, check_fraction, check_list, check_name, check_number, check_rigid, check_rows
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...io.frames.datasets import Frame
-from ...io.pictures.image_files import write_png
+from ...io.images.image_files import write_png
 from ...kernels.lang import current_cpu_compiler, uint8, vec3d
 from ...kernels.linear_algebra import norm
 from ...kernels.memory import download, upload
@@ -37,15 +37,15 @@ from .furniture import SIZE, build_room, furnished_room
 ROUNDS = 4
 
 
-def room_pose(share: float) -> NDArray[np.float64]:
+def room_pose(fraction: float) -> NDArray[np.float64]:
     """Camera to world [m] at a fraction 0 to 1 of the walk, 2 to 3 m from most visible surfaces."""
-    angle = 2 * math.pi * ROUNDS * share + 0.35
-    behind = _blend(share, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
-    pitch = math.radians(_blend(share, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
-    height = _blend(share, (0.0, 0.50, 0.58, 1.0), (1.5, 1.4, 1.65, 1.75))
+    angle = 2 * math.pi * ROUNDS * fraction + 0.35
+    behind = _blend(fraction, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
+    pitch = math.radians(_blend(fraction, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
+    height = _blend(fraction, (0.0, 0.50, 0.58, 1.0), (1.5, 1.4, 1.65, 1.75))
     x, y = SIZE[0] / 2 - behind * math.cos(angle), SIZE[1] / 2 - 0.75 * behind * math.sin(angle)
     eye = np.array([x, y, height + 0.05 * math.sin(5 * angle)])
-    yaw = angle - math.radians(_blend(share, (0.0, 0.74, 0.82, 1.0), (0.0, 0.0, 55.0, 55.0)))
+    yaw = angle - math.radians(_blend(fraction, (0.0, 0.74, 0.82, 1.0), (0.0, 0.0, 55.0, 55.0)))
     return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
 
 
@@ -62,44 +62,44 @@ def look_along(
     return T
 
 
-def _blend(share: float, knots: tuple[float, ...], values: tuple[float, ...]) -> float:
+def _blend(fraction: float, knots: tuple[float, ...], values: tuple[float, ...]) -> float:
     """Interpolate values with curves that have zero slope at the given fractions."""
     for a, b, low, high in zip(knots, knots[1:], values, values[1:], strict=False):
-        if share <= b:
-            t = (share - a) / (b - a)
+        if fraction <= b:
+            t = (fraction - a) / (b - a)
             return low + (high - low) * t * t * (3 - 2 * t)
     return values[-1]
 
 
-def round_pose(share: float) -> NDArray[np.float64]:
+def round_pose(fraction: float) -> NDArray[np.float64]:
     """Camera to world [m] on a circle around the center, looking across it. Up and down three times."""
-    a = 2 * math.pi * share
+    a = 2 * math.pi * fraction
     yaw, pitch = a + 0.35, math.radians(-6 + 27 * math.sin(3 * a))
     behind = 0.75 + 0.25 * math.sin(2 * a + 1)
     position = (-behind * math.cos(yaw), -0.8 * behind * math.sin(yaw), 1.5 + 0.15 * math.sin(2 * a))
-    return _hand_held(share, position, yaw, pitch)
+    return _hand_held(fraction, position, yaw, pitch)
 
 
-def eight_pose(share: float) -> NDArray[np.float64]:
+def eight_pose(fraction: float) -> NDArray[np.float64]:
     """Camera to world [m] on a figure of eight along the room. Up and down four times."""
-    a = -2 * math.pi * share
+    a = -2 * math.pi * fraction
     yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
     pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
     position = (1.05 * math.sin(a), -0.42 * math.sin(2 * a), 1.5 + 0.12 * math.cos(3 * a))
-    return _hand_held(share, position, yaw, pitch)
+    return _hand_held(fraction, position, yaw, pitch)
 
 
-def film_pose(share: float) -> NDArray[np.float64]:
+def film_pose(fraction: float) -> NDArray[np.float64]:
     """Camera to world [m] on a wide circle along the walls, with wide baselines, for color alone."""
-    yaw = 2 * math.pi * share + 0.35
-    pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * share))
-    position = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * share))
-    return _hand_held(share, position, yaw, pitch)
+    yaw = 2 * math.pi * fraction + 0.35
+    pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * fraction))
+    position = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * fraction))
+    return _hand_held(fraction, position, yaw, pitch)
 
 
-def _hand_held(share: float, position: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
+def _hand_held(fraction: float, position: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
     """A pose from the floor center with hand tremor of 3 mm and 0.2 degrees at about 1 Hz, periodic over the loop."""
-    a = 2 * math.pi * share
+    a = 2 * math.pi * fraction
     tremble = 0.003 * np.sin([19 * a + 0.3, 23 * a + 1.1, 17 * a + 2.0])
     yaw += math.radians(0.2) * math.sin(21 * a + 0.7)
     pitch += math.radians(0.2) * math.sin(18 * a + 0.1)
@@ -158,10 +158,10 @@ class RoomSequence:
         """Render a frame. The same index always gives the same frame."""
         if not 0 <= index < self.frame_count:
             raise IndexError(f"index: expected 0 to {self.frame_count - 1}, got {index}")
-        camera, effects, share = self.intrinsic, self._effects, index / self.frame_count
+        camera, effects, fraction = self.intrinsic, self._effects, index / self.frame_count
         width, height = camera.width, camera.height
-        T = self._path(share)
-        room = self._room if effects is None or not effects.person else person_in(self._room, T, share)
+        T = self._path(fraction)
+        room = self._room if effects is None or not effects.person else person_in(self._room, T, fraction)
         depth, incidence, colors = self._look(room, T)
         if self.noise:
             depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
@@ -302,15 +302,15 @@ def room_views(
     frame_count = len(matrices)
     seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
 
-    def path(share: float) -> NDArray[np.float64]:
-        return matrices[min(round(share * frame_count), frame_count - 1)]
+    def path(fraction: float) -> NDArray[np.float64]:
+        return matrices[min(round(fraction * frame_count), frame_count - 1)]
 
     return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **_grain(texture, color_noise))
 
 
 def _grain(texture: Any, color_noise: Any) -> dict[str, Any]:
-    share = check_share("texture", float(texture) if isinstance(texture, bool) else texture)
-    return {"texture": share, "color_noise": _checked_noise(color_noise, texture)}
+    fraction = check_fraction("texture", float(texture) if isinstance(texture, bool) else texture)
+    return {"texture": fraction, "color_noise": _checked_noise(color_noise, texture)}
 
 
 def _checked_noise(color_noise: Any, texture: Any) -> float:
@@ -448,10 +448,10 @@ class RoomEffects:
         return (1 + self.exposure) ** np.mean(waves, axis=0)
 
 
-def person_in(room: Room, T_world_camera: NDArray[np.float64], share: float) -> Room:
+def person_in(room: Room, T_world_camera: NDArray[np.float64], fraction: float) -> Room:
     """The room with a person in front of the camera. The lighting does not change."""
     parts, eye, forward = furnished_room(), T_world_camera[:3, 3], T_world_camera[:3, 2]
-    angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * share)
+    angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * fraction)
     x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), SIZE[0] - 0.35)
     y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), SIZE[1] - 0.35)
     parts.set_frame(x, y, angle=math.degrees(angle))

@@ -24,8 +24,8 @@ from ..frames.dataset_layouts import associate
 from ..frames.datasets import Frame
 from ..frames.frame_checks import checked_frame
 from ..frames.frame_times import TimeWatch
-from ..pictures.image_files import decode_depth, decode_texture
-from ..pictures.png_stream import PNG_MAGIC
+from ..images.image_files import decode_depth, decode_texture
+from ..images.png_stream import PNG_MAGIC
 from .message_chunks import byte_order
 
 IMAGE, COMPRESSED, CAMERA_INFO = (f"sensor_msgs/msg/{name}" for name in ("Image", "CompressedImage", "CameraInfo"))
@@ -276,7 +276,7 @@ class RecordedFrames(Assessed):
         return intrinsic_of_message(path, message, rectified=rectified)
 
 
-def choose_pictures(recording: Messages, depth: str | None, color: str | None) -> tuple[str, str | None]:
+def choose_images(recording: Messages, depth: str | None, color: str | None) -> tuple[str, str | None]:
     """The given depth and color topics, or the only ones. Raises `FileError` if none or several match."""
     kinds = {name: kind for name, kind in recording.topic_types().items() if kind in (IMAGE, COMPRESSED)}
     depths = [name for name in kinds if is_depth(kinds[name], recording.content_at(recording.rows_of(name)[0]))]

@@ -30,7 +30,7 @@ from .db3 import read_db3
 from .mcap import read_mcap
 from .message_chunks import Contents, RecordingWarning, byte_order
 from .motions import IMU, POSES, ImuReadings, imu_of_messages, trajectory_of_messages
-from .recorded_frames import RecordedFrames, choose_pictures
+from .recorded_frames import RecordedFrames, choose_images
 from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
@@ -221,7 +221,7 @@ class Recording:
         apart, step = check_positive("tolerance", tolerance), check_count("every", every)
         if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
-        recorded = RecordedFrames(self, *choose_pictures(self, depth, color), intrinsic, apart, step)
+        recorded = RecordedFrames(self, *choose_images(self, depth, color), intrinsic, apart, step)
         if not len(recorded):
             reason = f"no images of {recorded.depth} and {recorded.color} were taken within {apart:g} s"
             raise FileError(self.path, reason, remedy="Give a larger tolerance, or other topics")
@@ -247,6 +247,7 @@ class Recording:
         return trajectory_of_messages(self.path, chosen, self.topic_types()[chosen], messages)
 
     def topic_types(self) -> dict[str, str]:
+        """Message type of each topic."""
         return {topic.name: topic.type for topic in self.topics if topic.count}
 
     def rows_of(self, topic: str) -> list[tuple[int, int, int, int, int]]:
@@ -254,6 +255,7 @@ class Recording:
         return [row for row in self._rows if self._parts[row[1]].channels[row[2]].topic == topic]
 
     def bytes_at(self, row: tuple[int, int, int, int, int]) -> tuple[str, bytes]:
+        """Encoding and bytes of a message, by its row of `rows_of`."""
         return self._parts[row[1]].channels[row[2]].encoding, self._payload(row)
 
     def content_at(self, row: tuple[int, int, int, int, int]) -> Any:

@@ -151,9 +151,9 @@ class RecordedTransforms:
         after = np.minimum(np.searchsorted(joint.times, times, side="right"), len(joint.times) - 1)
         before = np.maximum(after - 1, 0)
         gap = joint.times[after] - joint.times[before]
-        share = np.divide(times - joint.times[before], gap, out=np.zeros(len(times)), where=gap > 0)[:, None]
-        translations = joint.translations[before] + share * (joint.translations[after] - joint.translations[before])
-        return _matrices(translations, _between(joint.rotations[before], joint.rotations[after], share))
+        fraction = np.divide(times - joint.times[before], gap, out=np.zeros(len(times)), where=gap > 0)[:, None]
+        translations = joint.translations[before] + fraction * (joint.translations[after] - joint.translations[before])
+        return _matrices(translations, _between(joint.rotations[before], joint.rotations[after], fraction))
 
 
 def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]]) -> RecordedTransforms:
@@ -198,14 +198,14 @@ def _plain(frame: str) -> str:
     return frame.removeprefix("/")
 
 
-def _between(a: Matrix, b: Matrix, share: Matrix) -> Matrix:
+def _between(a: Matrix, b: Matrix, fraction: Matrix) -> Matrix:
     """Slerp of unit quaternions on the shorter arc (Shoemake 1985), shape (n, 4)."""
     cosine = (a * b).sum(axis=1, keepdims=True)
     b, cosine = np.where(cosine < 0, -b, b), np.abs(cosine)
     half = np.arccos(np.minimum(cosine, 1.0))
     sine = np.where(cosine < _ALIKE, np.sin(half), 1.0)
-    first = np.where(cosine < _ALIKE, np.sin((1 - share) * half) / sine, 1 - share)
-    second = np.where(cosine < _ALIKE, np.sin(share * half) / sine, share)
+    first = np.where(cosine < _ALIKE, np.sin((1 - fraction) * half) / sine, 1 - fraction)
+    second = np.where(cosine < _ALIKE, np.sin(fraction * half) / sine, fraction)
     mixed = first * a + second * b
     return mixed / np.linalg.norm(mixed, axis=1, keepdims=True)
 

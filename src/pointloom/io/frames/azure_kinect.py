@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count
 from ...core.errors import CameraError
-from ..pictures.image_files import decode_texture
+from ..images.image_files import decode_texture
 from .depth_cameras import DepthCamera, import_driver, recording_path
 
 

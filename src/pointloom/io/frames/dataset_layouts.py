@@ -149,7 +149,7 @@ def read_frame_times(folder: Path) -> dict[str, float | None] | None:
 def list_redwood(folder: Path, demand: Demand | None = None) -> list[FrameFiles]:
     """Frames of a Redwood folder, color paired by name and poses by the ids of the log."""
     demand = demand or Demand()
-    depths = _list_pictures(folder / "depth", (".png",))
+    depths = _list_images(folder / "depth", (".png",))
     colors = _find_colors(folder, depths, demand)
     log = folder / "trajectory.log"
     poses: dict[Path, NDArray[np.float64]] = {}
@@ -192,7 +192,7 @@ def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArr
     )
 
 
-def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
+def _list_images(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
     """Images of a folder, sorted by number, without duplicate stems or hidden files."""
     if not folder.is_dir():
         raise DatasetError(folder, "missing", remedy="Give the folder above it, or another layout")
@@ -214,7 +214,7 @@ def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path,
         return None
     if len(folders) > 1:
         raise DatasetError(folders[1], f"duplicates {folders[0].name}", remedy="Keep one folder of color")
-    colors = _list_pictures(folders[0], (".png", ".jpg", ".jpeg"))
+    colors = _list_images(folders[0], (".png", ".jpg", ".jpeg"))
     depth_keys, color_keys = _pairing_keys(depths, colors)
     by_key = dict(zip(color_keys, colors, strict=True))
     pairs = {}

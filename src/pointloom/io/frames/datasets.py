@@ -23,13 +23,13 @@ from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 from ...core.paths import is_file, path_of
 from ...core.reports import Assessed, failed
-from ..pictures.image_files import (
-    PictureHeader,
+from ..images.image_files import (
+    ImageHeader,
     check_color_header,
     check_depth_header,
     read_color,
     read_depth,
-    read_picture_header,
+    read_image_header,
     resize_color,
 )
 from .dataset_layouts import Demand, FrameFiles, list_redwood, list_seven_scenes, list_tum
@@ -40,13 +40,13 @@ _COLOR_WORD = re.compile(r"(?<![a-z])(?:colou?r|rgb|image|img)(?![a-z])", re.I)
 _POSE_WORD = re.compile(r"(?<![a-z])pose(?![a-z])", re.I)
 
 
-def contains_pictures(folder: Path) -> bool:
+def contains_images(folder: Path) -> bool:
     """True if a PNG in the folder has a name of a depth map."""
     names = [path.name for path in folder.iterdir() if path.is_file()]
     return any(n.lower().endswith(".png") and _DEPTH_WORD.search(Path(n).stem) for n in names if n[0] != ".")
 
 
-def list_pictures(folder: Path, demand: Demand) -> list[FrameFiles]:
+def list_images(folder: Path, demand: Demand) -> list[FrameFiles]:
     depths: dict[str, Path] = {}
     colors: dict[str, Path] = {}
     poses: dict[str, Path] = {}
@@ -143,7 +143,7 @@ def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: f
             return with_warning(FoundCamera(PinholeCameraIntrinsic.from_matrix(K, *size), str(path), depth_scale))
         except ValueError as error:
             raise FileError(path, str(error)) from error
-    if layout == "pictures":
+    if layout == "images":
         remedy = "Give intrinsic=, or put a camera-intrinsics.json beside them"
         raise DatasetError(folder, "the camera of its images is unknown", remedy=remedy)
     intrinsic, source = PinholeCameraIntrinsic.prime_sense_default(), f"the default of {layout}"
@@ -227,7 +227,7 @@ class RGBDDataset(Assessed):
 
     Args:
         folder: The folder.
-        layout: "7scenes", "redwood", "tum" or "pictures".
+        layout: "7scenes", "redwood", "tum" or "images".
         intrinsic: The camera of depth and color, which are registered to each other.
         depth_scale: Depth units per meter.
         frames: The files, in order of capture.
@@ -279,8 +279,8 @@ class RGBDDataset(Assessed):
         size = (self.intrinsic.height, self.intrinsic.width)
         if color is not None and self.resize_color and color.shape[:2] != size:
             color = resize_color(color, size, str(files.color))
-        for path, picture in ((files.depth, depth), (files.color, color)):
-            if picture is not None and picture.shape[:2] != size:
+        for path, image in ((files.depth, depth), (files.color, color)):
+            if image is not None and image.shape[:2] != size:
                 raise FileError(str(path), "has changed its size since the folder was opened", remedy="Open it again")
         if depth.dtype != np.uint16:
             raise FileError(files.depth, "is no longer a 16-bit PNG", remedy="Open the folder again")
@@ -356,19 +356,19 @@ def open_frames(
 ) -> RGBDDataset:
     """Open a folder of RGB-D frames with or without poses.
 
-    The layouts are those of `open_dataset` with optional poses (`T_world_camera` is None without), and `pictures`:
+    The layouts are those of `open_dataset` with optional poses (`T_world_camera` is None without), and `images`:
     depth and color side by side whose names differ by one word, such as `1.png` and `1_depth.png`, or `img_prev.png`,
-    `dep_prev.png` and `pose_prev.txt` (a matrix, or tx ty tz qx qy qz qw). `pictures` requires `intrinsic` and
+    `dep_prev.png` and `pose_prev.txt` (a matrix, or tx ty tz qx qy qz qw). `images` requires `intrinsic` and
     `depth_scale`.
 
     Args:
         folder: The folder.
-        layout: "7scenes", "redwood", "tum", "pictures", or "auto" to detect it.
+        layout: "7scenes", "redwood", "tum", "images", or "auto" to detect it.
         intrinsic: The camera; overrides that of the folder.
         every: Take every k-th frame, starting with the first.
         depth_scale: Depth units per meter; overrides that of the folder.
         poses: Read the poses in the folder, if any.
-        skip_missing: Skip frames that lack an image, or (except in "pictures") whose pose is inf or NaN, and list them
+        skip_missing: Skip frames that lack an image, or (except in "images") whose pose is inf or NaN, and list them
             in `left_out`.
         resize_color: Resize color to the size of depth. Both must show the same view.
 
@@ -387,12 +387,12 @@ def open_frames(
         >>> [(frame.name, frame.T_world_camera) for frame in frames]
         [('frame-000000', None)]
     """
-    if check_name("layout", layout) not in ("auto", *LAYOUTS, "pictures"):
-        raise ValueError(f"layout: expected 'auto' or one of {(*LAYOUTS, 'pictures')}, got {layout!r}")
+    if check_name("layout", layout) not in ("auto", *LAYOUTS, "images"):
+        raise ValueError(f"layout: expected 'auto' or one of {(*LAYOUTS, 'images')}, got {layout!r}")
     scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
     folder, every = _check_folder(folder), _check_every(folder, every)
     chosen = _detect_loosely(folder) if layout == "auto" else layout
-    demand = Demand("taken" if poses else "ignored", bool(skip_missing), skip_missing == "pictures")
+    demand = Demand("taken" if poses else "ignored", bool(skip_missing), skip_missing == "images")
     return _open(folder, chosen, intrinsic, scale, every, demand, bool(resize_color))
 
 
@@ -430,7 +430,7 @@ def _open(
     elif layout == "tum":
         frames = list_tum(folder, demand)[0][::every]
     else:
-        frames = list_pictures(folder, demand)[::every]
+        frames = list_images(folder, demand)[::every]
     frames = [frame for frame in frames if _is_complete(frame, demand)]
     size = _check_headers(folder, frames, resize)
     if intrinsic is None:
@@ -471,7 +471,7 @@ def _detect_loosely(folder: Path) -> str:
         return layout
     marks["redwood"].pop("trajectory.log")
     marks["tum"].pop("groundtruth.txt")
-    return _detect_layout(folder, {**marks, "pictures": {"a PNG with depth in its name": False}})
+    return _detect_layout(folder, {**marks, "images": {"a PNG with depth in its name": False}})
 
 
 def _layout_without_poses(folder: Path, marks: dict[str, dict[str, bool]]) -> str | None:
@@ -479,7 +479,7 @@ def _layout_without_poses(folder: Path, marks: dict[str, dict[str, bool]]) -> st
         return "tum"
     if marks["redwood"]["depth/"]:
         return "redwood"
-    return "pictures" if contains_pictures(folder) else None
+    return "images" if contains_images(folder) else None
 
 
 def _detect_layout(folder: Path, layout_marks: dict[str, dict[str, bool]]) -> str:
@@ -494,7 +494,7 @@ def _detect_layout(folder: Path, layout_marks: dict[str, dict[str, bool]]) -> st
         f"{layout}: {', '.join(f'{mark} ({state[there]})' for mark, there in marks.items())}"
         for layout, marks in layout_marks.items()
     )
-    known = contains_frames if "pictures" in layout_marks else is_dataset
+    known = contains_frames if "images" in layout_marks else is_dataset
     inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and known(d)), None)
     remedy = (
         f"Did you mean {inner}?" if inner else "Give the folder that contains these files, or convert to one of them"
@@ -529,7 +529,7 @@ def contains_frames(folder: Path) -> bool:
 
 def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tuple[int, int]:
     """Width and height of all images, which must agree. Color need only agree with itself if it is resized."""
-    sizes: dict[str, tuple[Path, PictureHeader]] = {}
+    sizes: dict[str, tuple[Path, ImageHeader]] = {}
     for frame in frames:
         for kind, path, check in (
             ("depth", frame.depth, check_depth_header),
@@ -537,7 +537,7 @@ def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tupl
         ):
             if path is None:
                 continue
-            header = read_picture_header(path)
+            header = read_image_header(path)
             check(path, header)
             first_path, first = sizes.setdefault(kind, (path, header))
             if (header.width, header.height) != (first.width, first.height):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_numeric, check_rigid
 from ...core.time_checks import check_time
-from ..pictures.image_files import resize_color
+from ..images.image_files import resize_color
 from .datasets import Frame
 
 

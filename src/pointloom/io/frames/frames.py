@@ -18,7 +18,7 @@ from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.matched_counts import why_few_matched
 from ...core.reports import failed
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from .datasets import RGBDDataset, open_frames
 from .rgbd_sources import RGBDSource
 
@@ -50,7 +50,7 @@ class FrameSource(Protocol):
 def check_frames(name: str, frames: Any) -> FrameSource | RGBDSource:
     can_give = can_read(frames) or hasattr(frames, "__iter__")
     if not can_give or not isinstance(getattr(frames, "intrinsic", None), PinholeCameraIntrinsic):
-        remedy = "loom.frames_from(pictures, intrinsic) creates them from images, loom.open_frames from a folder"
+        remedy = "loom.frames_from(images, intrinsic) creates them from images, loom.open_frames from a folder"
         raise TypeError(f"{name}: expected RGB-D frames of one camera, got {type(frames).__name__}; {remedy}")
     check_positive(f"{name}: depth_scale", getattr(frames, "depth_scale", None))
     return frames
@@ -81,7 +81,7 @@ def open_folder(
     """Open a folder with `open_frames`, poses optional. Incomplete frames are skipped and listed."""
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     options = {"layout": layout, "every": every, "depth_scale": depth_scale}
-    return open_frames(folder, intrinsic=camera, skip_missing="pictures", **options)
+    return open_frames(folder, intrinsic=camera, skip_missing="images", **options)
 
 
 def describe_folder(folder: FilePath, dataset: RGBDDataset, intrinsic: FilePath | None) -> dict[str, Any]:
@@ -136,7 +136,7 @@ def read_in_order(
                 future.cancel()
 
 
-def measured_shares(depth: NDArray[Any], farthest: float) -> tuple[float, float]:
+def measured_fractions(depth: NDArray[Any], farthest: float) -> tuple[float, float]:
     """Fraction of pixels with depth, and with depth up to `farthest` [unit of the image]."""
     measured = depth > 0
     return float(np.mean(measured)), float(np.mean(measured & (depth <= farthest)))
@@ -172,12 +172,12 @@ def source_warnings(frames: Any) -> tuple[str, ...]:
     return failed(unpaired, camera)
 
 
-def why_out_of_range(depth_share: float, used_share: float, depth_max: float) -> str | None:
+def why_out_of_range(depth_fraction: float, used_fraction: float, depth_max: float) -> str | None:
     """Why hardly any pixel is within the depth limit, or None."""
-    used, measured = format_share(used_share), format_share(depth_share)
-    if used_share >= HARDLY_ANY:
+    used, measured = format_fraction(used_fraction), format_fraction(depth_fraction)
+    if used_fraction >= HARDLY_ANY:
         return None
-    if depth_share >= HARDLY_ANY:
+    if depth_fraction >= HARDLY_ANY:
         return (
             f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "
             "raise depth_max, or check the layout (its depth unit)"

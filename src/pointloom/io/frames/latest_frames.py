@@ -28,8 +28,8 @@ class LatestFrames:
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> pictures = ((None, np.full((48, 64), 1000, np.uint16)) for _ in range(50))
-        >>> with loom.LatestFrames(loom.frames_from(pictures, camera)) as latest:
+        >>> images = ((None, np.full((48, 64), 1000, np.uint16)) for _ in range(50))
+        >>> with loom.LatestFrames(loom.frames_from(images, camera)) as latest:
         ...     taken = sum(1 for frame in latest)
         >>> taken + latest.dropped
         50

@@ -121,8 +121,8 @@ class RealSenseCamera(DepthCamera):
             if self._align is not None:
                 aligned = self._align.process(frames)
                 depth, color = aligned.get_depth_frame(), aligned.get_color_frame()
-            picture = None if color is None else np.asanyarray(color.get_data())
-            return np.asanyarray(depth.get_data()), picture, depth.get_timestamp() / 1000
+            image = None if color is None else np.asanyarray(color.get_data())
+            return np.asanyarray(depth.get_data()), image, depth.get_timestamp() / 1000
 
     def _look_ahead(self) -> tuple[Any, Any, float, Any] | Exception | None:
         """The next frame set, or its error, so that the frame before it is delivered first."""

@@ -22,7 +22,7 @@ from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...core.serialized import Serialized
-from ..pictures.image_files import write_png
+from ..images.image_files import write_png
 from .dataset_layouts import FRAME_TIMES
 from .datasets import Frame
 from .frame_checks import checked_frame
@@ -134,8 +134,8 @@ def record_frames(source: RGBDSource, folder: str | os.PathLike[str], *, progres
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> pictures = [(None, np.full((48, 64), 1000, np.uint16)) for _ in range(3)]
-        >>> loom.record_frames(loom.frames_from(pictures, camera), "recording")
+        >>> images = [(None, np.full((48, 64), 1000, np.uint16)) for _ in range(3)]
+        >>> loom.record_frames(loom.frames_from(images, camera), "recording")
         3
     """
     if not isinstance(source, RGBDSource):

@@ -25,8 +25,8 @@ class RGBDSource(Protocol):
         >>> import numpy as np, pointloom as loom
         >>> from pointloom.io.frames.rgbd_sources import RGBDSource
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> pictures = [(np.zeros((48, 64, 3), np.uint8), np.full((48, 64), 1500, np.uint16))] * 2
-        >>> source = loom.frames_from(pictures, camera)
+        >>> images = [(np.zeros((48, 64, 3), np.uint8), np.full((48, 64), 1500, np.uint16))] * 2
+        >>> source = loom.frames_from(images, camera)
         >>> isinstance(source, RGBDSource), len(list(source))
         (True, 2)
     """
@@ -102,8 +102,8 @@ def frames_from(
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> pictures = [(None, np.full((48, 64), 1000 + i, np.uint16), 0.1 * i) for i in range(2)]
-        >>> [(f.name, f.timestamp) for f in loom.frames_from(pictures, camera)]
+        >>> images = [(None, np.full((48, 64), 1000 + i, np.uint16), 0.1 * i) for i in range(2)]
+        >>> [(f.name, f.timestamp) for f in loom.frames_from(images, camera)]
         [('frame-000000', 0.0), ('frame-000001', 0.1)]
     """
     if isinstance(frames, str | bytes | dict) or not hasattr(frames, "__iter__"):

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..color_space import linear_to_srgb
-from ..pictures.texture_files import decode_textures, drop_alpha
+from ..images.texture_files import decode_textures, drop_alpha
 from ..source import open_source
 from ..table import MeshTable
 from .gltf_arrays import GltfArrays
@@ -100,7 +100,7 @@ class Materials:
         A[:, 2] = offset
         return None if np.array_equal(A, np.eye(2, 3)) else A
 
-    def pictures(self, used: list[int]) -> tuple[tuple[NDArray[np.uint8], ...], list[int]]:
+    def images(self, used: list[int]) -> tuple[tuple[NDArray[np.uint8], ...], list[int]]:
         """Images of the used materials and the image index of each use.
         Empty if all are plain white, or, noted as dropped, if an image is damaged or the total is too large."""
         numbers = sorted(set(used), key=lambda number: (number < 0, number))
@@ -125,19 +125,19 @@ class Materials:
             self._left.add(f"the textures, because {error}")
             return (), []
         made: dict[tuple[Hashable, float], NDArray[np.uint8]] = {}
-        pictures = []
+        images = []
         for key, color in zip(keys, colors, strict=True):
             if key is None:
-                pictures.append(_pixel(color.factor))
+                images.append(_pixel(color.factor))
                 continue
-            picture = decoded[key]
-            if color.cutoff is not None and (picture.shape[2] == 4 or color.cutoff > 1):
+            image = decoded[key]
+            if color.cutoff is not None and (image.shape[2] == 4 or color.cutoff > 1):
                 if (key, color.cutoff) not in made:
-                    made[key, color.cutoff] = drop_alpha(picture, color.cutoff)
-                picture = made[key, color.cutoff]
-            pictures.append(picture)
+                    made[key, color.cutoff] = drop_alpha(image, color.cutoff)
+                image = made[key, color.cutoff]
+            images.append(image)
         index_of = {number: index for index, number in enumerate(numbers)}
-        return tuple(pictures), [index_of[number] for number in used]
+        return tuple(images), [index_of[number] for number in used]
 
     def _image(self, texture: Any, what: str) -> tuple[Hashable, str, Any]:
         """Key, name and bytes of a texture's image; or the reason for its absence and None."""
@@ -241,7 +241,7 @@ class _Parts:
         positions = np.concatenate([part.positions for part in self.vertices])
         mesh = MeshTable(positions, np.concatenate(self.triangles), self._of_all("normals"), self._of_all("colors"))
         mesh.attributes = self._attributes()
-        mesh.textures, numbers = self.looks.pictures(self.materials)
+        mesh.textures, numbers = self.looks.images(self.materials)
         if mesh.textures and any(numbers):
             mesh.triangle_material_ids = np.repeat(numbers, counts)
         if mesh.textures or any(part is not None for part in self.uvs):

@@ -24,8 +24,8 @@ from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ..color_space import srgb_to_linear
-from ..pictures.image_files import encode_png
-from ..pictures.texture_files import alpha_mode, derived_name, picture_names, write_with
+from ..images.image_files import encode_png
+from ..images.texture_files import alpha_mode, derived_name, image_names, write_with
 from ..table import MeshTable
 from .glb_container import BINARY_CHUNK, JSON_CHUNK, MAGIC
 from .gltf_arrays import COMPONENTS
@@ -57,8 +57,8 @@ def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool
     """Write a triangle mesh as glTF text with m.bin and m_0.png, ... beside m.gltf, each file atomically."""
     path = check_writable(path, overwrite=overwrite)
     scene, name = _scene_of(path, mesh), derived_name(path, ".bin")
-    beside: dict[str, Any] = dict(zip(picture_names(path, len(scene.images)), scene.images, strict=True))
-    text = _text(scene, [{"uri": quote(picture)} for picture in beside], {"uri": quote(name)})
+    beside: dict[str, Any] = dict(zip(image_names(path, len(scene.images)), scene.images, strict=True))
+    text = _text(scene, [{"uri": quote(image)} for image in beside], {"uri": quote(name)})
     with write_with(path, {name: bytes(scene.body.data), **beside}, overwrite=overwrite) as file:
         file.write(text)
 
@@ -176,15 +176,15 @@ def _assemble(
         "nodes": [node],
         "meshes": [{"primitives": primitives}],
     }
-    images = list({id(picture): picture for picture in mesh.textures}.values())
+    images = list({id(image): image for image in mesh.textures}.values())
     if images:
-        modes = {id(picture): alpha_mode(picture) for picture in images}
-        image_index = {id(picture): number for number, picture in enumerate(images)}
+        modes = {id(image): alpha_mode(image) for image in images}
+        image_index = {id(image): number for number, image in enumerate(images)}
         content |= {
             "textures": [{"source": number} for number in range(len(images))],
-            "materials": [_material(image_index[id(picture)], modes[id(picture)]) for picture in mesh.textures],
+            "materials": [_material(image_index[id(image)], modes[id(image)]) for image in mesh.textures],
         }
-        images = [picture[..., :3] if modes[id(picture)] == "OPAQUE" else picture for picture in images]
+        images = [image[..., :3] if modes[id(image)] == "OPAQUE" else image for image in images]
     return _Scene(content, body, images)
 
 

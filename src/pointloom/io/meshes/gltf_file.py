@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ..pictures.texture_files import find_beside, why_missing
+from ..images.texture_files import find_beside, why_missing
 from ..source import open_source
 from .glb_container import MAGIC, split_chunks
 

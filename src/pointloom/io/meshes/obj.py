@@ -24,12 +24,12 @@ from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_extent, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
-from ..pictures.texture_files import (
+from ..images.texture_files import (
     alpha_mode,
     derived_name,
     drop_alpha,
     find_beside,
-    picture_names,
+    image_names,
     read_textures,
     warn_left_behind,
     why_missing,
@@ -53,11 +53,11 @@ WHITE = (1.0, 1.0, 1.0)
 
 @dataclass
 class Material:
-    """A material of an MTL file: `picture` is map_Kd, `color` Kd in 0..1, `opacity` map_d; `scale`, `offset` map uv.
+    """A material of an MTL file: `image` is map_Kd, `color` Kd in 0..1, `opacity` map_d; `scale`, `offset` map uv.
     `is_opaque` is True without map_d and without d below 1."""
 
     name: str
-    picture: str | None = None
+    image: str | None = None
     color: tuple[float, ...] | None = None
     opacity: str | None = None
     is_opaque: bool = True
@@ -84,7 +84,7 @@ def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
         if note:
             notes.append(f"line {number}: {note}")
     for material in materials.values():
-        if material.opacity is not None and not material.opacity.endswith(material.picture or "\0"):
+        if material.opacity is not None and not material.opacity.endswith(material.image or "\0"):
             notes.append(f"the opacity map {material.opacity[:60]!r} of {material.name[:60]!r} is ignored")
     if notes:
         more = f"; and {len(notes) - _MAX_NOTES} more" if len(notes) > _MAX_NOTES else ""
@@ -133,7 +133,7 @@ def _take_map(material: Material, text: str) -> str:
             elif tuple(numbers) != _MOVING[option]:
                 lost.append(f"the option {option} of map_Kd")
         text = rest.lstrip()
-    material.picture = text or None
+    material.image = text or None
     if not text:
         lost.append("map_Kd, which names no image")
     return f"{', '.join(lost)} is ignored" if lost else ""
@@ -164,32 +164,32 @@ def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = 
     return [*materials.values()]
 
 
-def pictures_of(
+def images_of(
     path: Path, materials: list[Material], ids: NDArray[np.int64], *, outside_files: bool = False
 ) -> tuple[tuple[NDArray[np.uint8], ...], NDArray[np.int64]]:
     """Distinct images of the used materials, and the image index of each triangle.
     Empty if no used material has an image or a color, or, with a warning, if an image is missing or damaged."""
     used, numbers = np.unique(ids, return_inverse=True)
     materials = [materials[number] for number in used]
-    if all(material.picture is None and material.color is None for material in materials):
+    if all(material.image is None and material.color is None for material in materials):
         return (), numbers
-    named = [material.picture for material in materials if material.picture is not None]
+    named = [material.image for material in materials if material.image is not None]
     opaque: dict[int, NDArray[np.uint8]] = {}
-    pictures = iter(read_textures(path, named, outside_files=outside_files))
+    images = iter(read_textures(path, named, outside_files=outside_files))
     result = []
     for material in materials:
-        if material.picture is None:
+        if material.image is None:
             color = np.array(material.color or WHITE)
             result.append(np.rint(color * 255).astype(np.uint8).reshape(1, 1, 3))
             continue
-        picture = next(pictures, None)
-        if picture is None:
+        image = next(images, None)
+        if image is None:
             return (), numbers
-        if material.is_opaque and picture.shape[2] == 4:
-            if id(picture) not in opaque:
-                opaque[id(picture)] = drop_alpha(picture)
-            picture = opaque[id(picture)]
-        result.append(picture)
+        if material.is_opaque and image.shape[2] == 4:
+            if id(image) not in opaque:
+                opaque[id(image)] = drop_alpha(image)
+            image = opaque[id(image)]
+        result.append(image)
     return tuple(result), numbers
 
 
@@ -213,16 +213,16 @@ def mtl_of(
 ) -> tuple[bytes, dict[str, NDArray[np.uint8]]]:
     """The MTL text for these images and the image files it names, each once. An image of one pixel becomes a color."""
     lines, named, first = [], {}, {}
-    for number, (name, picture) in enumerate(zip(picture_names(path, len(textures)), textures, strict=True)):
+    for number, (name, image) in enumerate(zip(image_names(path, len(textures)), textures, strict=True)):
         lines.append(f"newmtl {material_name(number)}")
-        if picture.shape == (1, 1, 3):
-            lines.append("Kd {:.9g} {:.9g} {:.9g}".format(*(picture[0, 0] / 255)))
+        if image.shape == (1, 1, 3):
+            lines.append("Kd {:.9g} {:.9g} {:.9g}".format(*(image[0, 0] / 255)))
         else:
-            name = first.setdefault(id(picture), name)
+            name = first.setdefault(id(image), name)
             lines += ["Kd 1 1 1", f"map_Kd {name}"]
-            if alpha_mode(picture) != "OPAQUE":
+            if alpha_mode(image) != "OPAQUE":
                 lines.append(f"map_d {name}")
-            named[name] = picture
+            named[name] = image
     return "\n".join([*lines, ""]).encode("ascii"), named
 
 
@@ -415,7 +415,7 @@ def _add_textures(
         materials.append(Material(""))
     if mesh.triangle_uvs is not None:
         mesh.triangle_uvs = move_uvs(mesh.triangle_uvs, materials, numbers[used])
-    mesh.textures, ids = pictures_of(path, materials, numbers[used], outside_files=outside_files)
+    mesh.textures, ids = images_of(path, materials, numbers[used], outside_files=outside_files)
     if mesh.textures and ids.any():
         mesh.triangle_material_ids = ids
     if mesh.textures and mesh.triangle_uvs is None:
@@ -470,8 +470,8 @@ def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
     warn_left_out(path, "OBJ", lost)
     beside, library = {}, derived_name(path, ".mtl")
     if mesh.textures:
-        text, pictures = mtl_of(path, mesh.textures)
-        beside = {library: text, **pictures}
+        text, images = mtl_of(path, mesh.textures)
+        beside = {library: text, **images}
     with write_with(path, beside, overwrite=overwrite) as file:
         if mesh.textures:
             file.write(f"mtllib {library}\n".encode("ascii"))

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
-from ...cameras.picture_names import number_of
+from ...cameras.image_names import number_of
 from ...cameras.trajectory import Trajectory, read_poses_and_gaps
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError
@@ -38,7 +38,7 @@ _KNOWN = (
 def read_cameras(
     path: str | os.PathLike[str],
     *,
-    pictures: Sequence[str] | None = None,
+    images: Sequence[str] | None = None,
     intrinsic: PinholeCameraIntrinsic | None = None,
 ) -> SfmModel:
     """Read cameras and poses of images in any supported format.
@@ -47,12 +47,12 @@ def read_cameras(
     - A folder with COLMAP's cameras, images and points3D, see `read_colmap_model`.
     - `.json` with `frames`: transforms.json of nerfstudio or instant-ngp.
     - A folder with a JSON file per image: Polycam's keyframes/cameras, or 3D Scanner App.
-    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`. Requires `pictures` and
+    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`. Requires `images` and
       `intrinsic`.
 
     Args:
         path: The file or folder.
-        pictures: Image names, for trajectories only. They match poses by the time in the name (TUM, less than 0.02 s
+        images: Image names, for trajectories only. They match poses by the time in the name (TUM, less than 0.02 s
             apart) or the frame number (.log). Else sorted images correspond to poses one by one.
         intrinsic: The camera of all images, for trajectories only.
 
@@ -61,7 +61,7 @@ def read_cameras(
 
     Raises:
         FileError: An unknown format, damaged, or poses that cannot be assigned.
-        TypeError, ValueError: `pictures` or `intrinsic` is missing, or does not match the file.
+        TypeError, ValueError: `images` or `intrinsic` is missing, or does not match the file.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -69,7 +69,7 @@ def read_cameras(
         >>> poses[1, 0, 3] = 0.5
         >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[10.0, 10.5]))
         >>> lens = loom.PinholeCameraIntrinsic.prime_sense_default()
-        >>> model = loom.read_cameras("path.tum", pictures=["10.00.png", "10.50.png", "11.0.png"], intrinsic=lens)
+        >>> model = loom.read_cameras("path.tum", images=["10.00.png", "10.50.png", "11.0.png"], intrinsic=lens)
         >>> model.centers.tolist(), model.left_out
         ([[0.0, 0.0, 0.0], [0.5, 0.0, 0.0]], ('11.0.png: no pose',))
     """
@@ -84,9 +84,9 @@ def read_cameras(
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         reason = "contains only poses, and no lens"
         raise FileError(file, reason, remedy="Give the camera as intrinsic (--intrinsic, Open3D's JSON) too")
-    if pictures is None:
-        raise ValueError("pictures: expected the names of the images, which a trajectory does not contain")
-    names = [check_name("pictures", name) for name in check_list("pictures", pictures, "names")]
+    if images is None:
+        raise ValueError("images: expected the names of the images, which a trajectory does not contain")
+    names = [check_name("images", name) for name in check_list("images", images, "names")]
     trajectory = read_poses_and_gaps(file)
     lost = np.asarray(np.isnan(trajectory.poses).any(axis=(1, 2)))
     chosen = [None if row is None or lost[row] else row for row in _poses_of(file, trajectory, names)]

@@ -48,15 +48,15 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[[0, 0, 2.0]])
         >>> loom.write_colmap_model("sparse", model)
         >>> loom.read_colmap_model("sparse")
-        SfmModel(1 picture, 1 camera, 1 points, 0 observations)
+        SfmModel(1 image, 1 camera, 1 points, 0 observations)
     """
     root, form = find_colmap_model(folder)
     paths = {name: root / f"{name}.{form}" for name in FILES}
     read = FORMS[form]
     cameras = read.read_cameras(paths["cameras"])
-    pictures = read.read_pictures(paths["images"])
-    poses = read_frame_poses({name: root / f"{name}.{form}" for name in BESIDE}, pictures, read)
-    return assemble(paths, cameras, pictures, read.read_points(paths["points3D"]), poses)
+    images = read.read_images(paths["images"])
+    poses = read_frame_poses({name: root / f"{name}.{form}" for name in BESIDE}, images, read)
+    return assemble(paths, cameras, images, read.read_points(paths["points3D"]), poses)
 
 
 def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
@@ -108,7 +108,7 @@ def _form_of(folder: Path) -> str:
 def _size_of(folder: Path) -> str:
     try:
         form = _form_of(folder)
-        return f"{FORMS[form].count_pictures(folder / f'images.{form}')} images"
+        return f"{FORMS[form].count_images(folder / f'images.{form}')} images"
     except FileError:
         return "damaged"
 
@@ -150,7 +150,7 @@ def write_colmap_model(
     _check_writable(model, format)
     is_new = _prepare(folder, overwrite)
     write, records = FORMS[format], records_of(model)
-    writers = {"cameras": write.write_cameras, "images": write.write_pictures, "points3D": write.write_points}
+    writers = {"cameras": write.write_cameras, "images": write.write_images, "points3D": write.write_points}
     try:
         with atomic_files(folder, _KNOWN) as part:
             for name, write_file in writers.items():
@@ -171,7 +171,7 @@ def _check_writable(model: SfmModel, format: str) -> None:
     for camera in set(model.cameras):
         if MODELS[camera.model].number is None:
             reason = f"model: COLMAP has no camera model {camera.model}"
-            raise ValueError(f"{reason}; undistort the images first, see loom.undistort_picture")
+            raise ValueError(f"{reason}; undistort the images first, see loom.undistort_image")
     for name in model.names:
         if "\0" in name or len(name.encode(errors="replace")) > colmap_binary.LONGEST_NAME:
             raise ValueError(f"model: COLMAP's files cannot store the image name {name[:80]!r}")

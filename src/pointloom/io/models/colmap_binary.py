@@ -16,13 +16,13 @@ from numpy.typing import NDArray
 from ...cameras.camera_models import MODEL_NUMBERS, MODELS, UNSUPPORTED, CameraModel
 from ...core.errors import FileError
 from ..source import open_source
-from .colmap_records import Picture, Points, Records, camera_of
+from .colmap_records import Image, Points, Records, camera_of
 from .colmap_rigs import SENSOR_TYPES, Frame, Pose, Rig, Sensor, rig_of
 
-_CAMERA, _PICTURE, _COUNT = struct.Struct("<IiQQ"), struct.Struct("<I7dI"), struct.Struct("<Q")
+_CAMERA, _IMAGE, _COUNT = struct.Struct("<IiQQ"), struct.Struct("<I7dI"), struct.Struct("<Q")
 _KEYPOINT = np.dtype([("place", "<f8", 2), ("point", "<i8")])
 _POINT = np.dtype([("number", "<i8"), ("position", "<f8", 3), ("color", "u1", 3), ("error", "<f8"), ("length", "<i8")])
-_STEP = np.dtype([("picture", "<u4"), ("keypoint", "<u4")])
+_STEP = np.dtype([("image", "<u4"), ("keypoint", "<u4")])
 _RIG, _SENSOR, _FRAME = struct.Struct("<II"), struct.Struct("<iI"), struct.Struct("<II7dI")
 _POSE, _FLAG, _DATA = struct.Struct("<7d"), struct.Struct("<B"), struct.Struct("<iIQ")
 _LENGTH_AT = _POINT.itemsize - 8
@@ -110,18 +110,18 @@ def unknown_model(path: Path, where: str, model: str, name: str | None) -> FileE
     return FileError(path, f"unknown camera model {model[:40]}", where=where, remedy=f"Supported are {known}")
 
 
-def read_pictures(path: Path) -> list[Picture]:
+def read_images(path: Path) -> list[Image]:
     file = _Reader(path)
-    pictures = []
-    for _ in range(file.count("images", _PICTURE.size + 1 + _COUNT.size)):
+    images = []
+    for _ in range(file.count("images", _IMAGE.size + 1 + _COUNT.size)):
         where = f"byte {file.at}"
-        number, *pose, camera = file.take(_PICTURE, "an image")
+        number, *pose, camera = file.take(_IMAGE, "an image")
         name = file.text("the name of an image")
         keypoints = file.array(_KEYPOINT, file.count("keypoints", _KEYPOINT.itemsize), "keypoints")
         pixels, points = keypoints["place"], keypoints["point"]
-        pictures.append(Picture(number, name, tuple(pose[:4]), tuple(pose[4:]), camera, pixels, points, where))
+        images.append(Image(number, name, tuple(pose[:4]), tuple(pose[4:]), camera, pixels, points, where))
     file.close()
-    return pictures
+    return images
 
 
 def read_rigs(path: Path) -> list[Rig]:
@@ -149,7 +149,7 @@ def read_frames(path: Path) -> list[Frame]:
         number, rig, *pose, count = file.take(_FRAME, "a frame")
         file.need(count * _DATA.size, "the data of a frame")
         values = [file.take(_DATA, "the data of a frame") for _ in range(count)]
-        data = [(_sensor(file, kind, sensor), picture) for kind, sensor, picture in values]
+        data = [(_sensor(file, kind, sensor), image) for kind, sensor, image in values]
         frames.append(Frame(number, rig, tuple(pose), data, where))
     file.close()
     return frames
@@ -175,7 +175,7 @@ def read_points(path: Path) -> Points:
     for begin in range(0, count, _ROWS):
         is_track[starts[begin : begin + _ROWS, None] + np.arange(_POINT.itemsize)] = False
     steps = data[is_track].view(_STEP)
-    tracks = np.stack([steps["picture"], steps["keypoint"]], axis=1).astype(np.int64)
+    tracks = np.stack([steps["image"], steps["keypoint"]], axis=1).astype(np.int64)
     return Points(
         fixed["number"].astype(np.int64),
         fixed["position"].astype(np.float64),
@@ -210,8 +210,8 @@ def _gather(data: NDArray[np.uint8], starts: NDArray[np.int64], width: int) -> N
     return rows
 
 
-def count_pictures(path: Path) -> int:
-    return _Reader(path).count("images", _PICTURE.size + 1 + _COUNT.size)
+def count_images(path: Path) -> int:
+    return _Reader(path).count("images", _IMAGE.size + 1 + _COUNT.size)
 
 
 def write_cameras(file: IO[bytes], records: Records) -> None:
@@ -221,13 +221,13 @@ def write_cameras(file: IO[bytes], records: Records) -> None:
         file.write(np.array(camera.params, "<f8").tobytes())
 
 
-def write_pictures(file: IO[bytes], records: Records) -> None:
+def write_images(file: IO[bytes], records: Records) -> None:
     model = records.model
     file.write(_COUNT.pack(len(model)))
     for i, name in enumerate(model.names):
         begin, end = records.starts[i], records.starts[i + 1]
         pose = (*records.quaternions[i], *model.T_camera_world[i, :3, 3])
-        file.write(_PICTURE.pack(i + 1, *pose, records.camera_numbers[i]))
+        file.write(_IMAGE.pack(i + 1, *pose, records.camera_numbers[i]))
         file.write(name.encode() + b"\0" + _COUNT.pack(end - begin))
         keypoints = np.empty(end - begin, _KEYPOINT)
         keypoints["place"], keypoints["point"] = records.keypoints[begin:end], model.observations[begin:end, 1] + 1
@@ -245,7 +245,7 @@ def write_points(file: IO[bytes], records: Records) -> None:
         fixed["error"], fixed["length"] = records.errors[begin:end], model.view_counts[begin:end]
         first, last = records.track_starts[begin], records.track_starts[end]
         steps = np.empty(last - first, _STEP)
-        steps["picture"], steps["keypoint"] = records.tracks[first:last].T
+        steps["image"], steps["keypoint"] = records.tracks[first:last].T
         starts = np.arange(end - begin) * _POINT.itemsize + (records.track_starts[begin:end] - first) * _STEP.itemsize
         block = np.empty(fixed.nbytes + steps.nbytes, np.uint8)
         is_track = np.ones(len(block), bool)

@@ -29,7 +29,7 @@ MIXED = "The files may be of different models"
 
 
 @dataclasses.dataclass
-class Picture:
+class Image:
     """A record of images.bin or images.txt, with quaternion w, x, y, z and translation world to camera.
     `keypoints` are their pixels (k, 2), `points` their point ids (k,), -1 for none; `where` is the location in
     the file."""
@@ -68,44 +68,44 @@ def camera_of(path: Path, where: str, model: str, width: int, height: int, param
 def assemble(
     paths: dict[str, Path],
     cameras: dict[int, CameraModel],
-    pictures: list[Picture],
+    images: list[Image],
     points: Points,
     poses: NDArray[np.float64] | None = None,
 ) -> SfmModel:
     """Build the model from records; `paths` by "cameras", "images" and "points3D" are for errors.
     `poses` (n, 4, 4) replace those of the image records."""
-    images, sparse = paths["images"], paths["points3D"]
-    if not pictures:
+    source, sparse = paths["images"], paths["points3D"]
+    if not images:
         raise FileError(
-            images, "contains no image", remedy="Mapping registered none, or the model was written before it finished"
+            source, "contains no image", remedy="Mapping registered none, or the model was written before it finished"
         )
-    _check_pictures(images, paths["cameras"], cameras, pictures)
+    _check_images(source, paths["cameras"], cameras, images)
     order, rows = _check_points(sparse, points)
     numbers = points.numbers[order]
-    counts = np.array([len(p.points) for p in pictures])
+    counts = np.array([len(p.points) for p in images])
     starts = np.concatenate([[0], np.cumsum(counts)])
-    owners, keypoints = np.concatenate([p.points for p in pictures]), np.concatenate([p.keypoints for p in pictures])
+    owners, keypoints = np.concatenate([p.points for p in images]), np.concatenate([p.keypoints for p in images])
     observed = np.flatnonzero(owners != NO_POINT)
-    observers = np.repeat(np.arange(len(pictures)), counts)[observed]
+    observers = np.repeat(np.arange(len(images)), counts)[observed]
     seen = _find_numbers(numbers, owners[observed])
     lost = np.flatnonzero(seen < 0)
     if len(lost):
-        picture, number = pictures[observers[lost[0]]], owners[observed][lost[0]]
-        reason = f"image {picture.name!r} observes point {number}, which is missing in {sparse.name}"
-        raise FileError(images, reason, where=picture.where, remedy=MIXED)
-    _check_tracks(sparse, points, rows, pictures, starts, owners)
+        image, number = images[observers[lost[0]]], owners[observed][lost[0]]
+        reason = f"image {image.name!r} observes point {number}, which is missing in {sparse.name}"
+        raise FileError(source, reason, where=image.where, remedy=MIXED)
+    _check_tracks(sparse, points, rows, images, starts, owners)
     if len(observed) != len(points.tracks):
         reason = f"{len(observed)} keypoints belong to points, but the tracks have {len(points.tracks)}"
         raise FileError(sparse, reason, remedy=MIXED)
     pixels = keypoints[observed] - HALF
     wrong = np.flatnonzero(~(np.abs(pixels) <= LARGEST).all(axis=1))
     if len(wrong):
-        picture = pictures[observers[wrong[0]]]
-        raise FileError(images, f"a keypoint of {picture.name!r} is not finite", where=picture.where, remedy=CUT)
+        image = images[observers[wrong[0]]]
+        raise FileError(source, f"a keypoint of {image.name!r} is not finite", where=image.where, remedy=CUT)
     return SfmModel(
-        tuple(p.name for p in pictures),
-        tuple(cameras[p.camera] for p in pictures),
-        _poses(images, pictures) if poses is None else poses,
+        tuple(p.name for p in images),
+        tuple(cameras[p.camera] for p in images),
+        _poses(source, images) if poses is None else poses,
         points.positions[order],
         points.colors[order],
         np.where(points.errors[order] >= 0, points.errors[order], np.nan),  # COLMAP writes -1 if unknown
@@ -114,27 +114,27 @@ def assemble(
     )
 
 
-def _check_pictures(images: Path, path: Path, cameras: dict[int, CameraModel], pictures: list[Picture]) -> None:
-    names: dict[str, Picture] = {}
+def _check_images(source: Path, path: Path, cameras: dict[int, CameraModel], images: list[Image]) -> None:
+    names: dict[str, Image] = {}
     numbers: set[int] = set()
-    for picture in pictures:
-        if picture.number in numbers:
-            raise FileError(images, f"the image number {picture.number} is duplicated", where=picture.where)
-        if picture.name in names:
-            raise FileError(images, f"the image {picture.name!r} is duplicated", where=picture.where)
-        if not picture.name:
-            raise FileError(images, "an image has no name", where=picture.where, remedy=CUT)
-        if picture.camera not in cameras:
-            reason = f"image {picture.name!r} refers to camera {picture.camera}, which is missing in {path.name}"
-            raise FileError(images, reason, where=picture.where, remedy=MIXED)
-        numbers.add(picture.number)
-        names[picture.name] = picture
+    for image in images:
+        if image.number in numbers:
+            raise FileError(source, f"the image number {image.number} is duplicated", where=image.where)
+        if image.name in names:
+            raise FileError(source, f"the image {image.name!r} is duplicated", where=image.where)
+        if not image.name:
+            raise FileError(source, "an image has no name", where=image.where, remedy=CUT)
+        if image.camera not in cameras:
+            reason = f"image {image.name!r} refers to camera {image.camera}, which is missing in {path.name}"
+            raise FileError(source, reason, where=image.where, remedy=MIXED)
+        numbers.add(image.number)
+        names[image.name] = image
 
 
-def _poses(path: Path, pictures: list[Picture]) -> NDArray[np.float64]:
-    quaternions = np.array([p.quaternion for p in pictures])
-    translations = np.array([p.translation for p in pictures])
-    return poses_of(path, quaternions, translations, lambda i: (f"image {pictures[i].name!r}", pictures[i].where))
+def _poses(path: Path, images: list[Image]) -> NDArray[np.float64]:
+    quaternions = np.array([p.quaternion for p in images])
+    translations = np.array([p.translation for p in images])
+    return poses_of(path, quaternions, translations, lambda i: (f"image {images[i].name!r}", images[i].where))
 
 
 def poses_of(
@@ -190,7 +190,7 @@ def _check_tracks(
     path: Path,
     points: Points,
     rows: NDArray[np.int64],
-    pictures: list[Picture],
+    images: list[Image],
     starts: NDArray[np.int64],
     owners: NDArray[np.int64],
 ) -> None:
@@ -198,12 +198,12 @@ def _check_tracks(
     if not len(tracks):
         return
     of_tracks = np.repeat(np.arange(len(rows)), points.lengths)
-    numbers = np.array([p.number for p in pictures])
+    numbers = np.array([p.number for p in images])
     by_number = np.argsort(numbers)
     at = _find_numbers(numbers[by_number], tracks[:, 0])
-    picture = by_number[at]
-    wrong = (at < 0) | (tracks[:, 1] >= np.diff(starts)[picture]) | (tracks[:, 1] < 0)
-    keypoint = np.where(wrong, 0, starts[picture] + tracks[:, 1])
+    image = by_number[at]
+    wrong = (at < 0) | (tracks[:, 1] >= np.diff(starts)[image]) | (tracks[:, 1] < 0)
+    keypoint = np.where(wrong, 0, starts[image] + tracks[:, 1])
     wrong |= owners[keypoint] != points.numbers[of_tracks] if len(owners) else True
     first = np.flatnonzero(wrong)
     if len(first):
@@ -236,10 +236,10 @@ class Records:
 def records_of(model: SfmModel) -> Records:
     cameras = list(dict.fromkeys(model.cameras))
     numbers = {camera: i for i, camera in enumerate(cameras, 1)}
-    pictures, points = model.observations.T
-    starts = np.searchsorted(pictures, np.arange(len(model) + 1))
+    images, points = model.observations.T
+    starts = np.searchsorted(images, np.arange(len(model) + 1))
     order = np.argsort(points, kind="stable")
-    tracks = np.stack([pictures + 1, np.arange(len(pictures)) - starts[pictures]], axis=1)[order]
+    tracks = np.stack([images + 1, np.arange(len(images)) - starts[images]], axis=1)[order]
     return Records(
         model,
         cameras,

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...kernels.linear_algebra import matmul
-from .colmap_records import MIXED, Picture, poses_of
+from .colmap_records import MIXED, Image, poses_of
 
 CAMERA = "CAMERA"
 SENSOR_TYPES = (CAMERA, "IMU")  # by their number in binary files
@@ -59,7 +59,7 @@ def rig_of(
     return Rig(number, poses, where)
 
 
-def read_frame_poses(paths: dict[str, Path], pictures: list[Picture], reader: Any) -> NDArray[np.float64] | None:
+def read_frame_poses(paths: dict[str, Path], images: list[Image], reader: Any) -> NDArray[np.float64] | None:
     """Poses of all images, world to camera (n, 4, 4), or None if there are no rigs and frames.
     `reader` has `read_rigs` and `read_frames`, `paths` their files."""
     rigs = reader.read_rigs(paths["rigs"]) if paths["rigs"].is_file() else []
@@ -72,7 +72,7 @@ def read_frame_poses(paths: dict[str, Path], pictures: list[Picture], reader: An
             raise FileError(paths[name], reason, remedy=_ONE_SOURCE)
     by_number = _by_number(paths["rigs"], rigs, "rig")
     _by_number(paths["frames"], frames, "frame")
-    frame_rows, sensors = _find_frames(paths["frames"], by_number, frames, pictures)
+    frame_rows, sensors = _find_frames(paths["frames"], by_number, frames, images)
     T_rig_world = _poses(paths["frames"], frames, lambda frame: f"frame {frame.number}", lambda frame: frame.pose)
     chosen = list(dict.fromkeys((frames[row].rig, sensor) for row, sensor in zip(frame_rows, sensors, strict=True)))
     T_sensor_rig = _sensor_poses(paths["rigs"], by_number, chosen)
@@ -91,7 +91,7 @@ def _by_number(path: Path, records: Sequence[Any], what: str) -> dict[int, Any]:
 
 
 def _find_frames(
-    path: Path, rigs: dict[int, Rig], frames: list[Frame], pictures: list[Picture]
+    path: Path, rigs: dict[int, Rig], frames: list[Frame], images: list[Image]
 ) -> tuple[list[int], list[Sensor]]:
     """The row of the frame of each image, and its camera. Data of images that are not in the model is ignored."""
     rows: dict[int, tuple[int, Sensor]] = {}
@@ -109,16 +109,16 @@ def _find_frames(
                 raise FileError(path, reason, where=frame.where, remedy=_ONE_SOURCE)
             if sensor[0] == CAMERA:
                 rows[number] = row, sensor
-    for picture in pictures:
-        if picture.number not in rows:
-            reason = f"image {picture.number} ({picture.name!r}) belongs to no frame"
+    for image in images:
+        if image.number not in rows:
+            reason = f"image {image.number} ({image.name!r}) belongs to no frame"
             raise FileError(path, reason, remedy=_ONE_SOURCE)
-        row, sensor = rows[picture.number]
-        if sensor[1] != picture.camera:
-            reason = f"image {picture.number} ({picture.name!r}) is of {_title(sensor)}, and of camera {picture.camera}"
+        row, sensor = rows[image.number]
+        if sensor[1] != image.camera:
+            reason = f"image {image.number} ({image.name!r}) is of {_title(sensor)}, and of camera {image.camera}"
             reason += f" in images{path.suffix}"
             raise FileError(path, reason, where=frames[row].where, remedy=_ONE_SOURCE)
-    return [rows[p.number][0] for p in pictures], [rows[p.number][1] for p in pictures]
+    return [rows[p.number][0] for p in images], [rows[p.number][1] for p in images]
 
 
 def _sensor_poses(path: Path, rigs: dict[int, Rig], chosen: list[tuple[int, Sensor]]) -> NDArray[np.float64]:

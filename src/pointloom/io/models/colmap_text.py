@@ -19,7 +19,7 @@ from ...core.errors import FileError
 from ..ascii_rows import AsciiRows
 from ..source import open_source
 from .colmap_binary import unknown_model
-from .colmap_records import CUT, Picture, Points, Records, camera_of
+from .colmap_records import CUT, Image, Points, Records, camera_of
 from .colmap_rigs import SENSOR_TYPES, Frame, Pose, Rig, Sensor, rig_of
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*", re.M)
@@ -45,8 +45,8 @@ def read_cameras(path: Path) -> dict[int, CameraModel]:
     return cameras
 
 
-def read_pictures(path: Path) -> list[Picture]:
-    pictures, lines = [], _lines(path)
+def read_images(path: Path) -> list[Image]:
+    images, lines = [], _lines(path)
     for line, text in lines:
         words, where = text.split(None, 9), f"line {line}"
         if not words or words[0].startswith("#"):
@@ -62,8 +62,8 @@ def read_pictures(path: Path) -> list[Picture]:
             reason = f"ends after image {words[9]!r}, whose line of keypoints is missing"
             raise FileError(path, reason, where=where, remedy="The file may be cut off; the line may be blank")
         pixels, points = _keypoints(path, below, keypoints)
-        pictures.append(Picture(number, words[9], pose[:4], pose[4:], camera, pixels, points, where))
-    return pictures
+        images.append(Image(number, words[9], pose[:4], pose[4:], camera, pixels, points, where))
+    return images
 
 
 def read_rigs(path: Path) -> list[Rig]:
@@ -208,8 +208,8 @@ def _real(path: Path, where: str, word: str) -> float:
     raise FileError(path, f"not a number: {word[:40]!r}", where=where)
 
 
-def count_pictures(path: Path) -> int:
-    return len(read_pictures(path))
+def count_images(path: Path) -> int:
+    return len(read_images(path))
 
 
 def write_cameras(file: IO[bytes], records: Records) -> None:
@@ -219,9 +219,9 @@ def write_cameras(file: IO[bytes], records: Records) -> None:
     file.write(("\n".join(lines) + "\n").encode())
 
 
-def write_pictures(file: IO[bytes], records: Records) -> None:
+def write_images(file: IO[bytes], records: Records) -> None:
     model = records.model
-    file.write(b"# Pictures, two lines each: IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n")
+    file.write(b"# Images, two lines each: IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n")
     file.write(b"#   POINTS2D[] as (X, Y, POINT3D_ID)\n")
     for i, name in enumerate(model.names):
         begin, end = records.starts[i], records.starts[i + 1]

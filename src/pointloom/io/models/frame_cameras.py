@@ -19,7 +19,7 @@ from ...core.checks import check_rigid
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
 from ...kernels.linear_algebra import inv
-from ..pictures.image_files import read_picture_header
+from ..images.image_files import read_image_header
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
@@ -28,7 +28,7 @@ LENSES = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPE
 DISTORTION = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 POLYCAM = [f"t_{row}{column}" for row in range(3) for column in range(4)]
 SCANNER_APP = "cameraPoseARFrame"
-PICTURES = (".jpg", ".jpeg", ".png")
+IMAGES = (".jpg", ".jpeg", ".png")
 
 _EXPORTED = "Give transforms.json, Polycam's keyframes/cameras, or the folder of frames of the 3D Scanner App"
 
@@ -48,10 +48,10 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
             raise FileError(path, "expected an object with the image's file_path", where=where)
         values, name = {**content, **frame}, frame["file_path"]
         if "w" not in values or "h" not in values:
-            picture = _picture_of(path, where, name)
-            header = read_picture_header(picture)
+            image = _image_of(path, where, name)
+            header = read_image_header(image)
             values = {"w": header.width, "h": header.height} | values
-            name += picture.name.removeprefix(Path(name).name)
+            name += image.name.removeprefix(Path(name).name)
         names.append(os.path.normpath(name))
         cameras.append(_lens_of(path, where, values))
         rows = _numbers(path, where, frame, "transform_matrix", None)
@@ -68,11 +68,11 @@ def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
     names, cameras, poses, left_out = [], [], [], []
     for path, content in _camera_files(folder):
         if SCANNER_APP in content:
-            picture = next((p for p in map(path.with_suffix, PICTURES) if p.is_file()), None)
-            if picture is None:
+            image = next((p for p in map(path.with_suffix, IMAGES) if p.is_file()), None)
+            if image is None:
                 left_out.append(f"{path.stem}: no image")
                 continue
-            header = read_picture_header(picture)
+            header = read_image_header(image)
             width, height = header.width, header.height
             K = _numbers(path, "", content, "intrinsics", 9).reshape(3, 3)
             params, rows = (
@@ -104,14 +104,14 @@ def _camera_files(folder: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
             yield path, content
 
 
-def _picture_of(path: Path, where: str, name: str) -> Path:
+def _image_of(path: Path, where: str, name: str) -> Path:
     base = path.parent / name
-    beside = (base.with_name(base.name + suffix) for ending in PICTURES for suffix in (ending, ending.upper()))
-    picture = next((p for p in (base, *beside) if p.is_file()), None)
-    if picture is None:
+    beside = (base.with_name(base.name + suffix) for ending in IMAGES for suffix in (ending, ending.upper()))
+    image = next((p for p in (base, *beside) if p.is_file()), None)
+    if image is None:
         reason = f"w and h are missing, and there is no image {name} to read them from"
         raise FileError(path, reason, where=where, remedy="Put the images there, or add w and h in pixels")
-    return picture
+    return image
 
 
 def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:

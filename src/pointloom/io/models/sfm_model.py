@@ -64,7 +64,7 @@ class SfmModel:
         >>> poses = np.tile(np.eye(4), (2, 1, 1))
         >>> poses[1, 0, 3] = -1.0
         >>> loom.SfmModel(["b.png", "a.png"], [camera] * 2, poses)
-        SfmModel(2 pictures, 1 camera, 0 points, 0 observations)
+        SfmModel(2 images, 1 camera, 0 points, 0 observations)
     """
 
     names: tuple[str, ...]
@@ -116,7 +116,7 @@ class SfmModel:
     def __repr__(self) -> str:
         cameras = len(set(self.cameras))
         return (
-            f"SfmModel({len(self)} picture{'s' * (len(self) != 1)}, {cameras} camera{'s' * (cameras != 1)}, "
+            f"SfmModel({len(self)} image{'s' * (len(self) != 1)}, {cameras} camera{'s' * (cameras != 1)}, "
             f"{len(self.points)} points, {len(self.observations)} observations)"
         )
 
@@ -321,7 +321,7 @@ def _check_errors(errors: Any, count: int) -> NDArray[np.float64]:
 
 
 def _check_observations(
-    observations: Any, pixels: Any, pictures: int, points: int
+    observations: Any, pixels: Any, images: int, points: int
 ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     if observations is None:
         if pixels is not None and len(check_numeric("pixels", pixels)):
@@ -337,10 +337,10 @@ def _check_observations(
         raise ValueError(
             f"pixels: expected shape [{len(pairs)}, 2], one per row of observations, got {len(positions)} rows"
         )
-    wrong = np.flatnonzero(~((pairs >= 0) & (pairs < (pictures, points))).all(axis=1))
+    wrong = np.flatnonzero(~((pairs >= 0) & (pairs < (images, points))).all(axis=1))
     if len(wrong):
         raise ValueError(
-            f"observations: row {wrong[0]} is {pairs[wrong[0]].tolist()}, but there are {pictures} images and "
+            f"observations: row {wrong[0]} is {pairs[wrong[0]].tolist()}, but there are {images} images and "
             f"{points} points"
         )
     if not (np.abs(positions) <= 1e100).all():

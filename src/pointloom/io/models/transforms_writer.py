@@ -22,13 +22,13 @@ WRITTEN = ("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OP
 _SINGLE = {"f": ("fl_x", "fl_y"), "fx": ("fl_x",), "fy": ("fl_y",), "k": ("k1",)}
 
 
-def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures: str = "") -> None:
+def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, images: str = "") -> None:
     """Write a model as nerfstudio's transforms.json, with its points in a PLY file beside it.
 
     Args:
         path: The file, such as "scene/transforms.json". Points go to `sparse_pc.ply` in the same folder.
         model: At least one image.
-        pictures: Folder of the images relative to the file, such as "images".
+        images: Folder of the images relative to the file, such as "images".
 
     Raises:
         TypeError: No SfmModel, or a folder that is no string.
@@ -43,7 +43,7 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures:
         >>> import json, pathlib, numpy as np, pointloom as loom
         >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None])
-        >>> loom.write_transforms("transforms.json", model, pictures="images")
+        >>> loom.write_transforms("transforms.json", model, images="images")
         >>> json.loads(pathlib.Path("transforms.json").read_text())["frames"][0]["file_path"]
         'images/a.png'
     """
@@ -52,16 +52,16 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures:
         raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
     if not len(model):
         raise ValueError("model: expected at least one image, got none")
-    if not isinstance(pictures, str) or pictures:
-        check_name("pictures", pictures)
-    write_content(path, model, pictures=pictures)
+    if not isinstance(images, str) or images:
+        check_name("images", images)
+    write_content(path, model, images=images)
 
 
 def write_content(
     path: str | os.PathLike[str],
     model: SfmModel,
     *,
-    pictures: str,
+    images: str,
     masks: Sequence[str] | None = None,
     more: Mapping[str, Any] | None = None,
 ) -> None:
@@ -70,7 +70,7 @@ def write_content(
     lenses = [_lens(camera) for camera in model.cameras]
     frames: list[dict[str, Any]] = []
     for name, lens, T in zip(model.names, lenses, model.T_world_camera, strict=True):
-        file = str(PurePosixPath(pictures, *PurePosixPath(name.replace(os.sep, "/")).parts)) if pictures else name
+        file = str(PurePosixPath(images, *PurePosixPath(name.replace(os.sep, "/")).parts)) if images else name
         frames.append({"file_path": file, **lens, "transform_matrix": (T @ AXES).tolist()})
     for frame, mask in zip(frames, masks or (), strict=False):
         frame["mask_path"] = mask
@@ -86,7 +86,7 @@ def write_content(
 def _lens(camera: CameraModel) -> dict[str, Any]:
     if camera.model not in WRITTEN:
         reason = f"model: transforms.json has no camera model {camera.model}"
-        raise ValueError(f"{reason}; undistort the images first, see loom.undistort_picture")
+        raise ValueError(f"{reason}; undistort the images first, see loom.undistort_image")
     lens: dict[str, Any] = {}
     for name, value in zip(MODELS[camera.model].params.split(", "), camera.params, strict=True):
         for key in _SINGLE.get(name, (name,)):

@@ -97,7 +97,7 @@ def read_frames(path: str | os.PathLike[str]) -> tuple[list[ScanFrame], list[str
                 pose = np.eye(4)
                 pose[:3, :3], pose[:3, 3] = read_pose(path, node)
             frames.append(ScanFrame(node["name"].value() if node.isDefined("name") else "", pose))
-        beside = ["pictures"] if image.root().isDefined("images2D") and len(image.root()["images2D"]) else []
+        beside = ["images"] if image.root().isDefined("images2D") and len(image.root()["images2D"]) else []
         if any(node.isDefined(name) for node in scans for name in _SCANNER_DATA):
             beside.append("scanner data")
     return frames, beside

@@ -69,12 +69,12 @@ def unpack_beginnings(source: SourceFile, header: LasHeader, count: int) -> byte
         ends = [min(end, header.point_count) for end in itertools.accumulate(sizes)]
         begins = [0, *ends[:-1]]
         step = -(-len(sizes) // count)
-        share = count // len(begins[::step])
+        fraction = count // len(begins[::step])
         file.seek(header.begin)
         decompressor = lazrs.LasZipDecompressor(file, record)
         for begin, end in zip(begins[::step], ends[::step], strict=True):
             decompressor.seek(begin)
-            block = bytearray(min(share, end - begin) * header.record_length)
+            block = bytearray(min(fraction, end - begin) * header.record_length)
             decompressor.decompress_many(block)
             rows += block
         source.check_unchanged()

@@ -33,7 +33,7 @@ from ..columns import (
     warn_of_loss,
 )
 from ..fixed_rows import NO_TABLE
-from ..pictures.texture_files import picture_names, read_textures, write_with
+from ..images.texture_files import image_names, read_textures, write_with
 from ..source import SourceFile, open_source
 from ..table import MeshTable, PointTable
 from ..triangulation import split_faces
@@ -41,7 +41,7 @@ from .ply_faces import STRIPS, attribute_columns, strip_triangles, triangle_attr
 from .ply_header import TYPE_NAMES, Element, PlyHeader, Property, read_header
 from .ply_rows import Column, ListColumn, find_rows, read_rows
 
-_AT_CORNERS, _NUMBER, _PICTURE = "texcoord", "texnumber", "TextureFile"
+_AT_CORNERS, _NUMBER, _IMAGE = "texcoord", "texnumber", "TextureFile"
 _AT_VERTICES = (("texture_u", "texture_v"), ("s", "t"), ("u", "v"))
 
 
@@ -74,7 +74,7 @@ def add_textures(
     mesh.triangle_uvs = _uvs_of(path, mesh, columns, lengths, fans)
     if mesh.triangle_uvs is None:
         return
-    named = [words[1] for words in (text.split(None, 1) for text in header.comments) if _is_picture(words)]
+    named = [words[1] for words in (text.split(None, 1) for text in header.comments) if _is_image(words)]
     if not named:
         return
     numbers = columns.get(_NUMBER)
@@ -91,8 +91,8 @@ def add_textures(
         mesh.triangle_material_ids = np.repeat(ids.astype(np.int32), lengths - 2)
 
 
-def _is_picture(words: list[str]) -> bool:
-    return len(words) == 2 and words[0] == _PICTURE
+def _is_image(words: list[str]) -> bool:
+    return len(words) == 2 and words[0] == _IMAGE
 
 
 def _uvs_of(
@@ -267,7 +267,7 @@ def write_ply_mesh(
     if mesh.triangle_uvs is None and (pair := pair_at_vertices(mesh.attributes)):
         reason = f"the attributes {', '.join(pair)} would be read as texture coordinates"
         raise FileError(path, reason, remedy="Rename one of them")
-    names = picture_names(path, len(mesh.textures))
+    names = image_names(path, len(mesh.textures))
     properties, values = face_columns(mesh)
     more, more_values = attribute_columns(path, mesh.triangle_attributes, _TYPES, _TYPE_REMEDY)
     all_comments = [*comments, *(f"TextureFile {name}" for name in names)]

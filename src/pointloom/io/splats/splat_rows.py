@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...pcd.harmonics import FIRST
-from ...pcd.splats import logits_of, shares_of, unit_quaternions
+from ...pcd.splats import fractions_of, logits_of, unit_quaternions
 from ..columns import warn_left_out
 from ..source import open_source
 from ..table import PointTable
@@ -63,7 +63,7 @@ def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: b
     with np.errstate(over="ignore"):
         rows["scale"] = np.exp(columns["scale"].astype(np.float64))
     rows["color"][:, :3] = to_bytes((0.5 + FIRST * columns["f_dc"].astype(np.float64)) * 255)
-    rows["color"][:, 3] = to_bytes(shares_of(columns["opacity"]) * 255)
+    rows["color"][:, 3] = to_bytes(fractions_of(columns["opacity"]) * 255)
     rows["rot"] = to_bytes(unit_quaternions(columns["rot"]) * 128 + 128)
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(rows.tobytes())

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...pcd.harmonics import signs_of_flip
-from ...pcd.splats import shares_of, unit_quaternions
+from ...pcd.splats import fractions_of, unit_quaternions
 from ..columns import warn_left_out
 from ..table import PointTable
 from .splat_rows import check_rounding, to_bytes
@@ -34,7 +34,7 @@ def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
     rotations = np.roll(unit_quaternions(columns["rot"]), -1, axis=1) * [*FLIPS, 1.0]
     parts = [
         _three_bytes(np.rint(table.points.astype(np.float64) * FLIPS * 2.0**bits).astype(np.int32)),
-        to_bytes(shares_of(columns["opacity"]) * 255),
+        to_bytes(fractions_of(columns["opacity"]) * 255),
         to_bytes((columns["f_dc"].astype(np.float64) * COLOR_SCALE + 0.5) * 255),
         to_bytes((np.maximum(columns["scale"].astype(np.float64), -10.0) + 10) * 16),
         _smallest_three(rotations),

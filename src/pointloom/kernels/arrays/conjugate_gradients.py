@@ -98,10 +98,10 @@ def sum_remains(state: Gradients) -> vec2d:
 def update_search_kernel(state: Gradients):
     """Next search direction. The first thread sets `running`."""
     i = tid()
-    share = float64(0.0)
+    fraction = float64(0.0)
     if state.slopes[0][1] > 0.0:
-        share = state.remains[0][0] / state.slopes[0][1]
-    state.search[i] = state.forces[i] + share * state.search[i]
+        fraction = state.remains[0][0] / state.slopes[0][1]
+    state.search[i] = state.forces[i] + fraction * state.search[i]
     if i == 0:
         state.iterations[0] = state.iterations[0] + 1
         running = 0

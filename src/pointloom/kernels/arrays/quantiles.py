@@ -43,7 +43,7 @@ def pick_quantiles_kernel(
     values: array(dtype=float64),
     keys: array(dtype=int64),
     order: array(dtype=int32),
-    shares: quantile_fractions,
+    fractions: quantile_fractions,
     is_median: int,
     quantiles: array(dtype=float64),
 ):
@@ -56,7 +56,7 @@ def pick_quantiles_kernel(
     if count == 0:
         quantiles[i] = float64(0.0)
         return
-    rank = float64(count - 1) * shares[i]
+    rank = float64(count - 1) * fractions[i]
     below = min(int(rank), count - 1)
     above = min(below + 1, count - 1)
     if is_median == 1:
@@ -64,10 +64,10 @@ def pick_quantiles_kernel(
         above = count // 2
     a = values[order[below]]
     b = values[order[above]]
-    share = rank - float64(below)
-    between = a + (b - a) * share
-    if share >= 0.5:
-        between = b - (b - a) * (1.0 - share)
+    fraction = rank - float64(below)
+    between = a + (b - a) * fraction
+    if fraction >= 0.5:
+        between = b - (b - a) * (1.0 - fraction)
     if is_median == 1:
         between = (a + b) / 2.0
         if below == above:
@@ -75,13 +75,13 @@ def pick_quantiles_kernel(
     quantiles[i] = between
 
 
-def _pick(values: Doubles, shares: Sequence[float], above_zero: bool, is_median: bool) -> tuple[int, list[float]]:
+def _pick(values: Doubles, fractions: Sequence[float], above_zero: bool, is_median: bool) -> tuple[int, list[float]]:
     device = values.device
     keys = SortKeys(values.size, device)
     launch(encode_doubles_kernel, values.size, [values, part_of(values, 0, int64, values.size), int(above_zero), keys])
     sorted_keys, order = keys.sort()
-    picked = empty(len(shares) + 1, float64, device)
-    wanted = quantile_fractions(*shares, *[0.0] * (MAX_QUANTILES - len(shares)))
+    picked = empty(len(fractions) + 1, float64, device)
+    wanted = quantile_fractions(*fractions, *[0.0] * (MAX_QUANTILES - len(fractions)))
     launch(pick_quantiles_kernel, picked.size, [values, sorted_keys, order, wanted, int(is_median), picked])
     *quantiles, count = download(picked).tolist()  # sync
     return int(count), quantiles
@@ -92,13 +92,13 @@ def _counted(values: Doubles, above_zero: bool) -> np.ndarray:
     return numbers[np.isfinite(numbers) & ((numbers > 0) if above_zero else (numbers >= 0))]
 
 
-def quantiles_of(values: Doubles, shares: Sequence[float]) -> list[float]:
+def quantiles_of(values: Doubles, fractions: Sequence[float]) -> list[float]:
     """`np.quantile` of the finite non-negative numbers of a float64 array, bitwise, or empty. One sync."""
     if values.device.is_cuda and values.size:
-        count, quantiles = _pick(values, shares, False, False)
+        count, quantiles = _pick(values, fractions, False, False)
         return quantiles if count else []
     numbers = _counted(values, False)
-    return np.quantile(numbers, shares).tolist() if numbers.size else []
+    return np.quantile(numbers, fractions).tolist() if numbers.size else []
 
 
 def median_above_zero(values: Doubles) -> float | None:

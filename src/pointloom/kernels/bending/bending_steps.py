@@ -79,7 +79,7 @@ def key_ends_kernel(influence: Influence, node_count: int, keys: array(dtype=int
     """Node of each row end; behind all nodes if its weight is zero."""
     i = tid()
     key = int64(node_count)
-    if influence.shares[i] > 0.0:
+    if influence.fractions[i] > 0.0:
         key = int64(influence.members[i])
     keys[i] = key
 
@@ -113,10 +113,10 @@ def map_rows_kernel(steps: array(dtype=vec3d), influence: Influence, rows: Bendi
     d = vec3d(0.0, 0.0, 0.0)
     n = int(MEMBERS)
     for k in range(n):
-        share = influence.shares[MEMBERS * i + k]
-        if share > 0.0:
+        fraction = influence.fractions[MEMBERS * i + k]
+        if fraction > 0.0:
             node = influence.members[MEMBERS * i + k]
-            d += share * (cross(steps[2 * node], rows.arms[MEMBERS * i + k]) + steps[2 * node + 1])
+            d += fraction * (cross(steps[2 * node], rows.arms[MEMBERS * i + k]) + steps[2 * node + 1])
     rows.forces[i] = pull_of(i, d, rows)
 
 
@@ -124,7 +124,7 @@ def map_rows_kernel(steps: array(dtype=vec3d), influence: Influence, rows: Bendi
 def sum_node_pulls(influence: Influence, rows: BendingRows) -> pull_sums:
     i = tid()
     end = rows.order[i]
-    f = influence.shares[end] * rows.forces[end // MEMBERS]
+    f = influence.fractions[end] * rows.forces[end // MEMBERS]
     m = cross(rows.arms[end], f)
     return pull_sums(m[0], m[1], m[2], f[0], f[1], f[2])
 
@@ -156,7 +156,7 @@ def sum_node_squares(influence: Influence, rows: BendingRows) -> pull_block:
     i = tid()
     end = rows.order[i]
     row = end // MEMBERS
-    w = influence.shares[end] * influence.shares[end]
+    w = influence.fractions[end] * influence.fractions[end]
     total = add_square(pull_block(0.0), rows.arms[end], widen(rows.normals[row]), w * rows.plane_weights[row])
     return add_squares(total, rows.arms[end], w * rows.point_weights[row])
 

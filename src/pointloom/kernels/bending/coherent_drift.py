@@ -95,7 +95,7 @@ def weigh_targets_kernel(
     scale: float64,
     uniform: float64,
     inverses: array(dtype=float64),
-    shares: array(dtype=float64),
+    fractions: array(dtype=float64),
 ):
     """Inverse denominator and inlier probability of each target. LANES targets per thread, the last one may repeat."""
     i = tid()
@@ -118,7 +118,7 @@ def weigh_targets_kernel(
         if index <= last:
             inverse = inverse_of(total[lane], uniform)
             inverses[index] = inverse
-            shares[index] = total[lane] * inverse
+            fractions[index] = total[lane] * inverse
 
 
 @weigh_targets_kernel.on_cuda
@@ -129,7 +129,7 @@ def weigh_target_kernel(
     scale: float64,
     uniform: float64,
     inverses: array(dtype=float64),
-    shares: array(dtype=float64),
+    fractions: array(dtype=float64),
 ):
     i = tid()
     x = targets[i]
@@ -139,7 +139,7 @@ def weigh_target_kernel(
         total += falloff(scale * dot(d, d))
     inverse = inverse_of(total, uniform)
     inverses[i] = inverse
-    shares[i] = total * inverse
+    fractions[i] = total * inverse
 
 
 @kernel
@@ -170,11 +170,11 @@ def pull_sources_kernel(
         q = targets[j]
         inverse = inverses[j]
         for lane in range(LANES):
-            share = falloff_between(q[0] - x[lane], q[1] - y[lane], q[2] - z[lane], scale) * inverse
-            total[lane] += share
-            along_x[lane] += share * q[0]
-            along_y[lane] += share * q[1]
-            along_z[lane] += share * q[2]
+            fraction = falloff_between(q[0] - x[lane], q[1] - y[lane], q[2] - z[lane], scale) * inverse
+            total[lane] += fraction
+            along_x[lane] += fraction * q[0]
+            along_y[lane] += fraction * q[1]
+            along_z[lane] += fraction * q[2]
     for lane in range(LANES):
         index = LANES * i + lane
         if index <= last:
@@ -207,7 +207,7 @@ def weigh_near_targets_kernel(
     scale: float64,
     uniform: float64,
     inverses: array(dtype=float64),
-    shares: array(dtype=float64),
+    fractions: array(dtype=float64),
 ):
     i = tid()
     x = targets[i]
@@ -218,7 +218,7 @@ def weigh_near_targets_kernel(
         total += falloff(scale * dot(d, d))
     inverse = inverse_of(total, uniform)
     inverses[i] = inverse
-    shares[i] = total * inverse
+    fractions[i] = total * inverse
 
 
 @kernel
@@ -261,10 +261,10 @@ def sum_positions(positions: array(dtype=vec3d)) -> position_sums:
 
 
 @reduction
-def sum_targets(positions: array(dtype=vec3d), shares: array(dtype=float64)) -> vec2d:
+def sum_targets(positions: array(dtype=vec3d), fractions: array(dtype=float64)) -> vec2d:
     """Inlier weight of the targets, weighted positions and squares."""
     i = tid()
-    return vec2d(shares[i], shares[i] * dot(positions[i], positions[i]))
+    return vec2d(fractions[i], fractions[i] * dot(positions[i], positions[i]))
 
 
 @reduction
@@ -301,19 +301,19 @@ def tree_over(positions: Positions) -> PointTree:
 
 
 class Drift:
-    """Soft correspondences: inverse denominators and inlier `shares` of targets (n); `sums` of p and p x (m)."""
+    """Soft correspondences: inverse denominators and inlier `fractions` of targets (n); `sums` of p and p x (m)."""
 
     def __init__(self, targets: Positions, source_count: int) -> None:
         device = targets.device
         self.targets, self.tree = targets, tree_over(targets)
-        self.inverses, self.shares = empty(targets.size, float64, device), empty(targets.size, float64, device)
+        self.inverses, self.fractions = empty(targets.size, float64, device), empty(targets.size, float64, device)
         self.sums = empty(source_count, pulls, device)
 
     def weigh(self, moved: Positions, variance: float, uniform: float, *, near: float) -> None:
         """Correspondences at a variance. By trees if the Gaussian's range is below `near`."""
         targets, scale = self.targets, 0.5 / variance
         sqradius = FARTHEST / scale * RADIUS_SLACK
-        outputs: list[Doubles] = [self.inverses, self.shares]
+        outputs: list[Doubles] = [self.inverses, self.fractions]
         if sqradius > near * near:
             each = 1 if targets.device.is_cuda else LANES
             given = [targets, moved, moved.size, scale, uniform]

@@ -58,18 +58,18 @@ class DeformationGraph:
 
 @struct
 class Influence:
-    """Nodes of points: `near` (n listed); influencing `members` (MEMBERS n); `shares`: weights, 0 if missing."""
+    """Nodes of points: `near` (n listed); influencing `members` (MEMBERS n); `fractions`: weights, 0 if missing."""
 
     points: array(dtype=vec3)
     near: array(dtype=int32)
     members: array(dtype=int32)
-    shares: array(dtype=float64)
+    fractions: array(dtype=float64)
 
     def __init__(self, points: Points, graph: DeformationGraph) -> None:
         count, device = points.size, points.device
         self.points, self.count = points, count
         self.near = flat(search_nearest(graph.tree, points, graph.listed)[0])
-        self.members, self.shares = empty(MEMBERS * count, int32, device), empty(MEMBERS * count, float64, device)
+        self.members, self.fractions = empty(MEMBERS * count, int32, device), empty(MEMBERS * count, float64, device)
         launch(share_nodes_kernel, count, [graph, self])
 
 
@@ -100,7 +100,7 @@ def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
     n = int(MEMBERS)
     for k in range(n):
         influence.members[MEMBERS * i + k] = 0
-        influence.shares[MEMBERS * i + k] = 0.0
+        influence.fractions[MEMBERS * i + k] = 0.0
     if isfinite(p) and influence.near[first] >= 0:
         end = end_of_weights(p, first, influence.near, graph)
         total = float64(0.0)
@@ -110,13 +110,13 @@ def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
             weight = float64(0.0)
             if end > 0.0:
                 weight = max(1.0 - distance_between(p, widen(graph.nodes[node])) / end, 0.0)
-            influence.shares[MEMBERS * i + k] = weight * weight
+            influence.fractions[MEMBERS * i + k] = weight * weight
             total += weight * weight
         if total > 0.0:
             for k in range(n):
-                influence.shares[MEMBERS * i + k] = influence.shares[MEMBERS * i + k] / total
+                influence.fractions[MEMBERS * i + k] = influence.fractions[MEMBERS * i + k] / total
         else:
-            influence.shares[MEMBERS * i] = 1.0
+            influence.fractions[MEMBERS * i] = 1.0
 
 
 @func
@@ -125,10 +125,10 @@ def deformed_position(i: int, graph: DeformationGraph, influence: Influence) -> 
     total = vec3d(0.0, 0.0, 0.0)
     n = int(MEMBERS)
     for k in range(n):
-        share = influence.shares[MEMBERS * i + k]
-        if share > 0.0:
+        fraction = influence.fractions[MEMBERS * i + k]
+        if fraction > 0.0:
             node = influence.members[MEMBERS * i + k]
-            total += share * (graph.rotations[node] @ (p - widen(graph.nodes[node])) + graph.centers[node])
+            total += fraction * (graph.rotations[node] @ (p - widen(graph.nodes[node])) + graph.centers[node])
     return total
 
 
@@ -150,10 +150,10 @@ def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
     pulls = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
     for k in range(members_of(graph.listed)):
         node = influence.near[first + k]
-        share = influence.shares[MEMBERS * i + k]
+        fraction = influence.fractions[MEMBERS * i + k]
         arm = p - widen(graph.nodes[node])
         away = sqrt(dot(arm, arm))
-        slope = slope + share * graph.rotations[node]
+        slope = slope + fraction * graph.rotations[node]
         if end > 0.0 and away < end:
             along = (away / (end * end)) * end_slope
             if away > 0.0:
@@ -271,7 +271,7 @@ def key_neighbors_kernel(influence: Influence, bits: int, keys: array(dtype=int6
     for a in range(n):
         for b in range(a + 1, n):
             key = none
-            if influence.shares[MEMBERS * i + a] > 0.0 and influence.shares[MEMBERS * i + b] > 0.0:
+            if influence.fractions[MEMBERS * i + a] > 0.0 and influence.fractions[MEMBERS * i + b] > 0.0:
                 low = min(influence.members[MEMBERS * i + a], influence.members[MEMBERS * i + b])
                 high = max(influence.members[MEMBERS * i + a], influence.members[MEMBERS * i + b])
                 key = (int64(low) << int64(bits)) | int64(high)

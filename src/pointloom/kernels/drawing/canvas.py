@@ -42,15 +42,15 @@ class Paint:
 
 
 @func
-def share_inside(depth: float) -> float:
+def fraction_inside(depth: float) -> float:
     """Coverage of a cell whose center is `depth` [px] inside an edge."""
     return min(max(depth + 0.5, 0.0), 1.0)
 
 
 @func
-def cover_cell(column: int, row: int, share: float, sheet: Sheet):
+def cover_cell(column: int, row: int, fraction: float, sheet: Sheet):
     """Cover a cell by a fraction (atomic maximum)."""
-    coverage = int(share * 255.0 + 0.5)
+    coverage = int(fraction * 255.0 + 0.5)
     if coverage > 0:
         cell = row * sheet.width + column
         if coverage > sheet.words[cell]:
@@ -108,7 +108,7 @@ def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: fl
                 column = k
                 row = step
             gap = distance_to_segment(vec2(float(column), float(row)), a, b)
-            cover_cell(column, row, strength * share_inside(half - gap), sheet)
+            cover_cell(column, row, strength * fraction_inside(half - gap), sheet)
 
 
 @kernel
@@ -123,12 +123,12 @@ def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, atlas: array(dtyp
             column = glyphs[at + 3] + k
             row = glyphs[at + 4] + line
             if column >= 0 and column < sheet.width and row >= 0 and row < sheet.height:
-                share = float(int(atlas[glyphs[at] + line * width + k])) / 255.0
-                cover_cell(column, row, share, sheet)
+                fraction = float(int(atlas[glyphs[at] + line * width + k])) / 255.0
+                cover_cell(column, row, fraction, sheet)
 
 
 @func
-def share_of_span(center: float, low: float, high: float) -> float:
+def fraction_of_span(center: float, low: float, high: float) -> float:
     return min(max(min(center + 0.5, high) - max(center - 0.5, low), 0.0), 1.0)
 
 
@@ -140,22 +140,22 @@ def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4
     row = top + i // columns
     x = float(column)
     y = float(row)
-    share = share_of_span(x, outer[0], outer[2]) * share_of_span(y, outer[1], outer[3])
-    hole = share_of_span(x, inner[0], inner[2]) * share_of_span(y, inner[1], inner[3])
-    cover_cell(column, row, share - hole, sheet)
+    fraction = fraction_of_span(x, outer[0], outer[2]) * fraction_of_span(y, outer[1], outer[3])
+    hole = fraction_of_span(x, inner[0], inner[2]) * fraction_of_span(y, inner[1], inner[3])
+    cover_cell(column, row, fraction - hole, sheet)
 
 
 @func
-def blend_byte(old: uint8, added: int, share: int) -> uint8:
-    return uint8((int(old) * (FULL * FULL - share) + added * share + FULL * FULL // 2) // (FULL * FULL))
+def blend_byte(old: uint8, added: int, fraction: int) -> uint8:
+    return uint8((int(old) * (FULL * FULL - fraction) + added * fraction + FULL * FULL // 2) // (FULL * FULL))
 
 
 @func
 def blend_cell(cell: int, coverage: int, paint: Paint, picture: array(dtype=uint8)):
-    share = coverage * paint.opacity
-    picture[3 * cell] = blend_byte(picture[3 * cell], paint.red, share)
-    picture[3 * cell + 1] = blend_byte(picture[3 * cell + 1], paint.green, share)
-    picture[3 * cell + 2] = blend_byte(picture[3 * cell + 2], paint.blue, share)
+    fraction = coverage * paint.opacity
+    picture[3 * cell] = blend_byte(picture[3 * cell], paint.red, fraction)
+    picture[3 * cell + 1] = blend_byte(picture[3 * cell + 1], paint.green, fraction)
+    picture[3 * cell + 2] = blend_byte(picture[3 * cell + 2], paint.blue, fraction)
 
 
 @kernel
@@ -182,7 +182,7 @@ def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Pai
             if x >= 0 and x < sheet.width and y >= 0 and y < sheet.height:
                 coverage = float(sheet.words[y * sheet.width + x])
                 gap = sqrt(float(dx * dx + dy * dy))
-                strength = max(strength, coverage * share_inside(float(radius) - gap))
+                strength = max(strength, coverage * fraction_inside(float(radius) - gap))
     if strength > 0.0:
         blend_cell(row * sheet.width + column, int(strength + 0.5), paint, sheet.picture)
 

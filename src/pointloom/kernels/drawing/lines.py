@@ -102,13 +102,13 @@ def draw_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
                 row = step
             x = float(column) - a[0]
             y = float(row) - a[1]
-            share = 0.0
+            fraction = 0.0
             if squared > 0.0:
-                share = min(max((x * dx + y * dy) / squared, 0.0), 1.0)
-            ex = x - share * dx
-            ey = y - share * dy
+                fraction = min(max((x * dx + y * dy) / squared, 0.0), 1.0)
+            ex = x - fraction * dx
+            ey = y - fraction * dy
             if ex * ex + ey * ey <= pen.radius * pen.radius:
-                depth = pen.closer / (near_a + (near_b - near_a) * share)
+                depth = pen.closer / (near_a + (near_b - near_a) * fraction)
                 offer_cell(row * buffer.width + column, depth, index, buffer.words)
 
 
@@ -120,10 +120,10 @@ def draw_lines_kernel(
     p = to_camera(points[lines[2 * i]], view)
     q = to_camera(points[lines[2 * i + 1]], view)
     if isfinite(p) and isfinite(q):
-        shares = clip_line(p, q, pen.radius + 1.0, view)
-        if shares[0] <= shares[1]:
-            a = project(p + (q - p) * shares[0], view)
-            b = project(p + (q - p) * shares[1], view)
+        fractions = clip_line(p, q, pen.radius + 1.0, view)
+        if fractions[0] <= fractions[1]:
+            a = project(p + (q - p) * fractions[0], view)
+            b = project(p + (q - p) * fractions[1], view)
             if a[2] > 0.0 and b[2] > 0.0:
                 draw_line(a, b, start + i, pen, buffer)
 

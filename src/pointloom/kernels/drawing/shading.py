@@ -82,14 +82,14 @@ class Veil:
 
 
 @func
-def seen_share(cell: int, veil: Veil) -> float:
+def seen_fraction(cell: int, veil: Veil) -> float:
     """Fraction of a part's light that a cell shows. Reduces the remainder."""
-    share = 1.0
+    fraction = 1.0
     if veil.left.shape[0] > 0:
         left = veil.left[cell]
-        share = left * veil.opacity
-        veil.left[cell] = left - share
-    return share
+        fraction = left * veil.opacity
+        veil.left[cell] = left - fraction
+    return fraction
 
 
 @func
@@ -231,7 +231,7 @@ def shade_points_kernel(
                         ray = ray_through(float(cell % buffer.width), float(cell // buffer.width), view)
                         brightness = light_face(view.rotation @ normals[known], ray, ray)
                     color = color * brightness
-                total = total + color * seen_share(cell, veil)
+                total = total + color * seen_fraction(cell, veil)
             k += 1
         if foremost >= 0:
             if relief == 1:
@@ -252,7 +252,7 @@ def shade_lines_kernel(
             color = plain
             if colors.shape[0] > 0:
                 color = clamp_color(colors[line])
-            total = total + color * seen_share(cell, veil)
+            total = total + color * seen_fraction(cell, veil)
     light[pixel] = light[pixel] + total
 
 
@@ -268,10 +268,10 @@ def finish_picture_kernel(
     total = light[i]
     for cell in cells_of(i, buffer):
         if buffer.words[cell] == int64(NO_KEY):
-            share = 1.0
+            fraction = 1.0
             if left.shape[0] > 0:
-                share = left[cell]
-            total = total + background * share
+                fraction = left[cell]
+            total = total + background * fraction
     mean = total / float(SAMPLES * SAMPLES)
     for k in range(3):
         picture[3 * i + k] = color_byte(mean[k])

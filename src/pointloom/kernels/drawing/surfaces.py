@@ -2,7 +2,7 @@
 
 from ..array_types import Array1, Bytes, Indices, Points, Vectors
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
-from .shading import SAMPLES, Region, Veil, cells_of, clamp_color, element_at, light_face, pixel_of, seen_share
+from .shading import SAMPLES, Region, Veil, cells_of, clamp_color, element_at, light_face, pixel_of, seen_fraction
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
 
 EDGE_WIDTH = 0.5  # [px] half width of an edge inside a triangle
@@ -169,17 +169,17 @@ def shade_surface_kernel(
                 alike += 1
     total = vec3(0.0, 0.0, 0.0)
     if alike == SAMPLES * SAMPLES and surface.texture_width == 0:
-        share = 0.0
+        fraction = 0.0
         for cell in cells_of(pixel, buffer):
-            share = share + seen_share(cell, veil)
-        total = color_of(known, column, row, view, surface) * share
+            fraction = fraction + seen_fraction(cell, veil)
+        total = color_of(known, column, row, view, surface) * fraction
     elif sample_count > 0:
         for cell in cells_of(pixel, buffer):
             triangle = element_at(cell, region, buffer)
             if triangle >= 0:
                 x = float(cell % buffer.width)
                 y = float(cell // buffer.width)
-                total = total + color_of(triangle, x, y, view, surface) * seen_share(cell, veil)
+                total = total + color_of(triangle, x, y, view, surface) * seen_fraction(cell, veil)
     if sample_count > 0:
         light[pixel] = light[pixel] + total
 

@@ -191,8 +191,8 @@ def widen_box(box: vec4, p: vec3, q: vec3, view: View) -> vec4:
         low = vec3(min(low[0], s[0]), min(low[1], s[1]), 0.0)
         high = vec3(max(high[0], s[0]), max(high[1], s[1]), 0.0)
     if (p[2] > NEAR) != (q[2] > NEAR):
-        share = (NEAR - p[2]) / (q[2] - p[2])
-        s = project(vec3(p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share, NEAR), view)
+        fraction = (NEAR - p[2]) / (q[2] - p[2])
+        s = project(vec3(p[0] + (q[0] - p[0]) * fraction, p[1] + (q[1] - p[1]) * fraction, NEAR), view)
         low = vec3(min(low[0], s[0]), min(low[1], s[1]), 0.0)
         high = vec3(max(high[0], s[0]), max(high[1], s[1]), 0.0)
     return vec4(low[0], low[1], high[0], high[1])

@@ -55,8 +55,8 @@ def raise_flag(flag: array(dtype=int32)):
 def ramp_color(value: float64, ramp: Ramp) -> vec3:
     color = ramp.missing
     if isfinite(value):
-        share = min(max((value - ramp.low) * ramp.factor + ramp.start, 0.0), 1.0)
-        position = float32(share) * float(ramp.last)
+        fraction = min(max((value - ramp.low) * ramp.factor + ramp.start, 0.0), 1.0)
+        position = float32(fraction) * float(ramp.last)
         k = min(int(position), ramp.last - 1)
         rest = position - float(k)
         color = ramp.table[k] * (1.0 - rest) + ramp.table[k + 1] * rest

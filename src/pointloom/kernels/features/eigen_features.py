@@ -53,11 +53,11 @@ def eigenvalues_of(m: moments) -> vec3d:
 
 
 @func
-def entropy_of(share: float64) -> float64:
+def entropy_of(fraction: float64) -> float64:
     """-x ln x, and its limit at zero."""
     entropy = float64(0.0)
-    if share > 0.0:
-        entropy = -share * log(share)
+    if fraction > 0.0:
+        entropy = -fraction * log(fraction)
     return entropy
 
 

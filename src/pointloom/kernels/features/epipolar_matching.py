@@ -20,14 +20,14 @@ class LineSearches:
     """Directed image pairs: first threads, row-major `essential`, `limits`: squared line distances in ray units."""
 
     starts: array(dtype=int32)
-    pictures: array(dtype=int32, ndim=2)
+    images: array(dtype=int32, ndim=2)
     essential: array(dtype=float64, ndim=2)
     limits: array(dtype=float64, ndim=2)
 
     def __init__(
-        self, starts: np.ndarray, pictures: np.ndarray, essential: np.ndarray, limits: np.ndarray, device: Device
+        self, starts: np.ndarray, images: np.ndarray, essential: np.ndarray, limits: np.ndarray, device: Device
     ) -> None:
-        self.starts, self.pictures = upload(starts, int32, device), upload(pictures, int32, device)
+        self.starts, self.images = upload(starts, int32, device), upload(images, int32, device)
         self.essential, self.limits = upload(essential, float64, device), upload(limits, float64, device)
 
 
@@ -71,8 +71,8 @@ def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, mat
     """Nearest admissible feature of the second image, its squared distance, and that of the second nearest."""
     i = tid()
     s = search_of(i, searches.starts)
-    first = searches.pictures[s, 0]
-    second = searches.pictures[s, 1]
+    first = searches.images[s, 0]
+    second = searches.images[s, 1]
     own_feature = features.firsts[first] + i - searches.starts[s]
     x = features.rays[own_feature, 0]
     y = features.rays[own_feature, 1]

@@ -112,12 +112,12 @@ def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float3
     pairs = -1
     for j in range(BINS):
         pairs += counts[j]
-    share = 100.0 / float(max(pairs, 1))
+    fraction = 100.0 / float(max(pairs, 1))
     for j in range(COLUMNS):
         own = 0
         if j % BINS == MIDDLE:
             own = 1
-        histograms[rank, j] = float(counts[j] - own) * share
+        histograms[rank, j] = float(counts[j] - own) * fraction
 
 
 @kernel(max_registers=80)

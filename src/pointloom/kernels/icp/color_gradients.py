@@ -85,9 +85,9 @@ def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
             if half >= 0.0:
                 x = spread + half
                 y = total[2]
-            share = (x * total[4] + y * total[5]) / ((x * x + y * y) * largest)
-            a = x * share
-            b = y * share
+            fraction = (x * total[4] + y * total[5]) / ((x * x + y * y) * largest)
+            a = x * fraction
+            b = y * fraction
     return u * a + v * b
 
 

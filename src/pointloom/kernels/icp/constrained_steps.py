@@ -61,12 +61,12 @@ def free_basis(
                 u = vec6d(0.0, 0.0, 0.0, axis[0], axis[1], axis[2])
             for _ in range(2):  # twice is enough (Giraud et al. 2005)
                 for j in range(k):
-                    share = float64(0.0)
+                    fraction = float64(0.0)
                     for i in range(n):
-                        share += q[i * UNKNOWNS + j] * u[i]
+                        fraction += q[i * UNKNOWNS + j] * u[i]
                     for i in range(n):
-                        u[i] = u[i] - share * q[i * UNKNOWNS + j]
-                    r[j * UNKNOWNS + k] = r[j * UNKNOWNS + k] + share
+                        u[i] = u[i] - fraction * q[i * UNKNOWNS + j]
+                    r[j * UNKNOWNS + k] = r[j * UNKNOWNS + k] + fraction
             length = sqrt(dot(u, u))
             r[k * UNKNOWNS + k] = length
             for i in range(n):
@@ -192,7 +192,7 @@ def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float6
     return max(total / (float64(rows) * sums[COUNT_AT]), min_noise * min_noise)
 
 
-MIN_PRIOR_SHARE = 1.0e-12  # of the trace of the prior's information: less counts as none
+MIN_PRIOR_FRACTION = 1.0e-12  # of the trace of the prior's information: less counts as none
 SMALLEST_FACTOR = 0.5  # of the scale per step
 FIXED = 0  # motion kinds: fixed, determined by pairs, by the prior only, undetermined
 PAIRED = 1
@@ -268,7 +268,7 @@ def align_with_prior(basis: square, kinds: vec6d, information: square) -> tuple[
     aligned_kinds = kinds
     for k in range(n):
         if kinds[k] == float64(LOOSE):
-            if system[36 + k] > float64(MIN_PRIOR_SHARE) * trace:
+            if system[36 + k] > float64(MIN_PRIOR_FRACTION) * trace:
                 aligned_kinds[k] = float64(BY_PRIOR)
             for i in range(n):
                 total = float64(0.0)
@@ -382,17 +382,17 @@ def prior_system(
 
 
 @func
-def without_scale(system: square, right: vec6d, shares: vec6d, scale: scale_row) -> tuple[square, vec6d]:
-    """Eliminate the scale from a reduced system; `shares` couples it with the basis."""
+def without_scale(system: square, right: vec6d, fractions: vec6d, scale: scale_row) -> tuple[square, vec6d]:
+    """Eliminate the scale from a reduced system; `fractions` couples it with the basis."""
     matrix = system
     b = right
     n = int(UNKNOWNS)
     if scale[6] > 0.0:
         for k in range(n):
-            b[k] = b[k] - shares[k] * scale[7] / scale[6]
+            b[k] = b[k] - fractions[k] * scale[7] / scale[6]
             for j in range(n):
                 at = j * UNKNOWNS + k
-                matrix[at] = matrix[at] - shares[j] * shares[k] / scale[6]
+                matrix[at] = matrix[at] - fractions[j] * fractions[k] / scale[6]
     return matrix, b
 
 
@@ -417,11 +417,11 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
     system = between(q, about(h, center, size), q)
     right = along_columns(q, vector_about(g, center, size))
     scale = scale_row(0.0)
-    shares = vec6d(0.0)
+    fractions = vec6d(0.0)
     if rules.scaling == 1:
         scale = scale_system(sums, image - origin, center, size)
-        shares = along_columns(q, vec6d(scale[0], scale[1], scale[2], scale[3], scale[4], scale[5]))
-        system, right = without_scale(system, right, shares, scale)
+        fractions = along_columns(q, vec6d(scale[0], scale[1], scale[2], scale[3], scale[4], scale[5]))
+        system, right = without_scale(system, right, fractions, scale)
     information = square(0.0)
     pull = vec6d(0.0)
     if freedom.informed == 1:
@@ -432,7 +432,7 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
     x = parameters_of(r, y)
     grown = float64(0.0)
     if scale[6] > 0.0:
-        grown = -(scale[7] + dot(shares, y)) / scale[6]
+        grown = -(scale[7] + dot(fractions, y)) / scale[6]
     return scale_row(x[0], x[1], x[2], x[3], x[4], x[5], 0.0, grown)
 
 

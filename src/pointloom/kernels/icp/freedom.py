@@ -179,19 +179,19 @@ def logarithm(R: mat33d) -> vec3d:
     q = quaternion_of(R)
     v = vec3d(q[0], q[1], q[2])
     sine = sqrt(dot(v, v))
-    share = float64(2.0)
+    fraction = float64(2.0)
     if sine > 0.0:
-        share = 2.0 * atan2(sine, q[3]) / sine
-    return v * share
+        fraction = 2.0 * atan2(sine, q[3]) / sine
+    return v * fraction
 
 
 @func
 def change_of_logarithm(v: vec3d, w: vec3d) -> vec3d:
     """Inverse left Jacobian: change of the rotation vector v under a small rotation w."""
     angle = sqrt(dot(v, v))
-    share = float64(1.0 / 12.0) + angle * angle * float64(1.0 / 720.0)
+    fraction = float64(1.0 / 12.0) + angle * angle * float64(1.0 / 720.0)
     if angle > float64(SMALL_ANGLE):
         half = 0.5 * angle
-        share = (1.0 - half * cos(half) / sin(half)) / (angle * angle)
+        fraction = (1.0 - half * cos(half) / sin(half)) / (angle * angle)
     change = cross(v, w)
-    return w - 0.5 * change + share * cross(v, change)
+    return w - 0.5 * change + fraction * cross(v, change)

@@ -35,7 +35,7 @@ BINS = 2048  # per round: 11 bits, three rounds for 31
 BIN_BITS = 11
 SQUARE_SHIFT = 20  # for fractional RMSDs in one round: the eleven highest bits below the sign
 ROUNDING = 2.0**-20  # of a source's spread: smaller distances are float32 rounding, and equal
-MIN_SHARE = 0.1  # minimum fraction of pairs kept: a few coincidental matches are not the overlap
+MIN_FRACTION = 0.1  # minimum fraction of pairs kept: a few coincidental matches are not the overlap
 
 
 @kernel
@@ -138,7 +138,7 @@ def pick_min_rmsd_kernel(
                 middle = bits_float((b << SQUARE_SHIFT) + (1 << (SQUARE_SHIFT - 1)))
                 sqdists += float64(count) * (float64(middle) + rounding * rounding)
                 score = sqdists / (selected * selected * selected * sqrt(selected))
-                if selected >= float64(MIN_SHARE) * total and (chosen < 0 or score < min_score):
+                if selected >= float64(MIN_FRACTION) * total and (chosen < 0 or score < min_score):
                     chosen = b
                     min_score = score
         thresholds[i] = -1

@@ -202,13 +202,13 @@ def mean_target(sums: row_sums) -> vec3d:
 
 @struct
 class DopplerRule:
-    """Weights of Doppler rows. `sensor`: vehicle position in the sensor frame [m]; `period` [s]; `share`, 0..1. First
-    iterations of robust kernels (`geometric_from`, `doppler_from`) and of rejection above `threshold` [m/s].
+    """Weights of Doppler rows. `sensor`: vehicle position in the sensor frame [m]; `period` [s]; `fraction`, 0..1.
+    First iterations of robust kernels (`geometric_from`, `doppler_from`) and of rejection above `threshold` [m/s].
     """
 
     sensor: vec3d
     period: float64
-    share: float64
+    fraction: float64
     loss: Loss
     geometric_from: int
     doppler_from: int
@@ -219,7 +219,7 @@ class DopplerRule:
         self,
         sensor: np.ndarray,
         period: float,
-        share: float,
+        fraction: float,
         loss: Loss,
         *,
         geometric_from: int,
@@ -227,7 +227,7 @@ class DopplerRule:
         reject_from: int,
         threshold: float,
     ) -> None:
-        self.sensor, self.period, self.share, self.loss = vec3d(*sensor), period, share, loss
+        self.sensor, self.period, self.fraction, self.loss = vec3d(*sensor), period, fraction, loss
         self.geometric_from, self.doppler_from = geometric_from, doppler_from
         self.reject_from, self.threshold = reject_from, threshold
 
@@ -326,7 +326,7 @@ def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, tar
 
 @segment_reduction
 def sum_colored_rows(
-    matches: Matches, loss: Loss, source: PointColumns, target: PointColumns, geometric_share: float64
+    matches: Matches, loss: Loss, source: PointColumns, target: PointColumns, geometric_fraction: float64
 ) -> row_sums:
     """Colored: a point-to-plane row, and the intensity difference at p projected to the target's plane."""
     i = tid()
@@ -337,8 +337,8 @@ def sum_colored_rows(
     s = float64(0.0)
     w = float64(0.0)
     y = float64(0.0)
-    geometric = sqrt(geometric_share)
-    photometric = sqrt(1.0 - geometric_share)
+    geometric = sqrt(geometric_fraction)
+    photometric = sqrt(1.0 - geometric_fraction)
     if paired > 0.0:
         at = source_position(i, matches.jobs)
         n = widen(target.normals[matches.pairs[i]])
@@ -374,8 +374,8 @@ def sum_doppler_rows(
     s = float64(0.0)
     w = float64(0.0)
     y = float64(0.0)
-    share = sqrt(1.0 - rule.share)
-    doppler_share = sqrt(rule.share)
+    fraction = sqrt(1.0 - rule.fraction)
+    doppler_fraction = sqrt(rule.fraction)
     if paired > 0.0:
         job = matches.jobs.group_jobs[i // LEAF]
         at = source_position(i, matches.jobs)
@@ -387,18 +387,18 @@ def sum_doppler_rows(
         if iterations[job] < rule.reject_from or abs(error) <= rule.threshold:
             n = widen(target.normals[matches.pairs[i]])
             u = direction
-            r = share * dot(p - q, n)
+            r = fraction * dot(p - q, n)
             given = weight_of(i, matches)
             w = given
             if iterations[job] >= rule.geometric_from:
                 w = given * robust_weight(loss, r)
-            s = doppler_share * error
+            s = doppler_fraction * error
             y = given
             if iterations[job] >= rule.doppler_from:
                 y = given * robust_weight(rule.loss, s)
-    doppler_share = doppler_share / rule.period
-    total = sum_row(share * cross(p, n), share * n, r, w)
-    total += sum_row(doppler_share * cross(u, rule.sensor), -doppler_share * u, s, y)
+    doppler_fraction = doppler_fraction / rule.period
+    total = sum_row(fraction * cross(p, n), fraction * n, r, w)
+    total += sum_row(doppler_fraction * cross(u, rule.sensor), -doppler_fraction * u, s, y)
     return count_pair(total, p, q, paired)
 
 

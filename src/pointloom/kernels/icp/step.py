@@ -118,11 +118,11 @@ def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
     # rotation by 2 theta about g: quaternion (g / |g| sin theta, cos theta), parallel to (g, 1) as tan theta = |g|
     result = rotation_about(x[0], x[1], x[2], 1.0)
     # rotation by theta: the quaternion of half the angle, parallel to (g / |g| (1 - cos theta) / sin theta, 1)
-    share = float64(0.5)
+    fraction = float64(0.5)
     if size > 1.0e-9:
         root = sqrt(1.0 + size * size)
-        share = (root - 1.0) / (size * size)
-    half = rotation_about(share * x[0], share * x[1], share * x[2], 1.0)
+        fraction = (root - 1.0) / (size * size)
+    half = rotation_about(fraction * x[0], fraction * x[1], fraction * x[2], 1.0)
     cosine = 1.0 / sqrt(1.0 + size * size)
     shift = move(half, vec3d(x[3] * cosine, x[4] * cosine, x[5] * cosine))
     rotated = move(result, p)
@@ -279,10 +279,10 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
     """Store fitness and rmse of a job. Returns whether it continues or how it ends."""
     sums = progress.totals[i]
     count = sums[COUNT_AT]
-    share = float64(0.0)
+    fraction = float64(0.0)
     error = float64(0.0)
     if count > 0.0:
-        share = count / progress.source_counts[i]
+        fraction = count / progress.source_counts[i]
         error = sqrt(sums[DISTANCE_AT] / count)
     outcome = int(RUNNING)
     if count == 0.0:
@@ -294,11 +294,11 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
         outcome = NOT_FINITE  # a zero step would be mistaken for convergence
     if outcome == RUNNING and progress.iterations[i] > 0:
         tolerance = rules.rmse_tolerance + rules.size_tolerance * moved_size(i, matches, progress)
-        if abs(share - progress.fitness[i]) < rules.fitness_tolerance and abs(error - progress.rmse[i]) < tolerance:
+        if abs(fraction - progress.fitness[i]) < rules.fitness_tolerance and abs(error - progress.rmse[i]) < tolerance:
             outcome = CONVERGED
     if outcome == RUNNING and progress.iterations[i] >= rules.max_iterations:
         outcome = OUT_OF_ITERATIONS
-    progress.fitness[i] = share
+    progress.fitness[i] = fraction
     progress.rmse[i] = error
     return outcome
 

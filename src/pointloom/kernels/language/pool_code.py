@@ -1,6 +1,6 @@
 """Machine code that distributes the parts of a CPU launch, and a test of the header it needs.
 
-Both are Warp kernels in one module, with C++ bodies (`_share`, `_serve`; see cpu_pool.py). If they do not compile or
+Both are Warp kernels in one module, with C++ bodies (`_fraction`, `_serve`; see cpu_pool.py). If they do not compile or
 give wrong results, kernels use Warp's own code on one core.
 """
 
@@ -70,7 +70,7 @@ _NATIVE = "".join(f"#define {name}_ p[{slot}]\n" for name, slot in FIELDS.items(
     };
     """
 )
-_SHARE = """
+_FRACTION = """
     forward_ = forward; arguments_ = arguments; total_ = total; chunk_ = chunk; first_ = first;
     __atomic_store_n(&chunks_, (total + chunk - 1) / chunk, __ATOMIC_RELAXED);
     __atomic_store_n(&p[8], (word)0, __ATOMIC_RELAXED);
@@ -109,8 +109,8 @@ _SERVE = """
 """
 
 
-@wp.func_native(_NATIVE + _SHARE)
-def _share(
+@wp.func_native(_NATIVE + _FRACTION)
+def _fraction(
     pool: wp.uint64, forward: wp.uint64, arguments: wp.uint64, total: wp.uint64, chunk: wp.uint64, first: wp.uint64
 ): ...
 
@@ -122,7 +122,7 @@ def _serve(pool: wp.uint64, worker: wp.uint64): ...
 def _share_kernel(
     pool: wp.uint64, forward: wp.uint64, arguments: wp.uint64, total: wp.uint64, chunk: wp.uint64, first: wp.uint64
 ) -> None:
-    _share(pool, forward, arguments, total, chunk, first)
+    _fraction(pool, forward, arguments, total, chunk, first)
 
 
 def _serve_kernel(pool: wp.uint64, worker: wp.uint64) -> None:

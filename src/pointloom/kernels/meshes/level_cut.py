@@ -36,11 +36,11 @@ def mark_cut_edges_kernel(triangles: array(dtype=vec3i), sides: array(dtype=int3
 
 @struct
 class CutEdges:
-    """Cut edges, sorted by their two vertices. `vertices` are the new vertices of half-edges (-1 if uncut), `shares`
+    """Cut edges, sorted by their two vertices. `vertices` are the new vertices of half-edges (-1 if uncut), `fractions`
     the fraction from the lower to the higher vertex. On CUDA, `count` is the number of half-edges, padded by zeros."""
 
     vertices: array(dtype=int32)
-    shares: array(dtype=float64)
+    fractions: array(dtype=float64)
 
     def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: float, crossings: int) -> None:
         """From triangles with a number of edges that cross the level. No sync."""
@@ -53,9 +53,9 @@ class CutEdges:
         self.edges = UniqueKeys(gather_rows(keys, rows), 2 * self.bits, padded=True)
         self.count = self.edges.count
         self.vertex_count = values.size
-        self.vertices, self.shares = full(half_edges, -1, int32, device), empty(self.count, float64, device)
+        self.vertices, self.fractions = full(half_edges, -1, int32, device), empty(self.count, float64, device)
         launch(number_cuts_kernel, self.count, [self.edges, rows, values.size, self.vertices])
-        launch(locate_cuts_kernel, self.count, [self.edges, self.bits, values, level, self.shares])
+        launch(locate_cuts_kernel, self.count, [self.edges, self.bits, values, level, self.fractions])
 
 
 @kernel
@@ -67,22 +67,22 @@ def number_cuts_kernel(edges: UniqueKeys, rows: array(dtype=int32), first: int, 
 
 @kernel
 def locate_cuts_kernel(
-    edges: UniqueKeys, bits: int, values: array(dtype=float64), level: float64, shares: array(dtype=float64)
+    edges: UniqueKeys, bits: int, values: array(dtype=float64), level: float64, fractions: array(dtype=float64)
 ):
     """Fraction at which each edge is cut; halved first to avoid overflow."""
     i = tid()
-    share = float64(0.0)
+    fraction = float64(0.0)
     if edges.starts[i + 1] > edges.starts[i]:
         half = float64(0.5)
         a = values[lower_end(edges.keys[i], bits)] * half
         b = values[higher_end(edges.keys[i], bits)] * half
-        share = (level * half - a) / (b - a)
-    shares[i] = share
+        fraction = (level * half - a) / (b - a)
+    fractions[i] = fraction
 
 
 @kernel
 def interpolate_rows_kernel(
-    edges: UniqueKeys, bits: int, shares: array(dtype=float64), unit: int, first: int, rows: array(dtype=vec3)
+    edges: UniqueKeys, bits: int, fractions: array(dtype=float64), unit: int, first: int, rows: array(dtype=vec3)
 ):
     """Interpolate rows at the new vertices; normalized if `unit` is 1."""
     i = tid()
@@ -90,7 +90,7 @@ def interpolate_rows_kernel(
     if edges.starts[i + 1] > edges.starts[i]:
         a = widen(rows[lower_end(edges.keys[i], bits)])
         b = widen(rows[higher_end(edges.keys[i], bits)])
-        row = a * (1.0 - shares[i]) + b * shares[i]
+        row = a * (1.0 - fractions[i]) + b * fractions[i]
         size = length(row)
         if unit == 1 and size > 0.0:
             row = row / size
@@ -194,10 +194,10 @@ def mix_piece_corners_kernel(
             if v < first_new and triangles[t][k] == v:
                 value = values[h]
             if v >= first_new and cuts.vertices[h] == v:
-                share = float(cuts.shares[v - first_new])
+                fraction = float(cuts.fractions[v - first_new])
                 if corner_vertex(triangles, h) > corner_vertex(triangles, next_corner(h)):
-                    share = 1.0 - share
-                value = (1.0 - share) * values[h] + share * values[next_corner(h)]
+                    fraction = 1.0 - fraction
+                value = (1.0 - fraction) * values[h] + fraction * values[next_corner(h)]
         mixed[3 * i + c] = value
 
 
@@ -225,7 +225,7 @@ class LevelCut:
         cuts, count = self.cuts, rows.size
         longer = empty(count + cuts.count, vec3, rows.device)
         copy(longer, rows, count=count)
-        arguments = [cuts.edges, cuts.bits, cuts.shares, int(unit), count, longer]
+        arguments = [cuts.edges, cuts.bits, cuts.fractions, int(unit), count, longer]
         launch(interpolate_rows_kernel, cuts.count, arguments)
         return longer
 
@@ -234,7 +234,7 @@ class LevelCut:
         cuts, device = self.cuts, self.sides.device
         numbers, lows, highs = (empty(cuts.count, int32, device) for _ in range(3))
         launch(split_cut_keys_kernel, cuts.count, [cuts.edges, cuts.bits, cuts.vertex_count, numbers, lows, highs])
-        return with_vertices_on_edges(cuts.vertex_count, numbers, lows, highs, cuts.shares)
+        return with_vertices_on_edges(cuts.vertex_count, numbers, lows, highs, cuts.fractions)
 
     def corners_of(self, values: Array1[vec2]) -> Array1[vec2]:
         mixed = empty(3 * self.pieces.size, vec2, values.device)

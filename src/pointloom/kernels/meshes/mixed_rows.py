@@ -84,19 +84,21 @@ def mix_ends_kernel(
     numbers: array(dtype=int32),
     lows: array(dtype=int32),
     highs: array(dtype=int32),
-    shares: array(dtype=float64),
+    fractions: array(dtype=float64),
     rows: array(dtype=vec3i),
     weights: array(dtype=vec3d),
 ):
     i = tid()
     rows[numbers[i]] = vec3i(lows[i], highs[i], lows[i])
-    weights[numbers[i]] = vec3d(1.0 - shares[i], shares[i], 0.0)
+    weights[numbers[i]] = vec3d(1.0 - fractions[i], fractions[i], 0.0)
 
 
-def with_vertices_on_edges(count: int, numbers: Indices, lows: Indices, highs: Indices, shares: Doubles) -> MixedRows:
-    """Keep `count` vertices and append those `numbers`, one per edge, at the fraction `shares` between its ends."""
+def with_vertices_on_edges(
+    count: int, numbers: Indices, lows: Indices, highs: Indices, fractions: Doubles
+) -> MixedRows:
+    """Keep `count` vertices and append those `numbers`, one per edge, at the fraction `fractions` between its ends."""
     total, device = count + lows.size, lows.device
     rows, weights = empty(total, vec3i, device), empty(total, vec3d, device)
     launch(keep_rows_kernel, count, [rows, weights])
-    launch(mix_ends_kernel, lows.size, [numbers, lows, highs, shares, rows, weights])
+    launch(mix_ends_kernel, lows.size, [numbers, lows, highs, fractions, rows, weights])
     return MixedRows(rows, weights)

@@ -45,7 +45,7 @@ MAX_PAIRS = 2**30  # entries of the lists: 8 GB
 @struct
 class Elimination:
     """Remaining samples by tree position. `gain` is 1 / (1 - r_min / r_max). `firsts` and `lasts` delimit neighbors
-    within r_max in `lists`, with weights `shares`. `states` are weights, or the negated weight at removal. `rivals`
+    within r_max in `lists`, with weights `fractions`. `states` are weights, or the negated weight at removal. `rivals`
     cache a heavier neighbor; `peaks` marks samples to remove; `remaining` and `running` whether neighbors remain."""
 
     tree: PointTree
@@ -54,7 +54,7 @@ class Elimination:
     firsts: array(dtype=int32)
     lasts: array(dtype=int32)
     lists: array(dtype=int32)
-    shares: array(dtype=int32)
+    fractions: array(dtype=int32)
     states: array(dtype=int64)
     rivals: array(dtype=int32)
     peaks: array(dtype=int32)
@@ -75,7 +75,7 @@ class Elimination:
         """List neighbors into preallocated room per thread. False if it is too small."""
         device, count = self.tree.device, self.tree.count
         self.firsts, self.lasts = (empty(count, int32, device) for _ in range(2))
-        self.lists, self.shares = (empty(count * room, int32, device) for _ in range(2))
+        self.lists, self.fractions = (empty(count * room, int32, device) for _ in range(2))
         overflow = zeros(1, int32, device)
         near.visit(list_neighbors_kernel, near.positions, [room, self, overflow])
         return not download(overflow)[0]  # sync
@@ -90,7 +90,7 @@ class Elimination:
         check_room(device, 8 * total, f"{total:,} neighbors of {count:,} samples")
         starts = offsets_of(counts)
         self.firsts, self.lasts = starts[:count], starts[1:]
-        self.lists, self.shares = (empty(total, int32, device) for _ in range(2))
+        self.lists, self.fractions = (empty(total, int32, device) for _ in range(2))
         near.visit(list_neighbors_kernel, near.positions, [0, self, zeros(1, int32, device)])
 
     def round(self) -> None:
@@ -107,9 +107,9 @@ class CrowdedError(ValueError):
 @func
 def pair_weight(sqdist: float, max_radius: float64, gain: float64) -> int:
     """Mutual weight of two samples in units of 2^-30 of the maximum."""
-    share = (1.0 - sqrt(float64(sqdist)) / max_radius) * gain
-    share = min(max(share, 0.0), 1.0)
-    square = share * share
+    fraction = (1.0 - sqrt(float64(sqdist)) / max_radius) * gain
+    fraction = min(max(fraction, 0.0), 1.0)
+    square = fraction * fraction
     fourth = square * square
     return int(fourth * fourth * float64(WEIGHT_UNIT))
 
@@ -161,20 +161,20 @@ def list_neighbors_kernel(
             for slot in range(count):
                 key = stored_key(scratch, base, slot)
                 if key_index(key) != rank:
-                    share = pair_weight(key_number(key), samples.max_radius, samples.gain)
+                    fraction = pair_weight(key_number(key), samples.max_radius, samples.gain)
                     samples.lists[at] = key_index(key)
-                    samples.shares[at] = share
+                    samples.fractions[at] = fraction
                     at += 1
-                    total += int64(share)
+                    total += int64(fraction)
         else:
             for j, sqdist in neighbors_of(rank, neighborhood):
                 if j != rank:
                     if at < end:
-                        share = pair_weight(sqdist, samples.max_radius, samples.gain)
+                        fraction = pair_weight(sqdist, samples.max_radius, samples.gain)
                         samples.lists[at] = j
-                        samples.shares[at] = share
+                        samples.fractions[at] = fraction
                         at += 1
-                        total += int64(share)
+                        total += int64(fraction)
                     else:
                         atomic_max(overflow, 0, 1)
         if room > 0:
@@ -220,7 +220,7 @@ def remove_sample(i: int, samples: Elimination):
     for at in range(samples.firsts[i], samples.lasts[i]):
         j = samples.lists[at]
         if samples.states[j] > 0:
-            atomic_add(samples.states, j, -int64(samples.shares[at]))
+            atomic_add(samples.states, j, -int64(samples.fractions[at]))
 
 
 @kernel

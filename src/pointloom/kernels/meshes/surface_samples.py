@@ -39,11 +39,11 @@ def list_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)
 
 
 @func
-def find_share(running: array(dtype=float64), share: float64, first: int, last: int) -> int:
+def find_fraction(running: array(dtype=float64), fraction: float64, first: int, last: int) -> int:
     """First position in first .. last with a cumulative sum above a fraction of the total, else `last`."""
     low = first
     high = last
-    wanted = share * running[running.shape[0] - 1]
+    wanted = fraction * running[running.shape[0] - 1]
     while low < high:
         middle = low + (high - low) // 2
         if running[middle] > wanted:
@@ -54,10 +54,10 @@ def find_share(running: array(dtype=float64), share: float64, first: int, last: 
 
 
 @kernel
-def guide_shares_kernel(running: array(dtype=float64), steps: int, guide: array(dtype=int32)):
+def guide_fractions_kernel(running: array(dtype=float64), steps: int, guide: array(dtype=int32)):
     """Positions of the fractions 0, 1 / steps .. 1, exact since `steps` is a power of two."""
     i = tid()
-    guide[i] = find_share(running, float64(i) / float64(steps), 0, running.shape[0] - 1)
+    guide[i] = find_fraction(running, float64(i) / float64(steps), 0, running.shape[0] - 1)
 
 
 @kernel
@@ -71,9 +71,9 @@ def draw_samples_kernel(
 ):
     i = tid()
     words = random_bits(seed, i, 0)
-    share = (float64(words[0]) * 1048576.0 + float64(words[1] >> 12)) * float64(HALF_WORD)
-    step = int(share * float64(steps))
-    chosen[i] = find_share(running, share, guide[step], guide[step + 1])
+    fraction = (float64(words[0]) * 1048576.0 + float64(words[1] >> 12)) * float64(HALF_WORD)
+    step = int(fraction * float64(steps))
+    chosen[i] = find_fraction(running, fraction, guide[step], guide[step + 1])
     root = sqrt(float64(words[2]) * float64(WORD))
     s = float64(words[3]) * float64(WORD)
     weights[i] = vec3d(1.0 - root, root * (1.0 - s), root * s)
@@ -159,7 +159,7 @@ class SurfaceSamples:
         self.chosen, self.weights = empty(count, int32, self.device), empty(count, vec3d, self.device)
         steps = 1 << max(0, min(self.triangles.size, count // GUIDED).bit_length() - 1)
         guide = empty(steps + 1, int32, self.device)
-        launch(guide_shares_kernel, steps + 1, [self.running, steps, guide])
+        launch(guide_fractions_kernel, steps + 1, [self.running, steps, guide])
         launch(draw_samples_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])
 
     def mix(self, values: Vectors, unit: bool = False) -> Vectors:

@@ -37,9 +37,9 @@ class ScrewMotion:
 
 
 @func
-def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
+def move_along_screw(p: vec3, fraction: float, motion: ScrewMotion) -> vec3:
     """Move p by a fraction of exp(angle * axis, velocity). 2 sin^2(a / 2) is accurate for small a."""
-    a = share * motion.angle
+    a = fraction * motion.angle
     sine = sin(a)
     half = sin(0.5 * a)
     versine = 2.0 * half * half
@@ -51,7 +51,7 @@ def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
     kp = cross(motion.axis, p)
     kv = cross(motion.axis, motion.velocity)
     rotated = p + kp * sine + cross(motion.axis, kp) * versine
-    moved = (motion.velocity + kv * first + cross(motion.axis, kv) * second) * share
+    moved = (motion.velocity + kv * first + cross(motion.axis, kv) * second) * fraction
     return rotated + moved
 
 
@@ -93,13 +93,13 @@ def deskew_points_kernel(
     i = tid()
     first = motion.span[0]
     last = motion.span[1]
-    share = 0.0
+    fraction = 0.0
     if last > first:
-        share = float((times[i] - last) / (last - first))
+        fraction = float((times[i] - last) / (last - first))
     elif last == first and not isfinite(times[i]):
-        share = float(NAN)
+        fraction = float(NAN)
     p = narrow(widen(points[i]) + origin)
-    out[i] = move_along_screw(p, share, motion)
+    out[i] = move_along_screw(p, fraction, motion)
 
 
 def bound_times(points: Points, times: Doubles) -> Doubles:

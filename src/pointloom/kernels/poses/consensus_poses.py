@@ -329,17 +329,20 @@ LARGEST = 0x7FFF_FFFF  # above all numbers of common neighbors
 FITTED = 32  # distinct poses refitted
 SAME = 3.0  # inlier distances: closer poses are equal
 STEPS = 14  # of graduated non-convexity: mu grows from 1/3 by STEP to 40
-FIRST_SHARE, STEP = 1.0 / 3.0, 1.4  # mu of the paper: weights initially vanish at sqrt((mu + 1) / mu) = 2 noise bounds
+FIRST_FRACTION, STEP = (
+    1.0 / 3.0,
+    1.4,
+)  # mu of the paper: weights initially vanish at sqrt((mu + 1) / mu) = 2 noise bounds
 
 
 @func
-def truncated_weight(sqdist: float64, limit: float64, share: float64) -> float64:
-    """Weight of a residual under the surrogate `share` of least squares truncated at `limit` [m^2]."""
+def truncated_weight(sqdist: float64, limit: float64, fraction: float64) -> float64:
+    """Weight of a residual under the surrogate `fraction` of least squares truncated at `limit` [m^2]."""
     w = float64(1.0)
-    if sqdist >= limit * (share + 1.0) / share:
+    if sqdist >= limit * (fraction + 1.0) / fraction:
         w = 0.0
-    elif sqdist > limit * share / (share + 1.0):
-        w = sqrt(limit / sqdist * share * (share + 1.0)) - share
+    elif sqdist > limit * fraction / (fraction + 1.0):
+        w = sqrt(limit / sqdist * fraction * (fraction + 1.0)) - fraction
     return w
 
 
@@ -449,7 +452,7 @@ def sum_truncated_kernel(
     pairs: PairCoordinates,
     poses: array(dtype=mat44d),
     limit: float64,
-    share: float64,
+    fraction: float64,
     partials: array(dtype=float64, ndim=2),
 ):
     """Weighted sums of a block of correspondences under one pose. Last, the reduction of the truncated cost."""
@@ -458,7 +461,7 @@ def sum_truncated_kernel(
     s = pair_sums(0.0)
     saved = float64(0.0)
     for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
-        w = truncated_weight(sqdist, limit, share)
+        w = truncated_weight(sqdist, limit, fraction)
         if w > 0.0:
             s += sums_of_pair(p, q, w)
         if sqdist < limit:
@@ -467,7 +470,7 @@ def sum_truncated_kernel(
 
 
 @segment_reduction
-def sum_truncated(pairs: PairCoordinates, poses: array(dtype=mat44d), limit: float64, share: float64) -> all_sums:
+def sum_truncated(pairs: PairCoordinates, poses: array(dtype=mat44d), limit: float64, fraction: float64) -> all_sums:
     """Weighted sums of a correspondence under one pose. Last, the reduction of the truncated cost."""
     i = tid()
     p = source_point(pairs, i % pairs.count)
@@ -477,7 +480,7 @@ def sum_truncated(pairs: PairCoordinates, poses: array(dtype=mat44d), limit: flo
     saved = float64(0.0)
     if sqdist < limit:
         saved = 1.0 - sqdist / limit
-    return joined_sums(sums_of_pair(p, q, truncated_weight(sqdist, limit, share)), saved)
+    return joined_sums(sums_of_pair(p, q, truncated_weight(sqdist, limit, fraction)), saved)
 
 
 @kernel
@@ -507,11 +510,11 @@ def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indic
 def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps: int = STEPS) -> Doubles:
     """Fit poses (in place) by graduated non-convexity. Returns inlier sums of 1 - (residual / distance)^2."""
     saved = empty(poses.size, float64, pairs.device)
-    sums, limit, share = PoseSums(pairs, poses.size), distance * distance, FIRST_SHARE
+    sums, limit, fraction = PoseSums(pairs, poses.size), distance * distance, FIRST_FRACTION
     for step in range(steps + 1):
-        sums.add_up(sum_truncated_kernel, sum_truncated, [poses, limit, share])
+        sums.add_up(sum_truncated_kernel, sum_truncated, [poses, limit, fraction])
         launch(step_poses_kernel, poses.size, [sums.rows, sums.blocks, int(step == steps), poses, saved])
-        share *= STEP
+        fraction *= STEP
     return saved
 
 

@@ -87,18 +87,18 @@ def find_cell(p: vec3, cell_size: float64) -> vec3i:
 
 
 @func
-def share_of(p: vec3, cell: vec3i, cell_size: float64) -> vec3d:
+def fraction_of(p: vec3, cell: vec3i, cell_size: float64) -> vec3d:
     """Position within a cell, 0 to 1 per axis."""
     scaled = widen(p) / cell_size
     return scaled - vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2]))
 
 
 @func
-def corner_weight(corner: int, share: vec3d) -> float64:
+def corner_weight(corner: int, fraction: vec3d) -> float64:
     one = float64(1.0)
-    x = share[0]
-    y = share[1]
-    z = share[2]
+    x = fraction[0]
+    y = fraction[1]
+    z = fraction[2]
     if (corner >> 2) == 0:
         x = one - x
     if ((corner >> 1) & 1) == 0:
@@ -109,11 +109,11 @@ def corner_weight(corner: int, share: vec3d) -> float64:
 
 
 @func
-def corner_slope(corner: int, share: vec3d) -> vec3d:
+def corner_slope(corner: int, fraction: vec3d) -> vec3d:
     one = float64(1.0)
-    x = share[0]
-    y = share[1]
-    z = share[2]
+    x = fraction[0]
+    y = fraction[1]
+    z = fraction[2]
     along = vec3d(one, one, one)
     if (corner >> 2) == 0:
         x = one - x
@@ -198,7 +198,7 @@ def bend_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, moved
     if isfinite(p):
         cell = find_cell(p, lattice.cell_size)
         if cell[0] < FARTHEST:
-            share = share_of(p, cell, lattice.cell_size)
+            fraction = fraction_of(p, cell, lattice.cell_size)
             total = vec3d(0.0, 0.0, 0.0)
             weights = float64(0.0)
             missing = 0
@@ -207,7 +207,7 @@ def bend_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, moved
                 key = block_key(cell[0] + (k >> 2), cell[1] + ((k >> 1) & 1), cell[2] + (k & 1))
                 anchor = find_position(key, lattice.anchors)
                 if anchor >= 0:
-                    w = corner_weight(k, share)
+                    w = corner_weight(k, fraction)
                     total += w * lattice.shifts[anchor]
                     weights += w
                 else:
@@ -232,14 +232,14 @@ def bend_normals_kernel(
         if cell[0] < FARTHEST:
             cell_index = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
             if cell_index >= 0:
-                share = share_of(p, cell, lattice.cell_size)
+                fraction = fraction_of(p, cell, lattice.cell_size)
                 x = vec3d(1.0, 0.0, 0.0)
                 y = vec3d(0.0, 1.0, 0.0)
                 z = vec3d(0.0, 0.0, 1.0)
                 count = int(CORNERS)
                 for k in range(count):
                     shift = lattice.shifts[lattice.corners[CORNERS * cell_index + k]]
-                    slope = corner_slope(k, share) / lattice.cell_size
+                    slope = corner_slope(k, fraction) / lattice.cell_size
                     x += shift[0] * slope
                     y += shift[1] * slope
                     z += shift[2] * slope

@@ -49,8 +49,8 @@ from .control_lattice import (
     bend_points,
     corner_weight,
     find_cell,
+    fraction_of,
     locate_points_kernel,
-    share_of,
 )
 
 corner_sums = vector(24, float64)  # three per cell corner
@@ -72,8 +72,8 @@ class FragmentRows:
     target_normals: array(dtype=vec3)
     source_cells: array(dtype=int32)
     target_cells: array(dtype=int32)
-    source_shares: array(dtype=vec3)
-    target_shares: array(dtype=vec3)
+    source_fractions: array(dtype=vec3)
+    target_fractions: array(dtype=vec3)
     residuals: array(dtype=float64)
     images: array(dtype=float64)
     order: array(dtype=int32)
@@ -83,7 +83,14 @@ class FragmentRows:
         self.pairs = empty(count, int32, device)
         self.starts = np.zeros(1, np.int64)
         self.sums: SegmentBlocks  # of the rows of each pair. Set once they are known
-        for name in ("positions", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
+        for name in (
+            "positions",
+            "normals",
+            "source_normals",
+            "target_normals",
+            "source_fractions",
+            "target_fractions",
+        ):
             setattr(self, name, empty(count, vec3, device))
         self.source_cells, self.target_cells = empty(count, int32, device), empty(count, int32, device)
         self.residuals, self.images = empty(count, float64, device), empty(count, float64, device)
@@ -192,9 +199,9 @@ def fill_rows_kernel(
     rows.source_cells[i] = fragments.cells[p]
     rows.target_cells[i] = fragments.cells[q]
     at = fragments.points[p]
-    rows.source_shares[i] = narrow(share_of(at, find_cell(at, lattice.cell_size), lattice.cell_size))
+    rows.source_fractions[i] = narrow(fraction_of(at, find_cell(at, lattice.cell_size), lattice.cell_size))
     at = fragments.points[q]
-    rows.target_shares[i] = narrow(share_of(at, find_cell(at, lattice.cell_size), lattice.cell_size))
+    rows.target_fractions[i] = narrow(fraction_of(at, find_cell(at, lattice.cell_size), lattice.cell_size))
 
 
 @kernel
@@ -210,13 +217,13 @@ def key_ends_kernel(cell_count: int, rows: FragmentRows, keys: array(dtype=int64
 
 
 @func
-def shift_within(cell: int, share: vec3, lattice: ControlLattice, first: int, steps: array(dtype=vec3d)) -> vec3d:
+def shift_within(cell: int, fraction: vec3, lattice: ControlLattice, first: int, steps: array(dtype=vec3d)) -> vec3d:
     """Displacement at a position in a cell by the anchors' steps from row `first` on."""
     total = vec3d(0.0, 0.0, 0.0)
     if cell >= 0:
         n = int(CORNERS)
         for k in range(n):
-            total += corner_weight(k, widen(share)) * steps[first + lattice.corners[CORNERS * cell + k]]
+            total += corner_weight(k, widen(fraction)) * steps[first + lattice.corners[CORNERS * cell + k]]
     return total
 
 
@@ -228,8 +235,8 @@ def map_rows_kernel(first: int, steps: array(dtype=vec3d), lattice: ControlLatti
     b = 2 * rows.ends[2 * rows.pairs[i] + 1]
     n = widen(rows.normals[i])
     value = dot(cross(widen(rows.positions[i]), n), steps[a] - steps[b]) + dot(n, steps[a + 1] - steps[b + 1])
-    p = shift_within(rows.source_cells[i], rows.source_shares[i], lattice, first, steps)
-    q = shift_within(rows.target_cells[i], rows.target_shares[i], lattice, first, steps)
+    p = shift_within(rows.source_cells[i], rows.source_fractions[i], lattice, first, steps)
+    q = shift_within(rows.target_cells[i], rows.target_fractions[i], lattice, first, steps)
     rows.images[i] = value + dot(widen(rows.source_normals[i]), p) - dot(widen(rows.target_normals[i]), q)
 
 

@@ -119,12 +119,12 @@ def end_normal(end: int, rows: FragmentRows) -> vec3d:
 
 
 @func
-def end_share(end: int, rows: FragmentRows) -> vec3d:
+def end_fraction(end: int, rows: FragmentRows) -> vec3d:
     """Position in its cell of a row end."""
-    share = widen(rows.source_shares[end // 2])
+    fraction = widen(rows.source_fractions[end // 2])
     if end % 2 == 1:
-        share = widen(rows.target_shares[end // 2])
-    return share
+        fraction = widen(rows.target_fractions[end // 2])
+    return fraction
 
 
 @segment_reduction
@@ -133,10 +133,10 @@ def sum_cell_slopes(rows: FragmentRows, values: array(dtype=float64)) -> corner_
     i = tid()
     end = rows.order[i]
     n = end_normal(end, rows) * values[end // 2]
-    share = end_share(end, rows)
+    fraction = end_fraction(end, rows)
     total = corner_sums(0.0)
     for k in range(CORNERS):
-        w = corner_weight(k, share)
+        w = corner_weight(k, fraction)
         total[3 * k] = w * n[0]
         total[3 * k + 1] = w * n[1]
         total[3 * k + 2] = w * n[2]
@@ -148,7 +148,7 @@ def sum_cell_squares(rows: FragmentRows, corner: int) -> anchor_block:
     """Products of a row's derivatives by the shift of one corner."""
     i = tid()
     end = rows.order[i]
-    n = end_normal(end, rows) * corner_weight(corner, end_share(end, rows))
+    n = end_normal(end, rows) * corner_weight(corner, end_fraction(end, rows))
     return anchor_block(n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2])
 
 
@@ -241,10 +241,10 @@ def invert_symmetric(a: mat33d) -> mat33d:
     yz = a[0, 1] * a[0, 2] - a[0, 0] * a[1, 2]
     zz = a[0, 0] * a[1, 1] - a[0, 1] * a[0, 1]
     size = a[0, 0] * xx + a[0, 1] * xy + a[0, 2] * xz
-    share = float64(0.0)
+    fraction = float64(0.0)
     if size > 0.0:
-        share = 1.0 / size
-    return mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) * share
+        fraction = 1.0 / size
+    return mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) * fraction
 
 
 @kernel
@@ -270,9 +270,9 @@ def weigh_fragments_kernel(system: StepSystem, residual: array(dtype=vec3d), for
     a = residual[2 * i]
     b = residual[2 * i + 1]
     x = solve_factored(system.factors[i], vec6d(a[0], a[1], a[2], b[0], b[1], b[2]))
-    share = float64(system.free[i])
-    forces[2 * i] = vec3d(x[0], x[1], x[2]) * share
-    forces[2 * i + 1] = vec3d(x[3], x[4], x[5]) * share
+    fraction = float64(system.free[i])
+    forces[2 * i] = vec3d(x[0], x[1], x[2]) * fraction
+    forces[2 * i + 1] = vec3d(x[3], x[4], x[5]) * fraction
 
 
 @kernel

@@ -14,10 +14,10 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
     d = float(distances[i])
     color = vec3(0.5, 0.5, 0.5)
     if isfinite(d):
-        share = 0.0
+        fraction = 0.0
         if largest > 0.0:
-            share = min(d / largest, 1.0)
-        position = share * float(STEPS)
+            fraction = min(d / largest, 1.0)
+        position = fraction * float(STEPS)
         step = min(int(position), STEPS - 1)
         rest = position - float(step)
         a = vec3(0.267, 0.005, 0.329)

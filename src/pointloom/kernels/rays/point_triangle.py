@@ -24,16 +24,16 @@ def precedes(a: vec3d, b: vec3d) -> int:
 
 
 @func
-def share_of_edge(p: vec3d, a: vec3d, b: vec3d) -> float64:
+def fraction_of_edge(p: vec3d, a: vec3d, b: vec3d) -> float64:
     """Parameter of the nearest point on the edge from a to b, 0..1."""
     along = dot(p - a, b - a)
     square_length = dot(b - a, b - a)
-    share = float64(0.0)
+    fraction = float64(0.0)
     if along >= square_length:
-        share = 1.0
+        fraction = 1.0
     elif along > 0.0:
-        share = along / square_length
-    return share if square_length > 0.0 else 0.0
+        fraction = along / square_length
+    return fraction if square_length > 0.0 else 0.0
 
 
 @func
@@ -45,11 +45,11 @@ def measure_edge(p: vec3d, a: vec3d, b: vec3d) -> vec2d:
     if swapped == 1:
         tail = b + vec3d(0.0, 0.0, 0.0)
         head = a + vec3d(0.0, 0.0, 0.0)
-    share = share_of_edge(p, tail, head)
-    gap = p - (tail + (head - tail) * share)
-    if share == 1.0:
+    fraction = fraction_of_edge(p, tail, head)
+    gap = p - (tail + (head - tail) * fraction)
+    if fraction == 1.0:
         gap = p - head
-    return vec2d(1.0 - share if swapped == 1 else share, dot(gap, gap))
+    return vec2d(1.0 - fraction if swapped == 1 else fraction, dot(gap, gap))
 
 
 @func
@@ -58,24 +58,24 @@ def measure_edges(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
     bc = measure_edge(p, b, c)
     ca = measure_edge(p, c, a)
     which = 0
-    share = ab[0]
+    fraction = ab[0]
     nearest = ab[1]
     if bc[1] < nearest:
         which = 1
-        share = bc[0]
+        fraction = bc[0]
         nearest = bc[1]
     if ca[1] < nearest:
         which = 2
-        share = ca[0]
+        fraction = ca[0]
         nearest = ca[1]
     part = EDGE + which
-    if share == 0.0:
+    if fraction == 0.0:
         part = CORNER + which
-    elif share == 1.0:
+    elif fraction == 1.0:
         part = CORNER + (which + 1) % 3
-    rest = 1.0 - share
-    second = share if which == 0 else (rest if which == 1 else 0.0)
-    third = 0.0 if which == 0 else (share if which == 1 else rest)
+    rest = 1.0 - fraction
+    second = fraction if which == 0 else (rest if which == 1 else 0.0)
+    third = 0.0 if which == 0 else (fraction if which == 1 else rest)
     return vec4d(second, third, float64(part), nearest)
 
 

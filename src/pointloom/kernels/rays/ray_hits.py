@@ -344,12 +344,12 @@ def meet_edge(ax: float, ay: float, az: float, bx: float, by: float, bz: float) 
         q = float64(ay if swapped == 1 else by)
     near = float64(bz if swapped == 1 else az)
     far = float64(az if swapped == 1 else bz)
-    share = -p / (q - p)
-    rest = 1.0 - share
+    fraction = -p / (q - p)
+    rest = 1.0 - fraction
     depth = (near * q - far * p) / (q - p)
-    weights = weights_and_depth(rest, share, depth)
+    weights = weights_and_depth(rest, fraction, depth)
     if swapped == 1:
-        weights = weights_and_depth(share, rest, depth)
+        weights = weights_and_depth(fraction, rest, depth)
     return weights
 
 

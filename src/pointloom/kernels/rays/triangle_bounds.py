@@ -28,11 +28,11 @@ def one_over(x: float) -> float:
 @func
 def edge_distance(ex: float, ey: float, ez: float, x: float, y: float, z: float) -> float:
     """Squared distance from an edge of a point relative to the edge's tail."""
-    share = (ex * x + ey * y + ez * z) * one_over(ex * ex + ey * ey + ez * ez)
-    share = smaller(larger(share, 0.0), 1.0)
-    dx = x - ex * share
-    dy = y - ey * share
-    dz = z - ez * share
+    fraction = (ex * x + ey * y + ez * z) * one_over(ex * ex + ey * ey + ez * ez)
+    fraction = smaller(larger(fraction, 0.0), 1.0)
+    dx = x - ex * fraction
+    dy = y - ey * fraction
+    dz = z - ez * fraction
     return dx * dx + dy * dy + dz * dz
 
 

@@ -89,12 +89,12 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
     sphere = sphere_through(offset_of(b, a, given), offset_of(c, a, given), offset_of(d, a, given))
     for j in range(NUMBERS):
         stars.spheres[at * NUMBERS + j] = sphere[j]
-    share = 1.0 / sphere[3]
-    x = sphere[0] * share
-    y = sphere[1] * share
-    z = sphere[2] * share
+    fraction = 1.0 / sphere[3]
+    x = sphere[0] * fraction
+    y = sphere[1] * fraction
+    z = sphere[2] * fraction
     size = abs(x) + abs(y) + abs(z)
-    error = (sphere[4] + given.guard * sphere[5]) * share  # no tested point is beyond the guards
+    error = (sphere[4] + given.guard * sphere[5]) * fraction  # no tested point is beyond the guards
     stars.xs[at] = 0.0
     stars.ys[at] = 0.0
     stars.zs[at] = 0.0

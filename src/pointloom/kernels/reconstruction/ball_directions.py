@@ -18,7 +18,9 @@ INNER_AXIS, INNER_SIDE = 0.9633271, 0.1897378  # both near
 MIXED_AXIS, MIXED_NEAR, MIXED_FAR = 0.8177445, 0.1610637, 0.5525870  # one of each
 OUTER_AXIS, OUTER_SIDE = 0.7229572, 0.4885350  # both far
 COSINE, SINE = 0.9593273, 0.2822961  # of a cone's half-angle, 16.4 degrees, with a margin of 0.05 degrees
-NEAR_SHARE = 0.25  # |q|^2 / (2 r)^2 up to which caps are tested: those of farther neighbors rarely contain another cell
+NEAR_FRACTION = (
+    0.25  # |q|^2 / (2 r)^2 up to which caps are tested: those of farther neighbors rarely contain another cell
+)
 TINY = 1e-30  # [m^2] smaller squares lose digits
 
 

@@ -56,7 +56,7 @@ from .ball_arcs import ARCS, FULL_CIRCLE, across, arc_sag, forbid_arc, passes_ar
 from .ball_directions import (
     ALL_CELLS,
     COSINE,
-    NEAR_SHARE,
+    NEAR_FRACTION,
     SINE,
     TINY,
     any_cell,
@@ -165,7 +165,7 @@ def list_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: i
     """List up to `room` neighbors of a point. Return their number, or 0 if no ball is empty, and the open cells."""
     p = points.tree.points[index]
     diameter = float(points.radius * 2.0)
-    near = points.max_sqdist * NEAR_SHARE
+    near = points.max_sqdist * NEAR_FRACTION
     cells = eight_cells(ALL_CELLS)
     halves = ALL_CELLS + 0
     neighbor_count = 0

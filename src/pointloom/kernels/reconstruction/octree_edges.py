@@ -162,9 +162,9 @@ def gradient_at(slot: int, level: OctreeLevel, values: array(dtype=float32)) -> 
 
 
 @func
-def crossing_share(a: float, b: float, slope_a: float, slope_b: float, is_linear: int) -> float:
+def crossing_fraction(a: float, b: float, slope_a: float, slope_b: float, is_linear: int) -> float:
     """Zero in 0..1 of a line, or of a parabola: the Hermite cubic with slopes scaled to a mean of b - a."""
-    share = a / (a - b)
+    fraction = a / (a - b)
     if is_linear == 0:
         rise = b - a
         mean = 0.5 * (slope_a + slope_b)
@@ -179,8 +179,8 @@ def crossing_share(a: float, b: float, slope_a: float, slope_b: float, is_linear
                     high = t
                 else:
                     low = t
-            share = 0.5 * (low + high)
-    return share
+            fraction = 0.5 * (low + high)
+    return fraction
 
 
 @kernel
@@ -210,7 +210,7 @@ def write_vertices_kernel(
         start_gradient = gradient_at(slot, surface.level, surface.values)
         end_gradient = gradient_at(end, surface.level, surface.values)
         axis = bit % 3
-        t = crossing_share(a, b, start_gradient[axis], end_gradient[axis], is_linear)
+        t = crossing_fraction(a, b, start_gradient[axis], end_gradient[axis], is_linear)
         position = slot_position(slot, surface.level)
         x = vec3d(
             float64(position[0]) + float64(t * float(step[0])),

@@ -223,13 +223,13 @@ def write_loops_kernel(
                     cube_position = cube_position + widen(cube_positions[vertex])
                     triangles[triangle] = vec3i(vertex, contours.tos[base + j], middle)
                     triangle += 1
-                share = 1.0 / float64(sides)
+                fraction = 1.0 / float64(sides)
                 size = length(normal)
                 if size > 0.0:
                     normal = normal / size
-                vertices[middle] = narrow(p * share)
+                vertices[middle] = narrow(p * fraction)
                 normals[middle] = narrow(normal)
-                cube_positions[middle] = narrow(cube_position * share)
+                cube_positions[middle] = narrow(cube_position * fraction)
                 slots[middle] = contours.cells[i] - contours.base
                 middle += 1
             start = at + 1

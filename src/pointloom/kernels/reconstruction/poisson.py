@@ -55,10 +55,10 @@ from .octree_levels import (
     slot_position,
 )
 from .octree_surface import OctreeSurface
-from .poisson_system import constraints, shares_in_parent
+from .poisson_system import constraints, fractions_in_parent
 from .sample_cells import Cube, SampleCells, gather_samples
 from .sample_density import ENDS, DensityPyramid, SampleNodes, local_depths
-from .splines import corner_value, corner_weight, shares_in_cell
+from .splines import corner_value, corner_weight, fractions_in_cell
 
 if TYPE_CHECKING:
     from .sample_density import DensityPyramid
@@ -165,7 +165,7 @@ def lower_values_kernel(
     above: OctreeLevel, coarse: array(dtype=float32), level: OctreeLevel, fine: array(dtype=float32)
 ):
     i = tid()
-    fine[i] = corner_value(coarse, level.parents[i // SLOTS], shares_in_parent(i), above)
+    fine[i] = corner_value(coarse, level.parents[i // SLOTS], fractions_in_parent(i), above)
 
 
 @struct
@@ -173,7 +173,7 @@ class SamplePulls:
     """Pull of the samples: cell of samples by slot (or -1), mean position in the cell, weight, and solution there."""
 
     cells_at: array(dtype=int32)
-    shares: array(dtype=vec3)
+    fractions: array(dtype=vec3)
     weights: array(dtype=float32)
     values: array(dtype=float32)
 
@@ -183,7 +183,7 @@ class SamplePulls:
         cells, level, slots = pyramid.cells[depth], pyramid.levels[depth], pyramid.nodes[depth].slots
         device = level.device
         self.cells_at = pyramid.cells_at[depth]
-        self.shares = empty(cells.count, vec3, device)
+        self.fractions = empty(cells.count, vec3, device)
         self.weights, self.values = empty(cells.count, float32, device), empty(cells.count, float32, device)
         launch(begin_pulls_kernel, cells.count, [cells, slots, level, values, weight * 4.0**depth, areas, self])
 
@@ -204,9 +204,9 @@ def begin_pulls_kernel(
     f = vec3(0.0, 0.0, 0.0)
     value = 0.0
     if slots[i] >= 0:
-        f = shares_in_cell(cells.means[i], slots[i], level)
+        f = fractions_in_cell(cells.means[i], slots[i], level)
         value = corner_value(values, slots[i], f, level)
-    pulls.shares[i] = f
+    pulls.fractions[i] = f
     pulls.weights[i] = pull * cells.weights[i]
     pulls.values[i] = value
 
@@ -302,9 +302,9 @@ def renew_corner(
             cell = pulls.cells_at[SLOTS * block + (entry & 7)]
             if cell >= 0:
                 cells[corner] = cell
-                share = corner_weight(pulls.shares[cell], corner)
-                pull += pulls.weights[cell] * share * pulls.values[cell]
-                stiffness += pulls.weights[cell] * share * share
+                fraction = corner_weight(pulls.fractions[cell], corner)
+                pull += pulls.weights[cell] * fraction * pulls.values[cell]
+                stiffness += pulls.weights[cell] * fraction * fraction
     mirrored = sides_met(position, side)
     value = values[slot]
     rest = mirrored * (tested[slot] - pull) - (8.0 / 3.0) * value + across_faces / 6.0 + across_cells / 12.0
@@ -314,7 +314,7 @@ def renew_corner(
         for corner in range(CELLS):
             cell = cells[corner]
             if cell >= 0:
-                pulls.values[cell] = pulls.values[cell] + corner_weight(pulls.shares[cell], corner) * change
+                pulls.values[cell] = pulls.values[cell] + corner_weight(pulls.fractions[cell], corner) * change
 
 
 @kernel
@@ -370,7 +370,7 @@ def weigh_values(
     value = 0.0
     if is_cell(slots[i], level) > is_divided(slots[i], level):
         weight = float64(cells.weights[i])
-        value = corner_value(values, slots[i], shares_in_cell(cells.means[i], slots[i], level), level)
+        value = corner_value(values, slots[i], fractions_in_cell(cells.means[i], slots[i], level), level)
     return vec2d(weight * float64(value), weight)
 
 

@@ -31,18 +31,18 @@ from ..memory import download, empty, zeros
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_position
 from .sample_cells import SampleCells
 from .sample_density import ENDS, DensityPyramid, SampleNodes
-from .splines import is_beyond, mirrored_step, shares_in_cell, spline_weight
+from .splines import fractions_in_cell, is_beyond, mirrored_step, spline_weight
 
 eight = vector(8, float32)
 
 
 @func
-def level_share(local: float, depth: int) -> float:
+def level_fraction(local: float, depth: int) -> float:
     """Fraction of a sample that is spread on the level where its tree ends. The rest goes to the level above."""
-    share = 1.0
+    fraction = 1.0
     if depth > 1:
-        share = min(max(1.0 - (float(depth) - local), 0.0), 1.0)
-    return share
+        fraction = min(max(1.0 - (float(depth) - local), 0.0), 1.0)
+    return fraction
 
 
 @func
@@ -67,13 +67,13 @@ def sum_flux_kernel(
     total = vec3(0.0, 0.0, 0.0)
     if nodes.states[i] == ENDS:
         local = nodes.depths[i]
-        total = cells.sums[i] * (level_share(local, depth) * cell_area(local, depth, samples_per_cell))
+        total = cells.sums[i] * (level_fraction(local, depth) * cell_area(local, depth, samples_per_cell))
         atomic_max(flux_flags, depth, 1)
     if has_below == 1 and nodes.slots[i] >= 0:
         for j in range(cells.starts[i], cells.starts[i + 1]):
             if below_nodes.states[j] == ENDS:
                 local = below_nodes.depths[j]
-                rest = 1.0 - level_share(local, depth + 1)
+                rest = 1.0 - level_fraction(local, depth + 1)
                 if rest > 0.0:
                     total = total + below.sums[j] * (rest * cell_area(local, depth, samples_per_cell))
                     atomic_max(flux_flags, depth, 1)
@@ -109,7 +109,7 @@ def spread_flux_kernel(
                 if slot >= 0:
                     cell = cells_at[slot]
                 if cell >= 0:
-                    f = shares_in_cell(cells.means[cell], slot, level)
+                    f = fractions_in_cell(cells.means[cell], slot, level)
                     fx = f[0] if dx == x - 1 else 1.0 - f[0]
                     fy = f[1] if dy == y - 1 else 1.0 - f[1]
                     fz = f[2] if dz == z - 1 else 1.0 - f[2]
@@ -276,7 +276,7 @@ def restrict_tests_kernel(level: OctreeLevel, below: array(dtype=float32), teste
 
 
 @func
-def shares_in_parent(slot: int) -> vec3:
+def fractions_in_parent(slot: int) -> vec3:
     return vec3(0.5 * float(slot & 1), 0.5 * float((slot >> 1) & 1), 0.5 * float((slot >> 2) & 1))
 
 
@@ -329,11 +329,11 @@ def lower_field_kernel(
                     c = (corner >> 2) & 1
                     weight = half_spline_weight(a, x - 1) * half_spline_weight(b, y - 1)
                     weight = weight * half_spline_weight(c, z - 1)
-                    share = half_corner_weight(a, x - 1) * half_corner_weight(b, y - 1)
-                    share = share * half_corner_weight(c, z - 1)
-                    xs[corner] = xs[corner] + weight * v[0] + share * u[0]
-                    ys[corner] = ys[corner] + weight * v[1] + share * u[1]
-                    zs[corner] = zs[corner] + weight * v[2] + share * u[2]
+                    fraction = half_corner_weight(a, x - 1) * half_corner_weight(b, y - 1)
+                    fraction = fraction * half_corner_weight(c, z - 1)
+                    xs[corner] = xs[corner] + weight * v[0] + fraction * u[0]
+                    ys[corner] = ys[corner] + weight * v[1] + fraction * u[1]
+                    zs[corner] = zs[corner] + weight * v[2] + fraction * u[2]
     for corner in range(SLOTS):
         lowered = vec3(xs[corner], ys[corner], zs[corner])
         if is_beyond(slot_position(SLOTS * i + corner, level), 2 * width) == 1:

@@ -155,11 +155,11 @@ def sum_samples_kernel(
         total = total + position_in_cube(points[row], cube)
         n = widen(normals[row])
         size = length(n)
-        share = float64(1.0)
+        fraction = float64(1.0)
         if by_length == 1:
-            share = size
-        normal = normal + n * (share / size)
-        weight = weight + share
+            fraction = size
+        normal = normal + n * (fraction / size)
+        weight = weight + fraction
     count = starts[i + 1] - starts[i]
     counts[i] = float(count)
     means[i] = narrow(total * (1.0 / float64(count)))

@@ -13,7 +13,7 @@ from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid
 from ..memory import empty, full
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_position
 from .sample_cells import SampleCells
-from .splines import is_beyond, shares_in_cell, spline_product, spline_value
+from .splines import fractions_in_cell, is_beyond, spline_product, spline_value
 
 ON, ENDS, BELOW = 0, 1, 2  # the tree continues below a cell of samples, ends with it, or has ended above it
 SPLINE_SQUARES = 0.59375  # of the splines at the center of a cell, along one axis: 1 / 64 + 9 / 16 + 1 / 64
@@ -77,7 +77,7 @@ def gather_density_kernel(
                 if slot >= 0:
                     cell = cells_at[slot]
                     if cell >= 0:
-                        f = shares_in_cell(cells.means[cell], slot, level)
+                        f = fractions_in_cell(cells.means[cell], slot, level)
                         total += cells.counts[cell] * spline_product(f, 1 - x, 1 - y, 1 - z)
     density[i] = total * unit
 
@@ -113,7 +113,7 @@ def measure_depths_kernel(
     local = above.depths[parent]
     if nodes.slots[i] >= 0 and above.states[parent] == ON:
         w = spline_value(
-            density, nodes.anchors[i], shares_in_cell(cells.means[i], nodes.anchors[i], density_level), density_level
+            density, nodes.anchors[i], fractions_in_cell(cells.means[i], nodes.anchors[i], density_level), density_level
         )
         state = ENDS
         if depth > density_level.depth:
@@ -214,7 +214,7 @@ def rise_to_density_kernel(
         slot = slots[i]
         w = 0.0
         if has_density == 1:
-            w = spline_value(density, slot, shares_in_cell(positions[i], slot, level), level)
+            w = spline_value(density, slot, fractions_in_cell(positions[i], slot, level), level)
         if w >= 1.0:
             depths[i] = -1
             if below[i] < 0.0:

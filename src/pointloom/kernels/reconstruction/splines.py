@@ -33,7 +33,7 @@ def corner_weight(f: vec3, corner: int) -> float:
 
 
 @func
-def shares_in_cell(x: vec3, slot: int, level: OctreeLevel) -> vec3:
+def fractions_in_cell(x: vec3, slot: int, level: OctreeLevel) -> vec3:
     position = slot_position(slot, level)
     cells = float(1 << level.depth)
     fx = min(max(x[0] * cells - float(position[0]), 0.0), 1.0)

@@ -185,12 +185,12 @@ def solve_kernel(threads: int, right: array(dtype=vec3d), stack: Stack, state: G
         wait_for_block()
         precondition(i, threads, stack)
         remains = sum_remaining(i, threads, stack)
-        share = float64(0.0)
+        fraction = float64(0.0)
         if slopes[1] > 0.0:
-            share = remains / slopes[1]
+            fraction = remains / slopes[1]
         row = i + 0
         while row < count:
-            state.search[row] = stack.forces[row] + share * state.search[row]
+            state.search[row] = stack.forces[row] + fraction * state.search[row]
             row += threads
         wait_for_block()
         iterations += 1

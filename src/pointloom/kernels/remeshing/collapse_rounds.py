@@ -79,10 +79,10 @@ def weights_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
     area = uu * vv - uv * uv
     if area > zero:
         tip = min(max((uu * vw - uv * uw) / area, zero), one)
-    share = zero + zero
+    fraction = zero + zero
     if uu > zero:
-        share = min(max((uw - tip * uv) / uu, zero), one - tip)
-    return vec3d(one - tip - share, share, tip)
+        fraction = min(max((uw - tip * uv) / uu, zero), one - tip)
+    return vec3d(one - tip - fraction, fraction, tip)
 
 
 @func
@@ -93,9 +93,9 @@ def new_position(mesh: CollapseMesh, h: int, a: int, b: int) -> vec3d:
 
 @kernel
 def weigh_corners_kernel(
-    mesh: CollapseMesh, edges: array(dtype=int32), shares: array(dtype=vec3d), tips: array(dtype=int32)
+    mesh: CollapseMesh, edges: array(dtype=int32), fractions: array(dtype=vec3d), tips: array(dtype=int32)
 ):
-    """Weights `shares` of first end, other end and tip (`tips`) of the triangle below the new vertex."""
+    """Weights `fractions` of first end, other end and tip (`tips`) of the triangle below the new vertex."""
     i = tid()
     if i >= mesh.numbers[CHOSEN]:
         return
@@ -116,7 +116,7 @@ def weigh_corners_kernel(
                 if here[2] > best[2]:
                     best = here
                     tip = other
-    shares[i] = best
+    fractions[i] = best
     tips[i] = tip
 
 
@@ -163,7 +163,7 @@ def collapse_edges_kernel(
 def merge_rows_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
-    shares: array(dtype=vec3d),
+    fractions: array(dtype=vec3d),
     tips: array(dtype=int32),
     unit: int,
     rows: array(dtype=vec3),
@@ -174,7 +174,7 @@ def merge_rows_kernel(
         return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
-    s = shares[i]
+    s = fractions[i]
     row = widen(rows[a]) * s[0]
     if s[1] > 0.0:
         row = row + widen(rows[corner_vertex(mesh.triangles, next_corner(h))]) * s[1]
@@ -211,7 +211,7 @@ def merged_uv(mesh: CollapseMesh, a: int, b: int, v: int, old: vec2, s: vec3d, t
 def merge_uvs_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
-    shares: array(dtype=vec3d),
+    fractions: array(dtype=vec3d),
     tips: array(dtype=int32),
     uvs: array(dtype=vec2),
 ):
@@ -224,10 +224,10 @@ def merge_uvs_kernel(
     b = corner_vertex(mesh.triangles, next_corner(h))
     for j in range(mesh.starts[a], mesh.starts[a + 1]):
         c = mesh.corners[j]
-        uvs[c] = merged_uv(mesh, a, b, a, mesh.uvs[c], shares[i], tips[i])
+        uvs[c] = merged_uv(mesh, a, b, a, mesh.uvs[c], fractions[i], tips[i])
     for j in range(mesh.starts[b], mesh.starts[b + 1]):
         d = mesh.corners[j]
-        uvs[d] = merged_uv(mesh, a, b, b, mesh.uvs[d], shares[i], tips[i])
+        uvs[d] = merged_uv(mesh, a, b, b, mesh.uvs[d], fractions[i], tips[i])
 
 
 @kernel
@@ -252,18 +252,18 @@ class EdgeCollapse:
         self.moved: Indices = empty(capacity, int32, device)
         self._partners: Indices = empty(mesh.positions.size, int32, device)
         self._weighted = capacity if mesh.rows or mesh.has_uvs else 0  # edges whose corners need weights
-        self._shares, self._tips = empty(self._weighted, vec3d, device), empty(self._weighted, int32, device)
+        self._fractions, self._tips = empty(self._weighted, vec3d, device), empty(self._weighted, int32, device)
         self._scan = LoopScan(mesh.positions.size, device)
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
         """Collapse independent edges (int32 half-edges), as many as in the record."""
         count, vertices = mesh.live(CHOSEN, self.capacity), mesh.live(VERTICES, mesh.positions.size)
         if self._weighted:
-            launch(weigh_corners_kernel, count, [mesh, edges, self._shares, self._tips])
+            launch(weigh_corners_kernel, count, [mesh, edges, self._fractions, self._tips])
         for rows, is_unit in zip(mesh.rows, self.unit, strict=True):
-            launch(merge_rows_kernel, count, [mesh, edges, self._shares, self._tips, int(is_unit), rows])
+            launch(merge_rows_kernel, count, [mesh, edges, self._fractions, self._tips, int(is_unit), rows])
         if mesh.has_uvs:
-            launch(merge_uvs_kernel, count, [mesh, edges, self._shares, self._tips, twin.uvs])
+            launch(merge_uvs_kernel, count, [mesh, edges, self._fractions, self._tips, twin.uvs])
             launch(take_uvs_kernel, count, [mesh, edges, twin.uvs, mesh.uvs])
         fill_first(self._partners, vertices, -1)
         outputs = [self._partners, mesh.positions, mesh.quadrics, mesh.triangles, mesh.keys, self.moved]

@@ -49,8 +49,8 @@ def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dty
     before = sum_of_blocks(blocks, i)
     total = sum_of_blocks(blocks, BLOCKS)
     excess = numbers[TRIANGLES] - target
-    share = int((int64(total) * 7 + 19) // 20)  # 0.35, rounded up: more is faster and less accurate
-    wanted = min(max(min(share, excess), MIN_EDGES), total)
+    fraction = int((int64(total) * 7 + 19) // 20)  # 0.35, rounded up: more is faster and less accurate
+    wanted = min(max(min(fraction, excess), MIN_EDGES), total)
     if i == 0 and total == 0:
         numbers[BIN] = -1
     has_limit = 0

@@ -42,9 +42,9 @@ def quadric_error(q: quadric, x: vec3d) -> float64:
 
 
 @func
-def minimum_point(q: quadric, middle: vec3d, share: float64) -> vec3d:
-    """Regularized minimum near `middle`; `share` of the trace is added to A."""
-    pull = quadric_trace(q) * share
+def minimum_point(q: quadric, middle: vec3d, fraction: float64) -> vec3d:
+    """Regularized minimum near `middle`; `fraction` of the trace is added to A."""
+    pull = quadric_trace(q) * fraction
     g = quadric_slope(q, middle)
     xx = q[0] + pull
     yy = q[3] + pull

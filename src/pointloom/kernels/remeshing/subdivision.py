@@ -152,12 +152,12 @@ def mask_edges_kernel(
         value = 0.5 * value
     else:
         value = 0.375 * value
-        share = 0.25 / float64(sharers[i])
+        fraction = 0.25 / float64(sharers[i])
         last = -1
         for j in range(split.edges.starts[i], split.edges.starts[i + 1]):
             triangle = split.edges.half_edges[j] // 3
             if triangle != last:
-                value = value + share * values[opposite_vertex(triangles[triangle], a, b)]
+                value = value + fraction * values[opposite_vertex(triangles[triangle], a, b)]
             last = triangle
     out[split.numbers[i]] = value
 

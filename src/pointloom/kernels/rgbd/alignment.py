@@ -128,8 +128,8 @@ def sum_certainty(
     target: FrameLevels,
     level: int,
     other: int,
-    surface_share: float,
-    brightness_share: float,
+    surface_fraction: float,
+    brightness_fraction: float,
     margin: int,
     warps: array(dtype=vec4),
     scales: array(dtype=float32),
@@ -159,15 +159,15 @@ def sum_certainty(
             inside = is_inside(at, margin, other, target)
             if plane[3] < 0.0 and inside == 1:
                 j = surface_row(p, plane)
-                g = j * (surface_share / (noise * noise))
-            if source.brightness[i] >= 0.0 and brightness_share > 0.0 and inside == 1:
+                g = j * (surface_fraction / (noise * noise))
+            if source.brightness[i] >= 0.0 and brightness_fraction > 0.0 and inside == 1:
                 sample = seen_brightness(u, v, other, target)
                 if sample[1] * sample[1] + sample[2] * sample[2] > MIN_SLOPE * MIN_SLOPE:
                     k = brightness_row(p, sample, other, target)
                     weight = 1.0 / (SHADE_NOISE * SHADE_NOISE)
                     if margin > 0:
                         weight = scales[1] * ALIKE
-                    h = k * (brightness_share * weight)
+                    h = k * (brightness_fraction * weight)
     return squares_of(g, j, h, k, count)
 
 
@@ -442,10 +442,10 @@ def align_levels(
         count = int(source.counts[check_level])
         arguments = [source, target, check_level, check_level + rules.shift, state.warps, state.scales]
         consistency = reduce(sum_consistency, count, arguments)
-        shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # all nonzero terms
+        fractions = [float(rules.surface_fraction > 0), float(rules.brightness_fraction > 0)]  # all nonzero terms
         edge = max(1, round(float(source.sizes[check_level, 0]) / EDGE))
-        certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, 0, *arguments[4:]])
-        firm = reduce(sum_certainty, count, [*arguments[:4], *shares, edge, *arguments[4:]])
+        certainty = reduce(sum_certainty, count, [*arguments[:4], *fractions, 0, *arguments[4:]])
+        firm = reduce(sum_certainty, count, [*arguments[:4], *fractions, edge, *arguments[4:]])
         launch(copy_sums_kernel, 1, [consistency, certainty, firm, *(buffers.arrays[name] for name in SUM_NAMES)])
         results = buffers.download("pose", "counts", "scales", "sums", *SUM_NAMES)  # sync
     return Alignment(

@@ -56,8 +56,8 @@ class AlignmentRules:
     """
 
     shift: int
-    surface_share: float
-    brightness_share: float
+    surface_fraction: float
+    brightness_fraction: float
     max_deviation: float
     first_level: int
     short_step: float
@@ -65,14 +65,14 @@ class AlignmentRules:
     def __init__(
         self,
         shift: int,
-        surface_share: float,
-        brightness_share: float,
+        surface_fraction: float,
+        brightness_fraction: float,
         max_deviation: float,
         first_level: int,
         short_step: float,
     ) -> None:
         self.shift, self.max_deviation, self.first_level = int(shift), float(max_deviation), int(first_level)
-        self.surface_share, self.brightness_share = float(surface_share), float(brightness_share)
+        self.surface_fraction, self.brightness_fraction = float(surface_fraction), float(brightness_fraction)
         self.short_step = float(short_step)
 
 
@@ -126,13 +126,13 @@ def sum_alignment_rows(
         noise = depth_noise(p[2])
         if there > 0.0 and abs(p[2] - there) < rules.max_deviation * (noise + SLOPE_MARGIN * p[2]):
             shade = source.brightness[i]
-            if shade >= 0.0 and rules.brightness_share > 0.0:
+            if shade >= 0.0 and rules.brightness_fraction > 0.0:
                 sample = seen_brightness(u, v, other, target)
                 if sample[3] > 0.0:
                     s = sample[0] - shade * state.scales[2] - state.scales[3]
                     k = brightness_row(p, sample, other, target)
                     t = (NU + 1.0) / (NU + s * s * state.scales[1])
-                    h = k * (t * state.scales[1] * rules.brightness_share)
+                    h = k * (t * state.scales[1] * rules.brightness_fraction)
                     extra[3] = 1.0
                     extra[4] = t * s * s
                     extra[5] = t
@@ -142,13 +142,13 @@ def sum_alignment_rows(
                     extra[9] = t * sample[0] * sample[0]
                     extra[10] = t * shade * sample[0]
             plane = target.planes[at]
-            if plane[3] < 0.0 and rules.surface_share > 0.0:
+            if plane[3] < 0.0 and rules.surface_fraction > 0.0:
                 r = dot(axis(plane), p) - plane[3]
                 inverse = 1.0 / (noise * noise)
                 square = r * r * inverse
                 t = (NU + 1.0) / (NU + square * state.scales[0])
                 j = surface_row(p, plane)
-                g = j * (t * inverse * state.scales[0] * rules.surface_share)
+                g = j * (t * inverse * state.scales[0] * rules.surface_fraction)
                 extra[0] = 1.0
                 extra[1] = t * square
                 extra[2] = r * r

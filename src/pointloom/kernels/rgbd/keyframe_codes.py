@@ -16,10 +16,10 @@ VALID_SHIFT = 4  # shift of the validity bits
 
 
 @func
-def fern_pixel(share: float, fern: int, stream: int, seed: int, width: int, height: int) -> int:
-    """Random pixel; `share` is the random number of its row."""
+def fern_pixel(fraction: float, fern: int, stream: int, seed: int, width: int, height: int) -> int:
+    """Random pixel; `fraction` is the random number of its row."""
     column = min(int(random_uniform(seed, fern, stream)[3] * float(width)), width - 1)
-    return min(int(share * float(height)), height - 1) * width + column
+    return min(int(fraction * float(height)), height - 1) * width + column
 
 
 @func

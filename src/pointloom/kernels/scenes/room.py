@@ -124,8 +124,8 @@ def sample_shadows_kernel(light: LightGrid, distances: array(dtype=vec2)):
         d = read_grid(p + way * (t / distance), distances, light)[0]
         clear = min(clear, 0.5 + 0.5 * PENUMBRA * d / t)
         t = t + min(max(0.5 * d, SHADOW_STEP), SHADOW_STRIDE)
-    share = min(max(clear, 0.0), 1.0)
-    light.nodes[i] = vec2(distances[i][0], share * share * (3.0 - 2.0 * share))
+    fraction = min(max(clear, 0.0), 1.0)
+    light.nodes[i] = vec2(distances[i][0], fraction * fraction * (3.0 - 2.0 * fraction))
 
 
 @func
@@ -133,8 +133,8 @@ def light_surface(p: vec3, normal: vec3, light: LightGrid) -> float:
     """Light of a surface point per unit of its color."""
     near = read_grid(p + normal * NEAR_CORNER, light.nodes, light)
     far = read_grid(p + normal * FAR_CORNER, light.nodes, light)
-    open_share = 0.4 * near[0] / NEAR_CORNER + 0.6 * far[0] / FAR_CORNER
-    openness = 0.35 + 0.65 * min(max(open_share, 0.0), 1.0)
+    open_fraction = 0.4 * near[0] / NEAR_CORNER + 0.6 * far[0] / FAR_CORNER
+    openness = 0.35 + 0.65 * min(max(open_fraction, 0.0), 1.0)
     way = light.lamp - p
     distance = length(way)
     lit = max(dot(normal, way) / distance, 0.0) * near[1]

@@ -15,7 +15,7 @@ from ..memory import empty
 
 # Detail at near and far range: 0.12 m is 30 px of a VGA image at 2 m, 15 mm is 4 px.
 COARSE, MIDDLE, FINE = 0.12, 0.04, 0.015  # [m] spacing of the octaves' lattices
-COARSE_WEIGHT, MIDDLE_WEIGHT, FINE_WEIGHT = 0.45, 0.33, 0.22  # their shares
+COARSE_WEIGHT, MIDDLE_WEIGHT, FINE_WEIGHT = 0.45, 0.33, 0.22  # their fractions
 DARKEST = 0.45  # color factor at noise 0 ...
 RANGE = 1.1  # ... and its increase at noise 1: the mean is 1
 

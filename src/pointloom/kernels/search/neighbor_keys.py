@@ -108,8 +108,8 @@ def limit_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: i
         guess = low + (high - low) // 2
         if iteration < GUESSES:
             near = key_number(max(low, 0))
-            share = (float(k - below) + 0.5) / float(above - below)
-            likely = key_limit(near + (key_number(high) - near) * share)
+            fraction = (float(k - below) + 0.5) / float(above - below)
+            likely = key_limit(near + (key_number(high) - near) * fraction)
             if likely > low and likely < high:
                 guess = likely
         count = count_up_to(keys, base, stride, key_count, guess)
@@ -223,10 +223,10 @@ def thin_keys(keys: array(dtype=int64), base: int, stride: int, key_count: int, 
     """Drop far keys, keeping at least k, by three guesses of the k-th distance. Return the count."""
     left = key_count
     if key_count > k + k // SLIGHT and max_sqdist < BOUNDLESS:
-        share = max_sqdist * (float(k) / float(key_count))
-        close = (int64(float_bits(share * CLOSE)) + 1) << 32
-        middle = (int64(float_bits(share * MIDDLE)) + 1) << 32
-        wide = (int64(float_bits(share * WIDE)) + 1) << 32
+        fraction = max_sqdist * (float(k) / float(key_count))
+        close = (int64(float_bits(fraction * CLOSE)) + 1) << 32
+        middle = (int64(float_bits(fraction * MIDDLE)) + 1) << 32
+        wide = (int64(float_bits(fraction * WIDE)) + 1) << 32
         in_close = 0
         in_middle = 0
         in_wide = 0

@@ -428,9 +428,9 @@ class PlaneSearch:
         return float(self._sum_distances(planes, np.zeros(1, np.int32), threshold)[0])
 
 
-def samples_needed(share: float, sample_size: int, probability: float, max_samples: int) -> float:
-    """Samples until one is outlier-free with a probability (Fischler and Bolles 1981, II.B); `share` of inliers."""
-    hit = share**sample_size
+def samples_needed(fraction: float, sample_size: int, probability: float, max_samples: int) -> float:
+    """Samples until one is outlier-free with a probability (Fischler and Bolles 1981, II.B); `fraction` of inliers."""
+    hit = fraction**sample_size
     if hit >= 1.0:
         return 0.0
     if hit == 0.0 or probability >= 1.0:

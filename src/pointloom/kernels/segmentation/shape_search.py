@@ -594,7 +594,7 @@ class ShapeSearch:
             self.center, self.size = of.center, of.size
         middle = self.center.astype(np.float32)
         step = max(1, rows.size // PART)
-        self.share = step
+        self.fraction = step
         self.cloud = self._split(vec3(*middle), 1, 0, rows.size)
         self.part = self._split(vec3(*middle), step, step // 2, min(rows.size, max(1, rows.size // step)))
         self.levels = max(1, int(math.log2(max(1, rows.size / MIN_WINDOW))))
@@ -644,8 +644,8 @@ class ShapeSearch:
             best = np.argsort(-counts, kind="stable")[:REFINED]
             pool, counts = pool[best], counts[best]
             done += size
-            share = counts[0] / self.rows.size if len(counts) else 0.0
-            needed = samples_needed(share, kind, self.levels, probability, max_samples)
+            fraction = counts[0] / self.rows.size if len(counts) else 0.0
+            needed = samples_needed(fraction, kind, self.levels, probability, max_samples)
             batch = min(BATCH_GROWTH * batch, MAX_BATCH)
         part = self._part_search()
         if part is not None and len(pool):
@@ -729,16 +729,16 @@ def _taken_apart(shape: NDArray[np.float64]) -> list:
     return [vec3d(*shape[:3]), vec3d(*shape[3:6]), vec3d(shape[6], shape[7], 0.0)]
 
 
-def chance_of(share: float, kind: int, levels: int) -> float:
+def chance_of(fraction: float, kind: int, levels: int) -> float:
     """Probability that a sample is of one shape only (Schnabel, Wahl and Klein 2007, section 4.4): from all points, or
     from the best run length, of which half is the shape's."""
     points = SAMPLE_POINTS[kind]
-    return max(share**points, share / 2 ** (points - 1)) / levels
+    return max(fraction**points, fraction / 2 ** (points - 1)) / levels
 
 
-def samples_needed(share: float, kind: int, levels: int, probability: float, max_samples: int) -> float:
+def samples_needed(fraction: float, kind: int, levels: int, probability: float, max_samples: int) -> float:
     """Samples until one of the shape alone is drawn with the given probability."""
-    hit = chance_of(share, kind, levels)
+    hit = chance_of(fraction, kind, levels)
     if hit <= 0.0 or probability >= 1.0:
         return float(max_samples)
     return min(float(max_samples), math.log1p(-probability) / math.log1p(-min(hit, 1 - 1e-12)))

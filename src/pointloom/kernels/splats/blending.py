@@ -95,9 +95,9 @@ def blend_splats_kernel(
                 seen = 0.0
                 max_left = 0.0
                 for k in range(SAMPLES * SAMPLES):
-                    share = lefts[k] * opacity if depth < solid[k] else 0.0
-                    seen = seen + share
-                    lefts[k] = lefts[k] - share
+                    fraction = lefts[k] * opacity if depth < solid[k] else 0.0
+                    seen = seen + fraction
+                    lefts[k] = lefts[k] - fraction
                     max_left = max(max_left, lefts[k] if depth < solid[k] else 0.0)
                 total = total + projected.colors[splat] * seen
             index += 1
@@ -125,14 +125,14 @@ def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View
             splat = lists.members[index]
             opacity = opacity_at(splat, column, row, projected)
             if opacity > 0.0:
-                share = left * opacity
+                fraction = left * opacity
                 met = meet_splat(splat, ray, projected)
-                color = color + projected.colors[splat] * share
-                normal = normal + projected.normals[splat] * share
-                depth = depth + met * share
-                if left > 0.5 and left - share <= 0.5:
+                color = color + projected.colors[splat] * fraction
+                normal = normal + projected.normals[splat] * fraction
+                depth = depth + met * fraction
+                if left > 0.5 and left - fraction <= 0.5:
                     median = met
-                left = left - share
+                left = left - fraction
             index += 1
         size = length(normal)
         if size > 0.0:
@@ -147,11 +147,11 @@ def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View
 @kernel
 def color_surface_kernel(surface: SplatSurface, pixels: array(dtype=uint8, ndim=2)):
     i = tid()
-    share = 1.0 - surface.left[i]
+    fraction = 1.0 - surface.left[i]
     for channel in range(3):
         value = 0.0
-        if share > 0.0:
-            value = surface.colors[i][channel] / share
+        if fraction > 0.0:
+            value = surface.colors[i][channel] / fraction
         pixels[i, channel] = color_byte(value)
 
 

@@ -235,7 +235,7 @@ def project_splats_kernel(
     view: View,
     eye: vec3,
     near: float,
-    share: float,
+    fraction: float,
     projected: ProjectedSplats,
     counts: array(dtype=int32),
 ):
@@ -243,7 +243,7 @@ def project_splats_kernel(
     q = to_camera(splats.points[i], view)
     box = vec4i(0, -1, 0, -1)
     logit = splats.opacities[i]
-    opacity = share / (1.0 + exp_in_float(-logit))
+    opacity = fraction / (1.0 + exp_in_float(-logit))
     is_number = 1 if isfinite(logit) or logit > 0.0 else 0
     for k in range(3):
         scale = splats.scales[i, k]
@@ -277,11 +277,11 @@ def project_splats_kernel(
 
 
 def project_splats(
-    splats: SplatColumns, view: View, eye: np.ndarray, near: float, share: float, *, surfaces: bool
+    splats: SplatColumns, view: View, eye: np.ndarray, near: float, fraction: float, *, surfaces: bool
 ) -> tuple[ProjectedSplats, Integers]:
-    """Project splats. Returns them and their tile counts. `share`: opacity factor; `surfaces`: prepare `meet_splat`."""
+    """Project splats: they and their tile counts. `fraction`: opacity factor; `surfaces`: prepare `meet_splat`."""
     count, device = splats.points.size, splats.points.device
     projected = ProjectedSplats(count, device, surfaces=surfaces)
     counts = empty(count, int32, device)
-    launch(project_splats_kernel, count, [splats, view, vec3(*eye), near, share, projected, counts])
+    launch(project_splats_kernel, count, [splats, view, vec3(*eye), near, fraction, projected, counts])
     return projected, counts

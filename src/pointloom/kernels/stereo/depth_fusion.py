@@ -138,7 +138,7 @@ def make_points_kernel(
     i = tid()
     d = own.depth[i]
     count = gathered.views[i] + 1
-    share = 1.0 / float(count)
+    fraction = 1.0 / float(count)
     good = 0
     point = vec3(0.0, 0.0, 0.0)
     normal = vec3(0.0, 0.0, 0.0)
@@ -146,15 +146,15 @@ def make_points_kernel(
     confidence = 0.0
     if d > 0.0 and gathered.beaten[i] == 0 and count >= min_views:
         good = 1
-        p = unproject_pixel(i % camera.width, i // camera.width, d, camera) + widen(gathered.shifts[i] * share)
+        p = unproject_pixel(i % camera.width, i // camera.width, d, camera) + widen(gathered.shifts[i] * fraction)
         point = narrow(transform_point(p, T_world_camera))
         n = own.normals[i] + gathered.normals[i]
         size = sqrt(dot(n, n))
         if size > 0.0:
             n = n / size
         normal = narrow(T_world_camera.R @ widen(n))
-        color = (color_of(own.pixels, i) + gathered.colors[i]) * share / 255.0
-        confidence = (own.confidence[i] + gathered.confidences[i]) * share
+        color = (color_of(own.pixels, i) + gathered.colors[i]) * fraction / 255.0
+        confidence = (own.confidence[i] + gathered.confidences[i]) * fraction
     points[i] = point
     normals[i] = normal
     colors[i] = color

@@ -284,16 +284,16 @@ def fit_planes_kernel(width: int, disparities: array(dtype=float32), planes: arr
             here = disparities[center + k]
             plane = vec4(NO_DISPARITY, 0.0, 0.0, n[k])
             if here >= 0.0 and n[k] >= float(MIN_SUPPORT):
-                share = 1.0 / n[k]
-                sxx = xx[k] - x1[k] * x1[k] * share
-                sxy = xy[k] - x1[k] * y1[k] * share
-                syy = yy[k] - y1[k] * y1[k] * share
-                sxd = xd[k] - x1[k] * d1[k] * share
-                syd = yd[k] - y1[k] * d1[k] * share
+                fraction = 1.0 / n[k]
+                sxx = xx[k] - x1[k] * x1[k] * fraction
+                sxy = xy[k] - x1[k] * y1[k] * fraction
+                syy = yy[k] - y1[k] * y1[k] * fraction
+                sxd = xd[k] - x1[k] * d1[k] * fraction
+                syd = yd[k] - y1[k] * d1[k] * fraction
                 inverse = 1.0 / (sxx * syy - sxy * sxy)  # positive: so many pixels of a window are on no line
                 gx = (syy * sxd - sxy * syd) * inverse
                 gy = (sxx * syd - sxy * sxd) * inverse
-                plane = vec4(here + (d1[k] - gx * x1[k] - gy * y1[k]) * share, gx, gy, n[k])
+                plane = vec4(here + (d1[k] - gx * x1[k] - gy * y1[k]) * fraction, gx, gy, n[k])
             planes[y * width + first + k] = plane
 
 

@@ -46,7 +46,7 @@ def window_of_lanes(
     count = LANES * reference.blocks
     weights = own_samples(0.0)
     rises = own_samples(0.0)
-    center = brightness_in(sources.pictures[reference.first + y * reference.width + x])
+    center = brightness_in(sources.images[reference.first + y * reference.width + x])
     total = 0.0
     moment = 0.0
     squares = 0.0
@@ -58,7 +58,7 @@ def window_of_lanes(
         row = min(max(dy, 0), reference.height - 1)
         near = reference.patch[2 * count + at] if column == dx else 0.0
         near = near if row == dy else 0.0
-        rise = brightness_in(sources.pictures[reference.first + row * reference.width + column]) - center
+        rise = brightness_in(sources.images[reference.first + row * reference.width + column]) - center
         d = rise * (1.0 / COLOR_SCALE)
         w = near / (1.0 + d * d)
         for j in range(MAX_BLOCKS):
@@ -67,12 +67,12 @@ def window_of_lanes(
         total = total + w
         moment = moment + w * rise
         squares = squares + w * rise * rise
-    share = 1.0 / sum_of_eight(total)
-    mean = sum_of_eight(moment) * share
+    fraction = 1.0 / sum_of_eight(total)
+    mean = sum_of_eight(moment) * fraction
     for block in range(MAX_BLOCKS):
-        weights[block] = weights[block] * share
+        weights[block] = weights[block] * fraction
         rises[block] = weights[block] * (rises[block] - mean)
-    return weights, rises, sum_of_eight(squares) * share - mean * mean, center
+    return weights, rises, sum_of_eight(squares) * fraction - mean * mean, center
 
 
 @cuda_func
@@ -114,7 +114,7 @@ def sums_of_samples(
         row = min(int(v), there[1] - 2)
         along = u - float(column)
         below = v - float(row)
-        shown = sources.pictures[there[2] + row * there[0] + column]
+        shown = sources.images[there[2] + row * there[0] + column]
         here = float(int(shown & uint64(LEVEL)))
         beside = float(int((shown >> uint64(16)) & uint64(LEVEL)))
         under = float(int((shown >> uint64(32)) & uint64(LEVEL)))

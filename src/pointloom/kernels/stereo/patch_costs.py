@@ -77,7 +77,7 @@ class Sources:
     map_back_shift: array(dtype=vec3)
     layout: array(dtype=vec4i)
     map_layout: array(dtype=vec4i)
-    pictures: array(dtype=uint64)
+    images: array(dtype=uint64)
     maps: array(dtype=vec4)
 
     def __init__(
@@ -87,10 +87,10 @@ class Sources:
         map_back: np.ndarray,
         layout: np.ndarray,
         map_layout: np.ndarray,
-        pictures: Array1[uint64],
+        images: Array1[uint64],
         maps: Array1[vec4],
     ) -> None:
-        device = pictures.device
+        device = images.device
         self.count = len(there)
         (self.there, self.shift), (self.map_there, self.map_shift), (self.map_back, self.map_back_shift) = (
             (upload(m[:, :, :3], mat33, device), upload(m[:, :, 3], vec3, device)) for m in (there, map_there, map_back)
@@ -98,7 +98,7 @@ class Sources:
         self.layout, self.map_layout = (
             upload(np.column_stack([table, np.zeros(len(table))]), vec4i, device) for table in (layout, map_layout)
         )
-        self.pictures, self.maps = pictures, maps
+        self.images, self.maps = images, maps
 
 
 @func
@@ -113,7 +113,7 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
     count = LANES * reference.blocks
     weights = samples(0.0)
     rises = samples(0.0)
-    center = brightness_in(sources.pictures[reference.first + y * reference.width + x])
+    center = brightness_in(sources.images[reference.first + y * reference.width + x])
     totals = eight(0.0)
     sums = eight(0.0)
     squares = eight(0.0)
@@ -131,7 +131,7 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
             near[k] = near[k] if row == dy else 0.0
         r = eight(0.0)
         for k in range(LANES):
-            r[k] = brightness_in(sources.pictures[indices[k]])
+            r[k] = brightness_in(sources.images[indices[k]])
         for k in range(LANES):
             rise = r[k] - center
             d = rise * (1.0 / COLOR_SCALE)
@@ -141,14 +141,14 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
             totals[k] = totals[k] + w
             sums[k] = sums[k] + w * rise
             squares[k] = squares[k] + w * rise * rise
-    share = 1.0 / sum_of(totals)
-    mean = sum_of(sums) * share
+    fraction = 1.0 / sum_of(totals)
+    mean = sum_of(sums) * fraction
     for block in range(reference.blocks):
         first = block * LANES
         for k in range(LANES):
-            weights[first + k] = weights[first + k] * share
+            weights[first + k] = weights[first + k] * fraction
             rises[first + k] = weights[first + k] * (rises[first + k] - mean)
-    return weights, rises, sum_of(squares) * share - mean * mean
+    return weights, rises, sum_of(squares) * fraction - mean * mean
 
 
 @func
@@ -162,7 +162,7 @@ def correlation_sums(
     middle = A @ vec3(float(x), float(y), 1.0) + b * plane[0]
     across = vec3(A[0, 0], A[1, 0], A[2, 0]) + b * plane[1]
     down = vec3(A[0, 1], A[1, 1], A[2, 1]) + b * plane[2]
-    center = brightness_in(sources.pictures[reference.first + y * reference.width + x])
+    center = brightness_in(sources.images[reference.first + y * reference.width + x])
     count = LANES * reference.blocks
     means = eight(0.0)
     squares = eight(0.0)
@@ -187,7 +187,7 @@ def correlation_sums(
             indices[k] = there[2] + row * there[0] + column
         shown = eight_blocks(uint64(0))
         for k in range(LANES):
-            shown[k] = sources.pictures[indices[k]]
+            shown[k] = sources.images[indices[k]]
         for k in range(LANES):
             here = float(int(shown[k] & uint64(LEVEL)))
             beside = float(int((shown[k] >> uint64(16)) & uint64(LEVEL)))

@@ -8,7 +8,7 @@ from .patch_costs import Reference, Sources, round_trip
 
 WORST_COST = 1.0  # of uncorrelated patches: no depth
 AGREED_PIXELS = 1.0
-AGREED_SHARE = 0.01
+AGREED_FRACTION = 0.01
 
 
 @kernel
@@ -34,7 +34,7 @@ def finish_planes_kernel(
         agreed = 0
         for s in range(sources.count):
             back = round_trip(x, y, plane[0], s, sources)
-            if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_SHARE * plane[0]:
+            if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_FRACTION * plane[0]:
                 agreed += 1
         trust = (1.0 - plane[3]) * float(agreed) / float(agreed + 1)
     depth[i] = z

@@ -31,7 +31,7 @@ from ..memory import empty, full, zeros
 from .brightness import brightness_in
 from .patch_costs import Reference, Sources, round_trip, window_of
 from .patch_match import mean_of_best, source_cost
-from .plane_results import AGREED_PIXELS, AGREED_SHARE
+from .plane_results import AGREED_FRACTION, AGREED_PIXELS
 from .textureless_regions import TexturelessRegions, pixel_of, region_of
 
 TEXTURE_RADIUS = 2  # [px] radius of the texture window
@@ -49,7 +49,7 @@ def judge_pixels_kernel(reference: Reference, sources: Sources, planes: array(dt
     i = tid()
     x = i % reference.width
     y = i // reference.width
-    center = brightness_in(sources.pictures[reference.first + i])
+    center = brightness_in(sources.images[reference.first + i])
     count = 0.0
     total = 0.0
     squares = 0.0
@@ -60,7 +60,7 @@ def judge_pixels_kernel(reference: Reference, sources: Sources, planes: array(dt
             for k in range(side):
                 column = x + k - TEXTURE_RADIUS
                 if column >= 0 and column < reference.width:
-                    shown = sources.pictures[reference.first + row * reference.width + column]
+                    shown = sources.images[reference.first + row * reference.width + column]
                     d = brightness_in(shown) - center
                     count += 1.0
                     total += d
@@ -72,7 +72,7 @@ def judge_pixels_kernel(reference: Reference, sources: Sources, planes: array(dt
     agreed = 0
     for s in range(sources.count):
         back = round_trip(x, y, plane[0], s, sources)
-        if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_SHARE * plane[0]:
+        if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_FRACTION * plane[0]:
             agreed += 1
     sure = 0.0
     if plane[3] < SURE_COST and agreed >= min(SURE_SOURCES, sources.count):
@@ -132,12 +132,12 @@ def take_priors(
 
 TRIALS = 100
 MAX_TRIED = 600  # reliable pixels counted per trial
-ROUNDS = 2  # planes per region: more cannot each have MIN_SHARE
+ROUNDS = 2  # planes per region: more cannot each have MIN_FRACTION
 REFITS = 2
 PARTS = 32  # threads per region that sum moments
 SEEDS = 256  # pixels per region tested for the nearest plane
 MIN_SUPPORT = 20  # minimum inliers of a plane
-MIN_SHARE = 0.35  # of all reliable pixels: with less, scattered errors form planes
+MIN_FRACTION = 0.35  # of all reliable pixels: with less, scattered errors form planes
 MIN_SPREAD = 3.0  # [px] inlier extent across the longest direction: a line does not determine a plane
 MIN_TRIANGLE = 50.0  # [px^2] twice the area of three sampled pixels
 TOLERANCE = 0.5  # [px in the sources] inlier distance
@@ -183,7 +183,7 @@ def height_at(plane: vec3d, pixel: int, width: int) -> float64:
 @func
 def min_inliers(region: int, regions: TexturelessRegions) -> float64:
     """Minimum pixels of a plane."""
-    return max(float64(MIN_SUPPORT), float64(MIN_SHARE) * float64(regions.lasts[region] - regions.firsts[region]))
+    return max(float64(MIN_SUPPORT), float64(MIN_FRACTION) * float64(regions.lasts[region] - regions.firsts[region]))
 
 
 @kernel

@@ -69,7 +69,7 @@ def count_sides_kernel(
         opposed[rank] = against
 
 
-def share_of_opposed_normals(tree: PointTree, points: Points, normals: Vectors, k: int) -> float:
+def fraction_of_opposed_normals(tree: PointTree, points: Points, normals: Vectors, k: int) -> float:
     """Fraction of opposed pairs among the counted ones, 0 if there are none. `k` neighbors without the point itself."""
     distinct = distinct_points(tree, k + 1)
     if distinct is not None:

@@ -168,11 +168,11 @@ def spread_texels_kernel(
 
 
 @kernel
-def round_texels_kernel(texels: array(dtype=vec3), picture: array(dtype=uint8)):
+def round_texels_kernel(texels: array(dtype=vec3), image: array(dtype=uint8)):
     i = tid()
     for k in range(3):
         level = min(max(texels[i][k], 0.0), 1.0)
-        picture[3 * i + k] = uint8(int(floor(level * 255.0 + 0.5)))
+        image[3 * i + k] = uint8(int(floor(level * 255.0 + 0.5)))
 
 
 def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Array1[vec2], size: int, gutter: int) -> Bytes:
@@ -190,6 +190,6 @@ def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Array1[vec2],
     for _ in range(gutter):
         launch(spread_texels_kernel, count, [size, size, texels, marks, wider, wider_marks])
         texels, wider, marks, wider_marks = wider, texels, wider_marks, marks
-    picture = empty(3 * count, uint8, device)
-    launch(round_texels_kernel, count, [texels, picture])
-    return picture
+    image = empty(3 * count, uint8, device)
+    launch(round_texels_kernel, count, [texels, image])
+    return image

@@ -39,8 +39,8 @@ from .atlas_colors import (
     texel_corners,
 )
 from .exposures import Exposures
-from .posed_pictures import PosedPictures
-from .seam_levels import Seams, picture_color
+from .seam_levels import Seams, image_color
+from .stacked_images import StackedImages
 
 RINGS = 2  # of texels around a chart, extrapolated from its triangles
 OUTSIDE = 1.5  # maximum extrapolation beyond the corners, in barycentric units
@@ -129,7 +129,7 @@ def widen_owners_kernel(
 
 
 @func
-def shares_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
+def fractions_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
     """Barycentric weights at a texture position, clamped near the triangle."""
     a, b, c = texel_corners(atlas, t)
     doubled_area = side_of(a, b, c[0], c[1])
@@ -143,15 +143,15 @@ def shares_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
 
 
 @func
-def point_at(shares: vec3d, t: vec3i, vertices: array(dtype=vec3)) -> vec3d:
+def point_at(fractions: vec3d, t: vec3i, vertices: array(dtype=vec3)) -> vec3d:
     a, b, c = widened_corners(vertices, t)
-    return a * shares[0] + b * shares[1] + c * shares[2]
+    return a * fractions[0] + b * fractions[1] + c * fractions[2]
 
 
 @func
-def shift_at(shares: vec3d, t: int, seams: Seams, shifts: array(dtype=vec3d)) -> vec3d:
-    first = shifts[seams.nodes[3 * t]] * shares[0]
-    return first + shifts[seams.nodes[3 * t + 1]] * shares[1] + shifts[seams.nodes[3 * t + 2]] * shares[2]
+def shift_at(fractions: vec3d, t: int, seams: Seams, shifts: array(dtype=vec3d)) -> vec3d:
+    first = shifts[seams.nodes[3 * t]] * fractions[0]
+    return first + shifts[seams.nodes[3 * t + 1]] * fractions[1] + shifts[seams.nodes[3 * t + 2]] * fractions[2]
 
 
 @kernel
@@ -159,7 +159,7 @@ def paint_texels_kernel(
     texels: ChartTexels,
     vertices: array(dtype=vec3),
     seams: Seams,
-    pictures: PosedPictures,
+    stack: StackedImages,
     exposures: Exposures,
     shifts: array(dtype=vec3d),
     scale: float64,
@@ -176,24 +176,24 @@ def paint_texels_kernel(
         x = float64(i % width)
         y = float64(i // width)
         t = seams.triangles[owner]
-        shares = shares_at(texels.atlas, owner, x + 0.5, y + 0.5)
+        fractions = fractions_at(texels.atlas, owner, x + 0.5, y + 0.5)
         if view >= 0:
             n = min(int(ceil(1.0 / scale - 1.0e-6)), int(MAX_SAMPLES))
-            color = shift_at(shares, owner, seams, shifts)
+            color = shift_at(fractions, owner, seams, shifts)
             for k in range(n * n):
                 at_x = x + (float64(k % n) + 0.5) / float64(n)
                 at_y = y + (float64(k // n) + 0.5) / float64(n)
-                point = point_at(shares_at(texels.atlas, owner, at_x, at_y), t, vertices)
-                color += picture_color(point, view, pictures, exposures) / float64(n * n)
+                point = point_at(fractions_at(texels.atlas, owner, at_x, at_y), t, vertices)
+                color += image_color(point, view, stack, exposures) / float64(n * n)
         elif vertex_colors.shape[0] > 0:
-            color = 255.0 * point_at(shares, t, vertex_colors)
+            color = 255.0 * point_at(fractions, t, vertex_colors)
     texels.colors[i] = color
 
 
 @kernel
-def finish_texels_kernel(texels: ChartTexels, picture: array(dtype=vec3), marks: array(dtype=uint8)):
+def finish_texels_kernel(texels: ChartTexels, image: array(dtype=vec3), marks: array(dtype=uint8)):
     i = tid()
-    picture[i] = narrow(texels.colors[i] / 255.0)
+    image[i] = narrow(texels.colors[i] / 255.0)
     marks[i] = uint8(1 if texels.owners[i] != NO_TRIANGLE else 0)
 
 
@@ -201,7 +201,7 @@ def paint_texels(
     texels: ChartTexels,
     vertices: Points,
     seams: Seams,
-    pictures: PosedPictures,
+    stack: StackedImages,
     exposures: Exposures,
     shifts: Array1[vec3d],
     scale: float,
@@ -215,19 +215,19 @@ def paint_texels(
     launch(
         paint_texels_kernel,
         count,
-        [texels, vertices, seams, pictures, exposures, shifts, float(scale), colors, background],
+        [texels, vertices, seams, stack, exposures, shifts, float(scale), colors, background],
     )
 
 
 def finish_texels(texels: ChartTexels, gutter: int) -> Bytes:
     """The texture, uint8 (3 size^2), with colors repeated into the gutter."""
     device, count, size = texels.owners.device, texels.size * texels.size, texels.size
-    picture, marks = empty(count, vec3, device), empty(count, uint8, device)
-    launch(finish_texels_kernel, count, [texels, picture, marks])
+    image, marks = empty(count, vec3, device), empty(count, uint8, device)
+    launch(finish_texels_kernel, count, [texels, image, marks])
     wider, wider_marks = empty(count, vec3, device), empty(count, uint8, device)
     for _ in range(gutter - RINGS):
-        launch(spread_texels_kernel, count, [size, size, picture, marks, wider, wider_marks])
-        picture, wider, marks, wider_marks = wider, picture, wider_marks, marks
+        launch(spread_texels_kernel, count, [size, size, image, marks, wider, wider_marks])
+        image, wider, marks, wider_marks = wider, image, wider_marks, marks
     pixels = empty(3 * count, uint8, device)
-    launch(round_texels_kernel, count, [picture, pixels])
+    launch(round_texels_kernel, count, [image, pixels])
     return pixels

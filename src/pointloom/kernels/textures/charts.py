@@ -32,7 +32,7 @@ from ..lang import (
 from ..memory import download, empty, full, upload, zeros
 from ..meshes.mesh_components import count_roots_kernel, label_chosen_kernel
 from ..meshes.mesh_topology import pair_edges_kernel, sorted_edges
-from .posed_pictures import PosedPictures, project_vertex
+from .stacked_images import StackedImages, project_vertex
 
 FAR = 1 << 30
 
@@ -87,7 +87,7 @@ def bound_charts_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     views: array(dtype=int32),
-    pictures: PosedPictures,
+    stack: StackedImages,
     charts: Charts,
 ):
     """Pixel box of each chart (integer extremes)."""
@@ -97,7 +97,7 @@ def bound_charts_kernel(
         chart = int(charts.labels[i])
         charts.views[chart] = view
         for k in range(3):
-            projected = project_vertex(vertices[triangles[i][k]], view, pictures)
+            projected = project_vertex(vertices[triangles[i][k]], view, stack)
             atomic_min(charts.lows, 2 * chart, int(floor(projected[0])))
             atomic_min(charts.lows, 2 * chart + 1, int(floor(projected[1])))
             atomic_max(charts.highs, 2 * chart, int(ceil(projected[0])))
@@ -115,7 +115,7 @@ def compute_uvs_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     views: array(dtype=int32),
-    pictures: PosedPictures,
+    stack: StackedImages,
     charts: Charts,
     origins: array(dtype=int32),
     scale: float64,
@@ -131,7 +131,7 @@ def compute_uvs_kernel(
         y = float64(0.0)
         if view >= 0:
             chart = int(charts.labels[i])
-            projected = project_vertex(vertices[triangles[i][k]], view, pictures)
+            projected = project_vertex(vertices[triangles[i][k]], view, stack)
             x = (projected[0] - float64(charts.lows[2 * chart])) * scale + float64(origins[2 * chart]) + 0.5
             y = (projected[1] - float64(charts.lows[2 * chart + 1])) * scale + float64(origins[2 * chart + 1]) + 0.5
         elif cells[2] == 0:
@@ -156,9 +156,7 @@ def find_twins(triangles: Triangles, vertex_count: int) -> Indices:
     return twins
 
 
-def cut_charts(
-    vertices: Points, triangles: Triangles, twins: Indices, views: Indices, pictures: PosedPictures
-) -> Charts:
+def cut_charts(vertices: Points, triangles: Triangles, twins: Indices, views: Indices, stack: StackedImages) -> Charts:
     """Charts of triangles with images `views`, int32 (t), -1 for none. One sync."""
     device, count = triangles.device, triangles.size
     parents, chosen = positions(count, device), empty(count, uint8, device)
@@ -169,7 +167,7 @@ def cut_charts(
     numbers, total = exclusive_scan(roots, largest=1)  # sync
     launch(label_chosen_kernel, count, [parents, chosen, numbers, labels])
     charts = Charts(labels, total)
-    launch(bound_charts_kernel, count, [vertices, triangles, views, pictures, charts])
+    launch(bound_charts_kernel, count, [vertices, triangles, views, stack, charts])
     return charts
 
 
@@ -177,7 +175,7 @@ def compute_uvs(
     vertices: Points,
     triangles: Triangles,
     views: Indices,
-    pictures: PosedPictures,
+    stack: StackedImages,
     charts: Charts,
     origins: np.ndarray,
     scale: float,
@@ -192,6 +190,6 @@ def compute_uvs(
     where = upload(np.asarray(origins).reshape(-1), int32, device)
     grid = vec4i(cells.top, cells.columns, cells.side, size)
     launch(
-        compute_uvs_kernel, count, [vertices, triangles, views, pictures, charts, where, float(scale), blind, grid, uvs]
+        compute_uvs_kernel, count, [vertices, triangles, views, stack, charts, where, float(scale), blind, grid, uvs]
     )
     return uvs

@@ -25,8 +25,8 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, upload, zeros
-from .posed_pictures import (
-    PosedPictures,
+from .stacked_images import (
+    StackedImages,
     Warps,
     camera_position,
     is_inside,
@@ -70,7 +70,7 @@ class SearchState:
 def average_brightness_kernel(
     vertices: array(dtype=vec3),
     sightings: Sightings,
-    pictures: PosedPictures,
+    stack: StackedImages,
     warps: Warps,
     samples: array(dtype=shade),
     proxies: array(dtype=float64),
@@ -82,9 +82,9 @@ def average_brightness_kernel(
     for k in range(sightings.starts[i], sightings.starts[i + 1]):
         pair = sightings.order[k]
         image = sightings.images[pair]
-        projected = project_vertex(vertices[i], image, pictures)
+        projected = project_vertex(vertices[i], image, stack)
         warp = warp_at(projected[0], projected[1], image, warps)
-        sampled = sample_pair(projected, warp, image, pictures)
+        sampled = sample_pair(projected, warp, image, stack)
         samples[pair] = sampled
         if sampled[0] >= 0.0:
             total += sampled[0]
@@ -95,25 +95,25 @@ def average_brightness_kernel(
 
 
 @func
-def sample_pair(projected: pixel, warp: warp_sample, image: int, pictures: PosedPictures) -> shade:
+def sample_pair(projected: pixel, warp: warp_sample, image: int, stack: StackedImages) -> shade:
     """Brightness and gradient of a warped vertex. NOTHING, 0, 0 if it is outside or in the margin."""
     sampled = shade(NOTHING, 0.0, 0.0)
     if projected[2] > 0.0:
         u = projected[0]
         v = projected[1]
-        inside = is_inside(u, v, image, pictures.margin, pictures)
-        inside += is_inside(u + warp[0], v + warp[1], image, pictures.margin, pictures)
+        inside = is_inside(u, v, image, stack.margin, stack)
+        inside += is_inside(u + warp[0], v + warp[1], image, stack.margin, stack)
         if inside == 2:
-            sampled = shade_at(u + warp[0], v + warp[1], image, pictures)
+            sampled = shade_at(u + warp[0], v + warp[1], image, stack)
     return sampled
 
 
 @func
-def pair_row_of(p: vec3, image: int, sampled: shade, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
+def pair_row_of(p: vec3, image: int, sampled: shade, proxy: float64, stack: StackedImages, warps: Warps) -> pair_row:
     """Row of a sample. Zero without one."""
     counts = sampled[0] >= 0.0
-    q = camera_position(p, image, pictures)
-    lens = pictures.lenses[image]
+    q = camera_position(p, image, stack)
+    lens = stack.lenses[image]
     x = q[0] if counts else 0.0
     y = q[1] if counts else 0.0
     z = q[2] if counts else 1.0
@@ -130,12 +130,12 @@ def pair_row_of(p: vec3, image: int, sampled: shade, proxy: float64, pictures: P
 
 
 @func
-def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
+def measure_pair(p: vec3, image: int, proxy: float64, stack: StackedImages, warps: Warps) -> pair_row:
     """Row of an image and a vertex. Zero if the vertex is outside or in the margin."""
-    projected = project_vertex(p, image, pictures)
+    projected = project_vertex(p, image, stack)
     warp = warp_at(projected[0], projected[1], image, warps)
-    sampled = sample_pair(projected, warp, image, pictures)
-    return pair_row_of(p, image, sampled, proxy, pictures, warps)
+    sampled = sample_pair(projected, warp, image, stack)
+    return pair_row_of(p, image, sampled, proxy, stack, warps)
 
 
 @segment_reduction
@@ -144,13 +144,13 @@ def sum_pair_rows(
     sightings: Sightings,
     proxies: array(dtype=float64),
     samples: array(dtype=shade),
-    pictures: PosedPictures,
+    stack: StackedImages,
     warps: Warps,
 ) -> pose_sums:
     """Normal equations of an image's pose, squared residuals and pair count."""
     i = tid()
     vertex = sightings.vertices[i]
-    row = pair_row_of(vertices[vertex], sightings.images[i], samples[i], proxies[vertex], pictures, warps)
+    row = pair_row_of(vertices[vertex], sightings.images[i], samples[i], proxies[vertex], stack, warps)
     r = row[1]
     a = row[2]
     b = row[3]
@@ -242,13 +242,13 @@ def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), pos
 
 
 class ColorSearch:
-    """Arrays and iterations of a pose search over `pictures`, whose poses change. Vertices about their origin."""
+    """Arrays and iterations of a pose search over `stack`, whose poses change. Vertices about their origin."""
 
     def __init__(
-        self, vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps, max_iterations: int
+        self, vertices: Points, sightings: Sightings, stack: StackedImages, warps: Warps, max_iterations: int
     ) -> None:
-        device, count = vertices.device, pictures.count
-        self.vertices, self.sightings, self.pictures, self.warps = vertices, sightings, pictures, warps
+        device, count = vertices.device, stack.count
+        self.vertices, self.sightings, self.images, self.warps = vertices, sightings, stack, warps
         firsts = np.concatenate([[0], np.cumsum(sightings.counts)[:-1]])
         self.blocks = SegmentBlocks(firsts, sightings.counts, device)
         self.live = full(count, 1, int32, device)
@@ -261,7 +261,7 @@ class ColorSearch:
 
     def measure(self) -> None:
         """Evaluate means, sums and acceptance at the current poses."""
-        shared = [self.pictures, self.warps]
+        shared = [self.images, self.warps]
         averaged = [self.vertices, self.sightings, *shared, self.samples, self.proxies]
         launch(average_brightness_kernel, self.vertices.size, averaged)
         given = [self.vertices, self.sightings, self.proxies, self.samples, *shared]
@@ -270,10 +270,10 @@ class ColorSearch:
     def judge(self) -> None:
         """Accept or reject, and keep or restore the best poses."""
         launch(judge_iteration_kernel, 1, [self.sums, self.ties, self.state])
-        arguments = [self.state, self.sums, self.pictures.poses, self.best_sums, self.best_poses]
-        launch(keep_best_kernel, self.pictures.count, arguments)
+        arguments = [self.state, self.sums, self.images.poses, self.best_sums, self.best_poses]
+        launch(keep_best_kernel, self.images.count, arguments)
 
     def iterate_rigid(self) -> None:
         self.measure()
         self.judge()
-        launch(step_poses_kernel, self.pictures.count, [self.state, self.best_sums, self.pictures.poses])
+        launch(step_poses_kernel, self.images.count, [self.state, self.best_sums, self.images.poses])

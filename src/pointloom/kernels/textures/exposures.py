@@ -32,7 +32,7 @@ from ..linear_algebra import elementwise, solve
 from ..memory import download, empty, upload, zeros
 from ..rays.triangle_voxels import widened_corners
 from .face_views import FaceViews
-from .posed_pictures import PosedPictures, project_vertex
+from .stacked_images import StackedImages, project_vertex
 
 LEVELS = 1024  # integer levels of a color
 FINE = 4096  # integer scale of a logarithm
@@ -56,9 +56,9 @@ class Exposures:
 
 
 @func
-def image_sqradius(u: float64, v: float64, image: int, pictures: PosedPictures) -> float64:
+def image_sqradius(u: float64, v: float64, image: int, stack: StackedImages) -> float64:
     """Squared distance from an image's center, 1 at the corners."""
-    size = pictures.sizes[image]
+    size = stack.sizes[image]
     width = 0.5 * float64(size[0])
     height = 0.5 * float64(size[1])
     x = u + 0.5 - width
@@ -67,13 +67,13 @@ def image_sqradius(u: float64, v: float64, image: int, pictures: PosedPictures) 
 
 
 @func
-def to_integer(share: float64) -> int64:
-    return int64(floor(share * float64(int64(LEVELS)) + 0.5))
+def to_integer(fraction: float64) -> int64:
+    return int64(floor(fraction * float64(int64(LEVELS)) + 0.5))
 
 
 @func
-def exposed(color: vec3d, u: float64, v: float64, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
-    sqradius = image_sqradius(u, v, image, pictures)
+def exposed(color: vec3d, u: float64, v: float64, image: int, stack: StackedImages, exposures: Exposures) -> vec3d:
+    sqradius = image_sqradius(u, v, image, stack)
     gain = exposures.gains[image]
     result = vec3d(0.0, 0.0, 0.0)
     for channel in range(3):
@@ -89,7 +89,7 @@ def measure_sqradii_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     views: FaceViews,
-    pictures: PosedPictures,
+    stack: StackedImages,
     sqradii: array(dtype=int32),
 ):
     """Squared radius at which each image shows a triangle, as an integer."""
@@ -97,15 +97,15 @@ def measure_sqradii_kernel(
     a, b, c = widened_corners(vertices, triangles[i])
     center = narrow((a + b + c) / 3.0)
     for k in range(views.starts[i], views.starts[i + 1]):
-        projected = project_vertex(center, views.views[k], pictures)
-        sqradius = image_sqradius(projected[0], projected[1], views.views[k], pictures)
+        projected = project_vertex(center, views.views[k], stack)
+        sqradius = image_sqradius(projected[0], projected[1], views.views[k], stack)
         sqradii[k] = int(to_integer(sqradius))
 
 
 @func
-def logarithm(share: float64, table: array(dtype=int32)) -> int64:
+def logarithm(fraction: float64, table: array(dtype=int32)) -> int64:
     """Log color as an integer. 0 if invalid."""
-    level = min(max(int(to_integer(share)), 0), LEVELS)
+    level = min(max(int(to_integer(fraction)), 0), LEVELS)
     return int64(table[level])
 
 
@@ -137,19 +137,19 @@ def sum_differences_kernel(
                     atomic_add(sums, at + 8, (a - b) * q)
 
 
-def plain_exposures(pictures: PosedPictures) -> Exposures:
-    ones, device = np.ones((pictures.count, 3)), pictures.device
-    return Exposures(upload(ones, vec3d, device), zeros(pictures.count, vec3d, device))
+def plain_exposures(stack: StackedImages) -> Exposures:
+    ones, device = np.ones((stack.count, 3)), stack.device
+    return Exposures(upload(ones, vec3d, device), zeros(stack.count, vec3d, device))
 
 
-def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, pictures: PosedPictures) -> Exposures:
+def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, stack: StackedImages) -> Exposures:
     """Exposures that make images agree on shared triangles. One sync."""
-    device, n = vertices.device, pictures.count
+    device, n = vertices.device, stack.count
     levels = np.arange(LEVELS + 1)
     is_usable = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)
     table = upload(np.where(is_usable, np.rint(FINE * elementwise(math.log, np.maximum(levels, 2))), 0), int32, device)
     sqradii, sums = empty(views.count, int32, device), zeros(3 * n * n * NUMBERS, int64, device)
-    launch(measure_sqradii_kernel, triangles.size, [vertices, triangles, views, pictures, sqradii])
+    launch(measure_sqradii_kernel, triangles.size, [vertices, triangles, views, stack, sqradii])
     launch(sum_differences_kernel, triangles.size, [views, sqradii, table, n, sums])
     units = np.array([1, LEVELS, LEVELS**2, LEVELS, LEVELS**2, LEVELS**2, FINE, FINE * LEVELS, FINE * LEVELS], float)
     every = download(sums).reshape(3, n, n, NUMBERS) / units  # sync

@@ -37,7 +37,7 @@ from ..rays.scene_trees import SceneTrees
 from ..rays.triangle_voxels import widened_corners
 from .atlas_colors import side_of
 from .hidden_vertices import drop_hidden, render_depth
-from .posed_pictures import PosedPictures, camera_center, color_at, is_inside, pixel, project_vertex
+from .stacked_images import StackedImages, camera_center, color_at, is_inside, pixel, project_vertex
 from .surface_texels import STEP_MARGIN, mark_steps_kernel
 from .vertex_views import Sightings, list_sightings, mask_in_frame
 
@@ -83,11 +83,11 @@ def facing(vertices: array(dtype=vec3), t: vec3i, eye: vec3d) -> float64:
 
 
 @func
-def inside_margin(p: vec3, image: int, pictures: PosedPictures) -> int:
-    projected = project_vertex(p, image, pictures)
+def inside_margin(p: vec3, image: int, stack: StackedImages) -> int:
+    projected = project_vertex(p, image, stack)
     inside = 0
     if projected[2] > 0.0:
-        inside = is_inside(projected[0], projected[1], image, float64(MARGIN), pictures)
+        inside = is_inside(projected[0], projected[1], image, float64(MARGIN), stack)
     return inside
 
 
@@ -96,7 +96,7 @@ def mask_faces_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     image: int,
-    pictures: PosedPictures,
+    stack: StackedImages,
     visible: array(dtype=uint8),
     mask: array(dtype=uint8),
 ):
@@ -105,9 +105,9 @@ def mask_faces_kernel(
     t = triangles[i]
     flag = 0
     if visible[t[0]] != 0 and visible[t[1]] != 0 and visible[t[2]] != 0 and visible[vertices.shape[0] + i] != 0:
-        eye = camera_center(image, pictures)
-        inside = inside_margin(vertices[t[0]], image, pictures) + inside_margin(vertices[t[1]], image, pictures)
-        inside += inside_margin(vertices[t[2]], image, pictures)
+        eye = camera_center(image, stack)
+        inside = inside_margin(vertices[t[0]], image, stack) + inside_margin(vertices[t[1]], image, stack)
+        inside += inside_margin(vertices[t[2]], image, stack)
         if inside == 3:
             if facing(vertices, t, eye) > float64(FLATTEST):
                 flag = 1
@@ -115,25 +115,25 @@ def mask_faces_kernel(
 
 
 @func
-def slope_at(u: int, v: int, image: int, pictures: PosedPictures) -> float64:
+def slope_at(u: int, v: int, image: int, stack: StackedImages) -> float64:
     """Gradient magnitude at a pixel [1 / px], by central differences."""
-    size = pictures.sizes[image]
+    size = stack.sizes[image]
     left = size[2] + v * size[0] + max(u - 1, 0)
     right = size[2] + v * size[0] + min(u + 1, size[0] - 1)
     top = size[2] + max(v - 1, 0) * size[0] + u
     bottom = size[2] + min(v + 1, size[1] - 1) * size[0] + u
-    x = 0.5 * (float64(pictures.brightness[right]) - float64(pictures.brightness[left]))
-    y = 0.5 * (float64(pictures.brightness[bottom]) - float64(pictures.brightness[top]))
+    x = 0.5 * (float64(stack.brightness[right]) - float64(stack.brightness[left]))
+    y = 0.5 * (float64(stack.brightness[bottom]) - float64(stack.brightness[top]))
     return sqrt(x * x + y * y)
 
 
 @func
-def pixel_color(u: int, v: int, image: int, pictures: PosedPictures) -> vec3d:
-    size = pictures.sizes[image]
+def pixel_color(u: int, v: int, image: int, stack: StackedImages) -> vec3d:
+    size = stack.sizes[image]
     at = size[2] + v * size[0] + u
-    red = float64(int(pictures.pixels[at, 0]))
-    green = float64(int(pictures.pixels[at, 1]))
-    return vec3d(red, green, float64(int(pictures.pixels[at, 2])))
+    red = float64(int(stack.pixels[at, 0]))
+    green = float64(int(stack.pixels[at, 1]))
+    return vec3d(red, green, float64(int(stack.pixels[at, 2])))
 
 
 @func
@@ -142,9 +142,9 @@ def flat(projected: pixel) -> vec3d:
 
 
 @func
-def is_near_step(u: float64, v: float64, image: int, pictures: PosedPictures, steps: array(dtype=uint8)) -> int:
+def is_near_step(u: float64, v: float64, image: int, stack: StackedImages, steps: array(dtype=uint8)) -> int:
     """1 if the depth is discontinuous within two pixels."""
-    size = pictures.sizes[image]
+    size = stack.sizes[image]
     column = int(floor(u + 0.5))
     row = int(floor(v + 0.5))
     is_near = 0
@@ -160,7 +160,7 @@ def measure_views_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     sightings: Sightings,
-    pictures: PosedPictures,
+    stack: StackedImages,
     steps: array(dtype=uint8),
     views: array(dtype=int32),
     qualities: array(dtype=float64),
@@ -171,9 +171,9 @@ def measure_views_kernel(
     pair = sightings.order[i]
     image = sightings.images[pair]
     t = triangles[sightings.vertices[pair]]
-    a = flat(project_vertex(vertices[t[0]], image, pictures))
-    b = flat(project_vertex(vertices[t[1]], image, pictures))
-    c = flat(project_vertex(vertices[t[2]], image, pictures))
+    a = flat(project_vertex(vertices[t[0]], image, stack))
+    b = flat(project_vertex(vertices[t[1]], image, stack))
+    c = flat(project_vertex(vertices[t[2]], image, stack))
     doubled = side_of(a, b, c[0], c[1])
     sign = float64(1.0)
     if doubled < 0.0:
@@ -196,20 +196,20 @@ def measure_views_kernel(
             min_side = min(side_of(a, b, x, y) * sign, min(side_of(b, c, x, y) * sign, side_of(c, a, x, y) * sign))
             if min_side >= 0.0:
                 count += 1.0
-                slope += slope_at(u, v, image, pictures)
-                color += pixel_color(u, v, image, pictures)
+                slope += slope_at(u, v, image, stack)
+                color += pixel_color(u, v, image, stack)
             u += stride
         v += stride
     x = (a[0] + b[0] + c[0]) / 3.0
     y = (a[1] + b[1] + c[1]) / 3.0
     if count == 0.0:
         count = 1.0
-        slope = slope_at(int(floor(x + 0.5)), int(floor(y + 0.5)), image, pictures)
-        color = color_at(x, y, image, pictures)
+        slope = slope_at(int(floor(x + 0.5)), int(floor(y + 0.5)), image, stack)
+        color = color_at(x, y, image, stack)
     views[i] = image
     quality = 0.5 * abs(doubled) * (slope / count + float64(PLAIN))
-    beside = is_near_step(a[0], a[1], image, pictures, steps) + is_near_step(b[0], b[1], image, pictures, steps)
-    beside += is_near_step(c[0], c[1], image, pictures, steps) + is_near_step(x, y, image, pictures, steps)
+    beside = is_near_step(a[0], a[1], image, stack, steps) + is_near_step(b[0], b[1], image, stack, steps)
+    beside += is_near_step(c[0], c[1], image, stack, steps) + is_near_step(x, y, image, stack, steps)
     if beside > 0:
         quality = quality * float64(EDGE_FACTOR)
     qualities[i] = quality
@@ -242,25 +242,25 @@ class FaceVisibility:
     """Visibility of a mesh's triangles image by image. Points beyond `farthest` [m] are not visible."""
 
     def __init__(
-        self, vertices: Points, triangles: Triangles, pictures: PosedPictures, trees: SceneTrees, farthest: float
+        self, vertices: Points, triangles: Triangles, stack: StackedImages, trees: SceneTrees, farthest: float
     ) -> None:
-        self.vertices, self.triangles, self.pictures, self.trees = vertices, triangles, pictures, trees
+        self.vertices, self.triangles, self.images, self.trees = vertices, triangles, stack, trees
         self.farthest = float(farthest)
         centers = empty(triangles.size, vec3, vertices.device)
         launch(compute_centers_kernel, triangles.size, [vertices, triangles, centers])
         self.points = concatenate_rows([vertices, centers])
-        self.steps = empty(pictures.pixels.shape[0], uint8, vertices.device)
+        self.steps = empty(stack.pixels.shape[0], uint8, vertices.device)
 
     def mask(self, image: int) -> Mask:
-        points, pictures = self.points, self.pictures
-        visible = mask_in_frame(points, image, pictures, self.farthest)
-        drop_hidden(points, image, pictures, self.trees, visible)
-        depth = render_depth(image, pictures, self.trees)
-        marks, (width, height, first) = empty(depth.size, uint8, depth.device), pictures.layout[image].tolist()
+        points, stack = self.points, self.images
+        visible = mask_in_frame(points, image, stack, self.farthest)
+        drop_hidden(points, image, stack, self.trees, visible)
+        depth = render_depth(image, stack, self.trees)
+        marks, (width, height, first) = empty(depth.size, uint8, depth.device), stack.layout[image].tolist()
         launch(mark_steps_kernel, depth.size, [depth, width, height, marks])
         copy(self.steps, marks, count=marks.size, offset=first)
         mask = empty(self.triangles.size, uint8, visible.device)
-        launch(mask_faces_kernel, mask.size, [self.vertices, self.triangles, image, pictures, visible, mask])
+        launch(mask_faces_kernel, mask.size, [self.vertices, self.triangles, image, stack, visible, mask])
         return mask
 
     def views(self, report: Callable[[int], None]) -> FaceViews:
@@ -269,12 +269,12 @@ class FaceVisibility:
         device, count = self.vertices.device, sightings.count
         views, qualities = empty(count, int32, device), empty(count, float64, device)
         colors = empty(count, vec3, device)
-        given = [self.vertices, self.triangles, sightings, self.pictures, self.steps, views, qualities, colors]
+        given = [self.vertices, self.triangles, sightings, self.images, self.steps, views, qualities, colors]
         launch(measure_views_kernel, count, given)
         return FaceViews(sightings.starts, views, qualities, colors)
 
     def _masks(self, report: Callable[[int], None]) -> Iterator[Mask]:
-        for image in range(self.pictures.count):
+        for image in range(self.images.count):
             report(image)
             yield self.mask(image)
 

@@ -8,19 +8,19 @@ from ..memory import empty
 from ..rays.ray_casting import cast_rays, test_occlusions
 from ..rays.scene_trees import SceneTrees
 from ..rays.triangle_tree import TriangleTree
-from .posed_pictures import PosedPictures, camera_center
+from .stacked_images import StackedImages, camera_center
 
 SHORT = 0.999  # fraction of the ray that must be free
 
 
 @kernel
-def aim_pixels_kernel(image: int, pictures: PosedPictures, rays: array(dtype=float32)):
+def aim_pixels_kernel(image: int, stack: StackedImages, rays: array(dtype=float32)):
     """Ray through each pixel's center. Its parameter is the depth."""
     i = tid()
-    eye = camera_center(image, pictures)
-    T = pictures.poses[image]
-    lens = pictures.lenses[image]
-    width = pictures.sizes[image][0]
+    eye = camera_center(image, stack)
+    T = stack.poses[image]
+    lens = stack.lenses[image]
+    width = stack.sizes[image][0]
     x = (float64(i % width) - lens[2]) / lens[0]
     y = (float64(i // width) - lens[3]) / lens[1]
     n = int(3)
@@ -38,15 +38,11 @@ def drop_infinite_kernel(depth: array(dtype=float32)):
 
 @kernel
 def aim_rays_kernel(
-    vertices: array(dtype=vec3),
-    image: int,
-    pictures: PosedPictures,
-    mask: array(dtype=uint8),
-    rays: array(dtype=float32),
+    vertices: array(dtype=vec3), image: int, stack: StackedImages, mask: array(dtype=uint8), rays: array(dtype=float32)
 ):
     """Ray from the camera to each vertex. Zero-length where not needed."""
     i = tid()
-    eye = camera_center(image, pictures)
+    eye = camera_center(image, stack)
     way = vec3(0.0, 0.0, 0.0)
     if mask[i] != 0:
         p = vertices[i]
@@ -69,19 +65,19 @@ def plant_trees(vertices: Points, triangles: Triangles) -> SceneTrees:
     return SceneTrees([TriangleTree(vertices, triangles)], [0], np.eye(4)[None])
 
 
-def render_depth(image: int, pictures: PosedPictures, trees: SceneTrees) -> Scalars:
+def render_depth(image: int, stack: StackedImages, trees: SceneTrees) -> Scalars:
     """Depth of the mesh in an image, float32 (pixels). 0 if empty."""
-    width, height, _ = pictures.layout[image].tolist()
-    rays = empty(6 * width * height, float32, pictures.device)
-    launch(aim_pixels_kernel, width * height, [image, pictures, rays])
+    width, height, _ = stack.layout[image].tolist()
+    rays = empty(6 * width * height, float32, stack.device)
+    launch(aim_pixels_kernel, width * height, [image, stack, rays])
     depth = cast_rays(trees, rays)[0].t_hit
     launch(drop_infinite_kernel, depth.size, [depth])
     return depth
 
 
-def drop_hidden(vertices: Points, image: int, pictures: PosedPictures, trees: SceneTrees, mask: Mask) -> Mask:
+def drop_hidden(vertices: Points, image: int, stack: StackedImages, trees: SceneTrees, mask: Mask) -> Mask:
     """Clear `mask` (uint8 (m), in place, returned) for vertices that the mesh hides from a camera."""
     rays = empty(6 * vertices.size, float32, vertices.device)
-    launch(aim_rays_kernel, vertices.size, [vertices, image, pictures, mask, rays])
+    launch(aim_rays_kernel, vertices.size, [vertices, image, stack, mask, rays])
     launch(keep_free_kernel, vertices.size, [test_occlusions(trees, rays, 0.0, SHORT), mask])
     return mask

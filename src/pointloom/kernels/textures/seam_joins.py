@@ -105,7 +105,7 @@ def count_samples_kernel(atlas: Atlas, seams: Seams, counts: array(dtype=int32))
 def compute_samples_kernel(atlas: Atlas, seams: Seams, samples: SeamSamples):
     i = tid()
     h = find_owner(samples.firsts, i)
-    share = (float64(i - samples.firsts[h]) + 0.5) / float64(samples.firsts[h + 1] - samples.firsts[h])
+    fraction = (float64(i - samples.firsts[h]) + 0.5) / float64(samples.firsts[h + 1] - samples.firsts[h])
     for side in range(2):
         from_side = h
         sign = float64(1.0)
@@ -113,8 +113,8 @@ def compute_samples_kernel(atlas: Atlas, seams: Seams, samples: SeamSamples):
             from_side = seams.twins[h]
             sign = -1.0
         a, b = side_positions(from_side, h, atlas, seams)
-        x = min(max(a[0] * (1.0 - share) + b[0] * share - 0.5, 0.0), float64(atlas.width - 1))
-        y = min(max(a[1] * (1.0 - share) + b[1] * share - 0.5, 0.0), float64(atlas.height - 1))
+        x = min(max(a[0] * (1.0 - fraction) + b[0] * fraction - 0.5, 0.0), float64(atlas.width - 1))
+        y = min(max(a[1] * (1.0 - fraction) + b[1] * fraction - 0.5, 0.0), float64(atlas.height - 1))
         column = min(int(floor(x)), atlas.width - 2)
         row = min(int(floor(y)), atlas.height - 2)
         s = x - float64(column)
@@ -207,7 +207,7 @@ def join_seams(samples: SeamSamples, colors: Array1[vec3d]) -> None:
 
 
 @kernel
-def drawn_steps_kernel(samples: SeamSamples, picture: array(dtype=uint8), sizes: array(dtype=float64)):
+def drawn_steps_kernel(samples: SeamSamples, image: array(dtype=uint8), sizes: array(dtype=float64)):
     """Step at each sample of the finished texture, 0..255, mean of three channels."""
     i = tid()
     total = float64(0.0)
@@ -215,7 +215,7 @@ def drawn_steps_kernel(samples: SeamSamples, picture: array(dtype=uint8), sizes:
         step = float64(0.0)
         for k in range(SIDES):
             texel = int(samples.keys[8 * i + k])
-            step += float64(picture[3 * texel + channel]) * samples.weights[8 * i + k]
+            step += float64(image[3 * texel + channel]) * samples.weights[8 * i + k]
         total += abs(step)
     sizes[i] = total / 3.0
 
@@ -226,11 +226,11 @@ def sum_steps(sizes: array(dtype=float64)) -> step_sums:
     return step_sums(1.0, sizes[i])
 
 
-def drawn_steps(samples: SeamSamples, picture: Bytes) -> tuple[float, float] | None:
+def drawn_steps(samples: SeamSamples, image: Bytes) -> tuple[float, float] | None:
     """(mean, 95th percentile) of the finished texture's steps across seams, 0..255, or None. A few syncs."""
     if not samples.sample_count:
         return None
-    sizes = empty(samples.sample_count, float64, picture.device)
-    launch(drawn_steps_kernel, samples.sample_count, [samples, picture, sizes])
+    sizes = empty(samples.sample_count, float64, image.device)
+    launch(drawn_steps_kernel, samples.sample_count, [samples, image, sizes])
     count, total = download(reduce(sum_steps, samples.sample_count, [sizes]))[0].tolist()  # sync
     return total / count, quantiles_of(sizes, [HIGH_QUANTILE])[0]  # sync

@@ -33,7 +33,7 @@ from ..memory import download, empty, zeros
 from ..meshes.mesh_edges import corner_at
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .exposures import Exposures, exposed
-from .posed_pictures import PosedPictures, color_at, project_vertex
+from .stacked_images import StackedImages, color_at, project_vertex
 
 SAMPLES = 32  # maximum samples per edge: one per pixel
 STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge within a chart belongs to two triangles
@@ -61,11 +61,11 @@ class Seams:
     ends: array(dtype=vec3d)
 
     def __init__(
-        self, triangles: Triangles, twins: Indices, views: Indices, picture_count: int, vertex_count: int
+        self, triangles: Triangles, twins: Indices, views: Indices, image_count: int, vertex_count: int
     ) -> None:
         device, corners = triangles.device, 3 * triangles.size
         self.triangles, self.twins, self.views = triangles, twins, views
-        keys, bits = empty(corners, int64, device), max(1, picture_count.bit_length())
+        keys, bits = empty(corners, int64, device), max(1, image_count.bit_length())
         launch(list_node_keys_kernel, corners, [triangles, views, bits, keys])
         unique = UniqueKeys(keys, bits + max(1, vertex_count.bit_length()))  # sync
         self.count, self.starts, self.corners = unique.count, unique.starts, unique.order
@@ -104,26 +104,26 @@ def is_seam(h: int, seams: Seams) -> int:
 
 
 @func
-def picture_color(p: vec3d, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
+def image_color(p: vec3d, image: int, stack: StackedImages, exposures: Exposures) -> vec3d:
     """Exposure-corrected color of an image, 0..255, with replicated border."""
-    projected = project_vertex(vec3(float(p[0]), float(p[1]), float(p[2])), image, pictures)
-    size = pictures.sizes[image]
+    projected = project_vertex(vec3(float(p[0]), float(p[1]), float(p[2])), image, stack)
+    size = stack.sizes[image]
     u = min(max(projected[0], 0.0), float64(size[0] - 1))
     v = min(max(projected[1], 0.0), float64(size[1] - 1))
-    return exposed(color_at(u, v, image, pictures), u, v, image, pictures, exposures)
+    return exposed(color_at(u, v, image, stack), u, v, image, stack, exposures)
 
 
 @func
-def samples_of(a: vec3, b: vec3, image: int, pictures: PosedPictures) -> int:
-    p = project_vertex(a, image, pictures)
-    q = project_vertex(b, image, pictures)
+def samples_of(a: vec3, b: vec3, image: int, stack: StackedImages) -> int:
+    p = project_vertex(a, image, stack)
+    q = project_vertex(b, image, stack)
     x = q[0] - p[0]
     y = q[1] - p[1]
     return int(min(max(ceil(sqrt(x * x + y * y)), 2.0), float64(SAMPLES)))
 
 
 @kernel
-def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, exposures: Exposures):
+def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, stack: StackedImages, exposures: Exposures):
     """Color difference of both sides at the ends of each seam edge."""
     i = tid()
     at_begin = vec3d(0.0, 0.0, 0.0)
@@ -133,15 +133,15 @@ def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: Po
         there = seams.views[seams.twins[i] // 3]
         p = vertices[corner_vertex(seams.triangles, i)]
         q = vertices[corner_vertex(seams.triangles, next_corner(i))]
-        count = samples_of(p, q, min(here, there), pictures)
+        count = samples_of(p, q, min(here, there), stack)
         total = float64(0.0)
         for k in range(count):
-            share = (float64(k) + 0.5) / float64(count)
-            point = widen(p) * (1.0 - share) + widen(q) * share
-            step = picture_color(point, here, pictures, exposures) - picture_color(point, there, pictures, exposures)
-            at_begin += step * (1.0 - share)
-            at_end += step * share
-            total += share
+            fraction = (float64(k) + 0.5) / float64(count)
+            point = widen(p) * (1.0 - fraction) + widen(q) * fraction
+            step = image_color(point, here, stack, exposures) - image_color(point, there, stack, exposures)
+            at_begin += step * (1.0 - fraction)
+            at_end += step * fraction
+            total += fraction
         at_begin = at_begin / total
         at_end = at_end / total
     seams.begins[i] = at_begin
@@ -194,7 +194,7 @@ def map_levels_kernel(seams: Seams, weights: array(dtype=float64), state: Gradie
 
 @reduction
 def sum_steps(
-    vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, exposures: Exposures, shifts: array(dtype=vec3d)
+    vertices: array(dtype=vec3), seams: Seams, stack: StackedImages, exposures: Exposures, shifts: array(dtype=vec3d)
 ) -> step_sums:
     """Statistics of shifted steps across seam edges, mean of three channels: count, sum, sum of squares."""
     i = tid()
@@ -207,12 +207,12 @@ def sum_steps(
         b = corner_vertex(seams.triangles, next_corner(i))
         at_a = shifts[seams.nodes[i]] - shifts[node_beyond(i, a, seams)]
         at_b = shifts[seams.nodes[next_corner(i)]] - shifts[node_beyond(i, b, seams)]
-        count = samples_of(vertices[a], vertices[b], min(here, there), pictures)
+        count = samples_of(vertices[a], vertices[b], min(here, there), stack)
         for k in range(count):
-            share = (float64(k) + 0.5) / float64(count)
-            point = widen(vertices[a]) * (1.0 - share) + widen(vertices[b]) * share
-            step = picture_color(point, here, pictures, exposures) - picture_color(point, there, pictures, exposures)
-            step += at_a * (1.0 - share) + at_b * share
+            fraction = (float64(k) + 0.5) / float64(count)
+            point = widen(vertices[a]) * (1.0 - fraction) + widen(vertices[b]) * fraction
+            step = image_color(point, here, stack, exposures) - image_color(point, there, stack, exposures)
+            step += at_a * (1.0 - fraction) + at_b * fraction
             size = (abs(step[0]) + abs(step[1]) + abs(step[2])) / 3.0
             sums += step_sums(1.0, size, size * size)
     return sums
@@ -221,11 +221,11 @@ def sum_steps(
 class SeamLevels:
     """Color shifts of a mesh: `shifts` vec3d (n), 0..255, zero until `solve`; `iterations` of the solve."""
 
-    def __init__(self, vertices: Points, seams: Seams, pictures: PosedPictures, exposures: Exposures) -> None:
-        self.vertices, self.seams, self.pictures, self.exposures = vertices, seams, pictures, exposures
+    def __init__(self, vertices: Points, seams: Seams, stack: StackedImages, exposures: Exposures) -> None:
+        self.vertices, self.seams, self.images, self.exposures = vertices, seams, stack, exposures
         self.shifts: Positions = zeros(seams.count, vec3d, vertices.device)
         self.iterations = 0
-        launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, pictures, exposures])
+        launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, stack, exposures])
 
     def solve(self, *, level: bool = False) -> None:
         """Solve for the shifts; `level` if images were exposure-corrected. One sync."""
@@ -245,6 +245,6 @@ class SeamLevels:
 
     def mean_step(self) -> float | None:
         """Mean step across seams, 0..255. None without seams. One sync."""
-        given = [self.vertices, self.seams, self.pictures, self.exposures, self.shifts]
+        given = [self.vertices, self.seams, self.images, self.exposures, self.shifts]
         count, total, _ = download(reduce(sum_steps, 3 * self.seams.triangles.size, given))[0].tolist()  # sync
         return total / count if count else None

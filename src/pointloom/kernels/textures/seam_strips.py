@@ -11,10 +11,10 @@ from ..lang import array, dot, float64, func, int32, kernel, launch, length, tid
 from ..memory import empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .atlas_colors import NO_TRIANGLE, texel_corners
-from .chart_texels import RINGS, UNREACHED, ChartTexels, point_at, shares_at, side_of_corner
+from .chart_texels import RINGS, UNREACHED, ChartTexels, fractions_at, point_at, side_of_corner
 from .exposures import Exposures
-from .posed_pictures import PosedPictures
-from .seam_levels import Seams, is_seam, node_beyond, picture_color
+from .seam_levels import Seams, image_color, is_seam, node_beyond
+from .stacked_images import StackedImages
 
 ON_SEAM = 1.5  # [texels] maximum distance of a chart's texel on a seam
 MAX_RING_DISTANCE = 4.0  # [texels] the same for ring texels
@@ -28,10 +28,10 @@ def on_segment(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
     """Parameter of the nearest point on segment a b."""
     way = b - a
     squared = dot(way, way)
-    share = float64(0.0)
+    fraction = float64(0.0)
     if squared > 0.0:
-        share = min(max(dot(vec3d(x, y, 0.0) - a, way) / squared, 0.0), 1.0)
-    return share
+        fraction = min(max(dot(vec3d(x, y, 0.0) - a, way) / squared, 0.0), 1.0)
+    return fraction
 
 
 @func
@@ -43,10 +43,10 @@ def nearest_seam(texels: ChartTexels, seams: Seams, owner: int, x: float64, y: f
         if is_seam(3 * owner + side, seams) == 1:
             begin = side_of_corner(a, b, c, side)
             end = side_of_corner(a, b, c, side + 1)
-            share = on_segment(begin, end, x, y)
-            distance = length(begin * (1.0 - share) + end * share - vec3d(x, y, 0.0))
+            fraction = on_segment(begin, end, x, y)
+            distance = length(begin * (1.0 - fraction) + end * fraction - vec3d(x, y, 0.0))
             if distance < nearest[1]:
-                nearest = vec3d(float64(3 * owner + side), distance, share)
+                nearest = vec3d(float64(3 * owner + side), distance, fraction)
     return nearest
 
 
@@ -54,7 +54,7 @@ def nearest_seam(texels: ChartTexels, seams: Seams, owner: int, x: float64, y: f
 def mean_at_vertices_kernel(
     vertices: array(dtype=vec3),
     seams: Seams,
-    pictures: PosedPictures,
+    stack: StackedImages,
     exposures: Exposures,
     shifts: array(dtype=vec3d),
     means: array(dtype=vec3d),
@@ -75,7 +75,7 @@ def mean_at_vertices_kernel(
             corner = seams.corners[seams.starts[k]]
             view = seams.views[corner // 3]
             if view >= 0:
-                total += picture_color(widen(vertices[v]), view, pictures, exposures) + shifts[k]
+                total += image_color(widen(vertices[v]), view, stack, exposures) + shifts[k]
                 count += 1
             k += 1
             more = 0
@@ -89,29 +89,29 @@ def mean_at_vertices_kernel(
 def both_sides(
     h: int,
     point: vec3d,
-    share: float64,
+    fraction: float64,
     seams: Seams,
-    pictures: PosedPictures,
+    stack: StackedImages,
     exposures: Exposures,
     shifts: array(dtype=vec3d),
 ) -> vec3d:
     """Mean color of both sides of a seam edge, with interpolated shifts."""
     t = seams.triangles[h // 3]
-    total = picture_color(point, seams.views[h // 3], pictures, exposures)
-    total += picture_color(point, seams.views[seams.twins[h] // 3], pictures, exposures)
+    total = image_color(point, seams.views[h // 3], stack, exposures)
+    total += image_color(point, seams.views[seams.twins[h] // 3], stack, exposures)
     begin = shifts[seams.nodes[h]] + shifts[node_beyond(h, t[h % 3], seams)]
     end = shifts[seams.nodes[next_corner(h)]] + shifts[node_beyond(h, t[next_corner(h) % 3], seams)]
-    return 0.5 * (total + begin * (1.0 - share) + end * share)
+    return 0.5 * (total + begin * (1.0 - fraction) + end * fraction)
 
 
 @func
 def seam_color(
     h: int,
     point: vec3d,
-    share: float64,
+    fraction: float64,
     vertices: array(dtype=vec3),
     seams: Seams,
-    pictures: PosedPictures,
+    stack: StackedImages,
     exposures: Exposures,
     shifts: array(dtype=vec3d),
     means: array(dtype=vec3d),
@@ -120,10 +120,10 @@ def seam_color(
     t = seams.triangles[h // 3]
     a = t[h % 3]
     b = t[next_corner(h) % 3]
-    begin = means[a] - both_sides(h, widen(vertices[a]), float64(0.0), seams, pictures, exposures, shifts)
-    end = means[b] - both_sides(h, widen(vertices[b]), float64(1.0), seams, pictures, exposures, shifts)
-    color = both_sides(h, point, share, seams, pictures, exposures, shifts)
-    return color + begin * (1.0 - share) + end * share
+    begin = means[a] - both_sides(h, widen(vertices[a]), float64(0.0), seams, stack, exposures, shifts)
+    end = means[b] - both_sides(h, widen(vertices[b]), float64(1.0), seams, stack, exposures, shifts)
+    color = both_sides(h, point, fraction, seams, stack, exposures, shifts)
+    return color + begin * (1.0 - fraction) + end * fraction
 
 
 @kernel
@@ -131,7 +131,7 @@ def aim_at_seams_kernel(
     texels: ChartTexels,
     vertices: array(dtype=vec3),
     seams: Seams,
-    pictures: PosedPictures,
+    stack: StackedImages,
     exposures: Exposures,
     shifts: array(dtype=vec3d),
     means: array(dtype=vec3d),
@@ -162,8 +162,8 @@ def aim_at_seams_kernel(
                     nearest = seam
     if nearest[0] >= 0.0:
         h = int(nearest[0])
-        point = point_at(shares_at(texels.atlas, h // 3, x, y), seams.triangles[h // 3], vertices)
-        color = seam_color(h, point, nearest[2], vertices, seams, pictures, exposures, shifts, means)
+        point = point_at(fractions_at(texels.atlas, h // 3, x, y), seams.triangles[h // 3], vertices)
+        color = seam_color(h, point, nearest[2], vertices, seams, stack, exposures, shifts, means)
         changes[i] = color - texels.colors[i]
         texels.steps[i] = 0
 
@@ -264,7 +264,7 @@ def blend_strips(
     texels: ChartTexels,
     vertices: Points,
     seams: Seams,
-    pictures: PosedPictures,
+    stack: StackedImages,
     exposures: Exposures,
     shifts: Array1[vec3d],
 ) -> None:
@@ -272,8 +272,8 @@ def blend_strips(
     device, count = vertices.device, texels.size * texels.size
     changes, free = empty(count, vec3d, device), zeros(count, uint8, device)
     means: Positions = zeros(vertices.size, vec3d, device)
-    launch(mean_at_vertices_kernel, seams.count, [vertices, seams, pictures, exposures, shifts, means])
-    launch(aim_at_seams_kernel, count, [texels, vertices, seams, pictures, exposures, shifts, means, changes])
+    launch(mean_at_vertices_kernel, seams.count, [vertices, seams, stack, exposures, shifts, means])
+    launch(aim_at_seams_kernel, count, [texels, vertices, seams, stack, exposures, shifts, means, changes])
     for step in range(1, STRIP + 1):
         launch(spread_steps_kernel, count, [texels, seams, step, free])
     rows: Indices = positions_of(free)  # sync

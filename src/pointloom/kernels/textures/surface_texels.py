@@ -38,7 +38,7 @@ from .atlas_colors import (
     texel_corners,
 )
 from .hidden_vertices import drop_hidden, render_depth
-from .posed_pictures import PosedPictures, camera_center, color_at, nearest_pixel, project_vertex
+from .stacked_images import StackedImages, camera_center, color_at, nearest_pixel, project_vertex
 from .vertex_views import mask_in_frame
 
 STEEPEST = 0.1  # minimum cosine of the view angle
@@ -74,10 +74,10 @@ def locate_texels_kernel(
     x = float64(texel % atlas.width) + 0.5
     y = float64(texel // atlas.width) + 0.5
     doubled_area = side_of(u, v, w[0], w[1])
-    share_b = side_of(w, u, x, y) / doubled_area
-    share_c = side_of(u, v, x, y) / doubled_area
+    fraction_b = side_of(w, u, x, y) / doubled_area
+    fraction_c = side_of(u, v, x, y) / doubled_area
     a, b, c = widened_corners(vertices, triangles[t])
-    points[i] = narrow(a + (b - a) * share_b + (c - a) * share_c)
+    points[i] = narrow(a + (b - a) * fraction_b + (c - a) * fraction_c)
     n = cross(b - a, c - a)
     area = length(n)
     normal = vec3(0.0, 0.0, 0.0)
@@ -103,14 +103,14 @@ def mark_steps_kernel(depth: array(dtype=float32), width: int, height: int, mark
 
 @kernel
 def drop_near_steps_kernel(
-    points: array(dtype=vec3), image: int, pictures: PosedPictures, marks: array(dtype=uint8), mask: array(dtype=uint8)
+    points: array(dtype=vec3), image: int, stack: StackedImages, marks: array(dtype=uint8), mask: array(dtype=uint8)
 ):
     """Drop texels beside depth edges, where small pose errors matter."""
     i = tid()
     if mask[i] != 0:
-        projected = project_vertex(points[i], image, pictures)
-        size = pictures.sizes[image]
-        at = nearest_pixel(projected[0], projected[1], image, pictures) - size[2]
+        projected = project_vertex(points[i], image, stack)
+        size = stack.sizes[image]
+        at = nearest_pixel(projected[0], projected[1], image, stack) - size[2]
         u = at % size[0]
         v = at // size[0]
         visible = 1
@@ -122,11 +122,11 @@ def drop_near_steps_kernel(
 
 
 @kernel
-def blend_picture_kernel(
+def blend_image_kernel(
     points: array(dtype=vec3),
     normals: array(dtype=vec3),
     image: int,
-    pictures: PosedPictures,
+    stack: StackedImages,
     mask: array(dtype=uint8),
     sums: array(dtype=vec4d),
 ):
@@ -134,32 +134,32 @@ def blend_picture_kernel(
     i = tid()
     if mask[i] != 0:
         p = points[i]
-        eye = camera_center(image, pictures)
+        eye = camera_center(image, stack)
         way = eye - widen(p)
         distance = length(way)
         cosine = dot(way, widen(normals[i])) / distance
         if cosine > float64(STEEPEST):
-            projected = project_vertex(p, image, pictures)
-            size = pictures.sizes[image]
+            projected = project_vertex(p, image, stack)
+            size = stack.sizes[image]
             feather = float64(FEATHER) * float64(min(size[0], size[1]))
             border = min(projected[0] + 0.5, float64(size[0]) - 0.5 - projected[0])
             border = min(border, min(projected[1] + 0.5, float64(size[1]) - 0.5 - projected[1]))
             detail = cosine / projected[2]
             w = detail * detail * detail * detail * min(max(border / feather, 1.0e-6), 1.0)
-            color = color_at(projected[0], projected[1], image, pictures)
+            color = color_at(projected[0], projected[1], image, stack)
             sums[i] = sums[i] + vec4d(w * color[0], w * color[1], w * color[2], w)
 
 
 @kernel
 def write_texels_kernel(
-    texels: array(dtype=int32), sums: array(dtype=vec4d), picture: array(dtype=vec3), marks: array(dtype=uint8)
+    texels: array(dtype=int32), sums: array(dtype=vec4d), image: array(dtype=vec3), marks: array(dtype=uint8)
 ):
     i = tid()
     texel = texels[i]
     s = sums[i]
     if s[3] > 0.0:
         scale = 255.0 * s[3]
-        picture[texel] = vec3(float(s[0] / scale), float(s[1] / scale), float(s[2] / scale))
+        image[texel] = vec3(float(s[0] / scale), float(s[1] / scale), float(s[2] / scale))
     marks[texel] = 1
 
 
@@ -186,18 +186,18 @@ class SurfaceTexels:
         given = [self.texels, self.atlas, self.owners, vertices, triangles, self.points, self.normals]
         launch(locate_texels_kernel, self.texels.size, given)
 
-    def blend(self, pictures: PosedPictures, trees: SceneTrees) -> Array1[vec4d]:
+    def blend(self, stack: StackedImages, trees: SceneTrees) -> Array1[vec4d]:
         """Weighted sums of colors, 0..255, and of weights over the visible images: vec4d (n)."""
         sums = zeros(self.texels.size, vec4d, self.points.device)
-        for image in range(pictures.count):
-            mask = mask_in_frame(self.points, image, pictures, float("inf"))
-            drop_hidden(self.points, image, pictures, trees, mask)
-            depth = render_depth(image, pictures, trees)
-            marks, (width, height, _) = empty(depth.size, uint8, depth.device), pictures.layout[image].tolist()
+        for image in range(stack.count):
+            mask = mask_in_frame(self.points, image, stack, float("inf"))
+            drop_hidden(self.points, image, stack, trees, mask)
+            depth = render_depth(image, stack, trees)
+            marks, (width, height, _) = empty(depth.size, uint8, depth.device), stack.layout[image].tolist()
             launch(mark_steps_kernel, depth.size, [depth, width, height, marks])
-            launch(drop_near_steps_kernel, self.texels.size, [self.points, image, pictures, marks, mask])
-            given = [self.points, self.normals, image, pictures, mask, sums]
-            launch(blend_picture_kernel, self.texels.size, given)
+            launch(drop_near_steps_kernel, self.texels.size, [self.points, image, stack, marks, mask])
+            given = [self.points, self.normals, image, stack, mask, sums]
+            launch(blend_image_kernel, self.texels.size, given)
         return sums
 
     def visible_fraction(self, sums: Array1[vec4d]) -> float:
@@ -209,14 +209,14 @@ class SurfaceTexels:
     def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: int) -> Bytes:
         """Texture, uint8 (3 size^2). Vertex `colors` fill invisible texels (None: black); `gutter` rings."""
         device, size, count = self.points.device, self.size, self.size * self.size
-        picture, marks = zeros(count, vec3, device), zeros(count, uint8, device)
+        image, marks = zeros(count, vec3, device), zeros(count, uint8, device)
         if colors is not None:
-            launch(mix_texels_kernel, count, [self.atlas, self.owners, self.triangles, colors, picture, marks])
-        launch(write_texels_kernel, self.texels.size, [self.texels, sums, picture, marks])
+            launch(mix_texels_kernel, count, [self.atlas, self.owners, self.triangles, colors, image, marks])
+        launch(write_texels_kernel, self.texels.size, [self.texels, sums, image, marks])
         wider, wider_marks = empty(count, vec3, device), empty(count, uint8, device)
         for _ in range(gutter):
-            launch(spread_texels_kernel, count, [size, size, picture, marks, wider, wider_marks])
-            picture, wider, marks, wider_marks = wider, picture, wider_marks, marks
+            launch(spread_texels_kernel, count, [size, size, image, marks, wider, wider_marks])
+            image, wider, marks, wider_marks = wider, image, wider_marks, marks
         pixels = empty(3 * count, uint8, device)
-        launch(round_texels_kernel, count, [picture, pixels])
+        launch(round_texels_kernel, count, [image, pixels])
         return pixels

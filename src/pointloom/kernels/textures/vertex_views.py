@@ -29,7 +29,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import cast, download, empty, upload, zeros
-from .posed_pictures import LANES, PosedPictures, Warps, find_vertex, is_inside, nearest_pixel, octet, project_vertex
+from .stacked_images import LANES, StackedImages, Warps, find_vertex, is_inside, nearest_pixel, octet, project_vertex
 
 MAX_MARKS = 1 << 26  # flags of images whose vertices are listed together: 5 B each
 
@@ -120,16 +120,16 @@ def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump
 def match_depth_kernel(
     vertices: array(dtype=vec3),
     image: int,
-    pictures: PosedPictures,
+    stack: StackedImages,
     depth: array(dtype=float32),
     marks: array(dtype=uint8),
     rule: DepthRule,
     mask: array(dtype=uint8),
 ):
     i = tid()
-    projected = project_vertex(vertices[i], image, pictures)
+    projected = project_vertex(vertices[i], image, stack)
     visible = 0
-    size = pictures.sizes[image]
+    size = stack.sizes[image]
     u = int(floor(projected[0] + 0.5))
     v = int(floor(projected[1] + 0.5))
     if projected[2] > 0.0 and u >= 0 and v >= 0 and u < size[0] and v < size[1]:
@@ -145,14 +145,14 @@ def match_depth_kernel(
 
 @kernel
 def match_frame_kernel(
-    vertices: array(dtype=vec3), image: int, pictures: PosedPictures, farthest: float64, mask: array(dtype=uint8)
+    vertices: array(dtype=vec3), image: int, stack: StackedImages, farthest: float64, mask: array(dtype=uint8)
 ):
     """1 if the vertex is in the image up to a depth. Occlusion is tested elsewhere."""
     i = tid()
-    projected = project_vertex(vertices[i], image, pictures)
+    projected = project_vertex(vertices[i], image, stack)
     visible = 0
     if projected[2] > 0.0 and projected[2] <= farthest:
-        visible = is_inside(projected[0], projected[1], image, 0.0, pictures)
+        visible = is_inside(projected[0], projected[1], image, 0.0, stack)
     mask[i] = uint8(visible)
 
 
@@ -160,7 +160,7 @@ def match_frame_kernel(
 def average_colors_kernel(
     vertices: array(dtype=vec3),
     sightings: Sightings,
-    pictures: PosedPictures,
+    stack: StackedImages,
     warps: Warps,
     colors: array(dtype=vec3),
     colored: array(dtype=uint8),
@@ -173,12 +173,12 @@ def average_colors_kernel(
     count = float64(0.0)
     for k in range(sightings.starts[i], sightings.starts[i + 1]):
         image = sightings.images[sightings.order[k]]
-        projected = find_vertex(vertices[i], image, pictures, warps)
+        projected = find_vertex(vertices[i], image, stack, warps)
         if projected[2] > 0.0:
-            at = nearest_pixel(projected[0], projected[1], image, pictures)
-            red += float64(int(pictures.pixels[at, 0]))
-            green += float64(int(pictures.pixels[at, 1]))
-            blue += float64(int(pictures.pixels[at, 2]))
+            at = nearest_pixel(projected[0], projected[1], image, stack)
+            red += float64(int(stack.pixels[at, 0]))
+            green += float64(int(stack.pixels[at, 1]))
+            blue += float64(int(stack.pixels[at, 2]))
             count += 1.0
     color = vec3(0.0, 0.0, 0.0)
     has_color = 0
@@ -211,19 +211,19 @@ def fill_colors_kernel(
         colors[rows[i]] = total / known_count
 
 
-def mask_by_depth(vertices: Points, image: int, pictures: PosedPictures, depth: Scalars, rule: DepthRule) -> Mask:
+def mask_by_depth(vertices: Points, image: int, stack: StackedImages, depth: Scalars, rule: DepthRule) -> Mask:
     """Vertices visible in a depth image, uint8 (m); `depth` float32 (pixels) [m], 0 for none."""
-    width, height, _ = pictures.layout[image].tolist()
+    width, height, _ = stack.layout[image].tolist()
     marks, mask = empty(depth.size, uint8, depth.device), empty(vertices.size, uint8, depth.device)
     launch(mark_jumps_kernel, -(-width // LANES) * height, [depth, width, height, rule.jump, marks])
-    launch(match_depth_kernel, vertices.size, [vertices, image, pictures, depth, marks, rule, mask])
+    launch(match_depth_kernel, vertices.size, [vertices, image, stack, depth, marks, rule, mask])
     return mask
 
 
-def mask_in_frame(vertices: Points, image: int, pictures: PosedPictures, farthest: float) -> Mask:
+def mask_in_frame(vertices: Points, image: int, stack: StackedImages, farthest: float) -> Mask:
     """Vertices that project into an image, including occluded ones, uint8 (m)."""
     mask = empty(vertices.size, uint8, vertices.device)
-    launch(match_frame_kernel, vertices.size, [vertices, image, pictures, float(farthest), mask])
+    launch(match_frame_kernel, vertices.size, [vertices, image, stack, float(farthest), mask])
     return mask
 
 
@@ -270,12 +270,10 @@ def _rows_of(masks: Sequence[Mask]) -> list[Indices]:
     return [vertices[first:end] if end > first else empty(0, int32, device) for first, end in pairwise([0, *ends])]
 
 
-def average_colors(
-    vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps
-) -> tuple[Vectors, Mask]:
+def average_colors(vertices: Points, sightings: Sightings, stack: StackedImages, warps: Warps) -> tuple[Vectors, Mask]:
     """Mean colors of vertices, vec3 (m) in 0..1, and visibility in any image, uint8 (m)."""
     colors, colored = empty(vertices.size, vec3, vertices.device), empty(vertices.size, uint8, vertices.device)
-    launch(average_colors_kernel, vertices.size, [vertices, sightings, pictures, warps, colors, colored])
+    launch(average_colors_kernel, vertices.size, [vertices, sightings, stack, warps, colors, colored])
     return colors, colored
 
 

@@ -38,10 +38,10 @@ class LabelGraph:
 def cost_views_kernel(qualities: array(dtype=float64), best: float64, costs: array(dtype=int32)):
     """Cost of an image: 0 at the best quality, UNIT at zero."""
     i = tid()
-    share = float64(1.0)
+    fraction = float64(1.0)
     if best > 0.0:
-        share = min(qualities[i] / best, 1.0)
-    costs[i] = int(floor((1.0 - share) * float64(UNIT) + 0.5))
+        fraction = min(qualities[i] / best, 1.0)
+    costs[i] = int(floor((1.0 - fraction) * float64(UNIT) + 0.5))
 
 
 @kernel

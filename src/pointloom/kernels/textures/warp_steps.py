@@ -33,7 +33,7 @@ from ..lang import (
 )
 from ..memory import clone, copy, empty, upload
 from .color_steps import ColorSearch, SearchState, measure_pair, pose_sums
-from .posed_pictures import PosedPictures, Warps
+from .stacked_images import StackedImages, Warps
 from .vertex_views import Sightings
 
 ROW = 11  # derivatives along u and v, position in the cell (p, q), residual, pose derivatives
@@ -44,8 +44,8 @@ border_sums = vector(14, float64)
 
 @struct
 class WarpSystem:
-    """Normal equations of all anchors and poses. `shares`: visible fraction of vertices, scales the `weight`; `cells`:
-    first sorted pair; `band` entry (r, c) at c - r + width - 1; `border`: pose columns, right side, scratch.
+    """Normal equations of all anchors and poses. `fractions`: visible fraction of vertices, scales the `weight`;
+    `cells`: first sorted pair; `band` entry (r, c) at c - r + width - 1; `border`: pose columns, right side, scratch.
     """
 
     cells: array(dtype=int32)
@@ -55,21 +55,21 @@ class WarpSystem:
     ties: array(dtype=float64)
     width: int
 
-    def __init__(self, warps: Warps, pair_count: int, shares: np.ndarray, weight: float) -> None:
+    def __init__(self, warps: Warps, pair_count: int, fractions: np.ndarray, weight: float) -> None:
         device = warps.shifts.device
         self.width = 2 * (warps.rows + 1) + 2
         self.cells = empty(warps.count + 1, int32, device)
         self.rows = empty((pair_count, ROW), float32, device)
         self.band = empty((2 * warps.count, self.width), float64, device)
         self.border = empty((2 * warps.count, 8), float64, device)
-        self.ties = upload(TIE * np.square(weight * np.asarray(shares, np.float64)), float64, device)
+        self.ties = upload(TIE * np.square(weight * np.asarray(fractions, np.float64)), float64, device)
 
 
 @kernel
 def number_cells_kernel(
     vertices: array(dtype=vec3),
     sightings: Sightings,
-    pictures: PosedPictures,
+    stack: StackedImages,
     warps: Warps,
     cell_count: int,
     keys: array(dtype=int64),
@@ -77,7 +77,7 @@ def number_cells_kernel(
     """Cell of each pair, as its first anchor. The last number if it does not count."""
     i = tid()
     image = sightings.images[i]
-    row = measure_pair(vertices[sightings.vertices[i]], image, 0.0, pictures, warps)
+    row = measure_pair(vertices[sightings.vertices[i]], image, 0.0, stack, warps)
     cell = cell_count
     if row[0] > 0.0:
         grid = warps.grids[image]
@@ -93,7 +93,7 @@ def fill_rows_kernel(
     vertices: array(dtype=vec3),
     sightings: Sightings,
     proxies: array(dtype=float64),
-    pictures: PosedPictures,
+    stack: StackedImages,
     warps: Warps,
     order: array(dtype=int32),
     system: WarpSystem,
@@ -102,7 +102,7 @@ def fill_rows_kernel(
     pair = order[i]
     image = sightings.images[pair]
     vertex = sightings.vertices[pair]
-    row = measure_pair(vertices[vertex], image, proxies[vertex], pictures, warps)
+    row = measure_pair(vertices[vertex], image, proxies[vertex], stack, warps)
     step = warps.steps[image]
     grid = warps.grids[image]
     a = row[10] / step
@@ -302,7 +302,7 @@ def solve_pose(first: int, count: int, total: pose_sums, damping: float64, syste
 
 @kernel
 def step_warps_kernel(
-    state: SearchState, best_sums: array(dtype=pose_sums), pictures: PosedPictures, warps: Warps, system: WarpSystem
+    state: SearchState, best_sums: array(dtype=pose_sums), stack: StackedImages, warps: Warps, system: WarpSystem
 ):
     """Step the pose and anchors of each image. One thread per image."""
     i = tid()
@@ -314,7 +314,7 @@ def step_warps_kernel(
         forward_band(first, count, system)
         motion = solve_pose(first, count, best_sums[i], state.error[2], system)
         backward_band(first, count, motion, system)
-        pictures.poses[i] = multiply44(small_motion(motion), pictures.poses[i])
+        stack.poses[i] = multiply44(small_motion(motion), stack.poses[i])
         for k in range(grid[0] * grid[1]):
             shift = warps.shifts[grid[2] + k]
             step = vec2d(system.border[first + 2 * k, 7], system.border[first + 2 * k + 1, 7])
@@ -339,12 +339,12 @@ class WarpSearch(ColorSearch):
         self,
         vertices: Points,
         sightings: Sightings,
-        pictures: PosedPictures,
+        stack: StackedImages,
         warps: Warps,
         max_iterations: int,
         weight: float,
     ) -> None:
-        super().__init__(vertices, sightings, pictures, warps, max_iterations)
+        super().__init__(vertices, sightings, stack, warps, max_iterations)
         self.system = WarpSystem(warps, sightings.count, sightings.counts / max(vertices.size, 1), weight)
         self.best_shifts = clone(warps.shifts)
         self.keys = empty(sightings.count, int64, vertices.device)
@@ -353,7 +353,7 @@ class WarpSearch(ColorSearch):
         """One iteration. False after the last (one sync)."""
         warps, system = self.warps, self.system
         self.measure()
-        launch(sum_ties_kernel, self.pictures.count, [warps, system, self.ties])
+        launch(sum_ties_kernel, self.images.count, [warps, system, self.ties])
         self.judge()
         better, running = (int(values[0]) for values in read_together([self.state.outcome, self.state.running]))  # sync
         shifts = (self.best_shifts, warps.shifts) if better else (warps.shifts, self.best_shifts)
@@ -362,18 +362,18 @@ class WarpSearch(ColorSearch):
             if not better:
                 self.measure()  # rows and means are of the best poses
             self._gather()
-            given = [self.state, self.best_sums, self.pictures, warps, system]
-            launch(step_warps_kernel, self.pictures.count, given)
+            given = [self.state, self.best_sums, self.images, warps, system]
+            launch(step_warps_kernel, self.images.count, given)
         return bool(running)
 
     def _gather(self) -> None:
         warps, system = self.warps, self.system
         shared = [self.vertices, self.sightings]
-        launch(number_cells_kernel, self.sightings.count, [*shared, self.pictures, warps, warps.count, self.keys])
+        launch(number_cells_kernel, self.sightings.count, [*shared, self.images, warps, warps.count, self.keys])
         keys, order = argsort_keys(self.keys, bit_count=max(1, warps.count.bit_length()))
         find_key_starts(keys, system.cells)
-        launch(fill_rows_kernel, self.sightings.count, [*shared, self.proxies, self.pictures, warps, order, system])
+        launch(fill_rows_kernel, self.sightings.count, [*shared, self.proxies, self.images, warps, order, system])
         launch(clear_band_kernel, system.band.shape[0], [system.band])
-        for image in range(self.pictures.count):
+        for image in range(self.images.count):
             anchors = int(np.prod(warps.layout[image][:2]))
             launch(gather_anchors_kernel, TARGETS * anchors, [image, warps, self.state, system])

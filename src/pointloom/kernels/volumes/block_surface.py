@@ -221,23 +221,23 @@ def emit_vertices_kernel(
             a = i * SIDE + z
             b = voxel_near(block, ox, oy, oz, surface.seen)
             before = surface.seen.blocks.distances[a]
-            share = before / (before - surface.seen.blocks.distances[b])
+            fraction = before / (before - surface.seen.blocks.distances[b])
             p = vec3(float(corner[0] * SIDE + x), float(corner[1] * SIDE + y), float(corner[2] * SIDE + z))
             if axis == 0:
-                p = vec3(p[0] + share, p[1], p[2])
+                p = vec3(p[0] + fraction, p[1], p[2])
             if axis == 1:
-                p = vec3(p[0], p[1] + share, p[2])
+                p = vec3(p[0], p[1] + fraction, p[2])
             if axis == 2:
-                p = vec3(p[0], p[1], p[2] + share)
+                p = vec3(p[0], p[1], p[2] + fraction)
             vertices[at] = p * float(surface.seen.blocks.voxel_size)
             if has_color == 1:
                 c = voxel_color(a, surface.seen.blocks)
                 d = voxel_color(b, surface.seen.blocks)
-                colors[at] = (c + (d - c) * share) / (255.0 * COLOR_SCALE)
+                colors[at] = (c + (d - c) * fraction) / (255.0 * COLOR_SCALE)
             if has_normals == 1:
                 g = gradient_at(block, x, y, z, surface.seen)
                 h = gradient_at(block, ox, oy, oz, surface.seen)
-                n = g + (h - g) * share
+                n = g + (h - g) * fraction
                 size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
                 if size > 0.0:
                     n = n / size

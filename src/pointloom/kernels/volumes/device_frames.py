@@ -75,7 +75,7 @@ LONGEST_STRIDE = float(MAX_STRIDE)
 GROUP = 32  # cells counted together
 MARKED, LACKED = 1, 2  # states of a cell: touched; touched without a block in the volume
 FURTHER = 1  # times the existing blocks, plus an eighth of those a frame may touch: reserve for later frames
-ROOM_SHARE = 0.125  # of the free memory, for blocks that a frame may touch but will hardly need
+ROOM_FRACTION = 0.125  # of the free memory, for blocks that a frame may touch but will hardly need
 
 
 @func
@@ -383,7 +383,7 @@ class DeviceFrames:
         blocks, max_touched = self._blocks, len(self._shapes) * self._touched.size
         if not blocks.has_room(known + max_touched):
             free, room = free_bytes(blocks.device), max_touched + FURTHER * (known + max_touched // 8)
-            if known + room > MAX_BLOCKS or free is None or max_touched * blocks.block_bytes > ROOM_SHARE * free:
+            if known + room > MAX_BLOCKS or free is None or max_touched * blocks.block_bytes > ROOM_FRACTION * free:
                 return False
             blocks.make_room(known + room)
         return True

@@ -308,16 +308,16 @@ def write_vertices_kernel(field: SampledField, grid: SignGrid, edges: SurfaceEdg
             z = field.origin[2] + field.spacing[2] * float(k)
             a = field.values[i, k]
             if bit(crossing[1], j) == 1:
-                share = crossing_fraction(a, field.values[i + field.ny, k], field.level)
-                vertices[n] = vec3(x + field.spacing[0] * share, y, z)
+                fraction = crossing_fraction(a, field.values[i + field.ny, k], field.level)
+                vertices[n] = vec3(x + field.spacing[0] * fraction, y, z)
                 n += 1
             if bit(crossing[2], j) == 1:
-                share = crossing_fraction(a, field.values[i + 1, k], field.level)
-                vertices[n] = vec3(x, y + field.spacing[1] * share, z)
+                fraction = crossing_fraction(a, field.values[i + 1, k], field.level)
+                vertices[n] = vec3(x, y + field.spacing[1] * fraction, z)
                 n += 1
             if bit(crossing[3], j) == 1:
-                share = crossing_fraction(a, field.values[i, k + 1], field.level)
-                vertices[n] = vec3(x, y, z + field.spacing[2] * share)
+                fraction = crossing_fraction(a, field.values[i, k + 1], field.level)
+                vertices[n] = vec3(x, y, z + field.spacing[2] * fraction)
                 n += 1
 
 

@@ -34,7 +34,7 @@ from .voxel_samples import (
 @struct
 class RayImages:
     """Rendered images [h * w]. Images not requested have one element. `depth` is along z [m], 0 without a hit, `met`
-    the block of the hit. `points` and `normals` are NaN, `colors` and `intensities` (0..1) 0 without a hit. `shares`
+    the block of the hit. `points` and `normals` are NaN, `colors` and `intensities` (0..1) 0 without a hit. `fractions`
     are the weights of red, green and blue in intensity; `in_camera` selects the frame of normals."""
 
     depth: array(dtype=float32)
@@ -43,7 +43,7 @@ class RayImages:
     normals: array(dtype=vec3)
     colors: array(dtype=vec3)
     intensities: array(dtype=float32)
-    shares: vec3
+    fractions: vec3
     has_points: int
     has_normals: int
     has_colors: int
@@ -58,20 +58,20 @@ class RayImages:
         points: bool = False,
         normals: bool = True,
         colors: bool = False,
-        shares: Sequence[float] | None = None,
+        fractions: Sequence[float] | None = None,
         in_camera: bool = False,
     ) -> None:
-        """Intensity is rendered if its `shares` are given."""
+        """Intensity is rendered if its `fractions` are given."""
 
         def room(dtype: Any, is_wanted: bool) -> Scalars | Vectors:
             return empty(count if is_wanted else 1, dtype, device)
 
-        self.has_points, self.has_colors, self.has_intensities = int(points), int(colors), int(shares is not None)
+        self.has_points, self.has_colors, self.has_intensities = int(points), int(colors), int(fractions is not None)
         self.has_normals = int(normals)
-        self.in_camera, self.shares = int(in_camera), vec3(*(shares or (0.0, 0.0, 0.0)))
+        self.in_camera, self.fractions = int(in_camera), vec3(*(fractions or (0.0, 0.0, 0.0)))
         self.depth, self.met = empty(count, float32, device), empty(count, int32, device)
         self.points, self.normals, self.colors = room(vec3, points), room(vec3, normals), room(vec3, colors)
-        self.intensities = room(float32, shares is not None)
+        self.intensities = room(float32, fractions is not None)
 
 
 @func
@@ -81,20 +81,20 @@ def side_distance(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> float
 
 
 @func
-def slope_along(low: float, high: float, beyond: float, middle: float, share: float, is_up: int) -> float:
-    """Slope over one voxel, centered at a fraction `share` between two planes with distances `low` and `high`. `beyond`
-    is the third plane's distance (above if `is_up`). If UNSEEN, the slope over the other half voxel is used."""
+def slope_along(low: float, high: float, beyond: float, middle: float, fraction: float, is_up: int) -> float:
+    """Slope over one voxel, centered at `fraction` between two planes with distances `low` and `high`. `beyond` is
+    the third plane's distance (above if `is_up`). If UNSEEN, the slope over the other half voxel is used."""
     slope = float(UNSEEN)
     if is_up == 1:
-        before = between(low, high, share - 0.5)
+        before = between(low, high, fraction - 0.5)
         slope = 2.0 * (middle - before)
         if beyond < UNSEEN:
-            slope = between(high, beyond, share - 0.5) - before
+            slope = between(high, beyond, fraction - 0.5) - before
     else:
-        behind = between(low, high, share + 0.5)
+        behind = between(low, high, fraction + 0.5)
         slope = 2.0 * (behind - middle)
         if beyond < UNSEEN:
-            slope = behind - between(beyond, low, share + 0.5)
+            slope = behind - between(beyond, low, fraction + 0.5)
     return slope
 
 
@@ -146,7 +146,7 @@ def slopes_at(block: int, x: int, y: int, z: int, f: vec3, c: octet, seen: SeenB
 
 
 @func
-def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> float:
+def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, fractions: vec3) -> float:
     total = 0.0
     weight = 0.0
     n = int(8)
@@ -156,10 +156,10 @@ def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> floa
             if float(seen.blocks.weights[voxel]) > seen.threshold:
                 fx = abs(float(1 - (c >> 2)) - f[0])
                 fy = abs(float(1 - ((c >> 1) & 1)) - f[1])
-                share = fx * fy * abs(float(1 - (c & 1)) - f[2])
+                fraction = fx * fy * abs(float(1 - (c & 1)) - f[2])
                 shade = voxel_color(voxel, seen.blocks)
-                total += share * (shares[0] * shade[0] + shares[1] * shade[1] + shares[2] * shade[2])
-                weight += share
+                total += fraction * (fractions[0] * shade[0] + fractions[1] * shade[1] + fractions[2] * shade[2])
+                weight += fraction
     bright = 0.0
     if weight > 0.0:
         bright = total / (weight * (255.0 * COLOR_SCALE))
@@ -213,7 +213,7 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
             if voxel >= 0:
                 images.colors[i] = voxel_color(voxel, seen.blocks) / (255.0 * COLOR_SCALE)
         if images.has_intensities == 1:
-            images.intensities[i] = brightness_of(voxels, f, seen, images.shares)
+            images.intensities[i] = brightness_of(voxels, f, seen, images.fractions)
     if images.has_normals == 1:
         images.normals[i] = normal
 

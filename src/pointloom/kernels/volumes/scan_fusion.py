@@ -91,14 +91,14 @@ def add_value(
         atomic_add(sums.values, at, int64(floor(min(value, 1.0) * float64(STEPS) + 0.5)))
         atomic_add(sums.counts, at, 1)
         if rays.has_color == 1:
-            share = int64(1)
+            fraction = int64(1)
             if value < 1.0:
-                share = int64(SURFACE_SHADE)
+                fraction = int64(SURFACE_SHADE)
             color = rays.colors[i]
-            atomic_add(sums.colors, 4 * at, share * shade_steps(color[0]))
-            atomic_add(sums.colors, 4 * at + 1, share * shade_steps(color[1]))
-            atomic_add(sums.colors, 4 * at + 2, share * shade_steps(color[2]))
-            atomic_add(sums.colors, 4 * at + 3, share)
+            atomic_add(sums.colors, 4 * at, fraction * shade_steps(color[0]))
+            atomic_add(sums.colors, 4 * at + 1, fraction * shade_steps(color[1]))
+            atomic_add(sums.colors, 4 * at + 2, fraction * shade_steps(color[2]))
+            atomic_add(sums.colors, 4 * at + 3, fraction)
 
 
 @kernel

@@ -96,11 +96,11 @@ def block_around(b: vec3i, moved: MovedVolume) -> int:
 
 
 @func
-def share_of(f: float64, side: int) -> float64:
-    share = 1.0 - f
+def fraction_of(f: float64, side: int) -> float64:
+    fraction = 1.0 - f
     if side == 1:
-        share = f
-    return share
+        fraction = f
+    return fraction
 
 
 @func
@@ -119,18 +119,18 @@ def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
         dx = c >> 2
         dy = (c >> 1) & 1
         dz = c & 1
-        share = share_of(fx, dx) * share_of(fy, dy) * share_of(fz, dz)
-        if share > 0.0:
+        fraction = fraction_of(fx, dx) * fraction_of(fy, dy) * fraction_of(fz, dz)
+        if fraction > 0.0:
             voxel = voxel_near(block, x - b[0] * SIDE + dx, y - b[1] * SIDE + dy, z - b[2] * SIDE + dz, moved.seen)
             weight = float64(0.0)
             if voxel >= 0:
                 weight = float64(moved.seen.blocks.weights[voxel])
             if weight > 0.0:
-                mean[0] += share * float64(moved.seen.blocks.distances[voxel])
-                mean[1] += share * weight
+                mean[0] += fraction * float64(moved.seen.blocks.distances[voxel])
+                mean[1] += fraction * weight
                 if moved.has_color == 1:
                     for k in range(3):
-                        mean[2 + k] += share * float64(moved.seen.blocks.colors[voxel, k])
+                        mean[2 + k] += fraction * float64(moved.seen.blocks.colors[voxel, k])
             else:
                 lacking += 1
     if lacking > 0:

@@ -86,8 +86,8 @@ def greatest(corners: octet) -> float:
 
 
 @func
-def between(a: float, b: float, share: float) -> float:
-    return a + share * (b - a)
+def between(a: float, b: float, fraction: float) -> float:
+    return a + fraction * (b - a)
 
 
 @func

@@ -17,7 +17,7 @@ from ...kernels.linear_algebra import inv, matmul
 from ...kernels.search.tree_search import search_nearest
 from ...kernels.textures.color_steps import COUNT, SQUARES, ColorSearch
 from ...kernels.textures.hidden_vertices import plant_trees, render_depth
-from ...kernels.textures.posed_pictures import PosedPictures, Warps
+from ...kernels.textures.stacked_images import StackedImages, Warps
 from ...kernels.textures.vertex_views import (
     DepthRule,
     Sightings,
@@ -79,15 +79,15 @@ def run_rigid_optimizer(
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> frame = loom.RGBDImage(np.full((48, 64, 3), (0, 255, 0), np.uint8), np.full((48, 64), 1000, np.uint16))
         >>> path = loom.Trajectory([np.eye(4), np.eye(4)])
-        >>> colored, path = loom.color_map.run_rigid_optimizer(mesh, [frame, frame], path, intrinsic=camera)
+        >>> colored, path = loom.meshing.run_rigid_optimizer(mesh, [frame, frame], path, intrinsic=camera)
         >>> colored.vertex_colors.tolist()
         [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
     """
     chosen = _check_option(option, RigidOptimizerOption)
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
-    pictures, sightings = _look(mesh, images, chosen, occlusion)
-    warps = Warps(pictures.layout, 0, mesh.device)
-    search = ColorSearch(mesh.array("vertices"), sightings, pictures, warps, chosen.maximum_iteration)
+    stack, sightings = _look(mesh, images, chosen, occlusion)
+    warps = Warps(stack.layout, 0, mesh.device)
+    search = ColorSearch(mesh.array("vertices"), sightings, stack, warps, chosen.maximum_iteration)
     loop_while(search.state.running, search.iterate_rigid)
     return _conclude(mesh, images, camera_trajectory, chosen, search)
 
@@ -118,18 +118,18 @@ def run_non_rigid_optimizer(
         >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> frame = loom.RGBDImage(np.full((48, 64, 3), (0, 255, 0), np.uint8), np.full((48, 64), 1000, np.uint16))
-        >>> option = loom.color_map.NonRigidOptimizerOption(maximum_iteration=10)
+        >>> option = loom.meshing.NonRigidOptimizerOption(maximum_iteration=10)
         >>> path = loom.Trajectory([np.eye(4), np.eye(4)])
-        >>> result = loom.color_map.run_non_rigid_optimizer(mesh, [frame, frame], path, option, intrinsic=camera)
+        >>> result = loom.meshing.run_non_rigid_optimizer(mesh, [frame, frame], path, option, intrinsic=camera)
         >>> result.mesh.vertex_colors[0].tolist(), float(abs(result.warp(0)).max())
         ([0.0, 1.0, 0.0], 0.0)
     """
     chosen = _check_option(option, NonRigidOptimizerOption)
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
-    pictures, sightings = _look(mesh, images, chosen, occlusion)
-    warps = Warps(pictures.layout, chosen.number_of_vertical_anchors, mesh.device)
+    stack, sightings = _look(mesh, images, chosen, occlusion)
+    warps = Warps(stack.layout, chosen.number_of_vertical_anchors, mesh.device)
     weight, iterations = chosen.non_rigid_anchor_point_weight, chosen.maximum_iteration
-    search = WarpSearch(mesh.array("vertices"), sightings, pictures, warps, iterations, weight)
+    search = WarpSearch(mesh.array("vertices"), sightings, stack, warps, iterations, weight)
     while search.iterate():
         pass
     return _conclude(mesh, images, camera_trajectory, chosen, search)
@@ -160,7 +160,7 @@ def _check_input(mesh: Any, images: Any, trajectory: Any, intrinsic: Any) -> Pos
 
 def _look(
     mesh: TriangleMesh, images: PosedImages, option: RigidOptimizerOption, occlusion: str | None
-) -> tuple[PosedPictures, Sightings]:
+) -> tuple[StackedImages, Sightings]:
     without = [i for i, depth in enumerate(images.depths) if depth is None]
     if occlusion is None:
         occlusion = "rays" if without else "depth"
@@ -170,19 +170,19 @@ def _look(
         raise ValueError("mesh: expected triangles for ray casting, got none. Pass images with depth instead")
     if occlusion == "depth" and without:
         raise ValueError(f"occlusion: images_rgbd[{without[0]}] has no depth. Use occlusion='rays'")
-    pictures = images.pictures(mesh.origin, option.image_boundary_margin)
-    depths = _depths_by_rays(mesh, pictures) if occlusion == "rays" else images.depths
-    sightings = list_sightings(_masks(mesh, depths, pictures, option))
+    stack = images.stacked(mesh.origin, option.image_boundary_margin)
+    depths = _depths_by_rays(mesh, stack) if occlusion == "rays" else images.depths
+    sightings = list_sightings(_masks(mesh, depths, stack, option))
     if not sightings.count:
         raise NothingSeenError(
             "images_rgbd: no image shows a vertex of the mesh. Check that the poses are camera to world, in the "
             f"frame of the mesh, and that it is within {option.maximum_allowable_depth:g} m (maximum_allowable_depth)"
         )
-    return pictures, sightings
+    return stack, sightings
 
 
 def _masks(
-    mesh: TriangleMesh, depths: Iterable[Any], pictures: PosedPictures, option: RigidOptimizerOption
+    mesh: TriangleMesh, depths: Iterable[Any], stack: StackedImages, option: RigidOptimizerOption
 ) -> Iterator[wp.array]:
     rule = DepthRule(
         option.maximum_allowable_depth,
@@ -191,23 +191,23 @@ def _masks(
         option.half_dilation_kernel_size_for_discontinuity_map,
     )
     for i, depth in enumerate(depths):
-        yield mask_by_depth(mesh.array("vertices"), i, pictures, depth, rule)
+        yield mask_by_depth(mesh.array("vertices"), i, stack, depth, rule)
 
 
-def _depths_by_rays(mesh: TriangleMesh, pictures: PosedPictures) -> Iterator[wp.array]:
+def _depths_by_rays(mesh: TriangleMesh, stack: StackedImages) -> Iterator[wp.array]:
     """Depth of the mesh in each image."""
     trees = plant_trees(mesh.array("vertices"), mesh.array("triangles"))
-    for i in range(pictures.count):
-        yield render_depth(i, pictures, trees)
+    for i in range(stack.count):
+        yield render_depth(i, stack, trees)
 
 
 def _conclude(
     mesh: TriangleMesh, images: PosedImages, given: Trajectory, option: RigidOptimizerOption, search: ColorSearch
 ) -> ColorMapResult:
-    colors, seen = average_colors(search.vertices, search.sightings, search.pictures, search.warps)
+    colors, seen = average_colors(search.vertices, search.sightings, search.images, search.warps)
     _fill_unseen(mesh, colors, seen, option.invisible_vertex_color_knn)
     state = search.state
-    downloaded = read_together([search.best_sums, state.error, state.iterations, search.pictures.poses, seen])  # sync
+    downloaded = read_together([search.best_sums, state.error, state.iterations, search.images.poses, seen])  # sync
     sums, error, iterations, poses, is_seen = downloaded
     count = max(float(sums[:, COUNT].sum()), 1.0)
     return ColorMapResult(
@@ -218,7 +218,7 @@ def _conclude(
         float(np.sqrt(error[0])),
         float(np.sqrt(sums[:, SQUARES].sum() / count)),
         int(iterations[0]) - 1,  # the first iteration evaluates the given poses
-        search.pictures,
+        search.images,
         search.warps,
     )
 

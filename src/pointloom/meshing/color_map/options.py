@@ -28,7 +28,7 @@ class RigidOptimizerOption:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.color_map.RigidOptimizerOption(maximum_iteration=50).image_boundary_margin
+        >>> loom.meshing.RigidOptimizerOption(maximum_iteration=50).image_boundary_margin
         10
     """
 
@@ -69,7 +69,7 @@ class NonRigidOptimizerOption(RigidOptimizerOption):
 
     Example:
         >>> import pointloom as loom
-        >>> loom.color_map.NonRigidOptimizerOption(maximum_iteration=50).number_of_vertical_anchors
+        >>> loom.meshing.NonRigidOptimizerOption(maximum_iteration=50).number_of_vertical_anchors
         16
     """
 

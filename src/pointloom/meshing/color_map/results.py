@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
 from ...core.reports import Assessed, failed, quality
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from ...kernels.memory import download
-from ...kernels.textures.posed_pictures import PosedPictures, Warps, unwarp_pixels
+from ...kernels.textures.stacked_images import StackedImages, Warps, unwarp_pixels
 from ..mesh.mesh import TriangleMesh
 
 # Thresholds of the quality checks.
@@ -47,7 +47,7 @@ class ColorMapResult(Assessed):
     residual_before: float
     residual: float
     iterations: int
-    _pictures: PosedPictures
+    _images: StackedImages
     _warps: Warps
 
     def __iter__(self) -> Iterator[Any]:
@@ -58,7 +58,7 @@ class ColorMapResult(Assessed):
         return f"ColorMapResult({self.mesh!r}, {len(self.view_counts)} images, {residuals})"
 
     @property
-    def seen_share(self) -> float:
+    def seen_fraction(self) -> float:
         """Fraction of the vertices seen in an image."""
         return float(self.seen.mean())
 
@@ -77,15 +77,15 @@ class ColorMapResult(Assessed):
         blind, count = self.blind_count, len(self.view_counts)
         before, after = self.residual_before, self.residual
         few = (
-            f"the frames show only {format_share(self.seen_share)} of the vertices: use more frames, raise {limit}, or "
-            "check that mesh and poses belong together"
+            f"the frames show only {format_fraction(self.seen_fraction)} of the vertices: use more frames, raise "
+            f"{limit}, or check that mesh and poses belong together"
         )
         worse = (
             f"the images do not agree better than before (residual {before:.4f} to {after:.4f}): the pose errors are "
             f"too large, or the colors change with the lighting. Compare with {unrefined}"
         )
         return failed(
-            few if self.seen_share < FEW_SEEN else None,
+            few if self.seen_fraction < FEW_SEEN else None,
             f"{blind} of {count} frames show nothing of the mesh" if blind > BLIND * count else None,
             worse if is_refined and before > AGREED and after > WON * before else None,
         )
@@ -95,7 +95,7 @@ class ColorMapResult(Assessed):
         figures = {
             "vertices": len(self.seen),
             "frames": len(self.view_counts),
-            "seen_share": self.seen_share,
+            "seen_fraction": self.seen_fraction,
             "blind_frames": self.blind_count,
             "residual_before": self.residual_before,
             "residual": self.residual,
@@ -112,8 +112,8 @@ class ColorMapResult(Assessed):
 
     def unwarped_image(self, index: int) -> NDArray[np.uint8]:
         """Unwarped image for `project_images_to_albedo`, uint8 (h, w, 3), bilinear, black outside."""
-        width, height, _ = self._pictures.layout[self._index(index)].tolist()
-        pixels = unwarp_pixels(self._index(index), self._pictures, self._warps)
+        width, height, _ = self._images.layout[self._index(index)].tolist()
+        pixels = unwarp_pixels(self._index(index), self._images, self._warps)
         return download(pixels).reshape(height, width, 3).copy()  # sync
 
     def _index(self, index: int) -> int:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...cameras.trajectory import Trajectory
 from ...core.reports import Assessed, Fields, Report, quality
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from ...kernels.linear_algebra import inv, matmul
 from ..mesh.mesh import TriangleMesh
 from .results import ColorMapResult
@@ -25,7 +25,7 @@ class TexturedMesh(Report, Assessed):
         method: "rigid", "non-rigid" or "none".
         depth_max: Maximum depth of used pixels [m].
         turned, moved: Mean rotation [degrees] and translation [m] of the poses.
-        size, texel_share: Texels per side, and fraction of texels seen. None without a texture.
+        size, texel_fraction: Texels per side, and fraction of texels seen. None without a texture.
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
         reliable, warnings: True if all quality checks passed, and those that failed.
     """
@@ -37,17 +37,18 @@ class TexturedMesh(Report, Assessed):
     turned: float
     moved: float
     size: int | None = None
-    texel_share: float | None = None
+    texel_fraction: float | None = None
     source_warnings: tuple[str, ...] = ()
 
     @property
     def frame_count(self) -> int:
+        """Number of frames."""
         return len(self.colors.view_counts)
 
     @property
-    def seen_share(self) -> float:
+    def seen_fraction(self) -> float:
         """Fraction of the vertices seen in a frame."""
-        return self.colors.seen_share
+        return self.colors.seen_fraction
 
     @property
     def blind_frames(self) -> int:
@@ -69,7 +70,7 @@ class TexturedMesh(Report, Assessed):
             "depth_max": self.depth_max,
             "vertices": shape.array("vertices").size,
             "triangles": len(shape),
-            "seen_share": self.seen_share,
+            "seen_fraction": self.seen_fraction,
             "blind_frames": self.blind_frames,
             "residual_before": colors.residual_before,
             "residual": colors.residual,
@@ -77,14 +78,16 @@ class TexturedMesh(Report, Assessed):
             "turned": self.turned,
             "moved": self.moved,
             "size": self.size,
-            "texel_share": self.texel_share,
+            "texel_fraction": self.texel_fraction,
             **quality(self),
         }
         return plain(figures)
 
     def fields(self) -> Fields:
         colors, blind = self.colors, self.blind_frames
-        seen = f"{format_share(self.seen_share)} of the vertices" + (f"; {blind} frames see nothing" if blind else "")
+        seen = f"{format_fraction(self.seen_fraction)} of the vertices" + (
+            f"; {blind} frames see nothing" if blind else ""
+        )
         fields = [
             *task_fields(colors.mesh, self.frame_count, self.depth_max),
             ("seen", seen),
@@ -92,8 +95,8 @@ class TexturedMesh(Report, Assessed):
             ("residual", f"{colors.residual_before:.4f} to {colors.residual:.4f} of full brightness"),
             ("poses", f"rotated {self.turned:.3f} deg, moved {self.moved * 1000:.1f} mm on average"),
         ]
-        if self.texel_share is not None:
-            fields.append(("texture", f"{self.size} x {self.size}, {format_share(self.texel_share)} seen"))
+        if self.texel_fraction is not None:
+            fields.append(("texture", f"{self.size} x {self.size}, {format_fraction(self.texel_fraction)} seen"))
         return fields
 
 

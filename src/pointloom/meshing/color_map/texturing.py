@@ -68,7 +68,7 @@ def texture_mesh(
         >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> color, depth = np.full((48, 64, 3), (0, 255, 0), np.uint8), np.full((48, 64), 1000, np.uint16)
-        >>> found = loom.color_map.texture_mesh(mesh, loom.frames_from([(color, depth)], camera), [np.eye(4)])
+        >>> found = loom.meshing.texture_mesh(mesh, loom.frames_from([(color, depth)], camera), [np.eye(4)])
         >>> found.mesh.vertex_colors[0].tolist(), found.moved
         ([0.0, 1.0, 0.0], 0.0)
     """
@@ -84,8 +84,8 @@ def texture_mesh(
     if size is None:
         return result
     report("texture", 0, 0)
-    textured, share = _paint_atlas(colors, frames.intrinsic, size)
-    return dataclasses.replace(result, mesh=textured, size=size, texel_share=share)
+    textured, fraction = _paint_atlas(colors, frames.intrinsic, size)
+    return dataclasses.replace(result, mesh=textured, size=size, texel_fraction=fraction)
 
 
 def _check(mesh: Any, frames: Any, method: Any, size: Any) -> None:
@@ -164,7 +164,7 @@ def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: i
     mesh = colors.mesh
     if mesh.triangle_uvs is None:
         mesh = mesh.compute_uvatlas(size, gutter=GUTTER)
-    pictures = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
+    images = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
-    textured, share = mesh._with_albedo(pictures, camera, extrinsics, size)
-    return textured._with_arrays(vertex_colors=None), share  # viewers multiply texture and vertex colors
+    textured, fraction = mesh._with_albedo(images, camera, extrinsics, size)
+    return textured._with_arrays(vertex_colors=None), fraction  # viewers multiply texture and vertex colors

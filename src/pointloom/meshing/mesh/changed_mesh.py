@@ -24,10 +24,12 @@ class ChangedMesh(Report, Assessed):
     triangles_in: int
 
     def sizes_to_dict(self) -> dict[str, Any]:
+        """Numbers of vertices, triangles and parts before and after."""
         before = {"device": str(self.mesh.device), "vertices_in": self.vertices_in, "triangles_in": self.triangles_in}
         return before | {"vertices": self.mesh.array("vertices").size, "triangles": len(self.mesh)}
 
     def size_fields(self) -> Fields:
+        """Numbers of vertices, triangles and parts before and after, as text."""
         return [
             ("vertices", f"{self.mesh.array('vertices').size:,} of {self.vertices_in:,}"),
             ("triangles", f"{len(self.mesh):,} of {self.triangles_in:,}"),

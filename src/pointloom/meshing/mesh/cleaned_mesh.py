@@ -9,7 +9,7 @@ from ...core.checks import check_count, check_positive, check_progress
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality
 from ...core.units import symbol_of
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
@@ -72,8 +72,8 @@ class CleanedMesh(ChangedMesh):
             return ("no triangles remain",)
         reasons, merge, fill, m = [], self.merge_distance, self.hole_size, symbol_of(self.mesh.unit)
         if merge is not None and self.repair.merged_vertices > MAX_MERGED * self.vertices_in:
-            share = format_share(self.repair.merged_vertices / self.vertices_in)
-            reasons.append(f"{share} of the vertices were merged: use a merge_distance below {merge:g} {m}")
+            fraction = format_fraction(self.repair.merged_vertices / self.vertices_in)
+            reasons.append(f"{fraction} of the vertices were merged: use a merge_distance below {merge:g} {m}")
         reasons += self._losses()
         if fill is not None and self.repair.holes_left:
             reasons.append(f"{self.repair.holes_left:,} holes of up to {fill:g} {m} are left open")
@@ -83,15 +83,15 @@ class CleanedMesh(ChangedMesh):
 
     def _losses(self) -> list[str]:
         done, losses = self.repair, []
-        removed_share = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(
+        removed_fraction = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(
             1, self.triangles_in
         )
-        lost_share = done.lost_area / self.area_in if self.area_in > 0 else 0.0
+        lost_fraction = done.lost_area / self.area_in if self.area_in > 0 else 0.0
         look = "compare it with the input (compare_meshes)"
-        if removed_share > MAX_GONE:
-            losses.append(f"{format_share(removed_share)} of the triangles were removed: {look}")
-        if lost_share > MAX_LOST:
-            losses.append(f"{format_share(lost_share)} of the area was lost: {look}")
+        if removed_fraction > MAX_GONE:
+            losses.append(f"{format_fraction(removed_fraction)} of the triangles were removed: {look}")
+        if lost_fraction > MAX_LOST:
+            losses.append(f"{format_fraction(lost_fraction)} of the area was lost: {look}")
         if self.was_watertight and not done.is_watertight:
             losses.append(f"the input was closed, the result is not: {look}")
         return losses
@@ -147,7 +147,7 @@ def clean_mesh(
         >>> import pointloom as loom
         >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0], [7, 0, 0], [8, 0, 0], [7, 1, 0]]
         >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 4, 3], [0, 3, 2], [5, 6, 7]])
-        >>> found = loom.clean_mesh(mesh, hole_size=1, min_triangles=2)
+        >>> found = loom.meshing.clean_mesh(mesh, hole_size=1, min_triangles=2)
         >>> found.repair.filled_holes, found.removed_parts, found.is_watertight, found.reliable
         (1, 1, True, True)
     """

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_name, check_positive, check_progress, check_share
+from ...core.checks import check_count, check_fraction, check_name, check_positive, check_progress
 from ...core.progress import ReportProgress
 from ...core.units import without_warnings
 from ...kernels.linear_algebra import matmul
@@ -96,7 +96,7 @@ def create_surface(
     Example:
         >>> import pointloom as loom
         >>> points = loom.TriangleMesh.create_sphere().sample_points_uniformly(1000).points
-        >>> result = loom.create_surface(loom.PointCloud(points), depth=4, density_quantile=0)
+        >>> result = loom.meshing.create_surface(loom.PointCloud(points), depth=4, density_quantile=0)
         >>> result.mesh.is_watertight(), result.normals.origin[:34], result.reliable
         (True, 'made of the 30 nearest points of e', True)
     """
@@ -147,7 +147,7 @@ def _settings_of(method: Any, given: dict[str, Any]) -> dict[str, Any]:
         because = "cell codes support no deeper trees"
         check_count("depth", settings["depth"], minimum=MIN_DEPTH, maximum=MAX_DEPTH, because=because)
         quantile = settings["density_quantile"]
-        if quantile is not None and check_share("density_quantile", quantile) == 1:
+        if quantile is not None and check_fraction("density_quantile", quantile) == 1:
             raise ValueError("density_quantile: expected a fraction >= 0 and < 1, got 1, which removes all triangles")
     if method == "alpha" and not (isinstance(settings["alpha"], str) and settings["alpha"] == "auto"):
         check_positive("alpha", settings["alpha"], allow_infinite=True)
@@ -198,29 +198,29 @@ def _without_made_up(
     farthest = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(points))).sqdists[:, -1]
     far = FAR[method] * float(np.sqrt(np.median(farthest)))
 
-    share = _made_up_share(search, mesh, far)
+    fraction = _made_up_fraction(search, mesh, far)
     if made.cut is not None and quantile is None:
-        quantile = settings["density_quantile"] = DENSITY_QUANTILE if share > MADE_UP_AT_ALL else 0.0
+        quantile = settings["density_quantile"] = DENSITY_QUANTILE if fraction > MADE_UP_AT_ALL else 0.0
         if quantile:
             mesh = made.cut(quantile)
-            share = _made_up_share(search, mesh, far)
-    return mesh, MadeUp(share, far)
+            fraction = _made_up_fraction(search, mesh, far)
+    return mesh, MadeUp(fraction, far)
 
 
-def _made_up_share(search: NearestNeighborSearch, mesh: TriangleMesh, far: float) -> float:
+def _made_up_fraction(search: NearestNeighborSearch, mesh: TriangleMesh, far: float) -> float:
     samples = mesh.sample_points_uniformly(SURFACE_SAMPLES).points
     return float(np.mean(search.knn_search(samples, 1).sqdists[:, 0] > far * far))
 
 
 def _with_remedy(points: PointCloud, cut: Cut, made_up: MadeUp, support: Support, quantile: float) -> MadeUp:
     """`made_up` with the smallest larger quantile that makes the surface agree with its points, if any."""
-    if made_up.share is None or made_up.far is None or (made_up.share <= MADE_UP and support.sparse <= SPARSE):
+    if made_up.fraction is None or made_up.far is None or (made_up.fraction <= MADE_UP and support.sparse <= SPARSE):
         return made_up
     search = NearestNeighborSearch(points)
     for larger in (tried for tried in QUANTILES if tried > quantile):
         mesh = cut(larger)
-        share, (_, support) = _made_up_share(search, mesh, made_up.far), _find_fit(points, mesh)
-        if share <= MADE_UP and support.problem("poisson", None, None) is None:
+        fraction, (_, support) = _made_up_fraction(search, mesh, made_up.far), _find_fit(points, mesh)
+        if fraction <= MADE_UP and support.problem("poisson", None, None) is None:
             return replace(made_up, better_quantile=larger)
     return made_up
 

@@ -75,7 +75,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         arrays += [
             (f"{kind}[{name!r}]", column) for kind, of in self._attributes.items() for name, column in of.items()
         ]
-        arrays += [(f"textures[{number}]", picture) for number, picture in enumerate(self._textures)]
+        arrays += [(f"textures[{number}]", image) for number, image in enumerate(self._textures)]
         return html_table(repr(self), ((name, array_type(values)) for name, values in arrays))
 
     @property
@@ -654,11 +654,11 @@ def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
         if len(kinds) > 1:
             warnings.warn("textures: dropped, because not all meshes have them", stacklevel=4)
             return {}
-    joined: dict[str, Any] = {"textures": tuple(picture for mesh in triangled for picture in mesh._textures)}
+    joined: dict[str, Any] = {"textures": tuple(image for mesh in triangled for image in mesh._textures)}
     if triangled and "triangle_uvs" in triangled[0]._arrays:
         joined[names[0]] = concatenate_rows([mesh._arrays[names[0]] for mesh in triangled])
-    has_pictures = bool(joined["textures"])
-    if (has_pictures and len(triangled) > 1) or (triangled and all(names[1] in mesh._arrays for mesh in triangled)):
+    has_images = bool(joined["textures"])
+    if (has_images and len(triangled) > 1) or (triangled and all(names[1] in mesh._arrays for mesh in triangled)):
         ids, first = [], 0
         for mesh in triangled:
             mesh_ids = mesh._arrays.get(names[1])

@@ -10,7 +10,7 @@ from typing import Any
 from ...core.checks import check_count, check_numeric, check_positive, check_seed
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit, symbol_of
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from .finite_corners import check_finite_corners
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
@@ -49,8 +49,10 @@ class MeshComparison(Report, Assessed):
     def warnings(self) -> tuple[str, ...]:
         mean, m = max(self.metrics.mean), symbol_of(self.unit)
         if mean > APART * self.diagonal:
-            share = format_share(mean / self.diagonal)
-            return (f"the surfaces are {share} of their size apart. Check units and frames, and register them first",)
+            fraction = format_fraction(mean / self.diagonal)
+            return (
+                f"the surfaces are {fraction} of their size apart. Check units and frames, and register them first",
+            )
         if self.limit is not None and self.metrics.hausdorff > self.limit:
             return (f"the surfaces are up to {self.metrics.hausdorff:.4g} {m} apart, more than {self.limit:g} {m}",)
         return ()
@@ -107,7 +109,7 @@ def compare_meshes(
     Example:
         >>> import pointloom as loom
         >>> ball, larger = loom.TriangleMesh.create_sphere(1.0), loom.TriangleMesh.create_sphere(1.01)
-        >>> found = loom.compare_meshes(ball, larger, thresholds=[0.02], samples=1000, limit=0.005)
+        >>> found = loom.meshing.compare_meshes(ball, larger, thresholds=[0.02], samples=1000, limit=0.005)
         >>> round(found.metrics.hausdorff, 3), found.metrics.fscore.tolist(), found.warnings
         (0.01, [100.0], ('the surfaces are up to 0.01 m apart, more than 0.005 m',))
     """

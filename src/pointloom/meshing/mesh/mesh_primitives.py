@@ -495,14 +495,14 @@ class MeshPrimitives(MeshMeasures):
         steps = check_count("resolution", resolution, minimum=1)
         corners = self.vertices
         check_vertex_count("resolution", (steps + 1) * len(corners))
-        shares = np.linspace(0, 1, steps + 1)[:, None, None]
+        fractions = np.linspace(0, 1, steps + 1)[:, None, None]
         along = matmul(corners, direction)[:, None] * direction
         across, side = corners - along, np.cross(direction, corners)
         rings = (
             along
-            + np.cos(full_angle * shares) * across
-            + np.sin(full_angle * shares) * side
-            + rise * shares * direction
+            + np.cos(full_angle * fractions) * across
+            + np.sin(full_angle * fractions) * side
+            + rise * fractions * direction
         )
         is_closed = not rise and abs(abs(float(angle)) - 360) < 1e-9 and steps > 2
         if not rise:

@@ -63,9 +63,9 @@ MIN_SAMPLES = 0.001  # vertices are then five levels coarser than their points
 NO_NORMALS = "call cloud = cloud.estimate_normals()"  # remedy in errors
 FIRST_RADIUS = 1.5  # times the spacing: bridges grid cells (circumradius 0.7) and some gaps
 MIN_RADII, MAX_RADII = 3, 6  # default number of radii, each twice the previous one
-WIDE_SHARE = 0.98  # of the points: ignores outliers in the largest default radius
+WIDE_FRACTION = 0.98  # of the points: ignores outliers in the largest default radius
 MAX_NEIGHBORS = 2**33  # of all points together, about ten minutes on two cores
-LARGEST_SHARE = 1e4  # times the box: beyond it the ball is flat in float64
+LARGEST_FRACTION = 1e4  # times the box: beyond it the ball is flat in float64
 TRIANGLE_CORNERS = 3  # points of a triangle
 SHORT_RADIUS = 0.1  # of the usual radius: below it a ball rarely touches two points
 ADVISED = 3.0  # such medians, advised if alpha is too small: keeps detail and closes even samples
@@ -469,11 +469,11 @@ def _warn_of_sides(cloud: PointCloud, side: float) -> None:
     """Warn if normals disagree; skipped where float32 cannot resolve neighbors."""
     if not SMALLEST_EXTENT < side < LARGEST_EXTENT:
         return
-    share = cloud.normal_disagreement()
-    if share > OPPOSED:
+    fraction = cloud.normal_disagreement()
+    if fraction > OPPOSED:
         warn_of_units(
-            f"{100 * share:.0f}% of the neighboring points have opposite normals, so the surface does not follow the "
-            "points. Call cloud.orient_normals_consistent_tangent_plane(30) first",
+            f"{100 * fraction:.0f}% of the neighboring points have opposite normals, so the surface does not follow "
+            "the points. Call cloud.orient_normals_consistent_tangent_plane(30) first",
             NormalsWarning,
         )
 
@@ -508,7 +508,7 @@ def _default_radii(tree: Any) -> list[float]:
     if tree.count < 3:
         return []
     distances = nearest_distances(tree, tree.source, others=True)  # NaN at points outside the tree
-    spacing, wide_spacing = quantiles_of(distances, (0.5, WIDE_SHARE))  # sync
+    spacing, wide_spacing = quantiles_of(distances, (0.5, WIDE_FRACTION))  # sync
     radii = [FIRST_RADIUS * spacing * 2**i for i in range(MAX_RADII)]
     needed = sum(radius < wide_spacing for radius in radii) + 1
     return radii[: max(MIN_RADII, needed)]
@@ -516,9 +516,9 @@ def _default_radii(tree: Any) -> list[float]:
 
 def _check_size(radii: list[float], extent: float) -> None:
     for radius in radii:
-        if radius > LARGEST_SHARE * extent:
+        if radius > LARGEST_FRACTION * extent:
             raise ValueError(
-                f"radii: {shown(radius)} m is more than {LARGEST_SHARE:,.0f} times the {extent:.3g} m extent of the "
+                f"radii: {shown(radius)} m is more than {LARGEST_FRACTION:,.0f} times the {extent:.3g} m extent of the "
                 "points. Use a few times their spacing, or None"
             )
 

@@ -15,7 +15,7 @@ from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
 from ...core.reports import AssessedRecord, failed
 from ...core.units import common_unit
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...kernels.array_types import Mask
 from ...kernels.arrays.concatenation import concatenate_points
 from ...kernels.arrays.row_numbers import pair_up
@@ -111,7 +111,7 @@ class MeshRepairReport(AssessedRecord):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks. Empty if the result is reliable. `clean_mesh` also compares it with the input."""
-        lost = format_share(min(self.lost_area / self.area_in, 1.0)) if self.area_in > 0 else ""
+        lost = format_fraction(min(self.lost_area / self.area_in, 1.0)) if self.area_in > 0 else ""
         return failed(
             f"{lost} of the area was lost: compare it with the input (compare_meshes)"
             if self.area_in > 0 and self.lost_area > MAX_LOST * self.area_in

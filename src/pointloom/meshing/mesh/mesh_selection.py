@@ -14,12 +14,12 @@ from ...core.checks import (
     check_count,
     check_direction,
     check_finite,
+    check_fraction,
     check_indices,
     check_number,
     check_numeric,
     check_positive,
     check_shape,
-    check_share,
     is_on_gpu,
     shown,
 )
@@ -515,7 +515,7 @@ class MeshSelection(MeshArrays):
                 f"vertex_values: expected shape [{count}], one number per vertex, got {list(values.shape)}"
             )
         values = check_finite("vertex_values", values.astype(np.float64))
-        where, ratio = check_number("level", level), check_share("island_ratio", island_ratio)
+        where, ratio = check_number("level", level), check_fraction("island_ratio", island_ratio)
         cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
         cut_mesh = self._cut_up(cut)
         mask = mask_trimmed(cut_mesh._device_arrays["vertices"], cut, self._arrays["triangles"], ratio)

@@ -32,8 +32,8 @@ class SurfaceSummary:
 
     Attributes:
         vertices, triangles, parts: Counts. Parts are connected by edges.
-        area, largest_share: [m^2], and fraction of the largest part.
-        islands_share: Fraction of the area in parts of less than 1% of it.
+        area, largest_fraction: [m^2], and fraction of the largest part.
+        islands_fraction: Fraction of the area in parts of less than 1% of it.
         edges, boundary_edges, crowded_edges: All edges, those of one triangle, those of three or more.
         boundary_length: Total length of the boundary edges [m].
         watertight: True if closed.
@@ -44,8 +44,8 @@ class SurfaceSummary:
     triangles: int
     area: float
     parts: int
-    largest_share: float
-    islands_share: float
+    largest_fraction: float
+    islands_fraction: float
     edges: int
     boundary_edges: int
     crowded_edges: int
@@ -69,8 +69,8 @@ def describe_surface(mesh: TriangleMesh) -> SurfaceSummary:
         triangles=len(mesh),
         area=area,
         parts=len(areas),
-        largest_share=float(areas.max() / area) if area else 0.0,
-        islands_share=float(areas[areas < ISLAND * area].sum() / area) if area else 0.0,
+        largest_fraction=float(areas.max() / area) if area else 0.0,
+        islands_fraction=float(areas[areas < ISLAND * area].sum() / area) if area else 0.0,
         edges=edges.all,
         boundary_edges=edges.boundary,
         crowded_edges=edges.crowded,

@@ -104,9 +104,9 @@ class MeshTexture(MeshArrays):
             raise ValueError("triangle_uvs: expected coordinates in 0..1. Call compute_uvatlas() first")
         check_room(self._device, size * size * TEXEL_BYTES, f"size: a texture of {size} x {size} texels")
         arrays = (self._arrays["triangles"], self._arrays["vertex_colors"], self._arrays["triangle_uvs"])
-        picture = download(draw_vertex_colors(*arrays, size, gutter)).reshape(size, size, 3)
+        image = download(draw_vertex_colors(*arrays, size, gutter)).reshape(size, size, 3)
         baked = self._with_arrays(vertex_colors=None, triangle_material_ids=None)
-        baked.textures = [picture]
+        baked.textures = [image]
         return baked
 
     def project_images_to_albedo(
@@ -153,21 +153,21 @@ class MeshTexture(MeshArrays):
             raise ValueError("mesh: expected triangles to texture, got none")
         if "triangle_uvs" not in self._arrays:
             raise ValueError("mesh: expected triangle_uvs, got none. Call compute_uvatlas() first")
-        pictures = check_list("images", images, "images")
+        listed_images = check_list("images", images, "images")
         extrinsics = check_list("extrinsic_matrices", poses, "matrices")
-        checked = check_images(NAMES, pictures, _cameras(cameras, pictures), extrinsics, self._device)
+        checked = check_images(NAMES, listed_images, _cameras(cameras, listed_images), extrinsics, self._device)
         arrays = self._arrays
         texels = SurfaceTexels(arrays["vertices"], arrays["triangles"], arrays["triangle_uvs"], size)
         if not texels.texels.size:
             raise ValueError("mesh: no triangle covers a texel. Scale triangle_uvs into 0..1, or use more texels")
         trees = plant_trees(self._arrays["vertices"], self._arrays["triangles"])
-        sums = texels.blend(checked.pictures(self._origin, 0), trees)
+        sums = texels.blend(checked.stacked(self._origin, 0), trees)
         colors = self._arrays.get("vertex_colors")
-        picture = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
-        share = texels.visible_fraction(sums)  # sync
+        image = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
+        fraction = texels.visible_fraction(sums)  # sync
         textured = self._with_arrays(triangle_material_ids=None)
-        textured.textures = (picture.copy(),)
-        return textured, share
+        textured.textures = (image.copy(),)
+        return textured, fraction
 
 
 def _lay_out(
@@ -204,14 +204,14 @@ def _import_xatlas() -> Any:
     return xatlas
 
 
-def _cameras(cameras: Any, pictures: list[Any]) -> Any:
+def _cameras(cameras: Any, images: list[Any]) -> Any:
     if isinstance(cameras, PinholeCameraIntrinsic):
         return cameras
     listed = check_list("intrinsic_matrices", cameras, "cameras")
-    if len(listed) != len(pictures):
-        raise ValueError(f"intrinsic_matrices: expected {len(pictures)}, one per image, got {len(listed)}")
+    if len(listed) != len(images):
+        raise ValueError(f"intrinsic_matrices: expected {len(images)}, one per image, got {len(listed)}")
     result = []
-    for i, (camera, image) in enumerate(zip(listed, pictures, strict=True)):
+    for i, (camera, image) in enumerate(zip(listed, images, strict=True)):
         if not isinstance(camera, PinholeCameraIntrinsic):
             height, width = _size(image)
             try:

@@ -17,7 +17,7 @@ from ...core.masked_arrays import unmasked
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul
-from ...kernels.textures.posed_pictures import PosedPictures, smooth_brightness
+from ...kernels.textures.stacked_images import StackedImages, smooth_brightness
 
 MAX_PIXELS = 2**31 - 1  # in total: 32-bit indices on the device
 
@@ -31,7 +31,7 @@ class PosedImages:
     cameras: list[PinholeCameraIntrinsic]
     T_camera_world: NDArray[np.float64]
 
-    def pictures(self, origin: NDArray[np.float64], margin: float) -> PosedPictures:
+    def stacked(self, origin: NDArray[np.float64], margin: float) -> StackedImages:
         """Images for kernels, poses about an origin [m]. 7 B per pixel."""
         sizes = np.array([(camera.width, camera.height) for camera in self.cameras], np.int64)
         firsts = np.concatenate([[0], np.cumsum(sizes.prod(axis=1))])
@@ -40,7 +40,7 @@ class PosedImages:
         poses = self.T_camera_world.copy()
         poses[:, :3, 3] += matmul(poses[:, :3, :3], origin)
         pixels = concatenate_rows(self.colors)
-        return PosedPictures(layout, lenses, poses, pixels, smooth_brightness(pixels, layout), margin)
+        return StackedImages(layout, lenses, poses, pixels, smooth_brightness(pixels, layout), margin)
 
 
 @dataclass(frozen=True)
@@ -54,18 +54,18 @@ class Names:
 
 def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any, device: Any) -> PosedImages:
     """Validate as many images (RGBDImages or uint8 arrays) as cameras and poses, and upload them."""
-    pictures, poses = check_list(names.images, images, "images"), list(T_camera_world)
-    if not pictures:
+    listed, poses = check_list(names.images, images, "images"), list(T_camera_world)
+    if not listed:
         raise ValueError(f"{names.images}: expected at least one image, got none")
-    if len(poses) != len(pictures):
-        raise ValueError(f"{names.poses}: expected {len(pictures)}, one per image, got {len(poses)}")
+    if len(poses) != len(listed):
+        raise ValueError(f"{names.poses}: expected {len(listed)}, one per image, got {len(poses)}")
     alone = isinstance(intrinsics, PinholeCameraIntrinsic)
-    cameras = [intrinsics] * len(pictures) if alone else check_list(names.cameras, intrinsics, "cameras")
-    if len(cameras) != len(pictures):
-        expected = f"expected one, or {len(pictures)}, one per image"
+    cameras = [intrinsics] * len(listed) if alone else check_list(names.cameras, intrinsics, "cameras")
+    if len(cameras) != len(listed):
+        expected = f"expected one, or {len(listed)}, one per image"
         raise ValueError(f"{names.cameras}: {expected}, got {len(cameras)}")
     colors, depths = [], []
-    for i, (image, camera) in enumerate(zip(pictures, cameras, strict=True)):
+    for i, (image, camera) in enumerate(zip(listed, cameras, strict=True)):
         try:
             color, depth = _take(image, camera, device)
         except (TypeError, ValueError) as error:

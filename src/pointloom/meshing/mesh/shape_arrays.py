@@ -160,12 +160,12 @@ def cone(radius: float, height: float, resolution: int, split: int) -> Shape:
     first = np.stack([there + column_after, here + column, here + column_after], axis=1)
     second = np.stack([there + column_after, there + column, here + column], axis=1)
     triangles = np.concatenate([_alternate(bottom, tip), _alternate(first, second)])
-    on_picture = np.concatenate([np.zeros((2, 2)), 0.25 * flat])[triangles.reshape(-1)]
-    middles = np.tile([0.5, 0.75], (len(on_picture), 1))
+    on_image = np.concatenate([np.zeros((2, 2)), 0.25 * flat])[triangles.reshape(-1)]
+    middles = np.tile([0.5, 0.75], (len(on_image), 1))
     is_bottom = np.zeros(len(triangles), bool)
     is_bottom[: 2 * resolution : 2] = True
     middles[np.repeat(is_bottom, 3), 1] = 0.25
-    return Shape(np.concatenate([[[0, 0, 0], [0, 0, height]], rings]), triangles, on_picture + middles)
+    return Shape(np.concatenate([[[0, 0, 0], [0, 0, height]], rings]), triangles, on_image + middles)
 
 
 def torus(torus_radius: float, tube_radius: float, radial: int, tubular: int) -> Shape:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.checks import check_count, check_positive, check_progress, check_share
+from ...core.checks import check_count, check_fraction, check_positive, check_progress
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality
 from ...core.units import symbol_of
@@ -66,8 +66,8 @@ class SimplifiedMesh(ChangedMesh):
         if target is not None and count > max(target * MISSED, target + 4) and math.isinf(self.max_error):
             reasons.append(f"{count:,} triangles are left instead of {target:,}: repair the mesh with clean_mesh first")
         if self.errors is not None and self.errors.rms > FAR * self.diagonal:
-            share = self.errors.rms / self.diagonal
-            reasons.append(f"the surface moved by {share:.1%} of its size: use more triangles or smaller voxels")
+            fraction = self.errors.rms / self.diagonal
+            reasons.append(f"the surface moved by {fraction:.1%} of its size: use more triangles or smaller voxels")
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
@@ -113,7 +113,7 @@ def simplify_mesh(
 
     Example:
         >>> import pointloom as loom
-        >>> found = loom.simplify_mesh(loom.TriangleMesh.create_sphere(), ratio=0.5)
+        >>> found = loom.meshing.simplify_mesh(loom.TriangleMesh.create_sphere(), ratio=0.5)
         >>> found.target, len(found.mesh), found.errors.max < 0.02, found.reliable
         (760, 760, True, True)
     """
@@ -153,10 +153,10 @@ def _one_of(triangles: Any, ratio: Any, voxel_size: Any) -> tuple[str, float]:
         return "triangles", check_count("triangles", triangles)
     if voxel_size is not None:
         return "voxel", check_positive("voxel_size", voxel_size)
-    share = check_share("ratio", ratio)
-    if not share:
+    fraction = check_fraction("ratio", ratio)
+    if not fraction:
         raise ValueError("ratio: expected a fraction above 0, got 0")
-    return "ratio", share
+    return "ratio", fraction
 
 
 def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:

@@ -11,7 +11,7 @@ import numpy as np
 from ...core.checks import check_count, check_name, check_number
 from ...core.reports import Fields, quality
 from ...core.units import symbol_of
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
@@ -60,7 +60,7 @@ class SmoothedMesh(ChangedMesh):
             return (f"the area grew {self.area / self.area_in:.3g} times: use fewer iterations or a smaller strength",)
         if self.method != "sharpen" and change < -SHRUNK:
             other = "" if self.method == "taubin" else ", or method='taubin', which shrinks less"
-            return (f"{format_share(-change)} of the area was lost: use fewer iterations{other}",)
+            return (f"{format_fraction(-change)} of the area was lost: use fewer iterations{other}",)
         return ()
 
     def to_dict(self) -> dict[str, Any]:
@@ -108,7 +108,7 @@ def smooth_mesh(
 
     Example:
         >>> import pointloom as loom
-        >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere())
+        >>> found = loom.meshing.smooth_mesh(loom.TriangleMesh.create_sphere())
         >>> found.moved.max < 0.01, round(found.area / found.area_in, 1), found.reliable
         (True, 1.0, True)
     """

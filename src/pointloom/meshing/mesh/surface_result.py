@@ -7,7 +7,7 @@ from typing import Any
 
 from ...core.reports import Assessed, Fields, Report, failed, in_columns, quality, with_warnings
 from ...core.units import LengthUnit, symbol_of
-from ...core.wording import format_bounds, format_share, plain
+from ...core.wording import format_bounds, format_fraction, plain
 from .mesh import TriangleMesh
 from .mesh_reconstruction import FLAT_REMEDY, OPPOSED
 from .mesh_summary import SurfaceSummary
@@ -39,10 +39,10 @@ class NormalsUsed:
     @property
     def problem(self) -> str | None:
         """Warning about these normals with its remedy, or None."""
-        share = self.disagreement
-        if share is None or share <= OPPOSED:
+        fraction = self.disagreement
+        if fraction is None or fraction <= OPPOSED:
             return None
-        statement = f"{format_share(share)} of neighboring normals point to opposite sides"
+        statement = f"{format_fraction(fraction)} of neighboring normals point to opposite sides"
         if self.given:
             return f"{statement}; use new_normals, or orient the normals of the input"
         return (
@@ -54,12 +54,12 @@ class NormalsUsed:
 class MadeUp:
     """Fraction of the area farther than `far` [m] from all points; `density_quantile` that removes it, or None."""
 
-    share: float | None = None
+    fraction: float | None = None
     far: float | None = None
     better_quantile: float | None = None
 
     def to_dict(self) -> dict[str, float | None]:
-        return {"made_up": self.share, "far": self.far, "better_quantile": self.better_quantile}
+        return {"made_up": self.fraction, "far": self.far, "better_quantile": self.better_quantile}
 
 
 @dataclass(frozen=True)
@@ -75,10 +75,10 @@ class PointsOff:
         """Warning if the surface does not fit the points, or None."""
         if self.median is None or self.median <= OFF * self.size:
             return None
-        share = format_share(self.median / self.size)
+        fraction = format_fraction(self.median / self.size)
         distance = f"{self.median:.3g} {symbol_of(self.unit)}"
         return (
-            f"half of the points are farther than {distance} from the surface ({share} of their extent): the points "
+            f"half of the points are farther than {distance} from the surface ({fraction} of their extent): the points "
             "are noisy, or the surface misses many of them; clean or smooth them first, or choose other settings"
         )
 
@@ -106,19 +106,18 @@ class Support:
         near = f"{self.near:.3g} {symbol_of(unit)}"
         remedy = "the points are too sparse or too noisy for the shape; use more points, or smooth them first"
         if method == "ball" and self.turned > TURNED:
-            share = format_share(self.turned)
-            return f"{share} of the area is inclined by more than 53 degrees to the points near it: {remedy}"
+            fraction = format_fraction(self.turned)
+            return f"{fraction} of the area is inclined by more than 53 degrees to the points near it: {remedy}"
         if method != "ball" and self.sparse > SPARSE:
             remedy = f"use density_quantile {better_quantile:g}" if better_quantile else remedy
-            return f"{format_share(self.sparse)} of the area has no point within {near}: {remedy}"
+            return f"{format_fraction(self.sparse)} of the area has no point within {near}: {remedy}"
         if method != "ball" and self.bent > BENT:
-            share = format_share(self.bent)
-            return f"{share} of the area is farther than {near} from the planes of the points near it: {remedy}"
+            fraction = format_fraction(self.bent)
+            return f"{fraction} of the area is farther than {near} from the planes of the points near it: {remedy}"
         if self.missed > MISSED[method]:
-            share = format_share(self.missed)
-            return (
-                f"{share} of the points are farther than {near} from the surface; use {_LARGER[method]}, or more points"
-            )
+            fraction = format_fraction(self.missed)
+            remedy = f"use {_LARGER[method]}, or more points"
+            return f"{fraction} of the points are farther than {near} from the surface; {remedy}"
         return None
 
 
@@ -175,14 +174,14 @@ class SurfaceResult(Report, Assessed):
         settings = ", ".join(f"{name.replace('_', ' ')} {_shown(value)}" for name, value in self.settings.items())
         lost, normals, summary = self.points_in - self.points, self.normals.origin, self.summary
         if self.normals.disagreement is not None:
-            normals += f"; {format_share(self.normals.disagreement)} of neighbors opposite"
+            normals += f"; {format_fraction(self.normals.disagreement)} of neighbors opposite"
         edges = f"{summary.boundary_edges:,} of {summary.edges:,} at the boundary"
         if summary.crowded_edges:
             edges += f", {summary.crowded_edges:,} with three or more triangles"
         parts = f"{summary.parts:,}"
         if summary.parts > 1:
-            parts += f", the largest {format_share(summary.largest_share)} of the area"
-        made_up, lacking = self.made_up.share, ", ".join(self.not_carried)
+            parts += f", the largest {format_fraction(summary.largest_fraction)} of the area"
+        made_up, lacking = self.made_up.fraction, ", ".join(self.not_carried)
         area = f"{summary.area:.4g} {symbol_of(self.mesh.unit)}^2"
         return [
             ("method", f"{self.method}, {settings}"),
@@ -191,7 +190,7 @@ class SurfaceResult(Report, Assessed):
             ("mesh", f"{summary.vertices:,} vertices, {summary.triangles:,} triangles, {area}"),
             ("parts", parts),
             ("edges", edges),
-            *([("extrapolated", f"{format_share(made_up)} of the area")] if made_up else []),
+            *([("extrapolated", f"{format_fraction(made_up)} of the area")] if made_up else []),
             ("closed", "yes" if summary.watertight else "no"),
             ("bounds", format_bounds(summary.to_dict()["bounds"])),
             *([("not carried", f"{lacking} of the points")] if lacking else []),
@@ -211,29 +210,29 @@ class SurfaceResult(Report, Assessed):
         summary, larger = self.summary, _LARGER[self.method]
         reasons: list[str] = []
         if summary.boundary_edges > TORN * summary.edges:
-            share = format_share(summary.boundary_edges / summary.edges)
-            reasons.append(f"the mesh has many holes: {share} of its edges are boundary edges; use {larger}")
+            fraction = format_fraction(summary.boundary_edges / summary.edges)
+            reasons.append(f"the mesh has many holes: {fraction} of its edges are boundary edges; use {larger}")
         elif summary.boundary_length > LONG * self.off.size > 0:
             times = summary.boundary_length / self.off.size
             reasons.append(
                 f"the mesh has many holes: its boundary is {times:.1f} times as long as its size; use {larger}"
             )
         if self.method != "alpha" and summary.crowded_edges > CROWDED * summary.edges:
-            share = format_share(summary.crowded_edges / summary.edges)
-            reasons.append(f"{share} of its edges have three or more triangles, so it is not a single surface")
-        made_up, far, better = self.made_up.share, self.made_up.far, self.made_up.better_quantile
+            fraction = format_fraction(summary.crowded_edges / summary.edges)
+            reasons.append(f"{fraction} of its edges have three or more triangles, so it is not a single surface")
+        made_up, far, better = self.made_up.fraction, self.made_up.far, self.made_up.better_quantile
         if made_up is not None and made_up > MADE_UP:
             remedy = f"density_quantile {better:g}" if better else "a larger density_quantile"
             if self.method == "alpha":
                 remedy = "a smaller alpha or more points"
             away = f"{far:.3g} {symbol_of(self.mesh.unit)}"
             reasons.append(
-                f"{format_share(made_up)} of the area is farther than {away} from all points "
+                f"{format_fraction(made_up)} of the area is farther than {away} from all points "
                 f"and was extrapolated to close the surface; use {remedy}"
             )
-        if summary.islands_share > ISLANDS[self.method]:
-            share = format_share(summary.islands_share)
-            reasons.append(f"{share} of the area is in small islands: clean the cloud first, or use {larger}")
+        if summary.islands_fraction > ISLANDS[self.method]:
+            fraction = format_fraction(summary.islands_fraction)
+            reasons.append(f"{fraction} of the area is in small islands: clean the cloud first, or use {larger}")
         return reasons
 
 

@@ -1,4 +1,4 @@
-"""Signed distances of a cloud from a mesh: `loom.change.cloud_to_mesh`."""
+"""Signed distances of a cloud from a mesh: `loom.meshing.compare_cloud_to_mesh`."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class CloudToMeshResult(AssessedRecord):
 
 
 @explain_argument_errors
-def cloud_to_mesh(
+def compare_cloud_to_mesh(
     cloud: PointCloud,
     mesh: TriangleMesh,
     *,
@@ -109,7 +109,7 @@ def cloud_to_mesh(
         >>> import numpy as np, pointloom as loom
         >>> floor = loom.TriangleMesh([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], [[0, 1, 2], [0, 2, 3]])
         >>> cloud = loom.PointCloud([[1, 1, 0.5], [2, 3, -0.25], [6, 1, 0]])
-        >>> found = loom.change.cloud_to_mesh(cloud, floor, registration_error=0.2)
+        >>> found = loom.meshing.compare_cloud_to_mesh(cloud, floor, registration_error=0.2)
         >>> found.distances.tolist(), found.is_significant.tolist(), found.beside.tolist()
         ([0.5, -0.25, 2.0], [True, False, False], [False, False, True])
     """

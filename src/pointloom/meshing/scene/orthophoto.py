@@ -35,7 +35,7 @@ EVERY = -1  # material id for all triangles
 
 @dataclass(frozen=True, eq=False)
 class Orthophoto:
-    """A mesh seen from above, as created by `loom.orthophoto`.
+    """A mesh seen from above, as created by `loom.meshing.orthophoto`.
 
     Attributes:
         colors: RGBA, uint8 (rows, columns, 4), northernmost row first. Alpha is 0 if empty. None if the mesh has none.
@@ -65,14 +65,14 @@ class Orthophoto:
             >>> import numpy as np, pointloom as loom
             >>> ground = loom.TriangleMesh.create_box(40, 20, 1)
             >>> ground.vertex_colors = np.full((len(ground.vertices), 3), 0.5)
-            >>> loom.orthophoto(ground, 0.5, crs="EPSG:32632").write("ortho.tif").name
+            >>> loom.meshing.orthophoto(ground, 0.5, crs="EPSG:32632").write("ortho.tif").name
             'ortho.tif'
         """
         if self.colors is None:
             raise ValueError("colors: the mesh has neither a texture nor vertex colors. Write its heights instead")
         heights, (rows, _, _) = self.heights, self.colors.shape
         georeference = self.colors.shape[:2], (heights.corner[0], heights.corner[1]), heights.cell, heights
-        with geotiff(path, *georeference, overwrite=overwrite, for_maps=True, is_picture=True) as file:
+        with geotiff(path, *georeference, overwrite=overwrite, for_maps=True, is_image=True) as file:
             for top in range(0, rows, BLOCK):
                 part = self.colors[top : top + BLOCK]
                 window = ((top, top + len(part)), (0, part.shape[1]))
@@ -99,8 +99,8 @@ def orthophoto(
     Args:
         mesh: The mesh, z up. Meters east, north and up about the origin of `frame`, if given.
         cell: Edge of a cell [m], not larger than the texture's detail.
-        frame: Position on the Earth, such as `result.fit.frame` of `loom.video.reconstruct`: the map is in its UTM
-            zone. If None: the mesh's own coordinates.
+        frame: Position on the Earth, such as `result.fit.frame` of `loom.photogrammetry.reconstruct_video`: the map is
+            in its UTM zone. If None: the mesh's own coordinates.
         epsg: Another UTM zone than that of the frame, 32601..32660 or 32701..32760.
         corner: A corner of cells, x and y.
         bounds: (x0, y0, x1, y1) of the map. If None: those of the mesh.
@@ -114,10 +114,10 @@ def orthophoto(
     Example:
         >>> import numpy as np, pointloom as loom
         >>> ground = loom.TriangleMesh([[0, 0, 1], [8, 0, 1], [0, 8, 1]], [[0, 1, 2]], vertex_colors=np.eye(3))
-        >>> made = loom.orthophoto(ground, 1.0, frame=loom.WorldFrame(47.5, 8.25, 430.0))
+        >>> made = loom.meshing.orthophoto(ground, 1.0, frame=loom.WorldFrame(47.5, 8.25, 430.0))
         >>> made.heights.crs, round(float(np.nanmax(made.heights.values)), 3)
         ('EPSG:32632', 431.0)
-        >>> loom.orthophoto(ground, 1.0).colors[1, 0].tolist()
+        >>> loom.meshing.orthophoto(ground, 1.0).colors[1, 0].tolist()
         [0, 16, 239, 255]
     """
     if not isinstance(mesh, TriangleMesh):

@@ -62,10 +62,10 @@ def _what_fits(cells_of: Callable[[float], Cells], cell: float, counts: Array) -
     """Rounded cell size that gives few enough cells, as text."""
     larger = cell
     for _ in range(8):  # the first fits, except for a cell at the border
-        share = max(math.sqrt(float(counts[0])) * math.sqrt(float(counts[1]) / MAX_CELLS), counts.max() / MAX_ALONG)
-        if not math.isfinite(larger * share):
+        fraction = max(math.sqrt(float(counts[0])) * math.sqrt(float(counts[1]) / MAX_CELLS), counts.max() / MAX_ALONG)
+        if not math.isfinite(larger * fraction):
             break
-        larger = _rounded_up(larger * max(share, 1.001))
+        larger = _rounded_up(larger * max(fraction, 1.001))
         counts = cells_of(larger)[1]
         if _fits(counts):
             return f"a cell of {larger:g} fits"

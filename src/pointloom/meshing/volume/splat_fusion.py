@@ -13,7 +13,7 @@ from ...core.checks import check_list, check_positive, check_progress, check_rig
 from ...core.progress import ReportProgress
 from ...kernels.linear_algebra import inv, matmul, norm
 from ...kernels.splats.blending import color_surface
-from ...pcd.splat_pictures import surface_before
+from ...pcd.splat_images import surface_before
 from ...pcd.splats import GaussianSplats
 from ..mesh.mesh import TriangleMesh
 from .tsdf import TSDFVolume
@@ -64,7 +64,7 @@ def fuse_splats(
         >>> cloud = ball.sample_points_uniformly(4000, seed=0)
         >>> scales, turns = np.full((4000, 3), 0.04), np.tile([1.0, 0, 0, 0], (4000, 1))
         >>> splats = loom.GaussianSplats(cloud.points, scales, turns, np.full(4000, 0.9), np.zeros((4000, 3)))
-        >>> mesh = loom.fuse_splats(splats, voxel_size=0.05)
+        >>> mesh = loom.meshing.fuse_splats(splats, voxel_size=0.05)
         >>> bool(np.median(abs(np.linalg.norm(mesh.vertices, axis=1) - 1)) < 0.05)  # splats are 0.04 thick
         True
     """

@@ -90,9 +90,9 @@ def render_colors(
 def render_maps(
     seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float], colored: bool, normals: bool
 ) -> RenderedMaps:
-    shares = (RED, GREEN, BLUE) if colored else None
+    fractions = (RED, GREEN, BLUE) if colored else None
     count = camera.width * camera.height
-    images = RayImages(count, seen.neighbors.device, normals=normals, shares=shares, in_camera=True)
+    images = RayImages(count, seen.neighbors.device, normals=normals, fractions=fractions, in_camera=True)
     cast_rays(seen, camera, T, limits[0], limits[1], images)
     made = images.normals if normals else None
     return RenderedMaps(images.depth, made, images.intensities if colored else None, camera)

@@ -84,7 +84,7 @@ def fuse_volumes(
         >>> touched = volume.integrate(np.full((48, 64), 1000, np.uint16), camera, np.eye(4))
         >>> pose = np.eye(4)
         >>> pose[2, 3] = 0.5  # half a metre further along z
-        >>> mesh = loom.fuse_volumes([volume], [pose]).extract_triangle_mesh(weight_threshold=0)
+        >>> mesh = loom.meshing.fuse_volumes([volume], [pose]).extract_triangle_mesh(weight_threshold=0)
         >>> bool(np.allclose(mesh.vertices[:, 2], 1.5, atol=1e-5))
         True
     """

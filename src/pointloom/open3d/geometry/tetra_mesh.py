@@ -97,8 +97,8 @@ class TetraMesh(MeshBase):
         ends = np.concatenate(crossed)  # (triangles, 3 corners, inside and outside vertex)
         edges, triangles = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
         a, b = edges.T
-        share = (level - field[a]) / (field[b] - field[a])
-        vertices = points[a] + share[:, None] * (points[b] - points[a])
+        fraction = (level - field[a]) / (field[b] - field[a])
+        vertices = points[a] + fraction[:, None] * (points[b] - points[a])
         triangles = triangles.reshape(-1, 3)
         p, q, r = (vertices[triangles[:, k]] for k in range(3))
         upward = (points[ends[..., 1]] - points[ends[..., 0]]).sum(axis=1)

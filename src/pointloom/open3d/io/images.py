@@ -9,7 +9,7 @@ from typing import Any
 import PIL.Image
 
 from ...core.atomic import atomic_write
-from ...io.pictures import image_files
+from ...io.images import image_files
 from ..geometry.image import Image, pixels_of
 
 FilePath = str | os.PathLike[str]
@@ -18,7 +18,7 @@ ALPHA = {2: (0, 3), 4: (0, 1, 2, 3)}  # channels of RGBA by number of channels
 
 def read_image(filename: FilePath) -> Image:
     """Read a PNG or JPEG as stored: 8 or 16 bits, gray or color, with alpha."""
-    header = image_files.read_picture_header(filename)
+    header = image_files.read_image_header(filename)
     if header.channels == 1 and header.bits == 16:
         return Image(image_files.read_depth(filename))
     if header.kind == "png" and header.channels in ALPHA and header.bits == 8:  # JPEG has four channels of ink
@@ -42,5 +42,5 @@ def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
 
 def _is_gray(filename: FilePath) -> bool:
     """True if pixels are gray and not palette indices."""
-    with PIL.Image.open(filename) as picture:
-        return picture.mode in ("L", "1")
+    with PIL.Image.open(filename) as image:
+        return image.mode in ("L", "1")

@@ -23,7 +23,7 @@ def drawn(geometry: Any) -> Any:
     if isinstance(geometry, RGBDImage):
         geometry = geometry.color
     if isinstance(geometry, Image):
-        return _picture_on_a_surface(np.asarray(geometry))
+        return _image_on_a_surface(np.asarray(geometry))
     return unwrap(geometry)
 
 
@@ -50,7 +50,7 @@ def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
     return (np.min(corners, axis=0), np.max(corners, axis=0)) if corners else None
 
 
-def _picture_on_a_surface(pixels: Any) -> TriangleMesh:
+def _image_on_a_surface(pixels: Any) -> TriangleMesh:
     """A rectangle of an image's size [px] with the image as texture. Larger types than bytes are scaled to gray."""
     if pixels.dtype != np.uint8:
         values = np.nan_to_num(pixels.astype(np.float64), posinf=0.0)

@@ -1,1 +1,1 @@
-"""Depth of single pictures by networks that the user brings as ONNX files, and clouds from it."""
+"""Depth of single images by networks that the user brings as ONNX files, and clouds from it."""

@@ -35,7 +35,7 @@ class Alignment:
 
     scale: float
     shift: float
-    inlier_share: float | None
+    inlier_fraction: float | None
     references: int
     farthest: float
 

@@ -22,9 +22,9 @@ from ...core.paths import input_path
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, failed
 from ...core.wording import few_of
+from ...io.images.image_files import read_depth
 from ...io.models.colmap import read_colmap_model
 from ...io.models.sfm_model import SfmModel
-from ...io.pictures.image_files import read_depth
 from ...kernels.images.flying_pixels import drop_flying
 from ...pcd.cloud import PointCloud
 from .alignment import MAX_DISTANCES, Alignment, align_inverse_depth, align_to_distances
@@ -213,11 +213,11 @@ FEW_INLIERS = 0.3  # fraction of the references below which the result is unreli
 MAX_RADIUS = 32  # [px] 512 loads per pixel
 
 
-def estimate_warnings(inlier_share: float | None, references: int, intrinsic_source: str) -> tuple[str, ...]:
+def estimate_warnings(inlier_fraction: float | None, references: int, intrinsic_source: str) -> tuple[str, ...]:
     few = assumed = None
-    if inlier_share is not None and inlier_share < FEW_INLIERS:
+    if inlier_fraction is not None and inlier_fraction < FEW_INLIERS:
         few = (
-            f"only {inlier_share:.0%} of the {references} references agree with the map within 10%: check that they "
+            f"only {inlier_fraction:.0%} of the {references} references agree with the map within 10%: check that they "
             "belong to this image, and that the preset matches the model"
         )
     if not _is_known(intrinsic_source):
@@ -236,7 +236,7 @@ class DepthEstimate(Assessed):
         depth: Depth along the optical axis, float32 [h, w], in `unit`. 0 where unknown.
         is_metric: True if depth is in meters.
         scale, shift: 1 / depth = scale * d + shift, with d the network output or its inverse if it outputs depth.
-        inlier_share: Fraction of references that agree. None if there are too few to check.
+        inlier_fraction: Fraction of references that agree. None if there are too few to check.
         provider: onnxruntime provider: "CUDAExecutionProvider" or "CPUExecutionProvider".
         unit: "m", "the sparse model's", or "arbitrary".
         color: The upright image, uint8 [h, w, 3].
@@ -252,7 +252,7 @@ class DepthEstimate(Assessed):
     is_metric: bool
     scale: float
     shift: float
-    inlier_share: float | None
+    inlier_fraction: float | None
     provider: str
     unit: str
     color: NDArray[np.uint8]
@@ -266,7 +266,7 @@ class DepthEstimate(Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks, each with its remedy. Empty if the result is reliable."""
-        return estimate_warnings(self.inlier_share, self.references, self.intrinsic_source)
+        return estimate_warnings(self.inlier_fraction, self.references, self.intrinsic_source)
 
     def __repr__(self) -> str:
         height, width = self.depth.shape
@@ -304,7 +304,7 @@ class DepthEstimate(Assessed):
 
 
 def estimate_depth(
-    picture: Any,
+    image: Any,
     model: str | os.PathLike[str] | DepthModel,
     *,
     preset: str | None = None,
@@ -319,7 +319,7 @@ def estimate_depth(
     """Estimate the depth of an image with an ONNX network that you provide. Nothing is downloaded.
 
     Args:
-        picture: PNG or JPEG file (rotated by its EXIF orientation), or uint8 or uint16 [h, w], [h, w, 3] or [h, w, 4].
+        image: PNG or JPEG file (rotated by its EXIF orientation), or uint8 or uint16 [h, w], [h, w, 3] or [h, w, 4].
         model: Path of an .onnx file, or a `DepthModel` for many images.
         preset: Type of network, see docs/depth.md; None: "depth-anything-v2", or that of the `DepthModel`.
         intrinsic: Camera of the upright image; None: that of the sparse model, else the EXIF focal length, else a field
@@ -357,8 +357,8 @@ def estimate_depth(
         >>> node = helper.make_node("ReduceMean", ["x"], ["d"], axes=[1], keepdims=1)
         >>> graph = helper.make_graph([node], "brightness", [x], [d])
         >>> onnx.save(helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=8), "b.onnx")
-        >>> picture = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
-        >>> estimate = loom.estimate_depth(picture, "b.onnx", align=[(10, 20, 4.0), (50, 20, 2.0)])
+        >>> image = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
+        >>> estimate = loom.photogrammetry.estimate_depth(image, "b.onnx", align=[(10, 20, 4.0), (50, 20, 2.0)])
         >>> estimate.is_metric, estimate.depth[20, [10, 50]].round(3).tolist()
         (True, [4.0, 2.0])
         >>> len(estimate.to_point_cloud())
@@ -368,7 +368,7 @@ def estimate_depth(
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
     count = check_count("tiles", tiles, maximum=MAX_TILES, because="smaller tiles lack context")
     seed, report = check_seed(seed), check_progress(progress)
-    photo = take_photo(picture)
+    photo = take_photo(image)
     references = None if align is None else find_references(align, photo.name, photo.color.shape[:2], depth_scale)
     camera, source = _camera(photo, intrinsic, references)
     network = _network(model, preset, device)
@@ -390,7 +390,7 @@ def estimate_depth(
         is_metric=unit == "m",
         scale=scale,
         shift=shift,
-        inlier_share=None if alignment is None else alignment.inlier_share,
+        inlier_fraction=None if alignment is None else alignment.inlier_fraction,
         provider=network.provider,
         unit=unit,
         color=photo.color,

@@ -52,14 +52,14 @@ def placement_of(preset: Preset, height: int, width: int, fixed: tuple[int | Non
     return Placement(height, width, rows, columns, (rows - used[0]) // 2, (columns - used[1]) // 2, used)
 
 
-def prepare(preset: Preset, picture: NDArray[np.uint8], placement: Placement) -> Map:
+def prepare(preset: Preset, image: NDArray[np.uint8], placement: Placement) -> Map:
     """Network input, float32 [3, rows, columns], padded with ImageNet's mean."""
     mean, std = (np.array(values, np.float32)[:, None, None] for values in (preset.mean, preset.std))
     used, (down, across) = placement.used, placement.border
     if down or across:
-        picture = np.pad(picture, ((down, down), (across, across), (0, 0)), mode="reflect")
+        image = np.pad(image, ((down, down), (across, across), (0, 0)), mode="reflect")
     small = np.stack(
-        [resize(picture[..., channel].astype(np.float32), used, Image.Resampling.BICUBIC) for channel in range(3)]
+        [resize(image[..., channel].astype(np.float32), used, Image.Resampling.BICUBIC) for channel in range(3)]
     )
     small = np.clip(small, 0.0, 255.0)  # bicubic kernels overshoot at edges
     values = (small * np.float32(preset.levels / 255.0) - mean) / std
@@ -83,5 +83,5 @@ def bring_back(values: Map, placement: Placement) -> Map:
 def resize(values: Map, size: tuple[int, int], kind: Image.Resampling = Image.Resampling.BILINEAR) -> Map:
     if values.shape == size:
         return np.array(values, np.float32)
-    picture = Image.fromarray(np.ascontiguousarray(values, np.float32))
-    return np.array(picture.resize((size[1], size[0]), kind), np.float32)
+    image = Image.fromarray(np.ascontiguousarray(values, np.float32))
+    return np.array(image.resize((size[1], size[0]), kind), np.float32)

@@ -1,4 +1,4 @@
-"""Monocular depth of one image or a folder to point clouds: `depth_of_pictures`."""
+"""Monocular depth of one image or a folder to point clouds: `depth_of_images`."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from ...io.points.formats import WRITTEN
 from ...io.points.ply import write_ply
 from ...io.points.point_cloud import table_of, write_point_cloud
 from ...pcd.cloud import PointCloud
-from ...visualization.render.picture_files import check_picture, save_picture
+from ...visualization.render.picture_files import check_picture, write_image
 from ...visualization.render.render import render
 from ...visualization.render.view import View
-from ..sfm.picture_folder import check_path
+from ..sfm.image_folder import check_path
 from .alignment import AlignmentError
 from .estimation import ARBITRARY, DepthEstimate, estimate_depth
 from .network import DepthModel
 from .photos import SUFFIXES
 from .presets import PRESETS
-from .report import DepthFailure, DepthReport, PictureDepth
+from .report import DepthFailure, DepthReport, ImageDepth
 from .settings import DepthSettings
 
 REFERENCES = (".npy", ".png", ".txt", ".csv")  # with the image's name
@@ -41,7 +41,7 @@ SHOWN_SIDE = 1280  # [px] longer side of the rendered cloud
 VIEW_ANGLES = math.radians(14), math.radians(9)  # viewpoint right of and above the camera
 
 
-def depth_of_pictures(
+def depth_of_images(
     source: FilePath,
     model: FilePath,
     output: FilePath,
@@ -76,8 +76,8 @@ def depth_of_pictures(
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.photogrammetry.depth.job import depth_of_pictures
-        >>> depth_of_pictures("photo.jpg", "net.onnx", "cloud.mp3")
+        >>> from pointloom.photogrammetry.depth.job import depth_of_images
+        >>> depth_of_images("photo.jpg", "net.onnx", "cloud.mp3")
         Traceback (most recent call last):
         pointloom.core.errors.FileError: cloud.mp3: clouds are not written to .mp3. Give a name that ends in one of ...
     """
@@ -88,22 +88,22 @@ def depth_of_pictures(
     jobs = _jobs(source_path, check_path("output", output), folder, overwrite)
     extras = _Extras(folder, depth_map, picture, overwrite)
     where = resolve_device(device)
-    options = settings.of_each_picture()
+    options = settings.of_each_image()
     network = DepthModel(check_path("model", model), settings.preset, device=device)
     clock.stop("open")
     references = _AlignTo(settings.align, jobs, is_folder=folder is not None)
-    pictures, failures = [], []
+    images, failures = [], []
     first: Exception | None = None
     for done, (path, target) in enumerate(jobs):
         if folder is not None:
-            report("pictures", done, len(jobs))
+            report("images", done, len(jobs))
         try:
             estimate = estimate_depth(path, network, align=references(path), progress=report, **options)
             clock.stop("depth")
             cloud = estimate.to_point_cloud(keep_edges=settings.keep_edges, device=where)
             clock.stop("cloud")
             files = extras.write(estimate, cloud, target, clock)
-            pictures.append(PictureDepth.of(estimate, os.fspath(path), len(cloud), files))
+            images.append(ImageDepth.of(estimate, os.fspath(path), len(cloud), files))
         except AlignmentError as error:
             clock.stop("depth")
             failures.append(DepthFailure(os.fspath(path), str(error), refused=True))
@@ -112,12 +112,12 @@ def depth_of_pictures(
                 raise
             failures.append(DepthFailure(os.fspath(path), str(error), refused=False))
             first = first or error
-    if first is not None and len(pictures) == 0 and not any(failure.refused for failure in failures):
+    if first is not None and len(images) == 0 and not any(failure.refused for failure in failures):
         raise first
     if folder is not None:
-        report("pictures", len(jobs), len(jobs))
+        report("images", len(jobs), len(jobs))
     license, provider = PRESETS[network.preset].license, network.provider
-    run = network.path, network.preset, license, provider, str(where), tuple(pictures), tuple(failures)
+    run = network.path, network.preset, license, provider, str(where), tuple(images), tuple(failures)
     return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.notes)
 
 
@@ -132,14 +132,14 @@ def _jobs(source: Path, output: Path, folder: Path | None, overwrite: bool) -> l
     if folder is None:
         check_output(output, WRITTEN, what="clouds", overwrite=overwrite)
         return [(source, output)]
-    pictures = sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and path.is_file())
-    if not pictures:
+    images = sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and path.is_file())
+    if not images:
         raise FileError(folder, f"contains no images ({' '.join(SUFFIXES)})", remedy="Give another folder")
     if output.suffix.lower() in WRITTEN:
         raise FileError(
             output, "is a single cloud, but the source is a folder of images", remedy="Give the name of a folder"
         )
-    jobs = [(path, output / f"{path.stem}.ply") for path in pictures]
+    jobs = [(path, output / f"{path.stem}.ply") for path in images]
     counts = Counter(target.name for _, target in jobs)
     for path, target in jobs:
         if counts[target.name] > 1:
@@ -196,7 +196,7 @@ class _Extras:
             if Path(depth_map).suffix.lower() != ".npy":
                 raise FileError(depth_map, "depth maps are written as .npy", remedy="Give a name that ends in .npy")
             check_writable(depth_map, overwrite=overwrite)
-        self._depth_map, self._picture, self._overwrite = depth_map, picture, overwrite
+        self._depth_map, self._image, self._overwrite = depth_map, picture, overwrite
 
     def write(self, estimate: DepthEstimate, cloud: PointCloud, target: Path, clock: Clock) -> tuple[str, ...]:
         files = []
@@ -211,11 +211,11 @@ class _Extras:
                 np.save(file, estimate.depth)
             files.append(os.fspath(path))
         clock.stop("write")
-        if (path := self._picture) is not None and len(cloud):
+        if (path := self._image) is not None and len(cloud):
             image = render(
                 cloud, oblique_view(estimate.intrinsic, float(np.median(estimate.depth[estimate.depth > 0])))
             )
-            save_picture(path, image, overwrite=self._overwrite)
+            write_image(path, image, overwrite=self._overwrite)
             files.append(os.fspath(path))
             clock.stop("picture")
         return tuple(files)

@@ -173,8 +173,8 @@ def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tu
     shape, where = list(the_input.shape or []), f"input {the_input.name!r}"
     views = len(shape) == 5 and preset.takes_views
     heads = [1, 1, 3] if views else [1, 3]
-    is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # otherwise the colors are last
-    if not is_picture or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
+    is_image = len(shape) == len(heads) + 2 and shape[-1] != 3  # otherwise the colors are last
+    if not is_image or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
         reason = f"expected {wanted} for {preset.name}, got {the_input.type} {shape}"
         raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
     if the_input.type not in TYPES:
@@ -259,7 +259,7 @@ class DepthModel:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.DepthModel("missing.onnx")
+        >>> loom.photogrammetry.DepthModel("missing.onnx")
         Traceback (most recent call last):
         ...
         pointloom.core.errors.FileError: missing.onnx: does not exist
@@ -294,29 +294,29 @@ class DepthModel:
     def __repr__(self) -> str:
         return f"DepthModel({self.path!r}, {self.preset!r}, {self.provider})"
 
-    def run(self, picture: Any) -> Map:
+    def run(self, image: Any) -> Map:
         """Run the network on an image. Returns its map, float32 [h, w], at the image size in the network's unit.
 
         Args:
-            picture: As of `estimate_depth`.
+            image: As of `estimate_depth`.
 
         Raises:
             FileError: The network fails, or outputs a wrong size, NaN, infinity or a constant.
             TypeError, ValueError: Not an image, or one that is too narrow for the network.
         """
-        return self._run_with_placement(take_photo(picture).color)[0]
+        return self._run_with_placement(take_photo(image).color)[0]
 
     def _placement(self, height: int, width: int) -> Placement:
         return placement_of(self._preset, height, width, self._signature.fixed)
 
-    def _run_with_placement(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
-        camera, _ = camera_of(Photo(picture))
-        reading = self._read(picture, camera, is_known=False)
+    def _run_with_placement(self, image: NDArray[np.uint8]) -> tuple[Map, Placement]:
+        camera, _ = camera_of(Photo(image))
+        reading = self._read(image, camera, is_known=False)
         return reading.values, reading.placement
 
-    def _read(self, picture: NDArray[np.uint8], camera: PinholeCameraIntrinsic, *, is_known: bool) -> Reading:
-        placement = self._placement(*picture.shape[:2])
-        values = prepare(self._preset, picture, placement)
+    def _read(self, image: NDArray[np.uint8], camera: PinholeCameraIntrinsic, *, is_known: bool) -> Reading:
+        placement = self._placement(*image.shape[:2])
+        values = prepare(self._preset, image, placement)
         signature = self._signature
         batch = values[(None,) * (2 if signature.has_views else 1)].astype(TYPES[signature.type])
         numbers = {name: np.array(number, np.int64).reshape(shape) for name, number, shape in signature.numbers}

@@ -91,9 +91,9 @@ class _Sample:
         steps = np.log(max(extent, 1e-12)) + np.linspace(*DECADES, STEPS) * np.log(10)
         best = int(np.argmin([self.cost(float(np.exp(step)), focal) for step in steps]))
         low, high = float(steps[max(best - 1, 0)]), float(steps[min(best + 1, STEPS - 1)])
-        share = (5**0.5 - 1) / 2
+        fraction = (5**0.5 - 1) / 2
         for _ in range(GOLDEN):
-            first, second = high - share * (high - low), low + share * (high - low)
+            first, second = high - fraction * (high - low), low + fraction * (high - low)
             if self.cost(float(np.exp(first)), focal) <= self.cost(float(np.exp(second)), focal):
                 high = second
             else:
@@ -164,8 +164,8 @@ def _read_canonical(head: str | None, given: dict[str, Any], placement: Placemen
             if own is None:
                 meters = bring_back(np.where(values < 0.999 * FARTHEST, values, np.float32(np.nan)), placement)
                 return Reading(meters, placement, is_metric=True)
-            own_share = np.float32(own / placement.width)
-            values = np.where(values < 0.999 * FARTHEST, own_share / values, np.float32(0))
+            own_fraction = np.float32(own / placement.width)
+            values = np.where(values < 0.999 * FARTHEST, own_fraction / values, np.float32(0))
         canonical = bring_back(np.asarray(values, np.float32), placement)
         depth = np.where(canonical * FARTHEST > 1, np.float32(1) / canonical, np.float32(np.nan)).astype(np.float32)
     middle = (placement.width - 1) / 2, (placement.height - 1) / 2
@@ -250,8 +250,8 @@ def _plane(given: Any, placement: Placement) -> Map:
         raise ReadingError(f"expected [1, {size[0]}, {size[1]}] for an input of {size[0]} x {size[1]}, got {shape}")
     values = np.asarray(given, np.float32).reshape(size)
     if not np.isfinite(values).all():
-        share = 1 - np.isfinite(values).mean()
-        raise ReadingError(f"{share:.1%} of the output is NaN or infinite", "Use a float32 export of the model")
+        fraction = 1 - np.isfinite(values).mean()
+        raise ReadingError(f"{fraction:.1%} of the output is NaN or infinite", "Use a float32 export of the model")
     return values
 
 

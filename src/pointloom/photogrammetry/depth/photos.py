@@ -15,8 +15,8 @@ from PIL import JpegImagePlugin, PngImagePlugin
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_numeric, shown
 from ...core.paths import input_path
+from ...io.images.image_files import PIXEL_LIMIT, read_color, read_depth, read_image_header
 from ...io.optional_imports import ignored_errors
-from ...io.pictures.image_files import PIXEL_LIMIT, read_color, read_depth, read_picture_header
 
 SUFFIXES = (".png", ".jpg", ".jpeg")
 FIELD_OF_VIEW = 60.0  # [degrees] across the longer side: phone main cameras have 60 to 70
@@ -40,22 +40,22 @@ class Photo:
     is_rotated: bool = False
 
 
-def take_photo(picture: Any) -> Photo:
+def take_photo(image: Any) -> Photo:
     """Load an image from a file or an array. Drops transparency, and converts 16 bits to 8 over their full range."""
-    if isinstance(picture, str | os.PathLike):
-        return _read_photo(picture)
-    array = check_numeric("picture", picture)
+    if isinstance(image, str | os.PathLike):
+        return _read_photo(image)
+    array = check_numeric("image", image)
     if array.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
-        raise TypeError(f"picture: expected a path or an array of uint8 or uint16, got {_kind(picture, array)}")
+        raise TypeError(f"image: expected a path or an array of uint8 or uint16, got {_kind(image, array)}")
     if array.ndim not in (2, 3) or 0 in array.shape or (array.ndim == 3 and array.shape[2] not in (1, 3, 4)):
-        raise ValueError(f"picture: expected shape [h, w], [h, w, 3] or [h, w, 4], got {list(array.shape)}")
+        raise ValueError(f"image: expected shape [h, w], [h, w, 3] or [h, w, 4], got {list(array.shape)}")
     if array.shape[0] * array.shape[1] > PIXEL_LIMIT:
-        raise ValueError(f"picture: expected at most {PIXEL_LIMIT} pixels, got shape {list(array.shape)}")
+        raise ValueError(f"image: expected at most {PIXEL_LIMIT} pixels, got shape {list(array.shape)}")
     return Photo(_three_colors(array))
 
 
-def _kind(picture: Any, array: NDArray[Any]) -> str:
-    return f"an array of {array.dtype}" if isinstance(picture, np.ndarray) else shown(picture)
+def _kind(image: Any, array: NDArray[Any]) -> str:
+    return f"an array of {array.dtype}" if isinstance(image, np.ndarray) else shown(image)
 
 
 def _three_colors(array: NDArray[Any]) -> NDArray[np.uint8]:
@@ -68,7 +68,7 @@ def _three_colors(array: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def _read_photo(path: str | os.PathLike[str]) -> Photo:
-    header = read_picture_header(path)
+    header = read_image_header(path)
     is_deep_gray = header.channels == 1 and header.bits == 16
     color = _three_colors(read_depth(path)) if is_deep_gray else read_color(path)
     tags = _exif_tags(path, header.kind)
@@ -82,8 +82,8 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
 def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
     """EXIF tags. Empty if damaged, since the pixels are still valid."""
     plugin = PngImagePlugin.PngImageFile if kind == "png" else JpegImagePlugin.JpegImageFile
-    with ignored_errors(), input_path(path).open("rb") as file, plugin(file) as picture:
-        exif = picture.getexif()
+    with ignored_errors(), input_path(path).open("rb") as file, plugin(file) as image:
+        exif = image.getexif()
         return {**exif, **exif.get_ifd(_EXIF_IFD)}
     return {}
 

@@ -185,7 +185,7 @@ def input_size(preset: Preset, height: int, width: int) -> tuple[int, int]:
         sides.append(side)
     if sides[0] * sides[1] > MAX_INPUT:
         raise ValueError(
-            f"picture: {width} x {height} pixels are too narrow: {preset.name} would resize it to {sides[1]} x "
+            f"image: {width} x {height} pixels are too narrow: {preset.name} would resize it to {sides[1]} x "
             f"{sides[0]}; crop it"
         )
     return sides[0], sides[1]

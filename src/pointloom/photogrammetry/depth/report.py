@@ -9,17 +9,17 @@ from typing import Any
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.escaped_text import escaped
 from ...core.reports import Assessed, Fields, in_columns, quality
-from ...core.wording import format_bytes, format_seconds, format_share
+from ...core.wording import format_bytes, format_fraction, format_seconds
 from .estimation import ARBITRARY, DepthEstimate, estimate_warnings
 
 FEW_POINTS = 0.2  # fraction of the pixels
 
 
 @dataclass(frozen=True, eq=False)
-class PictureDepth(Assessed):
+class ImageDepth(Assessed):
     """Figures of one image as in `DepthEstimate`. Sizes are (width, height), `depth_range` may be None."""
 
-    picture: str
+    image: str
     size: tuple[int, int]
     input_size: tuple[int, int]
     unit: str
@@ -27,21 +27,21 @@ class PictureDepth(Assessed):
     scale: float
     shift: float
     references: int
-    inlier_share: float | None
+    inlier_fraction: float | None
     tiles: tuple[int, int] | None
     depth_range: tuple[float, float] | None
     intrinsic: PinholeCameraIntrinsic
     intrinsic_source: str
     point_count: int
-    depth_share: float
+    depth_fraction: float
     files: tuple[str, ...]
 
     @classmethod
-    def of(cls, estimate: DepthEstimate, picture: str, point_count: int, files: tuple[str, ...]) -> PictureDepth:
+    def of(cls, estimate: DepthEstimate, image: str, point_count: int, files: tuple[str, ...]) -> ImageDepth:
         height, width = estimate.depth.shape
         seen = estimate.depth[estimate.depth > 0]
         return cls(
-            picture=picture,
+            image=image,
             size=(width, height),
             input_size=(estimate.input_size[1], estimate.input_size[0]),
             unit=estimate.unit,
@@ -49,25 +49,25 @@ class PictureDepth(Assessed):
             scale=estimate.scale,
             shift=estimate.shift,
             references=estimate.references,
-            inlier_share=estimate.inlier_share,
+            inlier_fraction=estimate.inlier_fraction,
             tiles=estimate.tiles,
             depth_range=(float(seen.min()), float(seen.max())) if len(seen) else None,
             intrinsic=estimate.intrinsic,
             intrinsic_source=estimate.intrinsic_source,
             point_count=point_count,
-            depth_share=len(seen) / estimate.depth.size,
+            depth_fraction=len(seen) / estimate.depth.size,
             files=files,
         )
 
     @property
-    def point_share(self) -> float:
+    def point_fraction(self) -> float:
         return self.point_count / (self.size[0] * self.size[1])
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        reasons = [*estimate_warnings(self.inlier_share, self.references, self.intrinsic_source)]
-        if self.point_share < FEW_POINTS:
-            reasons.append(f"only {self.point_share:.1%} of the pixels became points: keep edges, or align")
+        reasons = [*estimate_warnings(self.inlier_fraction, self.references, self.intrinsic_source)]
+        if self.point_fraction < FEW_POINTS:
+            reasons.append(f"only {self.point_fraction:.1%} of the pixels became points: keep edges, or align")
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
@@ -81,7 +81,7 @@ class PictureDepth(Assessed):
             "scale": self.scale,
             "shift": self.shift,
             "references": self.references,
-            "inlier_share": self.inlier_share,
+            "inlier_fraction": self.inlier_fraction,
             "tiles": None if self.tiles is None else {"used": self.tiles[0], "count": self.tiles[1]},
             "nearest": nearest,
             "farthest": farthest,
@@ -90,10 +90,10 @@ class PictureDepth(Assessed):
                 "source": self.intrinsic_source,
             },
             "points": self.point_count,
-            "depth_share": self.depth_share,
-            "kept_share": self.point_share,
+            "depth_fraction": self.depth_fraction,
+            "kept_fraction": self.point_fraction,
             "files": list(self.files),
-            "picture": self.picture,
+            "image": self.image,
             **quality(self),
         }
 
@@ -103,8 +103,8 @@ class PictureDepth(Assessed):
         size = "{} x {}, {} x {} for the network".format(*self.size, *self.input_size)
         if self.tiles is not None:
             size += "\n{} of {} tiles agree with the map of the complete image".format(*self.tiles)
-        points = f"{self.point_count:,}, {format_share(self.point_share)} of the pixels"
-        return [("picture", size), ("camera", seen), ("depth", self._depth_line()), ("points", points)]
+        points = f"{self.point_count:,}, {format_fraction(self.point_fraction)} of the pixels"
+        return [("image", size), ("camera", seen), ("depth", self._depth_line()), ("points", points)]
 
     def __str__(self) -> str:
         line = f"{self.point_count:,} points, {self._depth_line().splitlines()[0]}"
@@ -123,23 +123,23 @@ class PictureDepth(Assessed):
         return line
 
     def _agreement(self) -> str:
-        if self.inlier_share is None:
+        if self.inlier_fraction is None:
             return f"from {self.references} distances, unchecked: one more distance allows a check"
-        return f"{format_share(self.inlier_share)} of {self.references:,} references agree within 10%"
+        return f"{format_fraction(self.inlier_fraction)} of {self.references:,} references agree within 10%"
 
 
 @dataclass(frozen=True)
 class DepthFailure:
     """An image without result; `refused` if its references do not fit, else a file could not be read."""
 
-    picture: str
+    image: str
     reason: str
     refused: bool
 
 
 @dataclass(frozen=True, eq=False)
 class DepthReport(Assessed):
-    """Result of `depth_of_pictures`.
+    """Result of `depth_of_images`.
 
     Attributes:
         source: The image or folder.
@@ -148,7 +148,7 @@ class DepthReport(Assessed):
         preset, license: The type of network, and the license of its published weights.
         provider: The onnxruntime provider.
         device: Device of the clouds.
-        pictures: Images with a cloud.
+        images: Images with a cloud.
         failures: Images without one.
         seconds: Time of each stage [s].
         peak_bytes: Peak memory of this process [B].
@@ -162,7 +162,7 @@ class DepthReport(Assessed):
     license: str
     provider: str
     device: str
-    pictures: tuple[PictureDepth, ...]
+    images: tuple[ImageDepth, ...]
     failures: tuple[DepthFailure, ...]
     seconds: dict[str, float]
     peak_bytes: int
@@ -170,18 +170,18 @@ class DepthReport(Assessed):
 
     @property
     def files(self) -> tuple[str, ...]:
-        return tuple(file for each in self.pictures for file in each.files)
+        return tuple(file for each in self.images for file in each.files)
 
     @property
     def warnings(self) -> tuple[str, ...]:
         reasons = []
         if self.failures:
             first = self.failures[0].reason
-            many = f"{len(self.failures)} of {len(self.failures) + len(self.pictures)} images failed: "
+            many = f"{len(self.failures)} of {len(self.failures) + len(self.images)} images failed: "
             where = " for them" if self.is_folder else ""
             reasons.append(f"{many if self.is_folder else ''}{first}; nothing was written{where}")
-        for each in self.pictures:
-            name = f"{Path(each.picture).name}: " if self.is_folder else ""
+        for each in self.images:
+            name = f"{Path(each.image).name}: " if self.is_folder else ""
             reasons += [f"{name}{reason}" for reason in each.warnings]
         return tuple(reasons)
 
@@ -194,7 +194,7 @@ class DepthReport(Assessed):
             "license": self.license,
             "provider": self.provider,
             "device": self.device,
-            "pictures": [each.to_dict() for each in self.pictures],
+            "images": [each.to_dict() for each in self.images],
             "failures": [asdict(each) for each in self.failures],
             "seconds": self.seconds,
             "peak_bytes": self.peak_bytes,
@@ -206,11 +206,11 @@ class DepthReport(Assessed):
     def fields(self) -> Fields:
         network = f"{self.model}, preset {self.preset} ({self.license})"
         fields = [("network", "\n".join([network, *self.notes])), ("ran on", self.provider)]
-        if len(self.pictures) == 1 and not self.failures:
-            fields += self.pictures[0].fields()
+        if len(self.images) == 1 and not self.failures:
+            fields += self.images[0].fields()
         else:
-            fields += [(Path(each.picture).name, str(each)) for each in self.pictures]
-            fields += [(Path(each.picture).name, each.reason) for each in self.failures]
+            fields += [(Path(each.image).name, str(each)) for each in self.images]
+            fields += [(Path(each.image).name, each.reason) for each in self.failures]
         return [
             *fields,
             ("seconds", format_seconds(self.seconds)),

@@ -10,7 +10,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrin
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_count, check_positive, check_seed
 from ...core.errors import FilePath
-from ..sfm.picture_folder import check_path
+from ..sfm.image_folder import check_path
 from .presets import DEFAULT, find_preset
 from .tiles import MAX_TILES
 
@@ -56,7 +56,7 @@ class DepthSettings:
         check_count("tiles", self.tiles, maximum=MAX_TILES, because="smaller tiles lack context")
         check_seed(self.seed)
 
-    def of_each_picture(self) -> dict[str, Any]:
+    def of_each_image(self) -> dict[str, Any]:
         """The common options of `estimate_depth`.
 
         Raises:

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
-from ...core.checks import check_list, check_name, check_share, check_transformation
+from ...core.checks import check_fraction, check_list, check_name, check_transformation
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
 from ...core.errors import FileError, FilePath, values_of_file
@@ -35,17 +35,17 @@ from ...pcd.splats import similarity_of
 from ...registration.rigid import nearest_rotation
 from .depth_maps import DepthMap, DepthMaps
 from .filtering import filter_depth_maps
-from .fusion import fuse
-from .posed_pictures import PosedCamera
+from .fusion import fuse_depth_maps
+from .posed_images import PosedCamera
 from .sources import choose_sources
 
 LAYOUTS = {  # per layout: identifying arrays, and array names
     "Depth Anything 3": {
         **{"depth": "depth", "T": "extrinsics", "K": "intrinsics"},
-        **{"confidence": "conf", "picture": "image"},
+        **{"confidence": "conf", "image": "image"},
     },
-    "MapAnything": {"depth": "depth", "T": "extrinsic", "K": "intrinsic", "mask": "final_mask", "picture": "images"},
-    "VGGT": {"depth": "depth", "T": "extrinsic", "K": "intrinsic", "confidence": "depth_conf", "picture": "images"},
+    "MapAnything": {"depth": "depth", "T": "extrinsic", "K": "intrinsic", "mask": "final_mask", "image": "images"},
+    "VGGT": {"depth": "depth", "T": "extrinsic", "K": "intrinsic", "confidence": "depth_conf", "image": "images"},
 }
 OPTIONAL = {"Depth Anything 3": ("conf", "image"), "MapAnything": ("images",), "VGGT": ("images",)}
 ROTATION_TOLERANCE = 1e-2  # maximum deviation from a rotation: networks use half precision
@@ -59,21 +59,22 @@ class DepthBundle:
 
     Attributes:
         maps: The DepthMaps, confidence 0 to 1.
-        pictures: uint8 [h, w, 3] of each. None if not in the file.
+        images: uint8 [h, w, 3] of each. None if not in the file.
         names: Image names.
         layout: "VGGT", "Depth Anything 3" or "MapAnything".
     """
 
     maps: DepthMaps
-    pictures: tuple[NDArray[np.uint8], ...] | None
+    images: tuple[NDArray[np.uint8], ...] | None
     names: tuple[str, ...]
     layout: str
 
     def __repr__(self) -> str:
         width, height = self.maps.cameras[0].intrinsic.width, self.maps.cameras[0].intrinsic.height
-        return f"DepthBundle({len(self.names)} pictures of {width} x {height}, {self.layout})"
+        return f"DepthBundle({len(self.names)} images of {width} x {height}, {self.layout})"
 
     def to_model(self) -> SfmModel:
+        """The cameras and poses as an SfmModel without points."""
         lenses = tuple(CameraModel.from_intrinsic(camera.intrinsic) for camera in self.maps.cameras)
         return SfmModel(self.names, lenses, np.array([camera.T_camera_world for camera in self.maps.cameras]))
 
@@ -112,7 +113,7 @@ class DepthBundle:
         Raises:
             ValueError: Less than 5% of the depth is confirmed by another image; or as `fuse`.
         """
-        threshold = check_share("min_confidence", min_confidence)
+        threshold = check_fraction("min_confidence", min_confidence)
         maps = self.maps
         if len(maps) > 1:
             with without_warnings(UserWarning):  # an error follows
@@ -120,13 +121,13 @@ class DepthBundle:
                     self.maps, min_views=1, max_relative=max_relative, min_confidence=threshold, device=device
                 )
             before = sum(int((each.confidence >= max(threshold, 1e-9)).sum()) for each in self.maps)
-            share = sum(int((each.depth > 0).sum()) for each in maps) / max(before, 1)
-            if share < MIN_CONFIRMED:
-                confirmed = f"{share:.1%} of the depth of {len(maps)} images is confirmed by another image"
+            fraction = sum(int((each.depth > 0).sum()) for each in maps) / max(before, 1)
+            if fraction < MIN_CONFIRMED:
+                confirmed = f"{fraction:.1%} of the depth of {len(maps)} images is confirmed by another image"
                 reason = f"{confirmed} within {max_relative:g}; check that the poses are world to camera"
                 raise ValueError(f"poses and depths of {self.layout} contradict each other: {reason}")
         options: dict[str, Any] = {"to": to, "voxel_size": voxel_size, "max_relative": max_relative}
-        return fuse(maps, self.pictures, min_views=1, device=device, progress=progress, **options)
+        return fuse_depth_maps(maps, self.images, min_views=1, device=device, progress=progress, **options)
 
 
 def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, device: Any = None) -> DepthBundle:
@@ -151,8 +152,8 @@ def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, dev
         >>> K, T = np.array([[60.0, 0, 32], [0, 60, 24], [0, 0, 1]]), np.eye(4)[:3]
         >>> arrays = {"depth": np.full((2, 48, 64), 2.0), "conf": np.full((2, 48, 64), 5.0)}
         >>> np.savez("results.npz", **arrays, extrinsics=np.stack([T, T]), intrinsics=np.stack([K, K]))
-        >>> loom.mvs.read_depth_bundle("results.npz")
-        DepthBundle(2 pictures of 64 x 48, Depth Anything 3)
+        >>> loom.photogrammetry.read_depth_bundle("results.npz")
+        DepthBundle(2 images of 64 x 48, Depth Anything 3)
     """
     file = path_of(path)
     known = {name for names_of in LAYOUTS.values() for name in names_of.values()}
@@ -163,7 +164,7 @@ def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, dev
     count, height, width = depth.shape
     cameras = _cameras(file, LAYOUTS[layout], by_kind, (count, height, width))
     confidence = _confidences(file, LAYOUTS[layout], by_kind, depth)
-    pictures = _pictures(file, by_kind.get("picture"), depth.shape)
+    images = _images(file, by_kind.get("image"), depth.shape)
     given = [str(i) for i in range(count)] if names is None else check_list("names", names, "names")
     given = [check_name("names", name) for name in given]
     if len(given) != count or len(set(given)) != count:
@@ -172,13 +173,13 @@ def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, dev
         )
     where = resolve_device(device)
     maps = []
-    for camera, z, share in zip(cameras, depth, confidence, strict=True):
+    for camera, z, fraction in zip(cameras, depth, confidence, strict=True):
         grid = PixelGrid(width, height, 1)
         normals, _ = pixel_normals(upload(z.ravel(), float32, where), grid, camera.intrinsic, np.eye(3), 0.0)
         n = download(normals).reshape(height, width, 3) * (z > 0)[:, :, None]
-        maps.append(DepthMap(z, n, share))
+        maps.append(DepthMap(z, n, fraction))
     sources = choose_sources(cameras, None) if count > 1 else ((),)
-    return DepthBundle(DepthMaps(cameras, sources, maps), pictures, tuple(given), layout)
+    return DepthBundle(DepthMaps(cameras, sources, maps), images, tuple(given), layout)
 
 
 def _layout_of(path: Path, arrays: dict[str, NDArray[Any]]) -> str:
@@ -216,7 +217,7 @@ def _cameras(
         raise FileError(path, f"expected poses [{count}, 3, 4] and cameras [{count}, 3, 3], got {shapes}")
     cameras = []
     for i in range(count):
-        where = f"picture {i}"
+        where = f"image {i}"
         pose, k = T[i].astype(np.float64), K[i].astype(np.float64)
         if not (np.isfinite(pose).all() and np.isfinite(k).all()):
             raise FileError(path, "expected finite poses and cameras, got NaN or infinity", where=where)
@@ -249,20 +250,20 @@ def _confidences(
         low, high = (float(c[seen].min()), float(c[seen].max())) if np.isfinite(c[seen]).all() else (-1.0, -1.0)
         if low < 0 or (low < 1 < high):
             raise FileError(path, f"{names[kind]}: expected finite numbers >= 1, or from 0 to 1")
-        shares = c if (high <= 1 and kind == "mask") or low < 1 else 1 - 1 / c
-    return np.where(seen, shares, 0).astype(np.float32)
+        fractions = c if (high <= 1 and kind == "mask") or low < 1 else 1 - 1 / c
+    return np.where(seen, fractions, 0).astype(np.float32)
 
 
-def _pictures(path: Path, values: NDArray[Any] | None, shape: tuple[int, ...]) -> tuple[NDArray[np.uint8], ...] | None:
+def _images(path: Path, values: NDArray[Any] | None, shape: tuple[int, ...]) -> tuple[NDArray[np.uint8], ...] | None:
     if values is None:
         return None
     count, height, width = shape
     if values.shape == (count, 3, height, width):
         values = values.transpose(0, 2, 3, 1)
     if values.shape != (count, height, width, 3):
-        raise FileError(path, f"pictures: expected [{count}, {height}, {width}, 3], got {list(values.shape)}")
+        raise FileError(path, f"images: expected [{count}, {height}, {width}, 3], got {list(values.shape)}")
     if values.dtype != np.uint8:
         if not (np.isfinite(values).all() and values.min() >= -1e-3 and values.max() <= 1 + 1e-3):
-            raise FileError(path, "pictures: expected uint8, or numbers from 0 to 1")
+            raise FileError(path, "images: expected uint8, or numbers from 0 to 1")
         values = np.floor(np.clip(values, 0, 1) * 255 + 0.5).astype(np.uint8)
-    return tuple(np.ascontiguousarray(picture) for picture in values)
+    return tuple(np.ascontiguousarray(image) for image in values)

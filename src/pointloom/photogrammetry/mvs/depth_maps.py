@@ -25,7 +25,7 @@ from ...core.json_files import check_keys, read_json_object
 from ...core.paths import input_path, path_of
 from ...io.optional_imports import foreign_errors
 from ...io.points.npz import read_member
-from .posed_pictures import PosedCamera, check_cameras, check_sources
+from .posed_images import PosedCamera, check_cameras, check_sources
 
 INDEX = "depth_maps.json"
 VERSION = 1
@@ -75,10 +75,10 @@ class DepthMap:
 
     def __repr__(self) -> str:
         height, width = self.depth.shape
-        return f"DepthMap({width} x {height}, {100 * self.share:.0f} % with depth)"
+        return f"DepthMap({width} x {height}, {100 * self.fraction:.0f} % with depth)"
 
     @property
-    def share(self) -> float:
+    def fraction(self) -> float:
         """Fraction of pixels with depth."""
         return float(np.count_nonzero(self.depth)) / self.depth.size
 
@@ -101,11 +101,11 @@ class DepthMaps(Sequence[DepthMap]):
         >>> from pointloom.photogrammetry.mvs.depth_maps import DepthMap
         >>> from pointloom.photogrammetry.mvs.depth_maps import DepthMaps
         >>> intrinsic = loom.PinholeCameraIntrinsic(8, 6, 10.0, 10.0, 3.5, 2.5)
-        >>> camera = loom.mvs.PosedCamera(intrinsic, np.eye(4))
+        >>> camera = loom.photogrammetry.PosedCamera(intrinsic, np.eye(4))
         >>> empty = DepthMap(np.zeros((6, 8)), np.zeros((6, 8, 3)), np.zeros((6, 8)))
         >>> maps = DepthMaps([camera], [()], [empty], folder="maps")
         >>> DepthMaps.open("maps")
-        DepthMaps(1 picture in maps)
+        DepthMaps(1 image in maps)
     """
 
     def __init__(
@@ -155,7 +155,7 @@ class DepthMaps(Sequence[DepthMap]):
         return maps
 
     def __repr__(self) -> str:
-        count = f"{len(self)} picture{'' if len(self) == 1 else 's'}"
+        count = f"{len(self)} image{'' if len(self) == 1 else 's'}"
         return escaped(f"DepthMaps({count}{'' if self.folder is None else f' in {self.folder}'})")
 
     def __len__(self) -> int:

@@ -1,4 +1,4 @@
-"""Multi-view stereo: input checks and the pipeline of `loom.mvs.estimate_depth_maps`."""
+"""Multi-view stereo: input checks and the pipeline of `loom.photogrammetry.estimate_depth_maps`."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
-from ...io.pictures.image_files import read_color, read_picture_header
+from ...io.images.image_files import read_color, read_image_header
 from .depth_maps import DepthMap, DepthMaps, made_folder
-from .picture_slots import Picture, other_size
+from .image_slots import Image, other_size
 from .plane_search import Setting, find_depth, motion_of
-from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sources, check_sparse
+from .posed_images import PosedCamera, SparsePoints, check_cameras, check_sources, check_sparse
 from .semi_global import find_pair_depth, plan_search
 from .sources import choose_sources, depth_in_view
 
@@ -27,7 +27,7 @@ Mask = str | os.PathLike[str] | NDArray[np.bool_] | NDArray[np.uint8] | None
 MASK_THRESHOLD = 128  # brightness threshold of masks
 
 
-def check_picture_masks(masks: Any, cameras: Sequence[PosedCamera]) -> list[Path | NDArray[np.bool_] | None]:
+def check_image_masks(masks: Any, cameras: Sequence[PosedCamera]) -> list[Path | NDArray[np.bool_] | None]:
     given = check_list("masks", masks, "masks")
     if len(given) != len(cameras):
         raise ValueError(f"masks: expected one, or None, for each of the {len(cameras)} images, got {len(given)}")
@@ -35,7 +35,7 @@ def check_picture_masks(masks: Any, cameras: Sequence[PosedCamera]) -> list[Path
     for i, (each, camera) in enumerate(zip(given, cameras, strict=True)):
         lens = camera.intrinsic
         if isinstance(each, str | os.PathLike):
-            header = read_picture_header(each)
+            header = read_image_header(each)
             if (header.width, header.height) != (lens.width, lens.height):
                 reason = (
                     f"expected a mask of {lens.width} x {lens.height} pixels as its image, got "
@@ -73,7 +73,7 @@ def emptied(
         )
 
 
-MIN_PICTURE = 8  # [px] minimum side
+MIN_IMAGE = 8  # [px] minimum side
 MAX_SOURCES = 8  # device code counts sources in vectors of eight
 MIN_POINTS = 3  # minimum points per image for a depth range
 LOW, HIGH = 0.02, 0.98  # quantiles of the point depths: some are wrong
@@ -86,7 +86,7 @@ REMEDY = "move the camera between images, instead of only rotating it"
 
 
 def estimate_depth_maps(
-    pictures: Iterable[Picture],
+    images: Iterable[Image],
     cameras: Iterable[PosedCamera],
     sparse: Any = None,
     *,
@@ -96,7 +96,7 @@ def estimate_depth_maps(
     seed: int = 0,
     device: Any = None,
     folder: FilePath | None = None,
-    going: FilePath | None = None,
+    resume_from: FilePath | None = None,
     device_bytes: int = DEVICE_BYTES,
     progress: ReportProgress | None = None,
 ) -> DepthMaps:
@@ -108,7 +108,7 @@ def estimate_depth_maps(
     disagree or have no texture.
 
     Args:
-        pictures: Undistorted images: paths of PNG or JPEG files, or uint8 arrays [h, w] or [h, w, 3] of any sizes.
+        images: Undistorted images: paths of PNG or JPEG files, or uint8 arrays [h, w] or [h, w, 3] of any sizes.
         cameras: A PosedCamera for each.
         sparse: An object with `points` [m, 3] and `observations` [k, 2] (image, point), such as an SfmModel, for depth
             ranges and source selection. None or empty: estimated from frustum intersections, slightly less complete;
@@ -120,8 +120,8 @@ def estimate_depth_maps(
         seed: Seed of the plane hypotheses; no effect on "sgm".
         device: "cpu", "cuda:0", "auto"; None: the CPU.
         folder: Folder for the maps, one file per image; None: in memory.
-        going: Checkpoint folder: a repeated call with the same arguments resumes from it, bitwise identical. Delete it
-            afterward. Do not use it with other arguments.
+        resume_from: Checkpoint folder: a repeated call with the same arguments resumes from it, bitwise identical.
+            Delete it afterward. Do not use it with other arguments.
         device_bytes: Device memory limit for images and maps, exceeded if one image with its sources needs more.
         progress: Called with ("depth", steps done, steps in all).
 
@@ -146,25 +146,25 @@ def estimate_depth_maps(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+        >>> from pointloom.photogrammetry.mvs.posed_images import SparsePoints
         >>> wall = np.random.default_rng(0).integers(0, 255, (40, 60), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> right = np.eye(4)
         >>> right[0, 3] = -0.2  # 6 pixels at 2 m
-        >>> cameras = [loom.mvs.PosedCamera(camera, np.eye(4)), loom.mvs.PosedCamera(camera, right)]
+        >>> cameras = [loom.photogrammetry.PosedCamera(camera, pose) for pose in (np.eye(4), right)]
         >>> points = [[x, y, 2.0] for x in (-0.5, 0.0, 0.5) for y in (-0.4, 0.4)]
         >>> sparse = SparsePoints(points, [[i, k] for i in (0, 1) for k in range(6)])
-        >>> pictures = [wall[:48, 10:74], wall[:48, 16:80]]
-        >>> maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, sources=[[1], [0]])
+        >>> images = [wall[:48, 10:74], wall[:48, 16:80]]
+        >>> maps = loom.photogrammetry.estimate_depth_maps(images, cameras, sparse, sources=[[1], [0]])
         >>> round(float(np.median(maps[0].depth)), 1)
         2.0
-        >>> pair = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, method="sgm")
+        >>> pair = loom.photogrammetry.estimate_depth_maps(images, cameras, sparse, method="sgm")
         >>> depth = pair[0].depth
         >>> round(float(np.median(depth[depth > 0])), 1)
         2.0
     """
     posed = check_cameras("cameras", cameras)
-    given = _checked_pictures(pictures, posed)
+    given = _checked_images(images, posed)
     _check_method(method, len(posed))
     points = check_sparse("sparse", NO_POINTS if sparse is None else sparse)
     ranges = [_depth_range(points, i, posed) for i in range(len(posed))]
@@ -185,9 +185,9 @@ def estimate_depth_maps(
     known = [each or (1.0, 2.0) for each in ranges]
     search = plan_search(posed, known) if method == "sgm" else None
     output = None if folder is None else made_folder(folder)
-    hidden = [None] * len(posed) if masks is None else check_picture_masks(masks, posed)
+    hidden = [None] * len(posed) if masks is None else check_image_masks(masks, posed)
     setting = Setting(given, posed, informative, known, seed, target, device_bytes)
-    so_far = None if going is None else _folder_for(going)
+    so_far = None if resume_from is None else _folder_for(resume_from)
     found = find_depth(setting, output, report, so_far) if search is None else find_pair_depth(setting, search, report)
     maps = emptied(found, hidden, posed)
     return DepthMaps(posed, informative, maps, folder=output)
@@ -199,11 +199,11 @@ def _check_method(method: Any, count: int) -> None:
     if method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     if method == "sgm" and count != 2:
-        raise ValueError(f'pictures: expected 2 with method="sgm", got {count}. Pass method="patch_match".')
+        raise ValueError(f'images: expected 2 with method="sgm", got {count}. Pass method="patch_match".')
 
 
-def _folder_for(going: Any) -> Path:
-    folder = path_of(going)
+def _folder_for(resume_from: Any) -> Path:
+    folder = path_of(resume_from)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -211,37 +211,37 @@ def _folder_for(going: Any) -> Path:
     return folder
 
 
-def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:
-    given = check_list("pictures", pictures, "pictures")
+def _checked_images(images: Any, cameras: Sequence[PosedCamera]) -> list[Image]:
+    given = check_list("images", images, "images")
     if len(given) < 2:
-        raise ValueError(f"pictures: expected at least 2, got {len(given)}; depth is estimated by comparing images")
+        raise ValueError(f"images: expected at least 2, got {len(given)}; depth is estimated by comparing images")
     if len(given) != len(cameras):
         raise ValueError(f"cameras: expected one for each of the {len(given)} images, got {len(cameras)}")
-    out: list[Picture] = []
-    for i, (picture, camera) in enumerate(zip(given, cameras, strict=True)):
+    out: list[Image] = []
+    for i, (image, camera) in enumerate(zip(given, cameras, strict=True)):
         size = (camera.intrinsic.height, camera.intrinsic.width)
-        if min(size) < MIN_PICTURE:
-            raise ValueError(f"cameras[{i}]: expected at least {MIN_PICTURE} pixels a side, got {size[1]} x {size[0]}")
-        if isinstance(picture, str | os.PathLike):
-            _check_file(Path(picture), size)
-            out.append(Path(picture))
+        if min(size) < MIN_IMAGE:
+            raise ValueError(f"cameras[{i}]: expected at least {MIN_IMAGE} pixels a side, got {size[1]} x {size[0]}")
+        if isinstance(image, str | os.PathLike):
+            _check_file(Path(image), size)
+            out.append(Path(image))
         else:
-            out.append(_check_array(f"pictures[{i}]", picture, size))
+            out.append(_check_array(f"images[{i}]", image, size))
     return out
 
 
 def _check_file(path: Path, size: tuple[int, int]) -> None:
-    from ...io.pictures.image_files import check_color_header, read_picture_header
+    from ...io.images.image_files import check_color_header, read_image_header
 
-    header = read_picture_header(path)
+    header = read_image_header(path)
     check_color_header(path, header)
     if (header.height, header.width) != size:
         reason = other_size("", (header.height, header.width), size)
         raise FileError(path, reason, remedy="Give the camera of this image")
 
 
-def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.uint8]:
-    array = check_numeric(name, picture)
+def _check_array(name: str, image: Any, size: tuple[int, int]) -> NDArray[np.uint8]:
+    array = check_numeric(name, image)
     if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3):
         raise ValueError(f"{name}: expected shape [h, w] or [h, w, 3], got {list(array.shape)}")
     if array.dtype != np.uint8:

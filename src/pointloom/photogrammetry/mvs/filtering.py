@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_positive, check_progress, check_share
+from ...core.checks import check_count, check_fraction, check_positive, check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
@@ -20,7 +20,7 @@ from ...kernels.lru_cache import LruCache
 from ...kernels.memory import download, upload
 from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support_depth
 from .depth_maps import DepthMap, DepthMaps
-from .posed_pictures import PosedCamera
+from .posed_images import PosedCamera
 
 MIN_CONFIRMED = 0.02  # fraction of confirmed depth below which poses are questioned
 MIN_VIEWS = 2
@@ -82,21 +82,21 @@ def filter_depth_maps(
         >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> poses = np.tile(np.eye(4), (3, 1, 1))
         >>> poses[:, 0, 3] = [0.0, -0.1, -0.2]
-        >>> cameras = [loom.mvs.PosedCamera(intrinsic, pose) for pose in poses]
+        >>> cameras = [loom.photogrammetry.PosedCamera(intrinsic, pose) for pose in poses]
         >>> wall = np.full((48, 64), 2.0)
         >>> wall[10, 20] = 1.5
         >>> normals = np.tile([0.0, 0.0, -1.0], (48, 64, 1))
         >>> given = [DepthMap(wall, normals, np.ones((48, 64)))] * 3
         >>> maps = DepthMaps(cameras, [(1, 2), (0, 2), (0, 1)], given)
-        >>> kept = loom.mvs.filter_depth_maps(maps)
+        >>> kept = loom.photogrammetry.filter_depth_maps(maps)
         >>> float(kept[0].depth[20, 30]), float(kept[0].depth[10, 20])
         (2.0, 0.0)
     """
     check_maps("maps", maps)
     required_views = check_count("min_views", min_views)
-    limits = check_positive("max_pixels", max_pixels), check_share("max_relative", max_relative)
-    surest = check_share("min_confidence", min_confidence)
-    support = math.ceil(check_share("min_support", min_support) * NEIGHBORS)
+    limits = check_positive("max_pixels", max_pixels), check_fraction("max_relative", max_relative)
+    surest = check_fraction("min_confidence", min_confidence)
+    support = math.ceil(check_fraction("min_support", min_support) * NEIGHBORS)
     where, report = resolve_device(device), check_progress(progress)
     if folder is not None and maps.folder is not None and maps.folder.resolve() == type(maps.folder)(folder).resolve():
         raise FileError(folder, "contains the maps to be filtered", remedy="Give another folder")
@@ -104,10 +104,10 @@ def filter_depth_maps(
     filtered = _filtered(maps, required_views, limits, surest, support, where, report, counts)
     result = DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
     if len(maps) > 1 and counts[1] < MIN_CONFIRMED * counts[0]:
-        share = f"{counts[1] / counts[0]:.1%} of {counts[0]} pixels"
+        fraction = f"{counts[1] / counts[0]:.1%} of {counts[0]} pixels"
         within = f"max_pixels {limits[0]:g} and max_relative {limits[1]:g}"
         message = (
-            f"almost no depth is confirmed ({share}) within {within}: check that T_camera_world is world to camera"
+            f"almost no depth is confirmed ({fraction}) within {within}: check that T_camera_world is world to camera"
         )
         warn_of_units(message, UserWarning)
     return result

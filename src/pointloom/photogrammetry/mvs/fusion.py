@@ -10,11 +10,11 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_list, check_numeric, check_positive, check_progress, check_share
+from ...core.checks import check_count, check_fraction, check_list, check_numeric, check_positive, check_progress
 from ...core.coordinates import choose_origin
 from ...core.devices import resolve_device
 from ...core.progress import ReportProgress
-from ...io.pictures.image_files import read_color, resize_color
+from ...io.images.image_files import read_color, resize_color
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.lang import float32, int32, uint8, vec3
@@ -26,7 +26,7 @@ from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from .depth_maps import DepthMaps
 from .filtering import CACHE_BYTES, check_maps, pair_of, pixel_count
-from .posed_pictures import PosedCamera
+from .posed_images import PosedCamera
 
 KINDS = ("points", "tsdf", "poisson")
 MIN_VIEWS = 2
@@ -41,9 +41,9 @@ SAMPLES = 1024  # sampled pixels per map for the overlap test
 PIXEL_BYTES = 23
 
 
-def fuse(
+def fuse_depth_maps(
     maps: DepthMaps,
-    pictures: Any,
+    images: Any,
     *,
     to: str = "points",
     voxel_size: float | None = None,
@@ -63,7 +63,7 @@ def fuse(
 
     Args:
         maps: From `filter_depth_maps`.
-        pictures: An image per map, a path or uint8 [h, w, 3] or [h, w], resized if necessary; None: no colors.
+        images: An image per map, a path or uint8 [h, w, 3] or [h, w], resized if necessary; None: no colors.
         to: "points", "tsdf" or "poisson".
         voxel_size: In pose units. "points": voxels with one point each, None: all points; "tsdf": voxel edge, None: 1.5
             typical pixels; "poisson": finest cell, None: 2.
@@ -93,11 +93,11 @@ def fuse(
         >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> poses = np.tile(np.eye(4), (2, 1, 1))
         >>> poses[1, 0, 3] = -0.1
-        >>> cameras = [loom.mvs.PosedCamera(intrinsic, pose) for pose in poses]
+        >>> cameras = [loom.photogrammetry.PosedCamera(intrinsic, pose) for pose in poses]
         >>> normals = np.tile([0.0, 0.0, -1.0], (48, 64, 1))
         >>> wall = DepthMap(np.full((48, 64), 2.0), normals, np.ones((48, 64)))
         >>> maps = DepthMaps(cameras, [(1,), (0,)], [wall, wall])
-        >>> cloud = loom.mvs.fuse(maps, [np.full((48, 64, 3), 200, np.uint8)] * 2)
+        >>> cloud = loom.photogrammetry.fuse_depth_maps(maps, [np.full((48, 64, 3), 200, np.uint8)] * 2)
         >>> len(cloud), int(cloud["views"].max()), float(cloud.points[:, 2].min())
         (2928, 2, 2.0)
     """
@@ -107,9 +107,9 @@ def fuse(
     voxel = None if voxel_size is None else check_positive("voxel_size", voxel_size)
     views = check_count("min_views", min_views)
     angle = check_positive("max_angle", max_angle, allow_zero=True, maximum=180.0)
-    max_offset, relative = check_positive("max_pixels", max_pixels), check_share("max_relative", max_relative)
+    max_offset, relative = check_positive("max_pixels", max_pixels), check_fraction("max_relative", max_relative)
     limits = Agreement(max_offset, relative, math.cos(math.radians(angle)))
-    colors = Colors(pictures, maps)
+    colors = Colors(images, maps)
     where, report = resolve_device(device), check_progress(progress)
     if to == "tsdf":
         return _fuse_volume(maps, colors, voxel, views, where, report)
@@ -120,36 +120,36 @@ def fuse(
 
 
 class Colors:
-    def __init__(self, pictures: Any, maps: DepthMaps):
-        self._pictures = None if pictures is None else check_list("pictures", pictures, "paths or images")
+    def __init__(self, images: Any, maps: DepthMaps):
+        self._images = None if images is None else check_list("images", images, "paths or images")
         self._cameras = maps.cameras
-        if self._pictures is not None and len(self._pictures) != len(maps):
-            raise ValueError(f"pictures: expected one for each of the {len(maps)} maps, got {len(self._pictures)}")
-        for i, each in enumerate(self._pictures or ()):
+        if self._images is not None and len(self._images) != len(maps):
+            raise ValueError(f"images: expected one for each of the {len(maps)} maps, got {len(self._images)}")
+        for i, each in enumerate(self._images or ()):
             if not isinstance(each, str | os.PathLike):
                 self._checked(i, each)
 
     def __bool__(self) -> bool:
-        return self._pictures is not None
+        return self._images is not None
 
     def __getitem__(self, i: int) -> NDArray[np.uint8] | None:
         """uint8 [h, w, 3] of the map's size, or None without images."""
-        if self._pictures is None:
+        if self._images is None:
             return None
-        each = self._pictures[i]
-        picture = read_color(each) if isinstance(each, str | os.PathLike) else self._checked(i, each)
-        if picture.ndim == 2:
-            picture = np.repeat(picture[:, :, None], 3, axis=2)
+        each = self._images[i]
+        image = read_color(each) if isinstance(each, str | os.PathLike) else self._checked(i, each)
+        if image.ndim == 2:
+            image = np.repeat(image[:, :, None], 3, axis=2)
         size = (self._cameras[i].intrinsic.height, self._cameras[i].intrinsic.width)
-        return picture if picture.shape[:2] == size else resize_color(picture, size, f"pictures[{i}]")
+        return image if image.shape[:2] == size else resize_color(image, size, f"images[{i}]")
 
     def _checked(self, i: int, value: Any) -> NDArray[Any]:
-        picture = check_numeric(f"pictures[{i}]", value)
-        if picture.dtype != np.uint8:
-            raise TypeError(f"pictures[{i}]: expected a path or uint8, got {picture.dtype}; scale floats by 255")
-        if picture.ndim not in (2, 3) or picture.shape[2:] not in ((), (3,)) or not picture.size:
-            raise ValueError(f"pictures[{i}]: expected shape [h, w] or [h, w, 3], got {list(picture.shape)}")
-        return picture
+        image = check_numeric(f"images[{i}]", value)
+        if image.dtype != np.uint8:
+            raise TypeError(f"images[{i}]: expected a path or uint8, got {image.dtype}; scale floats by 255")
+        if image.ndim not in (2, 3) or image.shape[2:] not in ((), (3,)) or not image.size:
+            raise ValueError(f"images[{i}]: expected shape [h, w] or [h, w, 3], got {list(image.shape)}")
+        return image
 
 
 class _MapsOnDevice:

@@ -28,8 +28,8 @@ from ...kernels.stereo.region_planes import TOLERANCE, judge_pixels, plane_prior
 from ...kernels.stereo.textureless_regions import find_regions
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
-from .picture_slots import Picture, Slots, picture_slots, plane_slots, put_brightness, put_planes, read_picture
-from .posed_pictures import PosedCamera
+from .image_slots import Image, Slots, image_slots, plane_slots, put_brightness, put_planes, read_image
+from .posed_images import PosedCamera
 
 
 @dataclasses.dataclass(frozen=True)
@@ -157,7 +157,7 @@ GOOD = 0.8  # cost below which a source matches
 class Setting:
     """The images, their sources, and depth ranges [pose units]. Images without sources are skipped."""
 
-    pictures: Sequence[Picture]
+    images: Sequence[Image]
     cameras: Sequence[PosedCamera]
     sources: Sequence[Sequence[int]]
     ranges: Sequence[tuple[float, float]]
@@ -248,7 +248,7 @@ class _PhaseRun:
         largest = max(each.width * each.height for each in self.cameras)
         min_slots = 1 + max(len(each) for each in setting.sources)
         count = min(max(setting.device_bytes // (SLOT_BYTES * largest), min_slots), len(setting.cameras))
-        self.brightness = picture_slots(count, largest, setting.device)
+        self.brightness = image_slots(count, largest, setting.device)
         self.maps: Slots = plane_slots(
             count if phase.geometric else 1, largest if phase.geometric else 1, setting.device
         )
@@ -297,7 +297,7 @@ class _PhaseRun:
         if self._views is not None and self._views[0] == index:
             return self._views[1:]
         setting, mine = self.setting, self.cameras[index]
-        first = self._picture(index)
+        first = self._image(index)
         tables = [self._source(index, j) for j in setting.sources[index]]
         there, map_there, map_back, layout, map_layout = (np.array(each) for each in zip(*tables, strict=True))
         slots = (self.brightness.values, self.maps.values)
@@ -314,7 +314,7 @@ class _PhaseRun:
     def _source(self, index: int, other: int) -> tuple[Any, ...]:
         mine, theirs, old = self.cameras[index], self.cameras[other], self.previous[other]
         T = self.setting.cameras[other].T_camera_world @ invert_pose(self.setting.cameras[index].T_camera_world)
-        layout = (theirs.width, theirs.height, self._picture(other))
+        layout = (theirs.width, theirs.height, self._image(other))
         there = projection(theirs, mine, T)
         if not self.phase.geometric or old is None:
             return there, there, there, layout, (0, 0, 0)
@@ -322,11 +322,11 @@ class _PhaseRun:
         size = (old.camera.width, old.camera.height, first)
         return there, projection(old.camera, mine, T), projection(mine, old.camera, invert_pose(T)), layout, size
 
-    def _picture(self, index: int) -> int:
+    def _image(self, index: int) -> int:
         camera = self.cameras[index]
 
         def load(first: int) -> None:
-            pixels = read_picture(f"pictures[{index}]", self.setting.pictures[index], self.setting.cameras[index])
+            pixels = read_image(f"images[{index}]", self.setting.images[index], self.setting.cameras[index])
             put_brightness(self.brightness, first, pixels, camera.width, camera.height)
 
         return self.brightness.first_of(index, load)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import inv, matmul, norm
-from .posed_pictures import PosedCamera
+from .posed_images import PosedCamera
 
 Matrix = NDArray[np.float64]
 MIN_SIDEWAYS = 0.5  # sine of the least angle between baseline and mean viewing direction

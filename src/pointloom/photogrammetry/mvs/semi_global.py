@@ -16,9 +16,9 @@ from ...kernels.stereo.census import LANES, NO_CODE, find_codes, rectify_brightn
 from ...kernels.stereo.disparities import RectifiedView, find_depth, find_disparities
 from ...kernels.stereo.path_sums import sum_paths
 from .depth_maps import DepthMap
-from .picture_slots import read_picture
+from .image_slots import read_image
 from .plane_search import Setting, no_depth
-from .posed_pictures import PosedCamera
+from .posed_images import PosedCamera
 from .rectification import RectifiedPair, rectify
 
 MAX_CELLS = 2**31 - 1  # pixels times disparities, numbered by int32
@@ -40,7 +40,7 @@ def plan_search(cameras: Sequence[PosedCamera], ranges: Sequence[tuple[float, fl
     count = -(-(last - first + 1) // LANES) * LANES
     if pair.width * pair.height * count > MAX_CELLS:
         raise ValueError(
-            f"pictures: expected at most {MAX_CELLS} pixels times disparities, got {pair.width} x {pair.height} x "
+            f"images: expected at most {MAX_CELLS} pixels times disparities, got {pair.width} x {pair.height} x "
             f'{count}. Reduce the size of the images, or pass method="patch_match".'
         )
     return PairSearch(pair, first, count)
@@ -69,7 +69,7 @@ def _codes(setting: Setting, pair: RectifiedPair, first: int, count: int) -> tup
     for i, view, codes, step, start in zip(
         pair.order, pair.views, (left, right), (1, -1), (0, pair.width - 1 - first), strict=True
     ):
-        pixels = read_picture(f"pictures[{i}]", setting.pictures[i], setting.cameras[i])
+        pixels = read_image(f"images[{i}]", setting.images[i], setting.cameras[i])
         flat = upload(pixels.reshape(-1), uint8, setting.device, copied=False)
         channels = 3 if pixels.ndim == 3 else 1
         there = None if view.there is None else inv(view.there)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count
 from ..frusta import sample_visibility
-from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sparse
+from .posed_images import PosedCamera, SparsePoints, check_cameras, check_sparse
 
 COUNT = 8
 MAX_SOURCES = 256  # limit for a reasonable run time
@@ -46,12 +46,12 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+        >>> from pointloom.photogrammetry.mvs.posed_images import SparsePoints
         >>> from pointloom.photogrammetry.mvs.sources import choose_sources
         >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> poses = np.tile(np.eye(4), (4, 1, 1))
         >>> poses[:, 0, 3] = [0.0, -0.1, -0.2, -2.0]
-        >>> cameras = [loom.mvs.PosedCamera(intrinsic, pose) for pose in poses]
+        >>> cameras = [loom.photogrammetry.PosedCamera(intrinsic, pose) for pose in poses]
         >>> sparse = SparsePoints([[0.0, 0.0, 1.0]], [[0, 0], [1, 0], [2, 0], [3, 0]])
         >>> choose_sources(cameras, sparse, count=2)
         ((1, 2), (0, 2), (1, 0), (2, 1))
@@ -78,14 +78,14 @@ class _Tracks:
 
     def __init__(self, observations: NDArray[np.int64], count: int):
         order = np.argsort(observations[:, 1], kind="stable")
-        self.pictures = observations[order, 0]
+        self.images = observations[order, 0]
         self.starts = np.searchsorted(observations[order, 1], np.arange(count + 1))
 
     def of(self, points: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         first, lengths = self.starts[points], np.diff(self.starts)[points]
         rows = np.repeat(np.arange(len(points)), lengths)
         inside = np.arange(len(rows)) - np.repeat(np.cumsum(lengths) - lengths, lengths)
-        return rows, self.pictures[np.repeat(first, lengths) + inside]
+        return rows, self.images[np.repeat(first, lengths) + inside]
 
 
 def _by_cover(
@@ -93,20 +93,20 @@ def _by_cover(
 ) -> tuple[int, ...]:
     """Sources by points shared with image i. None without such points."""
     mine = sparse.seen_by(i)
-    rows, pictures = tracks.of(mine)
-    others = pictures != i
-    rows, pictures = rows[others], pictures[others]
+    rows, images = tracks.of(mine)
+    others = images != i
+    rows, images = rows[others], images[others]
     at = sparse.points[mine[rows]]
-    weights = _worth(at - centers[i], at - centers[pictures])
+    weights = _worth(at - centers[i], at - centers[images])
     wanted, chosen = np.full(len(mine), ENOUGH), []
     for _ in range(max_count):
-        gain = np.bincount(pictures, np.minimum(weights, wanted[rows]), minlength=len(centers))
+        gain = np.bincount(images, np.minimum(weights, wanted[rows]), minlength=len(centers))
         gain[chosen] = 0.0
         best = int(gain.argmax())
         if not gain[best] > 0:
             break
         chosen.append(best)
-        its = pictures == best
+        its = images == best
         wanted[rows[its]] = np.maximum(wanted[rows[its]] - weights[its], 0.0)
     return tuple(chosen)
 
@@ -149,7 +149,7 @@ def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: fl
     z = samples @ poses[i, 2, :3] + poses[i, 2, 3]
     order = np.argsort(z, kind="stable")
     below = np.cumsum(weights[order]) / weights.sum()
-    nearest, farthest = (float(z[order[int(np.searchsorted(below, share))]]) for share in (low, high - 1e-9))
+    nearest, farthest = (float(z[order[int(np.searchsorted(below, fraction))]]) for fraction in (low, high - 1e-9))
     return nearest, farthest
 
 

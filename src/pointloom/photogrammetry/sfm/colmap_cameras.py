@@ -35,7 +35,7 @@ _AS_GOOD = 1.1  # maximum relative error of merged cameras
 
 _MIN_POINTS = 30  # minimum points for the checks
 _MAX_POINTS = 1500  # adjusted points, unless there are many images
-_POINTS_A_PICTURE = 25
+_POINTS_A_IMAGE = 25
 _MIN_SEEN = 20  # minimum points for an own camera
 _RICHER = {"SIMPLE_PINHOLE": ("RADIAL", 2), "PINHOLE": ("OPENCV", 4), "SIMPLE_RADIAL": ("RADIAL", 1)}
 _BLOCKS, _CELLS = 6, 3  # jackknife groups: sequence blocks, image cells per side
@@ -75,7 +75,7 @@ def thinned(pycolmap: Any, model: Any) -> Any:
     for number in [number for number in copy.point3D_ids() if copy.point3D(number).track.length() < 2]:
         copy.delete_point3D(number)
     numbers = sorted(copy.point3D_ids())
-    max_points = max(_MAX_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
+    max_points = max(_MAX_POINTS, _POINTS_A_IMAGE * copy.num_reg_images())
     selected = (
         {numbers[k] for k in np.linspace(0, len(numbers) - 1, max_points).round().astype(int)} if numbers else set()
     )
@@ -278,10 +278,10 @@ def spread_of_parts(pycolmap: Any, model: Any) -> float:
     """Relative standard error of the focal length: jackknives over image regions and sequences, and a richer lens."""
     numbers = sorted(model.reg_image_ids())
     blocks = {number: k * _BLOCKS // len(numbers) for k, number in enumerate(numbers)}
-    by_picture = [_focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_BLOCKS)]
+    by_image = [_focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_BLOCKS)]
     by_cell = [_focal_without(pycolmap, model, lambda _n, *at, k=k: _cell(*at) == k) for k in range(_CELLS**2)]
     bent = abs(_focal_of_richer_lens(pycolmap, model) - _log_focal(model)) / 2
-    return max(_jackknife(by_picture), _jackknife(by_cell), bent)
+    return max(_jackknife(by_image), _jackknife(by_cell), bent)
 
 
 def _cell(xy: Any, size: tuple[int, int]) -> int:

@@ -47,7 +47,7 @@ def main() -> int:
     pycolmap.logging.logtostderr = True
     pycolmap.logging.minloglevel = pycolmap.logging.WARNING.value
     pycolmap.set_random_seed(job.get("seed", 0))
-    stages = {"features": find_features, "matches": match, "model": map_pictures, "points": triangulate}
+    stages = {"features": find_features, "matches": match, "model": map_images, "points": triangulate}
     try:
         done = stages[job["stage"]](pycolmap, job, answers)
     except MemoryError:
@@ -71,7 +71,7 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
         reader.camera_model, reader.camera_params = group["model"], group["params"]
         reader.default_focal_length_factor = FISHEYE_FACTOR if is_fisheye(group["model"]) else FOCAL_FACTOR
         options = {"camera_mode": pycolmap.CameraMode.SINGLE, "image_names": group["names"]}
-        pycolmap.import_images(job["database"], job["pictures"], options=reader, **options)
+        pycolmap.import_images(job["database"], job["images"], options=reader, **options)
         if group["doubted"]:
             _forget_focal_length(pycolmap, job["database"], group, reader.default_focal_length_factor)
     names = [name for group in job["groups"] for name in group["names"]]
@@ -80,7 +80,7 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
         reading.mask_path = job["masks"]
     options = {"reader_options": reading, "extraction_options": extraction}
     options["device"] = pycolmap.Device.cuda if extraction.use_gpu else pycolmap.Device.cpu
-    pycolmap.extract_features(job["database"], job["pictures"], image_names=names, **options)
+    pycolmap.extract_features(job["database"], job["images"], image_names=names, **options)
     return {"gpu": extraction.use_gpu}
 
 
@@ -179,7 +179,7 @@ def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
     return {"gpu": matching.use_gpu}
 
 
-def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
+def map_images(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
     """Map, check the cameras (several cameras, EXIF's focal length), and write the largest model."""
     models = _mapped(pycolmap, job, answers)
     done: dict[str, Any] = {"sizes": [model.num_reg_images() for model in models], "cameras": {}}
@@ -207,7 +207,7 @@ def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
         adjustment = options.mapper.bundle_adjustment
         adjustment.refine_focal_length = adjustment.refine_extra_params = False
     scratch = tempfile.mkdtemp(dir=job["scratch"])
-    return pycolmap.global_mapping(job["database"], job["pictures"], scratch, options=options)
+    return pycolmap.global_mapping(job["database"], job["images"], scratch, options=options)
 
 
 def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
@@ -231,7 +231,7 @@ def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> 
 
     return pycolmap.incremental_mapping(
         job["database"],
-        job["pictures"],
+        job["images"],
         scratch,
         options=options,
         initial_image_pair_callback=begin,

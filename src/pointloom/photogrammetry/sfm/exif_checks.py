@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from ...core.errors import FilePath
+from ...io.images.photo_files import plain_number, read_exif
 from ...io.optional_imports import ignored_errors
-from ...io.pictures.photo_files import plain_number, read_exif
-from .picture_folder import ORIENTATION, read_header
-from .picture_writing import counted, some_of
+from .image_folder import ORIENTATION, read_header
+from .image_writing import counted, some_of
 
 # Plausible focal lengths over the longer side: a hemispherical fisheye has 0.3, mapping accepts up to 10 (360 mm on 35
 # mm film).

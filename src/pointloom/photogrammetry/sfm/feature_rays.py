@@ -27,8 +27,8 @@ class FeatureRays:
     rays: NDArray[np.float64]
     descriptors: NDArray[np.uint8]
 
-    def of(self, picture: int) -> slice:
-        return slice(int(self.firsts[picture]), int(self.firsts[picture + 1]))
+    def of(self, image: int) -> slice:
+        return slice(int(self.firsts[image]), int(self.firsts[image + 1]))
 
 
 def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[CameraModel]) -> FeatureRays:

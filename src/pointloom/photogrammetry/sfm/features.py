@@ -17,15 +17,15 @@ from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, quality
 from ...core.timing import Clock
-from ...io.pictures.image_files import read_picture_header
+from ...io.images.image_files import read_image_header
 from ...kernels.language.cpu_pool import usable_cores
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .exif_checks import focal_problem
 from .frames import check_option
+from .image_folder import UPRIGHT, check_path, is_gray_16, list_images, read_lens, read_orientation, scaled_size
+from .image_writing import some_of
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
-from .picture_folder import UPRIGHT, check_path, is_gray_16, list_pictures, read_lens, read_orientation, scaled_size
-from .picture_writing import some_of
 
 CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
@@ -69,6 +69,7 @@ class FeatureReport(Assessed):
 
     @property
     def poor_names(self) -> tuple[str, ...]:
+        """Names of images with few features."""
         return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _FEW)
 
     @property
@@ -91,7 +92,7 @@ class FeatureReport(Assessed):
 
 
 def find_features(
-    pictures: FilePath,
+    images: FilePath,
     database: FilePath,
     *,
     camera_model: str = "SIMPLE_RADIAL",
@@ -109,11 +110,11 @@ def find_features(
     """Find SIFT features (Lowe 2004) in each image of a folder.
 
     Args:
-        pictures: Folder of upright 8-bit PNG or JPEG images, as from `choose_frames`.
+        images: Folder of upright 8-bit PNG or JPEG images, as from `choose_frames`.
         database: Output file (COLMAP database); replaced if it exists.
         camera_model: COLMAP camera model. Its parameters are estimated later. Images with the same size and the same
             EXIF make, model and focal length share a camera.
-        intrinsic: Known camera of all images, scaled to their size. `map_pictures(..., fix_intrinsic=True)` keeps it.
+        intrinsic: Known camera of all images, scaled to their size. `map_images(..., fix_intrinsic=True)` keeps it.
         max_size: Maximum image side for feature extraction [px].
         max_features: Maximum number per image.
         masks: Folder of masks as from `choose_frames`: IMG_1.jpg.png for IMG_1.jpg, no features where black. Images
@@ -153,7 +154,7 @@ def find_features(
     check_seed(seed)
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
-    folder, target = check_path("pictures", pictures), check_writable(check_path("database", database))
+    folder, target = check_path("images", images), check_writable(check_path("database", database))
     groups = _groups(folder, by_lens=intrinsic is None)
     problems = {} if intrinsic is not None else _focal_problems(folder, groups)
     job = _job_of(folder, groups, camera_model, intrinsic, problems) | {"seed": int(seed), "kind": kind}
@@ -189,12 +190,12 @@ def _job_of(
         _group(size, names, camera_model, intrinsic) | {"doubted": names[0] in problems}
         for (size, _), names in groups.items()
     ]
-    return {"stage": "features", "pictures": os.fspath(folder.resolve()), "groups": cameras}
+    return {"stage": "features", "images": os.fspath(folder.resolve()), "groups": cameras}
 
 
-def _masks_beside(database: Path, pictures: Path, masks: dict[str, Path]) -> str:
+def _masks_beside(database: Path, images: Path, masks: dict[str, Path]) -> str:
     folder = database.with_name("masks")
-    complete_masks(list_pictures(pictures), masks, folder)
+    complete_masks(list_images(images), masks, folder)
     return os.fspath(folder)
 
 
@@ -231,7 +232,7 @@ def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
         raise DatasetError(
             path, "is not a folder", remedy="Give the folder of the masks, with IMG_1.jpg.png for IMG_1.jpg"
         )
-    return check_mask_files(list_pictures(folder), path)
+    return check_mask_files(list_images(folder), path)
 
 
 def threads_for(sizes: list[tuple[int, int]], max_size: int, memory: float) -> int:
@@ -252,14 +253,14 @@ Group = tuple[tuple[int, int], tuple[str, ...]]
 
 def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
     """Image names by size and EXIF lens, the group of the first image first. FileError if unsuitable for COLMAP."""
-    paths = sorted(list_pictures(folder), key=lambda path: path.name)
+    paths = sorted(list_images(folder), key=lambda path: path.name)
     if len(paths) < 2:
         raise DatasetError(
             folder, "contains only one image; structure from motion needs two", remedy="Give another folder"
         )
     groups: dict[Group, list[str]] = {}
     for path in paths:
-        header = read_picture_header(path)
+        header = read_image_header(path)
         fault = "is 16-bit gray" if is_gray_16(header) else ""
         if read_orientation(path) != UPRIGHT:
             fault = "has an EXIF orientation that is not upright"

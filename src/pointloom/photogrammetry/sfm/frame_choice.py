@@ -14,7 +14,7 @@ class FrameChoice(Assessed):
 
     Args:
         source: The video or folder.
-        kind: "video" or "pictures".
+        kind: "video" or "images".
         reader: The decoder: "ffmpeg", "opencv", or "" for images.
         names: Names of the written images, in sorted order.
         numbers: Frame numbers in the video, or image numbers in the folder, from 0.

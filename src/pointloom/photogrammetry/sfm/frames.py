@@ -16,11 +16,11 @@ from ...core.reports import failed
 from ...core.timing import Clock
 from .frame_choice import FrameChoice
 from .frame_picker import ANALYSIS_SIZE, FramePicker, spaced
+from .image_choice import choose_images
+from .image_folder import check_path
+from .image_writing import KINDS, Wanted, counted, new_folder, some_of, write_image
 from .limited_process import check_limits
 from .masks import MakeMask, check_masks, mask_folder, write_masks
-from .picture_choice import choose_pictures
-from .picture_folder import check_path
-from .picture_writing import KINDS, Wanted, counted, new_folder, some_of, write_picture
 from .video_files import READERS, VideoFile, VideoFrames, open_video
 
 _DIGITS = 6
@@ -71,7 +71,7 @@ def _write(
     with VideoFrames(video, max_size=wanted.max_size, numbers=numbers, **limits) as frames:
         for number, pixels in zip(numbers, frames, strict=False):
             names.append(f"frame_{number:0{_DIGITS}d}.{wanted.kind}")
-            write_picture(wanted.folder / names[-1], pixels)
+            write_image(wanted.folder / names[-1], pixels)
             sizes[pixels.shape[1], pixels.shape[0]] += 1
             report("write", len(names), len(numbers))
         if len(names) < len(numbers):
@@ -168,7 +168,7 @@ def choose_frames(
         >>> for number in (1, 2, 10):
         ...     pixels = np.random.default_rng(number).integers(0, 256, (24, 32, 3), dtype=np.uint8)
         ...     Image.fromarray(pixels).save(f"photographs/{number}.png")
-        >>> choice = loom.sfm.choose_frames("photographs", "frames")
+        >>> choice = loom.photogrammetry.choose_frames("photographs", "frames")
         >>> choice.names, choice.sizes
         (('0000_1.png', '0001_2.png', '0002_10.png'), {(32, 24): 3})
     """
@@ -189,7 +189,7 @@ def choose_frames(
             undo.enter_context(new_folder(mask_folder(target)))
         undo.enter_context(new_folder(target))
         if source_path.is_dir():
-            choice = choose_pictures(source_path, wanted, report)
+            choice = choose_images(source_path, wanted, report)
         else:
             picker = FramePicker(min_movement=float(min_movement), max_gap=max_gap)
             choice = choose_video_frames(open_video(source_path, reader=reader), picker, wanted, limits, report)

@@ -14,11 +14,11 @@ from ...cameras.camera_models import CameraModel
 from ...core.progress import ReportProgress
 from ...io.models.sfm_model import SfmModel
 from ...kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
-from ..frusta import shares_in_view
+from ..frusta import fractions_in_view
 from .feature_rays import FeatureRays, focal_of, pinhole_of
 
 MAX_PARTNERS = 20  # maximum partners per image, those with most in common
-MIN_SHARE = 0.05  # minimum fraction of common view of a partner
+MIN_FRACTION = 0.05  # minimum fraction of common view of a partner
 RATIO = 0.8  # ratio of nearest to second nearest distance (Lowe 2004)
 MAX_SQDIST = 123_000  # descriptors of norm 512 are 0.7 rad apart, as in COLMAP
 PAIRS_AT_ONCE = 32
@@ -45,11 +45,11 @@ class PairMatches:
 
 def pairs_in_view(cameras: Sequence[CameraModel], poses: NDArray[np.float64]) -> Pairs:
     """Image pairs with common view: each with up to 20 others, [p, 2], ascending."""
-    shares = shares_in_view([pinhole_of(camera) for camera in cameras], poses)
+    fractions = fractions_in_view([pinhole_of(camera) for camera in cameras], poses)
     pairs = set()
-    for i, row in enumerate(shares):
+    for i, row in enumerate(fractions):
         best = np.argsort(-row, kind="stable")[:MAX_PARTNERS]
-        pairs |= {(min(i, j), max(i, j)) for j in best.tolist() if row[j] >= MIN_SHARE}
+        pairs |= {(min(i, j), max(i, j)) for j in best.tolist() if row[j] >= MIN_FRACTION}
     return np.array(sorted(pairs), np.int64).reshape(-1, 2)
 
 

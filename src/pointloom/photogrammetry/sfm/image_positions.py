@@ -23,8 +23,8 @@ from ...core.checks import check_list
 from ...core.errors import FileError, FilePath
 from ...io.optional_imports import ignored_errors
 from ...pcd.geodesy import WorldFrame
-from .picture_folder import ORIENTATION, UPRIGHT, check_path, list_pictures
-from .picture_writing import counted, some_of
+from .image_folder import ORIENTATION, UPRIGHT, check_path, list_images
+from .image_writing import counted, some_of
 
 MAX_BYTES = 1 << 20  # searched part of XMP
 _ENTRY = re.compile(
@@ -103,7 +103,7 @@ _NO_FIX = "V"  # GPSStatus: measurement void
 
 
 @dataclass(frozen=True)
-class PicturePlace:
+class ImagePosition:
     """Position of an image from its metadata.
 
     Attributes:
@@ -132,21 +132,21 @@ class PicturePlace:
 
 
 @dataclass(frozen=True)
-class PicturePlaces:
+class ImagePositions:
     """Positions of a set of images.
 
     Attributes:
         places: Valid positions, in image order.
         attitudes: Yaw, pitch and roll by name, also of images without a position.
         refused: Reason of each rejected position, by image name.
-        picture_count: Number of images.
+        image_count: Number of images.
         altitudes_refused: Rejected altitudes [m], by name. The position is used without.
     """
 
-    places: tuple[PicturePlace, ...]
+    places: tuple[ImagePosition, ...]
     attitudes: dict[str, tuple[float, float, float]] = field(default_factory=dict)
     refused: dict[str, str] = field(default_factory=dict)
-    picture_count: int = 0
+    image_count: int = 0
     altitudes_refused: dict[str, float] = field(default_factory=dict)
 
     def __len__(self) -> int:
@@ -154,7 +154,7 @@ class PicturePlaces:
 
     def __repr__(self) -> str:
         wrong = f", {len(self.refused)} refused" if self.refused else ""
-        return f"PicturePlaces({len(self)} of {counted(self.picture_count, 'picture')}{wrong})"
+        return f"ImagePositions({len(self)} of {counted(self.image_count, 'image')}{wrong})"
 
     @property
     def frame(self) -> WorldFrame:
@@ -180,12 +180,12 @@ class PicturePlaces:
             "places": [asdict(position) for position in self.places],
             "attitudes": {name: list(angles) for name, angles in self.attitudes.items()},
             "refused": dict(self.refused),
-            "picture_count": self.picture_count,
+            "image_count": self.image_count,
             "altitudes_refused": dict(self.altitudes_refused),
         }
 
 
-def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
+def read_image_positions(source: FilePath | Iterable[FilePath]) -> ImagePositions:
     """Read the positions of photographs from EXIF and XMP.
 
     Args:
@@ -208,12 +208,12 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
         >>> exif = Image.Exif()
         >>> exif.get_ifd(0x8825).update({1: "N", 2: (47.0, 30.0, 0.0), 3: "E", 4: (8.0, 15.0, 0.0), 6: 430.0})
         >>> Image.new("RGB", (8, 8)).save("a.jpg", exif=exif)
-        >>> position = loom.sfm.read_picture_places(["a.jpg"]).places[0]
+        >>> position = loom.photogrammetry.read_image_positions(["a.jpg"]).places[0]
         >>> position.latitude, position.longitude, position.altitude
         (47.5, 8.25, 430.0)
     """
     if isinstance(source, str | os.PathLike):
-        paths = list_pictures(check_path("source", source))
+        paths = list_images(check_path("source", source))
     else:
         paths = [check_path(f"source[{k}]", path) for k, path in enumerate(check_list("source", source, "paths"))]
     positions, attitudes, refused, heights = [], {}, {}, {}
@@ -232,16 +232,16 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
                 position = replace(position, altitude=None)
             positions.append(position)
     remaining = _without_far(positions, refused)
-    return PicturePlaces(tuple(remaining), attitudes, refused, len(paths), heights)
+    return ImagePositions(tuple(remaining), attitudes, refused, len(paths), heights)
 
 
 def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
     """EXIF's GPS tags, XMP, and whether EXIF rotates the image."""
     if not path.is_file():
         raise FileError(path, "does not exist")
-    with ignored_errors(), Image.open(path) as picture:  # unreadable metadata is ignored
-        xmp = next((picture.info[key] for key in _XMP_KEYS if picture.info.get(key)), None)
-        exif = picture.getexif()
+    with ignored_errors(), Image.open(path) as image:  # unreadable metadata is ignored
+        xmp = next((image.info[key] for key in _XMP_KEYS if image.info.get(key)), None)
+        exif = image.getexif()
         gps: dict[int, Any] = {}
         with ignored_errors():
             gps = dict(exif.get_ifd(_GPS))
@@ -249,7 +249,7 @@ def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
     return {}, Xmp(), False
 
 
-def _position_of(name: str, gps: dict[int, Any], xmp: Xmp, *, is_rotated: bool) -> PicturePlace | None:
+def _position_of(name: str, gps: dict[int, Any], xmp: Xmp, *, is_rotated: bool) -> ImagePosition | None:
     if _LATITUDE not in gps and _LONGITUDE not in gps:
         return None
     if _text(gps.get(_STATUS)) == _NO_FIX:
@@ -260,7 +260,7 @@ def _position_of(name: str, gps: dict[int, Any], xmp: Xmp, *, is_rotated: bool) 
         raise ValueError("its position is 0, 0, as written without a fix")
     direction = _number(gps.get(_DIRECTION)) if _text(gps.get(_DIRECTION_FROM, "T")) == "T" else None
     error = xmp.horizontal_sigma or _number(gps.get(_ERROR))
-    return PicturePlace(
+    return ImagePosition(
         name=name,
         latitude=latitude,
         longitude=longitude,
@@ -319,7 +319,7 @@ def _text(value: Any) -> str:
     return text.strip("\0 ").upper()[:1] or "?"
 
 
-def _without_far(positions: list[PicturePlace], refused: dict[str, str]) -> list[PicturePlace]:
+def _without_far(positions: list[ImagePosition], refused: dict[str, str]) -> list[ImagePosition]:
     if len(positions) < 3:
         return positions
     meters = meters_about_median(positions)
@@ -330,7 +330,7 @@ def _without_far(positions: list[PicturePlace], refused: dict[str, str]) -> list
     return [position for position in positions if position.name not in refused]
 
 
-def meters_about_median(positions: list[PicturePlace]) -> NDArray[np.float64]:
+def meters_about_median(positions: list[ImagePosition]) -> NDArray[np.float64]:
     """Approximate positions about their median, [n, 2] [m]."""
     degrees = np.array([[position.latitude, position.longitude] for position in positions])
     degrees[:, 1] = _unwrapped(degrees[:, 1].tolist())

@@ -26,7 +26,7 @@ _LAST_LINES = 6  # quoted lines of program output
 _LAST_BYTES = 16384
 _LINE_LENGTH = 300
 _ADDRESS = re.compile(r"\s*(@ .*|\*\*\* .*|PC: .*)?$")  # a stack line, or an empty one
-_MEMORY_SHARE = 0.9  # fraction of the free memory at start
+_MEMORY_FRACTION = 0.9  # fraction of the free memory at start
 _KIBIBYTE = 1024
 
 
@@ -170,5 +170,5 @@ def free_memory() -> float:
         with contextlib.suppress(OSError, ValueError, IndexError):
             for line in Path("/proc/meminfo").read_text(encoding="utf-8").splitlines():
                 if line.startswith("MemAvailable:"):
-                    return _MEMORY_SHARE * int(line.split()[1]) * _KIBIBYTE
+                    return _MEMORY_FRACTION * int(line.split()[1]) * _KIBIBYTE
     return float("inf")

@@ -18,19 +18,19 @@ from ...io.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
 from .colmap_jobs import MAX_SECONDS, names_by_number, open_database, run_job, scratch_beside
 from .frames import check_option
+from .image_folder import check_path
+from .image_writing import new_folder
 from .limited_process import check_limits
 from .model_quality import ModelQuality, assess_model
-from .picture_folder import check_path
-from .picture_writing import new_folder
 from .repetition_check import check_repetition
 
 MAPPERS = ("auto", "incremental", "global")
-MANY_PICTURES = 150  # up to here incremental mapping costs about as much as global mapping
+MANY_IMAGES = 150  # up to here incremental mapping costs about as much as global mapping
 
 
 @dataclasses.dataclass(frozen=True)
 class SfmResult(Assessed):
-    """Result of `map_pictures`.
+    """Result of `map_images`.
 
     Args:
         model: The largest model. None if there is none.
@@ -57,8 +57,8 @@ class SfmResult(Assessed):
         return fields | {"peak_bytes": self.peak_bytes, "quality": self.quality.to_dict(), **quality(self)}
 
 
-def map_pictures(
-    pictures: FilePath,
+def map_images(
+    images: FilePath,
     matches: FilePath,
     folder: FilePath,
     *,
@@ -72,7 +72,7 @@ def map_pictures(
     """Estimate camera poses and points from matches.
 
     Args:
-        pictures: Image folder, for the point colors.
+        images: Image folder, for the point colors.
         matches: Database of `match`. Not modified.
         folder: Output folder of the model (COLMAP binary), new or empty.
         fix_intrinsic: Keep the cameras given to `find_features`.
@@ -96,8 +96,8 @@ def map_pictures(
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.photogrammetry.sfm.mapping import map_pictures
-        >>> map_pictures(".", "matches.db", "sparse")
+        >>> from pointloom.photogrammetry.sfm.mapping import map_images
+        >>> map_images(".", "matches.db", "sparse")
         Traceback (most recent call last):
         pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features creates one
     """
@@ -107,12 +107,12 @@ def map_pictures(
     check_option("mapper", mapper, MAPPERS)
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
-    source, database = check_path("pictures", pictures), check_path("matches", matches)
+    source, database = check_path("images", images), check_path("matches", matches)
     target = check_path("folder", folder)
     if not source.is_dir():
-        raise DatasetError(pictures, "is not a folder", remedy="Give the folder of the images")
+        raise DatasetError(images, "is not a folder", remedy="Give the folder of the images")
     names = _names_of(database)
-    job: dict[str, Any] = {"stage": "model", "pictures": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
+    job: dict[str, Any] = {"stage": "model", "images": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
     chosen = mapper if mapper != "auto" else choose_mapper(len(names))
     job |= {"fixed_camera": fix_intrinsic, "mapper": chosen}
     report("model", 0, len(names))
@@ -127,8 +127,8 @@ def map_pictures(
     return SfmResult(model, os.fspath(target), assessed, missing, clock.seconds, {"model": peak})
 
 
-def choose_mapper(picture_count: int) -> str:
-    return "global" if picture_count > MANY_PICTURES else "incremental"
+def choose_mapper(image_count: int) -> str:
+    return "global" if image_count > MANY_IMAGES else "incremental"
 
 
 def _names_of(database: Path) -> list[str]:

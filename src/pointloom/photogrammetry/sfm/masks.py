@@ -14,11 +14,11 @@ from PIL import Image
 
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.masked_arrays import unmasked
-from ...io.pictures.image_files import decode_texture, read_color, read_picture_header, write_png
-from ...io.pictures.photo_files import is_photo, read_alpha
+from ...io.images.image_files import decode_texture, read_color, read_image_header, write_png
+from ...io.images.photo_files import is_photo, read_alpha
 from .frame_choice import FrameChoice
-from .picture_folder import UPRIGHT, list_photographs, read_orientation, read_stored, upright
-from .picture_writing import counted, some_of
+from .image_folder import UPRIGHT, list_photographs, read_orientation, read_stored, upright
+from .image_writing import counted, some_of
 
 ALPHA = "alpha"
 FOLDER = "_masks"  # appended to the image folder's name
@@ -42,8 +42,8 @@ def check_masks(masks: Any) -> FilePath | MakeMask | None:
     return masks
 
 
-def mask_folder(pictures: Path) -> Path:
-    return pictures.with_name(pictures.name + FOLDER)
+def mask_folder(images: Path) -> Path:
+    return images.with_name(images.name + FOLDER)
 
 
 def mask_file(folder: Path, name: str) -> Path:
@@ -60,27 +60,27 @@ def write_mask(folder: Path, name: str, mask: NDArray[np.bool_]) -> None:
 
 
 def read_mask(path: FilePath, size: tuple[int, int]) -> NDArray[np.bool_]:
-    header = read_picture_header(path)
+    header = read_image_header(path)
     if (header.width, header.height) != size:
         reason = f"expected a mask of {size[0]} x {size[1]} pixels as its image, got {header.width} x {header.height}"
         raise FileError(path, reason, remedy="Create masks of the size of their images")
     return read_color(path).max(axis=2) >= MASK_THRESHOLD
 
 
-def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePath | MakeMask) -> FrameChoice:
+def write_masks(choice: FrameChoice, source: Path, images: Path, masks: FilePath | MakeMask) -> FrameChoice:
     """Write the masks of the selected images, and remove images that are completely masked."""
-    folder = mask_folder(pictures)
+    folder = mask_folder(images)
     originals = list_photographs(source)[0] if source.is_dir() else []
     selected, hidden, missing = [], {}, []
     for k, (name, number) in enumerate(zip(choice.names, choice.numbers, strict=True)):
         origin = originals[number] if originals else None
-        header = read_picture_header(pictures / name)
-        mask = _mask_of(masks, pictures / name, origin, (header.width, header.height))
+        header = read_image_header(images / name)
+        mask = _mask_of(masks, images / name, origin, (header.width, header.height))
         if mask is None:
             missing.append(name)
         elif hides_all(mask):
             hidden[name if origin is None else origin.name] = "its mask excludes all pixels"
-            (pictures / name).unlink()
+            (images / name).unlink()
             continue
         else:
             write_mask(folder, name, mask)
@@ -129,30 +129,30 @@ def check_some_left(source: Path, masks: Any, hidden: list[str], missing: list[s
     _check_any_mask(source, masks, missing, count)
 
 
-def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+def _mask_of(masks: Any, image: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
     """The mask of an image as it was written. None if missing."""
     if callable(masks):
-        return _of_function(masks, read_color(picture), picture.name if origin is None else origin.name, size)
+        return _of_function(masks, read_color(image), image.name if origin is None else origin.name, size)
     if masks == ALPHA:
         alpha = None if origin is None else _alpha_of(origin)
         return None if origin is None or alpha is None else _fitted(origin, alpha >= MASK_THRESHOLD, origin, size)
-    path = _mask_path(masks, (*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem))
+    path = _mask_path(masks, (*(() if origin is None else (origin.name, origin.stem)), image.name, image.stem))
     return None if path is None else _fitted(path, read_color(path).max(axis=2) >= MASK_THRESHOLD, origin, size)
 
 
-def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+def mask_as_stored(masks: FilePath | MakeMask, image: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
     """The mask of a photograph in stored orientation. None if missing. A mask function gets the image as stored."""
     if callable(masks):
-        return _of_function(masks, read_stored(picture), picture.name, size)
+        return _of_function(masks, read_stored(image), image.name, size)
     if masks == ALPHA:
-        alpha = _alpha_of(picture)
-        return None if alpha is None else _fitted(picture, alpha >= MASK_THRESHOLD, None, size)
-    path = _mask_path(masks, (picture.name, picture.stem))
+        alpha = _alpha_of(image)
+        return None if alpha is None else _fitted(image, alpha >= MASK_THRESHOLD, None, size)
+    path = _mask_path(masks, (image.name, image.stem))
     if path is None:
         return None
     mask = read_color(path).max(axis=2) >= MASK_THRESHOLD
     if (mask.shape[1], mask.shape[0]) != size:  # drawn on the upright image
-        mask = upright(mask, _BACK.get(orientation := read_orientation(picture), orientation))
+        mask = upright(mask, _BACK.get(orientation := read_orientation(image), orientation))
     return _fitted(path, mask, None, size)
 
 
@@ -181,7 +181,7 @@ def _of_function(
 def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
     if is_photo(path):
         return read_alpha(path)
-    header = read_picture_header(path)
+    header = read_image_header(path)
     if header.kind != "png" or header.channels not in (2, 4) or header.bits != 8:
         return None
     return decode_texture(path, path.read_bytes())[..., 3]
@@ -202,29 +202,29 @@ def _fitted(path: Path, mask: NDArray[np.bool_], origin: Path | None, size: tupl
     raise FileError(path, reason, remedy="Create masks of the size of their images")
 
 
-def check_mask_files(pictures: Sequence[Path], folder: Path) -> dict[str, Path]:
+def check_mask_files(images: Sequence[Path], folder: Path) -> dict[str, Path]:
     result: dict[str, Path] = {}
-    for path in pictures:
+    for path in images:
         mask_path = mask_file(folder, path.name)
         if not mask_path.is_file():
             continue
-        header = read_picture_header(path)
+        header = read_image_header(path)
         if read_mask(mask_path, (header.width, header.height)).mean() < _MIN_VISIBLE:
             raise FileError(mask_path, "excludes all pixels of its image", remedy=f"Leave out {path.name}, or its mask")
         result[path.name] = mask_path
     if not result:
-        reason = f"contains no mask of an image, such as {pictures[0].name}.png"
+        reason = f"contains no mask of an image, such as {images[0].name}.png"
         raise DatasetError(folder, reason, remedy="Name masks like their images, with .png appended")
     return result
 
 
-def complete_masks(pictures: Sequence[Path], masks: dict[str, Path], folder: Path) -> None:
+def complete_masks(images: Sequence[Path], masks: dict[str, Path], folder: Path) -> None:
     """Write a white mask for each image without one, since COLMAP ignores images without masks."""
     folder.mkdir()
-    for path in pictures:
+    for path in images:
         mask_path = mask_file(folder, path.name)
         if path.name in masks:
             mask_path.write_bytes(masks[path.name].read_bytes())
         else:
-            header = read_picture_header(path)
+            header = read_image_header(path)
             write_png(mask_path, np.full((header.height, header.width), 255, np.uint8))

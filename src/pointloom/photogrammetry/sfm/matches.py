@@ -28,9 +28,9 @@ from ...core.timing import Clock
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, names_by_number, open_database, run_job
 from .features import check_use_gpu, usable_cores
 from .frames import check_option
+from .image_folder import check_path
+from .image_writing import some_of
 from .limited_process import check_limits
-from .picture_folder import check_path
-from .picture_writing import some_of
 
 Descriptors = NDArray[np.uint8]
 WORDS = 64
@@ -69,8 +69,8 @@ def nearest_words(descriptors: Descriptors, words: Descriptors) -> NDArray[np.in
 def learn_words(sets: Sequence[Descriptors], count: int, seed: int) -> Descriptors:
     """k-means centers (Lloyd 1982) of a sample of descriptors, rounded to uint8 [up to count, length]."""
     rng = np.random.default_rng(seed)
-    share = max(1, SAMPLE // max(len(sets), 1))
-    taken = [each[np.sort(rng.permutation(len(each))[:share])] for each in sets]
+    fraction = max(1, SAMPLE // max(len(sets), 1))
+    taken = [each[np.sort(rng.permutation(len(each))[:fraction])] for each in sets]
     sample = np.concatenate(taken)
     different = np.unique(sample, axis=0)
     words = different[np.sort(rng.permutation(len(different))[:count])]
@@ -93,7 +93,7 @@ def describe(descriptors: Descriptors, words: Descriptors) -> NDArray[np.float64
     return np.rint(FINE * rooted / np.maximum(lengths, 1.0)).ravel()
 
 
-def alike_pictures(sets: Sequence[Descriptors], neighbors: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
+def alike_images(sets: Sequence[Descriptors], neighbors: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
     """Up to `neighbors` most similar other images for each, by descriptors uint8 [n, length], the best first."""
     if not sets:
         return []
@@ -112,7 +112,7 @@ def alike_pictures(sets: Sequence[Descriptors], neighbors: int, *, seed: int, wo
 def pairs_that_look_alike(database: Path, neighbors: int, *, seed: int) -> list[tuple[int, int]]:
     descriptors = read_descriptors(database)
     numbers = list(descriptors)
-    alike = alike_pictures(list(descriptors.values()), neighbors, seed=seed)
+    alike = alike_images(list(descriptors.values()), neighbors, seed=seed)
     both = [(numbers[i], numbers[j]) for i, row in enumerate(alike) for j in row]
     return sorted({(min(pair), max(pair)) for pair in both})
 
@@ -129,7 +129,7 @@ def _sums(values: Descriptors, groups: NDArray[np.int64], count: int) -> NDArray
 PAIRS = ("auto", "sequential", "exhaustive", "retrieval")
 MIXED = "sequential and retrieval"
 OVERLAP = 10
-FEW_PICTURES = 40  # maximum for exhaustive matching (780 pairs): less work than 150 sequential images
+FEW_IMAGES = 40  # maximum for exhaustive matching (780 pairs): less work than 150 sequential images
 
 PAIR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR a + b
 _SIFT = 0  # COLMAP's id of the feature type
@@ -150,7 +150,7 @@ class MatchReport(Assessed):
         isolated: Names of images without a verified pair.
         seconds: Run time [s].
         peak_bytes: Peak memory of COLMAP [B].
-        picture_count: Number of images. 0 if unknown.
+        image_count: Number of images. 0 if unknown.
     """
 
     database: str
@@ -161,14 +161,14 @@ class MatchReport(Assessed):
     isolated: tuple[str, ...]
     seconds: float
     peak_bytes: int
-    picture_count: int = 0
+    image_count: int = 0
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks. Empty if the result is reliable."""
         if not self.isolated:
             return ()
-        count = f"{len(self.isolated)} of {self.picture_count}" if self.picture_count else f"{len(self.isolated)}"
+        count = f"{len(self.isolated)} of {self.image_count}" if self.image_count else f"{len(self.isolated)}"
         return (
             f"{count} images have no verified matches ({escaped(some_of(list(self.isolated)))}), so they cannot get a "
             "pose: take images that overlap by two thirds, or use pairs='exhaustive'",
@@ -178,7 +178,7 @@ class MatchReport(Assessed):
         return dataclasses.asdict(self) | {"isolated": list(self.isolated), **quality(self)}
 
 
-def match(
+def match_features(
     database: FilePath,
     matches: FilePath,
     *,
@@ -219,8 +219,8 @@ def match(
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.photogrammetry.sfm.matches import match
-        >>> match("features.db", "matches.db")
+        >>> from pointloom.photogrammetry.sfm.matches import match_features
+        >>> match_features("features.db", "matches.db")
         Traceback (most recent call last):
         pointloom.core.errors.FileError: features.db: does not exist. sfm.find_features creates one
     """
@@ -257,7 +257,7 @@ def match(
 
 
 def _resolved_pairs(pairs: str, kind: str, count: int) -> str:
-    if pairs == "auto" and count <= FEW_PICTURES:
+    if pairs == "auto" and count <= FEW_IMAGES:
         return "exhaustive"
     if pairs == "auto":
         return MIXED if kind == "sift" else "sequential"

@@ -37,8 +37,8 @@ def triangulation_angles(model: SfmModel) -> Array:
     """The widest angle between two rays of each point, shape [m] [degrees]. 0 for a single ray."""
     angles = np.zeros(len(model.points))
     order = np.argsort(model.observations[:, 1], kind="stable")
-    pictures, points = model.observations[order].T
-    rays = model.centers[pictures] - model.points[points]
+    images, points = model.observations[order].T
+    rays = model.centers[images] - model.points[points]
     rays /= np.maximum(np.linalg.norm(rays, axis=1, keepdims=True), np.finfo(np.float64).tiny)
     counts = np.bincount(points, minlength=len(angles))
     starts = np.cumsum(counts) - counts
@@ -75,19 +75,19 @@ def parallax(model: SfmModel, *, fixed: bool = False) -> float:
 def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
     count = max(len(model.points), 1)
     at = np.sort(model.observations @ (count, 1))
-    pictures, points = np.divmod(at[np.diff(at, prepend=-1) > 0], count)  # a point may be observed twice in an image
+    images, points = np.divmod(at[np.diff(at, prepend=-1) > 0], count)  # a point may be observed twice in an image
     pairs = set()
-    for picture in np.unique(np.linspace(0, len(model) - 1, _MAX_PAIRS).round().astype(int)) if len(model) else ():
+    for image in np.unique(np.linspace(0, len(model) - 1, _MAX_PAIRS).round().astype(int)) if len(model) else ():
         seen = np.zeros(len(model.points), bool)
-        seen[points[pictures == picture]] = True
-        shared = np.bincount(pictures[seen[points]], minlength=len(model))
-        distances = np.linalg.norm(model.centers - model.centers[picture], axis=1)
+        seen[points[images == image]] = True
+        shared = np.bincount(images[seen[points]], minlength=len(model))
+        distances = np.linalg.norm(model.centers - model.centers[image], axis=1)
         # The farthest of all may share only a corner, whose points may be equally distant.
         worth = np.where(shared < _FEW_SHARED, -1.0, distances * np.sqrt(shared))
-        worth[picture] = -1.0
+        worth[image] = -1.0
         other = int(np.argmax(worth))
         if worth[other] >= 0:
-            pairs.add((min(int(picture), other), max(int(picture), other)))
+            pairs.add((min(int(image), other), max(int(image), other)))
     return sorted(pairs)
 
 
@@ -96,12 +96,12 @@ def _rays_of(model: SfmModel, pairs: list[tuple[int, int]]) -> tuple[Array, Arra
     first = np.zeros((len(pairs), _MAX_SHARED, 2))
     second, weights = first.copy(), np.zeros(first.shape[:2])
     for k, pair in enumerate(pairs):
-        rows = [np.flatnonzero(model.observations[:, 0] == picture) for picture in pair]
+        rows = [np.flatnonzero(model.observations[:, 0] == image) for image in pair]
         seen, seen_beside = (model.observations[r, 1] for r in rows)
         _, at, beside = np.intersect1d(seen, seen_beside, return_indices=True)
         some = np.unique(np.linspace(0, len(at) - 1, _MAX_SHARED).round().astype(int))
-        for rays, picture, chosen in ((first, pair[0], rows[0][at[some]]), (second, pair[1], rows[1][beside[some]])):
-            rays[k, : len(some)] = model.cameras[picture].unproject(model.pixels[chosen])[:, :2]
+        for rays, image, chosen in ((first, pair[0], rows[0][at[some]]), (second, pair[1], rows[1][beside[some]])):
+            rays[k, : len(some)] = model.cameras[image].unproject(model.pixels[chosen])[:, :2]
         weights[k, : len(some)] = 1.0
     weights[~np.isfinite(first + second).all(axis=2)] = 0.0  # outside the valid lens area
     return np.nan_to_num(first), np.nan_to_num(second), weights
@@ -131,13 +131,13 @@ def _length(rays: Array) -> Array:
 
 
 MIN_REGISTERED = 0.6  # fraction of the images
-MIN_LARGEST_SHARE = 0.95  # fraction in the largest model above which others are ignored: they overlap
+MIN_LARGEST_FRACTION = 0.95  # fraction in the largest model above which others are ignored: they overlap
 MIN_ANGLE = 2.0  # [degrees] gives point depth within a few per cent
 MIN_PARALLAX = 0.002  # relative to the longer side: a few pixels, several times the feature error
 MAX_ERROR = 1.0  # [px] at feature extraction size. A correct lens gives 0.1 to 0.6
 FINDING_SIZE = 1600  # [px] longer side for feature extraction
 MIN_POINTS = 100
-MIN_POINTS_A_PICTURE = 20
+MIN_POINTS_A_IMAGE = 20
 
 _MOVE = "move instead of only rotating: walk sideways around the scene"
 
@@ -147,11 +147,11 @@ class ModelQuality(Assessed):
     """Quality of an SfM model.
 
     Args:
-        picture_count: Number of images.
+        image_count: Number of images.
         registered_count: Images with a pose.
         model_sizes: Images of each model, the largest first.
         point_count: Points.
-        points_a_picture: Median number of points per image.
+        points_an_image: Median number of points per image.
         angle: Median over points of the widest triangulation angle [degrees]. NaN without points.
         parallax: Parallax that a pure rotation does not explain [px]. NaN if unknown.
         error: Median reprojection error [px]. NaN without points.
@@ -161,11 +161,11 @@ class ModelQuality(Assessed):
         repetition: Check for repeating structure, such as windows. None if not done.
     """
 
-    picture_count: int
+    image_count: int
     registered_count: int
     model_sizes: tuple[int, ...]
     point_count: int
-    points_a_picture: float
+    points_an_image: float
     angle: float
     parallax: float
     error: float
@@ -189,6 +189,7 @@ class ModelQuality(Assessed):
 
     @classmethod
     def from_json(cls, record: Mapping[str, Any]) -> ModelQuality:
+        """The quality that `to_dict` wrote."""
         checks: dict[str, Any] = {"focal": CameraCheck, "poses": PoseCheck, "repetition": RepetitionCheck}
         names = [field.name for field in dataclasses.fields(cls) if field.name not in checks]
         fields: dict[str, Any] = {name: record[name] for name in names}
@@ -202,7 +203,7 @@ class ModelQuality(Assessed):
 
 def assess_model(
     model: SfmModel | None,
-    picture_count: int,
+    image_count: int,
     *,
     model_sizes: Sequence[int] | None = None,
     fix_intrinsic: bool = False,
@@ -214,12 +215,12 @@ def assess_model(
 
     Args:
         model: The model. None if there is none.
-        picture_count: Number of images.
+        image_count: Number of images.
         model_sizes: Images of each model, this one first; None: only this one.
         fix_intrinsic: The cameras were known. Otherwise pure rotation is tested with free intrinsics.
-        focal: Focal length check of `map_pictures`. None if not done.
+        focal: Focal length check of `map_images`. None if not done.
         poses: Pose check of `triangulate`.
-        repetition: Check for repeating structure of `map_pictures`.
+        repetition: Check for repeating structure of `map_images`.
 
     Returns:
         The measures, and a warning for each failed check: fewer than 60% of the images have a pose; less than 95% with
@@ -246,20 +247,20 @@ def assess_model(
     if repetition is not None and not isinstance(repetition, RepetitionCheck):
         raise TypeError(f"repetition: expected a ModelQuality's `repetition` or None, got {type(repetition).__name__}")
     registered = 0 if model is None else len(model)
-    check_count("picture_count", picture_count, minimum=registered)
+    check_count("image_count", image_count, minimum=registered)
     given = [registered] if model_sizes is None else check_list("model_sizes", model_sizes, "counts")
     sizes = tuple(check_count("model_sizes", size, minimum=0) for size in given if model is not None)
     if model is None:
         nothing = (
-            f"none of the {picture_count} images could be registered: no two of them share enough of the scene from "
+            f"none of the {image_count} images could be registered: no two of them share enough of the scene from "
             "positions far enough apart. Make sure that they overlap by two thirds, are sharp and show texture; "
             + _MOVE
         )
-        return ModelQuality(picture_count, 0, (), 0, 0.0, math.nan, math.nan, math.nan, (nothing,))
+        return ModelQuality(image_count, 0, (), 0, 0.0, math.nan, math.nan, math.nan, (nothing,))
     seen = np.bincount(model.observations[:, 0], minlength=registered)
     errors = model.errors[np.isfinite(model.errors)]
     quality = ModelQuality(
-        picture_count,
+        image_count,
         registered,
         sizes,
         len(model.points),
@@ -278,7 +279,7 @@ def assess_model(
 
 def _warnings(quality: ModelQuality, longer_side: int) -> list[str]:
     reasons = [] if quality.poses is None else quality.poses.reasons(quality.registered_count)
-    count, registered = quality.picture_count, quality.registered_count
+    count, registered = quality.image_count, quality.registered_count
     if quality.poses is not None and quality.poses.are_wrong:
         return reasons
     if registered < MIN_REGISTERED * count and quality.poses is not None:
@@ -286,7 +287,7 @@ def _warnings(quality: ModelQuality, longer_side: int) -> list[str]:
     elif registered < MIN_REGISTERED * count:
         remedy = "film more slowly, or take images that overlap by two thirds"
         reasons.append(f"only {registered} of {count} images could be registered: {remedy}")
-    if registered < MIN_LARGEST_SHARE * count and len(quality.model_sizes) > 1:
+    if registered < MIN_LARGEST_FRACTION * count and len(quality.model_sizes) > 1:
         sizes = ", ".join(map(str, quality.model_sizes))
         remedy = "take images that connect them"
         reasons.append(f"the images form {len(quality.model_sizes)} separate models ({sizes} images): {remedy}")
@@ -306,8 +307,8 @@ def _warnings(quality: ModelQuality, longer_side: int) -> list[str]:
         if quality.poses is not None:
             what = "the given poses and cameras are not more accurate; without them they are estimated"
         reasons.append(f"{off}: {what}")
-    if quality.point_count < MIN_POINTS or quality.points_a_picture < MIN_POINTS_A_PICTURE:
-        each = f"{quality.points_a_picture:.0f} per image"
+    if quality.point_count < MIN_POINTS or quality.points_an_image < MIN_POINTS_A_IMAGE:
+        each = f"{quality.points_an_image:.0f} per image"
         remedy = "take sharp images of a scene with texture"
         also = "" if reasons and reasons[-1].endswith(_MOVE) else f"; {_MOVE}"
         reasons.append(f"only {quality.point_count} points were triangulated, {each} (median): {remedy}{also}")

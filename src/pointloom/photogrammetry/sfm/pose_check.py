@@ -54,19 +54,19 @@ class PoseCheck:
 
     Args:
         match_count: Number of matches by appearance.
-        share: Fraction that fits.
+        fraction: Fraction that fits.
         distance: Median epipolar distance of those that fit [px].
         cause: Likely error; "" if unknown.
-        cause_share: Fraction of matches that fits after its correction.
+        cause_fraction: Fraction of matches that fits after its correction.
         focal: Preferred factor of the focal length. NaN if not tested.
         strays: Images whose matches do not fit although most others do.
     """
 
     match_count: int
-    share: float
+    fraction: float
     distance: float
     cause: str = ""
-    cause_share: float = math.nan
+    cause_fraction: float = math.nan
     focal: float = math.nan
     strays: tuple[str, ...] = ()
 
@@ -82,22 +82,22 @@ class PoseCheck:
 
     @property
     def are_wrong(self) -> bool:
-        return self.match_count < MIN_TOTAL or not self.share >= FITTING
+        return self.match_count < MIN_TOTAL or not self.fraction >= FITTING
 
     @property
     def is_focal_wrong(self) -> bool:
         return abs(math.log(self.focal)) > FOCAL_OFF if self.focal == self.focal else False
 
-    def reasons(self, picture_count: int) -> list[str]:
+    def reasons(self, image_count: int) -> list[str]:
         if self.match_count < MIN_TOTAL:
             return [
                 f"no images that overlap by their poses, or are consecutive, have matches ({self.match_count} "
                 "matches): the poses belong to other images, or the images are too few, blurred or without texture"
             ]
-        fits = f"{100 * self.share:.0f}% of the matches between images fit the poses"
-        if self.are_wrong or (self.cause and self.cause_share > PLAINLY * self.share):
+        fits = f"{100 * self.fraction:.0f}% of the matches between images fit the poses"
+        if self.are_wrong or (self.cause and self.cause_fraction > PLAINLY * self.fraction):
             if self.cause:
-                return [f"only {fits}, {100 * self.cause_share:.0f}% would fit if {self.cause}: correct the poses"]
+                return [f"only {fits}, {100 * self.cause_fraction:.0f}% would fit if {self.cause}: correct the poses"]
             if self.is_focal_wrong:
                 return [f"only {fits}, more would fit with {self.focal:.3g} times the focal length: check the cameras"]
             why = "they belong to other images, have another order or convention, or are too inaccurate"
@@ -108,9 +108,9 @@ class PoseCheck:
                 f"with the given poses, {self.focal:.4g} times the given focal length fits the images better: "
                 "check the cameras and the size of the images"
             )
-        if len(self.strays) > max(1, 0.1 * picture_count):
+        if len(self.strays) > max(1, 0.1 * image_count):
             reasons.append(
-                f"the poses of {len(self.strays)} of {picture_count} images do not fit the others "
+                f"the poses of {len(self.strays)} of {image_count} images do not fit the others "
                 f"({few_of(self.strays, 4)}): they may belong to other images"
             )
         return reasons
@@ -128,12 +128,12 @@ def check_poses(features: FeatureRays, model: SfmModel, pairs: Pairs) -> PoseChe
         return PoseCheck(len(matches.first), 0.0, math.nan)
     poses = model.T_camera_world
     fits, off = matches.fits(poses)
-    share, inlier_distances = matches.share(fits), off[fits]
+    fraction, inlier_distances = matches.fraction(fits), off[fits]
     distance = float(np.median(inlier_distances)) if len(inlier_distances) else math.nan
-    cause, cause_share = _likely_cause(matches, model, share)
+    cause, cause_fraction = _likely_cause(matches, model, fraction)
     focal = matches.focal(poses) if not cause else math.nan
-    strays = () if share < FITTING else tuple(model.names[i] for i in matches.strays(fits, len(model)))
-    return PoseCheck(len(matches.first), share, distance, cause, cause_share, focal, strays)
+    strays = () if fraction < FITTING else tuple(model.names[i] for i in matches.strays(fits, len(model)))
+    return PoseCheck(len(matches.first), fraction, distance, cause, cause_fraction, focal, strays)
 
 
 def _sample(pairs: Pairs, model: SfmModel) -> Pairs:
@@ -153,11 +153,11 @@ def match_by_looks(features: FeatureRays, pairs: Pairs) -> PairMatches:
     """Mutual nearest descriptors with a ratio test. Products are integers below 2^24, exact in float32."""
     tables: dict[int, tuple[NDArray[np.int64], NDArray[np.float32]]] = {}
 
-    def table(picture: int) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
-        if picture not in tables:
-            rows = np.flatnonzero(np.isfinite(features.rays[features.of(picture), 0]))
-            tables[picture] = rows, features.descriptors[features.of(picture)][rows].astype(np.float32)
-        return tables[picture]
+    def table(image: int) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
+        if image not in tables:
+            rows = np.flatnonzero(np.isfinite(features.rays[features.of(image), 0]))
+            tables[image] = rows, features.descriptors[features.of(image)][rows].astype(np.float32)
+        return tables[image]
 
     matches = []
     for a, b in pairs.tolist():
@@ -228,7 +228,7 @@ class _Matches:
         off, before = self.off(poses)
         return (off <= self.near) & before, off
 
-    def share(self, fits: NDArray[np.bool_]) -> float:
+    def fraction(self, fits: NDArray[np.bool_]) -> float:
         return float(np.mean(fits))
 
     def by_pair(self, fits: NDArray[np.bool_]) -> Array:
@@ -237,11 +237,11 @@ class _Matches:
         )
 
     def strays(self, fits: NDArray[np.bool_], count: int) -> list[int]:
-        shares = self.by_pair(fits)
+        fractions = self.by_pair(fits)
         best, tried = np.zeros(count), np.zeros(count, int)
-        for (a, b), share in zip(self.pairs.tolist(), shares.tolist(), strict=True):
+        for (a, b), fraction in zip(self.pairs.tolist(), fractions.tolist(), strict=True):
             for i in (a, b):
-                best[i], tried[i] = max(best[i], share), tried[i] + 1
+                best[i], tried[i] = max(best[i], fraction), tried[i] + 1
         return [i for i in range(count) if tried[i] >= 2 and best[i] < FITTING / 2]
 
     def focal(self, poses: Array) -> float:
@@ -271,13 +271,13 @@ def _before_both(poses: Array, x: Array, y: Array) -> NDArray[np.bool_]:
     return (ab > 0) & (along_a > -slack) & (along_b > -slack)
 
 
-def _likely_cause(matches: _Matches, model: SfmModel, share: float) -> tuple[str, float]:
-    best, best_share = "", max(PLAINLY * share, FITTING)
+def _likely_cause(matches: _Matches, model: SfmModel, fraction: float) -> tuple[str, float]:
+    best, best_fraction = "", max(PLAINLY * fraction, FITTING)
     for name, poses in itertools.chain(_other_conventions(model), _other_orders(model)):
-        fraction = matches.share(matches.fits(poses)[0])
-        if fraction > best_share:
-            best, best_share = name, fraction
-    return best, best_share if best else math.nan
+        explained = matches.fraction(matches.fits(poses)[0])
+        if explained > best_fraction:
+            best, best_fraction = name, explained
+    return best, best_fraction if best else math.nan
 
 
 def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:

@@ -11,13 +11,13 @@ from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from .colmap_jobs import MAX_SECONDS
 from .features import MAX_FEATURES, MAX_SIZE, find_features
-from .mapping import SfmResult, map_pictures
-from .matches import OVERLAP, match
-from .picture_folder import check_path
+from .image_folder import check_path
+from .mapping import SfmResult, map_images
+from .matches import OVERLAP, match_features
 
 
-def reconstruct(
-    pictures: FilePath,
+def reconstruct_images(
+    images: FilePath,
     work: FilePath,
     *,
     camera_model: str = "SIMPLE_RADIAL",
@@ -35,10 +35,10 @@ def reconstruct(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> SfmResult:
-    """Run structure from motion: `find_features`, `match` and `map_pictures`.
+    """Run structure from motion: `find_features`, `match` and `map_images`.
 
     Args:
-        pictures: Folder of upright 8-bit images, as from `choose_frames`.
+        images: Folder of upright 8-bit images, as from `choose_frames`.
         work: Folder for features.db, matches.db and sparse/ (COLMAP model); created if missing.
         camera_model: COLMAP camera model.
         intrinsic: Known camera, kept fixed.
@@ -46,7 +46,7 @@ def reconstruct(
         max_features: Maximum number per image.
         masks: Folder of masks, as of `find_features`.
         pairs, overlap: As of `match`.
-        mapper: As of `map_pictures`.
+        mapper: As of `map_images`.
         kind, use_gpu: As of `find_features`.
         seed: Random seed.
         max_seconds: Time limit per stage [s]; None: no limit.
@@ -65,11 +65,11 @@ def reconstruct(
 
     Example:
         >>> import pointloom as loom
-        >>> loom.sfm.reconstruct("no such folder", "work")
+        >>> loom.photogrammetry.reconstruct_images("no such folder", "work")
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of images
     """
-    check_path("pictures", pictures)
+    check_path("images", images)
     folder = check_path("work", work)
     common: dict[str, Any] = {"seed": seed, "max_seconds": max_seconds, "max_memory": max_memory, "progress": progress}
     try:
@@ -81,9 +81,9 @@ def reconstruct(
         raise FileError(sparse, "is not empty", remedy="Give a new folder to work in")
     options = {"camera_model": camera_model, "intrinsic": intrinsic, "max_size": max_size, "max_features": max_features}
     options |= {"masks": masks, "kind": kind, "use_gpu": use_gpu}
-    feature_report = find_features(pictures, features_db, **options, **common)
-    matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, use_gpu=use_gpu, **common)
-    result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, mapper=mapper, **common)
+    feature_report = find_features(images, features_db, **options, **common)
+    matched = match_features(features_db, matches_db, pairs=pairs, overlap=overlap, use_gpu=use_gpu, **common)
+    result = map_images(images, matches_db, sparse, fix_intrinsic=intrinsic is not None, mapper=mapper, **common)
     seconds = {"features": feature_report.seconds, "pairs": matched.seconds} | result.seconds
     peak = {"features": feature_report.peak_bytes, "pairs": matched.peak_bytes} | result.peak_bytes
     return dataclasses.replace(result, seconds=seconds, peak_bytes=peak)

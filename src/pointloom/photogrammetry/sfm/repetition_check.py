@@ -54,7 +54,7 @@ class RepetitionCheck:
     """Repeating structure in the images of a model.
 
     Args:
-        picture_count: Images of the model.
+        image_count: Images of the model.
         repeating_count: Images with a repeating structure.
         connected_count: Images in the largest group that matches connect without the repetition.
         contradiction: Largest fraction of an image's other matches in three images or more that do not fit the model.
@@ -63,7 +63,7 @@ class RepetitionCheck:
             NaN if unknown.
     """
 
-    picture_count: int
+    image_count: int
     repeating_count: int
     connected_count: int
     contradiction: float = 0.0
@@ -81,22 +81,22 @@ class RepetitionCheck:
     def reasons(self) -> list[str]:
         if not self.repeating_count:
             return []
-        if self.connected_count < MIN_CONNECTED * self.picture_count:
-            others = f"the other matches connect only {self.connected_count} of {self.picture_count} images"
+        if self.connected_count < MIN_CONNECTED * self.image_count:
+            others = f"the other matches connect only {self.connected_count} of {self.image_count} images"
         elif self.contradiction > MAX_CONTRADICTION:
             others = f"up to {100 * self.contradiction:.0f}% of the other matches of an image do not fit the model"
         else:
             return []
         shift = "" if math.isnan(self.baselines) else f" ({self.baselines:.2g} times the distance of two cameras)"
         return [
-            f"the structure repeats every {self.period:.0f} px in {self.repeating_count} of {self.picture_count} "
+            f"the structure repeats every {self.period:.0f} px in {self.repeating_count} of {self.image_count} "
             f"images, and {others}: cameras may be off by a multiple of this shift{shift}. Take images that overlap "
             "more and show a unique part, such as a door or a sign"
         ]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class _Picture:
+class _Image:
     """Features of an image: pixels, descriptors, points of the model (-1: none), distances of the most similar copy
     (NaN: none is visible), and the shift between copies [px] (NaN: nothing repeats)."""
 
@@ -111,7 +111,7 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
     """Check a model with the matches that it was made from. None for features other than SIFT."""
     with open_database(database) as connection:
         numbers = {name: number for number, name in names_by_number(connection, database).items()}
-        pictures = []
+        images = []
         for k, name in enumerate(model.names):
             keypoints = table_of(connection, "keypoints", numbers[name], np.float32, database)
             try:
@@ -120,8 +120,8 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
                 return None
             if len(keypoints) != len(descriptors) or (len(keypoints) and descriptors.shape[1] != DESCRIPTOR):
                 return None
-            pictures.append(_picture(model, k, keypoints, descriptors))
-        repeating = [k for k, each in enumerate(pictures) if not math.isnan(each.shift)]
+            images.append(_image(model, k, keypoints, descriptors))
+        repeating = [k for k, each in enumerate(images) if not math.isnan(each.shift)]
         if not repeating:
             return RepetitionCheck(len(model), 0, len(model))
         indices, pairs = {numbers[name]: k for k, name in enumerate(model.names)}, {}
@@ -131,28 +131,28 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
             if first in indices and second in indices:
                 i, j = indices[first], indices[second]
                 found = table_of(connection, "two_view_geometries", key, np.uint32, database, column="pair_id")
-                pairs[i, j] = _checked_matches(found, pictures[i], pictures[j], database)
+                pairs[i, j] = _checked_matches(found, images[i], images[j], database)
     links, tracks = np.zeros((len(model), len(model)), bool), [np.zeros((0, 2), np.int64)]
-    firsts = np.concatenate([[0], np.cumsum([len(each.pixels) for each in pictures])])
+    firsts = np.concatenate([[0], np.cumsum([len(each.pixels) for each in images])])
     for (i, j), matches in pairs.items():
-        known, decisive = _decisive(pictures[i], pictures[j], matches)
-        points = pictures[i].points[matches[:, 0]]
-        same = (points == pictures[j].points[matches[:, 1]]) & (points >= 0)
-        share = (decisive & same).sum() / max((known & same).sum(), MIN_VOTES)
+        known, decisive = _decisive(images[i], images[j], matches)
+        points = images[i].points[matches[:, 0]]
+        same = (points == images[j].points[matches[:, 1]]) & (points >= 0)
+        fraction = (decisive & same).sum() / max((known & same).sum(), MIN_VOTES)
         repeats = i in repeating or j in repeating
-        links[i, j] = same.sum() >= MIN_SHARED and (not repeats or share >= MIN_DECISIVE)
+        links[i, j] = same.sum() >= MIN_SHARED and (not repeats or fraction >= MIN_DECISIVE)
         tracks.append(matches[decisive] + firsts[[i, j]])
     return RepetitionCheck(
         len(model),
         len(repeating),
         int(np.bincount(connected_components(links)[1]).max()),
-        _contradiction(model, pictures, firsts, np.concatenate(tracks)),
-        float(np.median([pictures[k].shift for k in repeating])),
-        _baselines(model, pictures, repeating),
+        _contradiction(model, images, firsts, np.concatenate(tracks)),
+        float(np.median([images[k].shift for k in repeating])),
+        _baselines(model, images, repeating),
     )
 
 
-def _checked_matches(found: Any, first: _Picture, second: _Picture, database: Path) -> NDArray[np.int64]:
+def _checked_matches(found: Any, first: _Image, second: _Image, database: Path) -> NDArray[np.int64]:
     counts = len(first.pixels), len(second.pixels)
     if found.shape[1] != 2 or not (found < counts).all():
         raise FileError(
@@ -161,7 +161,7 @@ def _checked_matches(found: Any, first: _Picture, second: _Picture, database: Pa
     return found.astype(np.int64)
 
 
-def _picture(model: SfmModel, number: int, keypoints: Array, descriptors: NDArray[np.uint8]) -> _Picture:
+def _image(model: SfmModel, number: int, keypoints: Array, descriptors: NDArray[np.uint8]) -> _Image:
     """Read an image. Features of several orientations have one position and one point."""
     camera, rows = model.cameras[number], np.flatnonzero(model.observations[:, 0] == number)
     pixels = keypoints[:, :2].astype(np.float64) - 0.5  # COLMAP's first pixel center is at 0.5
@@ -170,32 +170,32 @@ def _picture(model: SfmModel, number: int, keypoints: Array, descriptors: NDArra
         off, nearest = KDTree(model.pixels[rows]).query(pixels)
         points = np.where(off < SAME_PIXEL, model.observations[rows[nearest], 1], -1)
     copies, shift = _copies_in(keypoints, descriptors, max(camera.width, camera.height))
-    return _Picture(pixels, descriptors, points, copies, shift)
+    return _Image(pixels, descriptors, points, copies, shift)
 
 
-def _decisive(first: _Picture, second: _Picture, matches: NDArray[np.int64]) -> tuple[Any, Any]:
+def _decisive(first: _Image, second: _Image, matches: NDArray[np.int64]) -> tuple[Any, Any]:
     """Matches whose copy would be visible, and those that no copy explains, by the distances of both."""
     copies = np.fmin(first.copies[matches[:, 0]], second.copies[matches[:, 1]])
     distances = _distances(first.descriptors[matches[:, 0]], second.descriptors[matches[:, 1]])
     return ~np.isnan(copies), copies >= np.maximum(AS_SIMILAR, distances / RATIO)
 
 
-def _contradiction(model: SfmModel, pictures: Sequence[_Picture], firsts: Any, matches: NDArray[np.int64]) -> float:
+def _contradiction(model: SfmModel, images: Sequence[_Image], firsts: Any, matches: NDArray[np.int64]) -> float:
     """The largest fraction over images of tracks in three images or more that the poses do not explain."""
     count, labels = connected_components(coo_matrix((np.ones(len(matches)), matches.T), (firsts[-1], firsts[-1])))
-    images = np.repeat(np.arange(len(model)), np.diff(firsts))
-    at, repeated = np.unique(labels * len(model) + images, return_counts=True)
+    owners = np.repeat(np.arange(len(model)), np.diff(firsts))
+    at, repeated = np.unique(labels * len(model) + owners, return_counts=True)
     good = np.bincount(labels, minlength=count) >= MIN_VIEWS
     good[at[repeated > 1] // len(model)] = False
     rows = np.flatnonzero(good[labels])
     if not len(rows):
         return 0.0
-    images, labels = images[rows], np.unique(labels[rows], return_inverse=True)[1]
-    pixels = np.concatenate([each.pixels for each in pictures])[rows]
+    owners, labels = owners[rows], np.unique(labels[rows], return_inverse=True)[1]
+    pixels = np.concatenate([each.pixels for each in images])[rows]
     errors = np.zeros(labels.max() + 1)
-    np.maximum.at(errors, labels, _track_errors(model, images, labels, pixels))
+    np.maximum.at(errors, labels, _track_errors(model, owners, labels, pixels))
     bad = errors[labels] > MISSED
-    fractions = [bad[images == k].mean() for k in range(len(model)) if (images == k).sum() >= MIN_TRACKS]
+    fractions = [bad[owners == k].mean() for k in range(len(model)) if (owners == k).sum() >= MIN_TRACKS]
     return float(max(fractions, default=0.0))
 
 
@@ -279,7 +279,7 @@ def _distances(first: NDArray, second: NDArray) -> Array:
     return np.linalg.norm(first.astype(np.float64) - second.astype(np.float64), axis=1)
 
 
-def _baselines(model: SfmModel, pictures: Sequence[_Picture], repeating: Sequence[int]) -> float:
+def _baselines(model: SfmModel, images: Sequence[_Image], repeating: Sequence[int]) -> float:
     """The period relative to the distance of the nearest camera."""
     shifts = []
     for k in repeating:
@@ -289,5 +289,5 @@ def _baselines(model: SfmModel, pictures: Sequence[_Picture], repeating: Sequenc
         distances = np.linalg.norm(model.centers - model.centers[k], axis=1)
         nearest = float(np.min(distances[np.arange(len(model)) != k], initial=np.inf))
         if len(points) and depth > 0 and nearest > 0:
-            shifts.append(pictures[k].shift * depth / focal_of(model.cameras[k]) / nearest)
+            shifts.append(images[k].shift * depth / focal_of(model.cameras[k]) / nearest)
     return float(np.median(shifts)) if shifts else math.nan

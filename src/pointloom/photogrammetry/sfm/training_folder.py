@@ -22,14 +22,14 @@ from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
+from ...io.images.image_files import write_png
+from ...io.images.photo_files import is_photo
 from ...io.models.colmap import write_colmap_model
 from ...io.models.sfm_model import SfmModel
 from ...io.models.transforms_writer import write_content
-from ...io.pictures.image_files import write_png
-from ...io.pictures.photo_files import is_photo
+from .image_folder import UPRIGHT, check_path, is_gray_16, read_header, read_orientation, read_stored
+from .image_writing import write_bytes
 from .masks import MASK_THRESHOLD, masks_in, read_mask, write_mask
-from .picture_folder import UPRIGHT, check_path, is_gray_16, read_header, read_orientation, read_stored
-from .picture_writing import write_bytes
 from .straightened import straightened_model
 
 MIN_UNSEEN = 0.001  # fraction of blank pixels below which no mask is written
@@ -38,21 +38,21 @@ _SUFFIXES = {"jpeg": (".jpg", ".jpeg"), "png": (".png",)}
 Pixels = NDArray[np.uint8]
 
 
-def find_pictures(pictures: Any, model: SfmModel) -> list[Path | Pixels]:
-    if isinstance(pictures, str | os.PathLike):
-        folder = check_path("pictures", pictures)
+def find_images(images: Any, model: SfmModel) -> list[Path | Pixels]:
+    if isinstance(images, str | os.PathLike):
+        folder = check_path("images", images)
         given: list[Any] = [folder / name for name in model.names]
     else:
-        given = check_list("pictures", pictures, "paths or images")
+        given = check_list("images", images, "paths or images")
     if len(given) != len(model):
-        raise ValueError(f"pictures: expected one for each of the {len(model)} images of the model, got {len(given)}")
+        raise ValueError(f"images: expected one for each of the {len(model)} images of the model, got {len(given)}")
     result: list[Path | Pixels] = []
     for k, (each, camera) in enumerate(zip(given, model.cameras, strict=True)):
         size = camera.width, camera.height
         if not isinstance(each, str | os.PathLike):
-            result.append(_checked_array(f"pictures[{k}]", each, size))
+            result.append(_checked_array(f"images[{k}]", each, size))
             continue
-        path = check_path(f"pictures[{k}]", each)
+        path = check_path(f"images[{k}]", each)
         if not path.is_file():
             raise FileError(path, "does not exist", remedy="Give the folder that contains the images of the model")
         header = read_header(path)
@@ -105,13 +105,13 @@ def is_straight(camera: CameraModel, lens: Undistortion) -> bool:
     return camera.is_pinhole and (camera.width, camera.height) == (lens.intrinsic.width, lens.intrinsic.height)
 
 
-def is_copied(picture: Path | Pixels, camera: CameraModel, lens: Undistortion) -> bool:
+def is_copied(image: Path | Pixels, camera: CameraModel, lens: Undistortion) -> bool:
     """True if an image can be copied unchanged: upright, 8 bit, undistorted, in a common format."""
-    if not isinstance(picture, Path) or not is_straight(camera, lens) or is_photo(picture):
+    if not isinstance(image, Path) or not is_straight(camera, lens) or is_photo(image):
         return False
-    header = read_header(picture)
-    known = picture.suffix.lower() in _SUFFIXES.get(header.kind, ())
-    return known and header.bits == 8 and header.channels in (1, 3) and read_orientation(picture) == UPRIGHT
+    header = read_header(image)
+    known = image.suffix.lower() in _SUFFIXES.get(header.kind, ())
+    return known and header.bits == 8 and header.channels in (1, 3) and read_orientation(image) == UPRIGHT
 
 
 def new_names(names: Sequence[str], copied: Sequence[bool]) -> list[str]:
@@ -126,13 +126,13 @@ def new_names(names: Sequence[str], copied: Sequence[bool]) -> list[str]:
     return bare
 
 
-def write_straight(path: Path, picture: Path | Pixels, lens: Undistortion, *, copied: bool) -> None:
+def write_straight(path: Path, image: Path | Pixels, lens: Undistortion, *, copied: bool) -> None:
     if copied:
-        assert isinstance(picture, Path)
-        read_stored(picture)  # report damage here, not in the trainer
-        write_bytes(path, picture.read_bytes())
+        assert isinstance(image, Path)
+        read_stored(image)  # report damage here, not in the trainer
+        write_bytes(path, image.read_bytes())
         return
-    write_png(path, lens.apply(read_stored(picture) if isinstance(picture, Path) else picture))
+    write_png(path, lens.apply(read_stored(image) if isinstance(image, Path) else image))
 
 
 def straight_mask(
@@ -160,7 +160,7 @@ def unseen_of(lens: Undistortion) -> NDArray[np.bool_] | None:
 
 TRANSFORMS, IMAGES, MASKS, SPARSE = "transforms.json", "images", "masks", "sparse/0"  # identify such a folder
 
-Picture = str | os.PathLike[str] | NDArray[np.uint8]
+Image = str | os.PathLike[str] | NDArray[np.uint8]
 Mask = str | os.PathLike[str] | NDArray[np.bool_] | NDArray[np.uint8] | None
 
 
@@ -170,7 +170,7 @@ class TrainingFolder(Report):
 
     Attributes:
         folder: Its path.
-        picture_count: Number of images.
+        image_count: Number of images.
         straightened_count: Undistorted or downscaled images. The others are copies.
         sizes: Unique image widths and heights [px].
         point_count: Sparse points.
@@ -180,7 +180,7 @@ class TrainingFolder(Report):
     """
 
     folder: str
-    picture_count: int
+    image_count: int
     straightened_count: int
     sizes: tuple[tuple[int, int], ...]
     point_count: int
@@ -192,7 +192,7 @@ class TrainingFolder(Report):
         sizes = ", ".join(f"{width} x {height}" for width, height in self.sizes)
         straight = f", {self.straightened_count} straightened" if self.straightened_count else ""
         masks = f", {self.mask_count} masks" if self.mask_count else ""
-        rows = [("pictures", f"{self.picture_count} of {sizes}{straight}{masks}")]
+        rows = [("images", f"{self.image_count} of {sizes}{straight}{masks}")]
         rows.append(("points", f"{self.point_count:,}"))
         if any(self.origin):
             rows.append(
@@ -205,7 +205,7 @@ class TrainingFolder(Report):
 def write_training_folder(
     folder: FilePath,
     model: SfmModel,
-    pictures: FilePath | Iterable[Picture],
+    images: FilePath | Iterable[Image],
     *,
     masks: FilePath | Iterable[Mask] | None = None,
     max_size: int | None = None,
@@ -222,7 +222,7 @@ def write_training_folder(
     Args:
         folder: A new folder, or one of this kind with `overwrite`.
         model: Cameras, poses and points: `result.model` of a video, `read_colmap_model`, `read_cameras`, or your own.
-        pictures: Folder of the original images; or for each of `model.names` a path or uint8 [h, w, 3] or [h, w].
+        images: Folder of the original images; or for each of `model.names` a path or uint8 [h, w, 3] or [h, w].
         masks: Folder of gray masks, IMG_1.jpg.png for IMG_1.jpg, black where excluded; or for each image a path, an
             array [h, w], bool or uint8, or None.
         max_size: Maximum image side [px]; None: no limit.
@@ -230,7 +230,7 @@ def write_training_folder(
             there). Recorded in `applied_transform` of transforms.json and in the result.
         device: Device of the undistortion; None: the CPU.
         overwrite: Replace such a folder.
-        progress: Called with ("pictures", done, all).
+        progress: Called with ("images", done, all).
 
     Returns:
         A summary, with the coordinate offset.
@@ -249,7 +249,7 @@ def write_training_folder(
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.CameraModel("SIMPLE_RADIAL", 64, 48, [50, 32, 24, -0.1])
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[[0.1, 0.2, 2.0]])
-        >>> written = loom.sfm.write_training_folder("scene", model, [np.full((48, 64, 3), 90, np.uint8)])
+        >>> written = loom.photogrammetry.write_training_folder("scene", model, [np.full((48, 64, 3), 90, np.uint8)])
         >>> written.sizes, loom.read_colmap_model("scene/sparse/0").cameras[0].model
         (((65, 48),), 'PINHOLE')
     """
@@ -258,28 +258,28 @@ def write_training_folder(
     if max_size is not None:
         check_count("max_size", max_size, minimum=16, maximum=2**16, because="no camera has more pixels")
     target, report = resolve_device(device), check_progress(progress)
-    given, hidden = find_pictures(pictures, model), find_masks(masks, model)
+    given, hidden = find_images(images, model), find_masks(masks, model)
     known = {camera: Undistortion(camera, max_size=max_size, device=target) for camera in dict.fromkeys(model.cameras)}
     unseen = {camera: unseen_of(lens) for camera, lens in known.items()}
     lenses = [known[camera] for camera in model.cameras]
-    copied = [is_copied(picture, lens.camera, lens) for picture, lens in zip(given, lenses, strict=True)]
+    copied = [is_copied(image, lens.camera, lens) for image, lens in zip(given, lenses, strict=True)]
     with_masks = any(each is not None for each in (*hidden, *unseen.values()))  # all or none, as nerfstudio requires
     names = new_names(model.names, copied)
     with atomic_folder(path, TRANSFORMS, overwrite=overwrite) as part:
         for name in (IMAGES, *([MASKS] if with_masks else [])):
             (part / name).mkdir()
         for k, lens in enumerate(lenses):
-            report("pictures", k, len(lenses))
+            report("images", k, len(lenses))
             write_straight(part / IMAGES / names[k], given[k], lens, copied=copied[k])
             if with_masks:
                 write_mask(part / MASKS, names[k], straight_mask(hidden[k], lens, unseen[lens.camera]))
-        report("pictures", len(lenses), len(lenses))
+        report("images", len(lenses), len(lenses))
         straight = [lens.intrinsic for lens in lenses]
         origin = _origin_of(model) if shift else np.zeros(3)
         _write_models(part, model, names, straight, origin, with_masks=with_masks)
     return TrainingFolder(
         folder=os.fspath(path),
-        picture_count=len(model),
+        image_count=len(model),
         straightened_count=len(copied) - sum(copied),
         sizes=tuple(dict.fromkeys((camera.width, camera.height) for camera in straight)),
         point_count=len(model.points),
@@ -321,7 +321,7 @@ def _write_models(
     undistorted = _as_seen(straightened_model(model, names, cameras))
     write_colmap_model(folder / SPARSE, undistorted)
     masks = [f"{MASKS}/{name}.png" for name in undistorted.names] if with_masks else None
-    write_content(folder / TRANSFORMS, undistorted, pictures=IMAGES, masks=masks, more=more)
+    write_content(folder / TRANSFORMS, undistorted, images=IMAGES, masks=masks, more=more)
 
 
 def _as_seen(model: SfmModel) -> SfmModel:

@@ -17,17 +17,17 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, quality
 from ...core.timing import Clock
+from ...io.images.image_files import read_color
 from ...io.models.sfm_model import SfmModel
-from ...io.pictures.image_files import read_color
 from .colmap_jobs import MAX_SECONDS, run_job
 from .feature_rays import FeatureRays, focal_of, read_feature_rays
 from .features import MAX_FEATURES, MAX_SIZE, find_features
 from .guided_matches import PairMatches, match_guided, pairs_in_view
+from .image_folder import check_path, list_images
 from .limited_process import check_limits
 from .model_quality import FINDING_SIZE, ModelQuality, assess_model
-from .picture_folder import check_path, list_pictures
 from .pose_check import NEAR, PoseCheck, check_poses
-from .posed_pictures import with_poses
+from .posed_images import with_poses
 
 MIN_DISTANCE = 1.0  # [px] at extraction size: SIFT errors are a third of that
 MIN_VIEWS = 3  # minimum views if there are enough images: any two rays that meet give a point
@@ -44,7 +44,7 @@ class TriangulationResult(Assessed):
         model: The given cameras of the images, and the points. No points if the poses do not fit.
         quality: Quality of the model.
         without_pose: Images without a pose.
-        without_picture: Names of cameras without an image.
+        without_image: Names of cameras without an image.
         seconds: Time of each stage [s].
         peak_bytes: Peak memory of COLMAP in each [B].
     """
@@ -52,7 +52,7 @@ class TriangulationResult(Assessed):
     model: SfmModel
     quality: ModelQuality
     without_pose: tuple[str, ...]
-    without_picture: tuple[str, ...]
+    without_image: tuple[str, ...]
     seconds: dict[str, float]
     peak_bytes: dict[str, int]
 
@@ -61,13 +61,13 @@ class TriangulationResult(Assessed):
         return self.quality.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        names = {"without_pose": list(self.without_pose), "without_picture": list(self.without_picture)}
+        names = {"without_pose": list(self.without_pose), "without_image": list(self.without_image)}
         stats = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
         return names | stats | {"quality": self.quality.to_dict(), **quality(self)}
 
 
 def triangulate(
-    pictures: FilePath,
+    images: FilePath,
     cameras: SfmModel,
     *,
     max_size: int = MAX_SIZE,
@@ -84,7 +84,7 @@ def triangulate(
     lenses are not changed. First the poses are checked against matches by appearance. Wrong ones give no points.
 
     Args:
-        pictures: Folder of upright 8-bit PNG or JPEG images.
+        images: Folder of upright 8-bit PNG or JPEG images.
         cameras: Lenses and poses, such as from `read_metashape_cameras`, `read_colmap_model`, `read_cameras`, without
             their points. Images by name, with or without extension.
         max_size: Maximum image side for feature extraction [px].
@@ -113,18 +113,18 @@ def triangulate(
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None])
-        >>> loom.sfm.triangulate("no such folder", model)
+        >>> loom.photogrammetry.triangulate("no such folder", model)
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of images
     """
-    clock, report, folder = Clock(), check_progress(progress), check_path("pictures", pictures)
+    clock, report, folder = Clock(), check_progress(progress), check_path("images", images)
     if not isinstance(cameras, SfmModel):
         raise TypeError(f"cameras: expected an SfmModel, got {type(cameras).__name__}")
     check_seed(seed)
     limits: dict[str, Any] = {"max_seconds": max_seconds, "max_memory": max_memory}
     check_limits(**limits)
     target = resolve_device(device)
-    posed = with_poses(folder, list_pictures(folder), cameras)
+    posed = with_poses(folder, list_images(folder), cameras)
     with tempfile.TemporaryDirectory(prefix="pointloom-") as scratch:
         database = Path(scratch) / "features.db"
         options = {"max_size": max_size, "max_features": max_features, "seed": seed, "progress": progress}
@@ -134,8 +134,8 @@ def triangulate(
         clock.stop("matches")
         model, peak = points_of(database, posed.model, matches, check, folder, seed=seed, **limits)
     clock.stop("points")
-    assessed = assess_model(model, posed.picture_count, fix_intrinsic=True, poses=check)
-    missing = posed.without_pose, posed.without_picture
+    assessed = assess_model(model, posed.image_count, fix_intrinsic=True, poses=check)
+    missing = posed.without_pose, posed.without_image
     return TriangulationResult(
         model, assessed, *missing, clock.seconds, {"features": features.peak_bytes, "points": peak}
     )
@@ -165,7 +165,7 @@ def points_of(
     model: SfmModel,
     matches: PairMatches,
     check: PoseCheck,
-    pictures: Path,
+    images: Path,
     *,
     seed: int,
     max_seconds: float | None,
@@ -190,7 +190,7 @@ def points_of(
     rows = features.firsts[seen[:, 0]] + seen[:, 1]
     errors, colors = (
         _errors(model, points, seen, features.pixels[rows]),
-        _colors(pictures, model, seen, features, len(points)),
+        _colors(images, model, seen, features, len(points)),
     )
     complete = dataclasses.replace(
         bare, points=points, colors=colors, errors=errors, observations=seen[:, [0, 2]], pixels=features.pixels[rows]
@@ -236,12 +236,12 @@ def _errors(
 
 
 def _colors(
-    pictures: Path, model: SfmModel, seen: NDArray[np.int64], features: FeatureRays, count: int
+    images: Path, model: SfmModel, seen: NDArray[np.int64], features: FeatureRays, count: int
 ) -> NDArray[np.uint8]:
     sums = np.zeros((count, 3))
     for i, name in enumerate(model.names):
         mine = seen[seen[:, 0] == i]
-        color = read_color(pictures / name)
+        color = read_color(images / name)
         column, row = np.rint(features.pixels[features.firsts[i] + mine[:, 1]]).astype(int).T
         inside = np.clip(row, 0, color.shape[0] - 1), np.clip(column, 0, color.shape[1] - 1)
         np.add.at(sums, mine[:, 2], color[inside].astype(float))

@@ -15,14 +15,14 @@ from typing import Any
 
 from ...core.stages import Chain, Stage, StageResult
 from . import known_motion, motion, surface
-from .settings import Settings
+from .settings import VideoSettings
 
 # In execution order.
 STAGES: dict[str, Callable[..., Mapping[str, Any]]] = {
     "frames": motion.take_frames,
     "features": motion.find_features,
     "matches": motion.match,
-    "model": motion.map_pictures,
+    "model": motion.map_images,
     "undistorted": surface.straighten,
     "depth": surface.estimate,
     "fused": surface.fuse_points,
@@ -31,7 +31,7 @@ STAGES: dict[str, Callable[..., Mapping[str, Any]]] = {
 
 # With known lenses and poses.
 KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
-    "frames": known_motion.take_pictures,
+    "frames": known_motion.take_images,
     "features": known_motion.find_features,
     "matches": known_motion.match,
     "model": known_motion.triangulate,
@@ -51,7 +51,7 @@ class Given:
     recorded: Mapping[str, Any]
 
 
-def settings_of_stages(source: Any, content: str, settings: Settings, device: Any) -> dict[str, Given]:
+def settings_of_stages(source: Any, content: str, settings: VideoSettings, device: Any) -> dict[str, Given]:
     lens = settings.read_camera()
     camera = None if lens is None else [lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy]
     return {

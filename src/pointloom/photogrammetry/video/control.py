@@ -18,7 +18,7 @@ from ...pcd.geodesy import WorldFrame
 from ...registration.rigid import fit_pose
 from ...registration.stations.observations import ControlPoint
 from ...registration.trajectories.weighted_similarity import Rows, UndeterminedError, WeightedFit, fit_rows
-from ..sfm.image_positions import PicturePlaces
+from ..sfm.image_positions import ImagePositions
 from .control_blunders import MIN_TO_IDENTIFY, ROUGH, agreeing, deviations, residual_ratio
 from .control_report import CHECK, CONTROL, UNUSED, ControlFit, ControlResidual, GpsGaps
 from .control_systems import to_geodetic
@@ -43,7 +43,7 @@ class _Coordinates:
     targets: dict[str, Array]
 
 
-def fit_control(model: SfmModel, control: GroundControl, image_positions: PicturePlaces | None = None) -> ControlFit:
+def fit_control(model: SfmModel, control: GroundControl, image_positions: ImagePositions | None = None) -> ControlFit:
     located = locate_marks(model, control.marks)
     bars = Bars.of(control, located)
     used = [point for point in control.fitted if _position_of(point, located) is not None]
@@ -100,7 +100,7 @@ def _coordinates(control: GroundControl) -> _Coordinates:
 
 def _by_points(
     model: SfmModel, control: GroundControl, located: dict[str, MarkedPoint], used: list[ControlPoint],
-    coordinates: _Coordinates, bars: Bars, image_positions: PicturePlaces | None,
+    coordinates: _Coordinates, bars: Bars, image_positions: ImagePositions | None,
 ) -> ControlFit:  # fmt: skip
     source = np.array([_position_of(p, located) for p in used])
     target = np.array([coordinates.targets[p.name] for p in used])
@@ -206,7 +206,7 @@ def _why_off(rows: tuple[ControlResidual, ...], worse: float, count: int) -> str
     return f"{_off(rows, worse)}: one is wrong, or the model is deformed; check coordinates and marks{more}"
 
 
-def _gaps(model: SfmModel, image_positions: PicturePlaces, frame: WorldFrame, T: Array) -> GpsGaps | None:
+def _gaps(model: SfmModel, image_positions: ImagePositions, frame: WorldFrame, T: Array) -> GpsGaps | None:
     known = positions_by_image(image_positions, model.names)
     names = tuple(name for name in model.names if name in known)
     if not names:

@@ -1,8 +1,8 @@
 """Files of ground control and scale bars.
 
-Either ODM's `gcp_list.txt`: coordinate system ("local" for none), then `x y z column row picture [name]` lines; or CSV
-with `name,x,y,z,picture,column,row` and optional `sigma`, `sigma_z` [m] and `use` (control, check), `# crs EPSG:25832`.
-Both allow `bar A B meters [sigma]` and `mark NAME picture column row`. Points named "check" or "CHK" are check points.
+Either ODM's `gcp_list.txt`: coordinate system ("local" for none), then `x y z column row image [name]` lines; or CSV
+with `name,x,y,z,image,column,row` and optional `sigma`, `sigma_z` [m] and `use` (control, check), `# crs EPSG:25832`.
+Both allow `bar A B meters [sigma]` and `mark NAME image column row`. Points named "check" or "CHK" are check points.
 Columns and rows start at the upper left corner: the center of the first pixel is 0.5, 0.5.
 """
 
@@ -17,7 +17,7 @@ from typing import Any
 from ...core.errors import FileError, FilePath
 from ...core.paths import input_path, path_of
 from ...registration.stations.observations import ControlPoint
-from ..sfm.picture_folder import check_path
+from ..sfm.image_folder import check_path
 from .ground_control import ControlMark, GroundControl, ScaleBar
 
 CONTROL_SIGMA = 0.02  # [m] default
@@ -27,17 +27,15 @@ HALF_PIXEL = 0.5
 LOCAL = ("", "local", "none")
 
 _CHECK = re.compile(r"(check|chk)(?![a-z])", re.IGNORECASE)
-_COLUMNS = ("name", "picture", "column", "row")
-_FORM = (
-    "Write lines `x y z column row picture [name]` after a first line with the coordinate system, such as EPSG:32632"
-)
+_COLUMNS = ("name", "image", "column", "row")
+_FORM = "Write lines `x y z column row image [name]` after a first line with the coordinate system, such as EPSG:32632"
 
 
 def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = None) -> GroundControl:
     """Read known points, their image observations, and known lengths.
 
     Args:
-        path: ODM's `gcp_list.txt`, or a CSV with name, x, y, z, picture, column, row (docs/video.md); or None.
+        path: ODM's `gcp_list.txt`, or a CSV with name, x, y, z, image, column, row (docs/video.md); or None.
         scale_bars: File of lengths, `bar A B meters [sigma]`, and marks of their ends.
 
     Raises:
@@ -87,7 +85,7 @@ def _read(parser: _Parser, *, is_bars: bool) -> None:
         raise FileError(parser.path, "contains no lines", remedy=_FORM)
     head = [word.strip().lower() for word in content[0][1].split(",")]
     before = len(parser.bars)
-    if "name" in head and "picture" in head:
+    if "name" in head and "image" in head:
         _parse_csv(parser, lines)
     else:
         _parse_words(parser, content)
@@ -147,15 +145,15 @@ class _Parser:
             raise self.fail(line, f"expected control or check as the use, got {use!r}")
         self.checks[name] = use.lower() == "check"
 
-    def add_mark(self, line: int, name: str, picture: str, words: list[str]) -> None:
+    def add_mark(self, line: int, name: str, image: str, words: list[str]) -> None:
         column, row = self.numbers(line, words, "column and row [px]")
-        if (name, picture) in self.marks:
-            raise self.fail(line, f"{name!r} is marked twice in {picture}", "Keep one of the marks")
-        if max(abs(column), abs(row)) >= 1e6 or not picture:
-            raise self.fail(line, f"expected an image, column and row [px], got {picture!r}, {column:g}, {row:g}")
+        if (name, image) in self.marks:
+            raise self.fail(line, f"{name!r} is marked twice in {image}", "Keep one of the marks")
+        if max(abs(column), abs(row)) >= 1e6 or not image:
+            raise self.fail(line, f"expected an image, column and row [px], got {image!r}, {column:g}, {row:g}")
         pixel = column - HALF_PIXEL, row - HALF_PIXEL
         where = f"{self.path} (line {line})"
-        self.marks[name, picture] = ControlMark(name, picture, pixel, where)  # pyright: ignore[reportArgumentType]
+        self.marks[name, image] = ControlMark(name, image, pixel, where)  # pyright: ignore[reportArgumentType]
 
     def add_word_line(self, line: int, words: list[str]) -> bool:
         """Parse `bar` and `mark` lines. True if it was one."""
@@ -170,7 +168,7 @@ class _Parser:
                 raise self.fail(line, str(error)) from None
         elif word == "mark":
             if len(words) != 5:
-                raise self.fail(line, f"expected `mark NAME picture column row`, got {len(words)} words")
+                raise self.fail(line, f"expected `mark NAME image column row`, got {len(words)} words")
             self.add_mark(line, words[1], words[2], words[3:])
         return word in ("bar", "mark")
 
@@ -248,5 +246,5 @@ def _add_row(parser: _Parser, number: int, name: str, row: dict[str, str]) -> No
         parser.add_sigma(number, name, row.get("sigma", ""), row.get("sigma_z", ""))
     if row.get("use"):
         parser.add_use(number, name, row["use"])
-    if row.get("picture"):
-        parser.add_mark(number, name, row["picture"], [row.get("column", ""), row.get("row", "")])
+    if row.get("image"):
+        parser.add_mark(number, name, row["image"], [row.get("column", ""), row.get("row", "")])

@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.picture_names import PictureNames
+from ...cameras.image_names import ImageNames
 from ...io.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions
 from ...registration.trajectories.up_direction import UpDirection
 from ...registration.trajectories.weighted_similarity import Rows, UndeterminedError, WeightedFit, fit_level, fit_rows
-from ..sfm.image_positions import PicturePlace, PicturePlaces
+from ..sfm.image_positions import ImagePosition, ImagePositions
 
 Array = NDArray[np.float64]
 
@@ -101,27 +101,27 @@ class PlacesFit:
         }
 
 
-def positions_by_image(image_positions: PicturePlaces, names: tuple[str, ...]) -> dict[str, PicturePlace]:
-    result: dict[str, PicturePlace] = {}
-    pictures = PictureNames(names)
+def positions_by_image(image_positions: ImagePositions, names: tuple[str, ...]) -> dict[str, ImagePosition]:
+    result: dict[str, ImagePosition] = {}
+    images = ImageNames(names)
     for position in image_positions.places:
-        meant = pictures.matching(position.name)
+        meant = images.matching(position.name)
         if len(meant) == 1:
             result[names[meant[0]]] = position
     return result
 
 
-def attitudes_of(image_positions: PicturePlaces, names: tuple[str, ...]) -> dict[str, tuple[float, float, float]]:
+def attitudes_of(image_positions: ImagePositions, names: tuple[str, ...]) -> dict[str, tuple[float, float, float]]:
     result: dict[str, tuple[float, float, float]] = {}
-    pictures = PictureNames(names)
+    images = ImageNames(names)
     for name, angles in image_positions.attitudes.items():
-        meant = pictures.matching(name)
+        meant = images.matching(name)
         if len(meant) == 1:
             result[names[meant[0]]] = angles
     return result
 
 
-def fit_image_positions(model: SfmModel, image_positions: PicturePlaces, up: UpDirection) -> PlacesFit:
+def fit_image_positions(model: SfmModel, image_positions: ImagePositions, up: UpDirection) -> PlacesFit:
     by_name = positions_by_image(image_positions, model.names)
     if len(by_name) < MIN_POSITIONS:
         raise NotSettledError(
@@ -159,7 +159,7 @@ def fit_image_positions(model: SfmModel, image_positions: PicturePlaces, up: UpD
     return result
 
 
-def enu_of(frame: WorldFrame, positions: Sequence[PicturePlace]) -> Array:
+def enu_of(frame: WorldFrame, positions: Sequence[ImagePosition]) -> Array:
     """East, north and up of image positions, NaN for unknown heights, [n, 3] [m]."""
     rows = [[p.latitude, p.longitude, frame.altitude if p.altitude is None else p.altitude] for p in positions]
     target = frame.to_enu(np.array(rows))
@@ -172,7 +172,7 @@ def frame_to_dict(frame: WorldFrame) -> dict[str, Any]:
     return {"origin": origin, "epsg": frame.epsg}
 
 
-def _targets(frame: WorldFrame, positions: list[PicturePlace]) -> tuple[Array, Array]:
+def _targets(frame: WorldFrame, positions: list[ImagePosition]) -> tuple[Array, Array]:
     target = enu_of(frame, positions)
     sigma = np.empty_like(target)
     for k, position in enumerate(positions):

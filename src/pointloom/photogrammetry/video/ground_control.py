@@ -28,7 +28,7 @@ class ControlMark:
 
     Args:
         point: Point name.
-        picture: Image file name or number.
+        image: Image file name or number.
         pixel: Column and row, shape [2] [px], with integer pixel centers.
         where: Its origin, for errors.
 
@@ -43,12 +43,12 @@ class ControlMark:
     """
 
     point: str
-    picture: str
+    image: str
     pixel: Array
     where: str = ""
 
     def __post_init__(self):
-        for name in ("point", "picture"):
+        for name in ("point", "image"):
             if not check_name(name, getattr(self, name)):
                 raise ValueError(f"{name}: expected a name, got an empty one")
         check_name("where", self.where)
@@ -138,7 +138,7 @@ class GroundControl:
             object.__setattr__(self, name, values)
         names = [point.name for point in self.points]
         _check_once("points", names)
-        _check_once("marks", [f"{mark.point} in {mark.picture}" for mark in self.marks])
+        _check_once("marks", [f"{mark.point} in {mark.image}" for mark in self.marks])
         _check_once("bars", ["{} to {}".format(*sorted((bar.a, bar.b))) for bar in self.bars])
         if missing := [name for name in self.checks if name not in names]:
             raise ValueError(f"checks: expected names of points, got {missing[0]!r}")
@@ -168,7 +168,7 @@ class GroundControl:
         """Digest of everything that affects the result."""
         content: list[Any] = [self.crs, sorted(self.checks)]
         content += [[p.name, np.asarray(p.position).tolist(), np.asarray(p.sigma).tolist()] for p in self.points]
-        content += [[m.point, m.picture, m.pixel.tolist()] for m in self.marks]
+        content += [[m.point, m.image, m.pixel.tolist()] for m in self.marks]
         content += [[bar.a, bar.b, bar.meters, bar.sigma] for bar in self.bars]
         return digest_of(content)
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...cameras.picture_names import PictureNames
+from ...cameras.image_names import ImageNames
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_progress
@@ -21,18 +21,18 @@ from ...core.stages import Chain, StageResult
 from ...core.timing import peak_bytes_of_all
 from ...core.wording import few_of, json_text
 from ...core.work_folder import check_work_folder, locked
-from ...io.pictures.image_files import read_picture_header
+from ...io.images.image_files import read_image_header
 from ...io.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
-from ..sfm.image_positions import read_picture_places
-from ..sfm.picture_folder import check_path
+from ..sfm.image_folder import check_path
+from ..sfm.image_positions import read_image_positions
 from . import motion, surface
 from .chain import KNOWN_STAGES, STAGES, Given, run_to, settings_of_stages
 from .ground_control import ControlMark, GroundControl
-from .motion import PICTURES, picture_names
-from .outputs import Outputs
+from .motion import IMAGES, image_names
+from .outputs import VideoOutputs
 from .result import StageReport, VideoFigures, VideoResult
-from .settings import Settings
+from .settings import VideoSettings
 from .units import NONE, fit_as_given, fit_units
 
 
@@ -41,10 +41,10 @@ def check_control(control: GroundControl | None, frames: StageResult, source: Fi
         return
     source_path = Path(source)
     offered = sorted(path.name for path in source_path.iterdir()) if source_path.is_dir() else []
-    names = picture_names(frames)
-    pictures = PictureNames(names)
-    marked = {k for name in {mark.picture for mark in control.marks} for k in pictures.matching(name)}
-    headers = {names[k]: read_picture_header(frames.folder / PICTURES / names[k]) for k in sorted(marked)}
+    names = image_names(frames)
+    images = ImageNames(names)
+    marked = {k for name in {mark.image for mark in control.marks} for k in images.matching(name)}
+    headers = {names[k]: read_image_header(frames.folder / IMAGES / names[k]) for k in sorted(marked)}
     sizes = {name: (header.width, header.height) for name, header in headers.items()}
     check_marks(control, names, sizes, offered)
 
@@ -52,20 +52,20 @@ def check_control(control: GroundControl | None, frames: StageResult, source: Fi
 def check_marks(
     control: GroundControl, names: Sequence[str], sizes: Mapping[str, tuple[int, int]], offered: Sequence[str] = ()
 ) -> None:
-    pictures, others = PictureNames(names), PictureNames(offered)
+    images, others = ImageNames(names), ImageNames(offered)
     for mark in control.marks:
-        meant = pictures.matching(mark.picture)
-        if not meant and others.matching(mark.picture):
+        meant = images.matching(mark.image)
+        if not meant and others.matching(mark.image):
             continue
         if len(meant) != 1:
             what = "matches no image" if not meant else f"matches {len(meant)} images"
-            near = nearest_name(mark.picture, names).removeprefix("; ")
+            near = nearest_name(mark.image, names).removeprefix("; ")
             some = few_of(names, 3)
-            raise _error(control, mark, f"{mark.picture!r} {what}", f"{near} " * bool(near) + f"The images are {some}")
+            raise _error(control, mark, f"{mark.image!r} {what}", f"{near} " * bool(near) + f"The images are {some}")
         width, height = sizes[names[meant[0]]]
         column, row = (mark.pixel + 0.5).tolist()
         if not (0 <= column <= width and 0 <= row <= height):
-            reason = f"{mark.point!r} is marked at {column:g}, {row:g}, outside of {mark.picture} of {width} x {height}"
+            reason = f"{mark.point!r} is marked at {column:g}, {row:g}, outside of {mark.image} of {width} x {height}"
             remedy = "Give column, row of the image as it was taken: not rotated, not resized"
             raise _error(control, mark, reason, remedy)
 
@@ -78,11 +78,11 @@ def _error(control: GroundControl, mark: ControlMark, reason: str, remedy: str) 
 MARKER, REPORT = "video.json", "report.json"
 
 
-def reconstruct(
+def reconstruct_video(
     source: FilePath,
-    settings: Settings | None = None,
+    settings: VideoSettings | None = None,
     *,
-    outputs: Outputs | None = None,
+    outputs: VideoOutputs | None = None,
     work: FilePath | None = None,
     resume: bool = False,
     device: Any = "auto",
@@ -120,7 +120,7 @@ def reconstruct(
 
     Example:
         >>> import pointloom as loom
-        >>> loom.video.reconstruct("no such film.mp4", loom.video.Settings(max_frames=60))
+        >>> loom.photogrammetry.reconstruct_video("no such film.mp4", loom.photogrammetry.VideoSettings(max_frames=60))
         Traceback (most recent call last):
         pointloom.core.errors.FileError: no such film.mp4: does not exist. Give a video, or a folder of images
     """
@@ -147,30 +147,30 @@ def reconstruct(
     return result
 
 
-def _checked(settings: Any, outputs: Any) -> tuple[Settings, Outputs]:
-    settings = Settings() if settings is None else settings
-    if not isinstance(settings, Settings):
-        raise TypeError(f"settings: expected Settings, got {type(settings).__name__}")
-    outputs = Outputs() if outputs is None else outputs
-    if not isinstance(outputs, Outputs):
-        raise TypeError(f"outputs: expected Outputs, got {type(outputs).__name__}")
+def _checked(settings: Any, outputs: Any) -> tuple[VideoSettings, VideoOutputs]:
+    settings = VideoSettings() if settings is None else settings
+    if not isinstance(settings, VideoSettings):
+        raise TypeError(f"settings: expected VideoSettings, got {type(settings).__name__}")
+    outputs = VideoOutputs() if outputs is None else outputs
+    if not isinstance(outputs, VideoOutputs):
+        raise TypeError(f"outputs: expected VideoOutputs, got {type(outputs).__name__}")
     return settings, outputs
 
 
-def _with_image_positions(settings: Settings, source: FilePath) -> Settings:
+def _with_image_positions(settings: VideoSettings, source: FilePath) -> VideoSettings:
     units, path = settings.units, Path(source)
     if settings.cameras is not None and units.align is None:
         return replace(settings, units=replace(units, align=NONE))
     if units.places is None and path.is_dir() and units.file is None and units.align != NONE:
-        return replace(settings, units=replace(units, places=read_picture_places(path)))
+        return replace(settings, units=replace(units, places=read_image_positions(path)))
     return settings
 
 
 def _run(
     chain: Chain,
     given: Mapping[str, Given],
-    settings: Settings,
-    outputs: Outputs,
+    settings: VideoSettings,
+    outputs: VideoOutputs,
     *,
     source: str,
     work: FilePath | None,
@@ -178,7 +178,7 @@ def _run(
 ) -> VideoResult:
     stages = STAGES if settings.cameras is None else KNOWN_STAGES
     frames = run_to("frames", chain, given, stages)
-    settings.units.check_names(motion.picture_names(frames))
+    settings.units.check_names(motion.image_names(frames))
     check_control(settings.units.ground, frames, source)
     model_stage = run_to("model", chain, given, stages)
     mesh = cloud = model = fit = None
@@ -220,7 +220,7 @@ def _report_of(made: StageResult | None) -> StageReport | None:
 
 
 @contextlib.contextmanager
-def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overwrite: bool) -> Iterator[Path]:
+def _work_folder(work: FilePath | None, outputs: VideoOutputs, *, resume: bool, overwrite: bool) -> Iterator[Path]:
     if work is not None:
         folder = check_work_folder(check_path("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
         try:

@@ -13,34 +13,34 @@ from ...cameras.undistortion import Undistortion
 from ...core.errors import DatasetError, FilePath
 from ...core.progress import ReportProgress
 from ...core.stages import StageResult
+from ...io.images.photo_files import is_photo
 from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
-from ...io.pictures.photo_files import is_photo
 from ..sfm import features
 from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
+from ..sfm.image_choice import duplicate_notes
+from ..sfm.image_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
+from ..sfm.image_writing import write_bytes, write_image
 from ..sfm.masks import MASK_THRESHOLD, MakeMask, check_some_left, hides_all, mask_as_stored, mask_notes, write_mask
 from ..sfm.model_quality import assess_model
-from ..sfm.picture_choice import duplicate_notes
-from ..sfm.picture_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
-from ..sfm.picture_writing import write_bytes, write_picture
 from ..sfm.pose_check import PoseCheck
-from ..sfm.posed_pictures import with_poses
+from ..sfm.posed_images import with_poses
 from ..sfm.triangulation import match_posed, points_of
-from .motion import DATABASE, MASKS, MODEL, PICTURES, described, masks_of, only_rotated
-from .settings import Settings
+from .motion import DATABASE, IMAGES, MASKS, MODEL, described, masks_of, only_rotated
+from .settings import VideoSettings
 
 CAMERAS, MATCHES = "cameras", "matches.npz"
 
 
-def take_pictures(
+def take_images(
     folder: Path,
     report: ReportProgress,
     *,
     source: FilePath,
     max_frames: int,
-    posed: Settings,
+    posed: VideoSettings,
     masks: FilePath | MakeMask | None = None,
 ) -> dict[str, Any]:
     """Copy the images with a pose in stored orientation, to which the lenses refer."""
@@ -51,8 +51,8 @@ def take_pictures(
     assert given is not None
     with_pose = with_poses(source, paths, given)
     chosen = spaced(list(range(len(with_pose.paths))), max_frames)
-    pictures = folder / PICTURES
-    pictures.mkdir()
+    images = folder / IMAGES
+    images.mkdir()
     names, cameras, selected, lenses = [], [], [], {}
     hides = _Masks(Path(source), folder / MASKS, masks)
     for done, k in enumerate(chosen):
@@ -61,7 +61,7 @@ def take_pictures(
         mask = hides.mask_of(path, (lens.width, lens.height))
         if mask is not None and hides_all(mask):
             continue
-        name, camera = _write(pictures, path, lens, lenses)
+        name, camera = _write(images, path, lens, lenses)
         if mask is not None:
             hides.write(name, mask, lenses.get(lens))
         names.append(name)
@@ -89,14 +89,14 @@ class _Masks:
         self.hidden: list[str] = []
         self.missing: list[str] = []
 
-    def mask_of(self, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+    def mask_of(self, image: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
         if self.masks is None:
             return None
-        mask = mask_as_stored(self.masks, picture, size)
+        mask = mask_as_stored(self.masks, image, size)
         if mask is None:
-            self.missing.append(picture.name)
+            self.missing.append(image.name)
         elif hides_all(mask):
-            self.hidden.append(picture.name)
+            self.hidden.append(image.name)
         return mask
 
     def write(self, name: str, mask: NDArray[np.bool_], lens: Undistortion | None) -> None:
@@ -115,27 +115,27 @@ class _Masks:
 
 
 def _write(
-    pictures: Path, path: Path, camera: CameraModel, lenses: dict[CameraModel, Undistortion]
+    images: Path, path: Path, camera: CameraModel, lenses: dict[CameraModel, Undistortion]
 ) -> tuple[str, CameraModel]:
     """Write an image for COLMAP and return its camera, undistorted if COLMAP lacks the lens model."""
     header = read_header(path)
     if MODELS[camera.model].number is None:
         lens = lenses.setdefault(camera, Undistortion(camera))
-        write_picture(pictures / f"{path.stem}.png", lens.apply(read_stored(path)))
+        write_image(images / f"{path.stem}.png", lens.apply(read_stored(path)))
         return f"{path.stem}.png", CameraModel.from_intrinsic(lens.intrinsic)
     if header.bits == 8 and header.channels in (1, 3) and not is_photo(path) and read_orientation(path) == UPRIGHT:
-        write_bytes(pictures / path.name, path.read_bytes())
+        write_bytes(images / path.name, path.read_bytes())
         return path.name, camera
-    write_picture(pictures / f"{path.stem}.png", read_stored(path))
+    write_image(images / f"{path.stem}.png", read_stored(path))
     return f"{path.stem}.png", camera
 
 
 def find_features(
     folder: Path, report: ReportProgress, *, frames: StageResult, max_features: int, seed: int
 ) -> dict[str, Any]:
-    pictures, database = frames.folder / PICTURES, folder / DATABASE
+    images, database = frames.folder / IMAGES, folder / DATABASE
     options = {"max_features": max_features, "masks": masks_of(frames.folder)}
-    return features.find_features(pictures, database, seed=seed, progress=report, **options).to_dict()
+    return features.find_features(images, database, seed=seed, progress=report, **options).to_dict()
 
 
 def match(
@@ -153,7 +153,7 @@ def triangulate(
     model = read_colmap_model(frames.folder / CAMERAS)
     check = PoseCheck.from_json(matches.report["poses"])
     pair_matches = read_matches(matches.folder / MATCHES)
-    where = features.folder / DATABASE, model, pair_matches, check, frames.folder / PICTURES
+    where = features.folder / DATABASE, model, pair_matches, check, frames.folder / IMAGES
     complete, _ = points_of(*where, seed=seed, max_seconds=MAX_SECONDS, max_memory=None)
     assessed = assess_model(complete, len(model) + frames.report["missing"], fix_intrinsic=True, poses=check)
     write_colmap_model(folder / MODEL, complete)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.picture_names import matching_pictures
+from ...cameras.image_names import matching_images
 from ...io.models.sfm_model import SfmModel
 from ...registration.rigid import skews
 from .ground_control import ControlMark
@@ -45,10 +45,10 @@ class MarkedPoint:
 
 
 def locate_marks(model: SfmModel, marks: Sequence[ControlMark]) -> dict[str, MarkedPoint]:
-    pictures = {mark.picture: matching_pictures(mark.picture, model.names) for mark in marks}
+    images = {mark.image: matching_images(mark.image, model.names) for mark in marks}
     by_name: dict[str, list[tuple[int, Array]]] = {mark.point: [] for mark in marks}
     for mark in marks:
-        if len(meant := pictures[mark.picture]) == 1:
+        if len(meant := images[mark.image]) == 1:
             by_name[mark.point].append((meant[0], mark.pixel))
     return {name: _located(model, name, seen) for name, seen in by_name.items()}
 

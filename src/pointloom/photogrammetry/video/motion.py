@@ -13,21 +13,21 @@ from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, digest_of_file
 from ...core.stages import StageResult
+from ...io.images.image_files import read_image_header
 from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
-from ...io.pictures.image_files import read_picture_header
 from ..sfm import features as features_module
 from ..sfm import mapping
 from ..sfm import matches as matches_module
 from ..sfm.frames import choose_frames
+from ..sfm.image_folder import check_path
+from ..sfm.image_writing import counted, some_of
 from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.model_quality import MIN_ANGLE, MIN_PARALLAX, ModelQuality
-from ..sfm.picture_folder import check_path
-from ..sfm.picture_writing import counted, some_of
-from ..sfm.sphere_pictures import cut_spheres, with_all_faces
+from ..sfm.sphere_images import cut_spheres, with_all_faces
 
-PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
-MASKS, SPHERES = PICTURES + FOLDER, "spheres"
+IMAGES, DATABASE, MODEL = "images", "database.db", "sparse"
+MASKS, SPHERES = IMAGES + FOLDER, "spheres"
 
 MIN_IMAGES = 2  # minimum images of a model
 
@@ -48,8 +48,8 @@ def read_model(model: StageResult) -> SfmModel:
     return read_colmap_model(model.folder / MODEL)
 
 
-def picture_names(frames: StageResult) -> list[str]:
-    return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
+def image_names(frames: StageResult) -> list[str]:
+    return sorted(path.name for path in (frames.folder / IMAGES).iterdir())
 
 
 def take_frames(
@@ -61,12 +61,12 @@ def take_frames(
     masks: FilePath | MakeMask | None,
     panorama: bool,
 ) -> dict[str, Any]:
-    target = folder / (SPHERES if panorama else PICTURES)
+    target = folder / (SPHERES if panorama else IMAGES)
     choice = choose_frames(source, target, max_frames=max_frames, masks=masks, progress=report)
     record = choice.to_dict()
     if panorama:
         hidden = None if masks is None else (mask_folder(target), folder / MASKS)
-        faces = cut_spheres(target, choice.names, folder / PICTURES, hidden, report)
+        faces = cut_spheres(target, choice.names, folder / IMAGES, hidden, report)
         for each in (target, mask_folder(target)):
             shutil.rmtree(each, ignore_errors=True)
         return record | {"kept": len(faces), "frames": choice.frame_count, "names": faces}
@@ -92,13 +92,13 @@ def find_features(
     panorama: bool,
     seed: int,
 ) -> dict[str, Any]:
-    pictures = frames.folder / PICTURES
+    images = frames.folder / IMAGES
     if panorama:  # cube faces have any size
-        side = read_picture_header(pictures / picture_names(frames)[0]).width
+        side = read_image_header(images / image_names(frames)[0]).width
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
     options |= {"intrinsic": intrinsic, "seed": seed, "progress": report}
-    features = features_module.find_features(pictures, folder / DATABASE, **options)
+    features = features_module.find_features(images, folder / DATABASE, **options)
     return features.to_dict()
 
 
@@ -106,10 +106,10 @@ def match(
     folder: Path, report: ReportProgress, *, frames: StageResult, features: StageResult, pairs: str, seed: int
 ) -> dict[str, Any]:
     options = {"pairs": pairs, "seed": seed, "progress": report}
-    return matches_module.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
+    return matches_module.match_features(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
 
 
-def map_pictures(
+def map_images(
     folder: Path,
     report: ReportProgress,
     *,
@@ -121,11 +121,11 @@ def map_pictures(
     seed: int,
 ) -> dict[str, Any]:
     given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": report}
-    result = mapping.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
+    result = mapping.map_images(frames.folder / IMAGES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if result.model is None else tuple(dict.fromkeys(result.model.cameras))
     missing, notes = list(result.missing), []
     if panorama and result.model is not None:
-        complete, added = with_all_faces(result.model, picture_names(frames))
+        complete, added = with_all_faces(result.model, image_names(frames))
         if added:
             write_colmap_model(folder / MODEL, complete)
             missing = [name for name in missing if name not in set(added)]

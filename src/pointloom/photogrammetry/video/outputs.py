@@ -27,16 +27,16 @@ from ...pcd.cloud import PointCloud
 from ...pcd.geotiff import check_geotiff
 from ...visualization.render.picture_files import check_picture
 from ...visualization.render.scene_view import draw_scene
-from ..sfm.picture_folder import check_path
+from ..sfm.image_folder import check_path
 from ..sfm.training_folder import TRANSFORMS, TrainingFolder, write_training_folder
-from .motion import PICTURES, masks_of
+from .motion import IMAGES, masks_of
 from .result import VideoResult
 from .surface import poses_of
-from .units import Fit, Units
+from .units import Fit, VideoUnits
 
 
 @dataclass(frozen=True)
-class Outputs:
+class VideoOutputs:
     """Output files of a video reconstruction. None if not requested.
 
     Attributes:
@@ -54,7 +54,7 @@ class Outputs:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.video.Outputs(mesh="room.ply", picture="room.png").cloud is None
+        >>> loom.photogrammetry.VideoOutputs(mesh="room.ply", picture="room.png").cloud is None
         True
     """
 
@@ -102,7 +102,7 @@ class Outputs:
                 raise FileError(path, "is given for two outputs", remedy="Give each output its own name")
             taken.add(Path(path).resolve())
 
-    def check_units(self, units: Units) -> None:
+    def check_units(self, units: VideoUnits) -> None:
         """Check before any work that maps can be georeferenced.
 
         Raises:
@@ -170,7 +170,7 @@ class Outputs:
         if self.training is None or result.model is None:
             return None
         given = {"masks": masks_of(frames), "device": result.device, "overwrite": overwrite}
-        return write_training_folder(self.training, result.model, frames / PICTURES, **given)
+        return write_training_folder(self.training, result.model, frames / IMAGES, **given)
 
     @property
     def _maps(self) -> list[FilePath]:

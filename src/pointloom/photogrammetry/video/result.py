@@ -9,7 +9,7 @@ from typing import Any
 from ...core.escaped_text import escaped
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.stages import StageResult
-from ...core.wording import format_bounds, format_bytes, format_share
+from ...core.wording import format_bounds, format_bytes, format_fraction
 from ...io.models.sfm_model import SfmModel
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
@@ -26,13 +26,13 @@ class VideoFigures:
 
     Attributes:
         frame_count: Frames of the video, or images of the folder.
-        picture_count: Selected images.
+        image_count: Selected images.
         notes: Hints for better recordings.
         quality: Quality of the SfM model.
         cameras: The estimated lenses, in words.
         only_rotated: True if the camera only rotated, so that depth is undetermined.
-        picture_size: Width and height of the first depth map [px].
-        confirmed_share: Fraction of pixels with confirmed depth.
+        image_size: Width and height of the first depth map [px].
+        confirmed_fraction: Fraction of pixels with confirmed depth.
         point_count: Fused points.
         vertex_count, triangle_count: Of the mesh.
         floater_count: Removed triangles of small floating parts.
@@ -41,13 +41,13 @@ class VideoFigures:
     """
 
     frame_count: int
-    picture_count: int
+    image_count: int
     notes: tuple[str, ...]
     quality: ModelQuality
     cameras: tuple[str, ...]
     only_rotated: bool
-    picture_size: tuple[int, int] | None = None
-    confirmed_share: float | None = None
+    image_size: tuple[int, int] | None = None
+    confirmed_fraction: float | None = None
     point_count: int | None = None
     vertex_count: int | None = None
     triangle_count: int | None = None
@@ -71,7 +71,7 @@ class VideoFigures:
             return cls(*taken, *model_fields, frame_warnings=damage)
         width, height = made["undistorted"].report["sizes"][0]
         fused, mesh = made["fused"].report, made["mesh"].report
-        depth = (width, height), fused["share"], fused["points"]
+        depth = (width, height), fused["fraction"], fused["points"]
         surface = mesh["vertices"], mesh["triangles"], mesh["floaters"], mesh["bounds"]
         return cls(*taken, *model_fields, *depth, *surface, frame_warnings=damage)
 
@@ -89,12 +89,12 @@ class VideoFigures:
         return reasons
 
     def depth_warnings(self) -> list[str]:
-        share = self.confirmed_share
-        if share is None or share >= MIN_CONFIRMED:
+        fraction = self.confirmed_fraction
+        if fraction is None or fraction >= MIN_CONFIRMED:
             return []
         return [
-            f"other images confirm the depth of only {format_share(share)} of the pixels: surfaces without texture, "
-            "or with reflections, cannot be matched; move closer, take more images, or add texture"
+            f"other images confirm the depth of only {format_fraction(fraction)} of the pixels: surfaces without "
+            "texture, or with reflections, cannot be matched; move closer, take more images, or add texture"
         ]
 
 
@@ -149,6 +149,7 @@ class VideoResult(Assessed):
 
     @property
     def reached(self) -> dict[str, StageReport]:
+        """The stages that ran, by name."""
         return {name: stage for name, stage in self.stages.items() if stage is not None}
 
     def to_dict(self) -> dict[str, Any]:
@@ -177,9 +178,9 @@ class VideoResult(Assessed):
     def fields(self) -> Fields:
         figures = self.figures
         return [
-            ("pictures", "\n".join([self._pictures_line(), *figures.notes])),
+            ("images", "\n".join([self._images_line(), *figures.notes])),
             *([("camera", _camera_line(figures))] if figures.quality.point_count else []),
-            *([("depth", _depth_line(figures))] if figures.picture_size else []),
+            *([("depth", _depth_line(figures))] if figures.image_size else []),
             *([("mesh", _mesh_line(figures))] if figures.vertex_count is not None else []),
             ("units", UNKNOWN if self.fit is None else str(self.fit)),
             *([("bounds", format_bounds(figures.bounds))] if figures.vertex_count is not None else []),
@@ -193,9 +194,9 @@ class VideoResult(Assessed):
     def __str__(self) -> str:
         return f"{escaped(self.source)}\n{in_columns(self.fields())}"
 
-    def _pictures_line(self) -> str:
+    def _images_line(self) -> str:
         chosen = f"chosen from {self.figures.frame_count:,}, on {self.device}"
-        return f"{self.figures.quality.registered_count} of {self.figures.picture_count} registered, {chosen}"
+        return f"{self.figures.quality.registered_count} of {self.figures.image_count} registered, {chosen}"
 
     def _again_line(self) -> str:
         whys: dict[str, list[str]] = {}
@@ -217,8 +218,8 @@ def _camera_line(figures: VideoFigures) -> str:
 
 
 def _depth_line(figures: VideoFigures) -> str:
-    assert figures.picture_size is not None and figures.confirmed_share is not None
-    size, confirmed = "{} x {}".format(*figures.picture_size), format_share(figures.confirmed_share)
+    assert figures.image_size is not None and figures.confirmed_fraction is not None
+    size, confirmed = "{} x {}".format(*figures.image_size), format_fraction(figures.confirmed_fraction)
     return f"of {size} pixels, {confirmed} confirmed by others; {figures.point_count:,} points"
 
 

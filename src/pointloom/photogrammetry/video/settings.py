@@ -19,14 +19,14 @@ from ..sfm.mapping import MAPPERS
 from ..sfm.masks import ALPHA, MakeMask, check_masks
 from ..sfm.matches import PAIRS
 from .motion import digest_of_source
-from .units import Units
+from .units import VideoUnits
 
 MAX_FRAMES, MAX_SIZE = 150, 960
-MIN_PICTURES, SMALLEST = 2, 64  # minimum images, and minimum size
+MIN_IMAGES, SMALLEST = 2, 64  # minimum images, and minimum size
 
 
 @dataclass(frozen=True, eq=False)
-class Settings:
+class VideoSettings:
     """Settings of a video reconstruction.
 
     Attributes:
@@ -42,7 +42,7 @@ class Settings:
         pairs: As of `sfm.match`.
         max_features: Maximum number per image.
         panorama: The images are equirectangular (360 degrees, aspect 2:1). Each becomes six cube faces.
-        mapper: As of `sfm.map_pictures`.
+        mapper: As of `sfm.map_images`.
 
     Raises:
         TypeError, ValueError: One is out of range; named in the message.
@@ -50,14 +50,15 @@ class Settings:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.video.Settings(max_frames=60, units=loom.video.Units(known=("IMG_1", "IMG_7", 2.5))).units.known
+        >>> units = loom.photogrammetry.VideoUnits(known=("IMG_1", "IMG_7", 2.5))
+        >>> loom.photogrammetry.VideoSettings(max_frames=60, units=units).units.known
         ('IMG_1', 'IMG_7', 2.5)
     """
 
     max_frames: int = MAX_FRAMES
     max_size: int = MAX_SIZE
     intrinsic: FilePath | PinholeCameraIntrinsic | None = None
-    units: Units = field(default_factory=Units)
+    units: VideoUnits = field(default_factory=VideoUnits)
     seed: int = 0
     cameras: FilePath | SfmModel | None = None
     masks: FilePath | MakeMask | None = None
@@ -68,11 +69,11 @@ class Settings:
     mapper: str = "auto"
 
     def __post_init__(self):
-        check_count("max_frames", self.max_frames, minimum=MIN_PICTURES)
+        check_count("max_frames", self.max_frames, minimum=MIN_IMAGES)
         check_count("max_size", self.max_size, minimum=SMALLEST)
         check_seed(self.seed)
-        if not isinstance(self.units, Units):
-            raise TypeError(f"units: expected Units, got {type(self.units).__name__}")
+        if not isinstance(self.units, VideoUnits):
+            raise TypeError(f"units: expected VideoUnits, got {type(self.units).__name__}")
         if not isinstance(self.intrinsic, str | os.PathLike | PinholeCameraIntrinsic | None):
             kind = type(self.intrinsic).__name__
             raise TypeError(f"intrinsic: expected a path or a PinholeCameraIntrinsic, got {kind}")
@@ -122,7 +123,7 @@ class Settings:
             return read_pinhole_camera_intrinsic(self.intrinsic)
         return self.intrinsic
 
-    def read_posed(self, pictures: Sequence[str]) -> SfmModel | None:
+    def read_posed(self, images: Sequence[str]) -> SfmModel | None:
         """The known lenses and poses of the images of these names, or None.
 
         Raises:
@@ -130,7 +131,7 @@ class Settings:
         """
         if isinstance(self.cameras, str | os.PathLike):
             try:
-                return read_cameras(self.cameras, pictures=pictures, intrinsic=self.read_camera())
+                return read_cameras(self.cameras, images=images, intrinsic=self.read_camera())
             except FileError:
                 raise
             except ValueError as error:

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from ...cameras.picture_names import number_of
+from ...cameras.image_names import number_of
 from ...cameras.pose_files import trajectory_of
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...cameras.undistortion import Undistortion
 from ...core.progress import ReportProgress
 from ...core.stages import StageResult
+from ...io.images.image_files import read_color, write_png
 from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
-from ...io.pictures.image_files import read_color, write_png
 from ...io.points.point_cloud import write_point_cloud
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
@@ -25,12 +25,12 @@ from ...pcd.cloud import PointCloud
 from ..mvs.depth_maps import DepthMap, DepthMaps
 from ..mvs.estimation import estimate_depth_maps
 from ..mvs.filtering import filter_depth_maps
-from ..mvs.fusion import fuse
-from ..mvs.posed_pictures import PosedCamera
+from ..mvs.fusion import fuse_depth_maps
+from ..mvs.posed_images import PosedCamera
 from ..sfm.masks import MASK_THRESHOLD, mask_file, masks_in, write_mask
 from ..sfm.straightened import straightened_model
 from . import motion
-from .units import Units, fit_units
+from .units import VideoUnits, fit_units
 
 IMAGES, SPARSE = "images", "sparse"  # COLMAP's names in a folder of undistorted images
 MAPS, MASKS = "maps", "masks"
@@ -50,42 +50,42 @@ def straighten(
         camera: Undistortion(camera, max_size=max_size, device=device) for camera in dict.fromkeys(sparse.cameras)
     }
     for k, (name, camera) in enumerate(zip(sparse.names, sparse.cameras, strict=True)):
-        report("pictures", k, len(names))
-        color = read_color(frames.folder / motion.PICTURES / name)
+        report("images", k, len(names))
+        color = read_color(frames.folder / motion.IMAGES / name)
         write_png(images / names[k], lenses[camera].apply(color))
         mask = mask_file(frames.folder / motion.MASKS, name)
         if mask.is_file():
             (folder / MASKS).mkdir(exist_ok=True)
             straightened = lenses[camera].apply(read_color(mask)[..., 0])
             write_mask(folder / MASKS, names[k], straightened >= MASK_THRESHOLD)
-    report("pictures", len(names), len(names))
+    report("images", len(names), len(names))
     straight = [lenses[camera].intrinsic for camera in sparse.cameras]
     write_colmap_model(folder / SPARSE, straightened_model(sparse, names, straight))
     sizes = dict.fromkeys((camera.width, camera.height) for camera in straight)
-    return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
+    return {"images": len(names), "sizes": [list(size) for size in sizes]}
 
 
 def estimate(
     folder: Path, report: ReportProgress, checkpoints: Path, *, undistorted: StageResult, seed: int, device: Any
 ) -> dict[str, Any]:
-    model, pictures, cameras = open_straightened(undistorted)
-    masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
+    model, images, cameras = open_straightened(undistorted)
+    masks = masks_in(undistorted.folder / MASKS, [path.name for path in images])
     where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": checkpoints, "progress": report}
-    maps = estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
-    return {"pictures": len(maps), "share": mean_share(maps, masks)}
+    maps = estimate_depth_maps(images, cameras, model, seed=seed, **where)
+    return {"images": len(maps), "fraction": mean_fraction(maps, masks)}
 
 
 def fuse_points(
     folder: Path, report: ReportProgress, *, undistorted: StageResult, depth: StageResult, device: Any
 ) -> dict[str, Any]:
-    _, pictures, _ = open_straightened(undistorted)
+    _, images, _ = open_straightened(undistorted)
     where = {"device": device, "progress": report}
     maps = filter_depth_maps(DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
-    cloud = fuse(maps, pictures, to="points", **where)
+    cloud = fuse_depth_maps(maps, images, to="points", **where)
     assert isinstance(cloud, PointCloud)
     write_point_cloud(folder / CLOUD, cloud)
-    masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
-    return {"share": mean_share(maps, masks), "points": len(cloud)}
+    masks = masks_in(undistorted.folder / MASKS, [path.name for path in images])
+    return {"fraction": mean_fraction(maps, masks), "points": len(cloud)}
 
 
 def make_mesh(
@@ -95,12 +95,12 @@ def make_mesh(
     model: StageResult,
     undistorted: StageResult,
     fused: StageResult,
-    units: Units,
+    units: VideoUnits,
     device: Any,
 ) -> dict[str, Any]:
-    straight, pictures, _ = open_straightened(undistorted)
+    straight, images, _ = open_straightened(undistorted)
     where = {"device": device, "progress": report}
-    full = fuse(DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
+    full = fuse_depth_maps(DepthMaps.open(fused.folder / MAPS), images, to="tsdf", **where)
     assert isinstance(full, TriangleMesh)
     cleaned, fit = without_floaters(full), fit_units(units, motion.read_model(model))
     mesh = cleaned.transform(fit.T_world_model)
@@ -136,9 +136,9 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
     return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
 
 
-def mean_share(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:
-    shares = []
+def mean_fraction(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:
+    fractions = []
     for each, mask in zip(maps, masks, strict=True):
         left = 1.0 if mask is None else float((read_color(mask)[..., 0] >= MASK_THRESHOLD).mean())
-        shares.append(each.share / left if left else 0.0)
-    return float(np.mean(shares)) if shares else 0.0
+        fractions.append(each.fraction / left if left else 0.0)
+    return float(np.mean(fractions)) if fractions else 0.0

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.picture_names import matching_pictures
+from ...cameras.image_names import matching_images
 from ...cameras.pose_text import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
@@ -22,7 +22,7 @@ from ...io.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
 from ...registration.trajectories.up_direction import UpDirection, up_direction, upright_rotation
-from ..sfm.image_positions import PicturePlaces
+from ..sfm.image_positions import ImagePositions
 from .control import fit_control
 from .control_files import ground_of
 from .control_report import ControlFit
@@ -42,7 +42,7 @@ EXIF, NONE = "exif", "none"  # keywords of `align`
 
 
 @dataclass(frozen=True, eq=False)
-class Units:
+class VideoUnits:
     """Known scale or position of a reconstruction: at most one of scale, known, align, and control.
 
     If nothing is given, image positions (GPS in EXIF and XMP) are used if they determine scale and rotation. Else the
@@ -64,14 +64,14 @@ class Units:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.video.Units(scale=2.5).settings
+        >>> loom.photogrammetry.VideoUnits(scale=2.5).settings
         {'scale': 2.5, 'known': None, 'align': None}
     """
 
     scale: float | None = None
     known: tuple[str, str, float] | None = None
     align: FilePath | None = None
-    places: PicturePlaces | None = None
+    places: ImagePositions | None = None
     control: FilePath | GroundControl | None = None
     scale_bars: FilePath | None = None
     ground: GroundControl | None = field(default=None, init=False, repr=False)
@@ -90,8 +90,8 @@ class Units:
             object.__setattr__(self, "known", (first, second, check_positive("known", meters)))
         if self.file is not None:
             read_lines(self.file)
-        if not isinstance(self.places, PicturePlaces | None):
-            raise TypeError(f"places: expected PicturePlaces, got {type(self.places).__name__}")
+        if not isinstance(self.places, ImagePositions | None):
+            raise TypeError(f"places: expected ImagePositions, got {type(self.places).__name__}")
         object.__setattr__(self, "ground", ground_of(self.control, self.scale_bars))
 
     @property
@@ -137,7 +137,7 @@ class Units:
             _check_image_positions(self.places, names)
         if self.known is None:
             return
-        first, second = (picture_named(name, names) for name in self.known[:2])
+        first, second = (image_named(name, names) for name in self.known[:2])
         if first == second:
             raise ValueError(
                 f"known: {shown(self.known[0])} and {shown(self.known[1])} are the same image, {shown(names[first])}"
@@ -240,7 +240,7 @@ class Fit(Assessed):
         return line
 
 
-def fit_units(units: Units, model: SfmModel) -> Fit:
+def fit_units(units: VideoUnits, model: SfmModel) -> Fit:
     if (path := units.file) is not None:
         return _aligned(path, model)
     if units.ground is not None:
@@ -265,7 +265,7 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
     return _upright(_of_lengths(units, model), up)
 
 
-def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
+def _by_ground(units: VideoUnits, ground: GroundControl, model: SfmModel) -> Fit:
     """Fit by control points or scale bars. If insufficient, by other data and unreliable."""
     try:
         control_fit = fit_control(model, ground, units.places)
@@ -288,10 +288,10 @@ def _upright(fit: Fit, up: UpDirection) -> Fit:
     return replace(fit, T_world_model=rotation @ fit.T_world_model, up=up)
 
 
-def _of_lengths(units: Units, model: SfmModel) -> Fit:
+def _of_lengths(units: VideoUnits, model: SfmModel) -> Fit:
     if units.known is not None:
         first, second, meters = units.known
-        a, b = (model.names[picture_named(name, model.names, " in the model")] for name in (first, second))
+        a, b = (model.names[image_named(name, model.names, " in the model")] for name in (first, second))
         try:
             return _scaled(scale_from_known(model, a, b, meters), "known", METRES)
         except ValueError:
@@ -307,8 +307,8 @@ def fit_as_given(fit: Fit) -> Fit:
     return replace(fit, units=OF_POSES, by="cameras") if fit.units == ARBITRARY else fit
 
 
-def picture_named(name: str, names: Sequence[str], where: str = "") -> int:
-    matches = matching_pictures(name, names)
+def image_named(name: str, names: Sequence[str], where: str = "") -> int:
+    matches = matching_images(name, names)
     if len(matches) != 1:
         what = "matches no image" if not matches else f"matches {len(matches)} images"
         some = few_of(names, 3)
@@ -363,7 +363,7 @@ def _positions(path: FilePath, names: Sequence[str], where: str) -> dict[str, ND
     return positions
 
 
-def _check_image_positions(image_positions: PicturePlaces | None, names: Sequence[str]) -> None:
+def _check_image_positions(image_positions: ImagePositions | None, names: Sequence[str]) -> None:
     if image_positions is None:
         raise ValueError('align: "exif" requires a folder of photographs; a video has no GPS positions')
     count = len(positions_by_image(image_positions, tuple(names)))

@@ -11,16 +11,16 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import (
     check_count,
+    check_fraction,
     check_positive,
     check_progress,
     check_rows,
-    check_share,
     check_transformation,
     shown,
 )
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, with_warnings
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...kernels.arrays.side_by_side import read_together
 from ...kernels.bending.coherent_drift import (
     Drift,
@@ -46,7 +46,7 @@ NEAR = 0.7  # relative to the source's radius: below it, trees are faster than a
 LEFT = 1e-9  # relative diagonal residual of the factorization
 MAX_ROWS = 1000  # maximum rank
 FLOOR = 1e-10  # minimum variance relative to the squared radius
-MIN_SHARE, MAX_SPREAD = 0.5, 2.5
+MIN_FRACTION, MAX_SPREAD = 0.5, 2.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ class DriftResult(Report, Assessed):
     def warnings(self) -> tuple[str, ...]:
         apart = self.deviation / self.spacing if self.spacing > 0 else 0.0
         return failed(
-            f"only {format_share(self.matched)} of the target are inliers" if self.matched < MIN_SHARE else None,
+            f"only {format_fraction(self.matched)} of the target are inliers" if self.matched < MIN_FRACTION else None,
             f"targets are {apart:.1f} of their spacings from the sources" if apart > MAX_SPREAD else None,
             None if self.converged else f"not converged after {self.iterations} steps",
         )
@@ -94,7 +94,7 @@ class DriftResult(Report, Assessed):
         fields = [
             ("kind", self.kind),
             ("deviation", f"{self.deviation:.4g}, with {self.spacing:.4g} between targets"),
-            ("matched", f"{format_share(self.matched)} of the target"),
+            ("matched", f"{format_fraction(self.matched)} of the target"),
             ("steps", f"{self.iterations}{'' if self.converged else ', not converged'}"),
         ]
         return with_warnings(fields, self)
@@ -163,11 +163,11 @@ def coherent_point_drift(
     report_progress = check_progress(progress)
     if not isinstance(kind, str) or kind not in KINDS:
         raise ValueError(f"kind: expected one of {', '.join(KINDS)}, got {shown(kind)}")
-    share, iteration_limit = (
-        check_share("outliers", outliers),
+    fraction, iteration_limit = (
+        check_fraction("outliers", outliers),
         check_count("max_iterations", max_iterations, maximum=100_000),
     )
-    if share >= 1:
+    if fraction >= 1:
         raise ValueError("outliers: expected a fraction below 1, got 1, which leaves no inliers")
     begin = np.eye(4) if init is None else check_transformation("init", init)
     field_width, stiff = (
@@ -179,7 +179,7 @@ def coherent_point_drift(
         if cloud.search_tree().count < MIN_POINTS:
             count = cloud.search_tree().count
             raise ValueError(f"{name}: expected at least {MIN_POINTS} finite points, got {count}")
-    job = _DriftRegistration(source, target, begin, share)
+    job = _DriftRegistration(source, target, begin, fraction)
     if kind == "deformable":
         job.begin_field(field_width, stiff)
     converged = False
@@ -247,7 +247,7 @@ class _DriftRegistration:
         return abs(before - self.variance) / before
 
     def _sums(self, positions: Any) -> tuple[Array, Array]:
-        targets = reduce(sum_targets, self.number, [self.drift.targets, self.drift.shares])
+        targets = reduce(sum_targets, self.number, [self.drift.targets, self.drift.fractions])
         sources = reduce(sum_pulls, self.size, [positions, self.drift.sums])
         first, second = read_together([targets, sources])  # sync
         return np.asarray(first, np.float64).ravel(), np.asarray(second, np.float64).ravel()

@@ -52,7 +52,7 @@ class ControlGrid(Serialized):
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> grid = loom.reconstruction.ControlGrid(grid_size=1.0)
+        >>> grid = loom.rgbd.ControlGrid(grid_size=1.0)
         >>> cloud = loom.PointCloud([[0.5, 0.5, 0.5]])
         >>> grid.touch(cloud)
         >>> grid.set_positions(1.01 * grid.get_init_positions())

@@ -26,7 +26,7 @@ from ...core.checks import (
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.quantiles import quantiles_of
 from ...kernels.bending.bending_steps import BendingSteps
@@ -138,7 +138,7 @@ def register_nonrigid(
     if not steps:
         raise ValueError("stiffness: expected at least one number")
     iteration_limit = check_count("max_iterations", max_iterations, minimum=1, maximum=1000)
-    share = check_positive("tolerance", tolerance)
+    fraction = check_positive("tolerance", tolerance)
     weight = check_positive("landmark_weight", landmark_weight, maximum=1e6)
     for name, cloud in (("source", source), ("target", target)):
         if cloud.search_tree().count < MIN_POINTS:
@@ -154,7 +154,7 @@ def register_nonrigid(
 
     def bend(begin: Array | None, phase: str) -> NonRigidResult:
         job = _NonRigidRegistration(source, target, spacing, max_distance, begin, pins, weight)
-        return job.run(steps, iteration_limit, share * spacing, partial(report_progress, phase))
+        return job.run(steps, iteration_limit, fraction * spacing, partial(report_progress, phase))
 
     result = bend(start, "bend")
     if result.strain <= DOUBTED_STRAIN or len(pins[0]) >= 3:
@@ -338,7 +338,7 @@ class _NonRigidRegistration:
         deformation = Deformation(self.graph, self.source.origin, self.target.origin)
         warped = deformation.transform(self.source)
         nearest = find_nearest(PointTree(warped._points_about(self.target.origin)), self.tree.source)
-        covered = _share_within(nearest, 0.5 * self.grain, self.tree.count)
+        covered = _fraction_within(nearest, 0.5 * self.grain, self.tree.count)
         strains = quantiles_of(measure_strain(self.graph, self.around), [0.9])
         volumes = deformation.volumes(self.source)
         finite = volumes[np.isfinite(volumes)]
@@ -362,14 +362,14 @@ class _NonRigidRegistration:
         )
 
 
-def _share_within(nearest: Any, distance: float, count: int) -> float:
+def _fraction_within(nearest: Any, distance: float, count: int) -> float:
     keys = np.asarray(download(nearest), np.int64)
     squares = (keys >> 32).astype(np.int32).view(np.float32)
     return float(((keys >= 0) & (squares <= distance * distance)).sum()) / max(count, 1)
 
 
 SAME = 1e-3  # of the node spacing: smaller differences are ignored
-MIN_SHARE, MAX_FOLDED, MAX_STRAIN = 0.75, 0.01, 0.22
+MIN_FRACTION, MAX_FOLDED, MAX_STRAIN = 0.75, 0.01, 0.22
 
 
 @dataclass(frozen=True, eq=False)
@@ -425,11 +425,11 @@ class NonRigidResult(Report, Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks, each with its remedy. Empty if the result is reliable."""
-        share, fold = max(self.matched, self.covered), self.folded > MAX_FOLDED
+        fraction, fold = max(self.matched, self.covered), self.folded > MAX_FOLDED
         has_better_start = self.better_start is not None
         return failed(
-            f"only {format_share(share)} of either cloud matches the other" if share < MIN_SHARE else None,
-            f"the deformation folds at {format_share(self.folded)} of the points" if fold else None,
+            f"only {format_fraction(fraction)} of either cloud matches the other" if fraction < MIN_FRACTION else None,
+            f"the deformation folds at {format_fraction(self.folded)} of the points" if fold else None,
             f"the deformation stretches the source by {self.strain:.0%}" if self.strain > MAX_STRAIN else None,
             "a start rotated by 180 degrees (better_start) fits with less strain" if has_better_start else None,
             # Earlier stiffnesses only give the start of the next one: with 30 steps each, some did not converge in 3
@@ -445,13 +445,16 @@ class NonRigidResult(Report, Assessed):
 
     def fields(self) -> Fields:
         """The rows of the printed summary."""
-        unbent = f"rmse {self.rigid_rmse:.4g}, {format_share(self.rigid_matched)} of the source on the target"
+        unbent = f"rmse {self.rigid_rmse:.4g}, {format_fraction(self.rigid_matched)} of the source on the target"
         fields = [
             ("nodes", f"{len(self.deformation):,}"),
-            ("matched", f"{format_share(self.matched)} of the source, {format_share(self.covered)} of the target"),
+            (
+                "matched",
+                f"{format_fraction(self.matched)} of the source, {format_fraction(self.covered)} of the target",
+            ),
             ("rmse", f"{self.rmse:.4g}"),
             ("unbent", unbent),
-            ("strain", f"{self.strain:.1%}, folded at {format_share(self.folded)}"),
+            ("strain", f"{self.strain:.1%}, folded at {format_fraction(self.folded)}"),
             ("steps", f"{self.iterations}{'' if self.converged else ', not converged'}"),
         ]
         return with_warnings(fields, self)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import LARGEST_NUMBER, check_count, check_list, check_positive, check_progress, check_share
+from ...core.checks import LARGEST_NUMBER, check_count, check_fraction, check_list, check_positive, check_progress
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.quaternions import nearest_rotations
@@ -60,7 +60,7 @@ class SLACOptimizerParams:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.reconstruction.SLACOptimizerParams(max_iterations=10).distance_threshold
+        >>> loom.rgbd.SLACOptimizerParams(max_iterations=10).distance_threshold
         0.07
     """
 
@@ -78,7 +78,7 @@ class SLACOptimizerParams:
         for name in ("voxel_size", "distance_threshold", "regularizer_weight", "grid_size"):
             value = check_positive(name, getattr(self, name), allow_zero=name == "voxel_size", maximum=LARGEST_NUMBER)
             object.__setattr__(self, name, value)
-        object.__setattr__(self, "fitness_threshold", check_share("fitness_threshold", self.fitness_threshold))
+        object.__setattr__(self, "fitness_threshold", check_fraction("fitness_threshold", self.fitness_threshold))
 
 
 def run_slac_optimizer_for_fragments(
@@ -120,7 +120,7 @@ def run_slac_optimizer_for_fragments(
         >>> poses[1][0, 3] = 0.02
         >>> graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], [reg.PoseGraphEdge(0, 1)])
         >>> clouds = [loom.PointCloud(corner), loom.PointCloud(corner)]
-        >>> graph, grid = loom.reconstruction.run_slac_optimizer_for_fragments(clouds, graph)
+        >>> graph, grid = loom.rgbd.run_slac_optimizer_for_fragments(clouds, graph)
         >>> bool(np.abs(graph.nodes[1].pose[:3, 3]).max() < 0.002), bool(graph.report.rmse[-1] < graph.report.rmse[0])
         (True, True)
     """
@@ -181,12 +181,12 @@ class _Alignment:
         self.poses[:, :3, 3] += matmul(self.poses[:, :3, :3], origin)
         self.middle = self.poses[:, :3, 3].mean(axis=0)
         self.poses[:, :3, 3] -= self.middle
-        self.shares = _agreement(clouds, self.graph, self.params.distance_threshold)
+        self.fractions = _agreement(clouds, self.graph, self.params.distance_threshold)
 
     def run(self) -> PoseGraph:
         params, graph = self.params, self.graph
         follows = np.abs(graph.source - graph.target) == 1
-        used = follows | (self.shares >= params.fitness_threshold)
+        used = follows | (self.fractions >= params.fitness_threshold)
         ends = np.stack([graph.source[used], graph.target[used]], axis=1)
         parts, is_fixed = _parts(ends, len(self.poses))
         first = self.poses.copy()
@@ -257,8 +257,8 @@ class _Alignment:
         counts[used] = np.diff(rows.starts)
         edges = self.graph
         overlaps = [
-            FragmentOverlap(int(s), int(t), float(share), bool(use), int(count))
-            for s, t, share, use, count in zip(edges.source, edges.target, self.shares, used, counts, strict=True)
+            FragmentOverlap(int(s), int(t), float(fraction), bool(use), int(count))
+            for s, t, fraction, use, count in zip(edges.source, edges.target, self.fractions, used, counts, strict=True)
         ]
         squares, number, stretch = np.array(errors, np.float64).T
         solved = PoseGraph([PoseGraphNode(T) for T in poses], [dataclasses.replace(edge) for edge in self.edges])

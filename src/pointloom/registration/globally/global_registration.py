@@ -224,7 +224,7 @@ def _choose(
     poses = np.array([result.transformation, *poses, *(one.transformation for one in more)])
     order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     totals = compare_under(source.surface, target.surface, poses[order], distance)
-    alike = [k for k, total in zip(order, totals, strict=True) if total.share >= ALIKE * evidence.share]
+    alike = [k for k, total in zip(order, totals, strict=True) if total.fraction >= ALIKE * evidence.fraction]
     if refine:  # an alternative is another minimum, not a pose on the way to the same one
         converged = refined(poses[alike], distance, STEPS, free, WEAK)
         poses = np.array([result.transformation, *(one.transformation for one in converged)])
@@ -245,8 +245,8 @@ def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[
 def _is_equal(evidence: Evidence, best: Evidence) -> bool:
     """True if a pose has about as much evidence as the best, in total and without planes."""
     if best.score <= 0.5:
-        return 0 < ALIKE * best.share <= evidence.share
-    return evidence.score > 0.5 and ALIKE * best.share <= evidence.share and ALIKE * best.rest <= evidence.rest
+        return 0 < ALIKE * best.fraction <= evidence.fraction
+    return evidence.score > 0.5 and ALIKE * best.fraction <= evidence.fraction and ALIKE * best.rest <= evidence.rest
 
 
 def _ambiguity(shifts: NDArray[np.float64]) -> str:

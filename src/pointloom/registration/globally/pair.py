@@ -14,7 +14,7 @@ from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit, symbol_of
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 from ..assessment import RegistrationAssessment
@@ -108,6 +108,7 @@ class PairRegistration(Report, Assessed):
 
     @property
     def transformation(self) -> Matrix:
+        """T_target_source, 4x4."""
         return self.result.transformation
 
     @property
@@ -120,8 +121,8 @@ class PairRegistration(Report, Assessed):
         if self.result.fitness == 0:
             return ("no point of the source has a correspondence",)
         if self.result.fitness < MIN_FITNESS:
-            share = f"{format_share(self.result.fitness)} of the source, less than {MIN_FITNESS:.0%}"
-            return (f"only {share}, has a correspondence",)
+            fraction = f"{format_fraction(self.result.fitness)} of the source, less than {MIN_FITNESS:.0%}"
+            return (f"only {fraction}, has a correspondence",)
         open_motions = self.result.degenerate_directions[len(self.result.prior_directions) :]
         if self.init == GIVEN and len(open_motions):  # along them the pose is the initial one
             return (describe_open(open_motions),)
@@ -169,7 +170,7 @@ class PairRegistration(Report, Assessed):
         if self.normals_estimated:
             whose = " and ".join(self.normals_estimated)
             method += f"; normals of the {whose} estimated, radius {self.normal_radius:g} {m}"
-        fit = f"fitness {format_share(result.fitness)}, rmse {result.inlier_rmse:.4g} m, score {self.score:.2f}"
+        fit = f"fitness {format_fraction(result.fitness)}, rmse {result.inlier_rmse:.4g} m, score {self.score:.2f}"
         by_prior = len(result.prior_directions)
         open_motions = len(result.degenerate_directions) - by_prior
         return [

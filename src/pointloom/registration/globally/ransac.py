@@ -27,7 +27,7 @@ from .checkers import CorrespondenceChecker, checks_of
 from .rating import score_registration
 
 MIN_SAMPLE = 3  # minimum correspondences for a pose
-MUTUAL_SHARE = 0.1  # minimum fraction of mutual pairs; below it all pairs are used, as in Open3D
+MUTUAL_FRACTION = 0.1  # minimum fraction of mutual pairs; below it all pairs are used, as in Open3D
 
 
 class RANSACConvergenceCriteria:
@@ -117,7 +117,7 @@ def registration_ransac_based_on_feature_matching(
     """
     check_clouds(source, target)
     settings = _check_settings(max_correspondence_distance, estimation_method, ransac_n, checkers, criteria, seed)
-    pairs = match_clouds(source, target, source_feature, target_feature, bool(mutual_filter), MUTUAL_SHARE)
+    pairs = match_clouds(source, target, source_feature, target_feature, bool(mutual_filter), MUTUAL_FRACTION)
     return _register(source, target, pairs, *settings)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
-from ...core.checks import check_count, check_positive, check_rigid, check_share
+from ...core.checks import check_count, check_fraction, check_positive, check_rigid
 from ...kernels.icp.loop import RegistrationLoop
 from ...kernels.icp.matches import PointColumns
 from ...kernels.icp.robust_weights import Loss
@@ -221,7 +221,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check_share("lambda_geometric", self.lambda_geometric)
+        check_fraction("lambda_geometric", self.lambda_geometric)
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         intensities = [colored_source(c, n) for c, n in zip(clouds, names, strict=True)]
@@ -277,7 +277,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     def __post_init__(self) -> None:
         super().__post_init__()
         check_positive("period", self.period)
-        check_share("lambda_doppler", self.lambda_doppler)
+        check_fraction("lambda_doppler", self.lambda_doppler)
         check_positive("doppler_outlier_threshold", self.doppler_outlier_threshold)
         for name in ("outlier_rejection", "geometric_robust_loss", "doppler_robust_loss"):
             check_count(f"{name}_min_iteration", getattr(self, f"{name}_min_iteration"), minimum=0)

@@ -65,7 +65,7 @@ START_ITERATIONS = 2  # repeated registrations of the second scan, each with a b
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
 MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
 UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
-PRUNE_SHARE = 0.1  # of max_range: travel between two prunings of the map
+PRUNE_FRACTION = 0.1  # of max_range: travel between two prunings of the map
 
 
 class LidarOdometry(Serialized):
@@ -282,7 +282,7 @@ class LidarOdometry(Serialized):
         return self._steps[-1].pose if self._steps else np.eye(4)
 
     def _downsample(self, raw: RawScan, motion: Matrix) -> DownsampledScan:
-        sizes = [share * self.voxel_size for share in (MAP_VOXELS, SCAN_VOXELS)]
+        sizes = [fraction * self.voxel_size for fraction in (MAP_VOXELS, SCAN_VOXELS)]
         dense, sparse = thin_successively(raw.deskewed(motion), sizes, self.min_range, self.max_range)
         few = partial(first_in_voxels, sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
         return DownsampledScan(dense, sparse, few)
@@ -422,7 +422,7 @@ class LidarOdometry(Serialized):
     def _prune(self) -> None:
         """Remove points out of range, not after every scan: no scan reaches them."""
         state, position = self._known, self._last_pose()[:3, 3]
-        if state.map is not None and norm(position - state.pruned_at) > PRUNE_SHARE * self.max_range:
+        if state.map is not None and norm(position - state.pruned_at) > PRUNE_FRACTION * self.max_range:
             count = state.map.count
             near = state.map.without_far(position, self.max_range + 2 * self.voxel_size)
             map_error = state.map_error.without_voxels(count - near.count)

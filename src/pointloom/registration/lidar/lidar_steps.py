@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_list
 from ...core.number_ranges import some_runs
 from ...core.reports import Assessed, AssessedRecord, Fields, Report, failed, quality
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from ...kernels.linear_algebra import eigh, matmul, norm
 from ..pose_errors import PoseCovariance
 from .path_errors import MatchError
@@ -113,6 +113,7 @@ class OdometryStep(AssessedRecord):
 
     @property
     def is_undetermined(self) -> bool:
+        """True if the scan or map does not determine all motions."""
         return bool(self.undetermined or self.undetermined_turns)
 
     @property
@@ -128,6 +129,7 @@ class OdometryStep(AssessedRecord):
 
     @property
     def is_unsettled(self) -> bool:
+        """True if the alignment reached the maximum number of iterations."""
         return self.status == "max_iteration"
 
 
@@ -173,10 +175,12 @@ class OdometrySummary(Report, Assessed):
 
     @property
     def is_contradicted(self) -> bool:
+        """True if the scans contradict the path."""
         return len(self.contradicted) >= MIN_STATIONARY and len(self.contradicted) > MAX_CONTRADICTED * self.resting
 
     @property
     def is_undetermined(self) -> bool:
+        """True if the scan or map does not determine all motions."""
         numbers, last = self.undetermined, MAX_UNDETERMINED_ON_END - 1
         return (
             len(numbers) > MAX_UNDETERMINED * (self.scan_count - 1)
@@ -186,6 +190,7 @@ class OdometrySummary(Report, Assessed):
 
     @property
     def has_seen(self) -> bool:
+        """True if at least one scan is not empty."""
         return len(self.empty) < self.scan_count
 
     @property
@@ -253,7 +258,7 @@ class OdometrySummary(Report, Assessed):
     def fields(self) -> Fields:
         fields = [("scans", f"{self.scan_count:,}"), ("path", f"{self.distance:.2f} m")]
         if not math.isnan(self.mean_fitness):
-            fit = f"fitness {format_share(self.mean_fitness)} and {self.mean_iterations:.1f} iterations on average"
+            fit = f"fitness {format_fraction(self.mean_fitness)} and {self.mean_iterations:.1f} iterations on average"
             fields.append(("fit", fit))
         rows = ("predicted", self.predicted), ("beside map", self.strayed), ("not converged", self.unsettled)
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
@@ -334,7 +339,7 @@ def _open_motions(steps: Sequence[OdometryStep]) -> str:
             rows = np.array(directions)
             values, vectors = eigh(matmul(rows.T, rows) / len(steps))
             ways += [(float(values[i]), f"{word} {_direction(vectors[:, i])}") for i in (2, 1, 0)]
-    return ", ".join(way for share, way in ways if share > 0.5) or max(ways, default=(0.0, ""))[1]
+    return ", ".join(way for fraction, way in ways if fraction > 0.5) or max(ways, default=(0.0, ""))[1]
 
 
 def _direction(v: NDArray[np.float64]) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigh, inv, is_positive_definite, matmul, solve
-from ..assessment_constants import SUSPECT_SHARE, TO_SIGMA, WIDTH
+from ..assessment_constants import SUSPECT_FRACTION, TO_SIGMA, WIDTH
 from ..pose_errors import PoseCovariance
 
 Matrix = NDArray[np.float64]
@@ -70,10 +70,10 @@ def match_error(information: Matrix, rows: Matrix, residual: float, size: float)
     to_radians = 1 / np.outer(scale, scale)
     shift = SHIFT_FACTOR * np.outer(step, step)
     matrix, lasting = variance * inv(N), np.zeros((6, 6))
-    if not is_positive_definite(N - SUSPECT_SHARE * np.eye(6)):
+    if not is_positive_definite(N - SUSPECT_FRACTION * np.eye(6)):
         values, vectors = eigh(N)
-        weak = vectors[:, values < SUSPECT_SHARE]
-        lasting = variance * matmul(weak / values[values < SUSPECT_SHARE], weak.T)
+        weak = vectors[:, values < SUSPECT_FRACTION]
+        lasting = variance * matmul(weak / values[values < SUSPECT_FRACTION], weak.T)
     total_matrix = (matrix + matrix.T) / 2 + shift
     return MatchError(total_matrix * to_radians, lasting * to_radians)
 
@@ -101,9 +101,9 @@ class MapError:
         The error of a scan counts as much as it renews the map: errors common to the scans that see a surface are
         those of the surface, and errors of different surfaces are independent.
         """
-        share = min(RENEWAL * max(voxels - self.voxels, 0) / self.points, 1.0)
+        fraction = min(RENEWAL * max(voxels - self.voxels, 0) / self.points, 1.0)
         last = self.last
-        matrix = self.covariance.matrix + share * (last.matrix - last.lasting) + last.lasting
+        matrix = self.covariance.matrix + fraction * (last.matrix - last.lasting) + last.lasting
         return PoseCovariance(matrix, self.covariance.center)
 
     def of_pose(self, voxels: int, position: NDArray[np.float64], error: MatchError) -> PoseCovariance:

@@ -22,7 +22,7 @@ from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
-from ..assessment_constants import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE
+from ..assessment_constants import JUDGING_POINTS, STEP_VOXELS, SUSPECT_FRACTION
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 from ..unobservable_motions import moved, rises_clearly, spanned
 from .path_errors import MatchError, match_error, prediction_error
@@ -34,7 +34,7 @@ MOVED = 5.0  # times min_motion from the start, below which the initial threshol
 MAX_ITERATIONS = 50  # three are usual. Oscillating pairs do not converge with more
 TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
 ROUGH = 1e-2  # likewise if other iterations follow
-LOST_SHARE = 0.1  # minimum fraction of points with a correspondence
+LOST_FRACTION = 0.1  # minimum fraction of points with a correspondence
 JUDGED_VOXELS = 2.0  # voxels: larger distances count as missing
 PLANE_VOXELS = 1.0  # voxels: radius of plane neighborhoods
 COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared voxels: Geman-McClure scale of plane distances
@@ -194,7 +194,7 @@ def _leg(
     to_planes: bool = True,
     **more: Any,
 ) -> Leg:
-    return Leg(pose, max_distance, scale, tolerance, LOST_SHARE * count, MAX_ITERATIONS, to_planes, **more)
+    return Leg(pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes, **more)
 
 
 def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None = None) -> ScanMatch:
@@ -270,12 +270,12 @@ class AdaptiveThreshold:
         return replace(self, sqsum=self.sqsum + error**2, count=self.count + 1)
 
 
-SEARCHED_SHARE = 0.1  # below which rivals are searched after the start, where planes are rough
+SEARCHED_FRACTION = 0.1  # below which rivals are searched after the start, where planes are rough
 MIN_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
 COARSE_FACTOR = 3.0  # of the voxel edge
 MIN_PATCHES = 6.0  # fewer surface patches determine no motion
 # Points of a quick check of the surfaces, and the information at which it suffices: errors of so few are up to 20%.
-FEW_POINTS, SURE_SHARE = 256, 1.2 * SUSPECT_SHARE
+FEW_POINTS, SURE_FRACTION = 256, 1.2 * SUSPECT_FRACTION
 MAX_SAMPLES = 64  # along a line
 MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
@@ -346,7 +346,7 @@ def _open_to_surfaces(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix
 ) -> OpenDirections | None:
     size, free = voxel_map.voxel_size, None
-    if np.trace(information[3:, 3:]) >= MIN_PATCHES and _exceeds(_scaled(information, size)[0], SURE_SHARE):
+    if np.trace(information[3:, 3:]) >= MIN_PATCHES and _exceeds(_scaled(information, size)[0], SURE_FRACTION):
         return None
     has_patches = False
     for factor in (1.0, COARSE_FACTOR):
@@ -376,14 +376,14 @@ def _undetermined(
     They are among given ones, if any. `size` [m] is the voxel edge.
     """
     normal_matrix, lever, scale = _scaled(information, size, None if among is None else among.lever)
-    if _exceeds(normal_matrix, SUSPECT_SHARE):
+    if _exceeds(normal_matrix, SUSPECT_FRACTION):
         return None
     if among is None:
         values, vectors = eigh(normal_matrix)
     else:
         values, vectors = eigh(matmul(among.basis.T, matmul(normal_matrix, among.basis)))
         vectors = matmul(among.basis, vectors)
-    suspects = vectors[:, values < SUSPECT_SHARE]
+    suspects = vectors[:, values < SUSPECT_FRACTION]
     if not suspects.shape[1]:
         return None
     steps = [sign * STEP_VOXELS * size * v / scale for v in suspects.T for sign in (-1, 1)]
@@ -414,7 +414,7 @@ def weak_directions(information: Matrix, count: int) -> Matrix:
         information[3:, :3], pinvh(information[:3, :3], 3 * EPSILON), information[:3, 3:]
     )
     values, vectors = eigh(alone / planes)
-    return vectors.T[values < SEARCHED_SHARE]
+    return vectors.T[values < SEARCHED_FRACTION]
 
 
 def poses_along(

@@ -1,6 +1,6 @@
 """Pose graph of fragments: pair refinement, spanning tree, loop closures.
 
-The steps of `register_fragments` (multiway.py), so that a job can run them in processes, bitwise identical.
+The steps of `register_multiway` (multiway.py), so that a job can run them in processes, bitwise identical.
 """
 
 from __future__ import annotations
@@ -196,7 +196,7 @@ def overlapping_pairs(clouds: Clouds, candidates: Sequence[FragmentPair], size: 
     problem = IterativeRegistration(left, right, start, MAX_DISTANCE * size, GENERALIZED)
     problem.run(0, 0.0, 0.0)
     overlaps = [r.fitness for r in problem.results()]
-    return [p for p, share in zip(candidates, overlaps, strict=True) if share >= OVERLAP]
+    return [p for p, fraction in zip(candidates, overlaps, strict=True) if fraction >= OVERLAP]
 
 
 def transformed_box(cloud: PointCloud, pose: Matrices) -> Box:

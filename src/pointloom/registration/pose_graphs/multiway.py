@@ -61,7 +61,7 @@ LEVEL_ENOUGH = 1e-6  # [rad] maximum tilt of known level poses
 
 @dataclass(frozen=True, eq=False)
 class FragmentsResult(Report, Assessed):
-    """Result of `register_fragments`.
+    """Result of `register_multiway`.
 
     Attributes:
         poses: T_reference_cloud of each cloud, float64 [n, 4, 4]. The identity if not placed.
@@ -121,15 +121,18 @@ class FragmentsResult(Report, Assessed):
 
     @property
     def trajectory(self) -> Trajectory:
+        """The poses as a Trajectory."""
         indices = np.flatnonzero(self.placed)
         ids = np.stack([indices, indices, np.full(len(indices), len(self.placed))], axis=1)
         return Trajectory(self.poses[indices], ids=ids)
 
     @property
     def loop_count(self) -> int:
+        """Number of uncertain edges of the pose graph."""
         return sum(edge.uncertain for edge in self.pose_graph.edges)
 
     def merge(self, clouds: Sequence[PointCloud]) -> PointCloud:
+        """The clouds at their poses as one cloud."""
         clouds = self._check_clouds(clouds)
         return PointCloud.concatenate([clouds[i].transform(self.poses[i]) for i in np.flatnonzero(self.placed)])
 
@@ -157,7 +160,7 @@ class FragmentsResult(Report, Assessed):
             >>> x, y = np.random.default_rng(0).uniform(-2, 2, (2, 20000))
             >>> surface = np.column_stack([x, y, 0.3 * np.sin(3 * x) * np.cos(2 * y) + 0.1 * np.sin(5 * y + x)])
             >>> clouds = [loom.PointCloud(surface[:12000]), loom.PointCloud(surface[8000:])]
-            >>> result = loom.registration.register_fragments(clouds, voxel_size=0.1)
+            >>> result = loom.registration.register_multiway(clouds, voxel_size=0.1)
             >>> [bool(found.sigmas.max() < 0.01) for found in result.pose_covariances(clouds)]
             [True, True]
         """
@@ -205,7 +208,7 @@ class FragmentsResult(Report, Assessed):
         return with_warnings(fields, self)
 
 
-def register_fragments(
+def register_multiway(
     clouds: Sequence[PointCloud],
     *,
     voxel_size: float,

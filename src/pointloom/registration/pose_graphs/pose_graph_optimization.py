@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_positive, check_share, shown
+from ...core.checks import check_count, check_fraction, check_positive, shown
 from ...core.dropped_results import returns_new
 from ...core.quaternions import nearest_rotations, rotations_to_quaternions
 from ...kernels.linear_algebra import elementwise, matmul
@@ -62,7 +62,9 @@ class GlobalOptimizationOption:
     def __post_init__(self):
         for name in ("max_correspondence_distance", "preference_loop_closure"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name)))
-        object.__setattr__(self, "edge_prune_threshold", check_share("edge_prune_threshold", self.edge_prune_threshold))
+        object.__setattr__(
+            self, "edge_prune_threshold", check_fraction("edge_prune_threshold", self.edge_prune_threshold)
+        )
         object.__setattr__(self, "reference_node", check_count("reference_node", self.reference_node, minimum=-1))
 
 
@@ -102,7 +104,7 @@ class GlobalOptimizationConvergenceCriteria:
         for name in ("min_relative_increment", "min_relative_residual_increment", "min_right_term", "min_residual"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name), allow_zero=True))
         for name in ("lower_scale_factor", "upper_scale_factor"):
-            object.__setattr__(self, name, check_share(name, getattr(self, name)))
+            object.__setattr__(self, name, check_fraction(name, getattr(self, name)))
         if self.lower_scale_factor > self.upper_scale_factor:
             raise ValueError(
                 "lower_scale_factor: expected at most upper_scale_factor, "
@@ -433,8 +435,8 @@ class _Descent:
                 self.poses, self.errors, self.confidences, self.residual = poses, errors, confidences, residual
                 self.iterations += 1
                 return "min_relative_residual_increment" if is_converged else ""
-            share = ROUNDING if self.damped else max(ROUNDING, criteria.min_relative_residual_increment)
-            if -gain <= share * self.residual:
+            fraction = ROUNDING if self.damped else max(ROUNDING, criteria.min_relative_residual_increment)
+            if -gain <= fraction * self.residual:
                 return "min_relative_residual_increment"
             self._increase_damping()
         return "max_iteration_lm" if self.damped else "no descent"
@@ -442,9 +444,9 @@ class _Descent:
     def _evaluate(self, poses: NodePoses) -> tuple[EdgeErrors, Array, float]:
         """Residuals of the edges, their confidences, and the total residual: the sum of sqrt(l) r."""
         errors = self.edges.errors(poses)
-        share = np.ones(len(self.uncertain))
-        share[self.uncertain] = self.weight / (self.weight + errors.squares[self.uncertain])
-        return errors, share * share, float((share * errors.squares).sum())
+        fraction = np.ones(len(self.uncertain))
+        fraction[self.uncertain] = self.weight / (self.weight + errors.squares[self.uncertain])
+        return errors, fraction * fraction, float((fraction * errors.squares).sum())
 
     def _increase_damping(self) -> None:
         self.damping *= self.growth

@@ -340,5 +340,5 @@ def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:
     is_testable = values > UNTESTABLE
     along = matmul(vectors[:, is_testable].T, right[group.rows])
     statistic = float((along * along / values[is_testable]).sum()) if is_testable.any() else np.nan
-    share = float(np.clip(np.trace(R) / max(len(R), 1), 0, 1))
-    return dataclasses.replace(group, statistic=statistic, freedom=int(is_testable.sum()), redundancy=share)
+    fraction = float(np.clip(np.trace(R) / max(len(R), 1), 0, 1))
+    return dataclasses.replace(group, statistic=statistic, freedom=int(is_testable.sum()), redundancy=fraction)

@@ -123,6 +123,7 @@ class StationsResult(Report, Assessed):
         return tuple(reasons)
 
     def merge(self, stations: Sequence[PointCloud]) -> PointCloud:
+        """The clouds at their poses as one cloud."""
         clouds = check_list("stations", stations, "point clouds")
         for i, cloud in enumerate(clouds):
             check_cloud(f"stations[{i}]", cloud)

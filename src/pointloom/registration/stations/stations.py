@@ -21,13 +21,13 @@ from ...core.checks import (
     LARGEST_NUMBER,
     check_count,
     check_finite,
+    check_fraction,
     check_list,
     check_positive,
     check_progress,
     check_rigid,
     check_seed,
     check_shape,
-    check_share,
 )
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
@@ -139,7 +139,7 @@ def register_stations(
     observed_targets = check_targets(targets, survey.count)
     known = check_control(control, observed_targets)
     size = survey.voxel_size(voxel_size)
-    share, start = check_share("overlap", overlap), check_seed(seed)
+    fraction, start = check_fraction("overlap", overlap), check_seed(seed)
     check_count("reference", reference, minimum=0, maximum=survey.count - 1, because=f"there are {survey.count}")
     report_progress, away = check_progress(progress), check_positive("rough", rough)
     gnss = None if position_sigma is None else check_sigma("position_sigma", position_sigma)
@@ -149,7 +149,7 @@ def register_stations(
     for done, cloud in enumerate(survey.clouds):
         report_progress("prepare", done, survey.count)
         scans.append(prepare(cloud.transform(survey.frames[done]), size))
-    finder = PairFinder(scans, size, survey.level, share, start)
+    finder = PairFinder(scans, size, survey.level, fraction, start)
     first = None if survey.poses is None else survey.inner(survey.poses)
     pairs = finder.find(finder.candidates(first, survey.positions, away), first, report_progress)
     observed = Observed(

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.picture_names import PictureNames
+from ...cameras.image_names import ImageNames
 from ...cameras.pose_text import parse_floats, read_lines
 from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.attribute_hints import nearest_name
@@ -125,7 +125,7 @@ def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, di
 def _position_of(model: SfmModel, name: str, value: Any) -> NDArray[np.float64]:
     if isinstance(value, str):
         if value not in model.names:
-            raise KeyError(f"{name}: no picture {shown(value)}{nearest_name(value, model.names)}")
+            raise KeyError(f"{name}: no image {shown(value)}{nearest_name(value, model.names)}")
         return model.centers[model.index_of(value)]
     return check_finite(name, check_shape(name, value, (3,)))
 
@@ -169,7 +169,7 @@ def fit_to_positions(
     seed = check_seed(seed)
     names = tuple(name for name in model.names if name in positions)
     if len(names) < MIN_PAIRS:
-        raise ValueError(f"positions: expected those of at least {MIN_PAIRS} pictures of the model, got {len(names)}")
+        raise ValueError(f"positions: expected those of at least {MIN_PAIRS} images of the model, got {len(names)}")
     target = np.array([check_finite("positions", check_shape("positions", positions[n], (3,))) for n in names])
     source = model.centers[[model.index_of(name) for name in names]]
     _check_spread("model", source)
@@ -322,7 +322,7 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
 
 def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
     positions: dict[str, NDArray[np.float64]] = {}
-    pictures = PictureNames(names)
+    images = ImageNames(names)
     for number, columns in lines:
         words = " ".join(columns).replace(",", " ").split()
         if len(words) < 4:
@@ -330,18 +330,18 @@ def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str
             raise FileError(path, reason, where=f"line {number}", remedy="Lines are `name x y z`")
         position = np.array(parse_floats(path, (number, words[-3:]), 3))
         given = " ".join(words[:-3])
-        meant = [names[k] for k in pictures.matching(given)]
+        meant = [names[k] for k in images.matching(given)]
         if len(meant) > 1:
             reason = f"{given!r} may be {' or '.join(meant[:3])}"
             raise FileError(path, reason, where=f"line {number}", remedy="Write the names in full")
         if not meant:
             continue  # an unregistered image
         if meant[0] in positions:
-            raise FileError(path, f"the picture {meant[0]!r} is duplicated", where=f"line {number}")
+            raise FileError(path, f"the image {meant[0]!r} is duplicated", where=f"line {number}")
         positions[meant[0]] = position
     if not positions:
-        remedy = f"Names are those of the pictures, such as {names[0]!r}" if names else ""
-        raise FileError(path, "contains no name of a picture of the model", remedy=remedy)
+        remedy = f"Names are those of the images, such as {names[0]!r}" if names else ""
+        raise FileError(path, "contains no name of an image of the model", remedy=remedy)
     return positions
 
 
@@ -355,7 +355,5 @@ def _positions_of(path: Path, trajectory: Trajectory, names: tuple[str, ...]) ->
             return positions
     if len(trajectory) == len(names):
         return {name: T[:3, 3] for name, T in zip(names, trajectory.poses, strict=True)}
-    reason = (
-        f"{len(trajectory)} poses, whose ids or times are not the numbers in the names of the {len(names)} pictures"
-    )
+    reason = f"{len(trajectory)} poses, whose ids or times are not the numbers in the names of the {len(names)} images"
     raise FileError(path, reason, remedy="Write lines of `name x y z` instead")

@@ -21,7 +21,7 @@ from ...core.matched_counts import why_few_matched
 from ...core.quaternions import nearest_rotations
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.time_checks import check_unit_of_seconds
-from ...core.wording import format_share, plain
+from ...core.wording import format_fraction, plain
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm, solve
 from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, rotation_vector, scale_of
 
@@ -108,8 +108,8 @@ class TrajectoryError(Report, Assessed):
         if problem := why_few_matched(len(self.pairs), min(counts), "poses match in time", remedy):
             return problem
         if self.compared_span < MIN_SPAN:
-            share = format_share(self.compared_span)
-            return f"the compared poses cover only {share} of the time of the estimate: use a truth of all of it"
+            fraction = format_fraction(self.compared_span)
+            return f"the compared poses cover only {fraction} of the time of the estimate: use a truth of all of it"
         return None
 
     def _few_poses(self) -> str | None:

@@ -72,7 +72,7 @@ def _by_attitudes(model: SfmModel, attitudes: Mapping[str, Sequence[float]]) -> 
     way, is_inlier = _median_way(ups)
     apart = np.degrees(np.arccos(np.clip(matmul(ups, way), -1, 1)))
     if float(np.median(apart)) > MAX_APART:
-        warning = f"the attitudes of the pictures differ by {np.median(apart):.0f} degrees (median) in the model"
+        warning = f"the attitudes of the images differ by {np.median(apart):.0f} degrees (median) in the model"
         return UpDirection(None, math.inf, "", (warning,))
     error = math.sqrt(float((apart[is_inlier] ** 2).mean()) / is_inlier.sum())
     return UpDirection(way, max(error, ATTITUDE_SIGMA / math.sqrt(is_inlier.sum())), "attitudes")
@@ -108,7 +108,7 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
         return _unknown("cameras were not held level")
     if not values[1] > MIN_SPREAD:
         return _unknown(
-            "all pictures have one orientation, or the opposite: their sides do not determine the up direction"
+            "all images have one orientation, or the opposite: their sides do not determine the up direction"
         )
     sigma = math.degrees(math.sqrt(max(float(values[0]), 0.0) / (float(values[1]) * is_inlier.sum())))
     # limit of hand-held accuracy
@@ -119,7 +119,7 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
     if abs(sign) < MIN_SIGN:  # cameras that look down or up: nearly all look down
         sign = -float(matmul(ahead[is_inlier], way).mean())
         if abs(sign) < MIN_SIGN:
-            return _unknown("the pictures are both upright and upside down")
+            return _unknown("the images are both upright and upside down")
     return UpDirection(way * math.copysign(1.0, sign), sigma, "cameras")
 
 

@@ -135,11 +135,11 @@ def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Arra
         k = (b[j] - b[i]) / (a[j] - a[i])
         shift = b[i] - k * a[i]
         gaps = np.sort(np.abs(k[:, None] * a + shift[:, None] - b), axis=1)
-    share = gaps[:, len(a) // 2]
+    fraction = gaps[:, len(a) // 2]
     size = np.abs(k)
-    share[~(np.isfinite(share) & np.isfinite(size) & (size > 1e-12))] = np.inf
-    best = int(np.argmin(share))
-    if not math.isfinite(share[best]):
+    fraction[~(np.isfinite(fraction) & np.isfinite(size) & (size > 1e-12))] = np.inf
+    best = int(np.argmin(fraction))
+    if not math.isfinite(fraction[best]):
         raise UndeterminedError("the positions are not spread out")
     scale, angle = float(size[best]), math.atan2(k[best].imag, k[best].real)
     c, n = math.cos(angle), math.sin(angle)

@@ -21,7 +21,7 @@ from ...io.frames.frames import (
     check_frames,
     count_of,
     depth_unit,
-    measured_shares,
+    measured_fractions,
     read_frames,
     source_warnings,
 )
@@ -29,7 +29,7 @@ from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
-from ..slam.model import Model
+from ..slam.model import SlamModel
 from ..slam.volume_sizes import check_sizes
 from .pose_check import PoseCheck
 from .refine import PoseRefinement, PoseRefiner
@@ -87,7 +87,7 @@ def fuse(
         >>> from types import SimpleNamespace
         >>> camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
         >>> wall = SimpleNamespace(depth=np.full((24, 32), 1000, np.uint16), color=None, T_world_camera=np.eye(4))
-        >>> result = loom.fuse(loom.frames_from([wall, wall], camera), voxel_size=0.05)
+        >>> result = loom.rgbd.fuse(loom.frames_from([wall, wall], camera), voxel_size=0.05)
         >>> result.frame_count, bool(np.allclose(result.mesh.vertices[:, 2], 1.0, atol=1e-4))
         (2, True)
     """
@@ -102,15 +102,15 @@ def fuse(
     sizes = {"voxel_size": edge, "truncation": cut, "device": target_device}
     fold = (_Refined if refine else _AsGiven)(frames, max_depth, sizes)
     check = PoseCheck(frames.intrinsic, frames.depth_scale, max_depth)
-    poses, shares = _integrate_frames(frames, fold, check, ahead, report_progress, clock)
+    poses, fractions = _integrate_frames(frames, fold, check, ahead, report_progress, clock)
     threshold = min_weight(len(poses)) if weight_threshold is None else weight_threshold
     report_progress("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")
-    share_off, extent = None if refine else check.share_off(fold.volume), check.seen_extent()
+    fraction_off, extent = None if refine else check.fraction_off(fold.volume), check.seen_extent()
     clock.stop("check")
-    figures = threshold, fold.refinement, share_off, extent, source_warnings(frames)
-    return FusionResult(mesh, fold.volume, poses, max_depth, *shares, *figures)
+    figures = threshold, fold.refinement, fraction_off, extent, source_warnings(frames)
+    return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, *figures)
 
 
 class _AsGiven:
@@ -132,7 +132,7 @@ class _AsGiven:
 class _Refined:
     def __init__(self, frames: FrameSource | RGBDSource, depth_max: float, sizes: dict[str, Any]):
         limits = {"depth_scale": frames.depth_scale, "depth_max": depth_max}
-        model = Model(frames.intrinsic, **limits, **sizes)
+        model = SlamModel(frames.intrinsic, **limits, **sizes)
         self.volume, self._refiner = model.volume, PoseRefiner(model)
 
     def __call__(self, frame: Any, T_world_camera: Pose) -> Pose:
@@ -152,12 +152,12 @@ def _integrate_frames(
     clock: Clock,
 ) -> tuple[Pose, tuple[float, float]]:
     """Integrate all frames. Returns their poses, and the fractions of pixels measured and used."""
-    poses, shares, count = [], [], count_of(frames)
+    poses, fractions, count = [], [], count_of(frames)
     report_progress("frames", 0, count)
     with contextlib.closing(read_frames(frames, read_ahead)) as taken:
         for frame in taken:
             clock.stop("read")
-            shares.append(measured_shares(frame.depth, check.depth_max * depth_unit(frames, frame)))
+            fractions.append(measured_fractions(frame.depth, check.depth_max * depth_unit(frames, frame)))
             try:
                 poses.append(fold(frame, _pose_of(frame)))
                 check.add(frame.depth, poses[-1])
@@ -167,8 +167,8 @@ def _integrate_frames(
             report_progress("frames", len(poses), count)
     if not poses:
         raise ValueError(NO_FRAME)
-    depth_share, used_share = np.mean(shares, axis=0).tolist()
-    return np.array(poses), (depth_share, used_share)
+    depth_fraction, used_fraction = np.mean(fractions, axis=0).tolist()
+    return np.array(poses), (depth_fraction, used_fraction)
 
 
 def _pose_of(frame: Any) -> Pose:

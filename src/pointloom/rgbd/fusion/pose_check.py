@@ -58,9 +58,9 @@ class PoseCheck:
     def _is_valid(self, z: NDArray[np.float64]) -> NDArray[np.bool_]:
         return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
 
-    def share_off(self, volume: TSDFVolume) -> float | None:
+    def fraction_off(self, volume: TSDFVolume) -> float | None:
         """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""
-        shares = []
+        fractions = []
         for depth, pose in self._samples:
             z = self._in_meters(depth)
             seen = self._is_valid(z)
@@ -74,5 +74,5 @@ class PoseCheck:
             met = seen & (model > 0)
             if met.any():
                 limit = np.maximum(0.5 * volume.truncation, NOISE * z[met])
-                shares.append(float((np.abs(z[met] - model[met]) > limit).mean()))
-        return float(np.median(shares)) if len(shares) > 1 else None
+                fractions.append(float((np.abs(z[met] - model[met]) > limit).mean()))
+        return float(np.median(fractions)) if len(fractions) > 1 else None

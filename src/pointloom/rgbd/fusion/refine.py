@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from ...core.number_ranges import some_frames
 from ...core.reports import Assessed, quality
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...kernels.linear_algebra import matmul, norm
 from ..odometry.alignment import align_frames
-from ..slam.model import Model
+from ..slam.model import SlamModel
 
 Pose = NDArray[np.float64]
 
@@ -55,10 +55,10 @@ class PoseRefinement(Assessed):
         if len(unrefined) <= MAX_UNREFINED * (count - 1):
             return ()
         first, reason = next(iter(unrefined.items()))
-        share = format_share(len(unrefined) / count)
+        fraction = format_fraction(len(unrefined) / count)
         return (
             f"{len(unrefined)} of {count} poses could not be refined and are unchanged "
-            f"({share}; frame {first}: {reason})",
+            f"({fraction}; frame {first}: {reason})",
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -75,7 +75,7 @@ class PoseRefinement(Assessed):
 class PoseRefiner:
     """Aligns each frame with the model of the previous frames, from the given pose."""
 
-    def __init__(self, model: Model):
+    def __init__(self, model: SlamModel):
         self._model, self._count = model, 0
         self._unrefined: dict[int, str] = {}
         self._shifts: list[float] = []

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.reports import Assessed, Fields, failed, in_columns, quality, with_warnings
-from ...core.wording import format_bounds, format_bytes, format_share
+from ...core.wording import format_bounds, format_bytes, format_fraction
 from ...io.frames.frames import why_out_of_range
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
@@ -29,11 +29,11 @@ class FusionResult(Assessed):
         volume: The volume it was extracted from.
         T_world_camera: Camera poses, float64 [n, 4, 4] [m].
         depth_max: Maximum depth [m].
-        depth_share: Fraction of all pixels with depth.
-        used_share: Fraction of all pixels with depth up to `depth_max`.
+        depth_fraction: Fraction of all pixels with depth.
+        used_fraction: Fraction of all pixels with depth up to `depth_max`.
         weight_threshold: Minimum weight (exclusive) of surface voxels.
         refinement: Result of the pose refinement, if any.
-        share_off: Median fraction of pixels off the surface at the given poses. None if unknown.
+        fraction_off: Median fraction of pixels off the surface at the given poses. None if unknown.
         seen_extent: Longest side of the observed scene [m]. None if not measured.
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
 
@@ -42,7 +42,7 @@ class FusionResult(Assessed):
         >>> from types import SimpleNamespace
         >>> camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
         >>> wall = SimpleNamespace(depth=np.full((24, 32), 1000, np.uint16), color=None, T_world_camera=np.eye(4))
-        >>> print(loom.fuse(loom.frames_from([wall], camera), voxel_size=0.05))
+        >>> print(loom.rgbd.fuse(loom.frames_from([wall], camera), voxel_size=0.05))
           frames  1 on cpu; 100.0% of the pixels within 4 m
           voxels  8,192 of 50 mm, truncation 200 mm, in 16 blocks
           mesh    315 vertices, 560 triangles
@@ -54,11 +54,11 @@ class FusionResult(Assessed):
     volume: TSDFVolume
     T_world_camera: NDArray[np.float64]
     depth_max: float
-    depth_share: float
-    used_share: float
+    depth_fraction: float
+    used_fraction: float
     weight_threshold: float
     refinement: PoseRefinement | None = None
-    share_off: float | None = None
+    fraction_off: float | None = None
     seen_extent: float | None = None
     source_warnings: tuple[str, ...] = ()
 
@@ -67,11 +67,12 @@ class FusionResult(Assessed):
 
     @property
     def frame_count(self) -> int:
+        """Number of fused frames."""
         return len(self.T_world_camera)
 
     @property
     def _why_no_surface(self) -> str | None:
-        if reason := why_out_of_range(self.depth_share, self.used_share, self.depth_max):
+        if reason := why_out_of_range(self.depth_fraction, self.used_fraction, self.depth_max):
             return reason
         if self.seen_extent and self.volume.voxel_size > COARSE * self.seen_extent:
             return self._why_coarse(self.seen_extent)
@@ -95,11 +96,12 @@ class FusionResult(Assessed):
 
     @property
     def _why_contradicted(self) -> str | None:
-        if self.share_off is None or self.share_off <= CONTRADICTED:
+        if self.fraction_off is None or self.fraction_off <= CONTRADICTED:
             return None
         return (
-            f"{format_share(self.share_off)} of the measured depth is off the fused surface: the poses are wrong, "
-            "belong to other frames, or are camera to world instead of world to camera, or the depth is in another unit"
+            f"{format_fraction(self.fraction_off)} of the measured depth is off the fused surface: the poses are "
+            "wrong, belong to other frames, or are camera to world instead of world to camera, or the depth is in "
+            "another unit"
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -111,9 +113,9 @@ class FusionResult(Assessed):
             "truncation": volume.truncation,
             "depth_max": self.depth_max,
             "weight_threshold": self.weight_threshold,
-            "depth_share": self.depth_share,
-            "used_share": self.used_share,
-            "share_off": self.share_off,
+            "depth_fraction": self.depth_fraction,
+            "used_fraction": self.used_fraction,
+            "fraction_off": self.fraction_off,
             "seen_extent": self.seen_extent,
             "blocks": volume.block_count,
             "voxels": volume.block_count * BLOCK_VOXELS,
@@ -125,7 +127,7 @@ class FusionResult(Assessed):
 
     def fields(self) -> Fields:
         volume, mesh = self.volume, self.mesh
-        seen = f"{format_share(self.used_share)} of the pixels within {self.depth_max:g} m"
+        seen = f"{format_fraction(self.used_fraction)} of the pixels within {self.depth_max:g} m"
         size = f"{volume.voxel_size * 1000:g} mm, truncation {volume.truncation * 1000:g} mm"
         blocks = volume.block_count
         return [

@@ -14,17 +14,21 @@ from ...kernels.rgbd.alignment import Alignment, align_levels
 from ...kernels.rgbd.alignment_rows import AlignmentRules
 from .frames import OdometryFrame
 from .motion_checks import judge
-from .options import Method
+from .options import OdometryMethod
 from .results import OdometryResult
 
 OUTLIER_LIMIT = 25.0  # in standard deviations of the depth noise
 SHORT_STEP = 0.03  # [px]
 STEPS = (12, 12, 10, 8, 6)  # maximum per level, the coarsest first
-BRIGHTNESS_SHARE = 0.02  # relative weight of the brightness term: its errors correlate between pixels
+BRIGHTNESS_FRACTION = 0.02  # relative weight of the brightness term: its errors correlate between pixels
 
 
 def align_frames(
-    source: OdometryFrame, target: OdometryFrame, init: ArrayLike | None = None, *, method: Method = Method.Hybrid
+    source: OdometryFrame,
+    target: OdometryFrame,
+    init: ArrayLike | None = None,
+    *,
+    method: OdometryMethod = OdometryMethod.Hybrid,
 ) -> OdometryResult:
     """Estimate the motion between two frames of a depth camera.
 
@@ -48,8 +52,8 @@ def align_frames(
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> blank = loom.odometry.OdometryFrame(np.zeros((48, 64)), camera)
-        >>> loom.odometry.align_frames(blank, blank).warnings[0]
+        >>> blank = loom.rgbd.OdometryFrame(np.zeros((48, 64)), camera)
+        >>> loom.rgbd.align_frames(blank, blank).warnings[0]
         'the source has no depth'
     """
     for name, frame in (("source", source), ("target", target)):
@@ -59,8 +63,8 @@ def align_frames(
         raise DeviceError(
             f"target: expected the device of the source, {source.device}, got {target.device}; use one device"
         )
-    if not isinstance(method, Method):
-        raise TypeError(f"method: expected a loom.odometry.Method, got {type(method).__name__}")
+    if not isinstance(method, OdometryMethod):
+        raise TypeError(f"method: expected a loom.rgbd.OdometryMethod, got {type(method).__name__}")
     start = np.eye(4) if init is None else check_rigid("init", init)
     return align_steps(source, target, start, method, STEPS)
 
@@ -69,22 +73,22 @@ def align_steps(
     source: OdometryFrame,
     target: OdometryFrame,
     start: NDArray[np.float64],
-    method: Method,
+    method: OdometryMethod,
     steps: Sequence[int] = STEPS,
-    share: float = BRIGHTNESS_SHARE,
+    fraction: float = BRIGHTNESS_FRACTION,
 ) -> OdometryResult:
     """As `align_frames` without checks, with maximum steps per level (coarsest first) and a brightness weight."""
-    alignment, checked_level = descend(source, target, start, method, steps, share)
-    return judge(alignment, source, checked_level, target.blur, method is not Method.PointToPlane)
+    alignment, checked_level = descend(source, target, start, method, steps, fraction)
+    return judge(alignment, source, checked_level, target.blur, method is not OdometryMethod.PointToPlane)
 
 
 def descend(
     source: OdometryFrame,
     target: OdometryFrame,
     start: NDArray[np.float64],
-    method: Method,
+    method: OdometryMethod,
     steps: Sequence[int] = STEPS,
-    share: float = BRIGHTNESS_SHARE,
+    fraction: float = BRIGHTNESS_FRACTION,
 ) -> tuple[Alignment, int]:
     """The final pose over all levels, and the level that was judged."""
     shift = _shift_between(source, target)
@@ -94,8 +98,10 @@ def descend(
         raise ValueError(
             "target: the pixel sizes of source and target differ too much, so no pyramid levels are comparable"
         )
-    surface = 0.0 if method is Method.Intensity else 1.0
-    brightness = 0.0 if method is Method.PointToPlane else 1.0 if method is Method.Intensity else share
+    surface = 0.0 if method is OdometryMethod.Intensity else 1.0
+    brightness = (
+        0.0 if method is OdometryMethod.PointToPlane else 1.0 if method is OdometryMethod.Intensity else fraction
+    )
     rules = AlignmentRules(shift, surface, brightness, OUTLIER_LIMIT, first, SHORT_STEP)
     checked_level = min(first + 1, last)
     used = last - first + 1

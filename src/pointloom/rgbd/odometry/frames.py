@@ -49,7 +49,7 @@ class OdometryFrame:
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> loom.odometry.OdometryFrame(np.full((48, 64), 1500, np.uint16), camera)
+        >>> loom.rgbd.OdometryFrame(np.full((48, 64), 1500, np.uint16), camera)
         OdometryFrame(64 x 48, 2 levels, cpu)
     """
 

@@ -13,7 +13,7 @@ MAX_STEPS = 1000
 MAX_LEVELS = 12
 
 
-class Method(enum.Enum):
+class OdometryMethod(enum.Enum):
     """Residuals of two frames: surfaces, brightness, or both."""
 
     PointToPlane = 0
@@ -50,7 +50,7 @@ class OdometryOption:
 
     Example:
         >>> import pointloom as loom
-        >>> loom.odometry.OdometryOption(depth_max=3.0).iteration_number_per_pyramid_level
+        >>> loom.rgbd.OdometryOption(depth_max=3.0).iteration_number_per_pyramid_level
         (20, 10, 5)
     """
 

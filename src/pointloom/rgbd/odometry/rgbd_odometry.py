@@ -32,9 +32,9 @@ from .alignment import align_steps
 from .frames import OdometryFrame
 from .options import (
     MAX_LEVELS,
-    Method,
     OdometryConvergenceCriteria,
     OdometryLossParams,
+    OdometryMethod,
     OdometryOption,
     RGBDOdometryJacobianFromColorTerm,
     RGBDOdometryJacobianFromHybridTerm,
@@ -85,7 +85,7 @@ def compute_rgbd_odometry(
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> blank = loom.RGBDImage(np.zeros((48, 64), np.uint8), np.zeros((48, 64), np.uint16))
-        >>> reliable, transformation, information = loom.odometry.compute_rgbd_odometry(blank, blank, camera)
+        >>> reliable, transformation, information = loom.rgbd.compute_rgbd_odometry(blank, blank, camera)
         >>> reliable, information.any()
         (False, np.False_)
     """
@@ -102,7 +102,7 @@ def compute_rgbd_odometry(
         _check_levels(camera, len(chosen.iteration_number_per_pyramid_level))
         return _reported(run_legacy(source, target, camera, start, with_depth, chosen), source, target, camera)
     frames = [OdometryFrame.from_image(image, camera, chosen.depth_min, chosen.depth_max) for image in (source, target)]
-    method = Method.Hybrid if with_depth else Method.Intensity
+    method = OdometryMethod.Hybrid if with_depth else OdometryMethod.Intensity
     result = align_steps(frames[0], frames[1], start, method, chosen.iteration_number_per_pyramid_level)
     return _reported(result, source, target, camera)
 
@@ -115,7 +115,7 @@ def rgbd_odometry_multi_scale(
     depth_scale: float = DEPTH_SCALE,
     depth_max: float = OPEN3D_DEPTH_MAX,
     criteria_list: Sequence[OdometryConvergenceCriteria] | None = None,
-    method: Method = Method.Hybrid,
+    method: OdometryMethod = OdometryMethod.Hybrid,
     params: OdometryLossParams | None = None,
     *,
     weights: str = "robust",
@@ -154,8 +154,8 @@ def rgbd_odometry_multi_scale(
     check_positive("depth_scale", depth_scale)
     farthest, inputs = check_positive("depth_max", depth_max), (source, target, camera)
     criteria = _check_criteria(criteria_list)
-    if not isinstance(method, Method):
-        raise TypeError(f"method: expected a loom.odometry.Method, got {type(method).__name__}")
+    if not isinstance(method, OdometryMethod):
+        raise TypeError(f"method: expected a loom.rgbd.OdometryMethod, got {type(method).__name__}")
     limits = OdometryLossParams() if params is None else params
     if not isinstance(limits, OdometryLossParams):
         raise TypeError(f"params: expected an OdometryLossParams, got {type(limits).__name__}")
@@ -295,7 +295,7 @@ def _check_criteria(criteria: Sequence[OdometryConvergenceCriteria] | None) -> l
     return listed
 
 
-DEPTH_SHARE = 0.968  # in the legacy hybrid term
+DEPTH_FRACTION = 0.968  # in the legacy hybrid term
 HALF_ROOT = 0.707  # in the tensor hybrid term, with its digits
 
 
@@ -329,7 +329,7 @@ def run_legacy(
         depth = [images.halve(d, *size) for d in depth]
         size, camera = (size[0] // 2, size[1] // 2), camera / 2
     method = rows.HYBRID if with_depth else rows.COLOR
-    roots = {"depth_root": DEPTH_SHARE**0.5, "shade_root": (1 - DEPTH_SHARE) ** 0.5} if with_depth else {}
+    roots = {"depth_root": DEPTH_FRACTION**0.5, "shade_root": (1 - DEPTH_FRACTION) ** 0.5} if with_depth else {}
     rules = rows.Open3DRules(rows.LEGACY, method, option.depth_diff_max, **roots)
     pose, steps = start, 0
     for count, level in zip(option.iteration_number_per_pyramid_level, levels[::-1], strict=True):
@@ -351,12 +351,16 @@ def run_tensor(
     start: NDArray[np.float64],
     depth_max: float,
     criteria: Sequence[OdometryConvergenceCriteria],
-    method: Method,
+    method: OdometryMethod,
     params: OdometryLossParams,
 ) -> OdometryResult:
     levels = _tensor_levels(source, target, intrinsic, depth_max, len(criteria), method, params)
-    kind = {Method.Intensity: rows.COLOR, Method.Hybrid: rows.HYBRID, Method.PointToPlane: rows.PLANE}[method]
-    root = HALF_ROOT if method is Method.Hybrid else 1.0
+    kind = {
+        OdometryMethod.Intensity: rows.COLOR,
+        OdometryMethod.Hybrid: rows.HYBRID,
+        OdometryMethod.PointToPlane: rows.PLANE,
+    }[method]
+    root = HALF_ROOT if method is OdometryMethod.Hybrid else 1.0
     deltas = (params.depth_huber_delta, params.intensity_huber_delta)
     rules = rows.Open3DRules(rows.TENSOR, kind, params.depth_outlier_trunc, *deltas, root, root)
     pose, steps, rmse, fitness = start, 0, 0.0, 1.0
@@ -409,19 +413,19 @@ def _tensor_levels(
     intrinsic: PinholeCameraIntrinsic,
     depth_max: float,
     count: int,
-    method: Method,
+    method: OdometryMethod,
     params: OdometryLossParams,
 ) -> list[Any]:
     width, height = intrinsic.width, intrinsic.height
     camera = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     filled = [image.depth_array for image in (source, target)]
-    with_color = method is not Method.PointToPlane
+    with_color = method is not OdometryMethod.PointToPlane
     shades = [_gray(image) if with_color else image.depth_array for image in (source, target)]
     levels, size, limit = [], (width, height), _below(depth_max)
     for _ in range(count):
         marked = [images.mark_missing(depth, 0.0, limit) for depth in filled]
-        level = _level(size, camera, marked[1], shades[1], with_depth=method is Method.Hybrid)
-        if method is Method.PointToPlane:
+        level = _level(size, camera, marked[1], shades[1], with_depth=method is OdometryMethod.Hybrid)
+        if method is OdometryMethod.PointToPlane:
             smoothed = filter_bilateral(images.fill_missing(marked[1]), *size, 2, 5.0, 10.0)
             smoothed = images.spread_holes(marked[1], smoothed, *size)
             level.normals = images.short_normals(smoothed, *size, camera)

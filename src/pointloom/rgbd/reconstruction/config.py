@@ -91,10 +91,10 @@ class ReconstructionConfig:
 
     Example:
         >>> import pointloom as loom
-        >>> config = loom.reconstruction.ReconstructionConfig(voxel_size=0.1)
+        >>> config = loom.rgbd.ReconstructionConfig(voxel_size=0.1)
         >>> config.n_frames_per_fragment, round(config.volume_voxel_size, 5), config.truncation
         (100, 0.00586, 0.04)
-        >>> loom.reconstruction.ReconstructionConfig.from_names({"max_depth": 2.0, "icp_method": "color"}).depth_max
+        >>> loom.rgbd.ReconstructionConfig.from_names({"max_depth": 2.0, "icp_method": "color"}).depth_max
         2.0
     """
 

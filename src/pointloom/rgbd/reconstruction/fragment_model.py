@@ -18,7 +18,7 @@ from ...core.timing import Clock
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from .config import ReconstructionConfig
-from .job import run_system
+from .job import run_reconstruction_system
 from .job_files import JobFiles
 from .report import SystemReport
 
@@ -28,7 +28,7 @@ _REPORTED = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "r
 
 @dataclasses.dataclass(frozen=True)
 class FragmentOptions:
-    """Options of `loom.reconstruct` by fragments, which are registered globally.
+    """Options of `loom.rgbd.reconstruct` by fragments, which are registered globally.
 
     Attributes:
         folder: Folder of the stage files; created if missing; earlier results are replaced.
@@ -41,7 +41,7 @@ class FragmentOptions:
 
     Example:
         >>> import pointloom as loom
-        >>> options = loom.reconstruction.FragmentOptions("stages", resume=True)
+        >>> options = loom.rgbd.FragmentOptions("stages", resume=True)
         >>> options.config is None, options.slac
         (True, False)
     """
@@ -63,7 +63,7 @@ class FragmentsAccount(Assessed):
 
     Attributes:
         trajectory: Poses of the frames in the model. Ids are frame numbers.
-        system: The report of `run_system`.
+        system: The report of `run_reconstruction_system`.
         device: Compute device.
         voxel_size: Voxel edge of the mesh [m].
         depth_max: Maximum depth [m].
@@ -110,7 +110,7 @@ def model_by_fragments(
 ) -> tuple[TriangleMesh, FragmentsAccount]:
     settings, work = settings_for(options.config, None, None), Path(options.folder)
     switches = {"slac": options.slac, "resume": options.resume}
-    report = run_system(frames, settings, work, **switches, device=device, progress=progress)
+    report = run_reconstruction_system(frames, settings, work, **switches, device=device, progress=progress)
     clock.seconds |= report.seconds
     clock.restart()
     job = JobFiles.make(work, settings)

@@ -29,7 +29,7 @@ from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, Pos
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
 from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
 from ...registration.rigid import adjoint_of, invert_pose
-from ..odometry.alignment import Method, align_frames
+from ..odometry.alignment import OdometryMethod, align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .config import ReconstructionConfig
@@ -133,11 +133,11 @@ def make_fragments(
         >>> import pointloom as loom
         >>> from pointloom.datasets.scenes.room import room_sequence
         >>> frames = room_sequence(300, width=80, height=60)
-        >>> config = loom.reconstruction.ReconstructionConfig(n_frames_per_fragment=6, depth_max=4.0)
+        >>> config = loom.rgbd.ReconstructionConfig(n_frames_per_fragment=6, depth_max=4.0)
         >>> class First:
         ...     intrinsic, depth_scale, read = frames.intrinsic, frames.depth_scale, frames.read
         ...     def __len__(self): return 9
-        >>> found = loom.reconstruction.make_fragments(First(), config, "room")
+        >>> found = loom.rgbd.make_fragments(First(), config, "room")
         >>> [len(fragment) for fragment in found.fragments], found.lost
         ([6, 3], [])
     """
@@ -316,7 +316,11 @@ def _forget(job: JobFiles, number: int) -> None:
                 path.unlink(missing_ok=True)
 
 
-METHODS = {"hybrid": Method.Hybrid, "intensity": Method.Intensity, "point_to_plane": Method.PointToPlane}
+METHODS = {
+    "hybrid": OdometryMethod.Hybrid,
+    "intensity": OdometryMethod.Intensity,
+    "point_to_plane": OdometryMethod.PointToPlane,
+}
 BRIDGE = 30  # maximum frames between two linked fragments: a second
 
 
@@ -537,7 +541,7 @@ class Keyframe:
         y = (rows * step - intrinsic.cy) / intrinsic.fy * z
         return cls(index, frame, np.stack([x, y, z], axis=1), depths, step)
 
-    def share_seen_by(self, other: Keyframe, T_other_self: Matrix, intrinsic: PinholeCameraIntrinsic) -> float:
+    def fraction_seen_by(self, other: Keyframe, T_other_self: Matrix, intrinsic: PinholeCameraIntrinsic) -> float:
         """Fraction of the points that another keyframe sees without occlusion."""
         points = matmul(self.points, T_other_self[:3, :3].T) + T_other_self[:3, 3]
         points = points[points[:, 2] > 0]
@@ -561,12 +565,12 @@ def find_candidates(
             T = matmul(invert_pose(poses[target.index]), poses[source.index])
             if source.index - target.index < 2:
                 continue  # the pair of odometry
-            if min(_shares(source, target, T, intrinsic)) >= SHARED:
+            if min(_fractions(source, target, T, intrinsic)) >= SHARED:
                 chosen.append((b, a, T))
         candidates += chosen if len(chosen) <= MAX_LOOPS else [*chosen[: MAX_LOOPS - 1], chosen[-1]]
     return candidates
 
 
-def _shares(source: Keyframe, target: Keyframe, T: Matrix, intrinsic: PinholeCameraIntrinsic) -> tuple[float, float]:
-    back = target.share_seen_by(source, invert_pose(T), intrinsic)
-    return source.share_seen_by(target, T, intrinsic), back
+def _fractions(source: Keyframe, target: Keyframe, T: Matrix, intrinsic: PinholeCameraIntrinsic) -> tuple[float, float]:
+    back = target.fraction_seen_by(source, invert_pose(T), intrinsic)
+    return source.fraction_seen_by(target, T, intrinsic), back

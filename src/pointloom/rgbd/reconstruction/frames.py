@@ -92,9 +92,9 @@ class Frames:
         meters = depth.astype(np.float32) / np.float32(self.depth_scale if depth.dtype.kind in "iu" else 1.0)
         near, far = self.config.depth_min, self.config.depth_max
         in_range = (meters >= near) & (meters <= far)  # False for NaN
-        share = float(np.mean(in_range))
-        if share < HARDLY_ANY:
-            reason = f"{share:.1%} of its pixels have a depth from {near:g} to {far:g} m"
+        fraction = float(np.mean(in_range))
+        if fraction < HARDLY_ANY:
+            reason = f"{fraction:.1%} of its pixels have a depth from {near:g} to {far:g} m"
             return ReadFrame(index, name, None, color, pose, digest, reason)
         return ReadFrame(index, name, np.where(in_range, meters, np.float32(0)), color, pose, digest, "")
 

@@ -52,10 +52,12 @@ class ReconstructionResult(Assessed):
 
     @property
     def method(self) -> str:
+        """ "slam" or "fragments"."""
         return "slam" if isinstance(self.account, SlamAccount) else "fragments"
 
     @property
     def trajectory(self) -> Trajectory:
+        """The poses as a Trajectory."""
         return self.account.trajectory
 
     @property
@@ -92,8 +94,8 @@ def reconstruct(
 ) -> ReconstructionResult:
     """Reconstruct a mesh from RGB-D frames without poses, as `pointloom reconstruct` does.
 
-    Frame-to-model tracking with loop closure (`loom.slam`); or, with `fragments`, registration of fragments in stages
-    with files (`loom.reconstruction`).
+    Frame-to-model tracking with loop closure (`loom.rgbd`); or, with `fragments`, registration of fragments in stages
+    with files (`loom.rgbd`).
 
     Args:
         frames: From `open_frames`, `frames_from`, a camera, or any ordered source with `intrinsic`, `depth_scale` and
@@ -119,7 +121,7 @@ def reconstruct(
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> v, u = np.mgrid[:48, :64]
         >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-        >>> result = loom.reconstruct(loom.frames_from([(None, depth)] * 2, camera), voxel_size=0.05)
+        >>> result = loom.rgbd.reconstruct(loom.frames_from([(None, depth)] * 2, camera), voxel_size=0.05)
         >>> result.mesh.vertices.shape[1], result.trajectory
         (3, Trajectory(2 poses, ids))
     """

@@ -28,7 +28,7 @@ CONFIG_FILE = "config.json"
 RECORDING = "frames"
 
 
-def run_system(
+def run_reconstruction_system(
     source: FrameSource,
     config: ReconstructionConfig | None = None,
     folder: FilePath = "reconstruction",
@@ -75,7 +75,7 @@ def run_system(
         ...     intrinsic, depth_scale, read = frames.intrinsic, frames.depth_scale, frames.read
         ...     def __len__(self): return 8
         >>> sizes = {"n_frames_per_fragment": 4, "tsdf_voxel_size": 0.02, "depth_max": 4.0}
-        >>> report = loom.reconstruction.run_system(First(), loom.reconstruction.ReconstructionConfig(**sizes), "job")
+        >>> report = loom.rgbd.run_reconstruction_system(First(), loom.rgbd.ReconstructionConfig(**sizes), "job")
         >>> report.used, report.lost, report.trajectory_error["rmse"] < 0.02
         (8, (), True)
     """

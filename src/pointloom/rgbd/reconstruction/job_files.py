@@ -66,6 +66,7 @@ class JobFiles:
 
     @property
     def trajectory(self) -> Path:
+        """The poses as a Trajectory."""
         return self.root / self.config.template_global_traj
 
     def record(self, stage: str, number: int | None = None) -> Path:

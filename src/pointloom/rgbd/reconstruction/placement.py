@@ -103,7 +103,7 @@ def register_fragments(
         for f in fragments
         if f.joint is not None
     ]
-    result = multiway.register_fragments(
+    result = multiway.register_multiway(
         clouds, voxel_size=config.voxel_size, seed=config.seed, known=known, progress=report_progress
     )
     placement = Placement(

@@ -57,7 +57,7 @@ class FragmentSummary:
 
 @dataclass(frozen=True)
 class SystemReport(Report, Assessed):
-    """Result of `run_system`.
+    """Result of `run_reconstruction_system`.
 
     Attributes:
         folder: Job folder.
@@ -93,6 +93,7 @@ class SystemReport(Report, Assessed):
 
     @property
     def used(self) -> int:
+        """Number of frames in the scene."""
         return self.frames - sum(run.count for run in self.lost)
 
     def to_dict(self) -> dict[str, Any]:
@@ -119,6 +120,7 @@ class SystemReport(Report, Assessed):
         )
 
     def parts(self, where: str = "") -> Fields:
+        """Names and values of frames and fragments."""
         joined = sum(fragment.placed for fragment in self.fragments)
         fragments = f"{joined} of {len(self.fragments)} joined, {self.loops} loops"
         if self.resumed:

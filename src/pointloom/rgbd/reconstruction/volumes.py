@@ -126,7 +126,7 @@ def integrate_deformed(
         >>> import numpy as np, pointloom as loom
         >>> from pointloom.rgbd.reconstruction.volumes import integrate_deformed
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> depth, grid = np.full((48, 64), 1000, np.uint16), loom.reconstruction.ControlGrid()
+        >>> depth, grid = np.full((48, 64), 1000, np.uint16), loom.rgbd.ControlGrid()
         >>> grid.touch(loom.PointCloud.create_from_depth_image(depth, camera))
         >>> grid.set_positions(1.02 * grid.get_init_positions())
         >>> volume = loom.TSDFVolume(voxel_size=0.02, truncation=0.08)

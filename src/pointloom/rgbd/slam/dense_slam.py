@@ -27,7 +27,7 @@ from ...registration.pose_errors import PoseCovariance
 from ...registration.rigid import invert_pose
 from .fixed_parts import FixedParts
 from .foreground import Foreground
-from .frame_checks import MIN_DEPTH, depth_share, is_determined, judge_drift
+from .frame_checks import MIN_DEPTH, depth_fraction, is_determined, judge_drift
 from .frames import SensorFrame
 from .keyframes import Keyframes
 from .loop_closure import LoopClosure
@@ -35,7 +35,7 @@ from .loops import close_loops, corrected_trajectory, fuse_submaps
 from .map_joins import MapJoin
 from .map_merging import Joining
 from .maps import FusedFrame, Maps, SlamMap, map_sizes
-from .model import Model
+from .model import SlamModel
 from .results import TrackingResult, with_pose
 from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
@@ -90,7 +90,7 @@ class DenseSLAM(Serialized):
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> v, u = np.mgrid[:48, :64]
         >>> frame = loom.RGBDImage(np.zeros((48, 64), np.uint8), 1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-        >>> slam = loom.slam.DenseSLAM(camera, voxel_size=0.02)
+        >>> slam = loom.rgbd.DenseSLAM(camera, voxel_size=0.02)
         >>> [result.status for result in slam.run([frame, frame, frame])]
         ['tracked', 'tracked', 'tracked']
         >>> slam.trajectory
@@ -128,10 +128,10 @@ class DenseSLAM(Serialized):
 
     def _new_map(self, number: int) -> SlamMap:
         T_init = None if number else self._T_init
-        model = Model(self._intrinsic, T_init=T_init, **self._model_options)
+        model = SlamModel(self._intrinsic, T_init=T_init, **self._model_options)
         return SlamMap(number, model, Keyframes(model.device, self._seed), self._new_recorder(model))
 
-    def _new_recorder(self, model: Model) -> SubmapRecorder | None:
+    def _new_recorder(self, model: SlamModel) -> SubmapRecorder | None:
         if self._submap_frames is None:
             return None
         sizes = {**self._sizes, "truncation": model.volume.truncation, "depth_max": model.depth_max}
@@ -142,7 +142,7 @@ class DenseSLAM(Serialized):
         return f"DenseSLAM({counts or 'no frames'}, {len(self.keyframes)} keyframes, {self.volume!r})"
 
     @property
-    def model(self) -> Model:
+    def model(self) -> SlamModel:
         """The Model of the current map."""
         return self._maps.here.model
 
@@ -345,7 +345,7 @@ class DenseSLAM(Serialized):
             return self._joining.search()
 
     def render(self, T_world_camera: ArrayLike) -> RayCast:
-        """Render the current map from a pose in that map. See `Model.render`."""
+        """Render the current map from a pose in that map. See `SlamModel.render`."""
         return self.model.render(check_rigid("T_world_camera", T_world_camera))
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
@@ -438,7 +438,7 @@ class DenseSLAM(Serialized):
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
         """The first frame with depth of a map defines the map's world."""
         here = self._maps.here
-        if depth_share(frame.pyramid) < MIN_DEPTH:
+        if depth_fraction(frame.pyramid) < MIN_DEPTH:
             return TrackingResult(None, "lost", ("the image is blank, and there is no model yet",), **known)
         pose = here.model.current_frame_pose
         here.tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
@@ -447,7 +447,7 @@ class DenseSLAM(Serialized):
 
     def _begin_anew(self, frame: SensorFrame, known: dict[str, Any], lost: TrackingResult) -> TrackingResult:
         """Handle a frame that no map matches: lost, or the first of a new map if the camera was lost for long."""
-        if depth_share(frame.pyramid) < MIN_DEPTH or not self._maps.lost():
+        if depth_fraction(frame.pyramid) < MIN_DEPTH or not self._maps.lost():
             return lost
         self._maps.begin()
         return self._begin(frame, known)
@@ -456,10 +456,10 @@ class DenseSLAM(Serialized):
 def record_frame(recorder: SubmapRecorder, frame: SensorFrame, depth: Any, pixels: Any, result: TrackingResult) -> None:
     height, width = frame.intrinsic.height, frame.intrinsic.width
     color = None if pixels is None else pixels.reshape((height, width, 3))
-    picture = depth.reshape((height, width))
+    image = depth.reshape((height, width))
     if not frame.device.is_cuda:
-        picture, color = download(picture), None if color is None else download(color)
-    recorder.add(picture, result.pose, color, result.index)
+        image, color = download(image), None if color is None else download(color)
+    recorder.add(image, result.pose, color, result.index)
 
 
 def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: ReportProgress) -> LoopClosure:

@@ -18,7 +18,7 @@ from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download, upload
 from ...kernels.rgbd.stream_views import CELLS, StreamView, hide_cells
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import BRIGHTNESS_SHARE, STEPS, Method, descend
+from ..odometry.alignment import BRIGHTNESS_FRACTION, STEPS, OdometryMethod, descend
 from ..odometry.motion_checks import judge
 from .frame_checks import FIRM_OVERLAP, MIN_EIGENVALUE
 from .frames import SensorFrame
@@ -102,8 +102,8 @@ class FixedParts:
         is_other = contradicted(motion, look, earlier, cell_lens(look.frame, view))
         is_fixed = is_still & is_other
         usual = float((is_other & ~is_still).sum()) / max(measured - int(is_still.sum()), 1)
-        min_share = max(MIN_FIXED, BESIDE * usual)
-        if is_fixed.sum() < MIN_CELLS * measured or is_fixed.sum() < min_share * is_still.sum():
+        min_fraction = max(MIN_FIXED, BESIDE * usual)
+        if is_fixed.sum() < MIN_CELLS * measured or is_fixed.sum() < min_fraction * is_still.sum():
             return None
         is_new = self.hidden is None
         found = opened(closed(is_fixed) & is_still)
@@ -121,7 +121,7 @@ class FixedParts:
         """T_earlier_now by the other cells. None if it is small or uncertain."""
         source = look.frame.pyramid_of(self._without(look.frame, view, hidden))
         target = earlier.frame.pyramid_of(self._without(earlier.frame, view, hidden))
-        alignment, level = descend(source, target, start, Method.Hybrid, STEPS, BRIGHTNESS_SHARE)
+        alignment, level = descend(source, target, start, OdometryMethod.Hybrid, STEPS, BRIGHTNESS_FRACTION)
         result = judge(alignment, source, level)
         T = result.transformation
         if not np.isfinite(T).all() or result.contradiction or result.smallest_eigenvalue < MIN_EIGENVALUE:

@@ -91,7 +91,7 @@ def check_focal(
     Args:
         frames: From `open_frames`, `frames_from`, or any source with `intrinsic`, `depth_scale` and either `len` and
             `read(i)` or a repeatable iterator.
-        trajectory: Poses of some frames, by ids or the first ones. None: estimated by `loom.track`.
+        trajectory: Poses of some frames, by ids or the first ones. None: estimated by `loom.rgbd.track`.
         uncertain: Frame numbers to ignore.
         depth_max: Maximum depth [m].
         device: Compute device; None: the CPU.
@@ -111,7 +111,7 @@ def check_focal(
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> frames = loom.frames_from([(None, np.ones((48, 64), np.float32))] * 3, camera)
         >>> still = loom.Trajectory(np.tile(np.eye(4), (3, 1, 1)))
-        >>> print(loom.check_focal(frames, still))  # a camera that did not turn tells nothing
+        >>> print(loom.rgbd.check_focal(frames, still))  # a camera that did not turn tells nothing
         None
     """
     check_frames("frames", frames)
@@ -207,8 +207,8 @@ def _residuals(
 
 
 def _residual(result: OdometryResult) -> float:
-    share = result.fitness / result.overlap
-    return math.sqrt(share * result.inlier_rmse**2 + (1 - share) * MISS**2)
+    fraction = result.fitness / result.overlap
+    return math.sqrt(fraction * result.inlier_rmse**2 + (1 - fraction) * MISS**2)
 
 
 def _stretched(camera: PinholeCameraIntrinsic, factor: float) -> PinholeCameraIntrinsic:

@@ -16,7 +16,7 @@ from ...kernels.linear_algebra import matmul, norm
 from ...kernels.rgbd import check_rows as at
 from ...kernels.rgbd.stream_views import StreamView, hide_near
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import BRIGHTNESS_SHARE, STEPS, Method, descend
+from ..odometry.alignment import BRIGHTNESS_FRACTION, STEPS, OdometryMethod, descend
 from ..odometry.frames import OdometryFrame
 from ..odometry.motion_checks import MIN_EIGENVALUE, judge
 from ..odometry.results import OdometryResult
@@ -174,15 +174,15 @@ def depth_between(nearness: NDArray[np.float32]) -> float:
     total = counts.sum()
     if not total:
         return 0.0
-    shares, middles = counts / total, (edges[1:] + edges[:-1]) / 2
-    far, moments = np.cumsum(shares), np.cumsum(shares * middles)
+    fractions, middles = counts / total, (edges[1:] + edges[:-1]) / 2
+    far, moments = np.cumsum(fractions), np.cumsum(fractions * middles)
     spread = (moments[-1] * far - moments) ** 2 / np.maximum(far * (1 - far), 1e-9)
     best = int(np.argmax(spread))
     return float(1.0 / edges[best + 1]) if MIN_LAYER <= far[best] <= 1.0 - MIN_LAYER else 0.0
 
 
 def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> Fit:
-    alignment, level = descend(source, target, start, Method.Hybrid, STEPS, BRIGHTNESS_SHARE)
+    alignment, level = descend(source, target, start, OdometryMethod.Hybrid, STEPS, BRIGHTNESS_FRACTION)
     sums = alignment.consistency
     shown = max(sums[at.SEEN] - sums[at.BEHIND], 1.0)
     residual, agreement = sums[at.EXCESS] / max(sums[at.PLANES], 1.0), sums[at.INLIERS] / shown

@@ -137,8 +137,8 @@ def fits_worse(result: OdometryResult, other: OdometryResult) -> bool:
     """True if a pose explains a frame clearly worse than another one, regardless of the overlap."""
     if not result.reliable and result.overlap >= RIM_OVERLAP and UNDETERMINED not in result.warnings:
         return True
-    outlier_share, other_outlier_share = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
-    if outlier_share > MAX_OUTLIER_RATIO * other_outlier_share + MIN_OUTLIER_EXCESS:
+    outlier_fraction, other_outlier_fraction = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
+    if outlier_fraction > MAX_OUTLIER_RATIO * other_outlier_fraction + MIN_OUTLIER_EXCESS:
         return True
     return is_off_shade(result.intensity_rmse, other.intensity_rmse)
 
@@ -156,6 +156,6 @@ def fits_model(result: OdometryResult) -> bool:
     return result.overlap >= SHAPE_OVERLAP and agreement_of(result) >= SURE_AGREEMENT
 
 
-def depth_share(frame: OdometryFrame) -> float:
+def depth_fraction(frame: OdometryFrame) -> float:
     """Fraction of pixels with depth, in the coarsest level (sync)."""
     return float((frame.coarsest()[0] > 0).mean())

@@ -67,12 +67,12 @@ class Keyframes:
         counts = download(compare_codes(self._encode(frame), self._codes, len(self.poses)))  # sync
         common, different = counts[:, 0], counts[:, 1]
         min_common = max(MIN_COMMON * common.max(initial=0), 1)
-        shares = np.where(common >= min_common, different / np.maximum(common, 1), 1.0)
+        fractions = np.where(common >= min_common, different / np.maximum(common, 1), 1.0)
         matches: list[tuple[int, float]] = []
-        for index in np.argsort(shares, kind="stable").tolist():
+        for index in np.argsort(fractions, kind="stable").tolist():
             pose = self.poses[index]
-            if shares[index] < 0.5 and all(view_distance(pose, self.poses[i]) > 1.5 for i, _ in matches):
-                matches.append((index, float(shares[index])))
+            if fractions[index] < 0.5 and all(view_distance(pose, self.poses[i]) > 1.5 for i, _ in matches):
+                matches.append((index, float(fractions[index])))
             if len(matches) == count:
                 break
         return matches

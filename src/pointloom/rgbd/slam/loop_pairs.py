@@ -204,12 +204,14 @@ def _register(
 def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, information: Matrix, fitness: float) -> Loop:
     source, target = surfaces[c.source], surfaces[c.target]
     assert source.witness is not None and target.witness is not None
-    share = fitness * max(1.0, len(source.witness.surface) / len(target.witness.surface))  # relative to the smaller one
+    fraction = fitness * max(
+        1.0, len(source.witness.surface) / len(target.witness.surface)
+    )  # relative to the smaller one
     shift, score, refused = shift_of(source.box, c.T_target_source, T), 0.0, ""
     if shift > c.limit:
         refused = f"it differs by {shift:.2f} m from tracking, whose error is at most {c.limit:.2f} m"
-    elif share < OVERLAP:
-        refused = f"{share:.0%} of the smaller submap overlaps with the other, {OVERLAP:.0%} is required"
+    elif fraction < OVERLAP:
+        refused = f"{fraction:.0%} of the smaller submap overlaps with the other, {OVERLAP:.0%} is required"
     else:
         local = to_local(T, source.cloud.origin, target.cloud.origin)
         score = rate_surfaces(source.witness, target.witness, local, MAX_DISTANCE * source.voxel_size).score

@@ -42,6 +42,7 @@ class SlamAccount(Assessed):
 
     @property
     def trajectory(self) -> Trajectory:
+        """The poses as a Trajectory."""
         return self.path.trajectory
 
     @property
@@ -86,7 +87,7 @@ def model_by_slam(
     progress: ReportProgress,
     clock: Clock,
 ) -> tuple[TriangleMesh, SlamAccount]:
-    """Track all frames, close the loops, and extract the surface. Arguments as of `loom.track`."""
+    """Track all frames, close the loops, and extract the surface. Arguments as of `loom.rgbd.track`."""
     sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": device}
     slam = make_slam(frames, **sizes, submap_frames=SUBMAP_FRAMES)
     path = track_with(slam, frames, **sizes, read_ahead=read_ahead, progress=progress, clock=clock)

@@ -90,21 +90,21 @@ def close_loops(
         >>> from pointloom.rgbd.slam.submaps import Submap
         >>> volume = loom.TSDFVolume(voxel_size=0.1)
         >>> apart = [Submap(volume, np.eye(4), [k], [np.eye(4)], follows=False) for k in range(2)]
-        >>> closure = loom.slam.close_loops(apart)  # volumes without a surface
+        >>> closure = loom.rgbd.close_loops(apart)  # volumes without a surface
         >>> closure.groups.tolist(), closure.loops
         ([0, 1], [])
     """
     ordered, order = _in_order(submaps)
     coarsest = max(submap.volume.voxel_size for submap in ordered)
     size = max(VOXELS * coarsest, MIN_VOXEL) if voxel_size is None else check_positive("voxel_size", voxel_size)
-    share, chooser = check_positive("drift", drift), check_seed(seed)
+    fraction, chooser = check_positive("drift", drift), check_seed(seed)
     report_progress = check_progress(progress)
     surfaces = []
     for i, submap in enumerate(ordered):
         report_progress("surfaces", i, len(ordered))
         surfaces.append(SubmapSurface(submap, size))
     report_progress("surfaces", len(ordered), len(ordered))
-    search = _Search(ordered, surfaces, size, share, chooser, report_progress)
+    search = _Search(ordered, surfaces, size, fraction, chooser, report_progress)
     search.run()
     return search.result(order)
 
@@ -307,7 +307,7 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
         >>> submap = Submap(volume, np.eye(4), [7, 8], [np.eye(4)] * 2)
         >>> moved = np.eye(4)
         >>> moved[0, 3] = 0.5
-        >>> numbers, poses = loom.slam.corrected_trajectory([submap], [moved])
+        >>> numbers, poses = loom.rgbd.corrected_trajectory([submap], [moved])
         >>> numbers.tolist(), poses[:, 0, 3].tolist()
         ([7, 8], [0.5, 0.5])
     """
@@ -323,17 +323,17 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
         if after == k or number <= middles[k]:
             poses[i] = matmul(moves[k], pose)
         elif ordered[after].follows:
-            share = (number - middles[k]) / (middles[after] - middles[k])
-            poses[i] = _between(matmul(moves[k], pose), matmul(moves[after], pose), share)
+            fraction = (number - middles[k]) / (middles[after] - middles[k])
+            poses[i] = _between(matmul(moves[k], pose), matmul(moves[after], pose), fraction)
         else:
             poses[i] = matmul(moves[k if number <= ordered[k].frames[-1] else after], pose)
     return numbers, poses
 
 
-def _between(first: Matrix, second: Matrix, share: float) -> Matrix:
+def _between(first: Matrix, second: Matrix, fraction: float) -> Matrix:
     """Interpolate two poses: rotation about one axis, position linearly."""
-    rotation = rotation_of(share * rotation_vector(matmul(first[:3, :3].T, second[:3, :3])))
-    return make_pose(matmul(first[:3, :3], rotation), first[:3, 3] + share * (second[:3, 3] - first[:3, 3]))
+    rotation = rotation_of(fraction * rotation_vector(matmul(first[:3, :3].T, second[:3, :3])))
+    return make_pose(matmul(first[:3, :3], rotation), first[:3, 3] + fraction * (second[:3, 3] - first[:3, 3]))
 
 
 def fuse_submaps(
@@ -358,9 +358,9 @@ def fuse_submaps(
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> recorder = loom.slam.SubmapRecorder(camera, voxel_size=0.1, color=False)
+        >>> recorder = loom.rgbd.SubmapRecorder(camera, voxel_size=0.1, color=False)
         >>> recorder.add(np.full((48, 64), 1000, np.uint16), np.eye(4))
-        >>> loom.slam.fuse_submaps(recorder.finish()).frame_count
+        >>> loom.rgbd.fuse_submaps(recorder.finish()).frame_count
         1
     """
     items = check_submaps(submaps)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from .frames import SensorFrame
 from .keyframes import Keyframes
-from .model import Model
+from .model import SlamModel
 from .results import TrackingResult
 from .submaps import SubmapRecorder
 from .tracker import Attempt, Tracker
@@ -40,7 +40,7 @@ class FusedFrame(NamedTuple):
 class SlamMap:
     """A model with its own coordinates, numbered from 0, with keyframes, tracker, and submap recorder or None."""
 
-    def __init__(self, number: int, model: Model, keyframes: Keyframes, recorder: SubmapRecorder | None):
+    def __init__(self, number: int, model: SlamModel, keyframes: Keyframes, recorder: SubmapRecorder | None):
         self.number, self.model, self.keyframes, self.recorder = number, model, keyframes, recorder
         self.tracker = Tracker(model, keyframes)
 

@@ -18,7 +18,7 @@ from ...kernels.rgbd.model_maps import colors_of, hide_unseen
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
-from ..odometry.alignment import Method, align_frames
+from ..odometry.alignment import OdometryMethod, align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .frames import MAX_PIXELS, SensorFrame
@@ -33,10 +33,10 @@ MIN_FRAMES = 10  # with fewer frames, planes are fitted, since the border has no
 COARSE = 0.03  # [m] voxels above which SDF gradients are better normals than fitted planes
 
 
-class Model(Serialized):
+class SlamModel(Serialized):
     """A TSDF volume for frame-to-model tracking of a depth camera.
 
-    Unlike Open3D's Model, the camera is given once, frames are any objects with `depth` and `color`, the model is
+    Unlike Open3D's SlamModel, the camera is given once, frames are any objects with `depth` and `color`, the model is
     rendered with color at the tracking resolution, and `track_frame` accepts an initial pose.
 
     Args:
@@ -65,7 +65,7 @@ class Model(Serialized):
         >>> v, u = np.mgrid[:48, :64]
         >>> depth = 1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7)
         >>> frame = loom.RGBDImage(np.zeros((48, 64), np.uint8), depth)
-        >>> model = loom.slam.Model(camera, voxel_size=0.02)
+        >>> model = loom.rgbd.SlamModel(camera, voxel_size=0.02)
         >>> model.integrate(frame, np.eye(4))
         >>> model.track_frame(frame).reliable
         True
@@ -98,7 +98,7 @@ class Model(Serialized):
         self._view = compared_camera(intrinsic)
 
     def __repr__(self) -> str:
-        return f"Model({self.volume!r})"
+        return f"SlamModel({self.volume!r})"
 
     @property
     def frame_count(self) -> int:
@@ -150,7 +150,7 @@ class Model(Serialized):
             TypeError, ValueError: As `prepare`; or an initial pose that is not rigid.
         """
         given = self.current_frame_pose if T_world_camera is None else check_rigid("T_world_camera", T_world_camera)
-        result = align_frames(self.prepare(frame).pyramid, self.seen_from(given), method=Method.Hybrid)
+        result = align_frames(self.prepare(frame).pyramid, self.seen_from(given), method=OdometryMethod.Hybrid)
         return _moved(result, given)
 
     def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:

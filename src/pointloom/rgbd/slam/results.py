@@ -62,6 +62,7 @@ class TrackingResult(AssessedRecord):
 
     @property
     def is_tracked(self) -> bool:
+        """True if the frame has a pose."""
         return self.status == "tracked"
 
     @property

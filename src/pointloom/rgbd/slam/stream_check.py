@@ -19,7 +19,7 @@ from ...kernels.memory import download
 from ...kernels.rgbd import stream_views as at
 from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
 from ...registration.rigid import rotation_vector
-from ..odometry.alignment import Method, descend
+from ..odometry.alignment import OdometryMethod, descend
 from ..odometry.frames import OdometryFrame
 from ..odometry.motion_checks import covariance_of, model_noise
 from .frames import SensorFrame
@@ -39,7 +39,7 @@ MAX_NOISE = math.radians(0.25)  # of a rotation by surface; directions with more
 CAPPED = 9.0  # squared difference in variances, against single errors
 FARTHEST = 45  # maximum delay in frames
 WINDOW, MIN_WINDOW = 25, 20  # compared frames
-MIN_COUNT, MIN_SHARE = 20, 0.6  # minimum number of compared directions, also as a fraction of those without a delay
+MIN_COUNT, MIN_FRACTION = 20, 0.6  # minimum number of compared directions, also as a fraction of those without a delay
 MIN_MOTION = 0.3  # minimum mean square rotation in variances: below it nothing can be compared
 TOGETHER = 0.35  # of the median residual over all delays: correct delays 0.02 to 0.31
 BESIDE = 2.5  # minimum ratio of the residual without a delay: synchronized 1.0 to 1.3, 2 frames apart 9 and more
@@ -182,8 +182,8 @@ class Rotations:
 def rotations_between(now: OdometryFrame, before: OdometryFrame) -> Rotations | None:
     """The Rotations of two frames. None if an alignment failed."""
     steps = STEPS if now.levels.count > 2 else STEPS_SMALL
-    by_color, _ = descend(now, before, np.eye(4), Method.Intensity, steps)
-    by_depth, _ = descend(now, before, np.eye(4), Method.PointToPlane, steps)
+    by_color, _ = descend(now, before, np.eye(4), OdometryMethod.Intensity, steps)
+    by_depth, _ = descend(now, before, np.eye(4), OdometryMethod.PointToPlane, steps)
     sums = by_depth.consistency
     covariance = covariance_of(by_depth.firm, sums, model_noise(sums))[:3, :3]
     poses = by_color.pose, by_depth.pose
@@ -236,7 +236,7 @@ class StreamLag:
 
     def _judge(self) -> None:
         residual, count, motion = np.sum(self._costs, axis=0)
-        is_known = count >= max(MIN_COUNT, MIN_SHARE * count[FARTHEST])
+        is_known = count >= max(MIN_COUNT, MIN_FRACTION * count[FARTHEST])
         has_moved = motion[FARTHEST] > MIN_MOTION * count[FARTHEST]
         if len(self._costs) < MIN_WINDOW or not is_known[FARTHEST] or not has_moved:
             return

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.images import integer_scale
-from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
+from ...core.checks import check_count, check_fraction, check_list, check_numeric, check_positive, check_rigid
 from ...core.serialized import Serialized
 from ...kernels.linear_algebra import inv, matmul, norm
 from ...meshing.volume.surface_weights import min_weight
@@ -139,7 +139,7 @@ class SubmapRecorder(Serialized):
         depth_scale: Integer depth units per meter.
         depth_max: Maximum depth [m].
         frames: Frames per submap.
-        way: Maximum camera path per submap [m], rotations at 1 m radius; None: unlimited.
+        max_length: Maximum camera path per submap [m], rotations at 1 m radius; None: unlimited.
         shared: Fraction of a submap shared with the next, 0 to 0.5.
         color: Fuse colors.
         device: As of TSDFVolume.
@@ -153,7 +153,7 @@ class SubmapRecorder(Serialized):
     Example:
         >>> import numpy as np, pointloom as loom
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> recorder = loom.slam.SubmapRecorder(camera, voxel_size=0.05, frames=4, shared=0.25, color=False)
+        >>> recorder = loom.rgbd.SubmapRecorder(camera, voxel_size=0.05, frames=4, shared=0.25, color=False)
         >>> for step in range(10):
         ...     pose = np.eye(4)
         ...     pose[0, 3] = 0.01 * step
@@ -171,7 +171,7 @@ class SubmapRecorder(Serialized):
         depth_scale: float = DEPTH_SCALE,
         depth_max: float = DEPTH_MAX,
         frames: int = FRAMES,
-        way: float | None = None,
+        max_length: float | None = None,
         shared: float = SHARED,
         color: bool = True,
         device: Any = None,
@@ -183,8 +183,8 @@ class SubmapRecorder(Serialized):
         self._sizes = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
         TSDFVolume(**self._sizes)  # validates them
         self._max_frames = check_count("frames", frames)
-        self._max_way = math.inf if way is None else check_positive("way", way)
-        self._shared = check_share("shared", shared)
+        self._max_way = math.inf if max_length is None else check_positive("max_length", max_length)
+        self._shared = check_fraction("shared", shared)
         if self._shared > 0.5:
             raise ValueError(f"shared: expected at most 0.5, got {shared}")
         self.submaps: list[Submap] = []

@@ -13,7 +13,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.dropped_results import returns_new
 from ...core.number_ranges import some_frames
 from ...core.reports import Assessed, Fields, in_columns, quality
-from ...core.wording import format_share
+from ...core.wording import format_fraction
 from ...io.frames.frames import why_out_of_range
 from ...registration.pose_errors import PoseCovariance
 from ...registration.trajectories.trajectory_error import TrajectoryError
@@ -37,8 +37,8 @@ class TrackedPath(Assessed):
         unreadable: Unreadable frames, with the reason.
         residuals: Root mean square distance [m] of each tracked frame (after the first) from the model.
         fitness: Fraction of its depth on the model.
-        depth_share: Fraction of all pixels with depth. 0 if no frame could be read.
-        used_share: Fraction of all pixels with depth up to `depth_max`.
+        depth_fraction: Fraction of all pixels with depth. 0 if no frame could be read.
+        used_fraction: Fraction of all pixels with depth up to `depth_max`.
         voxel_size: Voxel edge of the model [m].
         depth_max: Maximum depth [m].
         device: Compute device.
@@ -66,8 +66,8 @@ class TrackedPath(Assessed):
     unreadable: dict[int, str]
     residuals: tuple[float, ...]
     fitness: tuple[float, ...]
-    depth_share: float
-    used_share: float
+    depth_fraction: float
+    used_fraction: float
     voxel_size: float
     depth_max: float
     device: str
@@ -87,11 +87,15 @@ class TrackedPath(Assessed):
 
     @property
     def error(self) -> TrajectoryError | None:
+        """The error for a path that cannot be used."""
         return error_against_truth(self.trajectory.poses, self.true_poses)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        count, range_warning = self.frame_count, why_out_of_range(self.depth_share, self.used_share, self.depth_max)
+        count, range_warning = (
+            self.frame_count,
+            why_out_of_range(self.depth_fraction, self.used_fraction, self.depth_max),
+        )
         reasons = [reason for reason in (range_warning, self.stream) if reason is not None]
         if lost := {number: reason for number, reason in self.lost.items() if number not in self.covered}:
             first = next(iter(lost.values()))
@@ -123,6 +127,7 @@ class TrackedPath(Assessed):
 
     @returns_new
     def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
+        """The same path with other poses."""
         original = self.trajectory
         corrected = np.array(poses, np.float64).reshape(-1, 4, 4)
         trajectory = Trajectory(corrected, timestamps=original.timestamps, ids=original.ids)
@@ -154,8 +159,8 @@ class TrackedPath(Assessed):
             ],
             "lost": [{"frame": number, "reason": reason} for number, reason in self.lost.items()],
             "unreadable": [{"frame": number, "reason": reason} for number, reason in self.unreadable.items()],
-            "depth_share": self.depth_share,
-            "used_share": self.used_share,
+            "depth_fraction": self.depth_fraction,
+            "used_fraction": self.used_fraction,
             "residual_m": _median(self.residuals),
             "fitness": _median(self.fitness),
             "other_maps": [
@@ -170,7 +175,7 @@ class TrackedPath(Assessed):
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
         rate = "" if frames_per_second is None else f", {frames_per_second:.1f} frames/s"
-        seen = f"{format_share(self.used_share)} of the pixels within {self.depth_max:g} m"
+        seen = f"{format_fraction(self.used_fraction)} of the pixels within {self.depth_max:g} m"
         long = path_length(self.trajectory.poses)
         fields = [
             ("frames", f"{self.frame_count} on {self.device}{rate}; {seen}"),
@@ -186,7 +191,7 @@ class TrackedPath(Assessed):
             fields.append(("other maps", f"{len(self.other_maps)}: {frame_lists}"))
         if self.residuals:
             residual, fitness = float(np.median(self.residuals)), float(np.median(self.fitness))
-            fit = f"{residual * 1000:.1f} mm off the model, {format_share(fitness)} of the depth on it"
+            fit = f"{residual * 1000:.1f} mm off the model, {format_fraction(fitness)} of the depth on it"
             fields.append(("fit", f"{fit} (medians)"))
         return [*fields, *(("note", note) for note in self.notes)]
 

@@ -31,7 +31,7 @@ from ...registration.rigid import (
     rotation_of,
     rotation_vector,
 )
-from ..odometry.alignment import Method, align_frames, align_steps
+from ..odometry.alignment import OdometryMethod, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .frame_checks import (
@@ -42,7 +42,7 @@ from .frame_checks import (
     SURE_OVERLAP,
     Attempt,
     agreement_of,
-    depth_share,
+    depth_fraction,
     fits_model,
     fits_worse,
     judge_recognition,
@@ -50,7 +50,7 @@ from .frame_checks import (
 )
 from .frames import SensorFrame, coarsest_level
 from .keyframes import Keyframes
-from .model import Model
+from .model import SlamModel
 from .results import Status
 
 Pose = NDArray[np.float64]
@@ -88,11 +88,11 @@ class Motion:
         if self.missed:
             return self.pose
         seconds = frame.seconds_since(self.time)
-        share = seconds / self.seconds if self.seconds > 0 and not math.isnan(seconds) else 1.0
-        if not 0.0 < share <= LONGEST_STEP:
+        fraction = seconds / self.seconds if self.seconds > 0 and not math.isnan(seconds) else 1.0
+        if not 0.0 < fraction <= LONGEST_STEP:
             return self.pose
-        rotation = rotation_of(share * rotation_vector(self.step[:3, :3]))
-        return matmul(self.pose, make_pose(rotation, share * self.step[:3, 3]))
+        rotation = rotation_of(fraction * rotation_vector(self.step[:3, :3]))
+        return matmul(self.pose, make_pose(rotation, fraction * self.step[:3, 3]))
 
     def ahead(self) -> list[Pose]:
         """Predictions after lost frames: half and all of the extrapolated path."""
@@ -101,7 +101,7 @@ class Motion:
         if not self.missed or not (np.any(rotation) or np.any(shift)):
             return []
         pose, twist = self.pose, np.concatenate([rotation, shift])
-        return [matmul(pose, pose_of(share * (self.missed + 1) * twist)) for share in (1.0, 0.5)]
+        return [matmul(pose, pose_of(fraction * (self.missed + 1) * twist)) for fraction in (1.0, 0.5)]
 
     def max_distance(self, frame: SensorFrame) -> float:
         """Maximum distance of the camera from its last or predicted position [m]."""
@@ -129,7 +129,7 @@ class Motion:
 class Tracker:
     """Tracks frames against a model and relocalizes lost ones from keyframes."""
 
-    def __init__(self, model: Model, keyframes: Keyframes):
+    def __init__(self, model: SlamModel, keyframes: Keyframes):
         self.model, self.keyframes, self.motion = model, keyframes, Motion()
         self.drift = Drift(keyframes)
         self.shape_search, self._tries = ShapeSearch(model, keyframes.seed), 0
@@ -165,7 +165,7 @@ class Tracker:
         if still is not None:
             self._tries = 0
             return still, False
-        if depth_share(frame.pyramid) < MIN_DEPTH:
+        if depth_fraction(frame.pyramid) < MIN_DEPTH:
             return Attempt(np.eye(4), NOTHING, "lost", (BLANK,)), False
         if not self.motion.missed:
             followed = self._follow(frame, frame.pyramid)
@@ -192,7 +192,7 @@ class Tracker:
             return None
         depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
         still = frame.pyramid_of(depth)
-        if depth_share(still) < MIN_DEPTH:
+        if depth_fraction(still) < MIN_DEPTH:
             return None
         followed = self._follow(frame, still)
         if followed.status != "tracked":
@@ -316,7 +316,7 @@ class Tracker:
         T = matmul(invert_pose(at), start)
         result = align_frames(pyramid, seen, T)
         if result.intensity_rmse > SUSPECT * self.motion.shades:
-            by_shades = align_steps(pyramid, seen, T, Method.Hybrid, share=1.0)
+            by_shades = align_steps(pyramid, seen, T, OdometryMethod.Hybrid, fraction=1.0)
             between = _apart(matmul(invert_pose(result.transformation), by_shades.transformation))
             if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
                 result = by_shades
@@ -345,7 +345,7 @@ def _score(attempt: Attempt) -> float:
 Matrix = NDArray[np.float64]
 
 STRIDE = 2  # pixel stride at the coarsest level
-NEAR, NEAR_SHARE = 0.05, 0.03  # [m] and relative: depth difference of a point that a keyframe saw
+NEAR, NEAR_FRACTION = 0.05, 0.03  # [m] and relative: depth difference of a point that a keyframe saw
 OPEN = 1e-3  # relative to the largest entry: below it points only count by number
 
 
@@ -381,9 +381,9 @@ class Drift:
         full = parts.sum(0)
         scale = np.abs(full).max()
         if scale > 0:
-            shares = np.trace(parts, axis1=1, axis2=2)
+            fractions = np.trace(parts, axis1=1, axis2=2)
             even = OPEN * scale * np.eye(6)
-            parts += even * (shares / shares.sum())[:, None, None]
+            parts += even * (fractions / fractions.sum())[:, None, None]
             row = solve(full + even, np.concatenate(list(parts), 1))
         else:  # unseen points refer to the latest keyframe
             row = np.concatenate([np.zeros((6, 6 * (count - 1))), np.eye(6)], 1)
@@ -441,7 +441,7 @@ class Drift:
         v = np.rint(lens[1] * local[:, 1] / z + lens[3])
         inside = (local[:, 2] > 0) & (u >= 0) & (v >= 0) & (u < depth.shape[1]) & (v < depth.shape[0])
         there = depth[np.where(inside, v, 0).astype(int), np.where(inside, u, 0).astype(int)]
-        return inside & (there > 0) & (np.abs(there - z) < NEAR + NEAR_SHARE * z)
+        return inside & (there > 0) & (np.abs(there - z) < NEAR + NEAR_FRACTION * z)
 
 
 def join_covariance(T_here_other: Pose, deviation: float) -> Matrix:
@@ -464,7 +464,7 @@ FIRST, RETRY_INTERVAL = (1, 4, 10, 20), 20  # attempts in a row of lost frames, 
 class ShapeSearch:
     """Global registration of lost frames with a model, whose description is cached."""
 
-    def __init__(self, model: Model, seed: int):
+    def __init__(self, model: SlamModel, seed: int):
         self.model, self.seed = model, seed
         self.voxel_size = max(VOXELS * model.volume.voxel_size, MIN_VOXEL)
         self._described: tuple[int, Description | None] = (-1, None)
@@ -497,12 +497,12 @@ MAX_RIVALS = 6  # examined rivals
 POINTS = 300  # shifted points per frame
 BLOCK = 8  # voxels per coarse step
 FINE = 2  # voxels per fine step: half the truncation of 4 voxels
-COARSE_SHARE = 0.45  # fraction of the matched points at the found pose, in coarse steps, and ...
+COARSE_FRACTION = 0.45  # fraction of the matched points at the found pose, in coarse steps, and ...
 ALIKE = 0.4  # ... in fine steps: a pose at the model border shows half of it and may be correct
 MAX_COARSE = 1000  # refined coarse shifts, the best first
 
 
-def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float = FARTHEST) -> list[Pose]:
+def find_rivals(model: SlamModel, frame: OdometryFrame, pose: Pose, farthest: float = FARTHEST) -> list[Pose]:
     """Other poses T_world_camera up to `farthest` [m] away where the frame's surface fits, the best first."""
     points, axes = _points_of(frame, pose)
     if len(points) < POINTS // 4:
@@ -512,7 +512,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     coarse = matmul(_ball(int(min(farthest, FARTHEST) / side)) * side, axes.T)
     here = np.zeros((1, 3))
     limits: dict[str, Any] = {"weight_threshold": threshold, "min_score": 0.0}
-    min_score = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
+    min_score = COARSE_FRACTION * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
     met = score_shifts(volume, points, coarse, weight_threshold=threshold, min_score=min_score, is_coarse=True)
     order = np.argsort(-met, kind="stable")[:MAX_COARSE]
     order = order[met[order] >= min_score]
@@ -527,8 +527,8 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
 
 def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """World points [m] of the coarsest level in a spatially spread order, and their principal directions."""
-    picture, (fx, fy, cx, cy), facets = coarsest_level(frame)
-    width, depth, planes = picture.shape[1], picture.ravel(), facets.reshape(-1, 4)
+    image, (fx, fy, cx, cy), facets = coarsest_level(frame)
+    width, depth, planes = image.shape[1], image.ravel(), facets.reshape(-1, 4)
     at = np.flatnonzero((depth > 0) & (planes[:, 3] < 0))
     rays = np.stack([(at % width - cx) / fx, (at // width - cy) / fy, np.ones(len(at))], 1)
     normals = planes[at, :3]

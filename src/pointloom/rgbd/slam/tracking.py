@@ -23,7 +23,7 @@ from ...io.frames.frames import (
     check_frames,
     count_of,
     depth_unit,
-    measured_shares,
+    measured_fractions,
     read_frames_or_errors,
     source_warnings,
 )
@@ -51,7 +51,7 @@ def track(
 ) -> TrackedPath:
     """Estimate the pose of each frame of a moving depth camera, as `pointloom track` does.
 
-    Frame-to-model tracking with `loom.slam.DenseSLAM`.
+    Frame-to-model tracking with `loom.rgbd.DenseSLAM`.
 
     Args:
         frames: From `open_frames`, `frames_from`, a camera, or any ordered source with `intrinsic`, `depth_scale` and
@@ -81,7 +81,7 @@ def track(
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> v, u = np.mgrid[:48, :64]
         >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-        >>> path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
+        >>> path = loom.rgbd.track(loom.frames_from([(None, depth)] * 3, camera))
         >>> path.trajectory, path.lost
         (Trajectory(3 poses, ids), {})
     """
@@ -147,10 +147,10 @@ class _Tally:
         self.timestamps: dict[int, float | None] = {}
         self.true_poses: dict[int, NDArray[np.float64] | None] = {}
         self.unreadable: dict[int, str] = {}
-        self.shares: list[tuple[float, float]] = []
+        self.fractions: list[tuple[float, float]] = []
 
     def take(self, number: int, frame: Any, farthest: float) -> None:
-        self.shares.append(measured_shares(frame.depth, farthest))
+        self.fractions.append(measured_fractions(frame.depth, farthest))
         self.slam.step(frame)
         self.stepped.append(number)
         self.timestamps[number] = getattr(frame, "timestamp", None)
@@ -164,7 +164,7 @@ class _Tally:
         aligned = [result for result in located.values() if result.iterations]  # not the first frames of maps
         covered, fixed = covered_frames(results, largest), self.slam.fixed_parts.note
         notes = [f"{len(covered)} frames are blank and were left out ({some_frames(covered)})"] if covered else []
-        depth_share, used_share = np.mean(self.shares, axis=0).tolist() if self.shares else (0.0, 0.0)
+        depth_fraction, used_fraction = np.mean(self.fractions, axis=0).tolist() if self.fractions else (0.0, 0.0)
         return TrackedPath(
             trajectory=self._trajectory(main, results), true_poses=tuple(self.true_poses[n] for n in main),
             frame_count=self.count, uncertain=tuple(n for n, result in located.items() if not result.is_tracked),
@@ -181,7 +181,7 @@ class _Tally:
             pose_covariances=tuple(found for n in main if (found := results[n].pose_covariance) is not None),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
             covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())),
-            depth_share=depth_share, used_share=used_share, **sizes,
+            depth_fraction=depth_fraction, used_fraction=used_fraction, **sizes,
         )  # fmt: skip
 
     def _trajectory(self, numbers: list[int], results: dict[int, TrackingResult]) -> Trajectory:

@@ -246,7 +246,7 @@ def plan_fusion(
         >>> loom.tiling.run_job("job").is_finished
         True
         >>> mesh = loom.read_triangle_mesh(loom.tiling.finish_fusion("job"))
-        >>> len(mesh) == len(loom.fuse(loom.open_frames("walk"), voxel_size=0.05).mesh)
+        >>> len(mesh) == len(loom.rgbd.fuse(loom.open_frames("walk"), voxel_size=0.05).mesh)
         True
     """
     edge, farthest = check_positive("voxel_size", voxel_size), check_positive("depth_max", depth_max)

@@ -62,7 +62,7 @@ def finish_registration(folder: FilePath) -> PlacedScans:
         folder: Folder of `plan_registration`, all tasks done.
 
     Returns:
-        As `register_fragments`, bitwise equal for the same pairs, with scans in planned order. `result.not_placed`
+        As `register_multiway`, bitwise equal for the same pairs, with scans in planned order. `result.not_placed`
         lists unconnected scans, `result.tried` each pair; `result.trajectory` can be written.
 
     Raises:

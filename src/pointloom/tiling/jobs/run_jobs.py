@@ -18,7 +18,7 @@ from ...core.paths import path_of, plain_name, refuse_link
 from ...core.progress import ReportProgress, ignore_progress
 from ...io.frames.datasets import open_frames
 from ...rgbd.reconstruction.config import ReconstructionConfig
-from ...rgbd.reconstruction.job import run_system
+from ...rgbd.reconstruction.job import run_reconstruction_system
 from ..manifest import NAME, Manifest, damage_as_file_errors, message_of
 from ..plan_check import Checks, builds, is_count, is_flag, is_text, list_of
 from ..processes import run_tasks
@@ -70,13 +70,13 @@ class SequencesJob(Job):
         stamp = _stamp(frames)
         camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
         options = {option: plan[option] for option in ("layout", "every", "depth_scale")}
-        missing = "pictures" if plan["leave_out"] else False
+        missing = "images" if plan["leave_out"] else False
         source = open_frames(frames, intrinsic=camera, skip_missing=missing, **options)
         folder = refuse_link(self.folder / SEQUENCES / plain_name(self.folder / NAME, name))
         folder.parent.mkdir(exist_ok=True)
         config = ReconstructionConfig.from_names(plan["config"])
         how = {"resume": True, "refine": plan["refine"], "slac": plan["slac"], "device": self.device}
-        report = run_system(source, config, folder, **how)
+        report = run_reconstruction_system(source, config, folder, **how)
         figures = {"frames": report.frames, "used": report.used, "files": list(report.files)}
         return figures | {"warnings": list(report.warnings)} | {"left_out": source.left_out, "stamp": stamp}
 
@@ -104,17 +104,18 @@ def plan_sequences(
     """Plan the reconstruction of many RGB-D sequences, each independent; `run_job` processes the queue.
 
     A folder with the same plan keeps its finished work. One with another plan is rejected. The result of "kitchen" is
-    in `folder/sequences/kitchen`, as `run_system` writes it. Memory per worker is that of `run_system`.
+    in `folder/sequences/kitchen`, as `run_reconstruction_system` writes it. Memory per worker is that of
+    `run_reconstruction_system`.
 
     Args:
         frames: Folders of frames, each as `open_frames` accepts it.
         folder: Folder of the job, created if missing.
-        config: As of `reconstruction.run_system`, for all sequences.
+        config: As of `reconstruction.run_reconstruction_system`, for all sequences.
         layout: As of `open_frames`, like the next three.
         intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folders' files.
         every: Use every k-th frame.
         leave_out: Skip incomplete frames and list them in `job_status`. Else they are errors.
-        refine, slac: As of `run_system`.
+        refine, slac: As of `run_reconstruction_system`.
 
     Returns:
         A JobStatus. Tasks are named after the folders, with "_2" for repeated names.
@@ -129,7 +130,7 @@ def plan_sequences(
         >>> from pointloom.tiling.jobs.run_jobs import plan_sequences
         >>> write_room_sequence("walk", frame_count=6, width=80, height=60)
         >>> sizes = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.05, "depth_max": 4.0}
-        >>> config = loom.reconstruction.ReconstructionConfig(**sizes)
+        >>> config = loom.rgbd.ReconstructionConfig(**sizes)
         >>> plan_sequences(["walk"], "job", config=config).waiting
         1
         >>> loom.tiling.run_job("job").is_finished
@@ -185,7 +186,7 @@ def run_job(
     workers: int = 0,
     part: tuple[int, int] | None = None,
     device: str = "cpu",
-    progress: ReportProgress = ignore_progress,
+    progress: ReportProgress | None = None,
 ) -> JobStatus:
     """Run the tasks of a job. Finished ones stay.
 
@@ -208,7 +209,7 @@ def run_job(
         FileError: If there is no plan, its files or version changed, or workers cannot be started.
         DeviceError: If the device does not exist, or fewer GPUs are free than needed.
     """
-    count, share = check_count("workers", workers, minimum=0), check_part(part)
+    count, fraction = check_count("workers", workers, minimum=0), check_part(part)
     report = check_progress(progress)
     manifest, job = open_job(folder)
     with manifest:
@@ -218,7 +219,7 @@ def run_job(
         notify = partial(_report_progress, manifest, job, report)
         notify()
         call = partial(_do_alone, str(manifest.folder.absolute()))
-        run_tasks(manifest, partial(_Taskbook, manifest, job, share), call, notify, workers=count, device=device)
+        run_tasks(manifest, partial(_Taskbook, manifest, job, fraction), call, notify, workers=count, device=device)
         notify()
         return status_of(manifest, job)
 

@@ -1,8 +1,8 @@
-"""Register hundreds of scans: pairs as tasks, then the pose graph of `register_fragments`.
+"""Register hundreds of scans: pairs as tasks, then the pose graph of `register_multiway`.
 
 Stages: "scans" thins each scan once and stores its surface; "pairs" registers likely overlaps, by known positions or
 order; "pairs alike" tries scans outside the largest group with similar ones; "graph" predicts more pairs from the
-poses; "loops" registers these. Results are bitwise those of `register_fragments`.
+poses; "loops" registers these. Results are bitwise those of `register_multiway`.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ class RegistrationJob(Job):
         "neighbors": optional(is_count),
         "pairs": optional(list_of(list_of(is_count, 2))),
         "known": is_list,
-        "alike": is_count,
+        "max_similar": is_count,
         "free": optional(list_of(is_text)),
         "seed": is_count,
     }
@@ -168,7 +168,7 @@ class RegistrationJob(Job):
 
     def _alike(self, scans: Sequence[Done], tried: Sequence[Done]) -> list[tuple[int, int]]:
         """Pairs of scans outside the largest group with the most similar scans in it."""
-        if not self.plan["alike"]:
+        if not self.plan["max_similar"]:
             return []
         accepted = [(task.inputs["source"], task.inputs["target"]) for task in tried if task.result["pair"]]
         groups = groups_of(len(scans), accepted)
@@ -178,7 +178,7 @@ class RegistrationJob(Job):
         pairs = set()
         for k in np.flatnonzero(groups != largest).tolist():
             others = [j for j in np.flatnonzero(groups != groups[k]).tolist() if frozenset((j, k)) not in over]
-            for j in most_similar(looks, k, np.array(others, np.int64), self.plan["alike"]):
+            for j in most_similar(looks, k, np.array(others, np.int64), self.plan["max_similar"]):
                 pairs.add((min(j, k), max(j, k)))
         return sorted(pairs)
 
@@ -245,32 +245,32 @@ def plan_registration(
     neighbors: int | None = None,
     pairs: Sequence[tuple[int, int]] | None = None,
     known: Sequence[FragmentPair] = (),
-    alike: int = ALIKE,
+    max_similar: int = ALIKE,
     free: Sequence[str] | None = None,
     seed: int = 0,
 ) -> JobStatus:
     """Plan the registration of many scans without initial poses; `run_job` runs it, one task per pair.
 
     A folder with the same plan keeps its finished work. One with another plan is rejected. `finish_registration` gives
-    bitwise the result of `register_fragments` for the same pairs. 24 B of disk per voxel of each scan.
+    bitwise the result of `register_multiway` for the same pairs. 24 B of disk per voxel of each scan.
 
     Args:
         scans: Point cloud files, each in its own frame, in capture order if there is one.
         folder: Folder of the job, created if missing.
-        voxel_size: Edge of a voxel [m], as of `register_fragments`.
+        voxel_size: Edge of a voxel [m], as of `register_multiway`.
         places: Approximate pose T_world_scan (4, 4) or position (3,) of each scan, or None. Only pairs with overlapping
             boxes are tried then. Registration itself uses no initial guess.
         place_error: Error of the places [m].
         neighbors: Number of following scans tried with each. If None: all for up to 40 scans, else 5. With places:
             number of nearest overlapping boxes, default 12.
         pairs: Index pairs to try instead.
-        known, free: As of `register_fragments`.
-        alike: Number of similar scans tried with each scan outside the largest group. 0 for none.
+        known, free: As of `register_multiway`.
+        max_similar: Number of similar scans tried with each scan outside the largest group. 0 for none.
         seed: As of `register_globally`.
 
     Raises:
         FileError: If a scan is missing, or the job's folder contains something else.
-        ValueError: As of `register_fragments`. Also if places and scans disagree, or pairs are combined with others.
+        ValueError: As of `register_multiway`. Also if places and scans disagree, or pairs are combined with others.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -304,7 +304,7 @@ def plan_registration(
         "neighbors": None if neighbors is None else check_count("neighbors", neighbors),
         "pairs": tried,
         "known": [_pair_to_json(pair) for pair in check_known(known, len(paths), level)],
-        "alike": check_count("alike", alike, minimum=0),
+        "max_similar": check_count("max_similar", max_similar, minimum=0),
         "free": None if level is None else list(level),
         "seed": check_seed(seed),
     }

@@ -1,4 +1,4 @@
-"""Images of change detection: `loom.change.draw`."""
+"""Images of change detection: `loom.draw_change`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ...pcd.point_arrays import check_cloud
 from ..render.coloring import Coloring, color_cloud
 from ..render.colormaps import MISSING
 from ..render.picture import Picture
-from ..render.picture_files import save_picture
+from ..render.picture_files import write_image
 from ..render.render import render
 
 COLORMAP = "coolwarm"  # blue below, red above, neutral at zero
@@ -31,12 +31,12 @@ UNCHANGED, UNKNOWN = "not significant", "no distance"
 
 
 @explain_argument_errors
-def paint(cloud: PointCloud, change: Any, *, limit: float | None = None) -> PointCloud:
+def paint_change(cloud: PointCloud, change: Any, *, limit: float | None = None) -> PointCloud:
     """Color the points of a cloud by signed distance: red positive, blue negative, gray not significant.
 
     Args:
         cloud: Core points of the measurement.
-        change: Result of `m3c2` or `cloud_to_mesh`, or distances (n,) [m], all taken as significant.
+        change: Result of `m3c2` or `compare_cloud_to_mesh`, or distances (n,) [m], all taken as significant.
         limit: Distance of the darkest red [m]. Blue is its negative. If None, the 98th percentile of the changes.
 
     Returns:
@@ -47,16 +47,16 @@ def paint(cloud: PointCloud, change: Any, *, limit: float | None = None) -> Poin
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.visualization.change.pictures import paint
+        >>> from pointloom.visualization.change.pictures import paint_change
         >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [2, 0, 0]])
-        >>> paint(cloud, [0.5, -0.5, 0], limit=0.5).colors.astype(float).round(2).tolist()
+        >>> paint_change(cloud, [0.5, -0.5, 0], limit=0.5).colors.astype(float).round(2).tolist()
         [[0.71, 0.02, 0.15], [0.23, 0.3, 0.75], [0.87, 0.87, 0.87]]
     """
     return _painted(cloud, change, limit)[0]
 
 
 @explain_argument_errors
-def draw(
+def draw_change(
     cloud: PointCloud,
     change: Any,
     path: str | os.PathLike[str] | None = None,
@@ -89,7 +89,7 @@ def draw(
     Example:
         >>> import numpy as np, pointloom as loom
         >>> cloud = loom.PointCloud(np.random.default_rng(0).random((2_000, 3)) * (10, 10, 0))
-        >>> picture = loom.change.draw(cloud, cloud.points[:, 0] - 5, "change.png", size=(320, 240))
+        >>> picture = loom.draw_change(cloud, cloud.points[:, 0] - 5, "change.png", size=(320, 240))
         >>> picture.shape
         (240, 320, 3)
     """
@@ -105,7 +105,7 @@ def draw(
         scale_bar=True,
     )
     if path is not None:
-        save_picture(path, picture, overwrite=overwrite)
+        write_image(path, picture, overwrite=overwrite)
     return picture
 
 

@@ -32,9 +32,9 @@ class Stage:
     def max_points(self) -> int:
         return self.recorder.max_points
 
-    def show(self, name: str, geometry: Any, *, share: int = 1, **style: Any) -> None:
-        """Show a geometry with a fraction 1 / `share` of the points."""
-        self.recorder._show(name, [(geometry, style)], max(self.max_points // share, 1), self)
+    def show(self, name: str, geometry: Any, *, fraction: int = 1, **style: Any) -> None:
+        """Show a geometry with a fraction 1 / `fraction` of the points."""
+        self.recorder._show(name, [(geometry, style)], max(self.max_points // fraction, 1), self)
 
     def show_all(self, name: str, drawn: Sequence[tuple[Any, Data]], total: int) -> None:
         """Show several geometries under one name, sampled from `total` points."""

@@ -180,12 +180,12 @@ class Fragments(Script):
         return {"fragments": self.fragments}
 
     def fragments(self, clouds: Sequence[PointCloud], poses: Matrix, placed: NDArray[np.bool_], **_: Any) -> None:
-        share, count = max(len(clouds), 1), int(placed.sum())
+        fraction, count = max(len(clouds), 1), int(placed.sum())
         for k, number in enumerate(np.flatnonzero(placed).tolist()):
             look = look_at(clouds[number])
             self.look = self.look or look
             color = label_color(number)
-            self.stage.show(f"cloud {number}", clouds[number], share=share, color=color, pose=poses[number])
+            self.stage.show(f"cloud {number}", clouds[number], fraction=fraction, color=color, pose=poses[number])
             self.stage.step(f"{k + 1} of {count} clouds placed, {len(clouds)} in all")
 
 
@@ -197,7 +197,7 @@ def _painted(cloud: PointCloud, colors: NDArray[np.float64]) -> PointCloud:
 
 PATH = (0.1, 0.35, 0.75)
 SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces. After SURFACES of them the interval doubles
-SURFACE_SHARE, SCAN_SHARE = 8, 4  # divisors of max_points for each intermediate surface and each scan
+SURFACE_FRACTION, SCAN_FRACTION = 8, 4  # divisors of max_points for each intermediate surface and each scan
 MAX_CORNERS = 2_000  # of a path
 ASTRAY = 0.3  # of the number of cameras: a shorter sum of their directions is meaningless
 TILT = (0.35, 0.55)  # of a view over the shoulder: to the right, down
@@ -250,7 +250,7 @@ class Fusion(Travel):
         if not is_tracked:
             self._move(intrinsic, T_world_camera)
         if self._count % self._every == 1:
-            self._draw_surface(share=SURFACE_SHARE)
+            self._draw_surface(fraction=SURFACE_FRACTION)
             self._surfaces += 1
             self._every *= 2 if self._surfaces % SURFACES == 0 else 1
         if not is_tracked:
@@ -291,7 +291,7 @@ class Fusion(Travel):
             self._pose = self._pose @ result.transformation
         self._image = source
         cloud = PointCloud.create_from_rgbd_image(source, intrinsic)
-        self.stage.show("frame", cloud, share=SCAN_SHARE, pose=self._pose)
+        self.stage.show("frame", cloud, fraction=SCAN_FRACTION, pose=self._pose)
         if self._volume is None:
             self._move(intrinsic, self._pose)
         self._images += 1
@@ -317,11 +317,11 @@ class Fusion(Travel):
         self._axes += pose[:3, :3]
         self.look = look_over(self._axes, pose[:3, :3])
 
-    def _draw_surface(self, share: int = 1) -> None:
-        self._shown = self._count, share
+    def _draw_surface(self, fraction: int = 1) -> None:
+        self._shown = self._count, fraction
         mesh = self._volume.extract_triangle_mesh(min_weight(self._volume.frame_count))
         if len(mesh):
-            self.stage.show("surface", mesh, share=share, back_faces=False)
+            self.stage.show("surface", mesh, fraction=fraction, back_faces=False)
 
 
 class Drive(Travel):
@@ -342,7 +342,7 @@ class Drive(Travel):
         if step.index % self._every == 0:
             self._draw_map()
             self._every *= 2 if step.index >= SURFACES * self._every else 1
-        self.stage.show("scan", scan, share=SCAN_SHARE, color=ORANGE, pose=step.pose)
+        self.stage.show("scan", scan, fraction=SCAN_FRACTION, color=ORANGE, pose=step.pose)
         self.go(step.pose)
         self.look = self.look or look_at(scan)
         values = {"fitness": step.fitness, "inlier rmse [m]": step.inlier_rmse} if step.iterations else {}
@@ -352,13 +352,13 @@ class Drive(Travel):
         """Show the final map in full resolution."""
         if self._odometry is not None and self._scans != self._shown:
             self._shown = self._scans
-            self._draw_map(share=1)
+            self._draw_map(fraction=1)
             self.stage.step(f"the map of {self._scans} scans")
 
-    def _draw_map(self, share: int = SCAN_SHARE) -> None:
+    def _draw_map(self, fraction: int = SCAN_FRACTION) -> None:
         cloud = self._odometry.map
         if len(cloud):
-            self.stage.show("map", cloud, share=share, color=GRAY)
+            self.stage.show("map", cloud, fraction=fraction, color=GRAY)
 
 
 def look_over(axes: Matrix, last: Matrix) -> Look:

@@ -89,12 +89,12 @@ _SAMPLED = 160  # [px] longer side of the images that define the palette
 _HEADER, _TABLE = 13, 3 * COLORS  # bytes before the color table, and of the table
 
 
-def make_palette(pictures: Sequence[Picture], background: tuple[int, int, int]) -> NDArray[np.uint8]:
+def make_palette(images: Sequence[Picture], background: tuple[int, int, int]) -> NDArray[np.uint8]:
     """Palette for all frames from a sample of them: background first, black second, shape (256, 3)."""
     from PIL import Image
 
-    step = max(1, max(pictures[0].shape[:2]) // _SAMPLED)
-    pixels = np.concatenate([picture[::step, ::step].reshape(-1, 3) for picture in pictures])
+    step = max(1, max(images[0].shape[:2]) // _SAMPLED)
+    pixels = np.concatenate([picture[::step, ::step].reshape(-1, 3) for picture in images])
     pixels = pixels[(pixels != np.array(background, np.uint8)).any(axis=1)]
     palette = np.zeros((COLORS, 3), np.uint8)
     palette[0] = background
@@ -106,7 +106,7 @@ def make_palette(pictures: Sequence[Picture], background: tuple[int, int, int]) 
     return palette
 
 
-def write_gif(file: IO[bytes], pictures: Iterable[Picture], palette: NDArray[np.uint8], fps: float) -> int:
+def write_gif(file: IO[bytes], images: Iterable[Picture], palette: NDArray[np.uint8], fps: float) -> int:
     """Write images (h, w, 3), uint8, as a looping animation. Returns the number of frames.
 
     At most 50 `fps`. Delays are multiples of 1/100 s, chosen so that the total time is correct.
@@ -117,7 +117,7 @@ def write_gif(file: IO[bytes], pictures: Iterable[Picture], palette: NDArray[np.
     holder.putpalette(palette.tobytes())
     before: Picture | None = None
     count = 0
-    for count, picture in enumerate(pictures, 1):
+    for count, picture in enumerate(images, 1):
         marks = _indices(picture, palette, holder)
         height, width = marks.shape
         if before is None:
@@ -192,7 +192,7 @@ def find_ffmpeg(path: str | Path) -> str:
     return program
 
 
-def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: str | Path) -> int:
+def write_mp4(file: IO[bytes], images: Iterable[Picture], fps: float, path: str | Path) -> int:
     """Write images of one even size as a video. Returns the number of frames. Raises FileError with ffmpeg's output."""
     program, count = find_ffmpeg(path), 0
     with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:  # writing MP4 requires a seekable file
@@ -200,7 +200,7 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
         with (Path(folder) / "ffmpeg.log").open("w+b") as log:
             process: subprocess.Popen[bytes] | None = None
             try:
-                for picture in pictures:
+                for picture in images:
                     count += 1
                     if process is None:
                         line = _command(program, picture.shape[1], picture.shape[0], fps, made)

@@ -12,7 +12,15 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_count, check_finite, check_number, check_positive, check_rows, check_shape, check_share
+from ...core.checks import (
+    check_count,
+    check_finite,
+    check_fraction,
+    check_number,
+    check_positive,
+    check_rows,
+    check_shape,
+)
 from ...core.devices import resolve_device
 from ...core.masked_arrays import unmasked
 from ...kernels.drawing import canvas as strokes
@@ -205,12 +213,12 @@ class Canvas:
         return [(color, hole) for color, hole in strokes if color is not None and box[2] * box[3]]
 
     def _paint(self, color: Color, opacity: float, *, name: str = "color") -> Paint:
-        return Paint(_color_bytes(name, color), round(255 * check_share("opacity", opacity)))
+        return Paint(_color_bytes(name, color), round(255 * check_fraction("opacity", opacity)))
 
 
 def _color_bytes(name: str, color: Color) -> tuple[int, int, int]:
-    shares = check_finite(name, check_shape(name, color, (3,)))
-    red, green, blue = np.floor(shares.clip(0, 1) * 255 + 0.5).astype(int).tolist()
+    fractions = check_finite(name, check_shape(name, color, (3,)))
+    red, green, blue = np.floor(fractions.clip(0, 1) * 255 + 0.5).astype(int).tolist()
     return red, green, blue
 
 

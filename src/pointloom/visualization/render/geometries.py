@@ -26,7 +26,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.convex_hull import ConvexHull
 from ...pcd.line_set import LineSet
 from ...pcd.polygon_volume import SelectionPolygonVolume
-from ...pcd.splat_pictures import columns_of
+from ...pcd.splat_images import columns_of
 from ...pcd.splats import GaussianSplats
 from ...pcd.units import InUnit
 from . import outlines

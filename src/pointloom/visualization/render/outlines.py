@@ -17,7 +17,7 @@ from .parts import Lines, Triple
 
 AXES_COLORS = np.array([[0.85, 0.15, 0.15], [0.15, 0.65, 0.20], [0.15, 0.30, 0.85]])  # x, y, z
 MAX_AXES = 100  # poses of a trajectory drawn with axes
-AXIS_SHARE = 0.03  # length of these axes over the trajectory's extent
+AXIS_FRACTION = 0.03  # length of these axes over the trajectory's extent
 
 # Edges between corners in the order of `get_box_points`.
 BOX_EDGES = [[0, 1], [0, 2], [0, 3], [1, 6], [1, 7], [2, 5], [2, 7], [3, 5], [3, 6], [4, 5], [4, 6], [4, 7]]
@@ -75,7 +75,7 @@ def of_trajectory(trajectory: Any) -> Segments:
     positions, count = poses[:, :3, 3], len(poses)
     path = np.column_stack([np.arange(count - 1), np.arange(1, count)])
     shown = np.unique(np.linspace(0, count - 1, min(count, MAX_AXES)).round().astype(int))
-    length = AXIS_SHARE * float(np.ptp(positions, axis=0).max()) or 0.1
+    length = AXIS_FRACTION * float(np.ptp(positions, axis=0).max()) or 0.1
     tips = positions[shown, None] + length * poses[shown, :3, :3].transpose(0, 2, 1)
     axes = np.column_stack([np.repeat(shown, 3), count + np.arange(3 * len(shown))])
     colors = np.vstack([np.tile((0.1, 0.1, 0.1), (count - 1, 1)), np.tile(AXES_COLORS, (len(shown), 1))])

@@ -126,7 +126,7 @@ def _united(bands: Sequence[Insets]) -> Insets:
     return left, top, right, bottom
 
 
-MAX_SHARE = 0.25  # maximum of the image width
+MAX_FRACTION = 0.25  # maximum of the image width
 _END = 0.35  # half height of the bar's ends over the font size
 
 
@@ -162,7 +162,7 @@ def draw_scale_bar(
     if not 0 < depth < math.inf:
         return
     per_unit = view.intrinsic.fx / depth  # [px]
-    length = round_length(MAX_SHARE * canvas.width / per_unit)
+    length = round_length(MAX_FRACTION * canvas.width / per_unit)
     size = letter_size(canvas)
     pad, wide, end = round(1.2 * size), length * per_unit, max(3, round(_END * size))
     left, row = pad, canvas.height - pad - end

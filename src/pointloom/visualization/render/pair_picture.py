@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ...core.coordinates import split_origin
 from ...pcd.cloud import PointCloud
-from .picture_files import save_picture
+from .picture_files import write_image
 from .render import render
 from .view import Triple, fit_view
 
@@ -39,7 +39,7 @@ def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, o
         pair = [{"geometry": _bare(target), "color": BLUE}, {"geometry": _bare(moved), "color": ORANGE}]
         panels.append(render(pair, view, point_size=_DISC))
     gap = np.full((_PANEL, _GAP, 3), 255, np.uint8)
-    save_picture(path, np.hstack([panels[0], gap, panels[1]]), overwrite=overwrite)
+    write_image(path, np.hstack([panels[0], gap, panels[1]]), overwrite=overwrite)
 
 
 def _bare(cloud: PointCloud) -> PointCloud:

@@ -16,7 +16,7 @@ MAX_PNG_BYTES = 2**21  # in a notebook. Larger images are shown as a JPEG of at 
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
-    """An image as a uint8 array, displayed by notebooks and written by `save_picture`.
+    """An image as a uint8 array, displayed by notebooks and written by `write_image`.
 
     Shape (h, w, 3) RGB, or (h, w, 4) RGBA (not premultiplied). Slices and stacks (`np.hstack`) are Pictures. Results of
     computations are plain arrays.

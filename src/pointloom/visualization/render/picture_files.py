@@ -1,4 +1,4 @@
-"""Image files: `check_picture` before the work, `save_picture` after it."""
+"""Image files: `check_picture` before the work, `write_image` after it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from PIL import Image
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ...core.paths import path_of
-from ...io.pictures.image_files import PIXEL_LIMIT, encode_png, write_png
+from ...io.images.image_files import PIXEL_LIMIT, encode_png, write_png
 
 KINDS = (".png", ".webp")
 OPAQUE = (".jpg", ".jpeg", ".mp4", ".gif")  # common requests, without partial transparency
@@ -29,7 +29,7 @@ def check_picture(path: Any, *, overwrite: bool) -> None:
     check_writable(path, overwrite=overwrite)
 
 
-def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite: bool = True) -> None:
+def write_image(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite: bool = True) -> None:
     """Write an image as PNG or lossless WebP.
 
     Args:
@@ -44,7 +44,7 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> loom.save_picture("gray.png", np.full((48, 64), 128, np.uint8))
+        >>> loom.write_image("gray.png", np.full((48, 64), 128, np.uint8))
         >>> loom.read_color("gray.png").shape
         (48, 64, 3)
     """

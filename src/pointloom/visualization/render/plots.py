@@ -21,7 +21,7 @@ from ...registration.stations.observations import ControlPoint, StationPair, Tar
 from ...registration.stations.result import StationsResult
 from .colormaps import check_colormap
 from .picture import Picture
-from .picture_files import check_picture, save_picture
+from .picture_files import check_picture, write_image
 
 DPI = 128  # a power of two, so that sizes in inches are exact
 MIN_SIZE, MAX_SIZE = (320, 240), 16_384  # [px]
@@ -230,7 +230,7 @@ def draw_slice(
     _set_plan(axes, *layer.axes)
     picture = to_picture(figure)
     if path is not None:
-        save_picture(path, picture, overwrite=overwrite)
+        write_image(path, picture, overwrite=overwrite)
     return picture
 
 

@@ -36,7 +36,7 @@ from .view import Frame, Insets, View
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 PLAIN_BEFORE_DARK: Triple = (0.85, 0.85, 0.85)  # of lines without a color
 NORMAL_COLOR: Triple = (0.1, 0.1, 0.1)
-NORMAL_SHARE = 0.02  # length of normals over the longest side of the scene
+NORMAL_FRACTION = 0.02  # length of normals over the longest side of the scene
 SHADINGS = ("smooth", "flat", "none")
 
 
@@ -97,7 +97,7 @@ def render(
         device: "cpu" or "cuda:N". If None, the device of the first geometry. Geometries on other devices are copied.
 
     Returns:
-        A Picture: uint8 RGB array of shape (h, w, 3), displayed by notebooks and written by `loom.save_picture`. Each
+        A Picture: uint8 RGB array of shape (h, w, 3), displayed by notebooks and written by `loom.write_image`. Each
         pixel is the mean of 2 x 2 samples. With a transparent background RGBA, not premultiplied, shape (h, w, 4).
         With `depth`, also the depth along the optical axis [m], float32 (h, w), 0 for the background. Geometries with
         an opacity below 1 are ignored.
@@ -256,7 +256,7 @@ def _normals_of(parts: Sequence[Part], color: Triple) -> list[Part]:
     if not clouds:
         return []
     low, high = Scene(clouds, clouds[0].positions.device).bounds
-    size = NORMAL_SHARE * float((high - low).max()) or 1.0
+    size = NORMAL_FRACTION * float((high - low).max()) or 1.0
     lines: list[Part] = []
     for part in clouds:
         ends, indices = make_normal_lines(part.positions, part.normals, size)

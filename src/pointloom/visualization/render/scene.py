@@ -39,8 +39,8 @@ from ...kernels.drawing.z_buffer import View as PartView
 from ...kernels.lang import float32, int32, uint8, vec2, vec3
 from ...kernels.memory import check_room, empty, full, upload
 from ...kernels.splats.blending import blend_splats
-from ...pcd.splat_pictures import NEAR as NEAREST_SPLAT
-from ...pcd.splat_pictures import list_splats
+from ...pcd.splat_images import NEAR as NEAREST_SPLAT
+from ...pcd.splat_images import list_splats
 from .parts import Gaussians, Lines, Matrix, Part, Points, Triangles, Triple
 from .view import Frame, View
 
@@ -165,7 +165,7 @@ class Drawing:
         """Composite Gaussian splats in front of opaque parts."""
         view = self._view_of(part, self.view.intrinsic)
         near = max(NEAREST_SPLAT / self.unit, NEAR)
-        lists, projected = list_splats(part.columns, view, near=near, share=part.opacity)
+        lists, projected = list_splats(part.columns, view, near=near, fraction=part.opacity)
         blend_splats(lists, projected, self.buffer, self.left, self.light)
 
     def _draw_layers(self, veils: Sequence[BoundedPart]) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...meshing.mesh.mesh import TriangleMesh
-from .picture_files import save_picture
+from .picture_files import write_image
 from .render import render
 from .view import View, fit_view
 
@@ -29,7 +29,7 @@ def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64
     """Render a scene to a .png file from the side of its cameras, given by T_world_camera (n, 4, 4) [m]."""
     view = view_scene(mesh, T_world_camera)
     image = render(as_photographed(mesh), view, background=BACKDROP, mesh_show_back_face=False)
-    save_picture(path, image, overwrite=overwrite)
+    write_image(path, image, overwrite=overwrite)
 
 
 def as_photographed(mesh: TriangleMesh) -> dict[str, Any]:

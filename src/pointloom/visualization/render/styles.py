@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...core.checks import check_color, check_name, check_positive, check_rigid, check_share
+from ...core.checks import check_color, check_fraction, check_name, check_positive, check_rigid
 from .parts import Matrix, Triple
 
 
@@ -48,7 +48,7 @@ class Style:
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, check_positive(name, getattr(self, name)))
         if self.opacity is not None:
-            object.__setattr__(self, "opacity", check_share("opacity", self.opacity))
+            object.__setattr__(self, "opacity", check_fraction("opacity", self.opacity))
         for name in ("metric", "wireframe", "back_faces", "shaded"):
             if getattr(self, name) is not None and not isinstance(getattr(self, name), bool | np.bool_):
                 raise TypeError(f"{name}: expected True or False, got {getattr(self, name)!r}")

@@ -182,8 +182,8 @@ class Frame:
 def _shortened(first: int, last: int, length: int) -> tuple[float, float]:
     """Two bands at the ends of a side, scaled to leave space between them."""
     max_total = (1 - MIN_ROOM) * length
-    share = min(1.0, max_total / (first + last)) if first + last else 1.0
-    return first * share, last * share
+    fraction = min(1.0, max_total / (first + last)) if first + last else 1.0
+    return first * fraction, last * fraction
 
 
 def check_view(view: Any) -> View:

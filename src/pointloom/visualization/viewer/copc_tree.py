@@ -152,7 +152,7 @@ class CopcTree(NodesInView):
         every = len(rows) == len(table.points) and bool((rows == np.arange(len(rows))).all())
         return self._cloud(table if every else _rows_of(table, rows))
 
-    def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
+    def fractions_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
         """Fraction of each node's cube inside a view, 0 to 1, from sample positions; float64 (k,)."""
         rows = self._check_nodes(nodes)
         steps = (np.arange(_PROBES) + 0.5) / _PROBES * 2 - 1

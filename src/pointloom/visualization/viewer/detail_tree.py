@@ -211,7 +211,7 @@ class DetailTree(NodesInView):
         first = int(self._firsts[i])
         return self._order[first : first + int(self.counts[i])]
 
-    def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
+    def fractions_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
         """Fraction of the points of each node inside a view, 0 to 1, estimated from a few points; float64 (k,).
 
         Args:

@@ -28,7 +28,7 @@ from ..notebook_output import MAX_PAGE_BYTES as MAX_BYTES
 from ..notebook_output import MAX_WIDTH, in_notebook, ipython_shell, page_output, still_output
 from ..render.geometries import Named, named_geometries, parts_of
 from ..render.picture import Picture
-from ..render.picture_files import save_picture
+from ..render.picture_files import write_image
 from ..render.scene import Scene
 from .client_presence import KEEP_ALIVE
 from .screenshots import as_entry, write_geometries
@@ -169,7 +169,7 @@ def save_numbered(picture: Picture) -> Picture:
         if path.exists():
             continue
         try:
-            save_picture(path, picture, overwrite=False)
+            write_image(path, picture, overwrite=False)
         except FileError:
             if path.exists():  # another process was faster
                 continue

@@ -26,7 +26,7 @@ HISTORY_BYTES = 2**30
 ENTRY = 400  # bytes of a change without arrays: a pose and Python objects
 SMALL = 256  # bytes of arrays included in ENTRY
 SPARSE = 4  # integer times with a larger mean interval use another step
-REMAINING_SHARE = 0.9  # of the memory limit after dropping, so that not every change drops a step
+REMAINING_FRACTION = 0.9  # of the memory limit after dropping, so that not every change drops a step
 FULL = "The history is full: its oldest time steps are dropped when new ones are added."
 log = logging.getLogger("pointloom.viewer")
 
@@ -272,7 +272,7 @@ class LiveTimeline:
     def _drop_oldest(self) -> None:
         """Drop steps down to 90% of the memory limit, but never the newest and its content."""
         count = 0
-        while self.bytes > REMAINING_SHARE * self._max_bytes and count < len(self.times) - 1:
+        while self.bytes > REMAINING_FRACTION * self._max_bytes and count < len(self.times) - 1:
             count += 1
             start = self.dropped + count
             for name in self._touched[count]:

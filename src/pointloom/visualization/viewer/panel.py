@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...core.errors import PointloomError
-from ...io.pictures.image_files import encode_png
+from ...io.images.image_files import encode_png
 from ..render.coloring import Coloring, label_color
 from ..render.colormaps import colormap_table
 from ..render.open3d_views import read_view, write_view
@@ -205,8 +205,8 @@ def bar_ticks(coloring: Coloring) -> tuple[str, tuple[tuple[float, str], ...]]:
     assert coloring.limits is not None
     ticks = with_ends(choose_ticks(*coloring.limits, TICKS), APART)
     span = ticks.high - ticks.low
-    shares = tuple((value - ticks.low) / span for value in ticks.values)
-    return ticks.title(coloring.title), tuple(zip(shares, ticks.texts, strict=True))
+    fractions = tuple((value - ticks.low) / span for value in ticks.values)
+    return ticks.title(coloring.title), tuple(zip(fractions, ticks.texts, strict=True))
 
 
 def counts_of(coloring: Coloring, items: Any) -> dict[int, int]:

@@ -59,7 +59,7 @@ class WholeCloud:
         self._item, self._part, self._colors_of = item, part, item.colors_of
         self.total = part.positions.size
         positions = download(part.positions).reshape(-1, 3)
-        chosen = even_share(self.total, self.budget)
+        chosen = even_fraction(self.total, self.budget)
         rows = positions if chosen is None else positions[chosen]
         finite = finite_rows(rows)
         self._indices = np.flatnonzero(finite) if chosen is None else chosen[finite]
@@ -173,6 +173,6 @@ def in_steps(count: int) -> list[NDArray[np.int64]]:
     return [first, *(left[k::steps] for k in range(steps))]
 
 
-def even_share(count: int, budget: int) -> NDArray[np.int64] | None:
+def even_fraction(count: int, budget: int) -> NDArray[np.int64] | None:
     """Reproducible even sample of rows, ascending. None for all."""
     return None if count <= budget else spread_rows(count, budget).astype(np.int64)

@@ -14,13 +14,13 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
 from ..render.geometries import Named
 from ..render.parts import Triple
-from ..render.picture_files import check_picture, save_picture
+from ..render.picture_files import check_picture, write_image
 from ..render.styles import Style
 from ..render.up_axis import direction_under, up_of
 from ..render.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
-from .point_transfer import even_share
+from .point_transfer import even_fraction
 from .sessions import POINT_SIZE
 from .tools.clip_planes import Clip, clip_mesh
 
@@ -46,7 +46,7 @@ def draw_scene(
         color_bar=shown_coloring(viewer.shown.values()),
     )
     if path is not None:
-        save_picture(path, picture)
+        write_image(path, picture)
     return picture
 
 
@@ -132,7 +132,7 @@ def with_colors(item: Item) -> PointCloud:
     assert cloud is not None
     if not item.has_colors_in_tree:
         return cloud
-    rows = even_share(len(cloud), MAX_DRAWN)
+    rows = even_fraction(len(cloud), MAX_DRAWN)
     return item.select(np.arange(len(cloud)) if rows is None else rows)
 
 

@@ -349,7 +349,7 @@ class CloudStream:
         """A diameter that closes most gaps: the spacing at the median level of the points in view."""
         spacings = self._tree.spacings[nodes]
         counts = self._visible_counts[nodes] * (
-            self._tree.shares_in_view(view, nodes) + 1e-6
+            self._tree.fractions_in_view(view, nodes) + 1e-6
         )  # breaks ties if no point is in view
         ranks = np.argsort(-spacings, kind="stable")
         half = np.searchsorted(np.cumsum(counts[ranks]), counts.sum() / 2)

@@ -52,16 +52,16 @@ class Appearance(Scene):
         with self.server.pages.atomic():
             yield
 
-    def tell_progress(self, text: str, share: float | None = None) -> None:
+    def tell_progress(self, text: str, fraction: float | None = None) -> None:
         """Show progress of the program in the pages.
 
         Args:
             text: Short description; "" when done. Raises `TypeError` if not a string.
-            share: Fraction done, 0 to 1. None if unknown. Raises `TypeError` or `ValueError` otherwise.
+            fraction: Fraction done, 0 to 1. None if unknown. Raises `TypeError` or `ValueError` otherwise.
         """
         with self.lock:
             self._check_open()
-            self.server.pages.set_progress(check_name("text", text), share)
+            self.server.pages.set_progress(check_name("text", text), fraction)
 
     def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
         """Render the scene as a page shows it. No page needs to be open.

@@ -77,9 +77,9 @@ def _run(
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     parameters = list(cameras.parameters)
     poses = Trajectory(np.array([np.linalg.inv(one.extrinsic) for one in parameters]).reshape(-1, 4, 4))
-    pictures = [unwrap(image, RGBDImage, f"images_rgbd[{i}]") for i, image in enumerate(images)]
+    unwrapped = [unwrap(image, RGBDImage, f"images_rgbd[{i}]") for i, image in enumerate(images)]
     intrinsics = [unwrap(one.intrinsic) for one in parameters]
-    colored, moved = run(unwrap(mesh, TriangleMesh, "mesh"), pictures, poses, option, intrinsic=intrinsics)
+    colored, moved = run(unwrap(mesh, TriangleMesh, "mesh"), unwrapped, poses, option, intrinsic=intrinsics)
     optimized = PinholeCameraTrajectory()
     optimized.parameters = [
         _parameters(one, np.linalg.inv(pose)) for one, pose in zip(parameters, moved.poses, strict=True)

@@ -70,7 +70,7 @@ def compute_rgbd_odometry(
 ) -> tuple[bool, NDArray[np.float64], NDArray[np.float64]]:
     """Motion between two images: (success, T_target_source, information).
 
-    Uses Open3D's weights without reliability checks; `loom.odometry.compute_rgbd_odometry` weights by noise and reports
+    Uses Open3D's weights without reliability checks; `loom.rgbd.compute_rgbd_odometry` weights by noise and reports
     failures.
     """
     camera = PinholeCameraIntrinsic() if pinhole_camera_intrinsic is None else pinhole_camera_intrinsic

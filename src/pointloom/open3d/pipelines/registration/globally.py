@@ -412,8 +412,8 @@ class RegistrationResult(Wrapper):
         return self._wrapped.fitness
 
     @fitness.setter
-    def fitness(self, share: float) -> None:
-        self._wrapped.fitness = float(share)
+    def fitness(self, fraction: float) -> None:
+        self._wrapped.fitness = float(fraction)
 
     @property
     def inlier_rmse(self) -> float:

@@ -217,7 +217,7 @@ def _rows(rows: Any) -> tuple[tuple[str, str], ...]:
 
 
 def _ticks(ticks: Any) -> tuple[tuple[float, str], ...]:
-    return tuple((_number(share), str(text)) for share, text in ticks)
+    return tuple((_number(fraction), str(text)) for fraction, text in ticks)
 
 
 def _entries(entries: Any) -> tuple[tuple[str, tuple[int, ...], str], ...]:

@@ -9,8 +9,8 @@ from typing import Any, TypedDict, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from ....core.checks import check_positive, check_share
-from ....io.pictures.image_files import encode_png
+from ....core.checks import check_fraction, check_positive
+from ....io.images.image_files import encode_png
 from .arrays import color, immutable_rows, packed_normals, placing
 from .camera import CameraState
 from .delivery import Channel
@@ -266,7 +266,7 @@ def _width(value: Any) -> float:
 
 
 def _opacity(value: Any) -> float:
-    return check_share("opacity", value)
+    return check_fraction("opacity", value)
 
 
 _OPTIONAL = {"colors", "plain", "normals", "uvs", "texture"}

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from ....core.checks import check_color, check_share
+from ....core.checks import check_color, check_fraction
 from ...page.sources import live_page
 from ..guard import RequestGuard
 from .arrays import triple
@@ -160,10 +160,10 @@ class PageServer:
         """Set the unit of the scale bar. None hides it."""
         self._channel.send({"op": "unit", "text": None if text is None else str(text)})
 
-    def set_progress(self, text: str, share: float | None = None) -> None:
+    def set_progress(self, text: str, fraction: float | None = None) -> None:
         """Show a task and the fraction done; "" when done."""
-        share = None if share is None else check_share("share", share)
-        self._channel.send({"op": "progress", "text": str(text), "share": share})
+        fraction = None if fraction is None else check_fraction("share", fraction)
+        self._channel.send({"op": "progress", "text": str(text), "share": fraction})
 
     def end(self, text: str) -> None:
         """Show until reconnection that the program has ended and how to restart it."""

@@ -110,7 +110,7 @@ def _is_angle(value: Any) -> bool:
     return is_number(value) and MIN_ANGLE <= value <= math.pi - MIN_ANGLE
 
 
-def _is_share(value: Any) -> bool:
+def _is_fraction(value: Any) -> bool:
     return is_number(value) and 0 <= value <= 1
 
 
@@ -152,7 +152,7 @@ MESSAGES: dict[str, dict[str, Check]] = {
     "value": {"id": _is_id, "value": _is_value},
     "press": {"id": _is_id},
     "command": {"id": _is_id},
-    "click": {"x": _is_share, "y": _is_share},
+    "click": {"x": _is_fraction, "y": _is_fraction},
     "file": {"id": _is_id, "name": _is_name, "text": _is_content},
     "resume": {},
 }

@@ -333,8 +333,8 @@ class ClipControls:
         normal = np.array(self._normal) * (-1 if self._flip.value else 1)
         corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
         heights = corners @ normal
-        share = 1 - self._offset.value if self._flip.value else self._offset.value
-        offset = float(heights.min() + share * np.ptp(heights))
+        fraction = 1 - self._offset.value if self._flip.value else self._offset.value
+        offset = float(heights.min() + fraction * np.ptp(heights))
         return Clip(*box, normal=normal, offset=offset)
 
     def apply(self) -> None:

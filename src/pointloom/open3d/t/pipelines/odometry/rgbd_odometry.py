@@ -10,7 +10,7 @@ import numpy as np
 
 from .....kernels.rgbd import open3d_rows as rows
 from .....rgbd.odometry import options, rgbd_odometry
-from .....rgbd.odometry.options import Method
+from .....rgbd.odometry.options import OdometryMethod as Method
 from ....core.tensor import Tensor
 from ....settings import Settings
 from ....wrapper import unwrap
@@ -77,7 +77,7 @@ def rgbd_odometry_multi_scale(
 ) -> OdometryResult:
     """Motion between two images, the coarsest level first. Raises RuntimeError if the pixels do not determine it.
 
-    Uses Open3D's weights without further checks. `loom.odometry.align_frames` weights by noise and reports failures.
+    Uses Open3D's weights without further checks. `loom.rgbd.align_frames` weights by noise and reports failures.
     """
     frames = rgbd_of("source", source, depth_scale), rgbd_of("target", target, depth_scale)
     return align(*frames, intrinsics, init_source_to_target, depth_max, criteria_list, method, params)

@@ -10,7 +10,7 @@ import numpy as np
 from .....core.attribute_hints import KnownNames
 from .....core.serialized import Serialized
 from .....registration.rigid import invert_pose
-from .....rgbd.odometry.options import Method
+from .....rgbd.odometry.options import OdometryMethod as Method
 from ....core.device import Device
 from ....core.dtype import float32, uint16
 from ....core.tensor import Tensor
@@ -27,7 +27,7 @@ SEEN_OFTEN = 3.0  # weight above which voxels are rendered
 class Model(Serialized, KnownNames):
     """A grid, and the pose T_world_camera of the last frame: integrate, render from that pose, track the next frame.
 
-    Odometry has Open3D's weights. `loom.slam.DenseSLAM` also detects failures and closes loops.
+    Odometry has Open3D's weights. `loom.rgbd.DenseSLAM` also detects failures and closes loops.
     """
 
     voxel_grid: Any

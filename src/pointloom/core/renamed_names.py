@@ -1,0 +1,69 @@
+"""Public names that were renamed or replaced, for the errors of unknown names. docs/migration.md has the same table."""
+
+from __future__ import annotations
+
+RENAMED = {
+    # packages
+    "loom.change": "loom.m3c2, loom.meshing.compare_cloud_to_mesh, loom.draw_change or loom.paint_change",
+    "loom.color_map": "loom.meshing",
+    "loom.mvs": "loom.photogrammetry",
+    "loom.odometry": "loom.rgbd",
+    "loom.reconstruction": "loom.rgbd",
+    "loom.sfm": "loom.photogrammetry",
+    "loom.slam": "loom.rgbd",
+    "loom.video": "loom.photogrammetry",
+    # functions of packages
+    "loom.check_focal": "loom.rgbd.check_focal",
+    "loom.clean_mesh": "loom.meshing.clean_mesh",
+    "loom.compare_meshes": "loom.meshing.compare_meshes",
+    "loom.create_surface": "loom.meshing.create_surface",
+    "loom.DepthModel": "loom.photogrammetry.DepthModel",
+    "loom.estimate_depth": "loom.photogrammetry.estimate_depth",
+    "loom.evaluate_depth": "loom.photogrammetry.evaluate_depth",
+    "loom.fuse": "loom.rgbd.fuse",
+    "loom.fuse_splats": "loom.meshing.fuse_splats",
+    "loom.fuse_volumes": "loom.meshing.fuse_volumes",
+    "loom.marching_cubes": "loom.meshing.marching_cubes",
+    "loom.orthophoto": "loom.meshing.orthophoto",
+    "loom.reconstruct": "loom.rgbd.reconstruct",
+    "loom.simplify_mesh": "loom.meshing.simplify_mesh",
+    "loom.smooth_mesh": "loom.meshing.smooth_mesh",
+    "loom.track": "loom.rgbd.track",
+    # one name, one thing
+    "loom.change.cloud_to_mesh": "loom.meshing.compare_cloud_to_mesh",
+    "loom.change.draw": "loom.draw_change",
+    "loom.change.m3c2": "loom.m3c2",
+    "loom.change.paint": "loom.paint_change",
+    "loom.color_map.texture_from_pictures": "loom.meshing.texture_from_images",
+    "loom.mvs.fuse": "loom.photogrammetry.fuse_depth_maps",
+    "loom.odometry.Method": "loom.rgbd.OdometryMethod",
+    "loom.reconstruction.run_system": "loom.rgbd.run_reconstruction_system",
+    "loom.registration.check_alignment": "loom.registration.assess_registration",
+    "loom.registration.localizability": "loom.registration.assess_registration",
+    "loom.registration.pose_covariance": "loom.registration.assess_registration",
+    "loom.registration.rate_registration": "loom.registration.assess_registration",
+    "loom.registration.register_fragments": "loom.registration.register_multiway",
+    "loom.registration.registration_colored_icp": "loom.registration.registration_icp",
+    "loom.registration.registration_generalized_icp": "loom.registration.registration_icp",
+    "loom.registration.registration_symmetric_icp": "loom.registration.registration_icp",
+    "loom.save_picture": "loom.write_image",
+    "loom.sfm.map_pictures": "loom.photogrammetry.map_images",
+    "loom.sfm.match": "loom.photogrammetry.match_features",
+    "loom.sfm.read_picture_places": "loom.photogrammetry.read_image_positions",
+    "loom.sfm.reconstruct": "loom.photogrammetry.reconstruct_images",
+    "loom.slam.Model": "loom.rgbd.SlamModel",
+    "loom.undistort_picture": "loom.undistort_image",
+    "loom.video.Outputs": "loom.photogrammetry.VideoOutputs",
+    "loom.video.reconstruct": "loom.photogrammetry.reconstruct_video",
+    "loom.video.Settings": "loom.photogrammetry.VideoSettings",
+    "loom.video.Units": "loom.photogrammetry.VideoUnits",
+    "loom.video.WorldFrame": "loom.WorldFrame",
+}
+
+
+def renamed(package: str, name: str) -> str:
+    """The new name of `package.name`, by its old or its present package, such as `loom.rgbd.Model`; "" if unknown."""
+    if new := RENAMED.get(f"{package}.{name}"):
+        return new
+    moved = [new for old, new in RENAMED.items() if old.rpartition(".")[2] == name and new.startswith(f"{package}.")]
+    return " or ".join(moved)

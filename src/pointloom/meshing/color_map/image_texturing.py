@@ -1,0 +1,214 @@
+"""Seamless texture from posed images, each triangle from the best one: `texture_from_images`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from ...core.checks import check_color, check_count, check_positive, check_progress
+from ...core.progress import ReportProgress
+from ...kernels.arrays.duplicates import find_equal_points
+from ...kernels.arrays.sort import positions
+from ...kernels.memory import check_room, download
+from ...kernels.meshes.merge_vertices import rename_corners
+from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
+from ...kernels.textures.charts import compute_uvs, cut_charts, find_twins
+from ...kernels.textures.color_outliers import keep_likely
+from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
+from ...kernels.textures.face_views import FaceViews, FaceVisibility, keep_views
+from ...kernels.textures.hidden_vertices import plant_trees
+from ...kernels.textures.seam_joins import SeamSamples, drawn_steps, join_seams
+from ...kernels.textures.seam_levels import SeamLevels, Seams
+from ...kernels.textures.seam_strips import blend_strips
+from ...kernels.textures.stacked_images import StackedImages
+from ...kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, cost_views, energy_of, name_views
+from ..mesh.mesh import TriangleMesh
+from ..mesh.posed_images import PosedImages
+from .chart_packing import Packing, pack_charts
+from .image_sources import take_images
+from .image_texture_result import ImageTextureResult
+from .results import NothingSeenError
+
+PADDING = 4  # texels around each chart: two of its image, two of their colors
+MAX_SIZE = 16384  # texels per side
+LARGEST = 8192  # default limit
+TEXEL_BYTES = 120
+MAX_SMOOTHNESS = 1000.0
+PLAIN = (0.5, 0.5, 0.5)
+
+
+def texture_from_images(
+    mesh: TriangleMesh,
+    images: Any,
+    cameras: Any,
+    extrinsics: Any = None,
+    *,
+    size: int | None = None,
+    smoothness: float = 1.0,
+    outliers: bool = True,
+    exposures: bool = True,
+    seam_leveling: bool = True,
+    local_leveling: bool = True,
+    depth_max: float = np.inf,
+    plain: Any = PLAIN,
+    progress: ReportProgress | None = None,
+) -> ImageTextureResult:
+    """Texture a mesh from posed images, each triangle from its best image, without seams.
+
+    Views are chosen by size and sharpness of the triangle and by smoothness between neighbors. Colors are adjusted
+    until images agree at seams. Sharper than `TriangleMesh.project_images_to_albedo`. Poses are not changed. See
+    `run_rigid_optimizer`. Bitwise reproducible on one device. 7 B per pixel, 120 B per texel, about 30 B per
+    triangle-image pair. Colors are shifted, not scaled. Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV
+    2014.
+
+    Args:
+        mesh: In the frame of the poses, triangles facing the cameras.
+        images: uint8 (h, w, 3), RGBDImages with colors, or files, one per pose. For an SfmModel also their folder.
+        cameras: One PinholeCameraIntrinsic, or one per image; or cameras with poses, such as `mvs.PosedCamera`; or an
+            SfmModel, as of `read_colmap_model`, whose images are undistorted if necessary.
+        extrinsics: Poses (n, 4, 4), world to camera. If None: those of the cameras.
+        size: Texels per side. If None: as many as the images have pixels, up to 8192. Charts are scaled to fit.
+        smoothness: Cost of an edge between two images, relative to the value of a triangle's best image.
+        outliers: Ignore images where a triangle's color differs from most of at least four.
+        exposures: First equalize exposure and vignetting per channel by shared triangles.
+        seam_leveling: Shift the colors of charts at vertices to agree at seams.
+        local_leveling: Blend strips of 20 texels beside seams.
+        depth_max: Maximum distance of a usable image [unit of the poses].
+        plain: Color of unseen triangles without vertex colors, 0..1.
+        progress: Called with the stage ("images", "views", "choice", "seams", "texture"), progress and total or 0.
+
+    Returns:
+        A ImageTextureResult: the textured mesh, the image of each triangle, statistics, and `reliable`.
+
+    Raises:
+        TypeError: If `mesh` is not a TriangleMesh, or images or cameras have another type.
+        ValueError: If the mesh is empty, inputs disagree, a pose is not rigid, a number is out of range, or charts do
+            not fit.
+        NothingSeenError: If no image sees a triangle. It is a ValueError.
+        FileError, MemoryError: If an image cannot be read, or if the texture does not fit into device memory.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> green = np.full((48, 64, 3), (0, 255, 0), np.uint8)
+        >>> found = loom.meshing.texture_from_images(mesh, [green], camera, [np.eye(4)])
+        >>> found.views.tolist(), found.mesh.textures[0].shape
+        ([0], (64, 64, 3))
+    """
+    if not isinstance(mesh, TriangleMesh):
+        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+    if not len(mesh):
+        raise ValueError("mesh: expected triangles to texture, got none")
+    if size is not None:
+        because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
+        size = check_count("size", size, minimum=16, maximum=MAX_SIZE, because=because)
+    price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MAX_SMOOTHNESS)
+    farthest = check_positive("depth_max", depth_max, allow_infinite=True)
+    background, report = check_color("plain", plain), check_progress(progress)
+    images = take_images(images, cameras, extrinsics, mesh.device, report)
+    choice = _choose(mesh, images, price, (outliers, exposures), farthest, report)
+    report("seams", 0, 0)
+    levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.images, choice.exposures)
+    before = levels.mean_step()
+    if seam_leveling:
+        levels.solve(level=bool(exposures))
+    report("texture", 0, 0)
+    painted = _paint(mesh, choice, levels, size, background, local_leveling)
+    views = download(choice.seams.views).copy()
+    counts = {"chart_count": painted.charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
+    mean, step_95 = painted.steps if painted.steps is not None else (None, None)
+    figures = {
+        "energy": choice.energy,
+        "step_before": before,
+        "step": mean,
+        "step_95": step_95,
+        "turns": levels.iterations,
+    }
+    how = {"size": painted.packing.size, "scale": painted.packing.scale, "drew_colors": painted.drew_colors}
+    return ImageTextureResult(painted.mesh, views, choice.images.count, **counts, **figures, **how)
+
+
+@dataclass(frozen=True, eq=False)
+class _Choice:
+    """Image of each triangle, with exposures, seams, triangle-image pairs, excluded pairs and energy."""
+
+    images: StackedImages
+    exposures: Exposures
+    seams: Seams
+    pairs: int
+    outliers: int
+    energy: float
+
+
+def _choose(
+    mesh: TriangleMesh,
+    images: PosedImages,
+    smoothness: float,
+    wanted: tuple[bool, bool],
+    farthest: float,
+    report: ReportProgress,
+) -> _Choice:
+    outliers, exposures = wanted
+    vertices = mesh.array("vertices")
+    owners = find_equal_points(vertices)
+    triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
+    stack = images.stacked(mesh.origin, 0)
+    looks = FaceVisibility(vertices, triangles, stack, plant_trees(vertices, triangles), farthest)
+    all_views = looks.views(lambda done: report("views", done, stack.count))
+    if not all_views.count:
+        raise NothingSeenError(
+            "images: no image shows a triangle of the mesh. Check that the poses are world to camera, in the frame "
+            "of the mesh, that its triangles face the cameras, and that it is within depth_max"
+        )
+    report("choice", 0, 0)
+    views: FaceViews = keep_views(all_views, keep_likely(all_views)) if outliers else all_views
+    gains = find_exposures(vertices, triangles, views, stack) if exposures else plain_exposures(stack)
+    twins = find_twins(triangles, vertices.size)
+    graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(smoothness * UNIT))
+    labels = choose_labels(graph)
+    energy = energy_of(graph, labels) / UNIT
+    seams = Seams(triangles, twins, name_views(graph, labels), stack.count, vertices.size)
+    return _Choice(stack, gains, seams, all_views.count, all_views.count - views.count, energy)
+
+
+@dataclass(frozen=True, eq=False)
+class _Painted:
+    """A textured mesh with its packing, chart count and seam steps (mean, 95th percentile; None without seams)."""
+
+    mesh: TriangleMesh
+    packing: Packing
+    charts: int
+    steps: tuple[float, float] | None
+    drew_colors: bool
+
+
+def _paint(
+    mesh: TriangleMesh, choice: _Choice, levels: SeamLevels, size: int | None, plain: Any, blend: bool
+) -> _Painted:
+    vertices, seams, images = mesh.array("vertices"), choice.seams, choice.images
+    charts = cut_charts(vertices, seams.triangles, seams.twins, seams.views, images)
+    colors: wp.array | None = mesh.array("vertex_colors") if mesh.vertex_colors is not None else None
+    blind = int((download(seams.views) < 0).sum())  # sync
+    packing = pack_charts(charts.boxes(), blind, colors is not None, PADDING, size, LARGEST)
+    side = packing.size
+    check_room(mesh.device, side * side * TEXEL_BYTES, f"size: a texture of {side} x {side} texels")
+    where = (packing.positions, packing.scale, packing.cells, side)
+    uvs = compute_uvs(vertices, seams.triangles, seams.views, images, charts, *where)
+    texels = ChartTexels(uvs, side)
+    paint_texels(texels, vertices, seams, images, choice.exposures, levels.shifts, packing.scale, colors, plain)
+    seam_samples = SeamSamples(texels, seams)
+    if blend:
+        blend_strips(texels, vertices, seams, images, choice.exposures, levels.shifts)
+        join_seams(seam_samples, texels.colors)
+    pixels = finish_texels(texels, PADDING)
+    steps = drawn_steps(seam_samples, pixels)
+    image = download(pixels).reshape(side, side, 3)  # sync
+    without = mesh._with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)
+    textured = without._with_arrays(triangle_uvs=uvs)
+    textured.textures = (image.copy(),)
+    drew = bool(blind and colors is not None and packing.cells.side)
+    return _Painted(textured, packing, charts.count, steps, drew)
