@@ -164,5 +164,5 @@ assert len(finite) == len(cloud) - 5
 # Where to go next
 # ----------------
 # :ref:`Chapter 2 <sphx_glr_chapters_plot_02_voxels_and_normals.py>` makes the cloud smaller and finds which way its
-# surfaces look. The page :doc:`Images </images>` has all of ``loom.render``, the page :doc:`The viewer </viewer>`
+# surfaces look. The page :doc:`Images </pictures>` has all of ``loom.render``, the page :doc:`The viewer </viewer>`
 # all of ``loom.draw``, :doc:`Units of length </files>` what a file tells of its unit.

@@ -201,4 +201,4 @@ planes_seen = loom.render(
 # ----------------
 # :ref:`Chapter 4 <sphx_glr_chapters_plot_04_thin_and_clean.py>` cleans clouds. The page
 # :doc:`Ground classification </terrain>` has what to take for uneven ground in the open, where no plane fits. The page
-# :doc:`Rendering images and plots </images>` has all styles of boxes, hulls and labels.
+# :doc:`Rendering images and plots </pictures>` has all styles of boxes, hulls and labels.

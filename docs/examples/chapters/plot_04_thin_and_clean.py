@@ -170,6 +170,6 @@ assert "nb_points" in message
 #
 # Where to go next
 # ----------------
-# :ref:`Chapter 5 <sphx_glr_chapters_plot_05_depth_images_to_clouds.py>` makes clouds of depth images. The shell
+# :ref:`Chapter 5 <sphx_glr_chapters_plot_05_depth_pictures_to_clouds.py>` makes clouds of depth images. The shell
 # does this chapter as ``pointloom clean scan.ply clean.ply``. For scans larger than the memory see the page
 # :doc:`Large clouds </large-clouds>`.

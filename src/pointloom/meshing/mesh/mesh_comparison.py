@@ -31,7 +31,8 @@ class MeshComparison(Report, Assessed):
         diagonal: Of the second mesh's box [m].
         samples, seed: Points sampled from each mesh, and their seed.
         limit: Allowed Hausdorff distance [m], or None.
-        device, unit: Of the computation. Unit of lengths if known.
+        device: Of the computation.
+        unit: Unit of lengths if known.
         reliable, warnings: True if all checks passed, and those that failed.
     """
 

@@ -20,7 +20,7 @@ class DepthErrors:
     """Errors of a depth map over the pixels valid in both maps.
 
     Args:
-        abs_rel: Mean of |z - true z| / true z.
+        abs_rel: Mean of abs(z - true z) / true z.
         delta1: Fraction of pixels with z within a factor of 1.25.
         rmse: Root mean square difference [m].
         coverage: Fraction of pixels with true depth that have a depth.
