@@ -52,7 +52,7 @@ TIGHT: Annotated[float, Constant("distance along the normal at which a match cou
 OVERLAP_RIDGE: Annotated[float, Constant("ridge of the overlap", "mean eigenvalue", "weak overlap is no evidence")] = (
     1e-3
 )
-FRACTION_WEIGHT: Annotated[float, Constant("log odds per ln(share)", "", ODDS)] = 5.15
+FRACTION_WEIGHT: Annotated[float, Constant("log odds per ln(fraction)", "", ODDS)] = 5.15
 FIRMNESS_WEIGHT: Annotated[float, Constant("log odds per ln(firmness)", "", ODDS)] = 0.48
 OFFSET: Annotated[float, Constant("log odds", "", f"{ODDS}; lowered to require 25 % more than even evidence")] = 10.2
 FRACTION_FLOOR: Annotated[float, Constant("added to the fraction", "", "the logarithm of 0 is none")] = 0.01
@@ -60,10 +60,10 @@ FIRMNESS_FLOOR: Annotated[float, Constant("added to the firmness", "", "the loga
 FIRM: Annotated[float, Constant("minimum firmness", "", "planes, spheres, tubes: a quarter of it at most")] = 0.002
 FITS: Annotated[float, Constant("fraction of surfaces that match although a motion is undetermined", "", CHOSEN)] = 0.5
 # Score: number of matches
-CHANCE: Annotated[float, Constant("share times the root of the matches", "", FEW)] = 4.4
+CHANCE: Annotated[float, Constant("fraction times the root of the matches", "", FEW)] = 4.4
 STEEP: Annotated[float, Constant("steepness of scores at their limits", "", "20 % beyond the limit give 0.67")] = 4.0
 # Score: matches beside the three main planes
-MIN_REST: Annotated[float, Constant("share beside the planes relative to the total", "", ROOMS)] = 0.25
+MIN_REST: Annotated[float, Constant("fraction beside the planes relative to the total", "", ROOMS)] = 0.25
 MIN_ALIGNED: Annotated[float, Constant("the same, if parallel to the planes", "", BOXES)] = 0.18
 SOME_ALIGNED: Annotated[float, Constant("parallel fraction from which this limit sets in", "", BOXES)] = 0.5
 ALL_ALIGNED: Annotated[float, Constant("parallel fraction from which it applies", "", BOXES)] = 0.75
@@ -75,7 +75,7 @@ MANY_ALIGNED: Annotated[float, Constant("parallel fraction from which it counts 
 MARGIN: Annotated[float, Constant("distance of an occluding surface", VOXEL, CHOSEN)] = 4.0
 MAX_BLOCKED: Annotated[float, Constant("occluding points relative to matches", "", BLOCKED)] = 0.02
 # Score: details
-MIN_DETAIL: Annotated[float, Constant("share beside the planes, within the borders", "", IMAGES)] = 0.19
+MIN_DETAIL: Annotated[float, Constant("fraction beside the planes, within the borders", "", IMAGES)] = 0.19
 DETAIL_CHANCE: Annotated[float, Constant("the same times the root of its matches", "", IMAGES)] = 1.35
 MIN_VISIBLE: Annotated[float, Constant("fraction of all matches, within the borders", "", IMAGES)] = 0.3
 VISIBLE_CHANCE: Annotated[float, Constant("the same times the root of the matches", "", IMAGES)] = 6.0
@@ -110,6 +110,6 @@ MIN_DEVIATIONS: Annotated[float, Constant("the same", SIGMA, OPEN_SITES)] = 3.0
 RADIUS_VOXELS: Annotated[float, Constant("search radius of planes", VOXEL, "beyond the displacement")] = 2.0
 
 # Refined poses (`warnings` of ICP and NDT), whose start excludes other places
-MIN_OPEN_FRACTION: Annotated[float, Constant("share if a motion may be undetermined", "", LEAST_FRACTION)] = 0.15
+MIN_OPEN_FRACTION: Annotated[float, Constant("fraction if a motion may be undetermined", "", LEAST_FRACTION)] = 0.15
 MAX_OPEN: Annotated[float, Constant("squared component of an undetermined motion", "", OPEN_MOTIONS)] = 5e-3
 MIN_PAIRS: Annotated[int, Constant("pairs that decide about support", "", SUPPORTED)] = 1000

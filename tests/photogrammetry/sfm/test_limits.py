@@ -186,7 +186,7 @@ def test_files_that_are_no_databases_are_rejected(tmp_path):
 
 @pytest.mark.slow
 def test_a_database_without_matches_is_an_error(stages, tmp_path):
-    with pytest.raises(loom.FileError, match=r"contains no matches. sfm.match computes them"):
+    with pytest.raises(loom.FileError, match=r"contains no matches. photogrammetry.match_features computes them"):
         map_images(stages.images, stages.features_db, tmp_path / "sparse")
 
 

@@ -102,16 +102,16 @@ class DepthBundle:
         device: Any = None,
         progress: ReportProgress | None = None,
     ) -> PointCloud | TriangleMesh:
-        """Filter the maps by mutual confirmation, then `fuse` them. A single image is fused unfiltered.
+        """Filter the maps by mutual confirmation, then `fuse_depth_maps` them. A single image is fused unfiltered.
 
         Args:
-            to, voxel_size, progress: As of `fuse`.
+            to, voxel_size, progress: As of `fuse_depth_maps`.
             min_confidence: Minimum pixel confidence, 0 to 1.
             max_relative: Maximum relative difference of the inverse depths of two images.
             device: Compute device; None: the CPU.
 
         Raises:
-            ValueError: Less than 5% of the depth is confirmed by another image; or as `fuse`.
+            ValueError: Less than 5% of the depth is confirmed by another image; or as `fuse_depth_maps`.
         """
         threshold = check_fraction("min_confidence", min_confidence)
         maps = self.maps

@@ -112,7 +112,7 @@ def estimate_depth_maps(
         cameras: A PosedCamera for each.
         sparse: An object with `points` [m, 3] and `observations` [k, 2] (image, point), such as an SfmModel, for depth
             ranges and source selection. None or empty: estimated from frustum intersections, slightly less complete;
-            `sfm.triangulate` computes points.
+            `photogrammetry.triangulate` computes points.
         sources: Numbers of up to 8 source images for each image; None: `choose_sources`.
         masks: For each image a gray PNG of its size (path, black where excluded), an array [h, w], bool or uint8, or
             None. Excluded pixels get no depth, and none from sources in `filter_depth_maps`.

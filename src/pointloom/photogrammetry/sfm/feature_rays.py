@@ -37,12 +37,16 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
         numbers = {name: number for number, name in names_by_number(connection, database).items()}
         for name in names:
             if name not in numbers:
-                raise FileError(database, f"contains no image {name}", remedy="sfm.find_features creates one")
+                raise FileError(
+                    database, f"contains no image {name}", remedy="photogrammetry.find_features creates one"
+                )
             pixels.append(table_of(connection, "keypoints", numbers[name], np.float32, database)[:, :2])
             descriptors.append(table_of(connection, "descriptors", numbers[name], np.uint8, database))
     for keypoints, kinds in zip(pixels, descriptors, strict=True):
         if len(keypoints) != len(kinds) or (len(kinds) and kinds.shape[1] != DESCRIPTOR):
-            raise FileError(database, "contains features other than SIFT", remedy="sfm.find_features creates one")
+            raise FileError(
+                database, "contains features other than SIFT", remedy="photogrammetry.find_features creates one"
+            )
     firsts = np.concatenate([[0], np.cumsum([len(each) for each in pixels])]).astype(np.int64)
     at = [each.astype(np.float64) - 0.5 for each in pixels]  # COLMAP's first pixel center is at 0.5
     rays = [camera.unproject(each)[:, :2] for camera, each in zip(cameras, at, strict=True)]
@@ -59,7 +63,9 @@ def table_of(connection, name: str, number: int, kind: type, database: Path, *, 
     if not rows:
         return np.zeros((0, 2), kind)
     if len(data) != rows * columns * np.dtype(kind).itemsize:
-        raise FileError(database, f"is damaged: {name} of image {number}", remedy="sfm.find_features creates one")
+        raise FileError(
+            database, f"is damaged: {name} of image {number}", remedy="photogrammetry.find_features creates one"
+        )
     return np.frombuffer(data, kind).reshape(rows, columns)
 
 

@@ -265,7 +265,7 @@ def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
         if read_orientation(path) != UPRIGHT:
             fault = "has an EXIF orientation that is not upright"
         if fault:
-            raise FileError(path, fault, remedy="sfm.choose_frames writes upright 8-bit images of a folder")
+            raise FileError(path, fault, remedy="photogrammetry.choose_frames writes upright 8-bit images of a folder")
         lens = read_lens(path) if by_lens else ()
         groups.setdefault(((header.width, header.height), lens), []).append(path.name)
     return groups

@@ -60,7 +60,9 @@ def list_images(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[Pa
     if not images:
         others = Counter(path.suffix.lower() for path in files if path.suffix.lower() in (*KINDS, *OTHER_SUFFIXES))
         others_note = f"; it contains {_counted(others)}, which are not read" if others else ""
-        converted = "; sfm.choose_frames does that" if suffixes == SUFFIXES and set(others) & set(KINDS) else ""
+        converted = (
+            "; photogrammetry.choose_frames does that" if suffixes == SUFFIXES and set(others) & set(KINDS) else ""
+        )
         remedy = f"Convert them to {', '.join(SUFFIXES)}{converted}"
         raise DatasetError(folder, f"contains no image{others_note}", remedy=remedy)
     return sorted(images, key=natural_key)

@@ -73,7 +73,7 @@ def map_images(
 
     Args:
         images: Image folder, for the point colors.
-        matches: Database of `match`. Not modified.
+        matches: Database of `match_features`. Not modified.
         folder: Output folder of the model (COLMAP binary), new or empty.
         fix_intrinsic: Keep the cameras given to `find_features`.
         mapper: "incremental" (Schoenberger and Frahm 2016), "global" (GLOMAP, Pan et al. 2024), or "auto": incremental
@@ -99,7 +99,7 @@ def map_images(
         >>> from pointloom.photogrammetry.sfm.mapping import map_images
         >>> map_images(".", "matches.db", "sparse")
         Traceback (most recent call last):
-        pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features creates one
+        pointloom.core.errors.FileError: matches.db: does not exist. photogrammetry.find_features creates one
     """
     clock, report = Clock(), check_progress(progress)
     if not isinstance(fix_intrinsic, bool):
@@ -136,7 +136,7 @@ def _names_of(database: Path) -> list[str]:
         names = list(names_by_number(connection, database).values())
         (tried,) = connection.execute("SELECT count(*) FROM two_view_geometries").fetchone()
     if not tried and len(names) > 1:
-        raise FileError(database, "contains no matches", remedy="sfm.match computes them")
+        raise FileError(database, "contains no matches", remedy="photogrammetry.match_features computes them")
     return names
 
 

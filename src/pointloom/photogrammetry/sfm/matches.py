@@ -50,7 +50,7 @@ def read_descriptors(database: Path) -> dict[int, Descriptors]:
             values = np.frombuffer(data or b"", np.uint8)
             if len(values) != LENGTH * (count or 0):
                 reason = f"is damaged: expected {count} descriptors of image {number}, got {len(values)} bytes"
-                raise FileError(database, reason, remedy="sfm.find_features creates one")
+                raise FileError(database, reason, remedy="photogrammetry.find_features creates one")
             descriptors[int(number)] = values.reshape(-1, LENGTH)
     return descriptors
 
@@ -139,7 +139,7 @@ _MAX_OVERLAP = 30  # powers of two
 
 @dataclasses.dataclass(frozen=True)
 class MatchReport(Assessed):
-    """Result of `match`.
+    """Result of `match_features`.
 
     Args:
         database: Path of the database.
@@ -222,7 +222,7 @@ def match_features(
         >>> from pointloom.photogrammetry.sfm.matches import match_features
         >>> match_features("features.db", "matches.db")
         Traceback (most recent call last):
-        pointloom.core.errors.FileError: features.db: does not exist. sfm.find_features creates one
+        pointloom.core.errors.FileError: features.db: does not exist. photogrammetry.find_features creates one
     """
     clock, report = Clock(), check_progress(progress)
     check_option("pairs", pairs, PAIRS)

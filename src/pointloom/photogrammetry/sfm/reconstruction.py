@@ -35,7 +35,7 @@ def reconstruct_images(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> SfmResult:
-    """Run structure from motion: `find_features`, `match` and `map_images`.
+    """Run structure from motion: `find_features`, `match_features` and `map_images`.
 
     Args:
         images: Folder of upright 8-bit images, as from `choose_frames`.
@@ -45,7 +45,7 @@ def reconstruct_images(
         max_size: Maximum image side for feature extraction [px].
         max_features: Maximum number per image.
         masks: Folder of masks, as of `find_features`.
-        pairs, overlap: As of `match`.
+        pairs, overlap: As of `match_features`.
         mapper: As of `map_images`.
         kind, use_gpu: As of `find_features`.
         seed: Random seed.

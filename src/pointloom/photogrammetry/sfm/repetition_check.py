@@ -156,7 +156,9 @@ def _checked_matches(found: Any, first: _Image, second: _Image, database: Path) 
     counts = len(first.pixels), len(second.pixels)
     if found.shape[1] != 2 or not (found < counts).all():
         raise FileError(
-            database, "is damaged: matches of features that it does not contain", remedy="Run sfm.match again"
+            database,
+            "is damaged: matches of features that it does not contain",
+            remedy="Run photogrammetry.match_features again",
         )
     return found.astype(np.int64)
 

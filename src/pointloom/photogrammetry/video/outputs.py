@@ -44,7 +44,7 @@ class VideoOutputs:
         cloud: The fused points.
         trajectory: The poses, .log, .txt or .tum.
         picture: Image of the mesh, .png.
-        training: Folder of `sfm.write_training_folder`, at full image size, in the mesh frame.
+        training: Folder of `photogrammetry.write_training_folder`, at full image size, in the mesh frame.
         ortho: Orthophoto of the mesh, a GeoTIFF (.tif) in UTM. Requires georeferenced photographs and `cell`.
         dem: Elevation model, likewise.
         cell: Cell size of both [m].

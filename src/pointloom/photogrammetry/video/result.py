@@ -110,7 +110,7 @@ class StageReport:
 
 @dataclass(frozen=True, eq=False)
 class VideoResult(Assessed):
-    """Result of `reconstruct`.
+    """Result of `reconstruct_video`.
 
     Attributes:
         source: The video or folder.

@@ -37,12 +37,12 @@ class VideoSettings:
             trajectory also requires `intrinsic`, which is otherwise None.
         units: Known scale or position.
         seed: Random seed.
-        masks: As of `sfm.choose_frames`: a folder, "alpha", or a function.
+        masks: As of `photogrammetry.choose_frames`: a folder, "alpha", or a function.
         camera_model: COLMAP camera model if estimated: "OPENCV_FISHEYE" for a fisheye.
-        pairs: As of `sfm.match`.
+        pairs: As of `photogrammetry.match_features`.
         max_features: Maximum number per image.
         panorama: The images are equirectangular (360 degrees, aspect 2:1). Each becomes six cube faces.
-        mapper: As of `sfm.map_images`.
+        mapper: As of `photogrammetry.map_images`.
 
     Raises:
         TypeError, ValueError: One is out of range; named in the message.

@@ -110,7 +110,7 @@ def plan_sequences(
     Args:
         frames: Folders of frames, each as `open_frames` accepts it.
         folder: Folder of the job, created if missing.
-        config: As of `reconstruction.run_reconstruction_system`, for all sequences.
+        config: As of `rgbd.run_reconstruction_system`, for all sequences.
         layout: As of `open_frames`, like the next three.
         intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folders' files.
         every: Use every k-th frame.
