@@ -39,10 +39,10 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
     import pointloom as loom
 
     odometry, camera = loom.rgbd, loom.PinholeCameraIntrinsic(*scene["camera"])
-    frames = [[given_on(part, device) for part in frame] for frame in scene["frames"]]
+    images = [[given_on(part, device) for part in frame] for frame in scene["frames"]]
 
     def prepare() -> list[Any]:
-        return [odometry.OdometryFrame(depth, camera, color, depth_max=6.0, device=device) for color, depth in frames]
+        return [odometry.OdometryFrame(depth, camera, color, depth_max=6.0, device=device) for color, depth in images]
 
     frames = prepare()
     return lambda: odometry.align_frames(*(frames if scene["is_prepared"] else prepare())).transformation
