@@ -37,7 +37,7 @@ MORE = {
     ),
     "states of jobs, 3,840 bytes for each of several calls or steps": (
         *("icp, callback", "icp, criteria", "icp, degeneracy", "icp, held", "icp, point to plane, robust"),
-        *("icp, point to point, scaling", "multi_scale_icp", "registration_icp_batch"),
+        *("icp, point to point, scaling", "multi_scale_icp", "registration_icp_batch", "assess_registration"),
     ),
     "orders of the legs of a scan, 11,440 bytes a scan": ("odometry", "iterate_odometry"),
     "a step is solved on the host, 248 bytes each": ("rgbd odometry",),

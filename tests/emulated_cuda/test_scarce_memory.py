@@ -13,7 +13,8 @@ NORMALS = (POINTS - 0.5) / np.linalg.norm(POINTS - 0.5, axis=1, keepdims=True)
 SPHERE = (0.5 + 0.4 * NORMALS).astype(np.float32)
 SDF = np.linalg.norm(np.indices((9, 9, 9)).reshape(3, -1) - 4.0, axis=0).reshape(9, 9, 9).astype(np.float32) - 3
 CAMERA = loom.PinholeCameraIntrinsic(24, 18, 20.0, 20.0, 12.0, 9.0)
-DEPTHS = [np.full((18, 24), depth, np.float32) for depth in (0.8, 0.9)]
+DEPTHS = [np.full(size, depth, np.float32) for size, depth in (((18, 24), 0.8), ((36, 48), 0.9))]
+LARGER = loom.PinholeCameraIntrinsic(48, 36, 40.0, 40.0, 24.0, 18.0)  # its first frame needs arrays of its size
 
 
 def cloud(**channels) -> loom.PointCloud:
@@ -46,7 +47,7 @@ OPERATIONS = {
     "estimate_normals": (cloud, lambda c: c.estimate_normals(max_nn=8)),
     "cluster_dbscan": (cloud, lambda c: c.cluster_dbscan(0.1, 4)),
     "registration_icp": (lambda: cloud(normals=NORMALS), icp),
-    "integrate": (fused, lambda v: [v.integrate(DEPTHS[1], CAMERA, np.eye(4)), v][1]),
+    "integrate": (fused, lambda v: [v.integrate(DEPTHS[1], LARGER, np.eye(4)), v][1]),
     "marching_cubes": (lambda: SDF, lambda s: loom.meshing.marching_cubes(s, 0.0, device="cuda:0")),
     "poisson": (
         lambda: cloud(normals=NORMALS),
