@@ -20,7 +20,7 @@ CELLS = {
     "cloud": "cloud",
     "mesh": "loom.TriangleMesh.create_box()",
     "many": "for _ in range(50): display(cloud)",
-    "progress": "reported = []\nloom.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500,\n"
+    "progress": "reported = []\nloom.meshing.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500,\n"
     "                   progress=lambda *step: reported.append(step))\nprint(len(reported) > 0, reported[-1][0])",
     "records": "with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):\n"
     "    small = loom.meshing.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500)",

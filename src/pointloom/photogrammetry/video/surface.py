@@ -70,7 +70,7 @@ def estimate(
 ) -> dict[str, Any]:
     model, images, cameras = open_straightened(undistorted)
     masks = masks_in(undistorted.folder / MASKS, [path.name for path in images])
-    where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": checkpoints, "progress": report}
+    where = {"device": device, "folder": folder / MAPS, "masks": masks, "resume_from": checkpoints, "progress": report}
     maps = estimate_depth_maps(images, cameras, model, seed=seed, **where)
     return {"images": len(maps), "fraction": mean_fraction(maps, masks)}
 
