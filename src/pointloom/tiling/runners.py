@@ -10,7 +10,7 @@ from typing import Any
 from ..core.checks import check_count, check_progress, shown
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
-from ..core.progress import ReportProgress, ignore_progress
+from ..core.progress import ReportProgress
 from .buckets import FOLDER as BUCKETS
 from .manifest import FINAL_STATES, TABLES, Manifest
 from .plan import Plan, allow_functions, open_plan
@@ -136,8 +136,6 @@ def _fraction_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
 
 def _report_progress(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     """Report sorted files, then tiles finished or through the current pass."""
-    if report is ignore_progress:
-        return
     if any(source["kind"] != "copc" for source in plan.files):
         files = manifest.counts("sources")
         report("files", sum(files[state] for state in FINAL_STATES), sum(files.values()))

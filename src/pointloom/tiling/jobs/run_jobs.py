@@ -15,7 +15,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_progress
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of, plain_name, refuse_link
-from ...core.progress import ReportProgress, ignore_progress
+from ...core.progress import ReportProgress
 from ...io.frames.datasets import open_frames
 from ...rgbd.reconstruction.config import ReconstructionConfig
 from ...rgbd.reconstruction.job import run_reconstruction_system
@@ -335,8 +335,6 @@ def _job_of(folder: str, inode: int) -> Job:
 
 
 def _report_progress(manifest: Manifest, job: Job, report: ReportProgress) -> None:
-    if report is ignore_progress:
-        return
     stage = stage_of(manifest)
     over = over_in(manifest, stage)
     for earlier in range(stage):
