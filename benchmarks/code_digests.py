@@ -8,7 +8,8 @@ count only if one of their functions runs.
 The rule does not see a constant that is imported from a module that runs no function, the preparation of the data
 before the call, or the code that compiles kernels.
 
-The digest of a module ignores comments, docstrings and formatting, and does not depend on the version of Python.
+The digest of a module ignores comments, docstrings, formatting and, outside kernels/, annotations. It does not depend
+on the version of Python.
 Nothing here imports pointloom.
 """
 
@@ -100,14 +101,14 @@ def _imports(content: bytes, path: Path, root: Path) -> list[str]:
 
 
 @functools.cache
-def code_digest(content: bytes) -> str:
-    """Digest of a module's syntax tree, without docstrings.
+def code_digest(content: bytes, *, annotated: bool = True) -> str:
+    """Digest of a module's syntax tree, without docstrings, and without annotations if they are only for readers.
 
     Raises:
         SyntaxError: The content is not Python.
     """
     words: list[str] = []
-    _add_words(ast.parse(content), words)
+    _add_words(ast.parse(content), words, {"ctx"} if annotated else {"ctx", "annotation", "returns"})
     return _digest(words)
 
 
@@ -115,26 +116,26 @@ def _digest(words: Iterable[str]) -> str:
     return hashlib.sha256("\n".join(words).encode()).hexdigest()[:DIGITS]
 
 
-def _add_words(node: Any, words: list[str]) -> None:
-    """Append a node's type and fields, depth first, without those that only newer versions of Python have."""
+def _add_words(node: Any, words: list[str], ignored: set[str]) -> None:
+    """Append a node's type and fields, depth first, without ignored ones and those that only newer Pythons have."""
     if isinstance(node, list):
         words.append("[")
         for item in node:
             if not (isinstance(item, ast.Expr) and _is_text(item.value)):  # a docstring
-                _add_words(item, words)
+                _add_words(item, words, ignored)
         words.append("]")
     elif isinstance(node, ast.JoinedStr):
         words.append(type(node).__name__)
-        _add_words(_joined(node.values), words)
+        _add_words(_joined(node.values), words, ignored)
     elif isinstance(node, ast.Constant):
         words.append(ascii(node.value))  # without `kind`: u"" is ""
     elif isinstance(node, ast.AST):
         words.append(type(node).__name__)
         for name in node._fields:
             value = getattr(node, name, None)
-            if value is not None and value != [] and name != "ctx":
+            if value is not None and value != [] and name not in ignored:
                 words.append(name)
-                _add_words(value, words)
+                _add_words(value, words, ignored)
         words.append(")")
     else:
         words.append(ascii(node))
@@ -160,7 +161,11 @@ def _is_text(node: Any) -> bool:
 
 def digests_of(paths: Iterable[str], root: Path = ROOT) -> dict[str, str]:
     """The digests of modules by path; modules that do not exist are omitted."""
-    return {path: code_digest((root / path).read_bytes()) for path in sorted(set(paths)) if (root / path).is_file()}
+    return {
+        path: code_digest((root / path).read_bytes(), annotated=path.startswith(KERNELS))
+        for path in sorted(set(paths))
+        if (root / path).is_file()
+    }
 
 
 def row_digest(digests: Mapping[str, str]) -> str:

@@ -217,6 +217,13 @@ def test_digest_changes_with_the_code_only_and_not_with_text_and_formatting(is_s
     assert len(digests) == (1 if is_same else 2)
 
 
+@pytest.mark.parametrize("annotated", [True, False])
+def test_annotations_count_only_if_they_are_compiled(annotated, code_digests):
+    plain, typed = b"def f(a, b=1): return a", b"def f(a: int, b: float = 1) -> int: return a"
+    digests = {code_digests.code_digest(code, annotated=annotated) for code in (plain, typed)}
+    assert len(digests) == (2 if annotated else 1)
+
+
 def test_a_module_counts_if_one_of_its_functions_runs(code_digests):
     from pointloom.core import units
 
@@ -458,7 +465,7 @@ def test_a_run_records_the_modules_that_each_operation_runs(tmp_path, monkeypatc
     assert run.main(["--quick", "--output", str(output)]) == 0
     document = json.loads(output.read_text())
     units = "src/pointloom/core/units.py"
-    digests = {units: code_digests.code_digest((FOLDER.parent / units).read_bytes())}
+    digests = {units: code_digests.code_digest((FOLDER.parent / units).read_bytes(), annotated=False)}
     assert document["modules"] == {"tiny": [units], "none": []} and document["digests"] == digests
     assert [row["digest"] for row in document["results"] if "digest" in row] == [code_digests.row_digest(digests)]
     assert code_digests.old_rows(document) == {("none", "1")}
