@@ -175,7 +175,7 @@ def open3d_device(device: str) -> Any:
 
 def anew(cloud: Any) -> Any:
     """A cloud over the same arrays without the cached search tree, for calls that must build it."""
-    return type(cloud)._from_device_arrays(dict(cloud._arrays), cloud.origin, cloud.array_library)
+    return type(cloud).from_device_arrays(dict(cloud.arrays), cloud.origin, cloud.array_library)
 
 
 def kept_on(cloud: Any, device: str) -> Any:

@@ -23,6 +23,7 @@ from types import ModuleType
 from typing import Any
 
 from pointloom import public_names
+from pointloom.core.attribute_hints import internal_names
 
 ROOT = Path(__file__).resolve().parent.parent
 FILE = ROOT / "docs" / "api.txt"
@@ -46,6 +47,11 @@ def is_own(cls: type) -> bool:
     return cls.__module__.split(".")[0] == PACKAGE
 
 
+def is_public(cls: type, name: str) -> bool:
+    """True if a member has no underscore and is not one that only other modules of this package use."""
+    return not name.startswith("_") and name not in internal_names(cls)
+
+
 def members(cls: type) -> Iterator[str]:
     """Each documented method, property and field of a class, with inherited ones of this package.
 
@@ -55,7 +61,7 @@ def members(cls: type) -> Iterator[str]:
     docstrings = ""
     for base in reversed([each for each in cls.__mro__ if is_own(each)]):
         fields = {name: None for name in inspect.get_annotations(base)}
-        own |= {name: value for name, value in {**fields, **vars(base)}.items() if not name.startswith("_")}
+        own |= {name: value for name, value in {**fields, **vars(base)}.items() if is_public(cls, name)}
         docstrings += vars(base).get("__doc__") or ""
     for name, value in sorted(own.items()):
         if isinstance(value, staticmethod | classmethod):
@@ -123,7 +129,7 @@ def undocumented() -> Iterator[str]:
             for base in filter(is_own, value.__mro__):
                 for member, each in vars(base).items():
                     is_call = inspect.isroutine(each) or isinstance(each, property | staticmethod | classmethod)
-                    if not is_call or member.startswith("_") or (member in PROTOCOL and name in results):
+                    if not is_call or not is_public(value, member) or (member in PROTOCOL and name in results):
                         continue
                     if not inspect.getdoc(getattr(value, member, None)):
                         yield f"{title}.{name}.{member}"

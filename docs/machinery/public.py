@@ -13,6 +13,7 @@ from typing import Any
 
 import pointloom
 from pointloom import public_names
+from pointloom.core.attribute_hints import internal_names
 
 # Section of each name of `pointloom` in the reference, by the defining module. The longest match counts.
 GROUPS = {
@@ -131,7 +132,7 @@ def members_of(name: str) -> tuple[str, ...]:
         for key, thing in vars(owner).items():
             plain = thing.__func__ if isinstance(thing, classmethod | staticmethod) else thing
             documented = isinstance(plain, types.FunctionType | property) and inspect.getdoc(plain)
-            if not key.startswith("_") and documented and key not in members:
+            if not key.startswith("_") and documented and key not in {*members, *internal_names(value)}:
                 members.append(key)
     return tuple(members)
 

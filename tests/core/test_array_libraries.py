@@ -159,7 +159,7 @@ def test_a_result_is_the_memory_that_the_device_wrote(library, clouds, monkeypat
         written.append(array)
         return through(array, *args, **options)
 
-    monkeypatch.setattr("pointloom.pcd.point_arrays.hand_out", watched)
+    monkeypatch.setattr(array_libraries, "hand_out", watched)
     labels, distances = clouds[0].cluster_dbscan(0.1, 4), clouds[0].compute_nearest_neighbor_distance()
     assert library.address(labels) == written[0].ptr
     if library.name != "jax":  # which makes float32 of them

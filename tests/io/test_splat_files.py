@@ -19,7 +19,7 @@ def test_ply_keeps_every_bit_and_further_columns(tmp_path, degree):
     loom.write_splats(tmp_path / "a.ply", splats)
     again = loom.read_splats(tmp_path / "a.ply")
     assert again.degree == degree
-    for name in splats.cloud._device_arrays:
+    for name in splats.cloud.arrays:
         np.testing.assert_array_equal(again.cloud[name], splats.cloud[name])
 
 

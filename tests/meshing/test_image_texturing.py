@@ -156,7 +156,7 @@ def test_back_facing_triangles_are_not_visible(device):
 
 def test_triangles_without_an_image_take_vertex_colors_or_are_plain(device):
     scene = wall_scene((1.0,), device)
-    colored = scene.mesh._with_arrays()
+    colored = scene.mesh.with_arrays()
     colored.vertex_colors = np.tile((0.2, 0.6, 0.4), (len(np.asarray(scene.mesh.vertices)), 1))
     for mesh, color, drew in ((colored, (51, 153, 102), True), (scene.mesh, (255, 0, 255), False)):
         result = texture(mesh, scene.images, CAMERA, scene.extrinsics, plain=(1, 0, 1))

@@ -117,7 +117,7 @@ def test_operations_that_drop_attributes_warn():
     mesh, box = labeled(), TriangleMesh.create_box()
     with pytest.warns(UserWarning, match="vertex_attributes place, number:"):
         arrays = {name: box.array(name) for name in ("vertices", "triangles")}
-        bare = mesh._with_arrays(**arrays, triangle_attributes=None)
+        bare = mesh.with_arrays(**arrays, triangle_attributes=None)
     assert not bare.vertex_attributes and not bare.triangle_attributes
 
 

@@ -46,7 +46,7 @@ def test_attributes_missing_in_one_mesh_are_dropped():
     assert not both.has_vertex_normals and not both.has_triangle_uvs and not both.vertex_attributes
     other = TriangleMesh.create_box()
     other.vertex_attributes["a"] = np.zeros(8, np.float32)
-    bare = dressed()._with_arrays(triangle_uvs=None)
+    bare = dressed().with_arrays(triangle_uvs=None)
     with pytest.raises(TypeError, match="a:"):
         bare + other
 
@@ -66,7 +66,7 @@ def test_boxes_and_hulls_match_those_of_the_vertices(device):
 
 def test_normals_are_normalized_and_faces_selected_by_mask():
     mesh = dressed()
-    doubled = mesh._with_arrays()
+    doubled = mesh.with_arrays()
     doubled.vertex_normals = 2 * mesh.vertex_normals
     np.testing.assert_allclose(doubled.normalize_normals().vertex_normals, mesh.vertex_normals, atol=1e-7)
     top = mesh.select_faces_by_mask(mesh.compute_triangle_normals()[:, 2] > 0.5)

@@ -235,7 +235,7 @@ def test_a_single_unpaired_triangle_is_removed_and_a_sheet_stays(device):
     repaired, report = fin.to(device).repair()
     assert report.removed_crowding_triangles == 1 and report.lost_area > 0 and repaired.is_watertight()
     assert "of the area was lost: compare it with the input" in report.warnings[0]
-    wall = fin._with_arrays()
+    wall = fin.with_arrays()
     triangles = np.vstack([fin.triangles, [[62, ball.triangles[20][0], 63]]])
     wall = TriangleMesh(np.vstack([fin.vertices, 3 * tip]), triangles)
     repaired, report = wall.to(device).repair()

@@ -59,9 +59,9 @@ def test_a_paged_volume_is_bitwise_identical_to_one_in_memory(device, tmp_path, 
         assert_same_bits(volume.to_volume(), reference)
         for name in ("extract_triangle_mesh", "extract_point_cloud"):
             actual, theirs = (getattr(each, name)(1) for each in (volume, reference))
-            assert actual._device_arrays.keys() == theirs._device_arrays.keys()
-            for name in theirs._device_arrays:
-                one, other = download(actual._device_arrays[name]), download(theirs._device_arrays[name])
+            assert actual.arrays.keys() == theirs.arrays.keys()
+            for name in theirs.arrays:
+                one, other = download(actual.arrays[name]), download(theirs.arrays[name])
                 np.testing.assert_array_equal(one, other, err_msg=name)
         mesh = reference.extract_triangle_mesh(1)
         assert len(mesh) > 1000

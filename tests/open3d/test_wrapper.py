@@ -43,12 +43,12 @@ def test_arrays_follow_inplace_operations(cloud):
 
 def test_the_tree_stays_while_no_array_is_written_to(cloud):
     cloud.estimate_normals()
-    tree = cloud._native._known_search_tree
+    tree = cloud._native.arrays.tree.known
     np.asarray(cloud.points)
     np.asarray(cloud.normals)
-    assert tree is not None and cloud._native._known_search_tree is tree
+    assert tree is not None and cloud._native.arrays.tree.known is tree
     np.asarray(cloud.points)[0] += 1
-    assert cloud._native._known_search_tree is not tree
+    assert cloud._native.arrays.tree.known is not tree
 
 
 def test_points_that_were_assigned_keep_their_digits(cloud):

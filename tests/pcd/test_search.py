@@ -365,7 +365,7 @@ def test_tree_is_freed_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)
     loom.registration.registration_icp(cloud, shared, 0.1)
-    cached = cloud.search_tree(), cloud._curve_order(), cloud._search_forest(), cloud._device_array("points")
+    cached = cloud.search_tree(), cloud.arrays.tree.order(), cloud.arrays.tree.forest(), cloud.arrays["points"]
     references = [weakref.ref(part) for part in cached]
     del cached
     gc.disable()  # memory must be freed without the garbage collector, which does not see device memory

@@ -84,7 +84,7 @@ def test_the_interval_can_be_longer_than_the_scan(device, rng, sweep, interval, 
     points[::7] = np.nan
     cloud, order = loom.PointCloud(points, device=device), rng.permutation(2000)
     cloud, times = cloud.select_by_index(order), (100 + 0.05 * fraction)[order]
-    part = part_of_interval(cloud._device_array("points"), point_times(cloud, times), cloud.origin, interval)
+    part = part_of_interval(cloud.arrays["points"], point_times(cloud, times), cloud.origin, interval)
     assert part == pytest.approx(expected, rel=0.03)
 
 

@@ -175,7 +175,7 @@ def pyrdown_depth(
     halved = halve_depth(metric, width, height, jump)
     if isinstance(depth, RGBDImage):
         color = halve_color(depth.color_array, width, height)
-        return RGBDImage._from_device_arrays(color, halved, height // 2, width // 2, depth.array_library)
+        return RGBDImage.from_device_arrays(color, halved, height // 2, width // 2, depth.array_library)
     return _like(depth, halved, height // 2, width // 2)
 
 
@@ -257,7 +257,7 @@ def _metric(depth: Any, depth_scale: float | None, device: Any) -> tuple[wp.arra
 
 def _like(depth: Any, metric: wp.array, height: int, width: int) -> Any:
     if isinstance(depth, RGBDImage):
-        return RGBDImage._from_device_arrays(depth.color_array, metric, height, width, depth.array_library)
+        return RGBDImage.from_device_arrays(depth.color_array, metric, height, width, depth.array_library)
     return form_of(depth).hand_out(metric, shape=(height, width))
 
 

@@ -67,6 +67,7 @@ class RGBDImage(HintedNames):
     """
 
     _fixed = ("color_array", "depth_array", "height", "width", "device")
+    _internal = ("from_device_arrays",)
 
     @explain_argument_errors
     def __init__(
@@ -182,11 +183,11 @@ class RGBDImage(HintedNames):
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
 
     def __copy__(self) -> Self:
-        return self._from_device_arrays(self.color_array, self.depth_array, self.height, self.width, self._library)
+        return self.from_device_arrays(self.color_array, self.depth_array, self.height, self.width, self._library)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         arrays = clone(self.color_array), clone(self.depth_array)
-        return self._from_device_arrays(*arrays, self.height, self.width, self._library)
+        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
 
     def __getstate__(self) -> dict[str, Any]:
         state = {"device": str(self.device), "library": self._library, "height": self.height, "width": self.width}
@@ -200,7 +201,7 @@ class RGBDImage(HintedNames):
             flat = float32, (height * width,)
             color = check_form("color_array", arrays["color_array"], (uint8, (height * width, 3)), flat)
             depth = check_form("depth_array", arrays["depth_array"], flat)
-            made = self._from_device_arrays(color, depth, height, width, check_library("library", state["library"]))
+            made = self.from_device_arrays(color, depth, height, width, check_library("library", state["library"]))
         vars(self).update(vars(made))
 
     @classmethod
@@ -210,10 +211,10 @@ class RGBDImage(HintedNames):
         metric, _ = metric_depth(decode_depth(raw, layout), 1000.0, RAW_TRUNC)
         pixels = upload_color(color, height, width, where)
         colors = intensity_of(pixels) if to_intensity else pixels
-        return cls._from_device_arrays(colors, metric, height, width, library_of(depth))
+        return cls.from_device_arrays(colors, metric, height, width, library_of(depth))
 
     @classmethod
-    def _from_device_arrays(
+    def from_device_arrays(
         cls, color: wp.array, depth: wp.array, height: int, width: int, library: str = NUMPY
     ) -> Self:
         image = cls.__new__(cls)

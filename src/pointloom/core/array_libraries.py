@@ -76,6 +76,13 @@ def hand_out(
         return _import(library).from_dlpack(array)
 
 
+def hand_out_copy(array: wp.array, library: str, dtype: DTypeLike | None = None) -> Any:
+    """`hand_out`, but NumPy arrays share no memory with the CPU's device arrays."""
+    result = hand_out(array, library, dtype=dtype)
+    is_shared = library == NUMPY and array.device.is_cpu and not result.flags.owndata
+    return result.copy() if is_shared else result
+
+
 def owned(array: wp.array) -> np.ndarray:
     """A NumPy copy of a device array (sync). A GPU's is the download itself."""
     return download(array) if array.device.is_cuda else download(array).copy()

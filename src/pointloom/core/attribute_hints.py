@@ -28,14 +28,22 @@ class HintedClass(type):
                 raise AttributeError(f"type object {cls.__name__!r} has no attribute {name!r}", name=name, obj=cls)
             raise AttributeError(_message(cls, name), name=name, obj=cls)
 
+    def __dir__(cls) -> list[str]:
+        return [name for name in super().__dir__() if name not in internal_names(cls)]
+
 
 class HintedNames(metaclass=HintedClass):
     """A class with helpful errors for unknown attributes: the equivalent of Open3D's name, or the nearest name.
 
-    Attributes in `_fixed` cannot be reassigned, since others depend on them.
+    Attributes in `_fixed` cannot be reassigned, since others depend on them. Members in `_internal` are for other
+    modules of this package: not public, absent from `dir()`, the documentation and hints.
     """
 
     _fixed: tuple[str, ...] = ()
+    _internal: tuple[str, ...] = ()
+
+    def __dir__(self) -> list[str]:
+        return [name for name in super().__dir__() if name not in internal_names(type(self))]
 
     if not TYPE_CHECKING:
 
@@ -66,6 +74,12 @@ class KnownNames(HintedNames):
                 object.__setattr__(self, name, value)
 
 
+@functools.lru_cache(1024)
+def internal_names(kind: type) -> frozenset[str]:
+    """Members of a class that only other modules of this package use: those in `_internal` of it and its bases."""
+    return frozenset(name for base in kind.__mro__ for name in vars(base).get("_internal", ()))
+
+
 _declared: set[tuple[type, str]] = set()  # cached: a class does not lose a name
 
 
@@ -73,6 +87,7 @@ def _declares(kind: type, name: str) -> bool:
     if (kind, name) in _declared:
         return True
     declared = any(name in vars(base) or name in _annotated(base) for base in kind.__mro__)
+    declared = declared and name not in internal_names(kind)
     if declared:
         _declared.add((kind, name))
     return declared
@@ -96,7 +111,7 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     own = [f"{BRIDGE}.{each}" for each in classes] if _in_bridge(kind) else []
     row = hint(row_of(name, (*own, *classes, SHAPES)))
     fields = [field for base in kind.__mro__ for field in _annotated(base)]  # names without default are not in dir()
-    near = "" if row else nearest_name(name, sorted({*dir(kind), *fields}))
+    near = "" if row else nearest_name(name, sorted({*dir(kind), *fields} - internal_names(kind)))
     if how_to_add:
         return message + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
     return message + (row or near or _others(kind, name))
@@ -114,6 +129,6 @@ def _others(kind: type, name: str) -> str:
         base = waiting.pop()
         waiting += base.__subclasses__()
         is_other = base is not kind and not base.__name__.startswith("_") and _in_bridge(base) == _in_bridge(kind)
-        if is_other and not base.__subclasses__():
+        if is_other and not base.__subclasses__() and name not in internal_names(base):
             names |= {base.__name__} if any(name in vars(parent) for parent in base.__mro__) else set()
     return f"; {' and '.join(sorted(names))} {'have' if len(names) > 1 else 'has'} it" if names else ""

@@ -49,8 +49,8 @@ class BoundingBox(KnownNames):
     def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
         """Ascending indices of the points inside (faces included), of a cloud or an array (n, 3)."""
         if isinstance(points, PointArrays):
-            mask = self.mask_points(points._device_array("points"), points.origin)
-            return points._handed_out(positions_of(mask), dtype=np.int64)
+            mask = self.mask_points(points.arrays["points"], points.origin)
+            return points.arrays.hand_out(positions_of(mask), dtype=np.int64)
         library = library_of(points)
         if is_on_gpu(points):
             mask = self.mask_points(*take_points("points", points, None))

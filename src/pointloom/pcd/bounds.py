@@ -51,8 +51,8 @@ class Bounds(Selection, Movable):
 
     def get_center(self) -> NDArray[np.float64]:
         """Mean of the finite points [m], shape (3,); zeros if there are none."""
-        count, mean, _ = mean_and_covariance(self._arrays["points"])
-        return mean + self._origin if count else np.zeros(3)
+        count, mean, _ = mean_and_covariance(self.arrays["points"])
+        return mean + self.arrays.origin if count else np.zeros(3)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """Smallest axis-aligned box of the finite points. At zero if there are none."""
@@ -75,8 +75,8 @@ class Bounds(Selection, Movable):
             >>> square.get_oriented_bounding_box().extent.round(6).tolist()
             [4.0, 2.0, 0.0]
         """
-        extremes, _, positions = hull_of_cloud(self._arrays["points"], bool(robust))
-        return OrientedBoundingBox(*fit_principal_box(positions, self._origin, extremes))
+        extremes, _, positions = hull_of_cloud(self.arrays["points"], bool(robust))
+        return OrientedBoundingBox(*fit_principal_box(positions, self.arrays.origin, extremes))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """Box of minimal volume of the finite points, or of minimal area if they are coplanar.
@@ -98,15 +98,15 @@ class Bounds(Selection, Movable):
             >>> round(loom.PointCloud(corners).get_minimal_oriented_bounding_box().volume(), 6)
             50.0
         """
-        extremes, _, positions = hull_of_cloud(self._arrays["points"], bool(robust))
-        return OrientedBoundingBox(*fit_smallest_box(positions, self._origin, extremes, self.device))
+        extremes, _, positions = hull_of_cloud(self.arrays["points"], bool(robust))
+        return OrientedBoundingBox(*fit_smallest_box(positions, self.arrays.origin, extremes, self.device))
 
     def _device_bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Lowest and highest corner of the finite points [m], (3,) each; zeros if there are none."""
-        low, high, finite = bound_points(self._arrays["points"])
+        low, high, finite = bound_points(self.arrays["points"])
         if not finite:
             return np.zeros(3), np.zeros(3)
-        return low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin
+        return low.astype(np.float64) + self.arrays.origin, high.astype(np.float64) + self.arrays.origin
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
@@ -122,23 +122,23 @@ class Bounds(Selection, Movable):
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
         """Apply an affine map; `name` is the argument reported in errors."""
         A, t = T[:3, :3], T[:3, 3]
-        moved = matmul(A, self._origin) + t
+        moved = matmul(A, self.arrays.origin) + t
         origin = origin_under(name, A, t, *self._device_bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
-        cloud._unit = unit_under(self._unit, A)
+        cloud.unit = unit_under(self.unit, A)
         return cloud
 
     def _enlarged(self, factor: float) -> Self:
-        max_coordinate = np.abs(np.array(self._device_bounds()) - self._origin).max() * factor
+        max_coordinate = np.abs(np.array(self._device_bounds()) - self.arrays.origin).max() * factor
         if not max_coordinate <= FLOAT32_MAX:
             raise ValueError(
                 f"unit: moves points to {max_coordinate:.3g} from their origin, beyond float32. Use a larger unit"
             )
-        return self._under(factor * np.eye(3), np.zeros(3), self._origin * factor)
+        return self._under(factor * np.eye(3), np.zeros(3), self.arrays.origin * factor)
 
     def _under(self, A: NDArray[np.float64], shift: NDArray[np.float64], origin: NDArray[np.float64]) -> Self:
         """Change the origin and map the arrays from the old to the new one."""
-        arrays = dict(self._arrays)
+        arrays = dict(self.arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
         is_shift = len(arrays) == 1 or np.array_equal(A, np.eye(3))  # normals and covariances do not change
         if self.has_normals and not is_shift:
@@ -150,8 +150,8 @@ class Bounds(Selection, Movable):
             and arrays["covariances"].shape[1:] == (9,)
         ):
             arrays["covariances"] = transform_covariances(arrays["covariances"], A)
-        cloud = self._with_arrays(arrays, grid=self.grid)
-        cloud._origin = origin
+        cloud = self.with_arrays(arrays, grid=self.grid)
+        cloud.arrays.origin = origin
         return cloud
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> tuple[ConvexHull, NDArray[np.int64]]:
@@ -170,15 +170,15 @@ class Bounds(Selection, Movable):
         Raises:
             ValueError: If no point is finite, or all are collinear.
         """
-        extremes, indices, positions = hull_of_cloud(self._arrays["points"], bool(joggle_inputs))
+        extremes, indices, positions = hull_of_cloud(self.arrays["points"], bool(joggle_inputs))
         if extremes.dimension < 2:
             degeneracy = "are equal" if extremes.dimension == 0 else "are collinear"
             raise ValueError(
                 f"points: all {len(self):,} {degeneracy}, so they have no convex hull. Use get_oriented_bounding_box()"
             )
-        vertices = positions[extremes.rows] + self._origin
+        vertices = positions[extremes.rows] + self.arrays.origin
         hull = ConvexHull(vertices, extremes.triangles, extremes.volume, extremes.area)
-        return hull, hand_out_host(indices[extremes.rows], self._library, self.device)
+        return hull, hand_out_host(indices[extremes.rows], self.arrays.library, self.device)
 
     def hidden_point_removal(
         self, camera_location: ArrayLike, radius: float
@@ -209,8 +209,8 @@ class Bounds(Selection, Movable):
             True
         """
         camera = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
-        points = self._arrays["points"]
-        candidates, flipped = visible_rows(points, self._origin - camera, check_positive("radius", radius))
+        points = self.arrays["points"]
+        candidates, flipped = visible_rows(points, self.arrays.origin - camera, check_positive("radius", radius))
         along = download(HilbertOrder(direct_positions(flipped)).order)  # sync
         rows, mirrored = download(candidates).astype(np.int64)[along], download(flipped)[along]  # sync
         visible, triangles = find_outer_facets(mirrored)
@@ -219,9 +219,9 @@ class Bounds(Selection, Movable):
         new_indices = np.empty(len(visible), np.int32)
         new_indices[ascending] = np.arange(len(visible), dtype=np.int32)
         triangles = new_indices[triangles]
-        vertices = download(gather_rows(points, upload(indices, int32, self.device))) + self._origin
+        vertices = download(gather_rows(points, upload(indices, int32, self.device))) + self.arrays.origin
         surface = VisibleSurface(vertices, np.ascontiguousarray(triangles[:, ::-1]))
-        return surface, hand_out_host(indices, self._library, self.device)
+        return surface, hand_out_host(indices, self.arrays.library, self.device)
 
     def compute_point_cloud_distance(self, target: PointCloud) -> NDArray[np.float64]:
         """Distance of each point to the nearest point of another cloud.
@@ -243,7 +243,7 @@ class Bounds(Selection, Movable):
             array([4., 5.])
         """
         check_cloud("target", target)
-        return self._handed_out(measure_to(self, target))
+        return self.arrays.hand_out(measure_to(self, target))
 
     def compute_nearest_neighbor_distance(self) -> NDArray[np.float64]:
         """Distance of each point to its nearest other point.
@@ -255,27 +255,27 @@ class Bounds(Selection, Movable):
         Raises:
             ValueError: If the extent exceeds `NearestNeighborSearch`.
         """
-        points = self._arrays["points"]
-        return self._handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
+        points = self.arrays["points"]
+        return self.arrays.hand_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Mean [m], (3,), and centered covariance [m^2], (3, 3), of the finite points, divided by n. NaN if none."""
-        _, mean, covariance = mean_and_covariance(self._arrays["points"])
-        return mean + self._origin, covariance
+        _, mean, covariance = mean_and_covariance(self.arrays["points"])
+        return mean + self.arrays.origin, covariance
 
     def compute_mahalanobis_distance(self) -> NDArray[np.float64]:
         """Mahalanobis distance of each point from the mean, float64 (n,). NaN for points that are not finite.
 
         Directions without extent are ignored (Open3D returns NaN for flat clouds).
         """
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
         inverse = pinvh(covariance, FLAT) if count else np.zeros((3, 3))
-        return self._handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
+        return self.arrays.hand_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
 
 
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """Distance of each point to the nearest point of another cloud, a float64 device array."""
     check_same_device("queries", source.device, target.device)
     common_unit("source, target", (source.unit, target.unit))
-    return nearest_distances(target.search_tree(), source._points_about(target.origin))
+    return nearest_distances(target.search_tree(), source.arrays.about(target.origin))

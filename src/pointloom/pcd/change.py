@@ -130,7 +130,7 @@ def m3c2(
     error = check_positive("registration_error", registration_error, allow_zero=True)
     upwards = check_direction("orientation", orientation)
     radii = check_radii(normal_radii, directions)
-    core_positions, tree = cores._points_about(first.origin), first.search_tree()
+    core_positions, tree = cores.arrays.about(first.origin), first.search_tree()
     if directions is not None:
         given = upload(_check_directions(directions, len(cores)), vec3, first.device)
         scales = full(len(cores), np.nan, float64, first.device)

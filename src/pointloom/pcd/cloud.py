@@ -17,6 +17,8 @@ from .bounds import Bounds
 from .cached_tree import CachedTree
 from .conversion import Conversion
 from .normals import Normals
+from .point_arrays import place_points
+from .point_store import PointStore
 from .segmentation import Segmentation
 
 
@@ -76,13 +78,9 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             )
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        self._arrays, self._library, self.grid, self._unit = (
-            {},
-            library_for(arrays, points),
-            None,
-            check_unit("unit", unit),
-        )
-        self._set_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
+        library, self._unit, self.grid = library_for(arrays, points), check_unit("unit", unit), None
+        placed, start, tree = place_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
+        vars(self)["arrays"] = PointStore({"points": placed}, start, library, tree=tree)
         if normals is not None:
             self._set("normals", normals)
         if colors is not None:
@@ -90,5 +88,6 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         for name, values in attributes.items():
             self._set(name, values)
         if device is not None and where != self.device:  # arrays were on a GPU
-            self._arrays = {name: move(values, where) for name, values in self._arrays.items()}
-            self._cached_tree = CachedTree(self._arrays["points"], frozen=frozen)
+            moved = {name: move(values, where) for name, values in self.arrays.items()}
+            tree = CachedTree(moved["points"], frozen=frozen)
+            vars(self)["arrays"] = PointStore(moved, self.arrays.origin, library, tree=tree)

@@ -42,6 +42,8 @@ class Conversion(Selection):
     arrays, `copy.deepcopy` copies them.
     """
 
+    _internal = ("from_device_depth",)
+
     @classmethod
     @explain_argument_errors
     def create_from_depth_image(
@@ -82,8 +84,8 @@ class Conversion(Selection):
         camera = check_intrinsic(intrinsic, width, height)
         times = 1.0 if depth_trunc >= IMPLAUSIBLE_DEPTH else OTHER_UNIT
         warn_of_scale(depth, scale, depth_trunc, times=times)
-        cloud = cls._from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
-        cloud._library = library
+        cloud = cls.from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
+        cloud.arrays.library = library
         return cloud
 
     create_from_depth_image = create_from_depth_image
@@ -104,10 +106,10 @@ class Conversion(Selection):
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
-        cloud = cls._from_device_depth(
+        cloud = cls.from_device_depth(
             image.depth_array, image.color_array, camera, extrinsic, stride, project_valid_depth_only, with_normals
         )
-        cloud._library = image.array_library
+        cloud.arrays.library = image.array_library
         return cloud
 
     create_from_rgbd_image = create_from_rgbd_image
@@ -145,7 +147,7 @@ class Conversion(Selection):
         """
         scale = check_positive("depth_scale", depth_scale)
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return hand_out(read_depth(words, scale), self._library, shape=(rows, columns))
+        return hand_out(read_depth(words, scale), self.arrays.library, shape=(rows, columns))
 
     def project_to_rgbd_image(
         self,
@@ -163,14 +165,14 @@ class Conversion(Selection):
         Raises:
             ValueError: As `project_to_depth_image`, or if the cloud has no colors.
         """
-        colors = self._required_array("colors", "assign cloud.colors, or use project_to_depth_image")
+        colors = self.arrays.required("colors", "assign cloud.colors, or use project_to_depth_image")
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return RGBDImage._from_device_arrays(
-            read_colors(words, colors), read_depth(words), rows, columns, self._library
+        return RGBDImage.from_device_arrays(
+            read_colors(words, colors), read_depth(words), rows, columns, self.arrays.library
         )
 
     @classmethod
-    def _from_device_depth(
+    def from_device_depth(
         cls,
         depth: wp.array,
         color: wp.array | None,
@@ -194,9 +196,9 @@ class Conversion(Selection):
             arrays["normals"] = normals
         if color is not None:
             arrays["colors"] = color_pixels(color, grid)
-        cloud = cls._from_device_arrays(arrays, origin)
+        cloud = cls.from_device_arrays(arrays, origin)
         if valid_only:
-            return cloud._select_mask(valid)
+            return cloud.select_mask(valid)
         cloud.grid = (grid.rows, grid.columns)
         return cloud
 
@@ -209,8 +211,8 @@ class Conversion(Selection):
         farthest = check_positive("depth_max", depth_max, allow_infinite=True)
         T_camera_world = np.eye(4) if extrinsic is None else check_rigid("extrinsic", extrinsic)
         T_camera_points = T_camera_world.copy()
-        T_camera_points[:3, 3] += matmul(T_camera_world[:3, :3], self._origin)
-        return project_points(self._arrays["points"], T_camera_points, camera, farthest), rows, columns
+        T_camera_points[:3, 3] += matmul(T_camera_world[:3, :3], self.arrays.origin)
+        return project_points(self.arrays["points"], T_camera_points, camera, farthest), rows, columns
 
     @classmethod
     def from_dlpack(
@@ -266,8 +268,8 @@ class Conversion(Selection):
                 raise ValueError(
                     f"{escaped(name)}: expected {arrays['points'].size} rows, one per point, got {array.shape[0]}"
                 )
-        cloud = cls._from_device_arrays(arrays, start, library_of(points))
-        cloud._cached_tree = CachedTree(arrays["points"], is_shared=True, frozen=frozen)
+        cloud = cls.from_device_arrays(arrays, start, library_of(points))
+        cloud.arrays.tree = CachedTree(arrays["points"], is_shared=True, frozen=frozen)
         return cloud
 
     @classmethod
@@ -298,7 +300,7 @@ class Conversion(Selection):
         else:
             raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
         local, origin = split_origin(present.pop("points"))
-        copied = cls._from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin, library)
+        copied = cls.from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin, library)
         for name, values in present.items():
             if name == "colors" and values.dtype == np.uint16:
                 values = values.astype(np.float32) / np.float32(65535)
@@ -335,9 +337,9 @@ class Conversion(Selection):
         """
         o3d = _import_open3d()
         cloud = o3d.t.geometry.PointCloud()
-        positions = self.points if self._origin.any() else download(self._arrays["points"])
+        positions = self.points if self.arrays.origin.any() else download(self.arrays["points"])
         cloud.point.positions = o3d.core.Tensor(np.ascontiguousarray(positions))
-        for name in self._arrays:
+        for name in self.arrays:
             if name == "points":
                 continue
             values = self[name]
@@ -349,8 +351,9 @@ class Conversion(Selection):
         return cloud
 
     def __getstate__(self) -> dict[str, Any]:
-        state = {"origin": self._origin, "grid": self.grid, "device": str(self.device), "library": self._library}
-        return {"arrays": pickled(self._arrays), "unit": self._unit, **state}
+        own = self.arrays
+        state = {"origin": own.origin, "grid": self.grid, "device": str(self.device), "library": own.library}
+        return {"arrays": pickled(own), "unit": self._unit, **state}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         with unpickling("cloud"):
@@ -361,7 +364,7 @@ class Conversion(Selection):
                 is_right = values.dtype == vec3 if name in VECTORS else values.dtype not in (vec2, vec3, vec3i)
                 if not is_right or values.ndim not in (1, 2) or values.shape[0] != count:
                     raise ValueError(f"{escaped(name)}: expected a row for each of {count} points, got {values}")
-            cloud = self._from_device_arrays(arrays, origin, check_library("library", state["library"]))
+            cloud = self.from_device_arrays(arrays, origin, check_library("library", state["library"]))
             if (grid := state["grid"]) is not None:
                 height, width = (check_count("grid", extent, minimum=0) for extent in grid)
                 if height * width != count:
@@ -374,7 +377,7 @@ class Conversion(Selection):
         return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        return self._with_arrays({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
+        return self.with_arrays({name: clone(array) for name, array in self.arrays.items()}, grid=self.grid)
 
 
 def _import_open3d() -> Any:

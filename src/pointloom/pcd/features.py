@@ -60,8 +60,8 @@ def compute_fpfh_feature(
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call cloud = cloud.estimate_normals()")
     rows = None if indices is None else _device_indices(indices, cloud)
-    normals = cloud._device_array("normals")
-    masked = mask_points(cloud._device_array("points"), normals)
+    normals = cloud.arrays["normals"]
+    masked = mask_points(cloud.arrays["points"], normals)
     tree = cloud.search_tree() if masked is None else PointTree(masked)
     check_extent("cloud", tree.low, tree.high, tree.source)
     warn_of_short("radius", without_copies(tree), radius, cloud.unit, "the features are zeros")
@@ -146,4 +146,4 @@ def _device_indices(indices: ArrayLike, cloud: PointCloud) -> Any:
 
 
 def _with_attributes(cloud: PointCloud, arrays: dict[str, Any]) -> PointCloud:
-    return cloud._with_arrays(cloud._device_arrays | arrays, grid=cloud.grid)
+    return cloud.with_arrays(cloud.arrays | arrays, grid=cloud.grid)

@@ -46,7 +46,7 @@ def utm_epsg(cloud: PointCloud) -> int:
         32610
     """
     check_cloud("cloud", cloud)
-    degrees = relative_degrees(add_origin(cloud._device_array("points"), cloud.origin), 0.0)
+    degrees = relative_degrees(add_origin(cloud.arrays["points"], cloud.origin), 0.0)
     _, _, count = _box_of(degrees)
     if not count:
         raise ValueError("cloud: expected a finite point to determine the UTM zone, got none. Pass epsg")
@@ -87,7 +87,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     zone = code % 100
     if code - zone not in (_NORTHERN, _SOUTHERN) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
-    degrees = add_origin(cloud._device_array("points"), cloud.origin)
+    degrees = add_origin(cloud.arrays["points"], cloud.origin)
     low, high, count = _box_of(relative_degrees(degrees, 6.0 * zone - 183.0))
     widest = max(-float(low[0]), float(high[0])) if count else 0.0
     if widest > _WIDEST:
@@ -97,8 +97,8 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     start = (_EASTING, _SOUTHERN_NORTHING if code > _SOUTHERN else 0.0)
     projection = mercator(6.0 * zone - 183.0, _RADIUS, _FLATTENING, scale=_SCALE, start=start)
     points, origin = take_points("cloud", project_degrees(degrees, projection), None)
-    projected = cloud._with_arrays({**cloud._device_arrays, "points": points}, grid=cloud.grid)
-    projected._origin, projected._unit = origin, METRE
+    projected = cloud.with_arrays({**cloud.arrays, "points": points}, grid=cloud.grid)
+    projected.arrays.origin, projected.unit = origin, METRE
     return projected
 
 

@@ -82,13 +82,13 @@ def classify_ground(
     fraction = check_positive("scaling", scaling, allow_zero=True)
     fixed = None if corner is None else check_finite("corner", check_shape("corner", corner, (2,)))
     _warn_of_defaults(cloud, cell == CELL or window == WINDOW or threshold == THRESHOLD or fraction == SCALING)
-    points = cloud._device_array("points")
+    points = cloud.arrays["points"]
     low, high, finite = bound_points(points)
     if not finite:
-        return cloud._handed_out(zeros(len(cloud), uint8, cloud.device), dtype=bool)
+        return cloud.arrays.hand_out(zeros(len(cloud), uint8, cloud.device), dtype=bool)
     if fixed is not None:
         near = _near_ground(points, (low, high), fixed - cloud.origin[:2], cell, window)
-        return cloud._handed_out(near.mask(steepest, threshold, fraction), dtype=bool)
+        return cloud.arrays.hand_out(near.mask(steepest, threshold, fraction), dtype=bool)
     lowest = low.astype(np.float64)
     with np.errstate(over="ignore"):  # overflow means too many cells
         counts = np.floor((high.astype(np.float64) - lowest) / cell)[:2] + 1
@@ -97,7 +97,7 @@ def classify_ground(
     check_window(window, cell)
     grid = HeightGrid(points, lowest, cell, int(counts[0]), int(counts[1]))
     grid.uncover(steepest, window)
-    return cloud._handed_out(grid.near(threshold, fraction), dtype=bool)
+    return cloud.arrays.hand_out(grid.near(threshold, fraction), dtype=bool)
 
 
 def _near_ground(points: Points, box: tuple[Any, Any], corner: Any, cell: float, window: float) -> NearGround:

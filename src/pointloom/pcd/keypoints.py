@@ -88,5 +88,5 @@ def compute_iss_keypoints(
     count = min(check_count("min_neighbors", min_neighbors), len(cloud) + 1)
     radii = (salient, non_max) if salient > 0 and non_max > 0 else None
     rows = find_iss_keypoints(cloud.search_tree(), radii, ratio_21, ratio_32, count)
-    keypoints = cloud._select_rows(rows)
-    return (keypoints, cloud._handed_out(rows)) if return_indices else keypoints
+    keypoints = cloud.select_rows(rows)
+    return (keypoints, cloud.arrays.hand_out(rows)) if return_indices else keypoints

@@ -67,8 +67,8 @@ class Normals(Selection):
         warn_of_short("radius", without_copies(tree), radius, self.unit, "normals are (0, 0, 1)")
         normals = estimate_normals(tree, count, search_radius)
         if self.has_normals:
-            align_normals(normals, self._arrays["normals"])
-        return self._with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
+            align_normals(normals, self.arrays["normals"])
+        return self.with_arrays(self.arrays | {"normals": normals}, grid=self.grid)
 
     @property
     def covariances(self) -> NDArray[np.float32]:
@@ -79,7 +79,7 @@ class Normals(Selection):
         Raises:
             ValueError: If the cloud has none, or assigned ones have another shape.
         """
-        rows = self._required_array("covariances", "call estimate_covariances()")
+        rows = self.arrays.required("covariances", "call estimate_covariances()")
         return download(rows).reshape(-1, 3, 3).astype(np.float32)
 
     @covariances.setter
@@ -115,7 +115,7 @@ class Normals(Selection):
         tree = self.search_tree()
         warn_of_short("radius", without_copies(tree), radius, self.unit, "covariances are the identity or zero")
         covariances = estimate_covariances(tree, count, search_radius)
-        return self._with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
+        return self.with_arrays(self.arrays | {"covariances": covariances}, grid=self.grid)
 
     @returns_new
     def normalize_normals(self) -> Self:
@@ -124,8 +124,8 @@ class Normals(Selection):
         Raises:
             ValueError: If the cloud has no normals.
         """
-        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
-        return self._with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
+        normals = self.arrays.required("normals", "call cloud = cloud.estimate_normals()")
+        return self.with_arrays(self.arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def flip_normals(self) -> Self:
@@ -134,8 +134,8 @@ class Normals(Selection):
         Raises:
             ValueError: If the cloud has no normals.
         """
-        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
-        return self._with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
+        normals = self.arrays.required("normals", "call cloud = cloud.estimate_normals()")
+        return self.with_arrays(self.arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> Self:
@@ -156,7 +156,7 @@ class Normals(Selection):
             ValueError: If the cloud has no normals, or the position is not finite or has another shape.
         """
         location = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
-        return self._orient(location - self._origin, to_point=True)
+        return self._orient(location - self.arrays.origin, to_point=True)
 
     @returns_new
     def orient_normals_consistent_tangent_plane(
@@ -190,19 +190,19 @@ class Normals(Selection):
             >>> bool(((oriented.normals * sphere).sum(axis=1) > 0).all())
             True
         """
-        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self.arrays.required("normals", "call cloud = cloud.estimate_normals()")
         neighbors = check_count("k", k)
         penalty = check_positive("lambda_penalty", lambda_penalty, allow_zero=True)
         steepest = check_positive("cos_alpha_tol", cos_alpha_tol, allow_zero=True)
         if steepest > 1:
             raise ValueError(f"cos_alpha_tol: expected a cosine in 0..1, got {cos_alpha_tol!r}")
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         rows = usable_rows(points, normals)
         if not rows.size:
             return self.copy()
         tree = self.search_tree() if rows.size == points.size else PointTree(gather_rows(points, rows))
         oriented = orient_consistently(points, normals, rows, tree, neighbors, steepest, penalty > 0)
-        return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
+        return self.with_arrays(self.arrays | {"normals": oriented}, grid=self.grid)
 
     def normal_disagreement(self, max_nn: int = 10) -> float:
         """Fraction of neighbor pairs whose normals are on opposite sides of the surface.
@@ -228,14 +228,14 @@ class Normals(Selection):
             >>> 0 < cloud.normal_disagreement() < 0.1, oriented.normal_disagreement()
             (True, 0.0)
         """
-        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        normals = self.arrays.required("normals", "call cloud = cloud.estimate_normals()")
         neighbors = min(check_count("max_nn", max_nn), max(1, len(self)))
-        return fraction_of_opposed_normals(self.search_tree(), self._arrays["points"], normals, neighbors)
+        return fraction_of_opposed_normals(self.search_tree(), self.arrays["points"], normals, neighbors)
 
     def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> Self:
-        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
-        oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
-        return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
+        normals = self.arrays.required("normals", "call cloud = cloud.estimate_normals()")
+        oriented = orient_normals(self.arrays["points"], normals, reference, to_point)
+        return self.with_arrays(self.arrays | {"normals": oriented}, grid=self.grid)
 
     @returns_new
     def smooth_mls(self, *, radius: float | None = 0.05, max_nn: int | None = 30) -> Self:
@@ -265,7 +265,7 @@ class Normals(Selection):
             True
         """
         search_radius, count = check_search(radius, max_nn)
-        normals = self._arrays.get("normals")
+        normals = self.arrays.get("normals")
         moved, fitted = project_to_planes(self.search_tree(), count, search_radius, normals)
         return self._moved(moved, {} if normals is None else {"normals": fitted})
 
@@ -292,7 +292,7 @@ class Normals(Selection):
         """
         search_radius, count = check_search(radius, max_nn)
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
-        tree, normals = self.search_tree(), self._arrays.get("normals")
+        tree, normals = self.search_tree(), self.arrays.get("normals")
         if normals is None:
             normals = estimate_normals(tree, NORMAL_NEIGHBORS, math.inf)
         return self._moved(average_by_sides(tree, normals, count, search_radius, spatial, across))
@@ -354,7 +354,7 @@ class Normals(Selection):
         return self._moved(run(self.search_tree(), factors, neighbors))
 
     def _moved(self, points: Any, others: dict[str, Any] | None = None) -> Self:
-        return self._with_arrays(self._arrays | {"points": points} | (others or {}))
+        return self.with_arrays(self.arrays | {"points": points} | (others or {}))
 
 
 def _check_passes(iterations: Any) -> int:

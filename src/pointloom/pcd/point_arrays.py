@@ -3,31 +3,31 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, MutableMapping
+from collections.abc import Iterator, Mapping, MutableMapping
 from typing import Any, Self
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ..core.array_libraries import NUMPY, check_library, hand_out, library_of, owned
+from ..core.array_libraries import NUMPY, check_library, library_of, owned
 from ..core.attribute_hints import KnownNames
 from ..core.callable_bool import CallableBool
 from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
-from ..core.coordinates import quiet, split_origin, warn_if_coarse
+from ..core.coordinates import split_origin, warn_if_coarse
 from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
 from ..core.escaped_text import escaped
 from ..core.exchange import plain_device
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
+from ..core.units import LengthUnit
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock_for
-from ..kernels.memory import clone, download, host_view, move, upload
-from ..kernels.search.many_clouds import ManyClouds
-from ..kernels.search.point_forest import PointForest
+from ..kernels.memory import clone, host_view, move, upload
 from ..kernels.search.point_tree import PointTree
 from .cached_tree import CachedTree
+from .point_store import PointStore
 from .units import InUnit
 
 VECTORS = ("points", "normals", "colors")
@@ -52,13 +52,13 @@ class Attributes(MutableMapping[str, NDArray[Any]]):
     def __delitem__(self, name: str) -> None:
         if name in VECTORS or name not in self._cloud:
             raise KeyError(name)
-        del self._cloud._arrays[name]
+        del self._cloud.arrays[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter([name for name in self._cloud._arrays if name not in VECTORS])
+        return iter([name for name in self._cloud.arrays if name not in VECTORS])
 
     def __len__(self) -> int:
-        return sum(name not in VECTORS for name in self._cloud._arrays)
+        return sum(name not in VECTORS for name in self._cloud.arrays)
 
     def __repr__(self) -> str:
         return "{" + ", ".join(f"{name!r}: {values.dtype} {list(values.shape)}" for name, values in self.items()) + "}"
@@ -73,15 +73,13 @@ class PointArrays(InUnit, KnownNames):
         grid: Rows and columns if the points are image pixels, row by row. Else None.
     """
 
-    _arrays: dict[str, wp.array]
+    arrays: PointStore  # device arrays for the modules of this package
+    _internal = ("arrays", "from_device_arrays", "with_arrays")
     _how_to_add = "Add an attribute of the points with cloud[{name!r}] = values"
-    _cached_tree: CachedTree  # points and their search tree
-    _origin: NDArray[np.float64]
-    _library: str = NUMPY  # library of returned arrays, see array_libraries.py
     grid: tuple[int, int] | None
 
     def __len__(self) -> int:
-        return self._arrays["points"].size
+        return self.arrays["points"].size
 
     @property
     def has_points(self) -> CallableBool:
@@ -91,17 +89,17 @@ class PointArrays(InUnit, KnownNames):
     @property
     def has_normals(self) -> CallableBool:
         """True if there are normals. Also callable."""
-        return CallableBool("normals" in self._arrays)
+        return CallableBool("normals" in self.arrays)
 
     @property
     def has_colors(self) -> CallableBool:
         """True if there are colors. Also callable."""
-        return CallableBool("colors" in self._arrays)
+        return CallableBool("colors" in self.arrays)
 
     @property
     def has_covariances(self) -> CallableBool:
         """True if there are covariances. Also callable."""
-        return CallableBool("covariances" in self._arrays)
+        return CallableBool("covariances" in self.arrays)
 
     @property
     def is_empty(self) -> CallableBool:
@@ -109,31 +107,31 @@ class PointArrays(InUnit, KnownNames):
         return CallableBool(len(self) == 0)
 
     def __repr__(self) -> str:
-        names = escaped(", ".join(n for n in self._arrays if n != "points"))
+        names = escaped(", ".join(n for n in self.arrays if n != "points"))
         return f"{type(self).__name__}({len(self):,} points, {names or 'no attributes'}, {self.device})"
 
     def _repr_html_(self) -> str:
-        return html_table(repr(self), ((name, array_type(values)) for name, values in self._arrays.items()))
+        return html_table(repr(self), ((name, array_type(values)) for name, values in self.arrays.items()))
 
     @property
     def device(self) -> Any:
         """Device of the arrays."""
-        return self._arrays["points"].device
+        return self.arrays["points"].device
 
     @property
     def origin(self) -> NDArray[np.float64]:
         """Origin of the device positions [m], float64 (3,)."""
-        return read_only(self._origin.copy())
+        return read_only(self.arrays.origin.copy())
 
     @property
     def points(self) -> NDArray[np.float64]:
         """World coordinates [m], float64 (n, 3)."""
-        with quiet():
-            return read_only(download(self._arrays["points"]).astype(np.float64) + self._origin)
+        return read_only(self.arrays.positions())
 
     @points.setter
     def points(self, values: ArrayLike) -> None:
-        self._set_points(values, None, self.device, rows=len(self))
+        points, origin, tree = place_points(values, None, self.device, rows=len(self))
+        self.arrays["points"], self.arrays.origin, self.arrays.tree = points, origin, tree
 
     @property
     def normals(self) -> NDArray[np.float32]:
@@ -142,7 +140,7 @@ class PointArrays(InUnit, KnownNames):
         Raises:
             ValueError: If the cloud has none.
         """
-        return read_only(owned(self._required_array("normals", "call cloud = cloud.estimate_normals()")))
+        return read_only(owned(self.arrays.required("normals", "call cloud = cloud.estimate_normals()")))
 
     @normals.setter
     def normals(self, values: ArrayLike) -> None:
@@ -150,7 +148,7 @@ class PointArrays(InUnit, KnownNames):
 
     @normals.deleter
     def normals(self) -> None:
-        self._arrays.pop("normals", None)
+        self.arrays.pop("normals", None)
 
     @property
     def colors(self) -> NDArray[np.float32]:
@@ -159,7 +157,7 @@ class PointArrays(InUnit, KnownNames):
         Raises:
             ValueError: If the cloud has none.
         """
-        return read_only(owned(self._required_array("colors", "assign cloud.colors")))
+        return read_only(owned(self.arrays.required("colors", "assign cloud.colors")))
 
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
@@ -167,7 +165,7 @@ class PointArrays(InUnit, KnownNames):
 
     @colors.deleter
     def colors(self) -> None:
-        self._arrays.pop("colors", None)
+        self.arrays.pop("colors", None)
 
     @property
     def attributes(self) -> Attributes:
@@ -178,7 +176,7 @@ class PointArrays(InUnit, KnownNames):
         """Attribute as NumPy array, including `points`, `normals` and `colors`."""
         if name in VECTORS:
             return getattr(self, name)
-        return read_only(owned(self._required_array(name, f"the cloud has {', '.join(self._arrays)}")))
+        return read_only(owned(self.arrays[name]))
 
     __array_ufunc__ = None  # arithmetic of arrays with clouds raises an error, in either order
 
@@ -207,7 +205,7 @@ class PointArrays(InUnit, KnownNames):
             self._set(name, values)
 
     def __contains__(self, name: str) -> bool:
-        return name in self._arrays
+        return name in self.arrays
 
     def __iter__(self) -> Iterator[Any]:
         raise TypeError("a PointCloud is not a sequence; iterate over cloud.points")
@@ -218,7 +216,7 @@ class PointArrays(InUnit, KnownNames):
         Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array. The next
         operation detects changed points and rebuilds the search tree. Points of a `frozen` cloud are not checked.
         """
-        return self._cached_tree.share() if check_name("name", name) == "points" else self._device_array(name)
+        return self.arrays.tree.share() if check_name("name", name) == "points" else self.arrays[name]
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
@@ -239,15 +237,15 @@ class PointArrays(InUnit, KnownNames):
             'array'
         """
         where = resolve_device(device)
-        library = self._library if arrays is None else check_library("arrays", arrays)
-        if where == self.device and library == self._library:
+        library = self.arrays.library if arrays is None else check_library("arrays", arrays)
+        if where == self.device and library == self.arrays.library:
             return self
-        cloud = self._with_arrays({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
-        cloud._library = library
+        cloud = self.with_arrays({name: move(values, where) for name, values in self.arrays.items()}, grid=self.grid)
+        cloud.arrays.library = library
         return cloud
 
     def __dlpack_device__(self) -> tuple[int, int]:
-        return self._arrays["points"].__dlpack_device__()
+        return self.arrays["points"].__dlpack_device__()
 
     def __dlpack__(
         self, *, stream: int | None = None, max_version: Any = None, dl_device: Any = None, copy: bool | None = None
@@ -263,14 +261,14 @@ class PointArrays(InUnit, KnownNames):
             >>> np.from_dlpack(loom.PointCloud([[1, 2, 3]])).tolist()
             [[1.0, 2.0, 3.0]]
         """
-        if self._origin.any():
+        if self.arrays.origin.any():
             raise BufferError(
-                f"the points are relative to the origin {self._origin.tolist()}. Share cloud.array('points') and add "
+                f"the points are relative to the origin {self.origin.tolist()}. Share cloud.array('points') and add "
                 "cloud.origin to it, in float64"
             )
         if dl_device is not None and plain_device(dl_device) != plain_device(self.__dlpack_device__()):
             raise BufferError(f"the points are on {self.device}. Use cloud.to(device) to copy them to another device")
-        points = clone(self._arrays["points"]) if copy else self.array("points")
+        points = clone(self.arrays["points"]) if copy else self.array("points")
         if points.device.is_cpu:  # as in array_libraries.hand_out
             return host_view(points).__dlpack__()
         with lock_for(self.device):
@@ -292,8 +290,8 @@ class PointArrays(InUnit, KnownNames):
         if "points" in names:
             raise ValueError("points: cannot be removed. Create an empty cloud with PointCloud()")
         for name in names:
-            self._required_array(name, f"the cloud has {', '.join(self._arrays)}")
-        return self._with_arrays({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
+            self.arrays[name]  # raises if the cloud has none
+        return self.with_arrays({n: a for n, a in self.arrays.items() if n not in names}, grid=self.grid)
 
     @returns_new
     def clear(self) -> Self:
@@ -304,102 +302,35 @@ class PointArrays(InUnit, KnownNames):
     @returns_new
     def copy(self) -> Self:
         """Copy that shares arrays. Assignments to one do not affect the other."""
-        return self._with_arrays(dict(self._arrays), grid=self.grid)
-
-    @property
-    def _device_arrays(self) -> dict[str, wp.array]:
-        """Device arrays by name for reading, `points` relative to `origin`."""
-        return dict(self._arrays)
+        return self.with_arrays(self.arrays, grid=self.grid)
 
     @property
     def array_library(self) -> str:
         """Library of the arrays that operations return: that of the arrays the cloud was made from."""
-        return self._library
+        return self.arrays.library
 
     @classmethod
-    def _from_device_arrays(
-        cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
+    def from_device_arrays(
+        cls, arrays: Mapping[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
     ) -> Self:
         """Create a cloud from device arrays without copies or checks; `points` is vec3 (n,) relative to `origin`."""
-        cloud: Any = cls.__new__(cls)
-        cloud.__dict__.update(  # without the checks of assignments
-            _library=library, _arrays=arrays, _origin=origin, grid=None, _cached_tree=CachedTree(arrays["points"])
-        )
+        return cls._over(PointStore(arrays, origin, library), None, None)
+
+    @classmethod
+    def _over(cls, arrays: PointStore, grid: tuple[int, int] | None, unit: LengthUnit | None) -> Self:
+        cloud = cls.__new__(cls)
+        vars(cloud).update(arrays=arrays, grid=grid, _unit=unit)  # without the checks of assignments
         return cloud
 
-    def _with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
+    def with_arrays(self, arrays: Mapping[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
         """Cloud with other device arrays about the same origin. Keeps the search tree if the points are the same."""
-        cloud: Any = self._from_device_arrays(arrays, self._origin, self._library)
-        cloud.__dict__.update(grid=grid, _unit=self._unit)
-        if arrays["points"] is self._arrays["points"]:
-            cloud.__dict__["_cached_tree"] = self._cached_tree
-        return cloud
-
-    def _device_array(self, name: str) -> wp.array:
-        """As `array`, for reading only: the search tree stays valid."""
-        return self._required_array(name, f"the cloud has {', '.join(self._arrays)}")
-
-    def _required_array(self, name: str, remedy: str) -> wp.array:
-        """As `_device_array`. The ValueError ends with `remedy`."""
-        if name not in self._arrays:
-            raise ValueError(escaped(f"the cloud has no {name}: {remedy}"))
-        return self._arrays[name]
+        own = self.arrays
+        tree = own.tree if arrays["points"] is own["points"] else None
+        return self._over(PointStore(arrays, own.origin, own.library, tree=tree), grid, self._unit)
 
     def search_tree(self) -> PointTree:
         """Search tree of the points, built at the first call and cached: 20 B per point."""
-        return self._cached_tree.tree()
-
-    def _adopt_search_tree(self, tree: PointTree) -> None:
-        """Cache an existing tree of the points' own array, if there is none yet."""
-        self._cached_tree.adopt(tree)
-
-    @property
-    def _known_search_tree(self) -> PointTree | None:
-        return self._cached_tree.known
-
-    def _curve_order(self) -> ManyClouds:
-        """Points along the curve, cached: 16 B per point."""
-        return self._cached_tree.order()
-
-    def _search_forest(self) -> PointForest:
-        """Search tree of the points for batched launches, cached: 16 B per point besides the tree."""
-        return self._cached_tree.forest()
-
-    def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
-        """Points relative to another origin, a device array of vec3."""
-        if (self._origin == origin).all():
-            return self._arrays["points"]
-        return upload(split_origin(self.points, origin)[0], vec3, self.device)
-
-    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to the cloud's array library. NumPy arrays share no memory of the CPU's device arrays."""
-        result = hand_out(array, self._library, dtype=dtype)
-        is_shared = self._library == NUMPY and array.device.is_cpu and not result.flags.owndata
-        return result.copy() if is_shared else result
-
-    def _set_points(
-        self,
-        values: Any,
-        origin: NDArray[np.float64] | None,
-        device: Any,
-        *,
-        rows: int | None = None,
-        frozen: bool = False,
-    ) -> None:
-        """Set the points on their GPU, or on a device. The caller never writes to `frozen` points."""
-        is_copied = library_of(values) == NUMPY
-        if is_on_gpu(values):
-            points, self._origin = take_points("points", values, origin, device, rows=rows)
-            is_shared = points._ref is not None
-        else:
-            positions = check_rows("points", values, 3, rows=rows)
-            local, self._origin = split_origin(positions, origin)
-            if origin is None:
-                warn_if_coarse("points", positions, self._origin)
-            points: Any = upload(local, vec3, device, copied=is_copied)
-            is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
-        self._arrays["points"] = points
-        self._cached_tree = CachedTree(points, is_shared=is_shared, frozen=frozen)
+        return self.arrays.tree.tree()
 
     def _set(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
@@ -407,15 +338,15 @@ class PointArrays(InUnit, KnownNames):
                 f"{escaped(name)}: expected an array, got a PointCloud. Pass one of its arrays: other[{name!r}]"
             )
         if is_on_gpu(values):
-            self._arrays[name] = self._taken(name, values)
+            self.arrays[name] = self._taken(name, values)
             return
         is_copied = library_of(values) == NUMPY
         if name == "normals":
             normals = check_rows(name, values, 3, rows=len(self), dtype=np.float32)
-            self._arrays[name] = upload(normals, vec3, self.device, copied=is_copied)
+            self.arrays[name] = upload(normals, vec3, self.device, copied=is_copied)
         elif name == "colors":
             colors = check_colors(name, check_rows(name, values, 3, rows=len(self)))
-            self._arrays[name] = upload(colors, vec3, self.device, copied=is_copied)
+            self.arrays[name] = upload(colors, vec3, self.device, copied=is_copied)
         else:
             column = check_numeric(escaped(name), values)
             if column.ndim not in (1, 2) or len(column) != len(self):
@@ -424,7 +355,7 @@ class PointArrays(InUnit, KnownNames):
             if column.dtype.itemsize > 8:
                 raise TypeError(f"{escaped(name)}: expected numbers of 64 bits at most, got {column.dtype}")
             kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
-            self._arrays[name] = upload(column, kind, self.device, copied=is_copied)
+            self.arrays[name] = upload(column, kind, self.device, copied=is_copied)
 
     def _taken(self, name: str, values: Any) -> wp.array:
         """Convert a GPU array to an attribute."""
@@ -433,6 +364,24 @@ class PointArrays(InUnit, KnownNames):
         if name == "colors":
             return take_colors(name, values, self.device, rows=len(self))
         return take_column(name, values, self.device, len(self))
+
+
+def place_points(
+    values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None, frozen: bool = False
+) -> tuple[wp.array, NDArray[np.float64], CachedTree]:
+    """(points on their GPU or on `device`, their origin, their search tree). The caller never writes to `frozen`
+    points."""
+    if is_on_gpu(values):
+        points, start = take_points("points", values, origin, device, rows=rows)
+        return points, start, CachedTree(points, is_shared=points._ref is not None, frozen=frozen)
+    is_copied = library_of(values) == NUMPY
+    positions = check_rows("points", values, 3, rows=rows)
+    local, start = split_origin(positions, origin)
+    if origin is None:
+        warn_if_coarse("points", positions, start)
+    points: Any = upload(local, vec3, device, copied=is_copied)
+    is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
+    return points, start, CachedTree(points, is_shared=is_shared, frozen=frozen)
 
 
 def check_cloud(name: str, cloud: Any) -> None:

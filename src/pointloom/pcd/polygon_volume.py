@@ -157,7 +157,7 @@ class SelectionPolygonVolume:
             ValueError, TypeError: If the array has a wrong shape or is not numeric.
         """
         if isinstance(points, PointArrays):
-            mask, library = mask_volume(self, points._device_array("points"), points.origin), points.array_library
+            mask, library = mask_volume(self, points.arrays["points"], points.origin), points.array_library
         else:
             mask = mask_volume(self, _wide(points), np.zeros(3))
             library = library_of(points)

@@ -97,7 +97,7 @@ def _rings(radius: float, side: float, occupied: Any, queried: Any) -> int:
 def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_ground: bool = False) -> Points:
     """Points of some classes (None: all but noise). Only first returns, except for the ground."""
     rows = _rows(cloud, classes, is_first=not is_ground, is_needed=is_ground or classes is not None)
-    points = cloud._device_array("points")
+    points = cloud.arrays["points"]
     if rows is None:
         return points
     if is_ground and not rows.size:
@@ -130,7 +130,7 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
         return None
     mask = full(len(cloud), 1, uint8, cloud.device)
     for name, listed in tables:
-        keep_listed(cast(cloud._device_array(name), int32), listed, mask)
+        keep_listed(cast(cloud.arrays[name], int32), listed, mask)
     return positions_of(mask)
 
 
@@ -174,11 +174,11 @@ def _triangles(ground: Points) -> Any:
 def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tuple[int, ...] | None) -> Doubles:
     is_first = kind in ("dsm", "chm")
     rows = _rows(cloud, classes, is_first=is_first, is_needed=classes is not None)
-    points = cloud._device_array("points")
+    points = cloud.arrays["points"]
     chosen = points if rows is None else gather_rows(points, rows)
     groups = CellGroups(chosen, window)
     if kind == "intensity":
-        column = cloud._required_array("intensity", "it is required for kind='intensity'")
+        column = cloud.arrays.required("intensity", "it is required for kind='intensity'")
         if column.ndim != 1:
             raise ValueError("intensity: expected one number per point")
         values = cast(column if rows is None else gather_rows(column, rows), float64)

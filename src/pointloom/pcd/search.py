@@ -155,7 +155,7 @@ class NearestNeighborSearch(HintedNames):
         device, origin = self.cloud.device, self.cloud.origin
         if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, device)
-            return _Queries(queries._points_about(origin), False, Form(queries.array_library, False))
+            return _Queries(queries.arrays.about(origin), False, Form(queries.array_library, False))
         form = form_of(queries)
         if is_on_gpu(queries):
             rows = take_numbers("queries", queries, device)

@@ -86,7 +86,7 @@ class Segmentation(Selection):
         elif cluster_count == 1:
             warn_of_long("eps", search_radius, tree.low, tree.high, tree.count, unit, "all points form one cluster")
         report("clusters", cloud=self, labels=labels)
-        return self._handed_out(labels)
+        return self.arrays.hand_out(labels)
 
     def cluster_euclidean(
         self, tolerance: float, min_cluster_size: int = 1, max_cluster_size: int | None = None
@@ -125,7 +125,7 @@ class Segmentation(Selection):
         if cluster_count:
             rank_by_size(labels, cluster_count, min(min_size, MAX_SIZE), min(max_size, MAX_SIZE))
         report("clusters", cloud=self, labels=labels)
-        return self._handed_out(labels)
+        return self.arrays.hand_out(labels)
 
     def detect_planar_patches(
         self,
@@ -179,11 +179,11 @@ class Segmentation(Selection):
         min_count = max(min_count, 3) if min_count else max(MIN_POINTS, int(POINT_FRACTION * len(self)))
         neighbor_count = check_count("max_nn", max_nn, minimum=2)
         search_radius = math.inf if radius is None else check_positive("radius", radius)
-        points = self._arrays["points"]
-        normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
+        points = self.arrays["points"]
+        normals = self.arrays.required("normals", "call cloud = cloud.estimate_normals()")
         distinct = distinct_points(self.search_tree(), neighbor_count)
         if distinct is not None:  # copies of a position have no other neighbors
-            first_points = self._select_rows(distinct.firsts)
+            first_points = self.select_rows(distinct.firsts)
             limits_of_planes = normal_variance_threshold_deg, coplanarity_deg, outlier_ratio, min_plane_edge_length
             return first_points.detect_planar_patches(*limits_of_planes, min_num_points, radius=radius, max_nn=max_nn)
         rows = usable_rows(points, normals)
@@ -199,7 +199,7 @@ class Segmentation(Selection):
         patches = Patches(points, normals, labels, planes, neighbors)
         patches.converge()
         boxes = patches.boxes(shortest or EDGE_FRACTION * octree.extent)
-        return [OrientedBoundingBox(c + self._origin, R, extent) for c, R, extent in zip(*boxes, strict=True)]
+        return [OrientedBoundingBox(c + self.arrays.origin, R, extent) for c, R, extent in zip(*boxes, strict=True)]
 
     def _neighbor_graph(self, max_nn: int, radius: float) -> Any:
         """Nearest neighbors of each point, int32 device array (n, max_nn), -1 if fewer."""
@@ -208,7 +208,7 @@ class Segmentation(Selection):
                 f"max_nn: {max_nn} neighbors for each of {len(self)} points are 2^31 or more. Use fewer or downsample "
                 "the cloud with voxel_down_sample"
             )
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         return search_nearest(self.search_tree(), points, max_nn, radius)[0]
 
     @explain_argument_errors
@@ -251,7 +251,7 @@ class Segmentation(Selection):
             (1.0, -0.7, True)
         """
         settings = _check_search(distance_threshold, ransac_n, num_iterations, probability, seed)
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         low, high, finite = bound_points(points)  # sync
         rows = positions_of(mask_finite(points, True, True), finite)
         if rows.size < settings[1]:
@@ -271,7 +271,7 @@ class Segmentation(Selection):
             warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
         model = self._world_plane(search.refit(plane, inliers), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
-        return model, self._handed_out(inliers)
+        return model, self.arrays.hand_out(inliers)
 
     def segment_planes(
         self,
@@ -309,7 +309,7 @@ class Segmentation(Selection):
         settings = _check_search(distance_threshold, ransac_n, num_iterations, probability, seed)
         min_count = check_count("min_points", min_points)
         max_count = len(self) if max_planes is None else check_count("max_planes", max_planes)
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         low, high, finite = bound_points(points)  # sync
         rows = positions_of(mask_finite(points, True, True), finite)
         box: tuple[NDArray[Any], NDArray[Any]] | None = (low, high)
@@ -328,7 +328,7 @@ class Segmentation(Selection):
             label_rows(plane_rows, len(models) - 1, labels)
             report("plane", cloud=self, inliers=plane_rows, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask), rows.size - inliers.size))
-        return self._handed_out(labels), np.array(models).reshape(-1, 4)
+        return self.arrays.hand_out(labels), np.array(models).reshape(-1, 4)
 
     def _world_plane(self, plane: NDArray[np.float64], center: NDArray[np.float64]) -> NDArray[np.float64]:
         """Convert a plane relative to `center` to world coordinates with a fixed sign."""
@@ -336,7 +336,7 @@ class Segmentation(Selection):
         if normal[np.argmax(np.abs(normal))] < 0:
             normal, plane = -normal, -plane
         normal = normal + 0.0  # avoids negative zero
-        return np.append(normal, plane[3] - matmul(normal, center + self._origin))
+        return np.append(normal, plane[3] - matmul(normal, center + self.arrays.origin))
 
     @explain_argument_errors
     def segment_shape(
@@ -402,8 +402,8 @@ class Segmentation(Selection):
                 f"no {kind} found: none of {max_samples:,} samples fits within the limits. Raise distance_threshold or "
                 "normal_threshold_deg. If the normals are inexact, estimate them with a larger max_nn"
             )
-        shape = shape_of(search, detected, limits, self._origin)
-        return shape, self._handed_out(ascending(detected.rows, len(self)))
+        shape = shape_of(search, detected, limits, self.arrays.origin)
+        return shape, self.arrays.hand_out(ascending(detected.rows, len(self)))
 
     @explain_argument_errors
     def region_growing(
@@ -456,18 +456,18 @@ class Segmentation(Selection):
             if max_size < min_size:
                 raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {min_size}, got {max_size}")
         count = check_count("max_nn", max_nn, minimum=2)
-        normals = self._required_array("normals", NORMALS)
+        normals = self.arrays.required("normals", NORMALS)
         sizes = min(min_size, MAX_SIZE), min(max_size, MAX_SIZE)
         limits = math.cos(math.radians(angle)), limit, *sizes
         distinct = distinct_points(self.search_tree(), count)
         if distinct is None:
             labels = self._grow_regions(normals, count, limits)
         else:  # copies of a position have no other neighbors
-            first_points, firsts = self._select_rows(distinct.firsts), distinct.firsts
+            first_points, firsts = self.select_rows(distinct.firsts), distinct.firsts
             labels = first_points._grow_regions(gather_rows(normals, firsts), count, limits)
             labels = gather_rows(labels, distinct.rows)
         report("clusters", cloud=self, labels=labels)
-        return self._handed_out(labels)
+        return self.arrays.hand_out(labels)
 
     def _grow_regions(self, normals: Any, count: int, limits: tuple[float, float, int, int]) -> Any:
         nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
@@ -515,7 +515,7 @@ def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> Shape
 
 def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, ShapeLimits]:
     """Search among the finite points with normals, and limits with a maximum radius."""
-    points, normals = cloud._device_array("points"), cloud._required_array("normals", NORMALS)
+    points, normals = cloud.arrays["points"], cloud.arrays.required("normals", NORMALS)
     search = ShapeSearch(points, normals, usable_in_order(cloud.search_tree(), points, normals))
     largest = limits.largest or 2 * math.sqrt(3) * search.size
     return search, ShapeLimits(limits.distance, limits.cosine, limits.smallest, largest)

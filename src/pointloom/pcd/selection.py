@@ -71,6 +71,8 @@ class SupportsDLPack(Protocol):
 class Selection(PointArrays):
     """Methods of PointCloud that select, sample and concatenate points."""
 
+    _internal = ("select_mask", "select_rows")
+
     def __add__(self, other: Any) -> Self:
         if not isinstance(other, PointArrays):
             raise TypeError(_NO_SUM.format(type(other).__name__))
@@ -119,14 +121,14 @@ class Selection(PointArrays):
         unit = common_unit("clouds", (part.unit for part in parts))
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
-        arrays = {"points": concatenate_points([part._device_array("points") for part in parts], shifts)}
-        for name in parts[0]._device_arrays:
+        arrays = {"points": concatenate_points([part.arrays["points"] for part in parts], shifts)}
+        for name in parts[0].arrays:
             if name == "points" or not all(name in part for part in parts):
                 continue
             rows = [part.array(name) for part in parts]
             _check_alike(name, rows)
             arrays[name] = concatenate_rows(rows)
-        merged = cls._from_device_arrays(arrays, largest.origin, parts[0].array_library)
+        merged = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
         merged.unit = unit
         return merged
 
@@ -147,7 +149,7 @@ class Selection(PointArrays):
         """
         rgb = check_color("color", color)
         colors = full(len(self), vec3(*rgb.tolist()), vec3, self.device)
-        return self._with_arrays({**self._arrays, "colors": colors}, grid=self.grid)
+        return self.with_arrays({**self.arrays, "colors": colors}, grid=self.grid)
 
     @overload
     def __getitem__(self, key: str) -> NDArray[Any]: ...
@@ -174,7 +176,7 @@ class Selection(PointArrays):
                 rows = np.arange(*key.indices(len(self)), dtype=np.int32)
             except TypeError as error:
                 raise TypeError(f"cloud[...]: expected a slice of integers, got {shown(key)}") from error
-            return self._select_rows(upload(rows, int32, self.device))
+            return self.select_rows(upload(rows, int32, self.device))
         if isinstance(key, tuple) or key is None or key is Ellipsis:
             raise TypeError(f"cloud[...]: expected {KEYS}, got {shown(key)}; cloud.points[...] selects coordinates")
         chosen = take_numbers("cloud[...]", key, self.device) if is_on_gpu(key) else check_numeric("cloud[...]", key)
@@ -195,9 +197,9 @@ class Selection(PointArrays):
         what = {"of": f"cloud of {len(self)} points", "hint": "; for a mask see select_by_mask"}
         if is_on_gpu(indices):
             chosen = take_indices("indices", indices, self.device, len(self), **what)
-            return self._select_rows(other_rows(chosen, len(self)) if invert else chosen)
+            return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
         chosen = upload(check_indices("indices", indices, len(self), **what), int32, self.device)
-        return self._select_rows(other_rows(chosen, len(self)) if invert else chosen)
+        return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
 
     @returns_new
     def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> Self:
@@ -207,11 +209,11 @@ class Selection(PointArrays):
             ValueError: If the mask is not boolean or has another shape.
         """
         if is_on_gpu(mask):
-            return self._select_mask(take_mask("mask", mask, self.device, len(self)), invert)
+            return self.select_mask(take_mask("mask", mask, self.device, len(self)), invert)
         chosen = check_numeric("mask", mask)
         if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
-        return self._select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
+        return self.select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
 
     @returns_new
     def crop(
@@ -228,15 +230,15 @@ class Selection(PointArrays):
             >>> len(cloud.crop(loom.AxisAlignedBoundingBox([0.5] * 3, [2] * 3)))
             2
         """
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         if isinstance(bounding_box, BoundingBox):
-            mask = bounding_box.mask_points(points, self._origin)
+            mask = bounding_box.mask_points(points, self.arrays.origin)
         elif isinstance(bounding_box, SelectionPolygonVolume):
-            mask = mask_volume(bounding_box, points, self._origin)
+            mask = mask_volume(bounding_box, points, self.arrays.origin)
         else:
             remedy = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
             raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
-        cropped = self._select_mask(mask, invert)
+        cropped = self.select_mask(mask, invert)
         if len(self) and not len(cropped) and not invert and not isinstance(bounding_box, SelectionPolygonVolume):
             self._warn_of_box(bounding_box)
         return cropped
@@ -244,7 +246,7 @@ class Selection(PointArrays):
     @returns_new
     def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> Self:
         """Remove points with a NaN or infinite coordinate."""
-        return self._select_mask(mask_finite(self._arrays["points"], remove_nan, remove_infinite))
+        return self.select_mask(mask_finite(self.arrays["points"], remove_nan, remove_infinite))
 
     @returns_new
     def remove_duplicated_points(self) -> Self:
@@ -258,21 +260,21 @@ class Selection(PointArrays):
             >>> cloud.remove_duplicated_points()["row"].tolist()
             [0, 1]
         """
-        return self._select_rows(first_occurrences(self._arrays["points"]))
+        return self.select_rows(first_occurrences(self.arrays["points"]))
 
-    def _select_rows(self, rows: wp.array) -> Self:
+    def select_rows(self, rows: wp.array) -> Self:
         """`select_by_index` for an int32 device array, unchecked."""
-        return self._with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
+        return self.with_arrays({name: gather_rows(values, rows) for name, values in self.arrays.items()})
 
     def _warn_of_box(self, box: AxisAlignedBoundingBox | OrientedBoundingBox) -> None:
         """Warn if an empty box seems to use other coordinates than the cloud."""
-        low, high, finite = bound_points(self._arrays["points"])
+        low, high, finite = bound_points(self.arrays["points"])
         if finite:
-            cloud_bounds = low + self._origin, high + self._origin
+            cloud_bounds = low + self.arrays.origin, high + self.arrays.origin
             warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *cloud_bounds, finite, self.unit)
 
-    def _select_mask(self, mask: wp.array, invert: bool = False) -> Self:
-        return self._select_rows(positions_of(invert_mask(mask) if invert else mask))
+    def select_mask(self, mask: wp.array, invert: bool = False) -> Self:
+        return self.select_rows(positions_of(invert_mask(mask) if invert else mask))
 
     @returns_new
     def remove_statistical_outlier(
@@ -345,7 +347,7 @@ class Selection(PointArrays):
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)
-        return self._select_rows(rows), self._handed_out(rows)
+        return self.select_rows(rows), self.arrays.hand_out(rows)
 
     @returns_new
     def voxel_down_sample(self, voxel_size: float, reduction: str = "mean") -> Self:
@@ -378,11 +380,11 @@ class Selection(PointArrays):
             raise ValueError(f"reduction: expected 'mean' or 'nearest', got {shown(reduction)}")
         groups, _ = self._voxels(size, None)
         if groups.count <= WITHIN_ONE:
-            low, high, finite = bound_points(self._arrays["points"])
+            low, high, finite = bound_points(self.arrays["points"])
             outcome = "one point remains" if groups.count == 1 else f"{groups.count} points remain"
             warn_of_long("voxel_size", size, low, high, finite, self.unit, outcome)
         if reduction == "nearest":
-            return self._select_rows(nearest_to_means(self._arrays["points"], groups))
+            return self.select_rows(nearest_to_means(self.arrays["points"], groups))
         return self._means(groups)
 
     def voxel_down_sample_and_trace(
@@ -416,12 +418,12 @@ class Selection(PointArrays):
         cloud: Any = self._means(groups)
         if approximate_class:
             self._set_classes(cloud, groups)
-        octants, voxels = trace_voxels(self._arrays["points"], groups, corner, size)
+        octants, voxels = trace_voxels(self.arrays["points"], groups, corner, size)
         finite = int(download(groups.starts[groups.starts.size - 1 :])[0])  # sync
         indices, offsets, voxels = map(
-            self._handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
+            self.arrays.hand_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
         )
-        cubic_id = hand_out(octants, self._library, shape=(octants.size // 8, 8))
+        cubic_id = hand_out(octants, self.arrays.library, shape=(octants.size // 8, 8))
         return VoxelTrace(cloud, cubic_id, voxels, indices, offsets)
 
     @returns_new
@@ -450,8 +452,8 @@ class Selection(PointArrays):
         size = check_positive("spacing", spacing)
         fixed = check_finite("corner", check_shape("corner", corner, (3,)))
         groups, low = self._voxels(size, fixed, ("spacing", "corner"))
-        rows = nearest_to_middles(self._arrays["points"], groups, low, size)
-        return self._select_rows(sort_rows(rows, len(self), are_distinct=True))
+        rows = nearest_to_middles(self.arrays["points"], groups, low, size)
+        return self.select_rows(sort_rows(rows, len(self), are_distinct=True))
 
     @returns_new
     def uniform_down_sample(self, every_k_points: int) -> Self:
@@ -466,7 +468,7 @@ class Selection(PointArrays):
             [0.0, 2.0, 4.0]
         """
         step = check_count("every_k_points", every_k_points)
-        return self._select_rows(step_rows(len(self), step, self.device))
+        return self.select_rows(step_rows(len(self), step, self.device))
 
     @returns_new
     def random_down_sample(self, sampling_ratio: float, seed: int = 0) -> Self:
@@ -491,7 +493,7 @@ class Selection(PointArrays):
         if ratio > 1:
             remedy = f"; {sampling_ratio:g} % is {sampling_ratio / 100:g}" if 1 < sampling_ratio <= 100 else ""
             raise ValueError(f"sampling_ratio: expected a fraction in 0..1, got {sampling_ratio!r}{remedy}")
-        return self._select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
+        return self.select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
     @returns_new
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> Self:
@@ -518,7 +520,7 @@ class Selection(PointArrays):
         if check_count("num_samples", num_samples, minimum=0) == len(self):
             return self.remove_non_finite_points()
         chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
-        return self._select_rows(sort_rows(chosen, len(self)))
+        return self.select_rows(sort_rows(chosen, len(self)))
 
     def farthest_point_indices(self, num_samples: int, start_index: int = 0) -> NDArray[np.int32]:
         """Indices of `farthest_point_down_sample` in order of choice: the first k are the choice of k.
@@ -530,7 +532,7 @@ class Selection(PointArrays):
             >>> loom.PointCloud([[0, 0, 0], [1, 0, 0], [5, 0, 0], [9, 0, 0]]).farthest_point_indices(3).tolist()
             [0, 3, 2]
         """
-        return hand_out_host(self._farthest(num_samples, start_index), self._library, self.device)
+        return hand_out_host(self._farthest(num_samples, start_index), self.arrays.library, self.device)
 
     def _farthest(self, num_samples: int, start_index: int) -> NDArray[np.int32]:
         count = check_count("num_samples", num_samples, minimum=0)
@@ -541,7 +543,7 @@ class Selection(PointArrays):
             return np.zeros(0, np.int32)
         if start >= len(self):
             raise IndexError(f"start_index: {start_index!r} is out of range for a cloud of {len(self)} points")
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         first = download(gather_rows(points, upload(np.array([start]), int32, self.device)))[0]  # sync
         if not np.isfinite(first).all():
             raise ValueError(
@@ -554,7 +556,7 @@ class Selection(PointArrays):
         self, size: float, min_bound: NDArray[np.float64] | None, names: tuple[str, str] = ("voxel_size", "min_bound")
     ) -> tuple[Any, NDArray[np.float64]]:
         """Group the finite points by voxel. Also returns the grid's corner relative to the origin."""
-        points = self._arrays["points"]
+        points = self.arrays["points"]
         low, high, finite = bound_points(points)
         low, high = (low.astype(np.float64), high.astype(np.float64)) if finite else (np.zeros(3), np.zeros(3))
         with np.errstate(over="ignore"):
@@ -562,7 +564,7 @@ class Selection(PointArrays):
                 corner = low - size / 2
                 first = np.zeros(3)
             else:
-                corner = min_bound - self._origin
+                corner = min_bound - self.arrays.origin
                 first = np.floor((low - corner) / size)
                 if not (np.abs(first) < CELL_LIMIT).all():
                     raise ValueError(f"{names[0]}: {size} gives more than 2^53 voxels between {names[1]} and the cloud")
@@ -571,10 +573,10 @@ class Selection(PointArrays):
 
     def _means(self, groups: Any) -> Self:
         if not groups.count:
-            return self._select_rows(upload(np.zeros(0, np.int32), int32, self.device))
+            return self.select_rows(upload(np.zeros(0, np.int32), int32, self.device))
         means: dict[str, wp.array] = {}
         rows = None
-        for name, values in self._arrays.items():
+        for name, values in self.arrays.items():
             if name in VECTORS:
                 means[name] = average_vec3(values, groups.order, groups.starts)
             elif np.dtype(wp.dtype_to_numpy(values.dtype)).kind == "f":
@@ -582,7 +584,7 @@ class Selection(PointArrays):
             else:
                 rows = first_rows(groups.order, groups.starts) if rows is None else rows
                 means[name] = gather_rows(values, rows)
-        return self._with_arrays(means)
+        return self.with_arrays(means)
 
     def _average(self, values: wp.array, groups: Any) -> wp.array:
         shape = values.shape
@@ -592,12 +594,12 @@ class Selection(PointArrays):
 
     def _set_classes(self, cloud: Self, groups: Any) -> None:
         """Set the most common colors and classes of the voxels in a cloud of means."""
-        for name, values in self._arrays.items():
+        for name, values in self.arrays.items():
             is_integer = (
                 values.dtype != vec3 and values.ndim == 1 and np.dtype(wp.dtype_to_numpy(values.dtype)).kind in "iub"
             )
             if name == "colors" or is_integer:
-                cloud._arrays[name] = gather_rows(values, commonest_rows(values, groups))
+                cloud.arrays[name] = gather_rows(values, commonest_rows(values, groups))
 
 
 def _check_alike(name: str, rows: Sequence[Any]) -> None:

@@ -146,7 +146,7 @@ class _Sides:
         numbers[list(planes)] = np.arange(len(planes))
         centers = np.array([plane.center - cloud.origin for plane in planes.values()])
         normals = np.array([plane.axis for plane in planes.values()])
-        points = cloud._device_array("points")
+        points = cloud.arrays["points"]
         self._low, self._high = heights_across(points, numbers[detected.labels], centers, normals, gap / STEPS)
 
     def side(self, plane: int, other: int) -> int:
@@ -207,7 +207,7 @@ def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.floa
 
 def _box_of(cloud: PointCloud, detected: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
     """Box of a group of faces. Open ends come from the extent of the points."""
-    axes, points = _axes_of(planes, group), cloud._device_array("points")
+    axes, points = _axes_of(planes, group), cloud.arrays["points"]
     labels, every = upload(detected.labels, int32, points.device), positions(len(cloud), points.device)
     reference = planes[next(iter(group))].center
     extents = {

@@ -155,7 +155,7 @@ def detect_shapes(
             rounds.remove(candidate, len(shapes) - 1)
             report_progress("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
         undecided = rounds.undecided() if len(shapes) < largest else ()
-    return DetectedShapes(cloud._handed_out(labels), shapes, cloud._handed_out(distances), undecided)
+    return DetectedShapes(cloud.arrays.hand_out(labels), shapes, cloud.arrays.hand_out(distances), undecided)
 
 
 class _Rounds:

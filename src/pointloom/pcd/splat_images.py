@@ -43,18 +43,10 @@ class SplatImage:
 
 
 def columns_of(splats: RasterizationMixin) -> SplatColumns:
-    column = splats.cloud._device_array
-    rest = column("f_rest") if splats.degree else None
-    return SplatColumns(
-        column("points"),
-        column("opacity"),
-        column("scale"),
-        column("rot"),
-        column("f_dc"),
-        rest,
-        sizes_of(splats.degree),
-        splats.degree,
-    )
+    arrays, degree = splats.cloud.arrays, splats.degree
+    points, opacity, scale, rotation, color = (arrays[n] for n in ("points", "opacity", "scale", "rot", "f_dc"))
+    rest = arrays["f_rest"] if degree else None
+    return SplatColumns(points, opacity, scale, rotation, color, rest, sizes_of(degree), degree)
 
 
 def list_splats(

@@ -121,13 +121,13 @@ class GaussianSplats(Movable, RasterizationMixin):
         """
         check_cloud("cloud", cloud)
         for name, width in (("f_dc", 3), ("opacity", 0), ("scale", 3), ("rot", 4)):
-            shape = cloud._required_array(name, f"splats require {', '.join(NAMES)}").shape
+            shape = cloud.arrays.required(name, f"splats require {', '.join(NAMES)}").shape
             if shape[1:] != ((width,) if width else ()):
                 raise ValueError(f"cloud: expected {name} of shape {['n', width] if width else ['n']}, got {shape}")
         splats = object.__new__(cls)
         splats._cloud = cloud
         if "f_rest" in cloud:
-            shape = cloud._device_array("f_rest").shape
+            shape = cloud.arrays["f_rest"].shape
             if len(shape) != 2 or shape[1] % 3 or degree_of(shape[1] // 3 + 1) is None:
                 raise ValueError(f"cloud: expected f_rest of 9, 24, 45 or 72 columns, got {list(shape)}")
         return splats
@@ -151,7 +151,7 @@ class GaussianSplats(Movable, RasterizationMixin):
     @property
     def degree(self) -> int:
         """Degree of the harmonics, 0 to 4."""
-        count = self._cloud._device_array("f_rest").shape[1] // 3 + 1 if "f_rest" in self._cloud else 1
+        count = self._cloud.arrays["f_rest"].shape[1] // 3 + 1 if "f_rest" in self._cloud else 1
         return math.isqrt(count) - 1
 
     @property
@@ -246,8 +246,8 @@ class GaussianSplats(Movable, RasterizationMixin):
         log_largest = (
             math.log(check_positive("max_scale", max_scale)) if max_scale is not None else float(np.finfo("f4").max)
         )
-        points, opacity = self._cloud._device_array("points"), self._cloud._device_array("opacity")
-        scale, rot = self._cloud._device_array("scale"), self._cloud._device_array("rot")
+        points, opacity = self._cloud.arrays["points"], self._cloud.arrays["opacity"]
+        scale, rot = self._cloud.arrays["scale"], self._cloud.arrays["rot"]
         mask = mask_splats(
             points,
             opacity,
@@ -257,7 +257,7 @@ class GaussianSplats(Movable, RasterizationMixin):
             math.log(smallest) if smallest else -math.inf,
             log_largest,
         )
-        return self._over(self._cloud._select_rows(positions_of(mask)))
+        return self._over(self._cloud.select_rows(positions_of(mask)))
 
     @classmethod
     def concatenate(cls, splats: Iterable[GaussianSplats]) -> Self:
@@ -314,7 +314,7 @@ class GaussianSplats(Movable, RasterizationMixin):
 
         R, factor = similarity_of(name, T)
         moved = self._cloud.transform(T)
-        arrays = moved._device_arrays
+        arrays = dict(moved.arrays)
         q = np.roll(Rotation.from_matrix(R).as_quat(), 1)
         if not np.array_equal(R, np.eye(3)):
             arrays["rot"] = rotate_quaternions(arrays["rot"], q)
@@ -322,7 +322,7 @@ class GaussianSplats(Movable, RasterizationMixin):
                 arrays["f_rest"] = rotate_harmonics(
                     arrays["f_rest"], rotation_of_harmonics(R, self.degree), self.degree
                 )
-        cloud = moved._with_arrays(arrays)
+        cloud = moved.with_arrays(arrays)
         if factor != 1:
             cloud["scale"] = (cloud["scale"].astype(np.float64) + math.log(factor)).astype(np.float32)
         return self._over(cloud)

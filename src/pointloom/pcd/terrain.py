@@ -205,7 +205,7 @@ def rasterize(
     start = check_finite("corner", check_shape("corner", corner, (2,)))
     box = None if bounds is None else check_box(bounds)
     check_lengths(cloud)
-    points = cloud._device_array("points")
+    points = cloud.arrays["points"]
     window = window_of(points, start - cloud.origin[:2], side, box, cloud.origin)
     surface = ground = None
     if kind in ("dtm", "chm"):
@@ -257,9 +257,9 @@ def height_above_ground(
     start = check_finite("corner", check_shape("corner", corner, (2,)))
     class_numbers = check_classes(classes)
     check_lengths(cloud)
-    points = cloud._device_array("points")
+    points = cloud.arrays["points"]
     ground = chosen_points(cloud, GROUND if class_numbers is None else class_numbers, is_ground=True)
-    return cloud._handed_out(
+    return cloud.arrays.hand_out(
         cast(heights_above_ground(points, ground, start - cloud.origin[:2], side, far, count), float32)
     )
 

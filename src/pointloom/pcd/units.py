@@ -69,7 +69,7 @@ class InUnit:
                 f"unit: cannot convert {self._unit} to {new_unit}, as degrees are not lengths. Use project_to_utm"
             )
         result = self._enlarged(self._unit.meters / new_unit.meters)
-        result._unit = new_unit
+        result.unit = new_unit
         return result
 
     def _enlarged(self, factor: float) -> Self:

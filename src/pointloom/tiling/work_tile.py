@@ -166,13 +166,13 @@ def _sight_of(plan: Plan, index: tuple[int, int], part: Part, halo: float) -> Si
 
 def _adopt_tree(plan: Plan, part: Part) -> None:
     """Build a cloud's search tree on the global curve."""
-    points = part.cloud._device_array("points")
+    points = part.cloud.arrays["points"]
     low, high = ((np.array(plan.data[end]) - plan.origin).astype(np.float32) for end in ("low", "high"))
     levels = plan.data["levels"]
     if levels > levels_for(points.size):
         raise ValueError(f"size: {points.size:,} points in a tile and its halo are too many. Plan smaller tiles")
-    if part.cloud._known_search_tree is None:
-        part.cloud._adopt_search_tree(PointTree(points, HilbertCurve(low, high, levels)))
+    if part.cloud.arrays.tree.known is None:
+        part.cloud.arrays.tree.adopt(PointTree(points, HilbertCurve(low, high, levels)))
 
 
 def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, radius: float, window: Any) -> None:

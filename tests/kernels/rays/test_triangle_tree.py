@@ -64,7 +64,7 @@ def test_triangles_that_are_not_finite_are_left_out(device):
 
 
 def ordered(mesh):
-    vertices = mesh._device_arrays["vertices"]
+    vertices = mesh.arrays["vertices"]
     return order_by_splits(vertices, positions(vertices.size, vertices.device), 8)
 
 

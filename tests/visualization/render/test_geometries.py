@@ -111,10 +111,10 @@ def test_errors_state_the_given_value_and_a_remedy():
 def test_arrays_of_clouds_and_meshes_are_shared(device):
     cloud = loom.PointCloud(CUBE, colors=CUBE, device=device)
     mesh = loom.TriangleMesh.create_box(1, 1, 1).to(device)
-    assert parts_of(cloud)[0].positions.ptr == cloud._arrays["points"].ptr
-    assert parts_of(cloud)[0].colors.ptr == cloud._arrays["colors"].ptr
+    assert parts_of(cloud)[0].positions.ptr == cloud.arrays["points"].ptr
+    assert parts_of(cloud)[0].colors.ptr == cloud.arrays["colors"].ptr
     [part] = parts_of(mesh)
-    assert (part.positions.ptr, part.indices.ptr) == (mesh._arrays["vertices"].ptr, mesh._arrays["triangles"].ptr)
+    assert (part.positions.ptr, part.indices.ptr) == (mesh.arrays["vertices"].ptr, mesh.arrays["triangles"].ptr)
 
 
 def test_names_are_as_given_or_made_unique_by_numbers():

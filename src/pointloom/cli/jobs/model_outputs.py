@@ -39,7 +39,7 @@ class ModelOutputs:
         """Write a mesh and its image from the side of the cameras. Returns the file names."""
         written = mesh
         if Path(self.mesh).suffix.lower() == ".stl":
-            written = TriangleMesh._from_device_arrays(
+            written = TriangleMesh.from_device_arrays(
                 mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin
             )
         write_triangle_mesh(self.mesh, written, overwrite=overwrite)

@@ -305,7 +305,7 @@ def write_point_cloud(
 
 def table_of(cloud: PointCloud) -> PointTable:
     return PointTable(
-        points=cloud.points if cloud.origin.any() else download(cloud._device_array("points")),
+        points=cloud.points if cloud.origin.any() else download(cloud.arrays["points"]),
         normals=cloud.normals if cloud.has_normals else None,
         colors=cloud.colors if cloud.has_colors else None,
         attributes=dict(cloud.attributes),

@@ -208,8 +208,8 @@ def _paint(
     pixels = finish_texels(texels, PADDING)
     steps = drawn_steps(seam_samples, pixels)
     image = download(pixels).reshape(side, side, 3)  # sync
-    without = mesh._with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)
-    textured = without._with_arrays(triangle_uvs=uvs)
+    without = mesh.with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)
+    textured = without.with_arrays(triangle_uvs=uvs)
     textured.textures = (image.copy(),)
     drew = bool(blind and colors is not None and packing.cells.side)
     return _Painted(textured, packing, charts.count, steps, drew)

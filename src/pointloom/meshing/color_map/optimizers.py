@@ -211,7 +211,7 @@ def _conclude(
     sums, error, iterations, poses, is_seen = downloaded
     count = max(float(sums[:, COUNT].sum()), 1.0)
     return ColorMapResult(
-        mesh._with_arrays(vertex_colors=colors),
+        mesh.with_arrays(vertex_colors=colors),
         Trajectory(_world_poses(mesh, images, given, poses), given.timestamps, given.ids),
         is_seen.astype(bool),
         search.sightings.counts.copy(),
@@ -230,7 +230,7 @@ def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_
     if not neighbor_count or not known.size or not rows.size:
         return
     vertices = mesh.array("vertices")
-    known_points = PointCloud._from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
+    known_points = PointCloud.from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
     nearest = min(neighbor_count, known.size)
     neighbors, _, _ = search_nearest(known_points.search_tree(), gather_rows(vertices, rows), nearest)
     fill_colors(colors, rows, neighbors, known)

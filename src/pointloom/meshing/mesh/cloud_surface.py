@@ -231,8 +231,8 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh) -> tuple[PointsOff, Suppor
         return PointsOff(), Support()
     host, search = points.points, NearestNeighborSearch(points)
     probes = PointCloud(host[:: max(1, len(host) // POINT_SAMPLES)], device=points.device)
-    tree = TriangleTree(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"])
-    distances = download(distances_to(points_about(probes._device_arrays["points"], probes.origin, mesh.origin), tree))
+    tree = TriangleTree(mesh.arrays["vertices"], mesh.arrays["triangles"])
+    distances = download(distances_to(points_about(probes.arrays["points"], probes.origin, mesh.origin), tree))
     size = math.dist(points.get_min_bound(), points.get_max_bound())
     near = NEAR * size
     samples = mesh.sample_points_uniformly(SUPPORT_SAMPLES, use_triangle_normal=True)

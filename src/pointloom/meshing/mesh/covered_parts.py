@@ -86,7 +86,7 @@ def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copi
     solid = parts.closed & (parts.sides > 0)
     if not (parts.closed & (parts.sides < 0)).any():
         return solid
-    arrays = mesh._device_arrays
+    arrays = mesh.arrays
     all_parts = Parts(parts.labels, parts.closed, _all_sides(mesh, parts))
     enclosing = find_enclosing(arrays["vertices"], arrays["triangles"], all_parts)
     is_two_sided = len(copies.rows) == len(parts.labels)

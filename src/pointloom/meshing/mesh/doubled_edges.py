@@ -23,12 +23,12 @@ def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:
     """Add a midpoint to edges that repeat another edge's vertices in sheets. Such a surface touches itself along an
     edge but is connected around both ends, so splitting vertices does not separate it. New vertices and triangles are
     appended. `twins` are the paired half-edges or -1, int32 (3 t,)."""
-    count = mesh._device_arrays["vertices"].size
-    half_edges = find_doubled_edges(mesh._device_arrays["triangles"], count, twins)  # sync
+    count = mesh.arrays["vertices"].size
+    half_edges = find_doubled_edges(mesh.arrays["triangles"], count, twins)  # sync
     if not half_edges.size:
         return mesh
     doubled, others = download(half_edges), download(gather_rows(twins, half_edges))  # sync
-    triangles = download(mesh._device_arrays["triangles"]).reshape(-1, 3)  # sync
+    triangles = download(mesh.arrays["triangles"]).reshape(-1, 3)  # sync
     pairs = np.where(others >= 0, np.minimum(doubled, others), doubled)
     split_half_edges, middles = np.unique(pairs, return_inverse=True)
     ends = np.column_stack(
@@ -66,7 +66,7 @@ def _with_pieces(
     device, count = mesh.device, len(mesh)
     lower, upper = (upload(np.ascontiguousarray(ends[:, k]), int32, device) for k in (0, 1))
     arrays: dict[str, Any] = {}
-    for name, values in mesh._per_vertex().items():
+    for name, values in mesh.arrays.per_vertex().items():
         current, one, other = (
             download(part) for part in (values, gather_rows(values, lower), gather_rows(values, upper))
         )
@@ -80,13 +80,13 @@ def _with_pieces(
     old = mesh.array("vertices").size
     numbers = upload(np.arange(old, old + len(ends), dtype=np.int32), int32, device)
     middles = with_vertices_on_edges(old, numbers, lower, upper, full(len(ends), 0.5, float64, device))
-    arrays["vertex_attributes"] = each(mesh._attributes["vertex_attributes"], middles.of)
+    arrays["vertex_attributes"] = each(mesh.arrays.attributes["vertex_attributes"], middles.of)
     piece_rows = [[row] + [-1] * (len(piece) - 1) for row, piece in zip(rows.tolist(), pieces, strict=True)]
     flat = np.concatenate(piece_rows)
     flat[flat < 0] = count + np.arange((flat < 0).sum())
     source = np.append(np.arange(count), np.empty(len(flat) - len(rows), np.int64)).astype(np.int32)
     source[flat] = np.repeat(rows, [len(piece) for piece in pieces])
-    arrays |= mesh._triangles_at(upload(source, int32, device))
+    arrays |= mesh.arrays.triangles_at(upload(source, int32, device))
     triangles = download(arrays["triangles"]).reshape(-1, 3).copy()
     triangles[flat] = np.concatenate([np.array(piece) for piece in pieces])
     arrays["triangles"] = upload(triangles, vec3i, device)
@@ -94,4 +94,4 @@ def _with_pieces(
         uvs = download(arrays["triangle_uvs"]).reshape(-1, 3, 2).copy()
         uvs[flat] = np.einsum("nkj,njc->nkc", np.concatenate([np.array(w) for w in weights]), uvs[flat])
         arrays["triangle_uvs"] = upload(uvs.reshape(-1, 2).astype(np.float32), vec2, device)
-    return mesh._with_arrays(**arrays)
+    return mesh.with_arrays(**arrays)

@@ -18,7 +18,7 @@ REMEDY = "repair() removes such triangles"
 
 def find_wrong_corner(mesh: MeshArrays) -> str | None:
     """First triangle with a corner that is not finite, as a clause. None if there is none."""
-    vertices, triangles = mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]
+    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
     if vertices.device.is_cpu and np.isfinite(download(vertices)).all():
         return None
     rows = positions_of(mask_not_finite(vertices, triangles))  # sync

@@ -20,7 +20,7 @@ from .mesh_primitives import MeshPrimitives
 from .mesh_reconstruction import MeshReconstruction
 from .mesh_remeshing import MeshRemeshing
 from .mesh_repair import MeshRepair
-from .mesh_rows import ATTRIBUTES
+from .mesh_store import MeshStore
 from .mesh_texture import MeshTexture
 
 
@@ -73,30 +73,26 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         arrays: str | None = None,
     ):
         _refuse_path(vertices)
-        self._library = library_for(arrays, vertices)
+        library = library_for(arrays, vertices)
         anchor = None if origin is None else check_shape("origin", origin, (3,))
         if is_on_gpu(vertices):
-            local, self._origin = take_points("vertices", vertices, anchor)
-            self._device = local.device
-            self._arrays = {"vertices": local, "triangles": take_corners(triangles, local.device, local.size)}
+            local, start = take_points("vertices", vertices, anchor)
+            corners = take_corners(triangles, local.device, local.size)
         else:
             positions = check_rows("vertices", vertices, 3)
             if len(positions) >= 2**31:
                 raise ValueError(f"vertices: {len(positions)} vertices exceed the range of 32-bit triangle indices")
             table = MeshTable(positions, triangles).checked()
-            local, self._origin = split_origin(table.vertices, anchor)
+            rows, start = split_origin(table.vertices, anchor)
             if anchor is None:
-                warn_if_coarse("vertices", positions, self._origin)
-            self._device = resolve_device(device)
-            is_copied = library_of(vertices) == NUMPY
-            self._arrays = {
-                "vertices": upload(local, vec3, self._device, copied=is_copied),
-                "triangles": upload(table.triangles, vec3i, self._device, copied=is_copied),
-            }
+                warn_if_coarse("vertices", positions, start)
+            where, is_copied = resolve_device(device), library_of(vertices) == NUMPY
+            local = upload(rows, vec3, where, copied=is_copied)
+            corners = upload(table.triangles, vec3i, where, copied=is_copied)
+        vars(self)["arrays"] = MeshStore({"vertices": local, "triangles": corners}, start, library)
         for name, values in (("vertex_normals", vertex_normals), ("vertex_colors", vertex_colors)):
             if values is not None:
                 self._assign(name, values)
-        self._textures, self._attributes = (), {name: {} for name in ATTRIBUTES}
         assign_all(self.vertex_attributes, vertex_attributes)
         assign_all(self.triangle_attributes, triangle_attributes)
         if triangle_uvs is not None:
@@ -104,9 +100,8 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         if triangle_material_ids is not None:
             self.triangle_material_ids = triangle_material_ids
         self.textures = textures
-        if device is not None and resolve_device(device) != self._device:  # arrays were on a GPU
-            moved = self.to(resolve_device(device))
-            self._device, self._arrays, self._attributes = moved._device, moved._arrays, moved._attributes
+        if device is not None and resolve_device(device) != self.device:  # arrays were on a GPU
+            vars(self)["arrays"] = self.to(resolve_device(device)).arrays
 
 
 def _refuse_path(vertices: Any) -> None:

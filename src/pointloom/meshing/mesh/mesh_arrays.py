@@ -8,9 +8,9 @@ from typing import Any, Self
 
 import numpy as np
 import warp as wp
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ...core.array_libraries import NUMPY, check_library, hand_out, library_of, owned
+from ...core.array_libraries import NUMPY, check_library, library_of, owned
 from ...core.attribute_hints import KnownNames
 from ...core.callable_bool import CallableBool
 from ...core.checks import (
@@ -39,19 +39,19 @@ from ...io.table import MeshTable
 from ...kernels.algebra.transform import transform_directions, transform_points
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_points, concatenate_rows
-from ...kernels.arrays.select import gather_rows
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.linear_algebra import det, inv, matmul
 from ...kernels.memory import clone, download, full, move, upload, zeros
 from ...kernels.meshes import mesh_edits
-from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles, raise_numbers, shift_triangles
+from ...kernels.meshes.mesh_edits import raise_numbers, shift_triangles
 from ...pcd.motion import Movable
 from ...pcd.point_arrays import PointArrays, read_only
 from ...pcd.units import InUnit, unit_under
 from .finite_corners import check_finite_corners
-from .mesh_attributes import MeshAttributes, each, listed, rows_of
+from .mesh_attributes import MeshAttributes, each, listed
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
+from .mesh_store import MeshStore
 
 MAX_INT32 = 2**31 - 1  # 32-bit indices
 
@@ -59,29 +59,24 @@ MAX_INT32 = 2**31 - 1  # 32-bit indices
 class MeshArrays(InUnit, KnownNames, Movable):
     """Vertices, triangles and attributes of a mesh, validated on assignment. Base of TriangleMesh."""
 
-    _arrays: dict[str, wp.array]
-    _textures: tuple[NDArray[np.uint8], ...]
-    _up: Direction | None = None
-    _device: Any
-    _origin: NDArray[np.float64]
-    _attributes: dict[str, dict[str, wp.array]]  # keys are those of ATTRIBUTES
-    _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
+    arrays: MeshStore  # device arrays for the modules of this package
+    _internal = ("arrays", "from_device_arrays", "with_arrays")
 
     def __len__(self) -> int:
-        return self._arrays["triangles"].size
+        return self.arrays["triangles"].size
 
     def _repr_html_(self) -> str:
-        arrays = [*self._arrays.items()]
+        arrays = [*self.arrays.items()]
         arrays += [
-            (f"{kind}[{name!r}]", column) for kind, of in self._attributes.items() for name, column in of.items()
+            (f"{kind}[{name!r}]", column) for kind, of in self.arrays.attributes.items() for name, column in of.items()
         ]
-        arrays += [(f"textures[{number}]", image) for number, image in enumerate(self._textures)]
+        arrays += [(f"textures[{number}]", image) for number, image in enumerate(self.arrays.textures)]
         return html_table(repr(self), ((name, array_type(values)) for name, values in arrays))
 
     @property
     def has_vertices(self) -> CallableBool:
         """True if there are vertices. Also callable."""
-        return CallableBool(self._arrays["vertices"].size)
+        return CallableBool(self.arrays["vertices"].size)
 
     @property
     def has_triangles(self) -> CallableBool:
@@ -91,27 +86,27 @@ class MeshArrays(InUnit, KnownNames, Movable):
     @property
     def has_vertex_normals(self) -> CallableBool:
         """True if there are vertex normals. Also callable."""
-        return CallableBool("vertex_normals" in self._arrays)
+        return CallableBool("vertex_normals" in self.arrays)
 
     @property
     def has_vertex_colors(self) -> CallableBool:
         """True if there are vertex colors. Also callable."""
-        return CallableBool("vertex_colors" in self._arrays)
+        return CallableBool("vertex_colors" in self.arrays)
 
     @property
     def has_triangle_uvs(self) -> CallableBool:
         """True if there are texture coordinates. Also callable."""
-        return CallableBool("triangle_uvs" in self._arrays)
+        return CallableBool("triangle_uvs" in self.arrays)
 
     @property
     def has_textures(self) -> CallableBool:
         """True if there are texture images. Also callable."""
-        return CallableBool(len(self._textures))
+        return CallableBool(len(self.arrays.textures))
 
     @property
     def is_empty(self) -> CallableBool:
         """True if there are no vertices. Also callable."""
-        return CallableBool(self._arrays["vertices"].size == 0)
+        return CallableBool(self.arrays["vertices"].size == 0)
 
     @property
     def up(self) -> Direction | None:
@@ -129,14 +124,14 @@ class MeshArrays(InUnit, KnownNames, Movable):
             >>> mesh.rotate(np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), (0, 0, 0)).up
             (0.0, 0.0, 1.0)
         """
-        return self._up
+        return self.arrays.up
 
     @up.setter
     def up(self, value: Any) -> None:
-        self._up = None if value is None else check_up(value)
+        self.arrays.up = None if value is None else check_up(value)
 
     @classmethod
-    def _from_device_arrays(
+    def from_device_arrays(
         cls,
         vertices: wp.array,
         triangles: wp.array,
@@ -175,79 +170,46 @@ class MeshArrays(InUnit, KnownNames, Movable):
         }
         for kind, of in ATTRIBUTES.items():
             check_attributes(attributes[kind], counts[of], vertices.device)
+        start = np.zeros(3) if origin is None else np.array(origin, np.float64)
         mesh = cls.__new__(cls)
-        mesh._device, mesh._arrays, mesh._textures = vertices.device, arrays, tuple(textures)
-        mesh._attributes = attributes
-        mesh._origin = np.zeros(3) if origin is None else np.array(origin, np.float64)
-        mesh._library = library
+        vars(mesh)["arrays"] = MeshStore(arrays, start, library, attributes=attributes, textures=tuple(textures))
         return mesh
 
-    def _with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
+    def with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
         """Copy with some device arrays replaced, or dropped if None. New triangles need their data from
-        `_triangles_at`, new vertices `vertex_attributes` from `attributes_at`. Other attributes whose row count no
-        longer matches are dropped with a warning."""
-        merged = self._arrays | self._attributes | arrays
+        `MeshStore.triangles_at`, new vertices those from `MeshStore.attributes_at`. Other attributes whose row count
+        no longer matches are dropped with a warning."""
+        merged = self.arrays | self.arrays.attributes | arrays
         remaining: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
         for kind, of in ATTRIBUTES.items():
-            if self._attributes[kind] and kind not in arrays and remaining[of].size != self._arrays[of].size:
+            if self.arrays.attributes[kind] and kind not in arrays and remaining[of].size != self.arrays[of].size:
                 warnings.warn(f"{kind} {listed(remaining.pop(kind))}: dropped, because the {of} changed", stacklevel=3)
-        new_origin = self._origin if origin is None else origin
-        textures = () if "triangle_uvs" in self._arrays and "triangle_uvs" not in remaining else self._textures
-        mesh = self._from_device_arrays(**remaining, textures=textures, origin=new_origin, library=self._library)
-        mesh._unit, mesh._up = self._unit, self._up
+        new_origin = self.arrays.origin if origin is None else origin
+        textures = () if "triangle_uvs" in self.arrays and "triangle_uvs" not in remaining else self.arrays.textures
+        mesh = self.from_device_arrays(**remaining, textures=textures, origin=new_origin, library=self.arrays.library)
+        mesh.unit, mesh.arrays.up = self.unit, self.arrays.up
         return mesh
-
-    @property
-    def _device_arrays(self) -> dict[str, wp.array]:
-        return dict(self._arrays)
 
     @property
     def array_library(self) -> str:
         """Library of the arrays that operations return: that of the arrays the mesh was made from."""
-        return self._library
-
-    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to the mesh's array library. NumPy arrays share no memory of the CPU's device arrays."""
-        result = hand_out(array, self._library, dtype=dtype)
-        is_shared = self._library == NUMPY and array.device.is_cpu and not result.flags.owndata
-        return result.copy() if is_shared else result
-
-    def _per_vertex(self) -> dict[str, Any]:
-        return {name: values for name, values in self._arrays.items() if name in PER_VERTEX}
-
-    def _triangles_at(self, rows: wp.array) -> dict[str, Any]:
-        """Triangle data at rows, an int32 device array with repeats allowed."""
-        selected: dict[str, Any] = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
-        if "triangle_uvs" in self._arrays:
-            selected["triangle_uvs"] = gather_corners(self._arrays["triangle_uvs"], rows)
-        if "triangle_material_ids" in self._arrays:
-            selected["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], rows)
-        return selected | self._attributes_at("triangle_attributes", rows)
-
-    def _vertices_at(self, rows: wp.array) -> dict[str, Any]:
-        """Vertex data at rows, an int32 device array with repeats allowed."""
-        selected = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
-        return selected | self._attributes_at("vertex_attributes", rows)
-
-    def _attributes_at(self, kind: str, rows: wp.array) -> dict[str, Any]:
-        """Attributes of vertices or triangles at rows, as arguments of `_with_arrays`."""
-        return {kind: rows_of(self._attributes[kind], rows)}
+        return self.arrays.library
 
     def _assign(self, name: str, values: Any) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
             raise TypeError(f"{name}: expected an array, got a PointCloud. Pass one of its arrays")
-        count = self._arrays["vertices"].size
+        count = self.arrays["vertices"].size
         if is_on_gpu(values):
-            given = (take_colors if name == "vertex_colors" else take_vectors)(name, values, self._device)
+            given = (take_colors if name == "vertex_colors" else take_vectors)(name, values, self.device)
             shape = [given.size, 3]
         else:
             rows = check_rows(name, values, 3, dtype=None if name == "vertex_colors" else np.float32)
             rows = check_colors(name, rows) if name == "vertex_colors" else rows
             shape = list(rows.shape)
-            given = upload(rows, vec3, self._device, copied=library_of(values) == NUMPY)
+            given = upload(rows, vec3, self.device, copied=library_of(values) == NUMPY)
         if given.size != count:
             raise ValueError(f"{name}: expected shape [{count}, 3], one row per vertex, got {shape}")
-        self._arrays[name] = given
+        self.arrays[name] = given
 
     def _assign_uvs(self, values: Any) -> None:
         rows, count = check_rows("triangle_uvs", on_host("triangle_uvs", values), 2, dtype=np.float32), 3 * len(self)
@@ -255,7 +217,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             raise ValueError(
                 f"triangle_uvs: expected shape [{count}, 2], three rows per triangle, got {list(rows.shape)}"
             )
-        self._arrays["triangle_uvs"] = upload(rows, vec2, self._device)
+        self.arrays["triangle_uvs"] = upload(rows, vec2, self.device)
 
     def _assign_material_ids(self, values: Any) -> None:
         ids = check_numeric("triangle_material_ids", on_host("triangle_material_ids", values))
@@ -265,61 +227,61 @@ class MeshArrays(InUnit, KnownNames, Movable):
             raise ValueError(f"triangle_material_ids: expected shape [{len(self)}], got {list(ids.shape)}")
         if ids.size and (ids.min() < 0 or ids.max() >= 2**31):
             raise ValueError(f"triangle_material_ids: expected values >= 0, got {ids.min()}..{ids.max()}")
-        self._arrays["triangle_material_ids"] = upload(ids.astype(np.int32), int32, self._device)
+        self.arrays["triangle_material_ids"] = upload(ids.astype(np.int32), int32, self.device)
 
     def __repr__(self) -> str:
-        extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
-        extras += "".join(f", {kind}[{listed(columns)}]" for kind, columns in self._attributes.items() if columns)
-        sizes = f"{self._arrays['vertices'].size} vertices, {len(self)} triangles"
-        return f"{type(self).__name__}({sizes}{extras}, {self._device})"
+        extras = "".join(f", {name}" for name in self.arrays if name not in ("vertices", "triangles"))
+        extras += "".join(f", {kind}[{listed(columns)}]" for kind, columns in self.arrays.attributes.items() if columns)
+        sizes = f"{self.arrays['vertices'].size} vertices, {len(self)} triangles"
+        return f"{type(self).__name__}({sizes}{extras}, {self.device})"
 
     @property
     def device(self) -> Any:
         """Device of the arrays."""
-        return self._device
+        return self.arrays["vertices"].device
 
     @property
     def origin(self) -> NDArray[np.float64]:
         """Point that vertices are stored relative to [m], float64 (3,)."""
-        return read_only(self._origin.copy())
+        return read_only(self.arrays.origin.copy())
 
     @property
     def vertices(self) -> NDArray[np.float64]:
         """Positions [m], float64 copy (m, 3) with the origin added; assignable."""
-        return read_only(download(self._arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self._origin)
+        return read_only(download(self.arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self.arrays.origin)
 
     @vertices.setter
     def vertices(self, values: Any) -> None:
         kind: Any = type(self)
-        made = kind(values, device=self._device)
-        count = self._arrays["vertices"].size
-        per_vertex = [name for name in PER_VERTEX if name in self._arrays and name != "vertices"]
+        made = kind(values, device=self.device)
+        count = self.arrays["vertices"].size
+        per_vertex = [name for name in PER_VERTEX if name in self.arrays and name != "vertices"]
         if made.array("vertices").size != count and (per_vertex or len(self)):
             has = f"{count} vertices" + "".join(
-                f", {name}" for name in ("triangles", *per_vertex) if name in self._arrays
+                f", {name}" for name in ("triangles", *per_vertex) if name in self.arrays
             )
             raise ValueError(
                 f"vertices: expected shape [{count}, 3] as the mesh has {has}, got {list(made.vertices.shape)}; "
                 "TriangleMesh(vertices, triangles) creates another mesh"
             )
-        self._arrays["vertices"], self._origin = made._arrays["vertices"], made._origin
+        self.arrays["vertices"], self.arrays.origin = made.arrays["vertices"], made.arrays.origin
 
     @property
     def triangles(self) -> NDArray[np.int32]:
         """Vertex indices, int32 copy (t, 3); assignable. Texture coordinates or material ids fix the count."""
-        return read_only(owned(self._arrays["triangles"]).reshape(-1, 3))
+        return read_only(owned(self.arrays["triangles"]).reshape(-1, 3))
 
     @triangles.setter
     def triangles(self, values: Any) -> None:
         kind: Any = type(self)
-        made = kind(np.zeros((self._arrays["vertices"].size, 3)), values, device=self._device)
-        per_triangle = [name for name in TEXTURE if name in self._arrays]
+        made = kind(np.zeros((self.arrays["vertices"].size, 3)), values, device=self.device)
+        per_triangle = [name for name in TEXTURE if name in self.arrays]
         if per_triangle and len(made) != len(self):
             raise ValueError(
                 f"triangles: expected shape [{len(self)}, 3] as the mesh has {', '.join(per_triangle)}, "
                 f"got [{len(made)}, 3]; mesh.triangle_uvs = None drops them"
             )
-        self._arrays["triangles"] = made._arrays["triangles"]
+        self.arrays["triangles"] = made.arrays["triangles"]
 
     @property
     def vertex_normals(self) -> NDArray[np.float32] | None:
@@ -353,13 +315,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
             self._assign_uvs(values)
             return
         for name in TEXTURE:
-            self._arrays.pop(name, None)
-        self._textures = ()
+            self.arrays.pop(name, None)
+        self.arrays.textures = ()
 
     @property
     def triangle_material_ids(self) -> NDArray[np.int32] | None:
         """Index into `textures` per triangle, int32 copy (t,), or None if all use the first."""
-        ids = self._arrays.get("triangle_material_ids")
+        ids = self.arrays.get("triangle_material_ids")
         return None if ids is None else read_only(owned(ids))
 
     @triangle_material_ids.setter
@@ -369,11 +331,11 @@ class MeshArrays(InUnit, KnownNames, Movable):
     @property
     def textures(self) -> tuple[NDArray[np.uint8], ...]:
         """Texture images, uint8 (height, width, 3 or 4), top row first, on the host; assignable as a list."""
-        return self._textures
+        return self.arrays.textures
 
     @textures.setter
     def textures(self, values: Any) -> None:
-        self._textures = check_textures("textures", values)
+        self.arrays.textures = check_textures("textures", values)
 
     @property
     def vertex_attributes(self) -> MeshAttributes:
@@ -381,19 +343,19 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
         Operations keep them: floating values are interpolated at new vertices, others copied from the nearest.
         """
-        vertices = self._arrays["vertices"].size
+        vertices = self.arrays["vertices"].size
         return MeshAttributes(
-            self._attributes["vertex_attributes"], vertices, self._device, "vertex", tuple(PER_VERTEX)
+            self.arrays.attributes["vertex_attributes"], vertices, self.device, "vertex", tuple(PER_VERTEX)
         )
 
     @property
     def triangle_attributes(self) -> MeshAttributes:
         """Additional triangle values, shape (t,) or (t, c). Parts of a triangle inherit its values."""
         fields = tuple(PER_TRIANGLE)
-        return MeshAttributes(self._attributes["triangle_attributes"], len(self), self._device, "triangle", fields)
+        return MeshAttributes(self.arrays.attributes["triangle_attributes"], len(self), self.device, "triangle", fields)
 
     def _read(self, name: str, width: int = 3) -> NDArray[np.float32] | None:
-        return read_only(owned(self._arrays[name]).reshape(-1, width)) if name in self._arrays else None
+        return read_only(owned(self.arrays[name]).reshape(-1, width)) if name in self.arrays else None
 
     def array(self, name: str) -> wp.array:
         """Get a device array by name without a copy (DLPack, `__cuda_array_interface__`).
@@ -405,9 +367,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
         Raises:
             KeyError: If the mesh has no such array.
         """
-        if check_name("name", name) not in self._arrays:
-            raise KeyError(f"{escaped(name)}: expected one of the mesh's arrays: {', '.join(self._arrays)}")
-        return self._arrays[name]
+        if check_name("name", name) not in self.arrays:
+            raise KeyError(f"{escaped(name)}: expected one of the mesh's arrays: {', '.join(self.arrays)}")
+        return self.arrays[name]
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
@@ -422,23 +384,23 @@ class MeshArrays(InUnit, KnownNames, Movable):
             ValueError, ImportError: If the library is unknown or not installed.
         """
         target = resolve_device(device)
-        library = self._library if arrays is None else check_library("arrays", arrays)
-        if target == self._device and library == self._library:
+        library = self.arrays.library if arrays is None else check_library("arrays", arrays)
+        if target == self.device and library == self.arrays.library:
             return self
         mesh = self._with_each(lambda values: move(values, target))
-        mesh._library = library
+        mesh.arrays.library = library
         return mesh
 
     @returns_new
     def clear(self) -> Self:
         """Empty mesh on the same device: `mesh = mesh.clear()`."""
         kind: Any = type(self)
-        return kind(device=self._device)
+        return kind(device=self.device)
 
     @returns_new
     def copy(self) -> Self:
         """Copy that shares arrays. Assignments to one do not affect the other."""
-        return self._with_arrays()
+        return self.with_arrays()
 
     def __copy__(self) -> Self:
         return self.copy()
@@ -447,13 +409,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._with_each(clone)
 
     def _bare(self) -> Self:
-        return self._with_arrays(**dict.fromkeys(ATTRIBUTES))
+        return self.with_arrays(**dict.fromkeys(ATTRIBUTES))
 
     def _with_each(self, change: Callable[[wp.array], Any]) -> Self:
         """Apply a function to every array."""
-        changed: dict[str, Any] = each(self._arrays, change)
-        changed |= {kind: each(columns, change) for kind, columns in self._attributes.items()}
-        return self._with_arrays(**changed)
+        changed: dict[str, Any] = each(self.arrays, change)
+        changed |= {kind: each(columns, change) for kind, columns in self.arrays.attributes.items()}
+        return self.with_arrays(**changed)
 
     def __add__(self, other: Any) -> Self:
         if not isinstance(other, MeshArrays):
@@ -497,35 +459,35 @@ class MeshArrays(InUnit, KnownNames, Movable):
             if not isinstance(mesh, MeshArrays):
                 raise TypeError(f"meshes: expected TriangleMesh, got {type(mesh).__name__}")
             check_same_device("meshes", mesh.device, given[0].device)
-        parts = [mesh for mesh in given if mesh._arrays["vertices"].size] or given[:1]
+        parts = [mesh for mesh in given if mesh.arrays["vertices"].size] or given[:1]
         for name in ("vertices", "triangles"):
-            if sum(mesh._arrays[name].size for mesh in parts) > MAX_INT32:
+            if sum(mesh.arrays[name].size for mesh in parts) > MAX_INT32:
                 raise ValueError(f"meshes: expected at most 2^31 - 1 {name} in total. Split them into several meshes")
         return cls._joined(parts)
 
     @classmethod
     def _joined(cls, parts: list[MeshArrays]) -> Self:
-        origin = max(parts, key=lambda mesh: mesh._arrays["vertices"].size)._origin
-        shifts = [mesh._origin - origin for mesh in parts]
+        origin = max(parts, key=lambda mesh: mesh.arrays["vertices"].size).arrays.origin
+        shifts = [mesh.arrays.origin - origin for mesh in parts]
         arrays: dict[str, Any] = {
-            "vertices": concatenate_points([mesh._arrays["vertices"] for mesh in parts], shifts),
+            "vertices": concatenate_points([mesh.arrays["vertices"] for mesh in parts], shifts),
             "triangles": concatenate_rows(_numbered(parts)),
         }
         for name in ("vertex_normals", "vertex_colors"):
-            if all(name in mesh._arrays for mesh in parts):
-                arrays[name] = concatenate_rows([mesh._arrays[name] for mesh in parts])
+            if all(name in mesh.arrays for mesh in parts):
+                arrays[name] = concatenate_rows([mesh.arrays[name] for mesh in parts])
         for kind in ATTRIBUTES:
-            shared = [n for n in parts[0]._attributes[kind] if all(n in mesh._attributes[kind] for mesh in parts)]
-            arrays[kind] = {
-                name: _joined_columns(name, [mesh._attributes[kind][name] for mesh in parts]) for name in shared
-            }
-        return cls._from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=parts[0]._library)
+            columns = [mesh.arrays.attributes[kind] for mesh in parts]
+            shared = [name for name in columns[0] if all(name in of_part for of_part in columns)]
+            arrays[kind] = {name: _joined_columns(name, [of_part[name] for of_part in columns]) for name in shared}
+        library = parts[0].array_library
+        return cls.from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=library)
 
     def __getstate__(self) -> dict[str, Any]:
-        state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
-        attributes = {kind: pickled(columns) for kind, columns in self._attributes.items()}
-        state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
-        return state | {"unit": self._unit, "up": self._up}
+        state = {"arrays": pickled(self.arrays), "origin": self.arrays.origin, "device": str(self.device)}
+        attributes = {kind: pickled(columns) for kind, columns in self.arrays.attributes.items()}
+        state |= {"textures": self.arrays.textures, "library": self.arrays.library, "attributes": attributes}
+        return state | {"unit": self._unit, "up": self.arrays.up}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Restore on the saved device, or the first GPU if its index does not exist."""
@@ -536,7 +498,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             MeshTable(vertices, triangles, triangle_material_ids=ids).checked()
             arrays: dict[str, Any] = unpickled(given, device)
             arrays |= {kind: unpickled(state["attributes"][kind], device) for kind in ATTRIBUTES}
-            mesh = self._from_device_arrays(
+            mesh = self.from_device_arrays(
                 **arrays,
                 textures=check_textures("textures", state["textures"]),
                 origin=check_finite("origin", check_shape("origin", state["origin"], (3,))),
@@ -565,24 +527,24 @@ class MeshArrays(InUnit, KnownNames, Movable):
         A, determinant = T[:3, :3], float(det(T[:3, :3]))
         if determinant == 0:
             raise ValueError(f"{name}: expected an invertible matrix, got a singular one")
-        target = matmul(A, self._origin) + T[:3, 3]
-        low, high, finite = bound_points(self._arrays["vertices"])  # sync
+        target = matmul(A, self.arrays.origin) + T[:3, 3]
+        low, high, finite = bound_points(self.arrays["vertices"])  # sync
         low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
         origin = origin_under(name, A, target, low, high, target)
-        arrays: dict[str, Any] = {"vertices": transform_points(self._arrays["vertices"], A, target - origin)}
-        if "vertex_normals" in self._arrays and not np.array_equal(A, np.eye(3)):
-            arrays["vertex_normals"] = transform_directions(self._arrays["vertex_normals"], inv(A).T)
+        arrays: dict[str, Any] = {"vertices": transform_points(self.arrays["vertices"], A, target - origin)}
+        if "vertex_normals" in self.arrays and not np.array_equal(A, np.eye(3)):
+            arrays["vertex_normals"] = transform_directions(self.arrays["vertex_normals"], inv(A).T)
         if determinant < 0:
-            arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
-            if "triangle_uvs" in self._arrays:
-                arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
-        mesh = self._with_arrays(origin=origin, **arrays)
-        mesh._unit, mesh._up = unit_under(self._unit, A), transform_up_vector(self._up, A)
+            arrays["triangles"] = mesh_edits.flip_triangles(self.arrays["triangles"])
+            if "triangle_uvs" in self.arrays:
+                arrays["triangle_uvs"] = mesh_edits.flip_corners(self.arrays["triangle_uvs"])
+        mesh = self.with_arrays(origin=origin, **arrays)
+        mesh.unit, mesh.arrays.up = unit_under(self.unit, A), transform_up_vector(self.arrays.up, A)
         return mesh
 
     def _enlarged(self, factor: float) -> Self:
-        vertices = transform_points(self._arrays["vertices"], factor * np.eye(3), np.zeros(3))
-        return self._with_arrays(origin=self._origin * factor, vertices=vertices)
+        vertices = transform_points(self.arrays["vertices"], factor * np.eye(3), np.zeros(3))
+        return self.with_arrays(origin=self.arrays.origin * factor, vertices=vertices)
 
     def get_center(self) -> NDArray[np.float64]:
         """Mean of the finite vertices [m], shape (3,); zeros if there are none.
@@ -594,8 +556,8 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._finite_center()
 
     def _finite_center(self) -> NDArray[np.float64]:
-        count, mean, _ = mean_and_covariance(self._arrays["vertices"])
-        return mean + self._origin if count else np.zeros(3)
+        count, mean, _ = mean_and_covariance(self.arrays["vertices"])
+        return mean + self.arrays.origin if count else np.zeros(3)
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> Self:
@@ -613,8 +575,8 @@ class MeshArrays(InUnit, KnownNames, Movable):
             [1.0, 0.5, 0.0]
         """
         rgb = check_color("color", color)
-        colors = full(self._arrays["vertices"].size, vec3(*rgb.tolist()), vec3, self.device)
-        return self._with_arrays(vertex_colors=colors)
+        colors = full(self.arrays["vertices"].size, vec3(*rgb.tolist()), vec3, self.device)
+        return self.with_arrays(vertex_colors=colors)
 
 
 def check_mesh(name: str, mesh: Any) -> None:
@@ -626,9 +588,9 @@ def _numbered(parts: list[MeshArrays]) -> list[Any]:
     """Triangles of each mesh with vertex indices of the concatenation."""
     numbered, start = [], 0
     for mesh in parts:
-        triangles = mesh._arrays["triangles"]
+        triangles = mesh.arrays["triangles"]
         numbered.append(shift_triangles(triangles, start) if start else triangles)
-        start += mesh._arrays["vertices"].size
+        start += mesh.arrays["vertices"].size
     return numbered
 
 
@@ -649,21 +611,21 @@ def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
     """Concatenated texture data, as arguments of `_from_device_arrays`."""
     triangled = [mesh for mesh in parts if len(mesh)]
     names = ("triangle_uvs", "triangle_material_ids")
-    if any("triangle_uvs" in mesh._arrays for mesh in triangled):
-        kinds = {("triangle_uvs" in mesh._arrays, bool(mesh._textures)) for mesh in triangled}
+    if any("triangle_uvs" in mesh.arrays for mesh in triangled):
+        kinds = {("triangle_uvs" in mesh.arrays, bool(mesh.arrays.textures)) for mesh in triangled}
         if len(kinds) > 1:
             warnings.warn("textures: dropped, because not all meshes have them", stacklevel=4)
             return {}
-    joined: dict[str, Any] = {"textures": tuple(image for mesh in triangled for image in mesh._textures)}
-    if triangled and "triangle_uvs" in triangled[0]._arrays:
-        joined[names[0]] = concatenate_rows([mesh._arrays[names[0]] for mesh in triangled])
+    joined: dict[str, Any] = {"textures": tuple(image for mesh in triangled for image in mesh.arrays.textures)}
+    if triangled and "triangle_uvs" in triangled[0].arrays:
+        joined[names[0]] = concatenate_rows([mesh.arrays[names[0]] for mesh in triangled])
     has_images = bool(joined["textures"])
-    if (has_images and len(triangled) > 1) or (triangled and all(names[1] in mesh._arrays for mesh in triangled)):
+    if (has_images and len(triangled) > 1) or (triangled and all(names[1] in mesh.arrays for mesh in triangled)):
         ids, first = [], 0
         for mesh in triangled:
-            mesh_ids = mesh._arrays.get(names[1])
-            mesh_ids = zeros(len(mesh), int32, mesh._device) if mesh_ids is None else mesh_ids
+            mesh_ids = mesh.arrays.get(names[1])
+            mesh_ids = zeros(len(mesh), int32, mesh.device) if mesh_ids is None else mesh_ids
             ids.append(raise_numbers(mesh_ids, first) if first else mesh_ids)
-            first += len(mesh._textures)
+            first += len(mesh.arrays.textures)
         joined[names[1]] = concatenate_rows(ids)
     return joined

@@ -76,12 +76,12 @@ class MeshMeasures(MeshSelection):
         Returns unit normals of shape (m, 3): (0, 0, 1) at vertices without adjacent area (Open3D: zero), NaN at
         vertices that are not finite. Float64 sums in triangle order: bitwise reproducible.
         """
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        return self._with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
+        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
+        return self.with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
 
     def compute_triangle_normals(self) -> NDArray[np.float32]:
         """Unit normals of triangles, right-hand rule, (t, 3); (0, 0, 1) without area, NaN if a corner is not finite."""
-        return self._handed_out(mesh_measures.triangle_normals(self._arrays["vertices"], self._arrays["triangles"]))
+        return self.arrays.hand_out(mesh_measures.triangle_normals(self.arrays["vertices"], self.arrays["triangles"]))
 
     @property
     def triangle_normals(self) -> NDArray[np.float32]:
@@ -161,21 +161,22 @@ class MeshMeasures(MeshSelection):
 
     def _finite_area(self) -> float:
         """Area of the triangles with finite corners [m^2]."""
-        return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[0]
+        return mesh_measures.measure(self.arrays["vertices"], self.arrays["triangles"])[0]
 
     def _signed_volume(self) -> float:
-        return mesh_measures.measure(self._arrays["vertices"], self._arrays["triangles"])[1]
+        return mesh_measures.measure(self.arrays["vertices"], self.arrays["triangles"])[1]
 
     def edge_topology(self) -> Topology:
         """Count triangles per edge on the device; basis of `is_watertight` and related checks."""
-        return examine(self._arrays["triangles"], self._arrays["vertices"].size)
+        return examine(self.arrays["triangles"], self.arrays["vertices"].size)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """Smallest axis-aligned box of the finite vertices. At zero if there are none. Unpacks as `low, high = box`."""
-        low, high, count = bound_points(self._arrays["vertices"])
+        low, high, count = bound_points(self.arrays["vertices"])
         if not count:
             return AxisAlignedBoundingBox()
-        return AxisAlignedBoundingBox(low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin)
+        origin = self.arrays.origin
+        return AxisAlignedBoundingBox(low.astype(np.float64) + origin, high.astype(np.float64) + origin)
 
     def get_min_bound(self) -> NDArray[np.float64]:
         """Minimum coordinates of the finite vertices [m], shape (3,); zeros if there are none."""
@@ -233,8 +234,8 @@ class MeshMeasures(MeshSelection):
         """
         hull, indices = self._corner_cloud().compute_convex_hull(joggle_inputs)
         make: Any = type(self)  # TriangleMesh
-        mesh = make(hull.vertices, hull.triangles, device=self._device, origin=self._origin)
-        mesh._library = self._library
+        mesh = make(hull.vertices, hull.triangles, device=self.device, origin=self.arrays.origin)
+        mesh.arrays.library = self.arrays.library
         return mesh, indices
 
     @returns_new
@@ -247,9 +248,9 @@ class MeshMeasures(MeshSelection):
             >>> mesh.normalize_normals().vertex_normals.tolist() == np.eye(3).tolist()
             True
         """
-        if "vertex_normals" not in self._arrays:
+        if "vertex_normals" not in self.arrays:
             return self.copy()
-        return self._with_arrays(vertex_normals=normalize_vectors(self._arrays["vertex_normals"]))
+        return self.with_arrays(vertex_normals=normalize_vectors(self.arrays["vertex_normals"]))
 
     @returns_new
     def select_faces_by_mask(self, mask: ArrayLike) -> Self:
@@ -272,7 +273,8 @@ class MeshMeasures(MeshSelection):
 
     def _corner_cloud(self) -> PointCloud:
         """Vertices as a cloud that shares memory."""
-        return PointCloud._from_device_arrays({"points": self._arrays["vertices"]}, self._origin, self._library)
+        own = self.arrays
+        return PointCloud.from_device_arrays({"points": own["vertices"]}, own.origin, own.library)
 
     @explain_argument_errors
     def sample_points_uniformly(
@@ -363,7 +365,7 @@ class MeshMeasures(MeshSelection):
         return _spread(start, count, surface.area, name, advice)
 
     def _surface(self, operation: str) -> SurfaceSamples:
-        surface = SurfaceSamples(self._arrays["vertices"], self._arrays["triangles"])
+        surface = SurfaceSamples(self.arrays["vertices"], self.arrays["triangles"])
         self._check_surface(surface, operation)
         return surface
 
@@ -379,17 +381,17 @@ class MeshMeasures(MeshSelection):
 
     def _draw(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:
         check_room(
-            self._device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points and their intermediate arrays"
+            self.device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points and their intermediate arrays"
         )
         surface.draw(count, seed)
-        arrays: dict[str, Any] = {"points": surface.mix(self._arrays["vertices"])}
+        arrays: dict[str, Any] = {"points": surface.mix(self.arrays["vertices"])}
         if use_triangle_normal:
             arrays["normals"] = surface.triangle_normals()
-        elif "vertex_normals" in self._arrays:
-            arrays["normals"] = surface.mix(self._arrays["vertex_normals"], unit=True)
-        if "vertex_colors" in self._arrays:
-            arrays["colors"] = surface.mix(self._arrays["vertex_colors"])
-        cloud = PointCloud._from_device_arrays(arrays, self._origin.copy(), self._library)
+        elif "vertex_normals" in self.arrays:
+            arrays["normals"] = surface.mix(self.arrays["vertex_normals"], unit=True)
+        if "vertex_colors" in self.arrays:
+            arrays["colors"] = surface.mix(self.arrays["vertex_colors"])
+        cloud = PointCloud.from_device_arrays(arrays, self.arrays.origin.copy(), self.arrays.library)
         cloud.unit = self._unit
         return cloud
 
@@ -432,7 +434,7 @@ class MeshMeasures(MeshSelection):
             (4.0, 2.0, [0.0, 100.0])
         """
         check_mesh("mesh2", mesh2)
-        check_same_device("mesh2", self._device, mesh2.device)
+        check_same_device("mesh2", self.device, mesh2.device)
         common_unit("mesh, mesh2", (self.unit, mesh2.unit))
         given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
         radii = [check_positive("fscore_radius", radius) for radius in given]
@@ -478,17 +480,17 @@ class MeshMeasures(MeshSelection):
             ([0.0, 1.0, 3.0], [0.9900000095367432, 0.9100000262260437, 0.14000000059604645])
         """
         check_mesh("mesh2", mesh2)
-        check_same_device("mesh2", self._device, mesh2.device)
+        check_same_device("mesh2", self.device, mesh2.device)
         common_unit("mesh, mesh2", (self.unit, mesh2.unit))
         check_finite_corners("compute_error_map: mesh2", mesh2)
         largest = None if max_distance is None else check_positive("max_distance", max_distance)
-        points = points_about(self._arrays["vertices"], self._origin, mesh2.origin)
-        tree = TriangleTree(mesh2._device_arrays["vertices"], mesh2._device_arrays["triangles"])
+        points = points_about(self.arrays["vertices"], self.arrays.origin, mesh2.origin)
+        tree = TriangleTree(mesh2.arrays["vertices"], mesh2.arrays["triangles"])
         distances = distances_to(points, tree)
         if largest is None:
             largest = float(np.float32(summarize_distances(distances, [])[2]))  # sync
-        colored = self._with_arrays(vertex_colors=color_distances(distances, largest))
-        return colored, self._handed_out(distances, dtype=np.float32)
+        colored = self.with_arrays(vertex_colors=color_distances(distances, largest))
+        return colored, self.arrays.hand_out(distances, dtype=np.float32)
 
     def compute_vertex_curvature(self) -> MeshCurvature:
         """Estimate mean, Gaussian and principal curvatures at each vertex.
@@ -509,11 +511,11 @@ class MeshMeasures(MeshSelection):
             [1.814, 1.814, 1.814, 1.814, 1.814, 1.814]
         """
         sewn = sew(self)
-        curvatures = measure_curvatures(sewn.mesh._device_arrays["vertices"], sewn.mesh._device_arrays["triangles"])
+        curvatures = measure_curvatures(sewn.mesh.arrays["vertices"], sewn.mesh.arrays["triangles"])
         columns: Any = view_as(curvatures, float64, (curvatures.size, 4))
         columns = [contiguous(columns[:, k]) if curvatures.size else empty(0, float64, self.device) for k in range(4)]
         parts = [sewn.spread(column) for column in columns]
-        return MeshCurvature(*map(self._handed_out, parts))
+        return MeshCurvature(*map(self.arrays.hand_out, parts))
 
     def compute_geodesic_distances(self, sources: Any) -> NDArray[np.float64]:
         """Distance of each vertex along the surface to the nearest source vertex.
@@ -538,16 +540,16 @@ class MeshMeasures(MeshSelection):
             >>> square.compute_geodesic_distances([0]).tolist()
             [0.0, 3.0, 4.0, 5.0]
         """
-        vertices = self._arrays["vertices"]
+        vertices = self.arrays["vertices"]
         numbers = check_vertices("sources", sources, vertices.size)
-        rows = upload(numbers, int32, self._device)
+        rows = upload(numbers, int32, self.device)
         check_finite_vertices("sources", numbers, gather_rows(vertices, rows))
         sewn = sew(self)
         arrays, sources_in_sewn = (
-            sewn.mesh._device_arrays,
+            sewn.mesh.arrays,
             rows if sewn.sewn_indices is None else gather_rows(sewn.sewn_indices, rows),
         )
-        return self._handed_out(
+        return self.arrays.hand_out(
             sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], sources_in_sewn))
         )
 
@@ -605,7 +607,7 @@ class MeshMeasures(MeshSelection):
             self._check_closed(topology_of(findings), box_of(extremes)[2])
         cells = np.empty((0, 3), np.int32)
         if min(counts) > 0 and len(self):
-            vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+            vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
             frame = VoxelFrame(low, size, counts)
             columns = [touched_columns(vertices, triangles, frame)]
             if solid:
@@ -615,11 +617,11 @@ class MeshMeasures(MeshSelection):
             if solid:
                 keys = concatenate_rows([keys, inner_voxels(columns[1], frame)])  # sync
             cells = download(voxels_of(keys, frame)).reshape(-1, 3).astype(np.int32)
-        return VoxelGrid(low + self._origin, size, counts, cells)
+        return VoxelGrid(low + self.arrays.origin, size, counts, cells)
 
     def _examined(self, solid: bool) -> list[NDArray[Any]]:
         """Download the bounds of the vertices and, for solids, the topology. One sync."""
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         arrays: list[Any] = [find_extremes(vertices)]
         if solid:
             arrays.append(find_topology(triangles, vertices.size))
@@ -637,11 +639,11 @@ class MeshMeasures(MeshSelection):
         at_low = low.astype(np.float64) - size * 0.5 if count else -np.full(3, size * 0.5)
         at_high = high.astype(np.float64) + size * 0.5 if count else np.full(3, size * 0.5)
         if min_bound is not None:
-            at_low = _check_corner("min_bound", min_bound) - self._origin
+            at_low = _check_corner("min_bound", min_bound) - self.arrays.origin
         if max_bound is not None:
-            at_high = _check_corner("max_bound", max_bound) - self._origin
+            at_high = _check_corner("max_bound", max_bound) - self.arrays.origin
         if not (at_low <= at_high).all():
-            shown = f"{(at_low + self._origin).tolist()} and {(at_high + self._origin).tolist()}"
+            shown = f"{(at_low + self.arrays.origin).tolist()} and {(at_high + self.arrays.origin).tolist()}"
             raise ValueError(f"min_bound, max_bound: expected the lower corner first, got {shown}")
         return at_low, at_high
 
@@ -651,7 +653,7 @@ class MeshMeasures(MeshSelection):
                 "voxelize: solid=True requires a closed mesh, with two triangles at every edge. Merge vertices "
                 "or fill holes first"
             )
-        if finite_count < self._arrays["vertices"].size:
+        if finite_count < self.arrays["vertices"].size:
             raise ValueError("voxelize: solid=True requires finite vertices, got NaN or infinite ones")
 
 
@@ -668,7 +670,7 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
         return start.remove_non_finite_points()
     widest = 2 * math.sqrt(area / count / (2 * math.sqrt(3)))  # hexagonal packing of discs with half this radius
     try:
-        return start._select_rows(eliminate_samples(tree, count, widest))
+        return start.select_rows(eliminate_samples(tree, count, widest))
     except CrowdedError as error:
         raise ValueError(
             f"{name}: expected up to 2^30 pairs of points closer than {widest:.3g} m, got {error.pair_count:,}; "

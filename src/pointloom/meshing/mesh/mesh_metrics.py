@@ -71,11 +71,11 @@ class _Measured:
             raise ValueError(UNREACHED)
         self._count, shift = count, (mesh.origin, other.origin)
         cloud = mesh._draw(surface, count, False, seed)
-        sampled = distances_to(points_about(cloud._device_arrays["points"], *shift), tree)
+        sampled = distances_to(points_about(cloud.arrays["points"], *shift), tree)
         self._sums = DistanceSums(sampled, radii)
-        vertices = points_about(mesh._device_arrays["vertices"], *shift)
+        vertices = points_about(mesh.arrays["vertices"], *shift)
         size = float(np.max(tree.high.astype(np.float64) - tree.low))
-        triangles, known = mesh._device_arrays["triangles"], self._sums.largest
+        triangles, known = mesh.arrays["triangles"], self._sums.largest
         self.farthest = FarthestSearch(vertices, triangles, tree, known, CLOSE * size)
         self.arrays = [self._sums.buffer, sum_squares(sampled), self.farthest.known]
 
@@ -91,7 +91,7 @@ class _Measured:
 
 def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) -> tuple[_OneWay, _OneWay]:
     """Distances in both directions. Three syncs, rarely more."""
-    meshes = [(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]) for mesh in (one, two)]
+    meshes = [(mesh.arrays["vertices"], mesh.arrays["triangles"]) for mesh in (one, two)]
     surfaces = [SurfaceSamples(*mesh) for mesh in meshes]
     trees, doubled = trees_over(meshes, [surface.doubled_area for surface in surfaces])  # sync
     for surface, values in zip(surfaces, doubled, strict=True):

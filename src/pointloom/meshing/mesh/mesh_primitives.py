@@ -164,7 +164,7 @@ class MeshPrimitives(MeshMeasures):
     def _of(cls, shape: Shape, device: Any, arrays: str | None, *, with_uvs: bool = False) -> Self:
         target, library = resolve_device(device), library_for(arrays)
         local, origin = split_origin(shape.vertices)
-        return cls._from_device_arrays(
+        return cls.from_device_arrays(
             upload(local, vec3, target),
             upload(shape.triangles.astype(np.int32), vec3i, target),
             triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, target) if with_uvs else None,
@@ -389,7 +389,7 @@ class MeshPrimitives(MeshMeasures):
         mesh = cls._of(shapes.joined(parts), device, arrays).compute_vertex_normals()
         mesh.vertex_colors = np.repeat(colors, [len(part.vertices) for part in parts], axis=0)
         local, anchor = split_origin(mesh.vertices + center)
-        return mesh._with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
+        return mesh.with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
 
     @classmethod
     def create_mobius(
@@ -649,13 +649,13 @@ class MeshPrimitives(MeshMeasures):
     def _with_copies(self, vertices: Any, of_vertices: Any, triangles: Any, of_triangles: Any) -> Self:
         """New vertices and triangles with attributes copied from this mesh, without normals and textures."""
         local, origin = split_origin(vertices)
-        bare = self._with_arrays(triangle_uvs=None, vertex_normals=None)
-        arrays = bare._vertices_at(upload(of_vertices.astype(np.int32), int32, self._device))
-        arrays |= bare._triangles_at(upload(of_triangles.astype(np.int32), int32, self._device))
-        arrays["vertices"] = upload(local, vec3, self._device)
-        arrays["triangles"] = upload(triangles.astype(np.int32), vec3i, self._device)
-        swept = bare._with_arrays(**arrays, origin=origin)
-        return swept.compute_vertex_normals() if "vertex_normals" in self._arrays else swept
+        bare = self.with_arrays(triangle_uvs=None, vertex_normals=None)
+        arrays = bare.arrays.vertices_at(upload(of_vertices.astype(np.int32), int32, self.device))
+        arrays |= bare.arrays.triangles_at(upload(of_triangles.astype(np.int32), int32, self.device))
+        arrays["vertices"] = upload(local, vec3, self.device)
+        arrays["triangles"] = upload(triangles.astype(np.int32), vec3i, self.device)
+        swept = bare.with_arrays(**arrays, origin=origin)
+        return swept.compute_vertex_normals() if "vertex_normals" in self.arrays else swept
 
 
 def positive_lengths(**lengths: float) -> Any:

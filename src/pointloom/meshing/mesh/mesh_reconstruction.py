@@ -147,7 +147,7 @@ class MeshReconstruction(MeshMeasures):
             (True, True)
         """
         check_cloud("cloud", cloud)
-        points, normals = cloud._device_array("points"), cloud._required_array("normals", NO_NORMALS)
+        points, normals = cloud.arrays["points"], cloud.arrays.required("normals", NO_NORMALS)
         deepest = check_count(
             "depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="cell codes support no deeper trees"
         )
@@ -175,7 +175,7 @@ class MeshReconstruction(MeshMeasures):
             envelope=None if envelope is None else _check_envelope(envelope, cloud),
             progress=check_progress(None),
         )
-        mesh = cls._from_device_arrays(
+        mesh = cls.from_device_arrays(
             surface.vertices,
             surface.triangles,
             vertex_normals=surface.normals,
@@ -184,7 +184,7 @@ class MeshReconstruction(MeshMeasures):
             library=cloud.array_library,
         )
         mesh.unit = cloud.unit
-        return mesh, mesh._handed_out(surface.densities)
+        return mesh, mesh.arrays.hand_out(surface.densities)
 
     create_from_point_cloud_poisson = create_from_point_cloud_poisson
 
@@ -223,11 +223,11 @@ class MeshReconstruction(MeshMeasures):
             (True, True)
         """
         check_cloud("cloud", cloud)
-        normals = cloud._required_array(
+        normals = cloud.arrays.required(
             "normals",
             "call cloud = cloud.estimate_normals(), then cloud = cloud.orient_normals_consistent_tangent_plane(15)",
         )
-        points = cloud._device_array("points")
+        points = cloud.arrays["points"]
         given = None if radii is None else _check_radii(radii)
         ball = RollingBall(points, normals, cloud.search_tree)
         extent = float((np.asarray(ball.tree.high, np.float64) - ball.tree.low).max()) if ball.tree.count > 2 else 0.0
@@ -243,8 +243,8 @@ class MeshReconstruction(MeshMeasures):
                     f"radii: balls of {given_radii}{m} touch no three points. The point spacing suggests {usual}{m}"
                 )
                 warn_of_units(message)
-        colors = cloud._device_array("colors") if cloud.has_colors else None
-        mesh = cls._from_device_arrays(
+        colors = cloud.arrays["colors"] if cloud.has_colors else None
+        mesh = cls.from_device_arrays(
             points,
             triangles,
             vertex_normals=normals,
@@ -321,11 +321,11 @@ class MeshReconstruction(MeshMeasures):
         """
         check_cloud("cloud", cloud)
         chosen, is_list = _check_alphas(alpha)
-        rows = first_occurrences(cloud._device_arrays["points"])
-        unique = cloud if rows.size == len(cloud) else cloud._select_rows(rows)
+        rows = first_occurrences(cloud.arrays["points"])
+        unique = cloud if rows.size == len(cloud) else cloud.select_rows(rows)
         tree = unique.search_tree()
         if chosen is None:
-            chosen = [_choose_alpha(tree, unique._device_arrays["points"])]
+            chosen = [_choose_alpha(tree, unique.arrays["points"])]
         shapes = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
         results, empty_sizes = [], []
         used = _used_points([triangles for triangles, _ in shapes], len(cloud))
@@ -338,11 +338,11 @@ class MeshReconstruction(MeshMeasures):
                 parts = own, _used_rows(mask, offsets, count)
                 mesh = (mesh, *(hand_out(part, cloud.array_library) for part in parts))
             results.append(mesh)
-        flat = _flat_reason(tree.count, unique._device_arrays["points"]) if empty_sizes else None
+        flat = _flat_reason(tree.count, unique.arrays["points"]) if empty_sizes else None
         if flat is not None:
             warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)
         elif empty_sizes and not isinstance(alpha, str):
-            usual = _choose_alpha(tree, unique._device_arrays["points"])
+            usual = _choose_alpha(tree, unique.arrays["points"])
             if max(empty_sizes) < SHORT_ALPHA * usual:
                 sizes = ", ".join(f"{size:g}" for size in empty_sizes)
                 usual *= ADVISED / AUTO
@@ -360,10 +360,10 @@ class MeshReconstruction(MeshMeasures):
     ) -> Self:
         """Mesh of the points used by `triangles`, with their new indices."""
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
-        arrays = {name: cloud._device_arrays[given] for name, given in names.items() if given in cloud._device_arrays}
+        arrays = {name: cloud.arrays[given] for name, given in names.items() if given in cloud.arrays}
         corners, selected = keep_counted(triangles, used, offsets, count, list(arrays.values()))
         rows = dict(zip(arrays, selected, strict=True))
-        mesh = cls._from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
@@ -408,7 +408,7 @@ class MeshReconstruction(MeshMeasures):
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
-            parts.append(cls._from_device_arrays(vertices, flip_triangles(triangles), origin=origin, library=library))
+            parts.append(cls.from_device_arrays(vertices, flip_triangles(triangles), origin=origin, library=library))
         return cls.concatenate(parts)
 
 
@@ -538,8 +538,8 @@ def _check_work(tree: Any, radius: float, indices: Any) -> None:
 
 def why_flat(cloud: PointCloud) -> str | None:
     """Reason why no alpha shape of the cloud has a tetrahedron, as a clause. None if some alpha does."""
-    points = cloud._device_arrays["points"]
-    return _flat_reason(cloud._select_rows(first_occurrences(points)).search_tree().count, points)
+    points = cloud.arrays["points"]
+    return _flat_reason(cloud.select_rows(first_occurrences(points)).search_tree().count, points)
 
 
 def _flat_reason(distinct: int, points: wp.array) -> str | None:

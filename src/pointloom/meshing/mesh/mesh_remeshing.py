@@ -98,14 +98,14 @@ class MeshRemeshing(MeshMeasures):
             [[0, 1, 2], [1, 3, 2]]
         """
         size, contraction_name = check_positive("voxel_size", voxel_size), _check_contraction(contraction)
-        rows = self._per_vertex()
+        rows = self.arrays.per_vertex()
         unit = [name == "vertex_normals" for name in rows][1:]
         triangles, arrays = cluster_vertices(
-            self._arrays["triangles"], [*rows.values()], unit, size, contraction_name == "quadric"
+            self.arrays["triangles"], [*rows.values()], unit, size, contraction_name == "quadric"
         )
         without: dict[str, Any] = dict.fromkeys(TEXTURE)
         left: dict[str, Any] = without | dict(zip(rows, arrays, strict=True))
-        return with_attributes_of(self._bare()._with_arrays(triangles=triangles, **left), self)
+        return with_attributes_of(self._bare().with_arrays(triangles=triangles, **left), self)
 
     @returns_new
     def simplify_quadric_decimation(
@@ -151,14 +151,14 @@ class MeshRemeshing(MeshMeasures):
         weight = check_positive("boundary_weight", boundary_weight, allow_zero=True)
         if len(self) <= target:
             return self.copy()
-        rows = self._per_vertex()
+        rows = self.arrays.per_vertex()
         unit = [name == "vertex_normals" for name in rows][1:]
-        uvs, materials = (self._arrays.get(name) for name in TEXTURE)
-        job = Decimation(self._arrays["triangles"], [*rows.values()], unit, uvs, materials, target, error, weight)
+        uvs, materials = (self.arrays.get(name) for name in TEXTURE)
+        job = Decimation(self.arrays["triangles"], [*rows.values()], unit, uvs, materials, target, error, weight)
         job.run()
         triangles, arrays, *texture = job.result()
         remaining: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
-        left = self._bare()._with_arrays(triangles=triangles, **remaining)
+        left = self._bare().with_arrays(triangles=triangles, **remaining)
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles remain instead of {target}: no other edge can collapse without tearing it",
@@ -209,8 +209,8 @@ class MeshRemeshing(MeshMeasures):
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
         source = self._drop_invalid_triangles()  # sync
         if not count or not len(source):
-            return source._with_arrays(**dict.fromkeys(TEXTURE))
-        vertices, triangles = source._arrays["vertices"], source._arrays["triangles"]
+            return source.with_arrays(**dict.fromkeys(TEXTURE))
+        vertices, triangles = source.arrays["vertices"], source.arrays["triangles"]
         low, high, _ = bound_points(vertices)  # sync
         span, area = float(np.abs([low, high]).max()), measure(vertices, triangles)[0]  # sync
         if target < 2.0**-20 * span or area > MAX_TRIANGLES * 0.25 * target**2:
@@ -218,17 +218,17 @@ class MeshRemeshing(MeshMeasures):
                 f"edge_length: {target:g} m is too small for a mesh of {area:g} m2 with an extent of {span:g} m"
             )
         expected = area / (0.43 * target**2)  # for equilateral triangles
-        check_room(self._device, int(TRIANGLE_BYTES * expected), f"about {expected:,.0f} triangles")
+        check_room(self.device, int(TRIANGLE_BYTES * expected), f"about {expected:,.0f} triangles")
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
-        bare = source._bare()._with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
-        made = bare._with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._drop_degenerate_triangles()
+        bare = source._bare().with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
+        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._drop_degenerate_triangles()
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
     def _drop_degenerate_triangles(self) -> Self:
         """Remove fully degenerate triangles and unused vertices. One sync."""
-        triangles, count = self._arrays["triangles"], self._vertex_count
-        removed = clean_triangles.mask_degenerate(self._arrays["vertices"], triangles, zero_area=False)
+        triangles, count = self.arrays["triangles"], self._vertex_count
+        removed = clean_triangles.mask_degenerate(self.arrays["vertices"], triangles, zero_area=False)
         return self._drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, count))
 
     @returns_new
@@ -254,7 +254,7 @@ class MeshRemeshing(MeshMeasures):
             >>> mesh.subdivide_midpoint().triangles.tolist()
             [[0, 3, 5], [3, 1, 4], [4, 2, 5], [3, 4, 5]]
         """
-        return self._subdivided(number_of_iterations, subdivision.halve, self._arrays["vertices"].size)
+        return self._subdivided(number_of_iterations, subdivision.halve, self.arrays["vertices"].size)
 
     @returns_new
     def subdivide_loop(self, number_of_iterations: int = 1) -> Self:
@@ -290,14 +290,14 @@ class MeshRemeshing(MeshMeasures):
         """Apply a subdivision rule. Normals before `first_new` stay unchanged. `in_order`: known `sorted_edges`."""
         count = check_count("number_of_iterations", iterations, minimum=0)
         if count == 0 or not len(self):
-            return self._with_arrays()
+            return self.with_arrays()
         if count > 16 or 3 * len(self) * 4**count > MAX_CORNERS:
             raise ValueError(
                 f"number_of_iterations: {count} iterations produce {len(self)} * 4^{count} triangles, more than the "
                 f"{MAX_CORNERS // 3:,} that 32 bits can index. Use fewer iterations"
             )
-        arrays: dict[str, Any] = self._arrays | {kind: dict(columns) for kind, columns in self._attributes.items()}
-        names = list(self._per_vertex())
+        arrays: dict[str, Any] = self.arrays | {kind: dict(columns) for kind, columns in self.arrays.attributes.items()}
+        names = list(self.arrays.per_vertex())
         values = [widen_rows(arrays[name]) for name in names]
         for _ in range(count):
             triangles = arrays["triangles"]
@@ -311,14 +311,14 @@ class MeshRemeshing(MeshMeasures):
             if "triangle_material_ids" in arrays:
                 arrays["triangle_material_ids"] = subdivision.repeat_four_times(arrays["triangle_material_ids"])
         if arrays["triangle_attributes"]:
-            quarters = upload(np.repeat(np.arange(len(self), dtype=np.int32), 4**count), int32, self._device)
-            arrays |= self._attributes_at("triangle_attributes", quarters)
+            quarters = upload(np.repeat(np.arange(len(self), dtype=np.int32), 4**count), int32, self.device)
+            arrays |= self.arrays.attributes_at("triangle_attributes", quarters)
         for name, rows in zip(names, values, strict=True):
             if name == "vertex_normals":
-                arrays[name] = narrow_directions(rows, self._arrays[name], first_new)
+                arrays[name] = narrow_directions(rows, self.arrays[name], first_new)
             else:
                 arrays[name] = narrow_rows(rows)
-        return self._with_arrays(**arrays)
+        return self.with_arrays(**arrays)
 
     @returns_new
     def filter_smooth_simple(self, number_of_iterations: int = 1, filter_scope: Any = "all") -> Self:
@@ -429,13 +429,13 @@ class MeshRemeshing(MeshMeasures):
     def _filtered(self, passes: list[tuple[Any, float]], iterations: int, scope: Any) -> Self:
         reason = "more iterations shrink the mesh to the mean of its vertices"
         count = check_count("number_of_iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)
-        names = [name for name in _names_of(scope) if name in self._arrays]
+        names = [name for name in _names_of(scope) if name in self.arrays]
         if not names:
             raise ValueError(f"filter_scope: the mesh has no {_names_of(scope)[0]} to filter")
         if count == 0 or not len(self):
-            return self._with_arrays()
+            return self.with_arrays()
         sewn = sew(self)
-        arrays = sewn.mesh._device_arrays
+        arrays = sewn.mesh.arrays
         wide = {name: widen_rows(arrays[name]) for name in {"vertices", *names}}
         values = filter_values(arrays["triangles"], wide["vertices"], names, wide, passes, count, sewn.in_order)
         narrow: dict[str, Any] = {}
@@ -444,7 +444,7 @@ class MeshRemeshing(MeshMeasures):
                 narrow[name] = sewn.spread(narrow_directions(rows, arrays[name]))
             else:
                 narrow[name] = sewn.spread(narrow_rows(rows))
-        return self._with_arrays(**narrow)
+        return self.with_arrays(**narrow)
 
     @returns_new
     def deform_as_rigid_as_possible(
@@ -485,7 +485,7 @@ class MeshRemeshing(MeshMeasures):
             >>> moved.vertices[4].round(3).tolist()
             [0.0, 2.0, 5.0]
         """
-        count = self._arrays["vertices"].size
+        count = self.arrays["vertices"].size
         fixed = check_vertices("constraint_vertex_indices", constraint_vertex_indices, count)
         positions = on_host("constraint_vertex_positions", constraint_vertex_positions)
         targets = check_rows("constraint_vertex_positions", positions, 3, dtype=np.float64)
@@ -505,21 +505,21 @@ class MeshRemeshing(MeshMeasures):
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
         likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
         if iterations == 0:
-            return self._with_arrays()
-        rows = upload(fixed, int32, self._device)
-        check_finite_vertices("constraint_vertex_indices", fixed, gather_rows(self._arrays["vertices"], rows))
+            return self.with_arrays()
+        rows = upload(fixed, int32, self.device)
+        check_finite_vertices("constraint_vertex_indices", fixed, gather_rows(self.arrays["vertices"], rows))
         sewn = sew(self)
         if sewn.sewn_indices is not None:
             fixed, targets = _once(fixed, download(gather_rows(sewn.sewn_indices, rows)), targets)  # sync
-            rows = upload(fixed, int32, self._device)
-        positions, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh._device_arrays
+            rows = upload(fixed, int32, self.device)
+        positions, arrays = upload(targets - self.arrays.origin, vec3d, self.device), sewn.mesh.arrays
         moved, rotations = deform_rigidly(
             arrays["vertices"], arrays["triangles"], rows, positions, iterations, likeness
         )
         deformed: dict[str, Any] = {"vertices": sewn.spread(narrow_rows(moved))}
-        if "vertex_normals" in self._arrays:
-            deformed["vertex_normals"] = rotate_directions(rotations, self._arrays["vertex_normals"], sewn.sewn_indices)
-        return self._with_arrays(**deformed)
+        if "vertex_normals" in self.arrays:
+            deformed["vertex_normals"] = rotate_directions(rotations, self.arrays["vertex_normals"], sewn.sewn_indices)
+        return self.with_arrays(**deformed)
 
 
 def _check_contraction(contraction: Any) -> str:

@@ -179,11 +179,11 @@ class MeshRepair(MeshMeasures):
             >>> [loop.tolist() for loop in mesh.get_boundaries()]
             [[0, 1, 3, 2]]
         """
-        border = Border(self._arrays["triangles"], self._arrays["vertices"].size)
+        border = Border(self.arrays["triangles"], self.arrays["vertices"].size)
         rows, loops, starts = find_loops(border)  # sync
         if not loops.count:
             return []
-        vertices, ends = self._handed_out(gather_rows(border.vertices, rows)), starts.tolist()
+        vertices, ends = self.arrays.hand_out(gather_rows(border.vertices, rows)), starts.tolist()
         return [vertices[first:end] for first, end in pairwise(ends)]
 
     def get_non_manifold_vertices(self) -> NDArray[np.int32]:
@@ -197,8 +197,8 @@ class MeshRepair(MeshMeasures):
             >>> loom.TriangleMesh(corners, [[0, 1, 2], [0, 3, 4]]).get_non_manifold_vertices().tolist()
             [0]
         """
-        mask = mesh_edges.find_split_vertices(self._arrays["triangles"], self._arrays["vertices"].size)
-        return self._handed_out(positions_of(mask))
+        mask = mesh_edges.find_split_vertices(self.arrays["triangles"], self.arrays["vertices"].size)
+        return self.arrays.hand_out(positions_of(mask))
 
     def is_vertex_manifold(self) -> bool:
         """True if the triangles at each vertex are connected by edges. See `get_non_manifold_vertices`.
@@ -230,7 +230,7 @@ class MeshRepair(MeshMeasures):
             True
         """
         check_finite_corners("is_orientable", self)
-        return orientation.Orientation(self._arrays["triangles"], self._arrays["vertices"].size).orientable
+        return orientation.Orientation(self.arrays["triangles"], self.arrays["vertices"].size).orientable
 
     @returns_new
     def orient_triangles(self, *, outward: bool = False) -> tuple[Self, bool]:
@@ -253,13 +253,13 @@ class MeshRepair(MeshMeasures):
             >>> oriented.triangles.tolist(), orientable
             ([[0, 1, 2], [1, 3, 2]], True)
         """
-        result = orientation.Orientation(self._arrays["triangles"], self._arrays["vertices"].size)
+        result = orientation.Orientation(self.arrays["triangles"], self.arrays["vertices"].size)
         if outward:
-            result.face_outwards(self._arrays["vertices"], self._arrays["triangles"])
-        arrays: dict[str, Any] = {"triangles": orientation.flip_some(self._arrays["triangles"], result.flips)}
-        if "triangle_uvs" in self._arrays:
-            arrays["triangle_uvs"] = orientation.flip_some_corners(self._arrays["triangle_uvs"], result.flips)
-        return self._with_arrays(**arrays), result.orientable
+            result.face_outwards(self.arrays["vertices"], self.arrays["triangles"])
+        arrays: dict[str, Any] = {"triangles": orientation.flip_some(self.arrays["triangles"], result.flips)}
+        if "triangle_uvs" in self.arrays:
+            arrays["triangle_uvs"] = orientation.flip_some_corners(self.arrays["triangle_uvs"], result.flips)
+        return self.with_arrays(**arrays), result.orientable
 
     def euler_poincare_characteristic(self) -> int:
         """Euler characteristic V - E + F: 2 for a closed surface without handles, 0 for a torus.
@@ -276,7 +276,7 @@ class MeshRepair(MeshMeasures):
             1
         """
         check_finite_corners("euler_poincare_characteristic", self)
-        used = count_referenced(self._arrays["triangles"], self._arrays["vertices"].size)
+        used = count_referenced(self.arrays["triangles"], self.arrays["vertices"].size)
         return used - self._edges().count + len(self)
 
     def compute_adjacency_list(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
@@ -295,10 +295,10 @@ class MeshRepair(MeshMeasures):
             >>> neighbors[starts[0] : starts[1]].tolist(), neighbors[starts[1] : starts[2]].tolist()
             ([1, 2], [0, 2, 3])
         """
-        count = self._arrays["vertices"].size
-        neighbors = VertexNeighbors(mesh_edges.MeshEdges(self._arrays["triangles"], count), count)
+        count = self.arrays["vertices"].size
+        neighbors = VertexNeighbors(mesh_edges.MeshEdges(self.arrays["triangles"], count), count)
         used = int(download(neighbors.starts[count:])[0])  # sync
-        return self._handed_out(neighbors.starts), self._handed_out(view_as(neighbors.vertices, int32, (used,)))
+        return self.arrays.hand_out(neighbors.starts), self.arrays.hand_out(view_as(neighbors.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
         """Area of each triangle [m^2], shape (t,). NaN if a corner is not finite.
@@ -308,14 +308,14 @@ class MeshRepair(MeshMeasures):
             >>> loom.TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]]).compute_triangle_areas().tolist()
             [1.0]
         """
-        return self._handed_out(triangle_areas(self._arrays["vertices"], self._arrays["triangles"]))
+        return self.arrays.hand_out(triangle_areas(self.arrays["vertices"], self.arrays["triangles"]))
 
     def _edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
-        return mesh_edges.find_edges(self._arrays["triangles"], self._arrays["vertices"].size, padded)
+        return mesh_edges.find_edges(self.arrays["triangles"], self.arrays["vertices"].size, padded)
 
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
-        ends = mesh_edges.edge_ends(edges, positions_of(mask), self._arrays["vertices"].size)
-        return self._handed_out(ends)
+        ends = mesh_edges.edge_ends(edges, positions_of(mask), self.arrays["vertices"].size)
+        return self.arrays.hand_out(ends)
 
     @returns_new
     def fill_holes(self, hole_size: float = 1e6) -> Self:
@@ -379,15 +379,12 @@ class MeshRepair(MeshMeasures):
             (1, 1, True, 0.166667)
         """
         size = None if hole_size is None else check_positive("hole_size", hole_size)
-        removed = clean_triangles.mask_not_finite(self._arrays["vertices"], self._arrays["triangles"])
+        removed = clean_triangles.mask_not_finite(self.arrays["vertices"], self.arrays["triangles"])
         mesh = self._drop_triangles(removed)
         before = mesh._vertex_count
         finite = mesh if merge_distance is None else mesh._merge_close("merge_distance", merge_distance)
         stitched = cut_and_stitch(finite)
-        mesh, orientation = (
-            stitched.mesh,
-            Orientation(stitched.mesh._device_arrays["triangles"], stitched.mesh._vertex_count),
-        )
+        mesh, orientation = (stitched.mesh, Orientation(stitched.mesh.arrays["triangles"], stitched.mesh._vertex_count))
         orientation.follow_majority()
         mesh, flipped = stitched.mesh._flipped(orientation.flips), orientation.flips
         area, filled, left = mesh.get_surface_area(), 0, None
@@ -403,7 +400,7 @@ class MeshRepair(MeshMeasures):
             removed_duplicated_triangles=stitched.copies,
             removed_crowding_triangles=stitched.crowding,
             split_vertices=stitched.split,
-            flipped_triangles=count_unlike(stitched.mesh._device_arrays["triangles"], mesh._device_arrays["triangles"]),
+            flipped_triangles=count_unlike(stitched.mesh.arrays["triangles"], mesh.arrays["triangles"]),
             filled_holes=filled,
             added_triangles=added + stitched.halved,
             removed_vertices=stitched.unused,
@@ -432,32 +429,32 @@ class MeshRepair(MeshMeasures):
             >>> mesh.triangles.tolist(), mesh.vertices[5].tolist()
             ([[0, 1, 2], [5, 3, 4]], [0.0, 0.0, 0.0])
         """
-        triangles, count = self._arrays["triangles"], self._vertex_count
+        triangles, count = self.arrays["triangles"], self._vertex_count
         split, rows = split_fans(triangles, count)
-        return self._with_arrays(triangles=split, **self._vertices_at(rows))
+        return self.with_arrays(triangles=split, **self.arrays.vertices_at(rows))
 
     def _fill(self, hole_size: float) -> tuple[Self, int, int]:
         """(mesh with filled holes, number filled, number not filled)."""
-        filling = Filling(self._arrays["vertices"], self._arrays["triangles"], hole_size)
+        filling = Filling(self.arrays["vertices"], self.arrays["triangles"], hole_size)
         arrays: dict[str, Any] = {"triangles": filling.triangles}
-        if "triangle_uvs" in self._arrays:
-            arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], filling.corners)
-        if "triangle_material_ids" in self._arrays:
-            arrays["triangle_material_ids"] = spread_ids(self._arrays["triangle_material_ids"], filling.corners)
-        if self._attributes["triangle_attributes"]:
-            sources = spread_ids(positions(len(self), self._device), filling.corners)
-            arrays |= self._attributes_at("triangle_attributes", sources)
-        return self._with_arrays(**arrays), filling.filled, filling.left
+        if "triangle_uvs" in self.arrays:
+            arrays["triangle_uvs"] = spread_corners(self.arrays["triangle_uvs"], filling.corners)
+        if "triangle_material_ids" in self.arrays:
+            arrays["triangle_material_ids"] = spread_ids(self.arrays["triangle_material_ids"], filling.corners)
+        if self.arrays.attributes["triangle_attributes"]:
+            sources = spread_ids(positions(len(self), self.device), filling.corners)
+            arrays |= self.arrays.attributes_at("triangle_attributes", sources)
+        return self.with_arrays(**arrays), filling.filled, filling.left
 
     def _flipped(self, flips: Mask) -> Self:
-        arrays: dict[str, Any] = {"triangles": flip_some(self._arrays["triangles"], flips)}
-        if "triangle_uvs" in self._arrays:
-            arrays["triangle_uvs"] = flip_some_corners(self._arrays["triangle_uvs"], flips)
-        return self._with_arrays(**arrays)
+        arrays: dict[str, Any] = {"triangles": flip_some(self.arrays["triangles"], flips)}
+        if "triangle_uvs" in self.arrays:
+            arrays["triangle_uvs"] = flip_some_corners(self.arrays["triangle_uvs"], flips)
+        return self.with_arrays(**arrays)
 
     def _nested(self, flipped: Mask) -> tuple[Self, bool]:
         """(mesh with closed parts oriented by nesting, orientable); `flipped` marks inconsistently oriented input."""
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         orientation = Orientation(triangles, vertices.size)
         measured = orientation.measure_parts(vertices, triangles)
         several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # a single part cannot be nested
@@ -471,7 +468,7 @@ class MeshRepair(MeshMeasures):
 
     def _findings(self) -> dict[str, Any]:
         """Remaining defects, by the field names of MeshRepairReport."""
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         boundary, split, empty = positions_of_each(  # sync
             mask_counts(self._edges(padded=True), 1, 1),
             find_split_vertices(triangles, vertices.size),
@@ -518,10 +515,10 @@ class MeshRepair(MeshMeasures):
             >>> loom.TriangleMesh(corners, [[0, 1, 2], [3, 4, 5]]).get_self_intersecting_triangles().tolist()
             [[0, 1]]
         """
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         tree = TriangleTree(vertices, triangles)
         first, second = find_meeting_pairs(tree, vertices, triangles, triangles, within=True)
-        return self._handed_out(pair_up(first, second))
+        return self.arrays.hand_out(pair_up(first, second))
 
     def is_intersecting(self, other: TriangleMesh) -> bool:
         """True if a triangle of this mesh intersects one of another mesh.
@@ -543,17 +540,17 @@ class MeshRepair(MeshMeasures):
             True
         """
         check_mesh("other", other)
-        check_same_device("other", self._device, other.device)
+        check_same_device("other", self.device, other.device)
         check_finite_corners("is_intersecting", self)
         check_finite_corners("is_intersecting: other", other)
         if not len(self) or not len(other):
             return False
-        own = self._arrays["vertices"]
-        shifts = [np.zeros(3), other.origin - self._origin]
-        vertices = concatenate_points([own, other._device_arrays["vertices"]], shifts)
-        theirs = shift_triangles(other._device_arrays["triangles"], own.size)
+        own = self.arrays["vertices"]
+        shifts = [np.zeros(3), other.origin - self.arrays.origin]
+        vertices = concatenate_points([own, other.arrays["vertices"]], shifts)
+        theirs = shift_triangles(other.arrays["triangles"], own.size)
         tree = TriangleTree(vertices, theirs)
-        return find_meeting_pairs(tree, vertices, self._arrays["triangles"], theirs, within=False)[0].size > 0
+        return find_meeting_pairs(tree, vertices, self.arrays["triangles"], theirs, within=False)[0].size > 0
 
     @returns_new
     def boolean_union(self, mesh: Self) -> Self:
@@ -616,9 +613,9 @@ class MeshRepair(MeshMeasures):
         if not isinstance(other, MeshArrays):
             raise TypeError(f"mesh: expected a TriangleMesh, got {type(other).__name__}")
         library = load_manifold(name)
-        with_colors = "vertex_colors" in self._arrays and "vertex_colors" in other._device_arrays
+        with_colors = "vertex_colors" in self.arrays and "vertex_colors" in other.arrays
         solids = [
-            _solid(library, mesh, self._origin, with_colors, f"{name}: {what}")
+            _solid(library, mesh, self.arrays.origin, with_colors, f"{name}: {what}")
             for what, mesh in (("the mesh", self), ("mesh: it", other))
         ]
         result = operation(*solids)
@@ -626,14 +623,14 @@ class MeshRepair(MeshMeasures):
         vertices, triangles, colors = _arrays_of(result)
         make: Any = type(self)  # TriangleMesh
         mesh = make(
-            vertices + self._origin,
+            vertices + self.arrays.origin,
             triangles,
             vertex_colors=np.clip(colors, 0, 1) if with_colors else None,
-            device=self._device,
-            origin=self._origin,
+            device=self.device,
+            origin=self.arrays.origin,
         )
         mesh.unit = common_unit(f"{name}: the meshes", (self.unit, other.unit))
-        both_have_normals = "vertex_normals" in self._arrays and "vertex_normals" in other._device_arrays
+        both_have_normals = "vertex_normals" in self.arrays and "vertex_normals" in other.arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 
 

@@ -33,7 +33,7 @@ class Sewn(Generic[MeshType]):
 
 def sew(mesh: MeshType) -> Sewn[MeshType]:
     """Weld coincident borders. Closed parts that touch stay separate."""
-    arrays = mesh._device_arrays
+    arrays = mesh.arrays
     in_order = sorted_edges(arrays["triangles"], arrays["vertices"].size)
     owners = find_seams(arrays["vertices"], arrays["triangles"], in_order)
     if owners is None:
@@ -42,9 +42,9 @@ def sew(mesh: MeshType) -> Sewn[MeshType]:
     if count == owners.size:
         return Sewn(mesh, None, in_order)
     owner_rows = merge_vertices.list_owners(owners, numbers, count)
-    rows = mesh._vertices_at(owner_rows)
-    means = {name: values for name, values in mesh._per_vertex().items() if values.dtype == vec3}
+    rows = mesh.arrays.vertices_at(owner_rows)
+    means = {name: values for name, values in mesh.arrays.per_vertex().items() if values.dtype == vec3}
     unit = [name == "vertex_normals" for name in means]
     rows |= dict(zip(means, merge_vertices.average_members(means.values(), unit, owners, numbers, count), strict=True))
     triangles = merge_vertices.rename_corners(arrays["triangles"], owners, numbers)
-    return Sewn(mesh._with_arrays(triangles=triangles, **rows), gather_rows(numbers, owners))
+    return Sewn(mesh.with_arrays(triangles=triangles, **rows), gather_rows(numbers, owners))

@@ -74,8 +74,8 @@ class MeshSelection(MeshArrays):
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
         """Remove vertices that no triangle uses. The others keep their order."""
-        triangles = self._arrays["triangles"]
-        return self._keep_vertices(triangles, mesh_edits.mark_referenced(triangles, self._arrays["vertices"].size))
+        triangles = self.arrays["triangles"]
+        return self._keep_vertices(triangles, mesh_edits.mark_referenced(triangles, self.arrays["vertices"].size))
 
     @returns_new
     def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
@@ -96,8 +96,8 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_vertices_by_mask(mesh.vertices[:, 0] + mesh.vertices[:, 1] < 0.5).triangles.tolist()
             [[1, 0, 2]]
         """
-        used = cast(self._inverse_mask(mask, self._arrays["vertices"].size, "vertices"), int32)
-        arrays = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))
+        used = cast(self._inverse_mask(mask, self.arrays["vertices"].size, "vertices"), int32)
+        arrays = self.arrays.triangles_at(mesh_edits.complete_triangles(self.arrays["triangles"], used))
         return self._keep_vertices(arrays.pop("triangles"), used, **arrays)
 
     @returns_new
@@ -117,32 +117,32 @@ class MeshSelection(MeshArrays):
             TriangleMesh(4 vertices, 1 triangles, cpu)
         """
         rows = positions_of(self._inverse_mask(mask, len(self), "triangles"))  # sync
-        return self._with_arrays(**self._triangles_at(rows))
+        return self.with_arrays(**self.arrays.triangles_at(rows))
 
     def _keep_vertices(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
         """Select by a vertex mask, int32 of 1 or 0, and drop triangles with other vertices."""
-        rows = self._per_vertex()
+        rows = self.arrays.per_vertex()
         triangles, selected = mesh_edits.keep_vertices(triangles, used, rows.values())
         arrays: dict[str, Any] = dict(zip(rows, selected, strict=True))
-        if self._attributes["vertex_attributes"]:
-            arrays |= self._attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
-        return self._with_arrays(triangles=triangles, **arrays, **per_triangle)
+        if self.arrays.attributes["vertex_attributes"]:
+            arrays |= self.arrays.attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
+        return self.with_arrays(triangles=triangles, **arrays, **per_triangle)
 
     def _keep_triangles(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
         """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
-        count = self._arrays["vertices"].size
-        used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
+        count = self.arrays["vertices"].size
+        used = mesh_edits.mark_chosen(self.arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
-        arrays = self._triangles_at(rows) | self._vertices_at(vertices)
+        arrays = self.arrays.triangles_at(rows) | self.arrays.vertices_at(vertices)
         new_indices = mesh_edits.mask_and_index(vertices, count)[1]
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
-        return self._with_arrays(**arrays), rows, vertices, *positions
+        return self.with_arrays(**arrays), rows, vertices, *positions
 
     def _inverse_mask(self, mask: ArrayLike, count: int, of: str) -> wp.array:
         """Inverse of a removal mask, uint8 on the mesh's device."""
         if is_on_gpu(mask):
-            return invert_mask(take_mask("mask", mask, self._device, count))
-        return upload(~_check_mask(mask, count, of), uint8, self._device)
+            return invert_mask(take_mask("mask", mask, self.device, count))
+        return upload(~_check_mask(mask, count, of), uint8, self.device)
 
     @returns_new
     def remove_degenerate_triangles(self, *, zero_area: bool = False) -> Self:
@@ -162,7 +162,7 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_degenerate_triangles(zero_area=True).triangles.tolist()
             [[0, 1, 3]]
         """
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         return self._drop_triangles(clean_triangles.mask_degenerate(vertices, triangles, zero_area=zero_area))
 
     @returns_new
@@ -177,7 +177,7 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_duplicated_triangles().triangles.tolist()
             [[0, 1, 2], [0, 2, 1]]
         """
-        return self._drop_triangles(clean_triangles.mask_repeats(self._arrays["triangles"]))
+        return self._drop_triangles(clean_triangles.mask_repeats(self.arrays["triangles"]))
 
     @returns_new
     def remove_duplicated_vertices(self) -> Self:
@@ -193,11 +193,11 @@ class MeshSelection(MeshArrays):
             >>> mesh.triangles.tolist(), len(mesh.vertices)
             ([[0, 1, 2], [1, 3, 2]], 4)
         """
-        owners = find_equal_points(self._arrays["vertices"])
+        owners = find_equal_points(self.arrays["vertices"])
         new_indices, count = merge_vertices.number_owners(owners)  # sync
         owner_rows = merge_vertices.list_owners(owners, new_indices, count)
-        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
-        return self._with_arrays(triangles=triangles, **self._vertices_at(owner_rows))
+        triangles = merge_vertices.rename_corners(self.arrays["triangles"], owners, new_indices)
+        return self.with_arrays(triangles=triangles, **self.arrays.vertices_at(owner_rows))
 
     @returns_new
     def merge_close_vertices(self, eps: float) -> Self:
@@ -244,19 +244,19 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_non_manifold_edges().triangles.tolist()
             [[0, 1, 3], [0, 1, 4]]
         """
-        crowded = crowded_edges.CrowdedTriangles(self._arrays["triangles"], self._vertex_count)
+        crowded = crowded_edges.CrowdedTriangles(self.arrays["triangles"], self._vertex_count)
         if not crowded.rows.size:
-            return self._with_arrays()
+            return self.with_arrays()
         mesh = self
         if crowded.plain.size < len(self):
-            mesh = self._with_arrays(**self._triangles_at(crowded.plain))
-            crowded = crowded_edges.CrowdedTriangles(mesh._arrays["triangles"], self._vertex_count)
-        vertices, triangles = mesh._arrays["vertices"], mesh._arrays["triangles"]
+            mesh = self.with_arrays(**self.arrays.triangles_at(crowded.plain))
+            crowded = crowded_edges.CrowdedTriangles(mesh.arrays["triangles"], self._vertex_count)
+        vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
         return mesh._drop_triangles(crowded_edges.mask_crowding(vertices, triangles, crowded))
 
     def _merge_close(self, name: str, distance: Any) -> Self:
         """`merge_close_vertices`; `name` is the argument named in errors."""
-        radius, vertices = check_positive(name, distance), self._arrays["vertices"]
+        radius, vertices = check_positive(name, distance), self.arrays["vertices"]
         low, high, count = bound_points(vertices)
         extent = float(np.abs([low, high]).max()) if count else 0.0
         if radius < FINEST * extent or radius * radius == 0:
@@ -264,22 +264,22 @@ class MeshSelection(MeshArrays):
                 f"{name}: {radius:g} m is too small for coordinates up to {extent:g} m. Use remove_duplicated_vertices "
                 "to merge vertices at one position"
             )
-        owners = positions(vertices.size, self._device)
+        owners = positions(vertices.size, self.device)
         find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True), count), radius, owners)
         new_indices, count = merge_vertices.number_owners(owners)  # sync
-        rows = self._per_vertex()
+        rows = self.arrays.per_vertex()
         unit = [name == "vertex_normals" for name in rows]
         means = merge_vertices.average_members(rows.values(), unit, owners, new_indices, count)
-        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
+        triangles = merge_vertices.rename_corners(self.arrays["triangles"], owners, new_indices)
         arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
-        if self._attributes["vertex_attributes"]:
+        if self.arrays.attributes["vertex_attributes"]:
             owner_rows = merge_vertices.list_owners(owners, new_indices, count)
-            arrays |= self._attributes_at("vertex_attributes", owner_rows)
-        return self._with_arrays(triangles=triangles, **arrays)
+            arrays |= self.arrays.attributes_at("vertex_attributes", owner_rows)
+        return self.with_arrays(triangles=triangles, **arrays)
 
     def _drop_invalid_triangles(self) -> Self:
         """Remove non-finite, degenerate and duplicate triangles and unused vertices."""
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         removed = clean_triangles.join_masks(
             clean_triangles.mask_repeats(triangles),
             clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
@@ -290,19 +290,19 @@ class MeshSelection(MeshArrays):
     def _drop_triangles_and_vertices(self, removed: Mask, used: Mask) -> Self:
         """Remove masked triangles, and vertices outside the mask `used`. One sync."""
         rows, vertices = positions_of_each(invert_mask(removed), used)  # sync
-        arrays = self._triangles_at(rows) | self._vertices_at(vertices)
+        arrays = self.arrays.triangles_at(rows) | self.arrays.vertices_at(vertices)
         new_indices = mesh_edits.mask_and_index(vertices, used.size)[1]
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
-        return self._with_arrays(**arrays)
+        return self.with_arrays(**arrays)
 
     @property
     def _vertex_count(self) -> int:
-        return self._arrays["vertices"].size
+        return self.arrays["vertices"].size
 
     def _drop_triangles(self, mask: wp.array) -> Self:
         """Remove masked triangles. All vertices stay."""
         rows = mesh_edits.unmarked_rows(mask)  # sync
-        return self._with_arrays(**({} if rows.size == mask.size else self._triangles_at(rows)))
+        return self.with_arrays(**({} if rows.size == mask.size else self.arrays.triangles_at(rows)))
 
     @returns_new
     def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:
@@ -321,7 +321,7 @@ class MeshSelection(MeshArrays):
             [[2, 1, 3]]
         """
         rows = self._rows_of("triangle_indices", triangle_indices, len(self), "triangles")
-        return self._with_arrays(**self._triangles_at(other_rows(rows, len(self))))
+        return self.with_arrays(**self.arrays.triangles_at(other_rows(rows, len(self))))
 
     @returns_new
     def remove_vertices_by_index(self, vertex_indices: ArrayLike) -> Self:
@@ -389,11 +389,11 @@ class MeshSelection(MeshArrays):
             >>> mesh.crop(loom.AxisAlignedBoundingBox([0, 0, 0], [2, 2, 0])).triangles.tolist()
             [[0, 1, 2]]
         """
-        vertices = self._arrays["vertices"]
+        vertices = self.arrays["vertices"]
         if isinstance(bounding_box, BoundingBox):
-            mask = bounding_box.mask_points(vertices, self._origin)
+            mask = bounding_box.mask_points(vertices, self.arrays.origin)
         elif isinstance(bounding_box, SelectionPolygonVolume):
-            mask = mask_volume(bounding_box, vertices, self._origin)
+            mask = mask_volume(bounding_box, vertices, self.arrays.origin)
         else:
             remedy = "build one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
             raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
@@ -402,16 +402,16 @@ class MeshSelection(MeshArrays):
 
     def _rows_of(self, name: str, indices: ArrayLike, count: int, of: str) -> wp.array:
         if is_on_gpu(indices):
-            return take_indices(name, indices, self._device, count, of=f"mesh of {count} {of}")
+            return take_indices(name, indices, self.device, count, of=f"mesh of {count} {of}")
         rows = check_indices(name, indices, count, of=f"mesh of {count} {of}")
-        return upload(rows, int32, self._device)
+        return upload(rows, int32, self.device)
 
     def _select_vertices(self, rows: wp.array, cleanup: bool) -> Self:
         chosen = self._at_vertices(rows)
         if not cleanup:
             return chosen
         chosen = chosen.remove_duplicated_vertices()
-        vertices, triangles = chosen._arrays["vertices"], chosen._arrays["triangles"]
+        vertices, triangles = chosen.arrays["vertices"], chosen.arrays["triangles"]
         repeats = clean_triangles.mask_repeats(triangles)
         used = clean_triangles.mask_used(triangles, repeats, vertices.size)  # keep those of degenerate triangles
         degenerate = clean_triangles.mask_degenerate(vertices, triangles, zero_area=False)
@@ -420,11 +420,10 @@ class MeshSelection(MeshArrays):
     def _at_vertices(self, rows: wp.array) -> Self:
         """Select vertices by row, each once, and the triangles between them."""
         used, new_indices = mesh_edits.mask_and_index(rows, self._vertex_count)
-        arrays = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))  # sync
-        arrays |= {"triangles": mesh_edits.renumber_triangles(arrays["triangles"], new_indices)} | self._vertices_at(
-            rows
-        )
-        return self._with_arrays(**arrays)
+        arrays = self.arrays.triangles_at(mesh_edits.complete_triangles(self.arrays["triangles"], used))  # sync
+        arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
+        arrays |= self.arrays.vertices_at(rows)
+        return self.with_arrays(**arrays)
 
     def cluster_connected_triangles(self) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]:
         """Find parts of the mesh that are connected by shared edges.
@@ -446,11 +445,11 @@ class MeshSelection(MeshArrays):
         """
         parts = self._parts()
         counts, areas = parts.read()
-        broken = positions_of(mask_not_finite(self._arrays["vertices"], self._arrays["triangles"]))
+        broken = positions_of(mask_not_finite(self.arrays["vertices"], self.arrays["triangles"]))
         if broken.size:
             areas[download(parts.labels)[download(broken)]] = np.nan
-        results = (hand_out_host(values, self._library, self._device) for values in (counts, areas))
-        return self._handed_out(parts.labels, dtype=np.int32), *results
+        results = (hand_out_host(values, self.arrays.library, self.device) for values in (counts, areas))
+        return self.arrays.hand_out(parts.labels, dtype=np.int32), *results
 
     @returns_new
     def remove_small_components(self, min_triangles: int = 1, min_area: float = 0.0) -> Self:
@@ -478,7 +477,7 @@ class MeshSelection(MeshArrays):
         return self._keep_triangles(self._parts().mask_large(count, area))[0]  # sync
 
     def _parts(self) -> Parts:
-        return Parts(self._arrays["vertices"], self._arrays["triangles"])
+        return Parts(self.arrays["vertices"], self.arrays["triangles"])
 
     @returns_new
     def trim(self, vertex_values: ArrayLike, level: float, *, island_ratio: float = 0.001) -> Self:
@@ -509,31 +508,31 @@ class MeshSelection(MeshArrays):
             [[4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]]
         """
         values = check_numeric("vertex_values", on_host("vertex_values", vertex_values))
-        count = self._arrays["vertices"].size
+        count = self.arrays["vertices"].size
         if values.shape != (count,):
             raise ValueError(
                 f"vertex_values: expected shape [{count}], one number per vertex, got {list(values.shape)}"
             )
         values = check_finite("vertex_values", values.astype(np.float64))
         where, ratio = check_number("level", level), check_fraction("island_ratio", island_ratio)
-        cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
+        cut = LevelCut(self.arrays["triangles"], upload(values, float64, self.device), where)
         cut_mesh = self._cut_up(cut)
-        mask = mask_trimmed(cut_mesh._device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
+        mask = mask_trimmed(cut_mesh.arrays["vertices"], cut, self.arrays["triangles"], ratio)
         return cut_mesh._keep_triangles(mask)[0]  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
         """All pieces of a cut as a mesh, with interpolated attributes."""
-        rows = self._per_vertex()
+        rows = self.arrays.per_vertex()
         arrays: dict[str, Any] = {name: cut.rows_of(rows[name], name == "vertex_normals") for name in rows}
-        columns = self._attributes["vertex_attributes"]
+        columns = self.arrays.attributes["vertex_attributes"]
         if columns:
             arrays["vertex_attributes"] = each(columns, cut.mixed().of)
-        arrays |= self._attributes_at("triangle_attributes", cut.sources)
-        if "triangle_uvs" in self._arrays:
-            arrays["triangle_uvs"] = cut.corners_of(self._arrays["triangle_uvs"])
-        if "triangle_material_ids" in self._arrays:
-            arrays["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], cut.sources)
-        return self._with_arrays(triangles=cut.pieces, **arrays)
+        arrays |= self.arrays.attributes_at("triangle_attributes", cut.sources)
+        if "triangle_uvs" in self.arrays:
+            arrays["triangle_uvs"] = cut.corners_of(self.arrays["triangle_uvs"])
+        if "triangle_material_ids" in self.arrays:
+            arrays["triangle_material_ids"] = gather_rows(self.arrays["triangle_material_ids"], cut.sources)
+        return self.with_arrays(triangles=cut.pieces, **arrays)
 
     @returns_new
     def clip_plane(self, point: ArrayLike, normal: ArrayLike, *, cap: bool = False) -> Self:
@@ -643,47 +642,47 @@ class MeshSelection(MeshArrays):
         """
         plane, mesh = self._plane(point, normal)
         points, ends = mesh._section(plane)
-        flat = matmul(points - self._origin, plane.axes().T)
+        flat = matmul(points - self.arrays.origin, plane.axes().T)
         loops, paths = join_lines(ends, dict(enumerate(flat)))
         return [points[[*loop, loop[0]]] for loop in loops] + [points[path] for path in paths]
 
     def _plane(self, point: ArrayLike, normal: ArrayLike) -> tuple[_Plane, Self]:
         """(plane, mesh without non-finite triangles). One sync, two if there are such triangles."""
         center = check_finite("point", check_shape("point", point, (3,)))
-        direction, vertices = check_direction("normal", normal), self._arrays["vertices"]
+        direction, vertices = check_direction("normal", normal), self.arrays["vertices"]
         low, high, count = bound_points(vertices)  # sync
         largest = np.abs([low, high]).max(axis=0).astype(np.float64) if count else np.zeros(3)
         slack = float(
             matmul(
                 np.abs(direction),
-                plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self._origin) + np.abs(center)),
+                plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self.arrays.origin) + np.abs(center)),
             )
         )
         mesh = self
         if count < vertices.size:
-            mesh = self._drop_triangles(clean_triangles.mask_not_finite(vertices, self._arrays["triangles"]))  # sync
-        return _Plane(direction, float(matmul(direction, self._origin - center)), slack), mesh
+            mesh = self._drop_triangles(clean_triangles.mask_not_finite(vertices, self.arrays["triangles"]))  # sync
+        return _Plane(direction, float(matmul(direction, self.arrays.origin - center)), slack), mesh
 
     def _cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
         """(cut, side of each piece, mesh of all pieces)."""
-        heights = plane_cut.measure_heights(self._arrays["vertices"], *plane)
-        cut = LevelCut(self._arrays["triangles"], heights, 0.0)
+        heights = plane_cut.measure_heights(self.arrays["vertices"], *plane)
+        cut = LevelCut(self.arrays["triangles"], heights, 0.0)
         cut_mesh = self._cut_up(cut)
-        return cut, plane_cut.find_sides(cut_mesh._arrays["vertices"], cut.pieces, cut.sides, plane.normal), cut_mesh
+        return cut, plane_cut.find_sides(cut_mesh.arrays["vertices"], cut.pieces, cut.sides, plane.normal), cut_mesh
 
     def _section(self, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """(points (n, 3) [m], lines (k, 2))."""
         cut, sides, cut_mesh = self._cut_by(plane)
         rows = positions_of(plane_cut.mark_in_plane(cut))  # sync
-        half_edges = plane_cut.read_half_edges(cut_mesh._arrays["vertices"], cut.pieces, sides, rows)  # sync
-        ends = lines_in_plane(half_edges.rows, self._arrays["vertices"].size)
+        half_edges = plane_cut.read_half_edges(cut_mesh.arrays["vertices"], cut.pieces, sides, rows)  # sync
+        ends = lines_in_plane(half_edges.rows, self.arrays["vertices"].size)
         used, numbers = np.unique(ends, return_inverse=True)
-        return half_edges.positions(used) + self._origin, numbers.reshape(-1, 2)
+        return half_edges.positions(used) + self.arrays.origin, numbers.reshape(-1, 2)
 
     def _above(self, cut: LevelCut, sides: wp.array, mask: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
         """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
         mesh, rows, chosen, half_edges = self._keep_triangles(mask, plane_cut.mark_in_plane(cut, mask))  # sync
-        vertices, pieces = self._arrays["vertices"], cut.pieces
+        vertices, pieces = self.arrays["vertices"], cut.pieces
         new_indices = [
             mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))
         ]
@@ -718,14 +717,14 @@ class MeshSelection(MeshArrays):
         end_corners = np.concatenate([numbers, numbers - numbers % 3 + (numbers + 1) % 3])
         vertices, first = np.unique(ends, return_index=True)
         corners = end_corners[first][np.searchsorted(vertices, lid.reshape(-1))].astype(np.int32)
-        current = self._arrays["triangles"]
+        current = self.arrays["triangles"]
         rows = np.concatenate([np.arange(current.size, dtype=np.int32), corners[::3] // 3])
-        arrays = self._triangles_at(upload(rows, int32, self._device))
-        arrays["triangles"] = concatenate_rows([current, upload(lid, vec3i, self._device)])
-        if "triangle_uvs" in self._arrays:
-            more = upload(corners, int32, self._device)
-            arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], more)
-        return self._with_arrays(**arrays)
+        arrays = self.arrays.triangles_at(upload(rows, int32, self.device))
+        arrays["triangles"] = concatenate_rows([current, upload(lid, vec3i, self.device)])
+        if "triangle_uvs" in self.arrays:
+            more = upload(corners, int32, self.device)
+            arrays["triangle_uvs"] = spread_corners(self.arrays["triangle_uvs"], more)
+        return self.with_arrays(**arrays)
 
 
 def _check_mask(mask: ArrayLike, count: int, of: str) -> NDArray[np.bool_]:

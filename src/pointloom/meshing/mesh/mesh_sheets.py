@@ -53,7 +53,7 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
     consistently oriented parts stay. Of all others, degenerate and duplicate triangles, parts that copy others, and
     single triangles without a partner are removed. If one triangle per vertex set leaves less border, it is kept."""
     clean = mesh.remove_degenerate_triangles()
-    vertices, triangles = clean._device_arrays["vertices"], clean._device_arrays["triangles"]
+    vertices, triangles = clean.arrays["vertices"], clean.arrays["triangles"]
     owners = find_equal_points(vertices)
     merged_triangles = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
     loose = mask_loose(triangles, vertices.size)
@@ -69,19 +69,19 @@ def _sew(
     mesh: MeshType, merged_triangles: Triangles, loose: Mask, folded: Indices, repeated: Indices
 ) -> Stitched[MeshType]:
     """`cut_and_stitch` without some triangles."""
-    vertices, copied_area = mesh._device_arrays["vertices"], _area_of(mesh, repeated)
+    vertices, copied_area = mesh.arrays["vertices"], _area_of(mesh, repeated)
     rows = other_rows(_joined(folded, repeated), merged_triangles.size, are_distinct=True)
-    clean = mesh._with_arrays(**mesh._triangles_at(rows))
+    clean = mesh.with_arrays(**mesh.arrays.triangles_at(rows))
     merged_triangles, loose = gather_triangles(merged_triangles, rows), gather_rows(loose, rows)
-    sheets = Sheets(vertices, clean._device_arrays["triangles"], merged_triangles, loose)
+    sheets = Sheets(vertices, clean.arrays["triangles"], merged_triangles, loose)
     covered, crowding = _find_parts_to_drop(clean, sheets, merged_triangles, loose)
     copied_area += _area_of(clean, covered)
     rows = other_rows(_joined(covered, crowding), merged_triangles.size, are_distinct=True)
     sets, twins = keep_corners(sheets.corner_sets(), rows), keep_corners(sheets.twins, rows)
-    clean = clean._with_arrays(**clean._triangles_at(rows))
-    used = count_referenced(clean._device_arrays["triangles"], vertices.size)
-    corner_vertices = CornerVertices(clean._device_arrays["triangles"], vertices.size, sets)
-    sewn = clean._with_arrays(triangles=corner_vertices.triangles, **clean._vertices_at(corner_vertices.rows))
+    clean = clean.with_arrays(**clean.arrays.triangles_at(rows))
+    used = count_referenced(clean.arrays["triangles"], vertices.size)
+    corner_vertices = CornerVertices(clean.arrays["triangles"], vertices.size, sets)
+    sewn = clean.with_arrays(triangles=corner_vertices.triangles, **clean.arrays.vertices_at(corner_vertices.rows))
     result = part_doubled_edges(sewn, twins)
     return Stitched(
         mesh=result,
@@ -90,7 +90,7 @@ def _sew(
         crowding=crowding.size,
         halved=len(result) - len(sewn),
         merged=used - corner_vertices.kept_count,
-        split=result._device_arrays["vertices"].size - corner_vertices.kept_count,
+        split=result.arrays["vertices"].size - corner_vertices.kept_count,
         unused=vertices.size - used,
         open_sides=sum_counts(mark_open_sides(twins)),  # sync
     )
@@ -100,7 +100,7 @@ def _find_worthless(mesh: MeshSelection, merged_triangles: Triangles, loose: Mas
     """Rows of loose triangles: degenerate, duplicate, duplicate in either orientation."""
     rows = positions_of(loose)  # sync
     candidates = gather_triangles(merged_triangles, rows)
-    vertices = mesh._device_arrays["vertices"]
+    vertices = mesh.arrays["vertices"]
     folded = positions_of(clean_triangles.mask_degenerate(vertices, candidates, zero_area=False))  # sync
     rest = other_rows(folded, rows.size, are_distinct=True)
     triangles, rows_left = gather_triangles(candidates, rest), gather_rows(rows, rest)
@@ -117,7 +117,7 @@ def _find_parts_to_drop(
 ) -> tuple[Indices, Indices]:
     """(rows of parts that copy others, rows of single triangles without a partner)."""
     count, device = merged_triangles.size, merged_triangles.device
-    classes, class_count = find_copies(merged_triangles, mesh._device_arrays["vertices"].size)  # sync
+    classes, class_count = find_copies(merged_triangles, mesh.arrays["vertices"].size)  # sync
     covered = np.zeros(count, np.bool_)
     if class_count < count:
         names = download(sheets.parts())  # sync
@@ -148,4 +148,4 @@ def _joined(first: Indices, second: Indices) -> Indices:
 
 
 def _area_of(mesh: Any, rows: Indices) -> float:
-    return mesh._with_arrays(**mesh._triangles_at(rows)).get_surface_area() if rows.size else 0.0
+    return mesh.with_arrays(**mesh.arrays.triangles_at(rows)).get_surface_area() if rows.size else 0.0

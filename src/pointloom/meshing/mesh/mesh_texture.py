@@ -59,16 +59,16 @@ class MeshTexture(MeshArrays):
         """
         size = check_count("size", size, maximum=MAX_SIZE, because="textures have at most 2^28 texels")
         gutter = check_positive("gutter", gutter, allow_zero=True, maximum=size / 4)
-        low, high, finite = bound_points(self._arrays["vertices"])
+        low, high, finite = bound_points(self.arrays["vertices"])
         if not len(self):
             raise ValueError("compute_uvatlas: the mesh has no triangles")
-        if finite < self._arrays["vertices"].size:
+        if finite < self.arrays["vertices"].size:
             raise ValueError("compute_uvatlas: expected finite vertices, got NaN or infinite ones")
         extent = float((high.astype(np.float64) - low).max())
-        corners = (download(self._arrays["vertices"]).reshape(-1, 3).astype(np.float64) - low) / (extent or 1.0)
+        corners = (download(self.arrays["vertices"]).reshape(-1, 3).astype(np.float64) - low) / (extent or 1.0)
         uvs = _lay_out(corners.astype(np.float32), self.triangles, size, gutter)
-        without = self._with_arrays(triangle_uvs=None, triangle_material_ids=None)
-        return without._with_arrays(triangle_uvs=upload(uvs, vec2, self._device))
+        without = self.with_arrays(triangle_uvs=None, triangle_material_ids=None)
+        return without.with_arrays(triangle_uvs=upload(uvs, vec2, self.device))
 
     @returns_new
     def bake_vertex_colors(self, size: int = 1024, *, gutter: int = 4) -> Self:
@@ -97,15 +97,15 @@ class MeshTexture(MeshArrays):
         size = check_count("size", size, maximum=MAX_SIZE, because="textures have at most 2^28 texels")
         gutter = check_count("gutter", gutter, minimum=0, maximum=size)
         for name, advice in (("vertex_colors", "set them first"), ("triangle_uvs", "call compute_uvatlas() first")):
-            if name not in self._arrays:
+            if name not in self.arrays:
                 raise ValueError(f"bake_vertex_colors: the mesh has no {name}; {advice}")
-        uvs = download(self._arrays["triangle_uvs"])
+        uvs = download(self.arrays["triangle_uvs"])
         if not ((uvs >= 0) & (uvs <= 1)).all():
             raise ValueError("triangle_uvs: expected coordinates in 0..1. Call compute_uvatlas() first")
-        check_room(self._device, size * size * TEXEL_BYTES, f"size: a texture of {size} x {size} texels")
-        arrays = (self._arrays["triangles"], self._arrays["vertex_colors"], self._arrays["triangle_uvs"])
+        check_room(self.device, size * size * TEXEL_BYTES, f"size: a texture of {size} x {size} texels")
+        arrays = (self.arrays["triangles"], self.arrays["vertex_colors"], self.arrays["triangle_uvs"])
         image = download(draw_vertex_colors(*arrays, size, gutter)).reshape(size, size, 3)
-        baked = self._with_arrays(vertex_colors=None, triangle_material_ids=None)
+        baked = self.with_arrays(vertex_colors=None, triangle_material_ids=None)
         baked.textures = [image]
         return baked
 
@@ -151,21 +151,21 @@ class MeshTexture(MeshArrays):
         size = check_count("tex_size", tex_size, minimum=1, maximum=MAX_TEXELS, because=because)
         if not len(self):
             raise ValueError("mesh: expected triangles to texture, got none")
-        if "triangle_uvs" not in self._arrays:
+        if "triangle_uvs" not in self.arrays:
             raise ValueError("mesh: expected triangle_uvs, got none. Call compute_uvatlas() first")
         listed_images = check_list("images", images, "images")
         extrinsics = check_list("extrinsic_matrices", poses, "matrices")
-        checked = check_images(NAMES, listed_images, _cameras(cameras, listed_images), extrinsics, self._device)
-        arrays = self._arrays
+        checked = check_images(NAMES, listed_images, _cameras(cameras, listed_images), extrinsics, self.device)
+        arrays = self.arrays
         texels = SurfaceTexels(arrays["vertices"], arrays["triangles"], arrays["triangle_uvs"], size)
         if not texels.texels.size:
             raise ValueError("mesh: no triangle covers a texel. Scale triangle_uvs into 0..1, or use more texels")
-        trees = plant_trees(self._arrays["vertices"], self._arrays["triangles"])
-        sums = texels.blend(checked.stacked(self._origin, 0), trees)
-        colors = self._arrays.get("vertex_colors")
+        trees = plant_trees(self.arrays["vertices"], self.arrays["triangles"])
+        sums = texels.blend(checked.stacked(self.arrays.origin, 0), trees)
+        colors = self.arrays.get("vertex_colors")
         image = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
         fraction = texels.visible_fraction(sums)  # sync
-        textured = self._with_arrays(triangle_material_ids=None)
+        textured = self.with_arrays(triangle_material_ids=None)
         textured.textures = (image.copy(),)
         return textured, fraction
 

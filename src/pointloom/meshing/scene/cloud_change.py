@@ -122,7 +122,7 @@ def compare_cloud_to_mesh(
     within = None if radius is None else check_positive("radius", radius)
     limit = np.inf if max_distance is None else check_positive("max_distance", max_distance)
     vertices, triangles = mesh.array("vertices"), mesh.array("triangles")
-    tree, queries = TriangleTree(vertices, triangles), cloud._points_about(mesh.origin)
+    tree, queries = TriangleTree(vertices, triangles), cloud.arrays.about(mesh.origin)
     signed, beside = (download(values) for values in face_distances(tree, vertices, triangles, queries))  # sync
     distances, is_beside = signed.astype(np.float64), beside != 0
     with np.errstate(invalid="ignore"):

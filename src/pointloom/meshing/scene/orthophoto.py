@@ -181,7 +181,7 @@ def _vertices_in_frame(
 
 def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]:
     """Appearance of each material. Triangles without color are omitted."""
-    arrays, none, device = mesh._device_arrays, empty(0, vec3, mesh.device), mesh.device
+    arrays, none, device = mesh.arrays, empty(0, vec3, mesh.device), mesh.device
     flat = view_as(arrays["triangles"], int32, (3 * arrays["triangles"].size,))
     looks: dict[str, Any] = {"normals": none, "plain": vec3(0.0, 0.0, 0.0), "lit": False, "edges": False}
     surfaces: list[tuple[int, Surface]] = []
@@ -213,7 +213,7 @@ def _strips(
     top = grid.corner[1] + rows * grid.cell
     above = float(trees.high[2] + 0.01 * (trees.high[2] - trees.low[2]))
     cells = PlanCells(grid.corner[0] - origin[0], top - origin[1], grid.cell, columns, above)
-    materials = mesh._device_arrays.get("triangle_material_ids")
+    materials = mesh.arrays.get("triangle_material_ids")
     materials = empty(0, int32, mesh.device) if materials is None else materials
     step = max(1, STRIP // columns)
     for first in range(0, rows, step):

@@ -116,7 +116,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         check_lengths(cloud)
         edge = check_voxel_size(voxel_size)
         start = cloud.origin if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        points = cloud._device_array("points")
+        points = cloud.arrays["points"]
         x, y, z = (cloud.origin - start).tolist()
         source = FieldSource(start, edge, check_positive("max_distance", max_distance))
         try:
@@ -365,7 +365,7 @@ def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
 
 
 def _extent(cloud: PointCloud) -> str:
-    low, high, count = bound_points(cloud._device_array("points"))
+    low, high, count = bound_points(cloud.arrays["points"])
     if not count:
         return ""
     box = (np.array([low, high], np.float64) + cloud.origin).round(3).tolist()

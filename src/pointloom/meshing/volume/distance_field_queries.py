@@ -209,7 +209,7 @@ class FieldQueries:
         """Positions in float64 on the field's device, and the form of the result."""
         if isinstance(points, PointCloud):
             check_same_device(name, points.device, self.device)
-            positions = add_origin(points._device_array("points"), points.origin)
+            positions = add_origin(points.arrays["points"], points.origin)
             return positions, Form(points.array_library, points.device.is_cpu)
         if is_on_gpu(points):
             return take_vectors_in_float64(name, points, self.device), form_of(points)

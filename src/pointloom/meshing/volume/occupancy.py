@@ -155,7 +155,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
             )
         x, y, z = (cloud.origin - new_origin).tolist()
         lattice, ray_starts = self._blocks.lattice, upload(local.astype(np.float32), vec3, self.device)
-        rays, infinite = odds.prepare_rays(cloud._device_array("points"), (x, y, z), ray_starts, longest, lattice)
+        rays, infinite = odds.prepare_rays(cloud.arrays["points"], (x, y, z), ray_starts, longest, lattice)
         if infinite:
             raise ValueError(
                 "points: expected finite points. Use remove_non_finite_points(), or max_range to shorten long rays"

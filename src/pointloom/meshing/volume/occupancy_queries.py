@@ -186,7 +186,7 @@ class OccupancyQuestions(Serialized):
         """Centers of the occupied voxels, in block order."""
         voxels = self._device_voxels()
         centers = odds.voxel_centers(voxels, self._blocks.lattice)
-        return PointCloud._from_device_arrays({"points": centers}, self.origin, self._library)
+        return PointCloud.from_device_arrays({"points": centers}, self.origin, self._library)
 
     def to_voxel_grid(self) -> VoxelGrid:
         """Occupied voxels as a VoxelGrid."""
@@ -247,7 +247,7 @@ class OccupancyQuestions(Serialized):
         form = Form(points.array_library, False) if isinstance(points, PointCloud) else form_of(points)
         x, y, z = (cloud.origin - self.origin).tolist()
         self._blocks.count  # noqa: B018  what was interrupted is settled
-        return odds.look_up(cloud._device_array("points"), (x, y, z), self._blocks), form
+        return odds.look_up(cloud.arrays["points"], (x, y, z), self._blocks), form
 
 
 def _probability(log_odds: NDArray[np.float32]) -> NDArray[np.float64]:

@@ -269,7 +269,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         arrays = {"points": self._rows(surface.vertices), "normals": self._rows(surface.normals)}
         if self._volume.has_frame_colors:
             arrays["colors"] = self._rows(surface.colors)
-        return PointCloud._from_device_arrays(arrays, self.origin, self._volume.array_library)
+        return PointCloud.from_device_arrays(arrays, self.origin, self._volume.array_library)
 
     def ray_cast(
         self,
@@ -323,9 +323,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         colors = self._rows(surface.colors) if self._volume.has_frame_colors else None
         triangles = upload(np.ascontiguousarray(surface.triangles), vec3i, self.device)
         options: dict[str, Any] = {"origin": self.origin, "library": self._volume.array_library}
-        return TriangleMesh._from_device_arrays(
-            self._rows(surface.vertices), triangles, vertex_colors=colors, **options
-        )
+        return TriangleMesh.from_device_arrays(self._rows(surface.vertices), triangles, vertex_colors=colors, **options)
 
 
 def _check_counts(max_blocks: Any, page_blocks: Any) -> tuple[int, int]:

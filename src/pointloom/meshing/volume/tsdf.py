@@ -362,7 +362,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """
         surface = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
-        return TriangleMesh._from_device_arrays(
+        return TriangleMesh.from_device_arrays(
             vertices, surface.triangles(), vertex_colors=shades, origin=self.origin, library=self._library
         )
 
@@ -383,7 +383,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         arrays: dict[str, wp.array] = {"points": points, "normals": normals}  # type: ignore[dict-item]
         if shades is not None:
             arrays["colors"] = shades
-        return PointCloud._from_device_arrays(arrays, self.origin, self._library)
+        return PointCloud.from_device_arrays(arrays, self.origin, self._library)
 
     def ray_cast(
         self,

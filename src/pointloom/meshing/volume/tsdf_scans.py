@@ -96,11 +96,11 @@ class ScanIntegration(Serialized):
         has_colors = cloud is not None and self.has_color and bool(cloud.has_colors)
         if len(scan):
             self._check_color(has_colors)
-        colors = cloud._device_array("colors") if has_colors and cloud is not None else None
+        colors = cloud.arrays["colors"] if has_colors and cloud is not None else None
         frames = self._current_frames
         start = frames.origin if frames.origin is not None else origin_of_sensor(scanners[0])
         if cloud is not None:
-            positions = add_origin(cloud._device_array("points"), cloud.origin - start)
+            positions = add_origin(cloud.arrays["points"], cloud.origin - start)
         else:
             positions = upload(scan - start, vec3d, self.device)
         rays = ScanRays(
@@ -150,7 +150,7 @@ def _scan_of(points: Any, device: Any) -> tuple[Any, str]:
         rows = take_rows("points", points, 3, device)
         if rows.dtype == float32:
             arrays = {"points": view_as(rows, vec3, (rows.shape[0],))}
-            return PointCloud._from_device_arrays(arrays, np.zeros(3), library), library
+            return PointCloud.from_device_arrays(arrays, np.zeros(3), library), library
         points = download(rows)  # sync
     return check_rows("points", points, 3, dtype=np.float64), library
 

@@ -53,7 +53,7 @@ class PointCloud(BoundedByBoxes):
     def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
         if name not in native:
             return None
-        return native._device_array(name), native.origin.tobytes() if name == "points" else b""
+        return native.arrays[name], native.origin.tobytes() if name == "points" else b""
 
     def _made(self, changed: list[str]) -> Any:
         count, made = self._count("points"), self._wrapped

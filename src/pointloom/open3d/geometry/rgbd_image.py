@@ -40,7 +40,7 @@ class RGBDImage(Geometry2D):
             if is_gray
             else upload(np.broadcast_to(color.reshape(depth.size, -1), (depth.size, 3)).copy(), uint8, cpu)
         )
-        return images.RGBDImage._from_device_arrays(pixels, upload(depth.flatten(), float32, cpu), *depth.shape)
+        return images.RGBDImage.from_device_arrays(pixels, upload(depth.flatten(), float32, cpu), *depth.shape)
 
     @classmethod
     def create_from_color_and_depth(

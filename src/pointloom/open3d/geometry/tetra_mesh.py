@@ -44,7 +44,7 @@ class TetraMesh(MeshBase):
         return np.zeros((0, 3)) if values is None else values
 
     def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
-        arrays = native._device_arrays
+        arrays = native.arrays
         return (arrays[name], native.origin.tobytes() if name == "vertices" else b"") if name in arrays else None
 
     def _made(self, changed: list[str]) -> Any:

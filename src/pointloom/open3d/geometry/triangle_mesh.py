@@ -180,7 +180,7 @@ class TriangleNormals(MeshFactories):
         super()._become(new)
         if before is not old:
             return self
-        arrays, others = old._device_arrays, new._device_arrays
+        arrays, others = old.arrays, new.arrays
         self._faces = new
         if any(arrays[name] is not others[name] for name in ("vertices", "triangles")):
             self._show_faces()
@@ -355,7 +355,7 @@ class TriangleMesh(TriangleNormals):
         return np.zeros((0, *kind._row), kind._dtype) if values is None else values
 
     def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
-        arrays = native._device_arrays
+        arrays = native.arrays
         if name == "triangle_normals":  # TriangleNormals fills that vector
             return ()
         if name not in arrays:
@@ -385,8 +385,8 @@ class TriangleMesh(TriangleNormals):
         for name in (name for name in PARTS if name in changed):
             if self._count(name) == lengths[name] > 0:
                 setattr(made, name, np.asarray(self._vector(name)))
-            elif name in made._device_arrays:
-                made = made._with_arrays(**{name: None})
+            elif name in made.arrays:
+                made = made.with_arrays(**{name: None})
         if self._faces is current and not is_moved:
             self._faces = made
         return made

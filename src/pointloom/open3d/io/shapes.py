@@ -72,7 +72,7 @@ def write_point_cloud(
     if not len(cloud) and suffix in OF_POINTS:
         return _not_written(filename, "the cloud is empty")
     columns = TEXT_COLUMNS.get(suffix)
-    left_out = [] if columns is None else [name for name in cloud._device_arrays if name not in ("points", *columns)]
+    left_out = [] if columns is None else [name for name in cloud.arrays if name not in ("points", *columns)]
     point_cloud.write_point_cloud(filename, cloud.without(*left_out), ascii=write_ascii)
     return True
 

@@ -299,7 +299,7 @@ class DepthEstimate(Assessed):
         if not keep_edges:
             radius = min(max(round(BLUR * self.enlargement), BLUR), MAX_RADIUS)
             filtered = drop_flying(image.depth_array, image.width, image.height, radius, FLYING_JUMP)
-            image = RGBDImage._from_device_arrays(image.color_array, filtered, image.height, image.width)
+            image = RGBDImage.from_device_arrays(image.color_array, filtered, image.height, image.width)
         return PointCloud.create_from_rgbd_image(image, self.intrinsic, stride=step)
 
 

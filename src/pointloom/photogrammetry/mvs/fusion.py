@@ -200,7 +200,7 @@ def _fuse_points(
     arrays = {name: concatenate_rows([part[k] for part in parts]) for k, name in enumerate(names)}
     if not colors:
         del arrays["colors"]
-    return PointCloud._from_device_arrays(arrays, origin)
+    return PointCloud.from_device_arrays(arrays, origin)
 
 
 def _overlaps(maps: DepthMaps) -> NDArray[np.bool_]:
@@ -271,7 +271,7 @@ def _fuse_poisson(maps: DepthMaps, cloud: PointCloud, voxel: float | None, repor
     mesh, _ = TriangleMesh.create_from_point_cloud_poisson(cloud, width=width)
     if not len(mesh):
         return mesh
-    away = PointCloud._from_device_arrays(
-        {"points": mesh._device_arrays["vertices"]}, mesh.origin
-    ).compute_point_cloud_distance(cloud)
+    away = PointCloud.from_device_arrays({"points": mesh.arrays["vertices"]}, mesh.origin).compute_point_cloud_distance(
+        cloud
+    )
     return mesh.trim(-away, -TRIM * width)

@@ -197,7 +197,7 @@ class _DriftRegistration:
         self.source, self.target, self.begin = source, target, begin
         points, others = source.remove_non_finite_points(), target.remove_non_finite_points()
         start = points.transform(begin)
-        first = transform_to_positions(start._device_array("points"), np.eye(3), np.zeros(3))
+        first = transform_to_positions(start.arrays["points"], np.eye(3), np.zeros(3))
         count = first.size
         total = np.asarray(download(reduce(sum_positions, count, [first])), np.float64).ravel() / count  # sync
         radius = float(np.sqrt(max(total[3] - matmul(total[:3], total[:3]), 0.0)))
@@ -221,7 +221,7 @@ class _DriftRegistration:
 
     def _normalized(self, cloud: PointCloud) -> Any:
         return transform_to_positions(
-            cloud._device_array("points"), self.unit * np.eye(3), self.unit * (cloud.origin - self.center)
+            cloud.arrays["points"], self.unit * np.eye(3), self.unit * (cloud.origin - self.center)
         )
 
     def begin_field(self, width: float, stiffness: float) -> None:
@@ -313,7 +313,7 @@ def _moved(cloud: PointCloud, T: Array, field: Any) -> PointCloud:
     if field is None:
         return moved
     center, unit, centers, weights, scale = field
-    arrays = {name: values for name, values in moved._device_arrays.items() if name not in ("normals", "covariances")}
+    arrays = {name: values for name, values in moved.arrays.items() if name not in ("normals", "covariances")}
     points = arrays["points"]
     arrays["points"] = move_points(points, moved.origin - center, unit, centers, weights, scale)
-    return moved._with_arrays(arrays, grid=moved.grid)
+    return moved.with_arrays(arrays, grid=moved.grid)

@@ -140,11 +140,11 @@ class ControlGrid(Serialized):
         """
         points = self._points_of("cloud", cloud)
         moved = bend_points(points, self._lattice)
-        arrays = {name: values for name, values in cloud._device_arrays.items() if name != "covariances"}
+        arrays = {name: values for name, values in cloud.arrays.items() if name != "covariances"}
         arrays["points"] = moved
         if "normals" in arrays:
             arrays["normals"] = bend_normals(points, arrays["normals"], self._lattice)
-        bent = PointCloud._from_device_arrays(arrays, self._origin if len(self) else cloud.origin, cloud.array_library)
+        bent = PointCloud.from_device_arrays(arrays, self._origin if len(self) else cloud.origin, cloud.array_library)
         bent.grid = cloud.grid
         return bent
 
@@ -200,9 +200,9 @@ class ControlGrid(Serialized):
         check_same_device(name, self.device, cloud.device)
         if not len(self):
             if not first:
-                return cloud._points_about(cloud.origin)
+                return cloud.arrays.about(cloud.origin)
             self._origin = cloud.origin.copy()
-        return cloud._points_about(self._origin)
+        return cloud.arrays.about(self._origin)
 
     def _positions(self, shifts: NDArray[np.float64]) -> NDArray[np.float64]:
         lattice = self._lattice

@@ -259,7 +259,7 @@ class _NonRigidRegistration:
             )
         self.pose, tree = icp.transformation, self.target.search_tree()
         self.tree, self.count = tree, len(source)
-        normals = self.target._device_array("normals")
+        normals = self.target.arrays["normals"]
         self.surface = Surface(tree.source, normals, find_borders(tree, normals))
         self._make_graph(weight)
         device = tree.device
@@ -269,12 +269,12 @@ class _NonRigidRegistration:
         source, device, (source_points, target_points) = self.source, self.tree.device, self.pins
         thin = source.remove_non_finite_points()
         chosen = thin.farthest_point_down_sample(len(thin.voxel_down_sample(self.spacing)))
-        nodes = chosen._points_about(source.origin)
+        nodes = chosen.arrays.about(source.origin)
         T = to_local(self.pose, source.origin, self.target.origin)
         host = np.asarray(download(nodes), np.float64).reshape(-1, 3)
         rotations = upload(np.tile(T[:3, :3], (len(host), 1, 1)), mat33d, device)
         self.graph = DeformationGraph(nodes, rotations, upload(matmul(host, T[:3, :3].T) + T[:3, 3], vec3d, device))
-        points = source._device_array("points")
+        points = source.arrays["points"]
         self.influence = Influence(points, self.graph)
         around = neighbors_of(self.graph, self.influence)
         self.around, everything = around, self.influence
@@ -290,7 +290,7 @@ class _NonRigidRegistration:
 
     def _pair(self, max_distance: float) -> Any:
         moved = bend_points(self.graph, self.influence)
-        normals = bend_normals(self.graph, self.influence, self.source._device_array("normals"))
+        normals = bend_normals(self.graph, self.influence, self.source.arrays["normals"])
         nearest = find_nearest(self.tree, moved, radius=max_distance)
         outputs = [self.rule, self.steps.rows, self.partners, self.distances]
         launch(pair_points_kernel, self.count, [moved, normals, nearest, self.surface, *outputs])
@@ -337,7 +337,7 @@ class _NonRigidRegistration:
         residuals, matched, rmse = self._measure(self._pair(self._limit(1, 1)))
         deformation = Deformation(self.graph, self.source.origin, self.target.origin)
         warped = deformation.transform(self.source)
-        nearest = find_nearest(PointTree(warped._points_about(self.target.origin)), self.tree.source)
+        nearest = find_nearest(PointTree(warped.arrays.about(self.target.origin)), self.tree.source)
         covered = _fraction_within(nearest, 0.5 * self.grain, self.tree.count)
         strains = quantiles_of(measure_strain(self.graph, self.around), [0.9])
         volumes = deformation.volumes(self.source)
@@ -543,12 +543,12 @@ class Deformation:
             return np.array(download(bend_wide(self._graph, self._influence(cloud), self._target))).reshape(-1, 3)
         check_same_device("points", self.device, points.device)
         influence = self._influence(points)
-        arrays = {name: values for name, values in points._device_arrays.items() if name != "covariances"}
+        arrays = {name: values for name, values in points.arrays.items() if name != "covariances"}
         arrays["points"] = bend_points(self._graph, influence)
         if "normals" in arrays:
             arrays["normals"] = bend_normals(self._graph, influence, arrays["normals"])
-        bent = PointCloud._from_device_arrays(arrays, self._target, points.array_library)
-        bent.grid, bent._unit = points.grid, points.unit
+        bent = PointCloud.from_device_arrays(arrays, self._target, points.array_library)
+        bent.grid, bent.unit = points.grid, points.unit
         return bent
 
     def volumes(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:
@@ -557,4 +557,4 @@ class Deformation:
         return np.array(download(measure_volumes(self._graph, self._influence(cloud))))
 
     def _influence(self, cloud: PointCloud) -> Influence:
-        return Influence(cloud._points_about(self._source), self._graph)
+        return Influence(cloud.arrays.about(self._source), self._graph)

@@ -171,8 +171,8 @@ class _Alignment:
         for cloud in clouds if bends else ():
             self.grid.touch(cloud)
         origin = self.grid.origin if len(self.grid) else clouds[0].origin
-        parts = [cloud._points_about(origin) for cloud in clouds]
-        normals = [cloud._device_array("normals") for cloud in clouds]
+        parts = [cloud.arrays.about(origin) for cloud in clouds]
+        normals = [cloud.arrays["normals"] for cloud in clouds]
         counts = [len(cloud) for cloud in clouds]
         lattice = self.grid._lattice
         self.fragments = Fragments(concatenate_rows(parts), concatenate_rows(normals), counts, lattice)
@@ -291,11 +291,11 @@ def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float
     counted = []
     for s, t, T in zip(graph.source, graph.target, graph.transformations, strict=True):
         source, target = clouds[s], clouds[t]
-        points, local = source._device_array("points"), to_local(T, source.origin, target.origin)
+        points, local = source.arrays["points"], to_local(T, source.origin, target.origin)
         queries = transform_points(points, local[:3, :3], local[:3, 3])
         nearest = find_nearest(target.search_tree(), queries, radius=distance)
         ends = (source.origin, target.origin), (graph.poses[s], graph.poses[t])
-        counted.append(count_agreeing(points, target._device_array("points"), nearest, *ends, distance))
+        counted.append(count_agreeing(points, target.arrays["points"], nearest, *ends, distance))
     if not counted:
         return np.zeros(0)
     matches, agreeing = download(concatenate_rows(counted)).T  # sync

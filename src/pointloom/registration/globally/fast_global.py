@@ -198,7 +198,7 @@ def _check_option(option: Any) -> FastGlobalRegistrationOption:
 def _register(
     source: PointCloud, target: PointCloud, given: wp.array, option: FastGlobalRegistrationOption, seed: int
 ) -> RegistrationResult:
-    points = source._device_array("points"), target._device_array("points")
+    points = source.arrays["points"], target.arrays["points"]
     boxes = [box[:2] for box in bound_each(points)]  # sync
     middles = middle_of(*boxes[0]), middle_of(*boxes[1])
     pairs = PairCoordinates(*points, given, *middles)

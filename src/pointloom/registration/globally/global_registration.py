@@ -65,7 +65,7 @@ class Description(NamedTuple):
     @property
     def thinned(self) -> PointCloud:
         arrays = {"points": self.surface.points, "normals": self.surface.normals}
-        return PointCloud._from_device_arrays(arrays, self.cloud.origin)
+        return PointCloud.from_device_arrays(arrays, self.cloud.origin)
 
 
 @explain_argument_errors
@@ -380,7 +380,7 @@ def registration_robust_based_on_feature_matching(
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:
-    consensus = find_poses(source._device_array("points"), target._device_array("points"), pairs, bound, seed)
+    consensus = find_poses(source.arrays["points"], target.arrays["points"], pairs, bound, seed)
     if not len(consensus.poses):
         result = no_pose(f"no {MIN_CORRESPONDENCES} of {pairs.shape[0]} correspondences agree", source)
         result.score = 0.0

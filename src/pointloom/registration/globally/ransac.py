@@ -205,14 +205,14 @@ def _register(
     seed: int,
 ) -> RegistrationResult:
     checks, device = checks_of(checkers), source.device
-    points = source._device_array("points"), target._device_array("points")
-    fitness = PoseFitness(source._curve_order(), target.search_tree())
+    points = source.arrays["points"], target.arrays["points"]
+    fitness = PoseFitness(source.arrays.tree.order(), target.search_tree())
     search = PoseSearch(fitness, *points, pairs)
     if search.pairs.count < sample_size:
         return no_pose(f"{sample_size} correspondences of finite points needed, {search.pairs.count} given", source)
     normals = empty(0, vec3, device), empty(0, vec3, device)
     if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
-        normals = source._device_array("normals"), target._device_array("normals")
+        normals = source.arrays["normals"], target.arrays["normals"]
     limits = (criteria.max_iteration, criteria.confidence)
     best = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
     if best.pose is None or best.count <= 0:
@@ -232,5 +232,5 @@ def _register(
 
 
 def no_pose(warning: str, source: PointCloud, *, iterations: int = 0) -> RegistrationResult:
-    none = source._handed_out(empty((0, 2), int32, source.device))
+    none = source.arrays.hand_out(empty((0, 2), int32, source.device))
     return RegistrationResult(np.eye(4), 0.0, 0.0, none, iterations=iterations, warnings=(warning,), score=0.0)

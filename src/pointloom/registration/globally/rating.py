@@ -149,8 +149,8 @@ def refine_poses(
     for surface in (*sources, *targets):
         if id(surface) not in clouds:
             arrays = {"points": surface.points, "normals": surface.normals}
-            clouds[id(surface)] = PointCloud._from_device_arrays(arrays, np.zeros(3))
-            clouds[id(surface)]._adopt_search_tree(surface.tree)
+            clouds[id(surface)] = PointCloud.from_device_arrays(arrays, np.zeros(3))
+            clouds[id(surface)].arrays.tree.adopt(surface.tree)
     left, right = [clouds[id(s)] for s in sources], [clouds[id(s)] for s in targets]
     rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
     plane, bound = TransformationEstimationPointToPlane(), Constraint(free)

@@ -93,7 +93,7 @@ class MatchedClouds(Generic[Loop]):
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
         if not count:  # Warp rejects an empty slice at the end
-            return self._sources[s]._handed_out(empty((0, 2), int32, self._sources[s].device))
+            return self._sources[s].arrays.hand_out(empty((0, 2), int32, self._sources[s].device))
         partners = self.loop.matches.pairs[first : first + count]
         rows = self.source_clouds.order[base : base + count]
         library = self._sources[s].array_library
@@ -115,13 +115,13 @@ class MatchedClouds(Generic[Loop]):
 
 def order_points(sources: Side) -> ManyClouds:
     if sources.is_one_complete_cloud:
-        return sources.clouds[0]._curve_order()
+        return sources.clouds[0].arrays.tree.order()
     return ManyClouds(sources.points, joined=sources.joined)
 
 
 def grow_forest(targets: Side) -> PointForest:
     if targets.is_one_complete_cloud:
-        return targets.clouds[0]._search_forest()
+        return targets.clouds[0].arrays.tree.forest()
     forest = PointForest(targets.points, joined=targets.joined)
     clouds = forest.clouds
     check_extent("targets", clouds.low, clouds.high, clouds.points)

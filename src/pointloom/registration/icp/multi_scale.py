@@ -148,7 +148,7 @@ def _with_weights(cloud: PointCloud, weights: ArrayLike | str | None) -> PointCl
     if weights is None:
         return cloud
     columns = point_weights([cloud], weights, _ROLES[:1])
-    return cloud._with_arrays(cloud._device_arrays | {WEIGHTS: columns[0]}, grid=cloud.grid)
+    return cloud.with_arrays(cloud.arrays | {WEIGHTS: columns[0]}, grid=cloud.grid)
 
 
 def _at_scale(callback: Watcher, scale: int, state: dict[str, Any]) -> None:

@@ -146,11 +146,11 @@ def _run(
     pose: NDArray[np.float64],
     degeneracy: float,
 ) -> RegistrationResult:
-    points = source._device_array("points")
+    points = source.arrays["points"]
     count, mean, covariance = mean_and_covariance(points) if len(target) else (0, np.zeros(3), np.zeros((3, 3)))  # sync
     distributions = _distributions_of(target, rules) if count else None
     if distributions is None or not distributions.finite_count:
-        nothing = source._handed_out(empty((0, 2), int32, source.device))
+        nothing = source.arrays.hand_out(empty((0, 2), int32, source.device))
         return RegistrationResult(pose, 0.0, 0.0, nothing, warnings=("no correspondences",))
     smallest = SMALLEST_SIZE * float(norm(mean))
     loop = DistributionLoop(
@@ -184,7 +184,7 @@ def _distributions_of(target: PointCloud, rules: NormalDistributionsTransformOpt
     size = rules.voxel_size
     corner = -np.mod(target.origin, size) - size / 2  # voxel centers at multiples of the size, in world coordinates
     distributions = NormalDistributions(
-        target._device_array("points"),
+        target.arrays["points"],
         size,
         corner.tolist(),
         min_points=rules.min_points_per_voxel,

@@ -47,8 +47,8 @@ def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
         return cloud
     if np.abs(cloud.origin).max() > ORIGIN_LIMIT:
         raise ValueError(f"{name}: expected a scan in the frame of its sensor, within 10 km of the origin")
-    arrays = {n: cloud._device_array(n) for n in cloud._device_arrays} | {"points": cloud._points_about(np.zeros(3))}
-    return type(cloud)._from_device_arrays(arrays, np.zeros(3), cloud.array_library)
+    arrays = {n: cloud.arrays[n] for n in cloud.arrays} | {"points": cloud.arrays.about(np.zeros(3))}
+    return type(cloud).from_device_arrays(arrays, np.zeros(3), cloud.array_library)
 
 
 @dataclass
@@ -63,13 +63,13 @@ class Side:
     names: Sequence[str]
 
     def __post_init__(self) -> None:
-        self.points = [cloud._device_array("points") for cloud in self.clouds]
+        self.points = [cloud.arrays["points"] for cloud in self.clouds]
         self.joined: wp.array | None = None
 
     @property
     def is_one_complete_cloud(self) -> bool:
         """True for one cloud whose points are all used."""
-        return len(self.points) == 1 and self.points[0] is self.clouds[0]._device_array("points")
+        return len(self.points) == 1 and self.points[0] is self.clouds[0].arrays["points"]
 
     def columns_of(self, k: int) -> list[wp.array]:
         return [_as_rows(arrays[k]) for arrays in self.columns.values()]
@@ -85,7 +85,7 @@ def drop_unusable_points(sides: Sequence[Side]) -> None:
     required = [list(side.columns) for side in sides for _ in side.clouds]
     for k in np.flatnonzero(counts).tolist():
         lost = len(clouds[k]) - bound_points(points[k])[2]
-        lost -= len(clouds[k]) - bound_points(clouds[k]._device_array("points"))[2]
+        lost -= len(clouds[k]) - bound_points(clouds[k].arrays["points"])[2]
         warn_of_units(
             f"{names[k]}: {' or '.join(required[k])} of {lost:,} of {len(clouds[k]):,} points are not finite. "
             "These points are not used.",
@@ -113,7 +113,7 @@ def _as_rows(values: wp.array) -> wp.array:
 def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
     if not cloud.has_normals:
         raise ValueError(f"{name}: {method} needs normals, and it has none; call {name} = {name}.estimate_normals()")
-    return cloud._device_array("normals")
+    return cloud.arrays["normals"]
 
 
 def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
@@ -123,7 +123,7 @@ def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) 
 def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:
     if not cloud.has_colors:
         raise ValueError(f"{name}: {method} needs colors, and it has none; assign cloud.colors")
-    return cloud._device_array("colors")
+    return cloud.arrays["colors"]
 
 
 def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
@@ -147,12 +147,12 @@ def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, nam
 def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud"):
     """Covariances for generalized ICP, float32 [n, 9]: given ones, else planes from normals or from 20 neighbors."""
     if "covariances" in cloud:
-        rows = cloud._device_array("covariances")
+        rows = cloud.arrays["covariances"]
         if rows.shape != (len(cloud), 9):
             raise ValueError(f"{name}: expected covariances of shape [{len(cloud)}, 9], got {list(rows.shape)}")
         return rows if rows.dtype == float32 else cast(rows, float32)
     if cloud.has_normals:
-        return plane_covariances_from_normals(cloud._device_array("normals"), epsilon)
+        return plane_covariances_from_normals(cloud.arrays["normals"], epsilon)
     return plane_covariances(cloud.search_tree(), COVARIANCE_NEIGHBORS, epsilon)
 
 
@@ -162,7 +162,7 @@ def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeas
         raise ValueError(
             f"{name}: Doppler ICP needs radial speeds, and it has none; assign cloud['dopplers'], shape [n] in m/s"
         )
-    speeds = cloud._device_array("dopplers")
+    speeds = cloud.arrays["dopplers"]
     if speeds.shape not in ((len(cloud),), (len(cloud), 1)):
         raise ValueError(f"{name}: expected dopplers of shape [{len(cloud)}], got {list(speeds.shape)}")
     speeds = speeds.reshape(len(cloud))
@@ -173,11 +173,11 @@ def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeas
 
 def _directions(cloud: PointCloud, name: str) -> wp.array:
     if "directions" in cloud:
-        rows = cloud._device_array("directions")
+        rows = cloud.arrays["directions"]
         if rows.shape != (len(cloud), 3):
             raise ValueError(f"{name}: expected directions of shape [{len(cloud)}, 3], got {list(rows.shape)}")
         return normalize_vectors(share_vectors("directions", rows if rows.dtype == float32 else cast(rows, float32)))
-    points = cloud._device_array("points")
+    points = cloud.arrays["points"]
     if cloud.origin.any():
         points = transform_points(points, np.eye(3), cloud.origin)
     return normalize_vectors(points)
@@ -194,7 +194,7 @@ def point_weights(clouds: Sequence[PointCloud], weights: ArrayLike | str, names:
         if isinstance(weights, str):
             if weights not in cloud:
                 raise ValueError(f"weights: {name} has no attribute {weights!r}; assign {label}, shape [n]")
-            values = download(cloud._device_array(weights))  # sync
+            values = download(cloud.arrays[weights])  # sync
         else:
             values = check_numeric("weights", on_host("weights", weights))
         if values.shape not in ((len(cloud),), (len(cloud), 1)):

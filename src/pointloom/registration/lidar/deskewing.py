@@ -64,7 +64,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
     if times is None:
         names = ", ".join(TIME_NAMES)
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
-    span = bound_times(cloud._device_array("points"), times)
+    span = bound_times(cloud.arrays["points"], times)
     first, last = download(span)  # sync
     check_resolution(times, first, last, are_single(cloud, timestamps))
     if first > last and len(cloud) and not np.isfinite(download(times)).any():  # sync, only for errors
@@ -72,9 +72,9 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
     if first == last and len(cloud) > MIN_TIMES:
         warn_of_coarse_times(1, len(cloud))
     twist = twist_of(to_local(T, cloud.origin, cloud.origin))
-    moved = move_points(cloud._device_array("points"), times, np.zeros(3), span, twist)
-    arrays = {name: cloud._device_array(name) for name in cloud._device_arrays} | {"points": moved}
-    deskewed = type(cloud)._from_device_arrays(arrays, cloud.origin, cloud.array_library)
+    moved = move_points(cloud.arrays["points"], times, np.zeros(3), span, twist)
+    arrays = {name: cloud.arrays[name] for name in cloud.arrays} | {"points": moved}
+    deskewed = type(cloud).from_device_arrays(arrays, cloud.origin, cloud.array_library)
     deskewed.grid = cloud.grid
     return deskewed
 
@@ -88,7 +88,7 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
         return upload(times.astype(np.float64), float64, cloud.device)
     for name in TIME_NAMES:
         if name in cloud:
-            values = cloud._device_array(name)
+            values = cloud.arrays[name]
             if values.ndim == 1 or values.shape[1:] == (1,):
                 return values if values.dtype == float64 and values.ndim == 1 else cast(values.flatten(), float64)
             raise ValueError(
@@ -102,7 +102,7 @@ def are_single(cloud: PointCloud, timestamps: ArrayLike | None) -> bool:
     if timestamps is not None:
         return is_single(check_numeric("timestamps", on_host("timestamps", timestamps)).dtype)
     name = next((name for name in TIME_NAMES if name in cloud), None)
-    return name is not None and is_single(wp.dtype_to_numpy(cloud._device_array(name).dtype))
+    return name is not None and is_single(wp.dtype_to_numpy(cloud.arrays[name].dtype))
 
 
 def check_resolution(times: wp.array, first: float, last: float, are_single: bool) -> None:

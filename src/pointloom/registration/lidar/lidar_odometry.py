@@ -195,7 +195,7 @@ class LidarOdometry(Serialized):
         if self._known.map is None:
             return PointCloud(device=self.device)
         points, origin = self._known.map.points(self._last_pose()[:3, 3])
-        return PointCloud._from_device_arrays({"points": points}, np.array(origin))
+        return PointCloud.from_device_arrays({"points": points}, np.array(origin))
 
     @property
     def summary(self) -> OdometrySummary:
@@ -231,7 +231,7 @@ class LidarOdometry(Serialized):
         self._finish_interrupted()
         state = self._known
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
-        points = scan._device_array("points")
+        points = scan.arrays["points"]
         if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
             self._part = part_of_interval(points, times, scan.origin, self.interval, are_single(scan, timestamps))
         raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)

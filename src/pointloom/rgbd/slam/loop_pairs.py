@@ -56,11 +56,11 @@ class SubmapSurface:
             return
         self.witness = Witness(surface, voxel_size)
         self.thinned = self._as_cloud(surface)
-        ends = np.array(bound_points(self.cloud._device_array("points"))[:2], np.float64) + self.cloud.origin  # sync
+        ends = np.array(bound_points(self.cloud.arrays["points"])[:2], np.float64) + self.cloud.origin  # sync
         self.box = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
 
     def _as_cloud(self, surface: Surface) -> PointCloud:
-        return PointCloud._from_device_arrays({"points": surface.points, "normals": surface.normals}, self.cloud.origin)
+        return PointCloud.from_device_arrays({"points": surface.points, "normals": surface.normals}, self.cloud.origin)
 
     @cached_property
     def fine(self) -> PointCloud:

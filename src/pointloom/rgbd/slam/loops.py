@@ -271,7 +271,7 @@ def _point_information(surface: SubmapSurface) -> Matrix:
     """Information matrix of a pose with exact correspondences for all points of a submap."""
     if surface.thinned is None:
         return np.eye(6)
-    count, *moments = position_moments(surface.thinned._device_array("points"), surface.thinned.origin)  # sync
+    count, *moments = position_moments(surface.thinned.arrays["points"], surface.thinned.origin)  # sync
     return spread_information(count, np.array(moments))
 
 

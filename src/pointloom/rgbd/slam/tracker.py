@@ -476,7 +476,7 @@ class ShapeSearch:
     def find(self, frame: SensorFrame) -> Pose | None:
         target = self._model()
         stride = max(1, round(frame.intrinsic.width / 320))
-        cloud = PointCloud._from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
+        cloud = PointCloud.from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
         if target is None or len(cloud) < MIN_POINTS:
             return None
         result = register_described(describe(cloud, self.voxel_size), target, seed=self.seed)

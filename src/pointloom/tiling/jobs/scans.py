@@ -184,7 +184,7 @@ class RegistrationJob(Job):
 
     def _describe(self, scan: int) -> Description:
         surface = self._surface(scan)
-        arrays = (surface._device_array(name) for name in ("points", "normals"))
+        arrays = (surface.arrays[name] for name in ("points", "normals"))
         return describe_surface(surface, Surface.of_known(*arrays), self.size)
 
     def _surfaces(self, pair: FragmentPair) -> dict[int, PointCloud]:
@@ -195,7 +195,7 @@ class RegistrationJob(Job):
         cloud = read_point_cloud(self.plan["scans"][scan], device=self.device)
         described = describe(cloud, self.size)
         surface, path = described.thinned, self._surface_path(scan)
-        points, normals = (download(surface._device_array(name)).reshape(-1, 3) for name in ("points", "normals"))
+        points, normals = (download(surface.arrays[name]).reshape(-1, 3) for name in ("points", "normals"))
         with atomic_write(job_file(path)) as file:
             np.savez(file, points=points, normals=normals, origin=surface.origin)
         extent, points = Extent.of(surface), surface.points
@@ -219,7 +219,7 @@ class RegistrationJob(Job):
         path, where = self._surface_path(scan), resolve_device(self.device)
         stored = read_part_of_job(path, "a scan's surface", _arrays_of_surface, _find_infinite, _AGAIN)
         arrays = {name: upload(stored[name], vec3, where) for name in ("points", "normals")}
-        return PointCloud._from_device_arrays(arrays, stored["origin"])
+        return PointCloud.from_device_arrays(arrays, stored["origin"])
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
         (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])

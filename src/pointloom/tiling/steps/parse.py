@@ -325,7 +325,7 @@ class VoxelDownSample(Step):
         corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
         trace = part.cloud.voxel_down_sample_and_trace(self.size, min_bound=corner)
         offsets, order = np.asarray(trace.offsets), np.asarray(trace.indices)
-        firsts = download(part.cloud._device_array("points"))[order[offsets[:-1]]].astype(np.float64)
+        firsts = download(part.cloud.arrays["points"])[order[offsets[:-1]]].astype(np.float64)
         cells = np.floor((firsts - (corner - part.cloud.origin)) / self.size)
         homes = corner[:2] + (cells[:, :2] + 0.5) * self.size
         keys = self._keys(cells, corner, plan, part)
@@ -376,7 +376,7 @@ class Crop(Step):
             self.params |= {"polygon": to_json(self.area), "polygon_crs": None}
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        points, origin = part.cloud._device_array("points"), part.cloud.origin
+        points, origin = part.cloud.arrays["points"], part.cloud.origin
         if self.params["polygon"] is None:
             keep = download(self.box.mask_points(points, origin)) != 0
         else:

@@ -120,7 +120,7 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
     max_change = _limit_of(shown) if limit is None else check_positive("limit", limit, maximum=LARGEST)
     coloring = color_cloud(cloud, shown, colormap=COLORMAP, limits=(-max_change, max_change))
     gray = [UNCHANGED] * bool((known & ~changed).any()) + [UNKNOWN] * (not known.all())
-    painted = cloud._with_arrays(cloud._device_arrays | {"colors": coloring.colors}, grid=cloud.grid)
+    painted = cloud.with_arrays(cloud.arrays | {"colors": coloring.colors}, grid=cloud.grid)
     return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(gray), MISSING)] if gray else []
 
 

@@ -101,29 +101,29 @@ def color_cloud(
     chosen = None if colormap is None else check_colormap(colormap)
     ends = None if limits is None else _check_limits(limits)
     if not isinstance(by, str):
-        holder = PointCloud._from_device_arrays({"points": cloud._device_array("points")}, cloud.origin)
+        holder = PointCloud.from_device_arrays({"points": cloud.arrays["points"]}, cloud.origin)
         holder["color_by"] = by
-        return _color_attribute(holder._device_array("color_by"), "", chosen, ends)
+        return _color_attribute(holder.arrays["color_by"], "", chosen, ends)
     if by in cloud.attributes:
-        return _color_attribute(cloud._device_array(by), by, chosen, ends)
+        return _color_attribute(cloud.arrays[by], by, chosen, ends)
     if by == "rgb":
         if not cloud.has_colors:
             raise ValueError(f"color_by: there are no colors; expected one of {', '.join(map(repr, _choices(cloud)))}")
-        return Coloring(contiguous(cloud._device_array("colors")), "rgb", title="color")
+        return Coloring(contiguous(cloud.arrays["colors"]), "rgb", title="color")
     if by in ("normal", "normals"):
         if not cloud.has_normals:
             raise ValueError(
                 "color_by: there are no normals; call cloud = cloud.estimate_normals(), "
                 "or compute_vertex_normals() of a mesh"
             )
-        colors, flag = value_colors.color_normals(contiguous(cloud._device_array("normals")), MISSING)
+        colors, flag = value_colors.color_normals(contiguous(cloud.arrays["normals"]), MISSING)
         return Coloring(colors, "rgb", title="normal", has_missing=_is_raised(flag))
     if by in _AXES:
         return _color_axis(cloud, by, chosen, ends)
     if by == "label":
         for name in _LABELS:
             if name in cloud.attributes:
-                return _color_attribute(cloud._device_array(name), name, chosen, ends)
+                return _color_attribute(cloud.arrays[name], name, chosen, ends)
     names = _choices(cloud)
     near = nearest_name(by, names) if isinstance(by, str) else ""
     raise ValueError(f"color_by: there is no {shown(by)}; expected one of {', '.join(map(repr, names))}{near}")
@@ -132,7 +132,7 @@ def color_cloud(
 def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
     """Color by a coordinate. On the device it is relative to the cloud's origin."""
     axis = _AXES[by]
-    points, start = contiguous(cloud._device_array("points")), float(cloud.origin[axis])
+    points, start = contiguous(cloud.arrays["points"]), float(cloud.origin[axis])
     if limits is None:
         low, high, count = bound_points(points)
         limits = (float(low[axis]) + start, float(high[axis]) + start) if count else (0.0, 1.0)
@@ -202,6 +202,6 @@ def _check_limits(limits: Any) -> tuple[float, float]:
 
 def _choices(cloud: PointCloud) -> list[str]:
     """Available properties of a cloud, for messages."""
-    columns = [name for name in cloud.attributes if len(cloud._device_array(name).shape) == 1]
+    columns = [name for name in cloud.attributes if len(cloud.arrays[name].shape) == 1]
     given = ["rgb"] * bool(cloud.has_colors) + ["normal"] * bool(cloud.has_normals)
     return [*given, "height", "x", "y", "z", *columns]

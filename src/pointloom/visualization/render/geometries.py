@@ -176,9 +176,7 @@ def bounds_of(parts: Iterable[Part]) -> tuple[NDArray[np.float64], NDArray[np.fl
 
 
 def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
-    arrays = {
-        name: move(cloud._device_array(name), device) for name in ("points", "normals", "colors") if name in cloud
-    }
+    arrays = {name: move(cloud.arrays[name], device) for name in ("points", "normals", "colors") if name in cloud}
     none, coloring = empty(0, vec3, device), None
     colors = arrays.get("colors", none)
     has_own = "colors" in arrays and style.color is None and style.color_by in (None, "rgb")
@@ -241,7 +239,7 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
     if style.color is not None:
         colors = colors[:0]
     arrays = upload(colors, vec3, device), upload(normals, vec3, device)
-    return [_points(cloud._device_array("points"), cloud.origin, *arrays, style, len(colors) > 0)]
+    return [_points(cloud.arrays["points"], cloud.origin, *arrays, style, len(colors) > 0)]
 
 
 def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:
@@ -258,11 +256,9 @@ def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:
 def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
     if not isinstance(mesh, TriangleMesh):
         made = TriangleMesh(mesh.vertices, mesh.triangles, device=device)
-        rows = {
-            n: optional_rows(mesh, n, made._device_arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")
-        }
+        rows = {n: optional_rows(mesh, n, made.arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")}
         arrays: dict[str, Any] = {n: upload(values, vec3, device) for n, values in rows.items() if len(values)}
-        mesh = made._with_arrays(**arrays)
+        mesh = made.with_arrays(**arrays)
     mesh, chosen = mesh.to(device), _surface_style(style)
     if style.color_by is not None:
         coloring = color_cloud(vertices_of(mesh), style.color_by, colormap=style.colormap, limits=style.limits)
@@ -359,7 +355,7 @@ _FACES = (
 
 def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
     """Drawn parts of a mesh, with shared arrays; `plain` and `coloring` in `chosen` replace its colors and textures."""
-    arrays, none = mesh._device_arrays, empty(0, vec3, mesh.device)
+    arrays, none = mesh.arrays, empty(0, vec3, mesh.device)
     fields: dict[str, Any] = {
         "positions": arrays["vertices"],
         "origin": mesh.origin,
@@ -375,7 +371,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
     ids = np.asarray(mesh.triangle_material_ids)
     parts: list[Part] = []
     for number in np.unique(ids).tolist():
-        taken = mesh._triangles_at(upload(np.flatnonzero(ids == number).astype(np.int32), int32, mesh.device))
+        taken = mesh.arrays.triangles_at(upload(np.flatnonzero(ids == number).astype(np.int32), int32, mesh.device))
         surface = (
             {"uvs": taken["triangle_uvs"], "texture": mesh.textures[number]} if number < len(mesh.textures) else {}
         )
@@ -385,10 +381,10 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
 
 def vertices_of(mesh: TriangleMesh) -> PointCloud:
     """The vertices of a mesh as a cloud with normals, colors and attributes."""
-    arrays = mesh._device_arrays
+    arrays = mesh.arrays
     renamed = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
     columns = {new: arrays[old] for old, new in renamed.items() if old in arrays}
-    cloud = PointCloud._from_device_arrays(columns, mesh.origin)
+    cloud = PointCloud.from_device_arrays(columns, mesh.origin)
     for name, values in mesh.vertex_attributes.items():
         cloud[name] = values
     cloud.unit = mesh.unit

@@ -35,7 +35,7 @@ def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64
 def as_photographed(mesh: TriangleMesh) -> dict[str, Any]:
     """Style for `render`: unlit if the mesh has colors."""
     entry: dict[str, Any] = {"geometry": mesh}
-    return entry | {"shaded": False} if "vertex_colors" in mesh._device_arrays else entry
+    return entry | {"shaded": False} if "vertex_colors" in mesh.arrays else entry
 
 
 def view_scene(

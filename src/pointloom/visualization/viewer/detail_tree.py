@@ -117,8 +117,8 @@ class DetailTree(NodesInView):
         check_cloud("cloud", cloud)
         colors: Any = None
         if cloud.has_colors:
-            colors = functools.partial(bytes_at, download(cloud._device_array("colors")))
-        return cls(cloud._device_array("points"), cloud.origin, colors)
+            colors = functools.partial(bytes_at, download(cloud.arrays["colors"]))
+        return cls(cloud.arrays["points"], cloud.origin, colors)
 
     @classmethod
     def from_file(

@@ -312,7 +312,7 @@ def _arrays_of(item: Item) -> Iterator[tuple[int, int]]:
     """Address and size of each array of an item."""
     arrays: list[Any] = [getattr(part, field.name) for part in item.parts for field in dataclasses.fields(part)]
     if item.cloud is not None:
-        arrays += [item.cloud._device_array(name) for name in item.cloud.attributes]
+        arrays += [item.cloud.arrays[name] for name in item.cloud.attributes]
     seen = set()
     for array in arrays:
         if isinstance(array, np.ndarray):

@@ -166,7 +166,7 @@ def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
     """The cloud of a file's levels, shared. Its colors stay in the tree."""
     device = resolve_device("cpu")
     arrays = {"points": upload(tree.positions, vec3, device, copied=False)}
-    cloud = PointCloud._from_device_arrays(arrays, tree.origin)
+    cloud = PointCloud.from_device_arrays(arrays, tree.origin)
     for name, values in tree.attributes.items():
         cloud[name] = values
     file = open_in_parts(path)

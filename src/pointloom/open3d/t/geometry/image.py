@@ -232,7 +232,7 @@ class Image(Geometry):
         camera = PinholeCameraIntrinsic(self.columns, self.rows, K)
         depth = self._data.reshape((self.rows, self.columns))
         made = PointCloud.create_from_depth_image(depth._array, camera, None, 1.0, np.inf, 1, False)
-        points = wrap(made._handed_out(made._device_array("points")))
+        points = wrap(made.arrays.hand_out(made.arrays["points"]))
         if not np.isnan(invalid_fill):
             points[points.isnan()] = invalid_fill
         return Image(points.reshape((self.rows, self.columns, 3)))

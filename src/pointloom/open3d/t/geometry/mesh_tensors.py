@@ -135,7 +135,7 @@ class MeshTensors(Geometry):
         types["positions"], types["indices"] = floats, types.get("indices", np.dtype(np.int64))
         made = TensorMap(old.primary_key)
         for name, own in names.items():
-            if own in native._device_arrays:
+            if own in native.arrays:
                 array = positions_of(native) if name == "positions" else native.array(own)
                 shape = (len(native), 3, 2) if name == "texture_uvs" else (array.shape[0], 3)
                 made[name] = new_tensor(array, types.get(name, floats), shape)
@@ -177,6 +177,6 @@ def cloud_of(native: Any, dtype: Dtype) -> Any:
     shape = (len(native), 3)
     cloud = geometry.PointCloud(new_tensor(positions_of(native, "points"), dtype.numpy, shape))
     for name in ("normals", "colors"):
-        if name in native._device_arrays:
+        if name in native.arrays:
             cloud.point[name] = new_tensor(native.array(name), dtype.numpy, shape)
     return cloud

@@ -71,7 +71,7 @@ class MovedGeometry(Geometry):
         """Apply a 4x4 matrix to positions and normals."""
         if "normals" in self.point:
             turned = native_of(self.point, "normals").transform(T)
-            write(self.point.normals, turned._handed_out(turned._device_array("normals")))
+            write(self.point.normals, turned.arrays.hand_out(turned.arrays["normals"]))
         return self._move(T)
 
     def _move(self, T: NDArray[np.float64]) -> Self:

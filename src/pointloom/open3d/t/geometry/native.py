@@ -30,7 +30,7 @@ def native_of(point: TensorMap, *names: str) -> PointCloud:
 
 def attribute(cloud: PointCloud, name: str, dtype: Dtype | None = None) -> Tensor:
     """An attribute of a result as a tensor, of a type if given. Points are about the cloud's origin."""
-    tensor = wrap(cloud._handed_out(cloud._device_array(name)))
+    tensor = wrap(cloud.arrays.hand_out(cloud.arrays[name]))
     return tensor if dtype is None else converted(tensor, dtype)
 
 

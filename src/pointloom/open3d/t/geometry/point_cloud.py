@@ -209,11 +209,11 @@ class PointCloud(MovedGeometry):
         if "color_gradients" in self.point:
             return
         native = native_of(self.point, "normals", "colors")
-        normals, colors = (native._required_array(name, f"assign point.{name}") for name in ("normals", "colors"))
+        normals, colors = (native.arrays.required(name, f"assign point.{name}") for name in ("normals", "colors"))
         distance, count = LONG if radius is None else radius, len(native) if max_nn is None else max_nn
         _, gradients = estimate_color_gradients(native.search_tree(), normals, colors, distance, count)
         dtype = self.point.colors.dtype
-        made = converted(wrap(native._handed_out(gradients)), dtype if dtype in (float32, float64) else float32)
+        made = converted(wrap(native.arrays.hand_out(gradients)), dtype if dtype in (float32, float64) else float32)
         self.point["color_gradients"] = made
 
     def _smoothed(self, native: cloud.PointCloud) -> PointCloud:

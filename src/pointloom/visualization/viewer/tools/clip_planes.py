@@ -82,7 +82,7 @@ def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
     T[:3, 3] += T[:3, :3] @ cloud.origin
     normal = np.zeros(3) if clip.normal is None else clip.normal
     offset = -math.inf if clip.normal is None else clip.offset
-    return picking.mask_clipped(cloud._device_array("points"), T, clip.low, clip.high, normal, offset)
+    return picking.mask_clipped(cloud.arrays["points"], T, clip.low, clip.high, normal, offset)
 
 
 def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: Any = None) -> TriangleMesh:

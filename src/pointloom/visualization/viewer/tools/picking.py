@@ -118,7 +118,7 @@ def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: f
 
 def _point_query(target: Target, T: Matrix, view: View, click: tuple[float, float], radius: float) -> PointQuery:
     assert target.cloud is not None
-    return target.cloud._device_array("points"), T, view.intrinsic, click, radius
+    return target.cloud.arrays["points"], T, view.intrinsic, click, radius
 
 
 def T_camera_points(view: View, cloud: PointCloud, T_world: Matrix) -> Matrix:

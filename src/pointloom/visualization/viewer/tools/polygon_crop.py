@@ -113,7 +113,7 @@ def seen_inside(cloud: PointCloud, view: View, polygon: Any, *, pose: Any = None
     T_world = np.eye(4) if pose is None else check_transformation("pose", pose)
     on_device = upload(corners, vec2d, cloud.device)
     T = T_camera_points(view, cloud, T_world)
-    mask = mask_visible(cloud._device_array("points"), T, view.intrinsic, on_device)
+    mask = mask_visible(cloud.arrays["points"], T, view.intrinsic, on_device)
     return download(positions_of(mask))  # sync
 
 
@@ -163,4 +163,4 @@ def _meet(view: View, corner: NDArray[np.float64], axis: int, level: float) -> N
 
 def indices_in_volume(cloud: PointCloud, volume: SelectionPolygonVolume, *, pose: Any = None) -> NDArray[np.int32]:
     moved = cloud if pose is None else cloud.transform(check_transformation("pose", pose))
-    return download(positions_of(mask_volume(volume, moved._device_array("points"), moved.origin)))  # sync
+    return download(positions_of(mask_volume(volume, moved.arrays["points"], moved.origin)))  # sync

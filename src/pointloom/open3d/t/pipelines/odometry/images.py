@@ -35,7 +35,7 @@ def frame_of(color: Tensor, depth: Tensor, depth_scale: float) -> RGBDImage:
     values = on_host(color).astype(np.float32)
     values = values @ GRAY if values.shape[2:] == (3,) else values
     shades = upload(values.reshape(-1), float32, metric.device)
-    return RGBDImage._from_device_arrays(shades, metric, height, width)
+    return RGBDImage.from_device_arrays(shades, metric, height, width)
 
 
 def plane_of(image: Tensor) -> Any:

@@ -1,0 +1,70 @@
+"""Device arrays of a mesh with their origin, attributes and textures, for the modules of this package."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import DTypeLike, NDArray
+
+from ...core.array_libraries import NUMPY, hand_out_copy
+from ...core.up_axis import Direction
+from ...kernels.arrays.select import gather_rows
+from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
+from .mesh_attributes import Arrays, rows_of
+from .mesh_rows import ATTRIBUTES, PER_VERTEX
+
+
+class MeshStore(dict[str, wp.array]):
+    """Device arrays by name, for reading: those of `mesh.array`. `mesh.arrays` is one.
+
+    Attributes:
+        attributes: Arrays of `vertex_attributes` and `triangle_attributes` by name.
+        origin: Origin of the vertices [m], float64 (3,).
+        library: Library of returned arrays, see core/array_libraries.py.
+        textures: Images, uint8 (height, width, 3 or 4), on the host.
+        up: Up direction. None if unknown.
+    """
+
+    __slots__ = ("attributes", "library", "origin", "textures", "up")
+
+    def __init__(
+        self,
+        arrays: Mapping[str, wp.array],
+        origin: NDArray[np.float64],
+        library: str = NUMPY,
+        *,
+        attributes: Mapping[str, Arrays] | None = None,
+        textures: tuple[NDArray[np.uint8], ...] = (),
+    ):
+        super().__init__(arrays)
+        self.origin, self.library, self.textures = origin, library, textures
+        self.attributes = {kind: dict((attributes or {}).get(kind) or {}) for kind in ATTRIBUTES}
+        self.up: Direction | None = None
+
+    def hand_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+        """Convert a result to `library`. NumPy arrays share no memory with the CPU's device arrays."""
+        return hand_out_copy(array, self.library, dtype)
+
+    def per_vertex(self) -> Arrays:
+        return {name: values for name, values in self.items() if name in PER_VERTEX}
+
+    def triangles_at(self, rows: wp.array) -> dict[str, Any]:
+        """Triangle data at rows, an int32 device array with repeats allowed. Arguments of `with_arrays`."""
+        selected: dict[str, Any] = {"triangles": gather_triangles(self["triangles"], rows)}
+        if "triangle_uvs" in self:
+            selected["triangle_uvs"] = gather_corners(self["triangle_uvs"], rows)
+        if "triangle_material_ids" in self:
+            selected["triangle_material_ids"] = gather_rows(self["triangle_material_ids"], rows)
+        return selected | self.attributes_at("triangle_attributes", rows)
+
+    def vertices_at(self, rows: wp.array) -> dict[str, Any]:
+        """Vertex data at rows, an int32 device array with repeats allowed. Arguments of `with_arrays`."""
+        selected = {name: gather_rows(values, rows) for name, values in self.per_vertex().items()}
+        return selected | self.attributes_at("vertex_attributes", rows)
+
+    def attributes_at(self, kind: str, rows: wp.array) -> dict[str, Arrays]:
+        """Attributes of vertices or triangles at rows. Arguments of `with_arrays`."""
+        return {kind: rows_of(self.attributes[kind], rows)}
