@@ -38,7 +38,7 @@ KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
 }
 
 # Increased when a stage changes its output between two releases.
-VERSIONS = {"frames": 2, "matches": 2, "model": 2, "depth": 2, "fused": 2}
+STAGE_VERSIONS = {"frames": 2, "matches": 2, "model": 2, "depth": 2, "fused": 2}
 OF_COLMAP = ("features", "matches", "model")
 COLMAP_PACKAGES = ("pycolmap", "pycolmap-cuda12")
 
@@ -96,7 +96,7 @@ def stage_of(
     recorded = {key: value for each in settings.values() for key, value in each.recorded.items()}
     arguments = files | {each: setting.value for each, setting in settings.items()}
     given_to = partial(make, **arguments)
-    return Stage(name, given_to, recorded, tuple(files.values()), VERSIONS.get(name, 1), code_of(name), goes_on)
+    return Stage(name, given_to, recorded, tuple(files.values()), STAGE_VERSIONS.get(name, 1), code_of(name), goes_on)
 
 
 def code_of(name: str) -> dict[str, str]:
