@@ -18,7 +18,7 @@ import numpy as np
 from real_data import real_data
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.matches import OVERLAP, pairs_of, pairs_that_look_alike
+from pointloom.photogrammetry.sfm.matches import SEQUENCE_OVERLAP, pairs_of, pairs_that_look_alike
 
 STRIDE, FEATURES, MIN_MATCHES = 5, 1000, 30
 PAIR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR a + b
@@ -40,7 +40,7 @@ def main() -> None:
     same = {divmod(pair, PAIR): count for pair, count in rows if count >= MIN_MATCHES}
     print(f"{len(same)} of {len(rows)} pairs overlap")
     print("| pairs | proposed | overlapping | recall | recall of matches | images in one component |")
-    in_order = {(int(a), int(b)) for a, b in pairs_of(work / "f.db", "sequential", OVERLAP)}
+    in_order = {(int(a), int(b)) for a, b in pairs_of(work / "f.db", "sequential", SEQUENCE_OVERLAP)}
     print_pairs("order of names", in_order, same, len(files))
     for neighbors in (5, 10, 20):
         before = time.process_time()

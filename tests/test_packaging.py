@@ -193,7 +193,7 @@ def test_the_constraints_pin_every_dependency_within_its_bounds(layer):
 
 def test_the_newest_tested_versions_are_those_of_the_constraints():
     pins = constraints("runtime")
-    assert {name: Version(pins[name][0]).release[:2] for name in doctor._TESTED} == doctor._TESTED
+    assert {name: Version(pins[name][0]).release[:2] for name in doctor._TESTED_VERSIONS} == doctor._TESTED_VERSIONS
     assert warp_parts.TESTED[-1] == pins["warp-lang"][0]
 
 

@@ -37,7 +37,7 @@ if str(ROOT) not in sys.path:
 import pointloom as loom  # noqa: E402
 from pointloom.photogrammetry.depth import network  # noqa: E402
 from pointloom.photogrammetry.depth.heads import RECIPROCAL, UNKNOWN, Head  # noqa: E402
-from pointloom.photogrammetry.depth.presets import PRESETS  # noqa: E402
+from pointloom.photogrammetry.depth.presets import NETWORK_PRESETS  # noqa: E402
 from tests.photogrammetry.depth.published_networks import FILES, FOCAL, depth_of, image_of, published  # noqa: E402
 
 AREA = "depth network"
@@ -81,9 +81,9 @@ def _forms(path: Path) -> Iterator[tuple[str, Path]]:
 
 def _judge_file(case: str, own: str, path: Path) -> Iterator[Judged]:
     """Its preset and wrong ones."""
-    estimates = {preset: estimate for preset in PRESETS if (estimate := _answer(path, preset)) is not None}
+    estimates = {preset: estimate for preset in NETWORK_PRESETS if (estimate := _answer(path, preset)) is not None}
     truth = depth_of(image_of(ROWS, COLUMNS))
-    if own in estimates and PRESETS[own].focal is not None:  # gray images contain no focal length
+    if own in estimates and NETWORK_PRESETS[own].focal is not None:  # gray images contain no focal length
         truth = truth * float(np.median((estimates[own].depth / truth)[estimates[own].depth > 0]))
     errors = {preset: _error(estimate, truth) for preset, estimate in estimates.items()}
     figure = f"{100 * errors[own]:.2g} % under its own preset" if np.isfinite(errors.get(own, np.inf)) else ""

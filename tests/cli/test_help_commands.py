@@ -110,7 +110,7 @@ def test_docs_searches_chapters_by_words_and_numbers():
 
 
 def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):
-    monkeypatch.setattr(book, "CHECKOUT", tmp_path)
+    monkeypatch.setattr(book, "CHECKOUT_FOLDER", tmp_path)
     monkeypatch.setattr(book.importlib.metadata, "metadata", lambda _: SimpleNamespace(get_all=lambda name: None))
     assert "No built pages" in run("docs").stdout
     refused = run("docs", "icp", "--open")

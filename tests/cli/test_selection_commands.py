@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.cli.jobs.cluster import TAB20
+from pointloom.cli.jobs.cluster import TAB20_PALETTE
 
 from .commands import answer, chosen_device, names_in, refusal, run, unreliable
 
@@ -97,9 +97,9 @@ def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
 def test_cluster_paints_labels_and_noise(scene, tmp_path):
     assert answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--paint")["replaced"] == ["colors"]
     painted = loom.read_point_cloud(tmp_path / "out.npz")
-    expected = np.vstack([TAB20 / 255, np.zeros(3)]).astype(np.float32)[painted["label"]]
+    expected = np.vstack([TAB20_PALETTE / 255, np.zeros(3)]).astype(np.float32)[painted["label"]]
     np.testing.assert_array_equal(painted.colors, expected)
-    assert not painted.colors[STRAY].any() and len(np.unique(TAB20, axis=0)) == 20
+    assert not painted.colors[STRAY].any() and len(np.unique(TAB20_PALETTE, axis=0)) == 20
     printed = run("cluster", tmp_path / "out.npz", tmp_path / "b.xyzrgb", "--radius", "0.2", "--paint").stdout
     assert "colors, label of the input" in printed and len(loom.read_point_cloud(tmp_path / "b.xyzrgb")) == 853
     for suffix, options, reason in ((".xyzrgb", [], "labels are not"), (".xyz", ["--paint"], "labels or colors")):

@@ -7,7 +7,7 @@ import pytest
 
 from pointloom import PinholeCameraIntrinsic
 from pointloom.core.errors import FileError
-from pointloom.datasets.scenes.furniture import LAMP, SIZE, furnished_room
+from pointloom.datasets.scenes.furniture import LAMP_POSITION, ROOM_SIZE, furnished_room
 from pointloom.datasets.scenes.room import (
     film_pose,
     room_loop_sequence,
@@ -65,7 +65,7 @@ def test_grazing_surfaces_and_edges_lose_their_depth(device):
 def test_a_room_of_coarse_light_has_the_exact_depth_and_measured_depth_follows_the_noise_model(device, view):
     parts, camera = furnished_room(), PinholeCameraIntrinsic(40, 30, 35.0, 35.0, 19.5, 14.5)
     solids, margins = parts.solids(device), np.full(3, 0.35)
-    box = {"lamp": LAMP, "low": -margins, "high": SIZE + margins, "step": 0.5}
+    box = {"lamp": LAMP_POSITION, "low": -margins, "high": ROOM_SIZE + margins, "step": 0.5}
     room = Room(solids, np.array(parts.paints), np.array(parts.patterns), **box)
     pose = np.eye(4) if isinstance(view, str) else room_pose(view)
     if isinstance(view, str):

@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import pointloom as loom
 from pointloom.cli.shell.cli import cli
 from pointloom.core.errors import FileError
-from pointloom.io.bags.clouds import UNITS, with_seconds
+from pointloom.io.bags.clouds import SECONDS_PER_UNIT, with_seconds
 from pointloom.io.bags.message_chunks import RecordingWarning, unpack
 
 pytest.importorskip("rosbags")
@@ -427,13 +427,13 @@ def assert_sweep(attributes, tolerance=1e-6, messages=()):
     np.testing.assert_allclose(attributes["time"], SWEEPS, atol=tolerance)
 
 
-@pytest.mark.parametrize("unit", UNITS)
+@pytest.mark.parametrize("unit", SECONDS_PER_UNIT)
 @pytest.mark.parametrize("start", [SINCE_1970, SINCE_START, 86_000.0], ids=["1970", "boot", "a day"])
 @pytest.mark.parametrize("stamp", [None, 0.0, 1.6e9], ids=["same clock", "no stamp", "another clock"])
 def test_unit_follows_from_the_clock_of_the_header_or_from_the_sweep_duration(unit, start, stamp):
     """Nanoseconds since power-on are small numbers: by their size they would be 10^8 s."""
     stamp = start + 0.1 if stamp is None else stamp
-    attributes, messages = read("timestamp", (start + SWEEPS) / UNITS[unit], stamp=stamp)
+    attributes, messages = read("timestamp", (start + SWEEPS) / SECONDS_PER_UNIT[unit], stamp=stamp)
     assert_sweep(attributes, 1e-6, messages)
 
 
@@ -447,7 +447,7 @@ def test_times_of_known_drivers_are_read_by_name():
 
 @pytest.mark.parametrize(("name", "kind", "unit"), [("time", "f4", "us"), ("t", "u4", "us"), ("time", "f8", "ms")])
 def test_unit_other_than_the_drivers_is_reported(name, kind, unit):
-    attributes, messages = read(name, (SWEEPS / UNITS[unit]).astype(kind))
+    attributes, messages = read(name, (SWEEPS / SECONDS_PER_UNIT[unit]).astype(kind))
     assert_sweep(attributes, 1e-6)
     assert len(messages) == 1 and f"read as {unit}" in messages[0] and repr(name) in messages[0]
 

@@ -16,7 +16,7 @@ import pointloom as loom
 from pointloom.cli.jobs.info import describe
 from pointloom.io.meshes.tables import read_table, write_cloud_table
 from pointloom.io.points import copc_writer
-from pointloom.io.points.copc import ENTRY, HIERARCHY, open_copc
+from pointloom.io.points.copc import COPC_ENTRY, COPC_HIERARCHY, open_copc
 from pointloom.io.points.copc_writer import write_copc
 from pointloom.io.points.las import open_las, read_las
 from pointloom.io.points.las_crs import crs_name, find_keys, find_text
@@ -425,8 +425,8 @@ def selected_rows(table, keep):
 
 def entries_of(path):
     with laspy.open(path) as file:
-        (hierarchy,) = (record for record in file.evlrs if record.user_id == HIERARCHY[0])
-    entries = np.frombuffer(hierarchy.bytes, ENTRY)
+        (hierarchy,) = (record for record in file.evlrs if record.user_id == COPC_HIERARCHY[0])
+    entries = np.frombuffer(hierarchy.bytes, COPC_ENTRY)
     return entries[entries["count"] >= 0]
 
 
@@ -500,13 +500,13 @@ def test_octree_follows_the_specification(table, path):
 
 
 def test_branches_of_a_large_octree_have_pages_of_their_own(table, tmp_path, monkeypatch, small_nodes):
-    monkeypatch.setattr(copc_writer, "_PAGE", 10)
+    monkeypatch.setattr(copc_writer, "_ENTRIES_PER_PAGE", 10)
     monkeypatch.setattr(copc_writer, "_PAGE_DEPTH", 1)
     write_copc(tmp_path / "pages.copc.laz", table)
     file = open_copc(tmp_path / "pages.copc.laz")
     with CopcReader.open(str(file.path)) as reader:
         assert len(reader.query()) == len(table.points) == file.nodes["count"].sum()
-        assert reader.copc_info.hierarchy_root_size < len(entries_of(file.path)) * ENTRY.itemsize
+        assert reader.copc_info.hierarchy_root_size < len(entries_of(file.path)) * COPC_ENTRY.itemsize
 
 
 def test_the_file_is_the_same_on_every_device_and_from_run_to_run(table, path, tmp_path, device):
@@ -607,7 +607,7 @@ def test_invalid_records_and_entries_are_errors(edit, reason, path):
 def test_any_wrong_byte_of_the_octree_is_an_error_or_harmless(path, rng):
     """An error or identical points: entries are checked against the chunks."""
     expected, raw = in_order(read_las(path)), path.read_bytes()
-    begin = len(raw) - len(entries_of(path)) * ENTRY.itemsize
+    begin = len(raw) - len(entries_of(path)) * COPC_ENTRY.itemsize
     for _ in range(60):
         at = int(rng.choice([rng.integers(begin, len(raw)), rng.integers(INFO_AT + 40, INFO_AT + 56)]))
         path.write_bytes(raw[:at] + bytes([raw[at] ^ (1 << int(rng.integers(8)))]) + raw[at + 1 :])

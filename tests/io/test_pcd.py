@@ -184,7 +184,7 @@ def test_lzf_round_trip(runs):
 
 
 def test_lzf_crosses_blocks_and_compresses_repetitions(monkeypatch):
-    monkeypatch.setattr(lzf, "_BLOCK", 1 << 16)
+    monkeypatch.setattr(lzf, "_BLOCK_BYTES", 1 << 16)
     data = np.repeat(np.random.default_rng(0).integers(0, 9, 40_000), 4).astype(np.uint8).tobytes()
     packed = lzf.compress(data)
     assert lzf.decompress(packed, len(data)) == data and len(packed) < 0.8 * len(data)

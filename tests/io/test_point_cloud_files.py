@@ -749,7 +749,7 @@ def test_a_file_that_changes_while_it_is_read_is_an_error(suffix, change, tmp_pa
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("suffix", [".ply", ".pcd", ".las", ".laz", ".xyz"])
 def test_a_file_that_changes_between_its_parts_is_an_error(suffix, change, tmp_path, monkeypatch):
-    monkeypatch.setattr("pointloom.io.points.text_parts.BLOCK", 1000)
+    monkeypatch.setattr("pointloom.io.points.text_parts.BLOCK_BYTES", 1000)
     path = tmp_path / f"a{suffix}"
     write_points(path, 300)
     parts = (TextInParts(path) if suffix == ".xyz" else open_in_parts(path)).parts(10)

@@ -266,7 +266,7 @@ def test_parts_and_concurrent_runs_do_every_task_once(frames, expected, tmp_path
 
 
 def test_progress_is_reported_for_frames_and_cubes(frames, tmp_path, monkeypatch):
-    monkeypatch.setattr(fusion, "CHUNK", 4)
+    monkeypatch.setattr(fusion, "FRAMES_PER_TASK", 4)
     events = []
     loom.tiling.plan_fusion(frames, tmp_path / "job", voxel_size=VOXEL, size=20.0)
     loom.tiling.run_job(tmp_path / "job", progress=lambda *words: events.append(words))

@@ -8,7 +8,7 @@ from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
 from pointloom.tiling import plan as plan_module
 from pointloom.tiling import work_tile
-from pointloom.tiling.manifest import UNSORTED, Manifest
+from pointloom.tiling.manifest import UNSORTED_COLOR, Manifest
 
 from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, read_cloud, rows_of, survey, tiled
 
@@ -163,7 +163,7 @@ def strips(folder):
 
 def sorted_sources(job):
     with Manifest(job) as manifest:
-        return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", UNSORTED)]
+        return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", UNSORTED_COLOR)]
 
 
 def test_files_far_from_the_area_are_not_sorted_into_tiles(tmp_path):

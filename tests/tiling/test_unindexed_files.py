@@ -55,8 +55,8 @@ SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in ("a.pcd", "a.pts"
 
 @pytest.mark.parametrize("name", ["a.ply", "a.csv", *SLOW])
 def test_points_of_every_format_match_las(tmp_path, name, monkeypatch, of_las):
-    monkeypatch.setattr(text_parts, "BLOCK", 10_000)
-    monkeypatch.setattr(unindexed_files, "ROWS", 1500)
+    monkeypatch.setattr(text_parts, "BLOCK_BYTES", 10_000)
+    monkeypatch.setattr(unindexed_files, "ROWS_PER_PART", 1500)
     path, job = tmp_path / name, tmp_path / "job"
     write(cloud(), path)
     result = loom.read_point_cloud(written(path, STEPS, job, size=20.0))
@@ -72,7 +72,7 @@ def test_points_of_every_format_match_las(tmp_path, name, monkeypatch, of_las):
 
 def test_text_read_in_parts_matches_text_read_at_once(tmp_path, monkeypatch):
     for block in (64, 1000, 1 << 20):
-        monkeypatch.setattr(text_parts, "BLOCK", block)
+        monkeypatch.setattr(text_parts, "BLOCK_BYTES", block)
         for name, body in [
             ("a.xyz", "// x y z time\r\n1 2 3 4\r\n\r\n# no\r\n5 6 7 8\r\n9 1 2 3"),
             ("b.csv", "x;y;z;r;g;b\n1;2;3;0;0;255\n4;5;6;7;8;9\n"),
@@ -110,7 +110,7 @@ def test_text_read_in_parts_matches_text_read_at_once(tmp_path, monkeypatch):
     ],
 )  # fmt: skip
 def test_invalid_files_are_named_and_leave_nothing(tmp_path, monkeypatch, name, body, message):
-    monkeypatch.setattr(text_parts, "BLOCK", 64)
+    monkeypatch.setattr(text_parts, "BLOCK_BYTES", 64)
     (tmp_path / name).write_text(body)
     with pytest.raises(loom.FileError, match=message):
         loom.tiling.plan_tiles(tmp_path / name, STEPS, tmp_path / "job")

@@ -26,7 +26,7 @@ from ..kernels.language.cache_folders import cache_folder
 
 MIN_SECONDS = 0.5  # [s] faster results are not cached
 SOURCES = ("kernels", "cameras", "pcd", "meshing", "datasets")  # packages whose code affects the data
-FORM = 1  # of the files
+FORMAT_VERSION = 1  # of the files
 MAX_BYTES = 1 << 30  # of all that is kept
 
 Arrays = dict[str, Any]  # NumPy arrays by name
@@ -39,7 +39,7 @@ def data_folder() -> Path:
 
 def cached(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[str, Any]]) -> Arrays:
     """Arrays by name from the cache, or from `make`, which must be deterministic in the JSON `parameters`."""
-    key = json.dumps([FORM, maker, dict(parameters), source_digest()], sort_keys=True)
+    key = json.dumps([FORMAT_VERSION, maker, dict(parameters), source_digest()], sort_keys=True)
     path = data_folder() / f"{maker}-{hashlib.sha256(key.encode()).hexdigest()[:16]}.npz"
     arrays_read = _read(path, key)
     if arrays_read is not None:

@@ -11,7 +11,7 @@ from typing import IO
 
 import numpy as np
 
-_LENGTHS = {(1, 0): "<H", (2, 0): "<I"}
+_LENGTH_FORMATS = {(1, 0): "<H", (2, 0): "<I"}
 _MAX_LENGTH = 10_000  # [B] NumPy's own limit for untrusted files
 MAX_HEADER_BYTES = 12 + _MAX_LENGTH  # with the signature, the version and the length
 # Possessive quantifiers: without them, a damaged header takes time that is exponential in its length.
@@ -25,11 +25,11 @@ def read_npy_header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype]
     """Shape, Fortran order and type of the next array (`void` if structured). Raises NumPy's errors of any class."""
     begin = stream.tell()
     version = np.lib.format.read_magic(stream)
-    if version not in _LENGTHS:
+    if version not in _LENGTH_FORMATS:
         raise ValueError(f"unknown version {version} of the .npy format")
-    size = struct.calcsize(_LENGTHS[version])
+    size = struct.calcsize(_LENGTH_FORMATS[version])
     field = stream.read(size)
-    length = struct.unpack(_LENGTHS[version], field)[0] if len(field) == size else 0
+    length = struct.unpack(_LENGTH_FORMATS[version], field)[0] if len(field) == size else 0
     if length > _MAX_LENGTH:
         raise ValueError(f"a header of {length} bytes, expected at most {_MAX_LENGTH}")
     text = stream.read(length).decode("latin-1")

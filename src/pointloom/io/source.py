@@ -27,9 +27,9 @@ MAX_HEADER_BYTES = 1 << 20
 # More digits than any count needs; int() of longer text would be slow or rejected by Python.
 _MAX_DIGITS = 19
 
-# [B] Reads of at most _SMALL bytes are served from a window, since headers are read in pieces of a few bytes.
-_SMALL, _WINDOW = 1 << 12, 1 << 13
-_SEARCHED = 1 << 20  # [B] searched at a time
+# Reads of at most _SMALL_READ_BYTES are served from a window, since headers are read in pieces of a few bytes.
+_SMALL_READ_BYTES, _WINDOW_BYTES = 1 << 12, 1 << 13
+_BYTES_PER_SEARCH = 1 << 20  # [B] searched at a time
 _MAX_READ = 1 << 30  # [B] by one call of the system, which allows 2 GB
 
 
@@ -57,22 +57,22 @@ class SourceFile:
 
     def __getitem__(self, part: slice) -> bytes:
         begin, end, _ = part.indices(len(self))
-        if end - begin > _SMALL:
+        if end - begin > _SMALL_READ_BYTES:
             return self._read(begin, end - begin)
         at, window = self._window
         if not at <= begin <= end <= at + len(window):
-            at, window = begin, self._read(begin, min(_WINDOW, len(self) - begin))
+            at, window = begin, self._read(begin, min(_WINDOW_BYTES, len(self) - begin))
             self._window = at, window
         return window[begin - at : max(end - at, 0)]
 
     def find(self, text: bytes, begin: int = 0, end: int | None = None) -> int:
         """The first position of a text within `begin` and `end`, or -1."""
-        end, overlap, size = min(len(self), len(self) if end is None else end), len(text) - 1, _SMALL
+        end, overlap, size = min(len(self), len(self) if end is None else end), len(text) - 1, _SMALL_READ_BYTES
         while begin + overlap < end:
             block = self[begin : min(begin + size, end)]
             if (at := block.find(text)) >= 0:
                 return begin + at
-            begin, size = begin + len(block) - overlap, _SEARCHED
+            begin, size = begin + len(block) - overlap, _BYTES_PER_SEARCH
         return -1
 
     def array(self, dtype: Any, count: int, begin: int = 0) -> NDArray[Any]:

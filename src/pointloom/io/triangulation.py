@@ -27,10 +27,10 @@ _PAIRS_AT_A_TIME = 1 << 21
 _NUMBERS_AT_A_TIME = 1 << 18
 
 # Turns below this fraction of the products that they are differences of count as zero (rounding).
-_STRAIGHT = 1e-12
+_MAX_ROUNDING_TURN = 1e-12
 
 # Relaxation levels of an ear: no corner in or on its triangle, none inside, zero area accepted, no condition.
-_OPEN, _FLAT, _ANY = 1, 2, 3
+_OPEN_MODE, _FLAT_MODE, _ANY_MODE = 1, 2, 3
 
 # Steps per corner until a polygon is abandoned, so that self-intersecting ones terminate. Most take two.
 _MAX_STEPS = 12
@@ -68,7 +68,7 @@ def _doubled_area(ax: Floats, ay: Floats, bx: Floats, by: Floats, cx: Floats, cy
     """Twice the signed area of a, b, c, > 0 for a left turn; exactly 0 within rounding."""
     left, right = (bx - ax) * (cy - ay), (by - ay) * (cx - ax)
     area = left - right
-    return np.where(np.abs(area) <= _STRAIGHT * (np.abs(left) + np.abs(right)), 0.0, area)
+    return np.where(np.abs(area) <= _MAX_ROUNDING_TURN * (np.abs(left) + np.abs(right)), 0.0, area)
 
 
 def _cross_themselves(x: Floats, y: Floats) -> NDArray[np.bool_]:
@@ -156,8 +156,8 @@ class _Clipping:
         a, c = self.before[rows, b], self.after[rows, b]
         area = self._area_at(rows, a, b, c)
         mode, left = self.way[rows], self.left[rows]
-        ear = (area > 0) | ((area == 0) & ((mode >= _FLAT) | self._is_degenerate(rows, a, b, c)))
-        candidates = np.flatnonzero(ear & (area > 0) & (mode < _ANY) & (left > 3))
+        ear = (area > 0) | ((area == 0) & ((mode >= _FLAT_MODE) | self._is_degenerate(rows, a, b, c)))
+        candidates = np.flatnonzero(ear & (area > 0) & (mode < _ANY_MODE) & (left > 3))
         ear[candidates] &= ~self._is_filled(
             rows[candidates], a[candidates], b[candidates], c[candidates], mode[candidates]
         )
@@ -171,7 +171,7 @@ class _Clipping:
         stuck = missed[self.failed[missed] > self.left[missed]]
         self.failed[stuck] = 0
         self.way[stuck] += 1
-        self.good[stuck[self.way[stuck] > _ANY]] = False
+        self.good[stuck[self.way[stuck] > _ANY_MODE]] = False
         return rows[~last & self.good[rows]]
 
     def _area_at(self, rows: Indices, a: Indices, b: Indices, c: Indices) -> Floats:
@@ -217,7 +217,7 @@ class _Clipping:
 
 # A quad is nonplanar if its diagonals miss each other by more than this fraction of the longer one: above the
 # rounding of seven digits, below what is visible.
-_BENT = 1e-3
+_MIN_NONPLANARITY = 1e-3
 
 # Triangles below this fraction of their face's area count as degenerate.
 _NO_AREA = 1e-12
@@ -312,7 +312,7 @@ def _split_quads(p: Floats) -> tuple[Indices, Indices, Mask]:
     fan, other = _dot(_cross(s, d), n), _dot(_cross(s, e), n)
     dd, ee, none = _dot(d, d), _dot(e, e), _NO_AREA * nn
     is_fan, is_other = ((part > none) & (nn - part > none) for part in (fan, other))
-    is_bent = _dot(s, n) ** 2 > _BENT**2 * nn * np.maximum(dd, ee)
+    is_bent = _dot(s, n) ** 2 > _MIN_NONPLANARITY**2 * nn * np.maximum(dd, ee)
     swapped = is_other & (~is_fan | (is_bent & (ee < dd)))
     crossed = np.zeros(len(p), bool)
     rest = np.flatnonzero(~is_fan & ~is_other)

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic
 
-GRID = 5  # rays per side
-DEPTHS = 20  # sample points per ray
-NEAREST = 0.5  # relative to the distance of the nearest other camera
+RAYS_PER_SIDE = 5  # rays per side
+DEPTHS_PER_RAY = 20  # sample points per ray
+MIN_RELATIVE_DEPTH = 0.5  # relative to the distance of the nearest other camera
 MIN_ANGLE = 1.5  # [degrees] minimum parallax
 MAX_ANGLE = 60.0  # [degrees] above it, images hardly show the same side
 
@@ -31,8 +31,8 @@ def sample_visibility(
     elsewhere = apart[apart > 1e-9 * max(float(apart.max(initial=0.0)), np.finfo(float).tiny)]
     if not len(elsewhere):
         return np.zeros((0, 3)), np.zeros((0, len(poses)), bool), np.zeros((0, len(poses)))
-    nearest, farthest = float(elsewhere.min()) * NEAREST, float(elsewhere.max()) / np.radians(MIN_ANGLE)
-    z = np.geomspace(nearest, max(farthest, 2 * nearest), DEPTHS)
+    nearest, farthest = float(elsewhere.min()) * MIN_RELATIVE_DEPTH, float(elsewhere.max()) / np.radians(MIN_ANGLE)
+    z = np.geomspace(nearest, max(farthest, 2 * nearest), DEPTHS_PER_RAY)
     at = (_rays(cameras[index])[:, None] * z[:, None]).reshape(-1, 3)
     samples = (at - t[index]) @ R[index]
     seen, angles = np.zeros((len(samples), len(poses)), bool), np.zeros((len(samples), len(poses)))
@@ -62,9 +62,9 @@ def fractions_in_view(cameras: Sequence[PinholeCameraIntrinsic], poses: Array) -
 
 
 def _rays(camera: PinholeCameraIntrinsic) -> Array:
-    """Rays at z = 1 through a regular grid of the image, [GRID * GRID, 3]."""
-    steps = (np.arange(GRID) + 0.5) / GRID
+    """Rays at z = 1 through a regular grid of the image, [RAYS_PER_SIDE * RAYS_PER_SIDE, 3]."""
+    steps = (np.arange(RAYS_PER_SIDE) + 0.5) / RAYS_PER_SIDE
     x = (steps * camera.width - 0.5 - camera.cx) / camera.fx
     y = (steps * camera.height - 0.5 - camera.cy) / camera.fy
     u, v = np.meshgrid(x, y)
-    return np.stack([u.ravel(), v.ravel(), np.ones(GRID * GRID)], axis=1)
+    return np.stack([u.ravel(), v.ravel(), np.ones(RAYS_PER_SIDE * RAYS_PER_SIDE)], axis=1)

@@ -27,12 +27,12 @@ from .manifest import DAMAGE, is_dead
 FOLDER, INDEX = "buckets", "index.json"
 MAX_ROWS = 1 << 22  # rows in memory before a flush
 MAX_BYTES = 1 << 28
-_READ = 1 << 18  # rows unpacked at a time
+_ROWS_PER_READ = 1 << 18  # rows unpacked at a time
 _CELL_ROWS = 16384  # rows from which a block is divided into cells
 _MAX_CELLS = 4  # along a side
 _BLOCK = struct.Struct("<4sIIII4dI")  # magic, rows, bytes of rows, bytes of numbers, packing, box, checksum
 _MARK = b"LOOM"
-_ZLIB, _LASZIP = 0, 1
+_ZLIB_CODEC, _LASZIP_CODEC = 0, 1
 Window = tuple[float, float, float, float]  # low x, low y, high x, high y. Low ends inclusive
 
 _ANEW = "Remove {} and call retry_tiles(folder)"
@@ -104,7 +104,7 @@ def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
     writer = _Writer(plan, file, part)
     max_rows = min(MAX_ROWS, MAX_BYTES // (file.header.record_length + 8))
     begin = brightest = 0
-    for rows in file.rows(_READ):
+    for rows in file.rows(_ROWS_PER_READ):
         positions = _checked_positions(plan, file, rows, begin)
         owners = plan.tile_of(positions)
         order = np.argsort(owners, kind="stable")
@@ -196,7 +196,7 @@ def _lazrs_record(file: LasFile) -> Any:
 def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], positions: NDArray[np.float64]) -> bytes:
     record = _lazrs_record(file) if len(rows) >= _LASZIP_ROWS else None
     if record is None:
-        how, body = _ZLIB, zlib.compress(rows.tobytes(), 1)
+        how, body = _ZLIB_CODEC, zlib.compress(rows.tobytes(), 1)
     else:
         lazrs = import_for("buckets.laz", "lazrs", "las")
         stream = io.BytesIO()
@@ -204,7 +204,7 @@ def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], positions: ND
             compressor = lazrs.LasZipCompressor(stream, record)
             compressor.compress_many(rows.tobytes())
             compressor.done()
-        how, body = _LASZIP, stream.getvalue()
+        how, body = _LASZIP_CODEC, stream.getvalue()
     steps = np.diff(numbers, prepend=np.uint64(0))  # ascending
     packed_numbers = zlib.compress(np.ascontiguousarray(steps.view(np.uint8).reshape(-1, 8).T).tobytes(), 1)
     box = (*positions.min(axis=0), *positions.max(axis=0))
@@ -296,7 +296,7 @@ def _inflated(path: Path, packed: bytes, size: int) -> bytes:
 
 
 def _unpacked(path: Path, file: LasFile, body: bytes, count: int, how: int) -> Any:
-    if how == _ZLIB:
+    if how == _ZLIB_CODEC:
         return _inflated(path, body, count * file.header.record_length)
     lazrs = import_for("buckets.laz", "lazrs", "las")
     rows = np.empty(count * file.header.record_length, np.uint8)

@@ -32,7 +32,7 @@ from .tile_tree import TileTree
 from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
 
-BLOCK = 1 << 18
+POINTS_PER_BLOCK = 1 << 18
 FILES = {"laz": ".laz", "las": ".las", "copc": ".copc.laz"}  # file extension by kind
 
 
@@ -170,7 +170,7 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
                     part, f"is not the tile that was written: {tile.header.point_count} points, not {count}"
                 )
             with laspy.open(part) as reader:
-                for points in reader.chunk_iterator(BLOCK):
+                for points in reader.chunk_iterator(POINTS_PER_BLOCK):
                     writer.write_points(points)
                     done += len(points)
                     report("points", done, total)

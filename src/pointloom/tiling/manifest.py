@@ -29,7 +29,7 @@ except ImportError:  # Windows
     fcntl = None
 
 NAME, LOCKS = "plan.sqlite", "locks"
-SCHEMA = 3
+SCHEMA_VERSION = 3
 TABLES = ("sources", "tiles", "joins")  # of tasks
 MAX_ATTEMPTS = 3  # worker deaths per task
 DIED = f"the worker died {MAX_ATTEMPTS} times at this task, because of memory or an error in a step"
@@ -43,7 +43,7 @@ STATES = ("waiting", "running", "done", "empty", "failed", "aside")
 DAMAGE = (EOFError, LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
 DISTRIBUTES = " distributes"
 _OWNER = re.compile(r"[0-9A-Za-z ]{1,64}")
-UNSORTED = -1  # instead of a full color: a file far from all tiles
+UNSORTED_COLOR = -1  # instead of a full color: a file far from all tiles
 FINAL_STATES = ("done", "empty", "failed", "aside")  # final states, reset only by `retry`
 
 
@@ -82,8 +82,8 @@ class Manifest:
         try:
             check_no_code(self.base, path, remedy="Plan it again in another folder")
             meta = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
-            if meta.get("schema") != str(SCHEMA):
-                reason = f"expected a manifest of schema {SCHEMA}, got schema {meta.get('schema')}"
+            if meta.get("schema") != str(SCHEMA_VERSION):
+                reason = f"expected a manifest of schema {SCHEMA_VERSION}, got schema {meta.get('schema')}"
                 raise FileError(path, reason, remedy="Plan it again in another folder")
             self.plan: dict[str, Any] = json.loads(meta["plan"])
             self.version = meta["version"]
@@ -239,7 +239,7 @@ def write_manifest(
     with new_manifest(folder, plan, version, TILES + CHECKSUMS) as base:
         has_windows = [source["kind"] == "copc" for source in files_of(plan)]
         rows = [
-            (k, "done" if windows or k in far else "waiting", UNSORTED if k in far else 0)
+            (k, "done" if windows or k in far else "waiting", UNSORTED_COLOR if k in far else 0)
             for k, windows in enumerate(has_windows)
         ]
         base.executemany("INSERT INTO sources (id, state, full) VALUES (?, ?, ?)", rows)
@@ -256,7 +256,7 @@ def new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str) 
         try:
             base.executescript(tables)
             base.execute("BEGIN")
-            meta = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
+            meta = {"schema": str(SCHEMA_VERSION), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
             base.executemany("INSERT INTO meta VALUES (?, ?)", meta.items())
             yield base
             base.execute("COMMIT")

@@ -30,12 +30,12 @@ from .steps.function import Function, UserFunction, resolve_functions
 from .steps.parse import naming_file, parse_steps
 from .steps.step import Step
 
-POINTS = 2_000_000  # default per tile
+POINTS_PER_TILE = 2_000_000  # default per tile
 MAX_POINTS = 8  # times the usual tile size: maximum points with halo, and its minimum
 MIN_POINTS = 4_000_000
 MIN_LEVELS = 12  # of the search curve, which defines the order of ties: 2^26 points per tile
 _passed: dict[str, list[UserFunction]] = {}  # functions passed to `plan_tiles` in this process, by plan hash
-_ROUNDING = 2.0**-21  # relative float32 rounding of two points and their distance
+_FLOAT32_ROUNDING = 2.0**-21  # relative float32 rounding of two points and their distance
 
 
 class Plan:
@@ -272,7 +272,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     extent = np.maximum((high - low)[:2], np.max((high - low)[:2]) / 1000)  # also for collinear points
     area = max(float(np.prod(extent)), 1e-12)
     if size is None:
-        fraction = check_count("points", POINTS if points is None else points)
+        fraction = check_count("points", POINTS_PER_TILE if points is None else points)
         size = math.sqrt(area * min(1.0, fraction / total)) * (1 + 1e-9)
         size = float(f"{size:.3g}") or float(np.max(sources[0]["scales"]))
     size = check_positive("size", size)
@@ -294,7 +294,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         "corner": low[:2].tolist(),
         "size": size,
         "shape": shape,
-        "slack": max(max_coordinate, 1.0) * _ROUNDING,
+        "slack": max(max_coordinate, 1.0) * _FLOAT32_ROUNDING,
         "most": max(MIN_POINTS, int(MAX_POINTS * total * min(1.0, size * size / area))),
         "only": only,
         "output": output,

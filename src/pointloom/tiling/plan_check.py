@@ -10,14 +10,14 @@ from ..core.checks import shown
 
 MAX_TILES = 1 << 22
 OUTPUTS = ("laz", "copc")
-LARGEST = 1e300  # sums of numbers stay finite
+MAX_NUMBER = 1e300  # sums of numbers stay finite
 
 Check = Callable[[Any], bool]
 Checks = dict[str, Check]  # by field of a JSON object
 
 
 def is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= MAX_NUMBER
 
 
 def is_count(value: Any) -> bool:
@@ -85,7 +85,7 @@ def _is_steps(value: Any) -> bool:
 
 
 _STATE: Checks = {"path": is_text, "size": is_count, "mtime_ns": lambda value: isinstance(value, int)}
-_SOURCE: Checks = {
+_SOURCE_CHECKS: Checks = {
     **_STATE,
     "kind": lambda value: value in ("copc", "rows"),
     "points": is_count,
@@ -94,7 +94,7 @@ _SOURCE: Checks = {
     "unit": optional(is_text),
     "attributes": lambda value: isinstance(value, dict),
 }
-_PLAN: Checks = {
+_PLAN_CHECKS: Checks = {
     "sources": lambda value: isinstance(value, list) and len(value) > 0,
     "epochs": is_list,
     "steps": _is_steps,
@@ -109,18 +109,18 @@ _PLAN: Checks = {
     "only": lambda value: value is None or (isinstance(value, list) and len(value) > 0),
     "output": lambda value: value in OUTPUTS,
 }
-_EPOCH: Checks = {"paths": list_of(is_text), "sources": lambda value: isinstance(value, list) and len(value) > 0}
+_EPOCH_CHECKS: Checks = {"paths": list_of(is_text), "sources": lambda value: isinstance(value, list) and len(value) > 0}
 
 
 def check_plan(plan: Any) -> None:
     """Raise ValueError for the first missing or invalid value of a plan."""
-    check_fields("plan", plan, _PLAN)
+    check_fields("plan", plan, _PLAN_CHECKS)
     if len(plan["guesses"]) != len(plan["steps"]):
         raise ValueError(f"plan: expected one guess for each of {len(plan['steps'])} steps, got {len(plan['guesses'])}")
     for number, epoch in enumerate(plan["epochs"]):
-        check_fields(f"epoch {number}", epoch, _EPOCH)
+        check_fields(f"epoch {number}", epoch, _EPOCH_CHECKS)
     for source in [*plan["sources"], *(source for epoch in plan["epochs"] for source in epoch["sources"])]:
-        check_fields("source", source, _SOURCE)
+        check_fields("source", source, _SOURCE_CHECKS)
         if "original" in source:
             check_fields("original", source["original"], _STATE)
 

@@ -27,7 +27,7 @@ from ..core.errors import DeviceError, FileError
 from ..core.verbosity import LOGGER
 from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, worker_lock
 
-LOOK = 0.2  # [s] between queries for tasks that other runs may release
+POLL_SECONDS = 0.2  # [s] between queries for tasks that other runs may release
 CONNECT_TIMEOUT = 10.0  # [s] for a connection to a scheduler
 MAX_WITHOUT_WORKERS = 60.0  # [s]
 CHECK_INTERVAL = 20.0  # [s] without a result, before a query whether the scheduler still has the task
@@ -157,7 +157,7 @@ def _run_here(manifest: Manifest, book: Book, device: str, notify: Callable[[], 
     while (task := book.take()) is not False:
         if task is True:
             if not manifest.release_claims():
-                time.sleep(LOOK)
+                time.sleep(POLL_SECONDS)
             continue
         try:
             result = book.do(task, device)
@@ -203,13 +203,13 @@ def _run_on(
 
 
 def _ended(running: dict[Any, Any]) -> list[Any]:
-    """Futures that end within LOOK seconds."""
+    """Futures that end within POLL_SECONDS seconds."""
     if not running:
-        time.sleep(LOOK)
+        time.sleep(POLL_SECONDS)
         return []
     try:
         wait = importlib.import_module("distributed").wait
-        return list(wait([*running], timeout=LOOK, return_when="FIRST_COMPLETED").done)
+        return list(wait([*running], timeout=POLL_SECONDS, return_when="FIRST_COMPLETED").done)
     except TimeoutError:
         return []
 

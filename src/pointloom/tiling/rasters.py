@@ -30,9 +30,9 @@ from .sources import file_of
 from .steps.raster import Rasterize
 
 FOLDER = "rasters"
-STRIP = 1024  # cells per side of the mosaic windows: 12 MB
+WINDOW_CELLS = 1024  # cells per side of the mosaic windows: 12 MB
 MAX_OPEN = 64  # open rasters of tiles
-_PROJECTED, _USER_DEFINED = 3072, 32767  # GeoTIFF key of the system's number
+_PROJECTED_KEY, _USER_DEFINED = 3072, 32767  # GeoTIFF key of the system's number
 
 
 def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, index: tuple[int, int]) -> None:
@@ -101,7 +101,7 @@ def crs_of(plan: Plan) -> str | None:
     text = find_text(header)
     if text:
         return text
-    location, _, code = find_keys(header).get(_PROJECTED, (0, 0, 0))
+    location, _, code = find_keys(header).get(_PROJECTED_KEY, (0, 0, 0))
     return f"EPSG:{code}" if location == 0 and 0 < code < _USER_DEFINED else None
 
 
@@ -134,9 +134,9 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, o
         _Tiles(manifest.folder, step, cells_of) as opened,
         geotiff(path, shape, (low[0], low[1]), step.cell, metadata, overwrite=overwrite, for_maps=True) as file,
     ):
-        for top in range(0, shape[0], STRIP):
-            for left in range(0, shape[1], STRIP):
-                rows, columns = min(STRIP, shape[0] - top), min(STRIP, shape[1] - left)
+        for top in range(0, shape[0], WINDOW_CELLS):
+            for left in range(0, shape[1], WINDOW_CELLS):
+                rows, columns = min(WINDOW_CELLS, shape[0] - top), min(WINDOW_CELLS, shape[1] - left)
                 box = (x0 + left, y1 - top - rows, x0 + left + columns, y1 - top)
                 out = np.zeros((2, rows, columns), np.float32)
                 out[0] = 0.0 if step.kind == "density" else NODATA

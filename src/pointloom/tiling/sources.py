@@ -31,7 +31,7 @@ from ..io.points.las_records import left_out_of, own_records
 from ..io.points.las_units import units_of
 from ..io.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
-from .manifest import NAME, UNSORTED, read_plan
+from .manifest import NAME, UNSORTED_COLOR, read_plan
 from .unindexed_files import FOLDER as MADE
 from .unindexed_files import SUFFIXES as LOOSE
 from .unindexed_files import converted_files
@@ -240,7 +240,7 @@ def read_rows(
             file, full = copc.file, copc.full
         else:
             file, full = file_of(source), fulls[number]
-            if full == UNSORTED:
+            if full == UNSORTED_COLOR:
                 raise UnsortedFileError(number)
             rows, numbers = read_buckets(plan, folder, number, file, window)
         if len(rows):

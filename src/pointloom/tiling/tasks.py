@@ -17,7 +17,7 @@ from ..core.errors import FileError
 from .border_merging import BorderData, Joined, join_step
 from .buckets import REMOTE, Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import NAME, STATES, UNSORTED, Manifest, files_of, message_of
+from .manifest import NAME, STATES, UNSORTED_COLOR, Manifest, files_of, message_of
 from .plan import Plan, plan_alone
 from .schema import CHECKSUMS
 from .sources import UnsortedFileError, check_unchanged
@@ -158,7 +158,7 @@ class Taskbook:
             self._fulls = None
             with self._manifest.change() as base:
                 query = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full = ?"
-                base.execute(query, (error.args[0], UNSORTED))
+                base.execute(query, (error.args[0], UNSORTED_COLOR))
                 self._manifest.record_in(base, task.table, task.number, self.owner, state="waiting")
             return
         self._manifest.record(task.table, task.number, self.owner, state="failed", error=message_of(error))
@@ -176,7 +176,7 @@ def reset_missing_buckets(manifest: Manifest) -> None:
         for number, source in enumerate(files_of(manifest.plan)):
             if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
                 query = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full != ?"
-                base.execute(query, (number, UNSORTED))
+                base.execute(query, (number, UNSORTED_COLOR))
 
 
 def next_pass(manifest: Manifest) -> int | None:

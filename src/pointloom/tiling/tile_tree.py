@@ -32,7 +32,7 @@ MAX_POINTS = 2_800_000
 GRID_DEPTH = 14  # halvings to the counted cells, fewer if too many have points
 MAX_CELLS = 1 << 20
 MIN_POINTS = 8192  # deeper points merged into the parent, as in write_copc
-_BATCH = 1 << 20  # points read at a time
+_POINTS_PER_BATCH = 1 << 20  # points read at a time
 _CACHE_BYTES = 1 << 28
 _AXES = ("X", "Y", "Z")
 
@@ -103,7 +103,7 @@ class TileTree:
         """(halvings, codes, counts) of cells with points. Also stores chunk boxes."""
         grid, at = _Grid(), 0
         boxes: list[list[NDArray[Any]]] = []
-        tasks = [(file, which) for file in self.files for which in _runs(file.counts, _BATCH)]
+        tasks = [(file, which) for file in self.files for which in _runs(file.counts, _POINTS_PER_BATCH)]
         firsts = np.concatenate([np.cumsum(file.counts) - file.counts for file in self.files])
         numbers = {id(file): number for number, file in enumerate(self.files)}
         look = _FirstPass(self.scales, self.offsets, self.corner, self.side)

@@ -34,9 +34,9 @@ from ..io.table import PointTable
 
 SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".e57", ".ptx")
 FOLDER, MAKING = "sources", "sources.part"
-ROWS = 1 << 18  # at a time
-COARSEST = 1e-4  # scale of the coordinates [their unit]; finer for points within 100 units
-_STEPS = 2.0**30  # across all points
+ROWS_PER_PART = 1 << 18  # at a time
+MAX_COORDINATE_SCALE = 1e-4  # scale of the coordinates [their unit]; finer for points within 100 units
+_COORDINATE_STEPS = 2.0**30  # across all points
 Parts = Callable[[], Iterator[PointTable]]
 
 
@@ -104,7 +104,11 @@ class CommonProperties:
     def scale(self) -> float:
         """Scale of the coordinates, a power of ten."""
         extent = float((self.high - self.low).max())
-        return min(COARSEST, 10.0 ** math.ceil(math.log10(max(extent, 1e-9) / _STEPS))) if extent < 1e5 else COARSEST
+        return (
+            min(MAX_COORDINATE_SCALE, 10.0 ** math.ceil(math.log10(max(extent, 1e-9) / _COORDINATE_STEPS)))
+            if extent < 1e5
+            else MAX_COORDINATE_SCALE
+        )
 
     @property
     def offset(self) -> NDArray[np.float64]:
@@ -166,8 +170,8 @@ def look_at(paths: list[Path], report: ReportProgress) -> tuple[CommonProperties
         if not properties.counts[number]:
             raise FileError(path, "contains no points")
     extent = float((properties.high - properties.low).max())
-    if extent / COARSEST > 2**31:
-        reason = f"expected an extent of at most 2^31 steps of {COARSEST:g}, got {extent:g} units"
+    if extent / MAX_COORDINATE_SCALE > 2**31:
+        reason = f"expected an extent of at most 2^31 steps of {MAX_COORDINATE_SCALE:g}, got {extent:g} units"
         raise FileError(paths[0], reason, remedy="Remove outlying points, or write .laz with a larger scale")
     return properties, files
 
@@ -176,7 +180,7 @@ def opened(path: Path) -> Parts:
     """Reader of a file's points in parts, repeatable. At least one part, possibly empty."""
     suffix = path.suffix.lower()
     by_suffix = {".e57": _scans_of, ".ptx": iterate_world_scans, ".ply": _rows_of, ".pcd": _rows_of}
-    return partial(by_suffix[suffix], path) if suffix in by_suffix else partial(TextInParts(path).parts, ROWS)
+    return partial(by_suffix[suffix], path) if suffix in by_suffix else partial(TextInParts(path).parts, ROWS_PER_PART)
 
 
 def _scans_of(path: Path) -> Iterator[PointTable]:
@@ -188,7 +192,7 @@ def _scans_of(path: Path) -> Iterator[PointTable]:
 
 def _rows_of(path: Path) -> Iterator[PointTable]:
     file = open_in_parts(path)
-    yield from [READERS[path.suffix.lower()](path)] if file is None else file.parts(ROWS)
+    yield from [READERS[path.suffix.lower()](path)] if file is None else file.parts(ROWS_PER_PART)
 
 
 def _write(path: Path, parts: Parts, target: Path, properties: CommonProperties, count: int) -> None:
@@ -203,8 +207,8 @@ def _write(path: Path, parts: Parts, target: Path, properties: CommonProperties,
                 )
                 if writer is None:
                     writer = open_writer(layout.laspy, stream, layout.header, compress=True)
-                for begin in range(0, len(table.points), ROWS):
-                    writer.write_points(layout.pack(slice(begin, begin + ROWS)))
+                for begin in range(0, len(table.points), ROWS_PER_PART):
+                    writer.write_points(layout.pack(slice(begin, begin + ROWS_PER_PART)))
                 written += len(table.points)
         finally:
             if writer is not None:

@@ -4,7 +4,14 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.algebra.camera import Camera
-from pointloom.kernels.images.depth import RUN, PixelGrid, color_pixels, largest_depth, metric_depth, unproject_depth
+from pointloom.kernels.images.depth import (
+    PIXELS_PER_RUN,
+    PixelGrid,
+    color_pixels,
+    largest_depth,
+    metric_depth,
+    unproject_depth,
+)
 from pointloom.kernels.images.flying_pixels import drop_flying
 from pointloom.kernels.lang import float32, uint8, uint16
 from pointloom.kernels.memory import download, upload
@@ -19,7 +26,7 @@ def meters(device, raw, dtype, scale, farthest):
     return depth.numpy()
 
 
-@pytest.mark.parametrize("count", [1, RUN - 1, RUN, RUN + 1, 3 * RUN + 5])
+@pytest.mark.parametrize("count", [1, PIXELS_PER_RUN - 1, PIXELS_PER_RUN, PIXELS_PER_RUN + 1, 3 * PIXELS_PER_RUN + 5])
 def test_depth_of_any_number_of_pixels_is_converted(device, count, rng):
     raw = rng.integers(0, 65536, count).astype(np.uint16)
     expected = raw.astype(np.float32) / np.float32(1000)

@@ -11,7 +11,7 @@ from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.lang import array, float32, float64, int32, kernel, launch, tid, uint8, vec3, vec3d, vec4d
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.scenes.color_noise import measure_colors
-from pointloom.kernels.scenes.primitives import BOX, CYLINDER, Solids, distance_to_solids, meet_solid
+from pointloom.kernels.scenes.primitives import BOX_KIND, CYLINDER_KIND, Solids, distance_to_solids, meet_solid
 from pointloom.kernels.scenes.value_noise import grain_pixels, value_noise
 
 
@@ -27,7 +27,7 @@ def meet_kernel(
 def reference_distance(points, kind, rotation, center, extent):
     """Signed distances in float64, written without the kernels' case distinctions."""
     q = (points - center) @ rotation.T
-    if kind == CYLINDER:
+    if kind == CYLINDER_KIND:
         q = np.column_stack([np.hypot(q[:, 0], q[:, 1]), q[:, 2]])
         half = np.array([extent[0], extent[2]])
     else:
@@ -40,10 +40,10 @@ def random_scene(seed=0, count=12):
     rng = np.random.default_rng(seed)
     kinds = rng.integers(0, 2, count)
     extents = rng.uniform(0.05, 0.6, (count, 4))
-    extents[kinds == CYLINDER, 1] = 0
-    extents[0], kinds[0] = (0, 0, 0, 0.4), BOX  # a sphere
-    extents[1], kinds[1] = (0, 0, 0.5, 0.2), CYLINDER  # a capsule
-    extents[2], kinds[2] = (0.3, 0.2, 0.1, 0), BOX  # sharp edges
+    extents[kinds == CYLINDER_KIND, 1] = 0
+    extents[0], kinds[0] = (0, 0, 0, 0.4), BOX_KIND  # a sphere
+    extents[1], kinds[1] = (0, 0, 0.5, 0.2), CYLINDER_KIND  # a capsule
+    extents[2], kinds[2] = (0.3, 0.2, 0.1, 0), BOX_KIND  # sharp edges
     return kinds, Rotation.random(count, rng).as_matrix(), rng.uniform(-2, 2, (count, 3)), extents
 
 
@@ -65,7 +65,7 @@ def test_points_that_are_not_finite_have_no_distance(device):
 
 
 def test_no_points_and_one_point(device):
-    solids = Solids([BOX], np.eye(3)[None], np.zeros((1, 3)), [[0, 0, 0, 1.0]], device)
+    solids = Solids([BOX_KIND], np.eye(3)[None], np.zeros((1, 3)), [[0, 0, 0, 1.0]], device)
     assert measure(np.empty((0, 3)), solids, device).shape == (0,)
     assert measure([[3.0, 0, 0]], solids, device).tolist() == [2.0]
 
@@ -79,8 +79,12 @@ def meet(device, kind, extent, origins, directions):
     return parameters.numpy()
 
 
-SHAPES = [(BOX, (0.4, 0.3, 0.2, 0.0)), (BOX, (0.3, 0.2, 0.1, 0.1)), (BOX, (0.0, 0.0, 0.0, 0.5))]
-SHAPES += [(CYLINDER, (0.3, 0.0, 0.4, 0.0)), (CYLINDER, (0.2, 0.0, 0.3, 0.1)), (CYLINDER, (0.0, 0.0, 0.3, 0.2))]
+SHAPES = [(BOX_KIND, (0.4, 0.3, 0.2, 0.0)), (BOX_KIND, (0.3, 0.2, 0.1, 0.1)), (BOX_KIND, (0.0, 0.0, 0.0, 0.5))]
+SHAPES += [
+    (CYLINDER_KIND, (0.3, 0.0, 0.4, 0.0)),
+    (CYLINDER_KIND, (0.2, 0.0, 0.3, 0.1)),
+    (CYLINDER_KIND, (0.0, 0.0, 0.3, 0.2)),
+]
 
 
 @pytest.mark.parametrize(("kind", "extent"), SHAPES)
@@ -105,8 +109,8 @@ def test_rays_stop_on_the_surface_and_misses_pass_it_by(device, kind, extent):
 
 
 def test_a_ray_along_an_axis_meets_a_face_exactly(device):
-    assert meet(device, BOX, (0.5, 0.5, 0.5, 0.0), [[0.1, 0.2, -3.0]], [[0.0, 0.0, 1.0]]).tolist() == [2.5]
-    assert np.isinf(meet(device, BOX, (0.5, 0.5, 0.5, 0.0), [[0.1, 0.2, -3.0]], [[0.0, 0.0, -1.0]])).all()
+    assert meet(device, BOX_KIND, (0.5, 0.5, 0.5, 0.0), [[0.1, 0.2, -3.0]], [[0.0, 0.0, 1.0]]).tolist() == [2.5]
+    assert np.isinf(meet(device, BOX_KIND, (0.5, 0.5, 0.5, 0.0), [[0.1, 0.2, -3.0]], [[0.0, 0.0, -1.0]])).all()
 
 
 CAMERA = Camera(37, 23, 40.0, 41.5, 17.3, 11.9)

@@ -8,9 +8,9 @@ import pytest
 
 from pointloom.kernels.lang import launch, uint8, uint64, vec2, vec4
 from pointloom.kernels.memory import download, empty, upload
-from pointloom.kernels.stereo.brightness import LEVELS, resize_brightness_kernel
+from pointloom.kernels.stereo.brightness import MAX_PACKED_LEVEL, resize_brightness_kernel
 from pointloom.kernels.stereo.inverse_planes import refine_planes_kernel
-from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources, patch_on
+from pointloom.kernels.stereo.patch_costs import MAX_PATCH_COST, Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import HalfIteration, spread_planes, start_planes
 from pointloom.kernels.stereo.plane_results import finish_planes
 from pointloom.kernels.stereo.region_planes import judge_pixels, take_priors
@@ -25,7 +25,7 @@ def as_blocks(levels: np.ndarray) -> np.ndarray:
 
 
 def stored(images: Sequence[np.ndarray], device: str) -> Any:
-    levels = [np.round(np.clip(each, 0, 1) * LEVELS).astype(np.uint16) for each in images]
+    levels = [np.round(np.clip(each, 0, 1) * MAX_PACKED_LEVEL).astype(np.uint16) for each in images]
     return upload(np.concatenate([as_blocks(each).reshape(-1) for each in levels]).view(np.uint64), uint64, device)
 
 
@@ -42,7 +42,7 @@ def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndar
     rows, columns = pixels.shape[:2]
     flat = upload(pixels.reshape(-1), uint8, device)
     launch(resize_brightness_kernel, width * height, [flat, channels, columns, rows, width, height, 0, out])
-    blocks = download(out).view(np.uint16).reshape(height, width, 4) / LEVELS
+    blocks = download(out).view(np.uint16).reshape(height, width, 4) / MAX_PACKED_LEVEL
     np.testing.assert_array_equal(blocks, as_blocks(blocks[..., 0]))
     return blocks[..., 0]
 
@@ -105,14 +105,14 @@ def test_the_true_plane_costs_nothing_and_others_do(device):
     inside = (slice(6, -6), slice(SHIFT + 6, -6))
     true, wrong = costs_of(SHIFT / STEREO, device), costs_of(0.25, device)
     assert true[inside].max() < 1e-4 and np.median(wrong[inside]) > 0.7
-    assert (true[:, :SHIFT] == np.float32(BAD)).all()  # seen left of the source
+    assert (true[:, :SHIFT] == np.float32(MAX_PATCH_COST)).all()  # seen left of the source
 
 
 def test_brightness_and_contrast_of_a_source_do_not_matter(device):
     reference, sources = problem(device)
     levels = np.array(download(sources.images)).view(np.uint16)
     source = levels[4 * WIDTH * HEIGHT :]
-    source[:] = np.round(0.3 * source + 0.4 * LEVELS)
+    source[:] = np.round(0.3 * source + 0.4 * MAX_PACKED_LEVEL)
     sources.images = upload(levels.view(np.uint64), uint64, device)
     planes = planes_of(0.5, device)
     costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)

@@ -5,16 +5,22 @@ import pytest
 
 from pointloom.kernels.lang import float32, int32, uint8, uint16
 from pointloom.kernels.memory import download, empty, full, upload
-from pointloom.kernels.stereo.census import ACROSS, DOWN, NO_CODE, find_codes, rectify_brightness
+from pointloom.kernels.stereo.census import (
+    NO_CODE,
+    WINDOW_HALF_HEIGHT,
+    WINDOW_HALF_WIDTH,
+    find_codes,
+    rectify_brightness,
+)
 from pointloom.kernels.stereo.disparities import (
-    AROUND,
+    MAX_SUM_PERCENT,
     NO_DISPARITY,
-    UNIQUE,
+    PLANE_RADIUS,
     RectifiedView,
     find_depth,
     find_disparities,
 )
-from pointloom.kernels.stereo.path_sums import LARGE, SMALL, WORST, sum_paths
+from pointloom.kernels.stereo.path_sums import LARGE_STEP_PENALTY, MAX_CODE_DISTANCE, SMALL_STEP_PENALTY, sum_paths
 
 WIDTH, HEIGHT, COUNT = 21, 9, 32
 STEPS = [(dx, dy) for dy in (-1, 0, 1) for dx in (-1, 0, 1) if dx or dy]
@@ -22,13 +28,23 @@ STEPS = [(dx, dy) for dy in (-1, 0, 1) for dx in (-1, 0, 1) if dx or dy]
 
 def true_codes(pixels: np.ndarray) -> np.ndarray:
     height, width = pixels.shape
-    padded = np.pad(pixels.astype(np.int64), ((DOWN, DOWN), (ACROSS, ACROSS)), mode="edge")
+    padded = np.pad(
+        pixels.astype(np.int64),
+        ((WINDOW_HALF_HEIGHT, WINDOW_HALF_HEIGHT), (WINDOW_HALF_WIDTH, WINDOW_HALF_WIDTH)),
+        mode="edge",
+    )
     codes = np.zeros((height, width), np.int64)
-    for dy in range(DOWN + 1):
-        for dx in range(-ACROSS, ACROSS + 1):
+    for dy in range(WINDOW_HALF_HEIGHT + 1):
+        for dx in range(-WINDOW_HALF_WIDTH, WINDOW_HALF_WIDTH + 1):
             if dy > 0 or dx > 0:
-                ahead = padded[DOWN + dy : DOWN + dy + height, ACROSS + dx : ACROSS + dx + width]
-                behind = padded[DOWN - dy : DOWN - dy + height, ACROSS - dx : ACROSS - dx + width]
+                ahead = padded[
+                    WINDOW_HALF_HEIGHT + dy : WINDOW_HALF_HEIGHT + dy + height,
+                    WINDOW_HALF_WIDTH + dx : WINDOW_HALF_WIDTH + dx + width,
+                ]
+                behind = padded[
+                    WINDOW_HALF_HEIGHT - dy : WINDOW_HALF_HEIGHT - dy + height,
+                    WINDOW_HALF_WIDTH - dx : WINDOW_HALF_WIDTH - dx + width,
+                ]
                 codes = 2 * codes + (ahead > behind)
     return codes
 
@@ -36,7 +52,7 @@ def true_codes(pixels: np.ndarray) -> np.ndarray:
 def true_costs(left: np.ndarray, right: np.ndarray) -> np.ndarray:
     """Hamming distances of codes of the left image with those of the right one, stored from right to left."""
     width = left.shape[1]
-    costs = np.full((*left.shape, COUNT), WORST)
+    costs = np.full((*left.shape, COUNT), MAX_CODE_DISTANCE)
     for (y, x, d), _ in np.ndenumerate(costs):
         a, b = left[y, x], right[y, width - 1 - x + d]
         if a >= 0 and b >= 0:
@@ -55,9 +71,9 @@ def true_sums(costs: np.ndarray) -> np.ndarray:
                 paths[y, x] = costs[y, x]
                 if 0 <= x - dx < width and 0 <= y - dy < height:
                     before = np.pad(paths[y - dy, x - dx], 1, constant_values=10**6)
-                    near = np.minimum(before[:-2], before[2:]) + SMALL
+                    near = np.minimum(before[:-2], before[2:]) + SMALL_STEP_PENALTY
                     low = before.min()
-                    paths[y, x] += np.minimum(np.minimum(before[1:-1], near), low + LARGE) - low
+                    paths[y, x] += np.minimum(np.minimum(before[1:-1], near), low + LARGE_STEP_PENALTY) - low
         total += paths
     return total
 
@@ -82,8 +98,8 @@ def sums_of(left: np.ndarray, right: np.ndarray, device: str) -> np.ndarray:
 def disparities_of(sums: np.ndarray, first: int, device: str) -> list[np.ndarray]:
     height, width, count = sums.shape
     found = find_disparities(upload(sums.ravel().astype(np.uint16), uint16, device), width, height, count, first)
-    rows, columns = slice(AROUND, AROUND + height), slice(AROUND, AROUND + width)
-    return [np.array(download(each)).reshape(height + 2 * AROUND, -1)[rows, columns] for each, _ in found]
+    rows, columns = slice(PLANE_RADIUS, PLANE_RADIUS + height), slice(PLANE_RADIUS, PLANE_RADIUS + width)
+    return [np.array(download(each)).reshape(height + 2 * PLANE_RADIUS, -1)[rows, columns] for each, _ in found]
 
 
 @pytest.mark.parametrize("step", [1, -1])
@@ -103,7 +119,9 @@ def test_a_homography_moves_brightness_and_leaves_pixels_outside_without_code(de
     pixels = np.random.default_rng(1).integers(0, 256, (HEIGHT, WIDTH, 3), dtype=np.uint8)
     there = np.array([[1, 0, 2.5], [0, 1, 0], [0, 0, 1.0]])
     brightness = rectify_brightness(upload(pixels.ravel(), uint8, device), 3, WIDTH, HEIGHT, there, WIDTH, HEIGHT)
-    shown = np.array(download(brightness)).reshape(HEIGHT + 2 * DOWN, -1)[DOWN:-DOWN, ACROSS : ACROSS + WIDTH]
+    shown = np.array(download(brightness)).reshape(HEIGHT + 2 * WINDOW_HALF_HEIGHT, -1)[
+        WINDOW_HALF_HEIGHT:-WINDOW_HALF_HEIGHT, WINDOW_HALF_WIDTH : WINDOW_HALF_WIDTH + WIDTH
+    ]
     gray = pixels @ [0.2990, 0.5870, 0.1140] / 255
     np.testing.assert_allclose(shown[:, :-3], (gray[:, 2:-1] + gray[:, 3:])[:, : WIDTH - 3] / 2, atol=1e-6)
     codes = empty(HEIGHT * WIDTH, int32, device)
@@ -130,7 +148,7 @@ def test_disparities_are_unique_minima_that_both_images_share(device, first):
     for y, x in np.ndindex(HEIGHT, WIDTH):
         d = int(np.argmin(sums[y, x]))
         others = np.delete(sums[y, x], range(max(d - 1, 0), d + 2))
-        if 0 < d < COUNT - 1 and sums[y, x, d] * 100 < others.min() * UNIQUE:
+        if 0 < d < COUNT - 1 and sums[y, x, d] * 100 < others.min() * MAX_SUM_PERCENT:
             winners[y, x] = d
     expected = np.full((2, HEIGHT, WIDTH), NO_DISPARITY)
     for y, x in np.ndindex(HEIGHT, WIDTH):
@@ -157,10 +175,10 @@ def test_equal_costs_have_no_disparity(device):
 def test_a_slanted_plane_has_its_depth_and_normal(device):
     width, height, lens, per_unit, shift = 24, 12, (30.0, 32.0, 11.0, 6.0), 8.0, 3.0
     v, u = np.mgrid[:height, :width]
-    disparities = np.full((height + 2 * AROUND, width + 2 * AROUND + 16), NO_DISPARITY, np.float32)
+    disparities = np.full((height + 2 * PLANE_RADIUS, width + 2 * PLANE_RADIUS + 16), NO_DISPARITY, np.float32)
     truth = 5.0 + 0.25 * u - 0.125 * v
-    disparities[AROUND:-AROUND, AROUND : AROUND + width] = truth
-    disparities[AROUND + 6, AROUND + 12] = 20.0  # not on any surface
+    disparities[PLANE_RADIUS:-PLANE_RADIUS, PLANE_RADIUS : PLANE_RADIUS + width] = truth
+    disparities[PLANE_RADIUS + 6, PLANE_RADIUS + 12] = 20.0  # not on any surface
     view = RectifiedView(width, height, lens, per_unit, shift, np.eye(3))
     margins = full(width * height, 0.5, float32, device)
     given = upload(disparities.ravel(), float32, device)

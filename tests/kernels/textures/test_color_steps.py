@@ -8,7 +8,7 @@ from pointloom.kernels.lang import float64, int32, launch, mat44d, reduce_segmen
 from pointloom.kernels.memory import copy, download, empty, upload, zeros
 from pointloom.kernels.textures import color_outliers as outliers
 from pointloom.kernels.textures import color_steps as steps
-from pointloom.kernels.textures.color_steps import SQUARES, ColorSearch, sum_pair_rows
+from pointloom.kernels.textures.color_steps import SQUARES_COLUMN, ColorSearch, sum_pair_rows
 from pointloom.kernels.textures.face_views import FaceViews
 from pointloom.kernels.textures.stacked_images import StackedImages, Warps, smooth_brightness
 from pointloom.kernels.textures.vertex_views import Sightings
@@ -17,7 +17,7 @@ from pointloom.kernels.textures.warp_steps import WarpSearch
 
 def judge(state, squares, warp_device, counts=(10.0, 10.0)):
     sums = np.zeros((2, 29))
-    sums[:, steps.SQUARES], sums[:, steps.COUNT] = squares, counts
+    sums[:, steps.SQUARES_COLUMN], sums[:, steps.COUNT_COLUMN] = squares, counts
     given = upload(sums, steps.pose_sums, warp_device)
     launch(steps.judge_iteration_kernel, 1, [given, zeros(2, float64, warp_device), state])
     return given, download(state.error).copy(), int(download(state.running)[0]), int(download(state.outcome)[0])
@@ -34,7 +34,7 @@ def test_an_iteration_that_increases_the_residual_is_reverted(device):
     launch(steps.keep_best_kernel, 2, [state, worse, moved, best_sums, best])
     assert outcome == 0 and running == 1 and error[1] == pytest.approx(0.15) and error[3] == pytest.approx(0.25)
     assert error[2] > steps.FIRST_DAMPING
-    assert (download(moved)[:, 0, 0] == 1).all() and (download(best_sums)[:, steps.SQUARES] == (1, 2)).all()
+    assert (download(moved)[:, 0, 0] == 1).all() and (download(best_sums)[:, steps.SQUARES_COLUMN] == (1, 2)).all()
 
 
 @pytest.mark.parametrize(
@@ -68,13 +68,15 @@ def likely(colors):
         return np.ones(len(colors), bool), 0
     gaps = np.linalg.norm(colors[:, None] - colors, axis=2)
     middle = gaps[gaps.sum(axis=1).argmin()]
-    keep = middle <= max(outliers.NEAR * np.sort(middle)[(len(colors) - 1) // 2], outliers.MIN_DISTANCE)
+    keep = middle <= max(
+        outliers.INITIAL_MEDIAN_DISTANCES * np.sort(middle)[(len(colors) - 1) // 2], outliers.MIN_DISTANCE
+    )
     for iteration in range(outliers.MAX_ITERATIONS):
         if keep.sum() < outliers.MIN_VIEWS:
             return np.ones(len(colors), bool), iteration
         off = colors - colors[keep].mean(axis=0)
         inverse = np.linalg.inv(np.cov(colors[keep].T, bias=True) + outliers.NOISE_VARIANCE * np.eye(3))
-        before, keep = keep, np.einsum("ni,ij,nj->n", off, inverse, off) <= outliers.UNLIKELY
+        before, keep = keep, np.einsum("ni,ij,nj->n", off, inverse, off) <= outliers.MAX_SQUARED_DEVIATION
         if (keep == before).all():
             break
     return keep, iteration
@@ -195,7 +197,7 @@ def test_slopes_are_those_of_the_residuals(device, rng):
             copy(tried.proxies, proxies, count=vertices.size)  # held
             given = [tried.vertices, tried.sightings, tried.proxies, tried.samples, tried.images, tried.warps]
             reduce_segments(sum_pair_rows, tried.blocks, tried.live, given, tried.partials, tried.sums)
-            errors.append(download(tried.sums)[:, SQUARES].copy())
+            errors.append(download(tried.sums)[:, SQUARES_COLUMN].copy())
         copy(stack.poses, upload(poses, stack.poses.dtype, device), count=2)
         slope = (errors[0] - errors[1]) / (4 * h)  # of half the squares
         scale = np.abs(sums[:, 21:27]).max()

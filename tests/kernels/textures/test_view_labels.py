@@ -11,7 +11,7 @@ import pointloom as loom
 from pointloom.kernels.lang import int32, vec3i
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.textures.charts import find_twins
-from pointloom.kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, energy_of
+from pointloom.kernels.textures.view_labels import MAX_IMAGE_COST, LabelGraph, choose_labels, energy_of
 
 from ...meshing.image_scenes import CAMERA, sampled, wall_scene
 
@@ -44,10 +44,10 @@ def grid(columns, rows):
 def test_a_strip_of_triangles_gets_the_images_of_minimal_energy(device, rng, price):
     """Its graph is a tree, on which the messages between triangles are exact."""
     triangles = np.array([(t, t + 1, t + 2) if t % 2 else (t + 1, t, t + 2) for t in range(7)])
-    costs = rng.integers(0, UNIT, (7, 3))
+    costs = rng.integers(0, MAX_IMAGE_COST, (7, 3))
     costs[rng.random(costs.shape) < 0.2] = -1
     costs[:, 0] = np.maximum(costs[:, 0], 0)
-    graph = make_graph(triangles, costs, round(price * UNIT), device)
+    graph = make_graph(triangles, costs, round(price * MAX_IMAGE_COST), device)
     labels = choose_labels(graph)
     choices = itertools.product(*(np.flatnonzero(row >= 0) for row in costs))
     best = min(energy_by_hand(triangles, costs, graph.price, views)[0] for views in choices)
@@ -59,8 +59,8 @@ def test_a_strip_of_triangles_gets_the_images_of_minimal_energy(device, rng, pri
 @pytest.mark.parametrize("price", [0.1, 0.3, 0.8])
 def test_two_images_of_a_grid_are_within_a_percent_of_the_minimum_cut(device, rng, price):
     triangles = grid(12, 9)
-    costs = rng.integers(0, UNIT, (len(triangles), 2))
-    graph = make_graph(triangles, costs, round(price * UNIT), device)
+    costs = rng.integers(0, MAX_IMAGE_COST, (len(triangles), 2))
+    graph = make_graph(triangles, costs, round(price * MAX_IMAGE_COST), device)
     energy = energy_of(graph, choose_labels(graph))
     count = len(triangles)
     _, met = energy_by_hand(triangles, costs, 0, np.zeros(count, int))
@@ -143,8 +143,8 @@ def test_far_from_seams_nothing_changes(device):
 def test_after_no_messages_no_single_change_lowers_the_energy(device, rng, price):
     """The start is the cheapest view of each triangle; changes of single triangles lead to a local minimum."""
     triangles = grid(7, 5)
-    costs = rng.integers(0, UNIT, (len(triangles), 3))
-    graph = make_graph(triangles, costs, round(price * UNIT), device)
+    costs = rng.integers(0, MAX_IMAGE_COST, (len(triangles), 3))
+    graph = make_graph(triangles, costs, round(price * MAX_IMAGE_COST), device)
     views = download(graph.views)[download(choose_labels(graph, iterations=0))]
     start, _ = energy_by_hand(triangles, costs, graph.price, costs.argmin(axis=1))
     energy, _ = energy_by_hand(triangles, costs, graph.price, views)

@@ -11,13 +11,13 @@ from pointloom.photogrammetry.depth import heads
 from pointloom.photogrammetry.depth.graph import load_graph, read_graph
 from pointloom.photogrammetry.depth.heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head
 from pointloom.photogrammetry.depth.network_outputs import recover_pinhole
-from pointloom.photogrammetry.depth.presets import PRESETS
+from pointloom.photogrammetry.depth.presets import NETWORK_PRESETS
 
 from .published_networks import FILES, FOCAL, depth_of, image_of, published
 from .tiny_networks import FLOAT, linear, save
 
 VALID = [name for name in FILES if name != "dav2 broken"]
-METRIC = [name for name in VALID if PRESETS[FILES[name][0]].output == "metric"]
+METRIC = [name for name in VALID if NETWORK_PRESETS[FILES[name][0]].output == "metric"]
 BY_FOCAL = [name for name in METRIC if FILES[name][0].startswith("metric3d")]
 
 
@@ -36,7 +36,7 @@ def canonical(name, image):
     """The divisor that gives meters: focal length of the input over that of the family."""
     if name not in BY_FOCAL:
         return 1.0
-    model = PRESETS[FILES[name][0]]
+    model = NETWORK_PRESETS[FILES[name][0]]
     rows, columns = FILES[name][2]
     scale = min(rows / image.shape[0], columns / image.shape[1])
     return FOCAL * image.shape[1] * scale / model.focal
@@ -81,8 +81,8 @@ def test_a_known_focal_length_replaces_depth_pro_s(name, files):
 
 @pytest.mark.parametrize("name", VALID)
 def test_a_file_of_the_other_kind_is_refused_under_every_preset(name, files):
-    own = PRESETS[FILES[name][0]]
-    for preset in PRESETS.values():
+    own = NETWORK_PRESETS[FILES[name][0]]
+    for preset in NETWORK_PRESETS.values():
         if (preset.output == "inverse") == (own.output == "inverse"):
             continue
         with pytest.raises(loom.FileError):

@@ -13,7 +13,7 @@ import pointloom as loom
 from pointloom.cli.shell import depth_command
 from pointloom.photogrammetry.depth import network
 from pointloom.photogrammetry.depth.photos import camera_of, take_photo
-from pointloom.photogrammetry.depth.presets import IMAGENET_MEAN, IMAGENET_STD, PRESETS, input_size
+from pointloom.photogrammetry.depth.presets import IMAGENET_MEAN, IMAGENET_STD, NETWORK_PRESETS, input_size
 
 from .tiny_networks import FLOAT, busy, fixed_map, in_strides, linear, save, seen_by, with_mean
 
@@ -36,24 +36,24 @@ SIZES = {  # of an input for 640 x 480, 480 x 640, 1920 x 1080, 100 x 100: rows 
 }
 
 
-@pytest.mark.parametrize("name", PRESETS)
+@pytest.mark.parametrize("name", NETWORK_PRESETS)
 def test_the_input_has_the_size_of_the_network(name):
-    sizes = [input_size(PRESETS[name], *size) for size in ((480, 640), (640, 480), (1080, 1920), (100, 100))]
+    sizes = [input_size(NETWORK_PRESETS[name], *size) for size in ((480, 640), (640, 480), (1080, 1920), (100, 100))]
     assert sizes == SIZES[name]
 
 
 def test_the_command_offers_every_preset():
-    assert tuple(PRESETS) == depth_command.PRESETS
-    assert "Apache-2.0" in PRESETS[depth_command.PRESETS[0]].license
+    assert tuple(NETWORK_PRESETS) == depth_command.PRESETS
+    assert "Apache-2.0" in NETWORK_PRESETS[depth_command.PRESETS[0]].license
 
 
 def image_of(size, seed=0):
     return np.random.default_rng(seed).integers(0, 256, (*size, 3), dtype=np.uint8)
 
 
-@pytest.mark.parametrize("name", PRESETS)
+@pytest.mark.parametrize("name", NETWORK_PRESETS)
 def test_the_normalization_matches_the_code_of_the_network(name):
-    preset, imagenet = PRESETS[name], ((0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
+    preset, imagenet = NETWORK_PRESETS[name], ((0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
     own = {"dpt": ((0.5,) * 3, (0.5,) * 3), "metric3d-v2": ((0.0,) * 3, (1.0,) * 3)}
     own |= {"zoedepth": own["dpt"], "depth-pro": own["dpt"], "metric3d-convnext": own["metric3d-v2"]}
     own["moge-2"] = own["metric3d-v2"]
@@ -72,7 +72,7 @@ def test_resized_inputs_stay_within_the_range_of_the_image(tmp_path):
 
 @pytest.mark.parametrize("name", ["depth-anything-v2", "midas-v2.1-onnx", "dpt", "depth-anything-3"])
 def test_inputs_are_normalized_by_the_preset(name, tmp_path):
-    preset = PRESETS[name]
+    preset = NETWORK_PRESETS[name]
     size = (384, 512) if name == "dpt" else input_size(preset, 480, 640)
     model = loom.photogrammetry.DepthModel(
         linear(tmp_path / "m.onnx", size=size, squeeze=True, views=preset.takes_views), name
@@ -85,7 +85,7 @@ def test_inputs_are_normalized_by_the_preset(name, tmp_path):
 
 @pytest.mark.parametrize("name", ["depth-anything-v2", "midas-v2.1-small", "dpt", "depth-anything-3"])
 def test_a_model_of_any_size_gets_that_of_the_preset(name, tmp_path):
-    preset = PRESETS[name]
+    preset = NETWORK_PRESETS[name]
     model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx"), name)
     u, v = np.meshgrid(np.arange(200), np.arange(150))
     image = np.stack([u, v, 255 - v], -1).astype(np.uint8)
@@ -112,7 +112,7 @@ def test_inputs_of_fixed_sizes_and_of_half_precision_are_taken_as_they_are(tmp_p
     for kind, limit in ((FLOAT, 1e-5), (TensorProto.FLOAT16, 5e-3)):
         model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42), kind=kind))
         values = model._run_with_placement(image)[0]
-        np.testing.assert_allclose(values, seen_by(PRESETS[model.preset], image), atol=limit)
+        np.testing.assert_allclose(values, seen_by(NETWORK_PRESETS[model.preset], image), atol=limit)
     model = loom.photogrammetry.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42)))
     assert model._run_with_placement(image_of((100, 70)))[0].shape == (100, 70)
     half = loom.photogrammetry.DepthModel(linear(tmp_path / "half.onnx", size=(28, "w")))
@@ -146,7 +146,7 @@ def test_square_exports_of_depth_anything_3_see_undistorted_images(tmp_path):
 
 def flat_estimate(tmp_path, name, image, focal, **options):
     """The estimate of a network that returns the red channel, 0..levels before normalization."""
-    preset = PRESETS[name]
+    preset = NETWORK_PRESETS[name]
     weights = (preset.std[0] / preset.levels * 255, 0, 0)
     offset = preset.mean[0] / preset.levels * 255
     views = preset.takes_views

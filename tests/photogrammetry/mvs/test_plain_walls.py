@@ -82,8 +82,8 @@ def test_a_gray_wall_with_a_textured_frame_is_filled_and_passes_the_filter(devic
 
 def test_a_textured_ball_before_a_gray_wall_stays_a_ball(monkeypatch, device):
     _, wrong, kind = estimate(True, device=device)
-    without_priors = tuple(dataclasses.replace(phase, prior=False) for phase in plane_search.PLAN)
-    monkeypatch.setattr(plane_search, "PLAN", without_priors)
+    without_priors = tuple(dataclasses.replace(phase, prior=False) for phase in plane_search.SEARCH_PHASES)
+    monkeypatch.setattr(plane_search, "SEARCH_PHASES", without_priors)
     _, before, _ = estimate(True, device=device)
     ball, wall = kind[0] == 2, kind[0] == 1
     assert np.median(wrong[0][ball]) < 0.01

@@ -6,7 +6,7 @@ import warp as wp
 
 from pointloom.kernels.lang import vec2, vec4
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.stereo.region_planes import TOLERANCE, plane_priors
+from pointloom.kernels.stereo.region_planes import INLIER_DISTANCE, plane_priors
 from pointloom.kernels.stereo.textureless_regions import find_regions
 
 WIDTH, HEIGHT = 80, 60
@@ -22,7 +22,7 @@ def given(device: str, w: np.ndarray, sure: np.ndarray, plain: np.ndarray, seed:
     regions = find_regions(judged, w.shape[1])
     if regions is None:
         return np.zeros((*w.shape, 4), np.float32)
-    return download(plane_priors(regions, judged, planes, TOLERANCE / PIXELS_PER, seed)).reshape(*w.shape, 4)
+    return download(plane_priors(regions, judged, planes, INLIER_DISTANCE / PIXELS_PER, seed)).reshape(*w.shape, 4)
 
 
 def frame(width: int) -> np.ndarray:

@@ -65,7 +65,7 @@ def test_frames_before_the_last_chosen_one_are_not_reconsidered(panned):
 def test_distant_frames_are_all_chosen(panned):
     far = panned[::5]  # 9 % of the width a frame
     chosen = picked(far).chosen
-    assert chosen == list(range(chosen[0], len(far))) and chosen[0] <= frame_picker.NEAR
+    assert chosen == list(range(chosen[0], len(far))) and chosen[0] <= frame_picker.SEARCHED_FRAMES
 
 
 def test_a_stationary_camera_gives_one_frame(panned):

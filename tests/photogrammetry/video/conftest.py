@@ -1,7 +1,8 @@
 """A job with fast stages that write small files of the real kinds."""
 
 import json
-from functools import wraps
+from dataclasses import replace
+from inspect import signature
 from types import SimpleNamespace
 
 import numpy as np
@@ -26,6 +27,12 @@ def film(tmp_path):
     return path
 
 
+def set_stage(monkeypatch, name, make, stages=chain.STAGES, *, inputs_of=None):
+    """Replace a stage. Its inputs are the keyword parameters of `inputs_of`, by default of `make`."""
+    _folder, _report, *inputs = signature(inputs_of or make).parameters
+    monkeypatch.setitem(stages, name, replace(stages[name], make=make, inputs=tuple(inputs), resumes=False))
+
+
 @pytest.fixture
 def quick(monkeypatch):
     """Fast stages; `ran` lists the stages that ran, and the other attributes set their results."""
@@ -44,8 +51,7 @@ def quick(monkeypatch):
                 report("step", 1, 1)
                 return make(folder, report, **given)
 
-            wraps(make)(run)  # the signature of a stage declares its inputs
-            monkeypatch.setitem(chain.STAGES, name, run)
+            set_stage(monkeypatch, name, run, inputs_of=make)
 
         return wrapped
 

@@ -1,5 +1,6 @@
 """`pointloom video --cameras`: images are matched to cameras by name, and wrong poses give no cloud."""
 
+import inspect
 import sqlite3
 from types import SimpleNamespace
 
@@ -17,6 +18,7 @@ from pointloom.photogrammetry.video.units import OF_POSES, fit_as_given, fit_uni
 from ...cli.commands import answer, refusal, unreliable
 from ..sfm.conftest import has_pycolmap, left_half, silent, write_images
 from ..sfm.scene import FOCAL, HEIGHT, WIDTH, camera_path, image
+from .conftest import set_stage
 
 COUNT = 6
 METASHAPE = (
@@ -122,7 +124,7 @@ def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkey
     check = PoseCheck(500, 0.03, 1.0, "each pose is inverted", 0.9)
     nothing = SimpleNamespace(pairs=np.zeros((0, 2), int), firsts=np.zeros(1, int), matches=np.zeros((0, 2), int))
     monkeypatch.setattr(known_motion, "match_posed", lambda *_, **__: (nothing, check))
-    monkeypatch.setitem(chain.KNOWN_STAGES, "features", lambda folder, report_progress, *, frames, seed: {})
+    set_stage(monkeypatch, "features", lambda folder, report_progress, *, frames, seed: {}, chain.KNOWN_STAGES)
     report = unreliable("video", source, "-o", tmp_path / "mesh.ply", "--cloud", tmp_path / "c.ply", "--cameras", xml)
     assert "only 3% of the matches" in str(report["warnings"]) and "each pose is inverted" in str(report["warnings"])
     assert "move instead of only rotating" not in str(report["warnings"])
@@ -221,3 +223,16 @@ def test_posed_images_have_no_feature_in_black_mask_pixels(tmp_path):
     for data, count, width in rows:
         columns = np.frombuffer(data, np.float32).reshape(count, width)[:, 0]
         assert 30 < len(columns) <= 700 and columns.max() <= images[0].shape[1] / 2 + 1
+
+
+@pytest.mark.parametrize("stages", [chain.STAGES, chain.KNOWN_STAGES])
+def test_declared_inputs_are_the_parameters_of_a_stage(stages):
+    for stage in stages.values():
+        _folder, _report, *inputs = inspect.signature(stage.make).parameters
+        assert inputs == ["checkpoints"] * stage.resumes + [*stage.inputs]
+
+
+def test_inputs_are_settings_or_earlier_stages():
+    stage = chain.DeclaredStage("frames", motion.take_frames, ("source", "matches"))
+    with pytest.raises(ValueError, match="frames: expected settings or earlier stages as inputs, got matches"):
+        chain.in_order(stage)

@@ -13,7 +13,7 @@ from pointloom.photogrammetry.sfm.image_positions import ImagePosition, ImagePos
 from pointloom.photogrammetry.video import chain, motion
 
 from ...cli.commands import answer, names_in, refusal, run, unreliable
-from .conftest import COUNT
+from .conftest import COUNT, set_stage
 from .made_flights import FRAME
 
 STAGES = ["frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh"]
@@ -59,7 +59,7 @@ def test_a_training_folder_is_written_in_the_unit_of_the_mesh(quick, film, outpu
             write_png(folder / motion.IMAGES / f"frame_{number:06d}.png", np.full((48, 64, 3), number, np.uint8))
         return {"kept": COUNT, "frames": 80, "notes": []}
 
-    monkeypatch.setitem(chain.STAGES, "frames", take_frames)
+    set_stage(monkeypatch, "frames", take_frames)
     scene = tmp_path / "scene"
     report = answer("video", film, "-o", output, "--training", scene, "--scale", 2.5)
     assert report["files"] == [str(output), str(scene)]
@@ -305,7 +305,7 @@ POSITIONS = np.array([[5, 2, 40], [15, -11, 50], [25, 2, 45], [30, -8, 60], [10,
 @pytest.fixture
 def imaged(quick, film, tmp_path, monkeypatch):
     """The fast stages with images of the size of the lens, and control in a frame twice as large."""
-    make = chain.STAGES["frames"]
+    make = chain.STAGES["frames"].make
 
     def take_frames(folder, report, *, source, max_frames):
         contents = make(folder, report, source=source, max_frames=max_frames)
@@ -313,7 +313,7 @@ def imaged(quick, film, tmp_path, monkeypatch):
             Image.new("RGB", (64, 48)).save(path)
         return contents
 
-    monkeypatch.setitem(chain.STAGES, "frames", take_frames)
+    set_stage(monkeypatch, "frames", take_frames)
     camera = loom.CameraModel("PINHOLE", 64, 48, [50, 50, 32, 24])
     lines = ["local"]
     for name, position in zip("ABCDEF", POSITIONS, strict=True):

@@ -10,7 +10,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.io.points.copc import ENTRY, open_copc
+from pointloom.io.points.copc import COPC_ENTRY, open_copc
 from pointloom.io.points.copc_nodes import declares_copc
 from pointloom.io.points.las import read_las
 from pointloom.visualization.render.styles import Style
@@ -508,8 +508,8 @@ def test_a_damaged_node_is_named_and_the_others_are_shown(city, tmp_path, caplog
 
 def test_a_node_that_is_no_chunk_is_left_out(city, tmp_path):
     node = open_copc(city).nodes[-1]
-    at = city.read_bytes().index(np.array([node], ENTRY).tobytes())
-    path = spoil(city, tmp_path, at + ENTRY.fields["begin"][1], b"\x01\x02\0\0\0\0\0\0")
+    at = city.read_bytes().index(np.array([node], COPC_ENTRY).tobytes())
+    path = spoil(city, tmp_path, at + COPC_ENTRY.fields["begin"][1], b"\x01\x02\0\0\0\0\0\0")
     with pytest.raises(FileError, match=r"/spoiled\.copc\.laz:"):
         open_copc(path)
     assert CopcTree(path, first=1).count == COUNT - int(node["count"])

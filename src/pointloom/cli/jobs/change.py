@@ -37,7 +37,7 @@ CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default r
 NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
 MAX_DISTANCE_FACTOR = 6.0  # maximum distance over the cylinder radius
 LAS = (".las", ".laz")
-UPWARDS = (0.0, 0.0, 1.0)
+UP_AXIS = (0.0, 0.0, 1.0)
 _MIN_KNOWN = 0.5  # fraction of core points with a distance
 _MAX_ONE_WAY = 0.8  # fraction of core points moved to one side: a shift is more likely than change
 
@@ -95,7 +95,7 @@ def change_files(
     cylinder_radius: float | None = None,
     max_distance: float | None = None,
     registration_error: float = 0.0,
-    orientation: tuple[float, float, float] = UPWARDS,
+    orientation: tuple[float, float, float] = UP_AXIS,
     limit: float | None = None,
     **settings: Unpack[Settings],
 ) -> ChangeReport:

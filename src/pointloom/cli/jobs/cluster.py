@@ -21,10 +21,10 @@ from .job import Job, Settings
 from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows
 
 LABEL = "label"
-_SHOWN = 10  # reported sizes of the largest clusters
+_LISTED_CLUSTERS = 10  # reported sizes of the largest clusters
 
 # matplotlib's "tab20", used for label files so far.
-TAB20 = PALETTE[:20]
+TAB20_PALETTE = PALETTE[:20]
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def cluster_file(
         job.write_points(table if largest is None else take_rows(table, selected), output)
     else:
         warning = f"{warning or 'no point is left'}; nothing was written"
-    counts = [ClusterSize(int(label), int(sizes[label])) for label in ranked[:_SHOWN]]
+    counts = [ClusterSize(int(label), int(sizes[label])) for label in ranked[:_LISTED_CLUSTERS]]
     return ClusterReport(
         job.done(warning),
         str(job.device),
@@ -110,7 +110,7 @@ def cluster_file(
 
 def _paint(labels: NDArray[np.int32]) -> NDArray[np.float32]:
     """A color for each label, repeated after 20; black for -1."""
-    colors = (TAB20 / 255).astype(np.float32)[labels % len(TAB20)]
+    colors = (TAB20_PALETTE / 255).astype(np.float32)[labels % len(TAB20_PALETTE)]
     colors[labels < 0] = 0
     return colors
 

@@ -31,7 +31,7 @@ from ...visualization.render.scene_view import as_photographed
 from .fuse import fusion_fields
 
 TITLE = "a furnished room"
-FRAMES = 120
+DEFAULT_FRAMES = 120
 VOXEL_SIZE = 0.02  # [m]
 
 # Maximum root mean square error in voxels. Correct fusion stays well below.
@@ -123,7 +123,7 @@ class DemoReport(Report, Assessed):
 def run_demo(
     folder: str | os.PathLike[str],
     *,
-    frame_count: int = FRAMES,
+    frame_count: int = DEFAULT_FRAMES,
     voxel_size: float = VOXEL_SIZE,
     seed: int = 0,
     noise: bool = True,

@@ -357,7 +357,7 @@ def _describe_dataset(folder: Path, layout: str) -> DataSet:
     )
 
 
-SHOWN = 20  # listed cameras and images without a pose
+MAX_LISTED_LINES = 20  # listed cameras and images without a pose
 
 
 def describe_colmap_model(folder: Path) -> ColmapModel:
@@ -394,8 +394,8 @@ def _camera_line(camera: CameraModel, images: int) -> str:
 
 
 def _cut(lines: list[str]) -> list[str]:
-    rest = len(lines) - SHOWN
-    return lines if rest <= 0 else [*lines[:SHOWN], f"and {rest} more"]
+    rest = len(lines) - MAX_LISTED_LINES
+    return lines if rest <= 0 else [*lines[:MAX_LISTED_LINES], f"and {rest} more"]
 
 
 def _mean(errors: NDArray[np.float64]) -> float | None:

@@ -26,7 +26,7 @@ from ...registration.voxel_size import choose_voxel_size
 from .job import Job, JobReport
 from .register import read_cloud
 
-_SHOWN = 5  # names of unplaced clouds
+_LISTED_CLOUDS = 5  # names of unplaced clouds
 
 
 @dataclass(frozen=True)
@@ -161,5 +161,5 @@ def placement_warning(lost: list[str], count: int, is_written: bool) -> str | No
         return None
     if not is_written:
         return f"no two of the {count} clouds overlap; nothing was written; try another --voxel"
-    names = ", ".join(lost[:_SHOWN]) + (" and more" if len(lost) > _SHOWN else "")
+    names = ", ".join(lost[:_LISTED_CLOUDS]) + (" and more" if len(lost) > _LISTED_CLOUDS else "")
     return f"{len(lost)} of {count} clouds could not be registered: {names}; try another --voxel, or more --loops"

@@ -30,7 +30,7 @@ from .announced_stages import AnnouncedStages
 
 WITH_ATLAS = (".obj", ".glb", ".gltf")
 WRITTEN = (".ply", *WITH_ATLAS)
-SIZE = 2048  # texels per side: 3 mm each on the walls of a room
+DEFAULT_TEXTURE_SIZE = 2048  # texels per side: 3 mm each on the walls of a room
 
 _NOTHING = "no frame shows the mesh, and nothing was written; are both in the same coordinate frame?"
 
@@ -41,7 +41,7 @@ def texture_folder(
     output: FilePath,
     *,
     method: str = "rigid",
-    size: int = SIZE,
+    size: int = DEFAULT_TEXTURE_SIZE,
     depth_max: float = DEPTH_MAX,
     intrinsic: FilePath | None = None,
     device: Any = "auto",

@@ -12,7 +12,7 @@ from .console import Progress
 from .mesh_command import Lengths
 from .mesh_toolbox import ANY
 from .options import FILE, LENGTH, columns_option, device_option, force_option, json_option, refuse, refuse_same
-from .registration_commands import RANGE
+from .registration_commands import RANGE_TYPE
 
 
 @click.command(short_help="Measure change between two surveys.")
@@ -26,7 +26,7 @@ from .registration_commands import RANGE
 @click.option("--cylinder", "cylinder_radius", type=LENGTH, metavar="M", help="Radius of the cylinders [m].")
 @click.option("--max-distance", type=LENGTH, metavar="M", help="Length of the cylinders to each side [m].")
 @click.option(
-    "--registration-error", type=RANGE, default=0.0, show_default=True, metavar="M",
+    "--registration-error", type=RANGE_TYPE, default=0.0, show_default=True, metavar="M",
     help="Registration error between A and B [m].",
 )  # fmt: skip
 @click.option(

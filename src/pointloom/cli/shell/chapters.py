@@ -8,7 +8,7 @@ import importlib.metadata
 import tomllib
 from pathlib import Path
 
-CHECKOUT = Path(__file__).resolve().parents[4]  # an installed package has none, and no pages there
+CHECKOUT_FOLDER = Path(__file__).resolve().parents[4]  # an installed package has none, and no pages there
 SKILL = Path(__file__).with_name("SKILL.md")
 
 
@@ -49,7 +49,7 @@ def chapters() -> tuple[Chapter, ...]:
 
 def docs_location() -> str | None:
     """Location of the pages: built in this checkout, else the project's address, else None."""
-    built = CHECKOUT / "build" / "docs" / "html"
+    built = CHECKOUT_FOLDER / "build" / "docs" / "html"
     if (built / "index.html").is_file():
         return built.as_uri()
     try:
@@ -64,5 +64,5 @@ def page_of(chapter: Chapter, location: str | None) -> str | None:
     """Page of a chapter, or its script, or None."""
     if location is not None and location.startswith("file:"):
         return f"{location}/chapters/plot_{chapter.slug}.html"
-    script = CHECKOUT / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
+    script = CHECKOUT_FOLDER / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
     return str(script) if script.is_file() else location

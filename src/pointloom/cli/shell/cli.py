@@ -33,12 +33,12 @@ from . import (
 from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
-from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, exit_code, report_error
+from .group import ERROR_CODE, INTERRUPTED_CODE, TERMINATED_CODE, CommandLine, exit_code, report_error
 from .help_commands import VARIABLE
 from .options import FILE, LENGTH, Renamed, columns_option, device_option, force_option, json_option, refuse
 from .pipes import RECORDINGS, from_option, open_pipes
 
-_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
+_CONTEXT_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
 _EPILOG = """\b
 Lengths are in meters, or in the unit of the file if it has another one (`pointloom info` prints it).
@@ -48,7 +48,7 @@ POINTLOOM_TRACEBACK=1 prints the traceback of an error.
 """
 
 
-@click.group("pointloom", cls=CommandLine, context_settings=_SETTINGS, epilog=_EPILOG)
+@click.group("pointloom", cls=CommandLine, context_settings=_CONTEXT_SETTINGS, epilog=_EPILOG)
 @click.version_option(__version__, "-V", "--version", prog_name="pointloom")
 def cli() -> None:
     """Process point clouds, meshes, scans and RGB-D frames on a GPU or on all CPU cores.
@@ -151,10 +151,10 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
     code = exit_code(warning for report in descriptions for warning in report.warnings)
     if as_json:
         print_json({"command": "info", "files": reports})
-        return ERROR if failed else code
+        return ERROR_CODE if failed else code
     for report in descriptions:
         print_fields(report.fields(), title=f"{report.path}: {report.kind}")
-    return ERROR if failed else code
+    return ERROR_CODE if failed else code
 
 
 @cli.command(short_help="Check this machine: versions, devices, compilers.")
@@ -299,7 +299,7 @@ def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
 
 
 def _terminate(number: int, frame: FrameType | None) -> None:
-    raise SystemExit(TERMINATED)
+    raise SystemExit(TERMINATED_CODE)
 
 
 def main() -> None:
@@ -313,7 +313,7 @@ def main() -> None:
         cli()
     except KeyboardInterrupt:  # between two commands of click, which handles all others
         click.echo("interrupted", err=True)
-        raise SystemExit(INTERRUPTED) from None
+        raise SystemExit(INTERRUPTED_CODE) from None
 
 
 if __name__ == "__main__":

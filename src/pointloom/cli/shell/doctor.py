@@ -26,7 +26,8 @@ from ...kernels.language import compiled_ahead, cpu_archive, cpu_pool, pool_code
 from ...kernels.memory import upload
 
 _PACKAGES = ("numpy", "scipy", "warp-lang", "click", "rich", "Pillow")
-_TESTED = {"numpy": (2, 4), "scipy": (1, 17), "warp-lang": (1, 19)}  # newest versions that all tests passed with
+# Newest versions that all tests passed with.
+_TESTED_VERSIONS = {"numpy": (2, 4), "scipy": (1, 17), "warp-lang": (1, 19)}
 _TRIAL_POINTS = 100_000
 
 NO_COMPILER = "none"
@@ -233,7 +234,7 @@ def _untested(versions: dict[str, str]) -> list[str]:
     """Packages newer than the tested minor versions, with their versions."""
     return [
         f"{name} {versions[name]}"
-        for name, newest in _TESTED.items()
+        for name, newest in _TESTED_VERSIONS.items()
         if tuple(int(part) for part in re.findall(r"\d+", versions[name])[:2]) > newest
     ]
 

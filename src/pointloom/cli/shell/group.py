@@ -18,7 +18,7 @@ import click
 from ...core.escaped_text import escaped
 from .console import CompileNotice, OutputLostError, print_json
 
-ERROR, USAGE, UNRELIABLE, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
+ERROR_CODE, USAGE_CODE, UNRELIABLE_CODE, INTERRUPTED_CODE, TERMINATED_CODE = 1, 2, 3, 130, 143
 
 # Remedies of the library in terms of the command line.
 _OPTIONS = {
@@ -87,7 +87,7 @@ def exit_code(warnings: Iterable[str]) -> int:
     lines = [escaped(f"unreliable result: {warning}", lines=True) for warning in warnings]
     for line in lines:
         click.echo(line, err=True)
-    return UNRELIABLE if lines else 0
+    return UNRELIABLE_CODE if lines else 0
 
 
 def report_error(error: Exception) -> str:
@@ -113,7 +113,7 @@ def _flushed(code: int) -> int:
     except OSError:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())
-        return code or ERROR
+        return code or ERROR_CODE
     return code
 
 
@@ -151,8 +151,8 @@ def _options_of(command: click.Command) -> list[str]:
 
 def _exit_code(error: Exception) -> int:
     if isinstance(error, click.UsageError):
-        return USAGE
-    return INTERRUPTED if isinstance(error, click.Abort) else ERROR
+        return USAGE_CODE
+    return INTERRUPTED_CODE if isinstance(error, click.Abort) else ERROR_CODE
 
 
 def _message(error: Exception) -> str:

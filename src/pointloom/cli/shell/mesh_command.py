@@ -51,7 +51,7 @@ class LengthOrAuto(click.ParamType):
         return number
 
 
-QUANTILE = Number("a fraction from 0 and below 1", lambda number: 0 <= number < 1)
+QUANTILE_TYPE = Number("a fraction from 0 and below 1", lambda number: 0 <= number < 1)
 
 
 @click.command(short_help="Reconstruct a surface from a cloud.")
@@ -59,7 +59,7 @@ QUANTILE = Number("a fraction from 0 and below 1", lambda number: 0 <= number < 
 @click.option("--depth", type=click.IntRange(2, 20), metavar="N", help="poisson: octree depth. Default: 8.")
 @click.option(
     "--density-quantile",
-    type=QUANTILE,
+    type=QUANTILE_TYPE,
     metavar="Q",
     help="poisson: remove this fraction of the vertices, with the lowest density. Default: 0.01 if the surface "
     "extends beyond the points, else 0.",

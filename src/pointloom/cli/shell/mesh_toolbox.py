@@ -24,9 +24,9 @@ from .options import (
     refuse_same,
     up_option,
 )
-from .toolbox import COUNT, FACTOR, FRACTION, SEED, Number
+from .toolbox import COUNT_TYPE, FACTOR_TYPE, FRACTION_TYPE, SEED_TYPE, Number
 
-AREA = Number("an area in square meters above 0", lambda number: 0 < number < math.inf)
+AREA_TYPE = Number("an area in square meters above 0", lambda number: 0 < number < math.inf)
 ANY = Number("a finite number", math.isfinite)
 
 
@@ -34,9 +34,9 @@ ANY = Number("a finite number", math.isfinite)
 @click.option("--merge", type=LENGTH, metavar="M", help="Merge vertices closer than this [m].")
 @click.option("--fill", type=LENGTH, metavar="M", help="Fill holes of up to this radius [m].")
 @click.option(
-    "--min-triangles", type=COUNT, default=1, metavar="N", help="Remove parts with fewer triangles. Default: 1."
+    "--min-triangles", type=COUNT_TYPE, default=1, metavar="N", help="Remove parts with fewer triangles. Default: 1."
 )
-@click.option("--min-area", type=AREA, default=None, metavar="M2", help="Remove parts with a smaller area [m^2].")
+@click.option("--min-area", type=AREA_TYPE, default=None, metavar="M2", help="Remove parts with a smaller area [m^2].")
 @from_cloud_to_cloud(columns=False)
 def clean_mesh(source: Path, output: Path, min_area: float | None, **options: Any) -> Answer:
     """Repair the mesh IN, write it to OUT, and report the repairs.
@@ -61,11 +61,11 @@ def clean_mesh(source: Path, output: Path, min_area: float | None, **options: An
 
 
 @click.command(short_help="Reduce the number of triangles of a mesh.")
-@click.option("--triangles", type=COUNT, metavar="N", help="Target number of triangles.")
-@click.option("--ratio", type=FRACTION, metavar="R", help="Target fraction of the triangles.")
+@click.option("--triangles", type=COUNT_TYPE, metavar="N", help="Target number of triangles.")
+@click.option("--ratio", type=FRACTION_TYPE, metavar="R", help="Target fraction of the triangles.")
 @click.option("--voxel", type=LENGTH, metavar="M", help="Vertex clustering with this voxel size [m].")
-@click.option("--max-error", type=FACTOR, metavar="E", help="Stop if the cost of a step exceeds this.")
-@click.option("--boundary-weight", type=FACTOR, metavar="W", help="Weight that preserves borders. Default: 1.")
+@click.option("--max-error", type=FACTOR_TYPE, metavar="E", help="Stop if the cost of a step exceeds this.")
+@click.option("--boundary-weight", type=FACTOR_TYPE, metavar="W", help="Weight that preserves borders. Default: 1.")
 @from_cloud_to_cloud(columns=False)
 def simplify(
     source: Path, output: Path, max_error: float | None, boundary_weight: float | None, **options: Any
@@ -104,10 +104,10 @@ def simplify(
     show_default=True,
     help="Method, see above.",
 )
-@click.option("--iterations", type=COUNT, default=10, show_default=True, metavar="N", help="Number of iterations.")
-@click.option("--lambda", "lambda_filter", type=FACTOR, metavar="L", help="taubin, laplacian: step. Default: 0.5.")
+@click.option("--iterations", type=COUNT_TYPE, default=10, show_default=True, metavar="N", help="Number of iterations.")
+@click.option("--lambda", "lambda_filter", type=FACTOR_TYPE, metavar="L", help="taubin, laplacian: step. Default: 0.5.")
 @click.option("--mu", type=ANY, metavar="MU", help="taubin: inverse step. Default: -0.53.")
-@click.option("--strength", type=FACTOR, metavar="S", help="sharpen: strength. Default: 1.")
+@click.option("--strength", type=FACTOR_TYPE, metavar="S", help="sharpen: strength. Default: 1.")
 @from_cloud_to_cloud(columns=False)
 def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answer:
     """Smooth or sharpen the vertices, normals and colors of the mesh IN, and write it to OUT.
@@ -137,10 +137,10 @@ def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answ
 
 
 @click.command("sample-mesh", short_help="Sample points on a mesh.")
-@click.option("--points", "count", type=COUNT, required=True, metavar="N", help="Number of points.")
+@click.option("--points", "count", type=COUNT_TYPE, required=True, metavar="N", help="Number of points.")
 @click.option("--even", is_flag=True, help="Evenly spaced points (Poisson disk).")
 @click.option("--triangle-normals", is_flag=True, help="Use triangle normals.")
-@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Random seed.")
+@click.option("--seed", type=SEED_TYPE, default=0, show_default=True, metavar="N", help="Random seed.")
 @from_cloud_to_cloud(columns=False)
 def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
     """Sample points uniformly on the surface of the mesh IN, and write them to the cloud OUT.
@@ -161,7 +161,12 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 @click.argument("first", type=FILE, metavar="A")
 @click.argument("second", type=FILE, metavar="B")
 @click.option(
-    "--samples", type=COUNT, default=100_000, show_default=True, metavar="N", help="Number of samples on each mesh."
+    "--samples",
+    type=COUNT_TYPE,
+    default=100_000,
+    show_default=True,
+    metavar="N",
+    help="Number of samples on each mesh.",
 )
 @click.option("--threshold", "thresholds", type=Lengths(), metavar="A,B,...", help="Thresholds of the F-score [m].")
 @click.option(
@@ -170,7 +175,7 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 )  # fmt: skip
 @click.option("--error-map", type=FILE, metavar="OUT", help="Write A, colored by its distance to B.")
 @click.option("--picture", type=FILE, metavar="PNG", help="Render A, colored by its distance to B, with a histogram.")
-@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Random seed.")
+@click.option("--seed", type=SEED_TYPE, default=0, show_default=True, metavar="N", help="Random seed.")
 @device_option()
 @up_option()
 @json_option()

@@ -23,11 +23,11 @@ from .options import (
     refuse_same,
 )
 from .pipes import from_option, open_pipes
-from .toolbox import COUNT, FACTOR, Number
+from .toolbox import COUNT_TYPE, FACTOR_TYPE, Number
 
 STARTS = ("identity", "global")
 MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
-RANGE = Number("a distance in meters, 0 or above", lambda number: 0 <= number < float("inf"))
+RANGE_TYPE = Number("a distance in meters, 0 or above", lambda number: 0 <= number < float("inf"))
 
 
 @click.command(short_help="Register one cloud to another.")
@@ -60,7 +60,7 @@ RANGE = Number("a distance in meters, 0 or above", lambda number: 0 <= number < 
 @click.option("--prior", type=FILE, metavar="FILE", help="Prior pose, in the format of -o.")
 @click.option(
     "--prior-sigma",
-    type=(LENGTH, FACTOR),
+    type=(LENGTH, FACTOR_TYPE),
     metavar="M DEG",
     help="Standard deviations of the prior: translation [m], rotation [degrees].",
 )
@@ -136,7 +136,7 @@ def _motions(free: str | None, init: str) -> list[str] | None:
 @click.option(
     "--loops",
     "neighbors",
-    type=COUNT,
+    type=COUNT_TYPE,
     metavar="N",
     help="Register each cloud with the next N. Default: all if at most 40 clouds, else 5.",
 )
@@ -144,7 +144,7 @@ def _motions(free: str | None, init: str) -> list[str] | None:
 @click.option("--merged", type=FILE, metavar="FILE", help="Write all registered clouds as one.")
 @click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph in Open3D's format.")
 @click.option("--job", type=FILE, metavar="JOB", help="Job folder, which makes the work resumable. See above.")
-@click.option("--workers", type=COUNT, metavar="N", help="With --job: number of processes. Default: this process.")
+@click.option("--workers", type=COUNT_TYPE, metavar="N", help="With --job: number of processes. Default: this process.")
 @click.option(
     "--places", type=FILE, metavar="FILE", help="With --job: approximate poses for selecting pairs. See above."
 )
@@ -218,7 +218,12 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     "--max-range", type=LENGTH, default=100.0, show_default=True, metavar="M", help="Maximum range of used points [m]."
 )
 @click.option(
-    "--min-range", type=RANGE, default=5.0, show_default=True, metavar="M", help="Minimum range of used points [m]."
+    "--min-range",
+    type=RANGE_TYPE,
+    default=5.0,
+    show_default=True,
+    metavar="M",
+    help="Minimum range of used points [m].",
 )
 @click.option("--truth", type=FILE, metavar="FILE", help="True poses of the scanner, for printing the errors.")
 @click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")

@@ -10,7 +10,7 @@ import click
 from .answer import answer_with
 from .console import Progress
 from .options import FILE, LENGTH, device_option, force_option, json_option, refuse, refuse_same
-from .toolbox import FRACTION
+from .toolbox import FRACTION_TYPE
 
 LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
 
@@ -38,7 +38,7 @@ LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
 @click.option("--no-poses", is_flag=True, help="Ignore the poses of the file, and search all pairs globally.")
 @click.option("--rough", type=LENGTH, metavar="M", help="Maximum error of the poses of the file [m]. Default: 2.")
 @click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size for downsampling the scans [m].")
-@click.option("--overlap", type=FRACTION, metavar="FRACTION", help="Minimum overlap of a pair. Default: 0.15.")
+@click.option("--overlap", type=FRACTION_TYPE, metavar="FRACTION", help="Minimum overlap of a pair. Default: 0.15.")
 @device_option()
 @json_option()
 @force_option()

@@ -68,7 +68,7 @@ class TileName(click.ParamType):
 
 
 FOLDER = click.argument("folder", type=FILE, metavar="DIR")
-COUNT = click.IntRange(min=1)
+COUNT_TYPE = click.IntRange(min=1)
 
 
 @click.group("tile", cls=Commands, short_help="Process surveys larger than memory in tiles.", epilog=_EPILOG)
@@ -106,7 +106,7 @@ def tile() -> None:
 )
 @click.option("--size", type=LENGTH, metavar="M", help="Tile size [m].")
 @click.option(
-    "--points", type=COUNT, metavar="N", help="Approximate points per tile. Default without --size: 2 million."
+    "--points", type=COUNT_TYPE, metavar="N", help="Approximate points per tile. Default without --size: 2 million."
 )
 @click.option(
     "--only", type=Area(), metavar="AREA", help="Only tiles that intersect X0,Y0,X1,Y1 or a .geojson or .wkt file."
@@ -163,7 +163,7 @@ def plan(
 @tile.command("run", short_help="Process the tiles.")
 @FOLDER
 @click.option("--serial", is_flag=True, help="Run in this process (default).")
-@click.option("--workers", type=COUNT, metavar="N", help="Run in N local processes (dask.distributed).")
+@click.option("--workers", type=COUNT_TYPE, metavar="N", help="Run in N local processes (dask.distributed).")
 @click.option("--scheduler", metavar="ADDRESS", help="Run on the workers of a dask scheduler, such as tcp://host:8786.")
 @click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N parts of the tiles, for array jobs.")
 @click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, also if it failed.")
@@ -247,7 +247,7 @@ def retry(folder: Path, as_json: bool) -> int:
 @FOLDER
 @click.option("-o", "path", type=FILE, metavar="OUT", help="Output file. Default: result.laz in DIR.")
 @click.option("--output", type=click.Choice(FILES), help="Format. Default: by the name of OUT, else the plan.")
-@click.option("--workers", type=COUNT, metavar="N", help="Number of processes for copc, 1 GB each.")
+@click.option("--workers", type=COUNT_TYPE, metavar="N", help="Number of processes for copc, 1 GB each.")
 @json_option()
 @force_option()
 def finish(folder: Path, path: Path | None, output: str | None, workers: int | None, as_json: bool, force: bool) -> int:

@@ -13,7 +13,7 @@ from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .options import FILE, LENGTH, Renamed, refuse
 
-NEIGHBORS, RATIO = 20, 2.0  # defaults of the statistical filter: Open3D's example
+DEFAULT_NEIGHBORS, DEFAULT_DEVIATIONS = 20, 2.0  # defaults of the statistical filter: Open3D's example
 MAX_POINTS = 2**31 - 2
 MAX_SEED = 2**31 - 1
 
@@ -36,23 +36,23 @@ class Number(click.ParamType):
         return number
 
 
-COUNT = Number(f"a whole number from 1 to {MAX_POINTS}", lambda number: 1 <= number <= MAX_POINTS, int)
-SEED = Number(f"a whole number from 0 to {MAX_SEED}", lambda number: 0 <= number <= MAX_SEED, int)
-FACTOR = Number("a finite number above 0", lambda number: 0 < number < math.inf)
-FRACTION = Number("a fraction above 0 and up to 1", lambda number: 0 < number <= 1)
+COUNT_TYPE = Number(f"a whole number from 1 to {MAX_POINTS}", lambda number: 1 <= number <= MAX_POINTS, int)
+SEED_TYPE = Number(f"a whole number from 0 to {MAX_SEED}", lambda number: 0 <= number <= MAX_SEED, int)
+FACTOR_TYPE = Number("a finite number above 0", lambda number: 0 < number < math.inf)
+FRACTION_TYPE = Number("a fraction above 0 and up to 1", lambda number: 0 < number <= 1)
 COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
 
 
 @click.command(short_help="Remove outliers, duplicates and non-finite points.")
 @click.option("--non-finite", is_flag=True, help="Remove non-finite points, as every other filter does.")
 @click.option("--duplicates", is_flag=True, help="Remove all but the first point at each position.")
-@click.option("--neighbors", type=COUNT, metavar="N", help="Statistical filter: number of neighbors. Default: 20.")
+@click.option("--neighbors", type=COUNT_TYPE, metavar="N", help="Statistical filter: number of neighbors. Default: 20.")
 @click.option(
-    "--deviations", "ratio", cls=Renamed, old="--ratio", type=FACTOR, metavar="R",
+    "--deviations", "ratio", cls=Renamed, old="--ratio", type=FACTOR_TYPE, metavar="R",
     help="Statistical filter: standard deviations above the mean. Default: 2.0.",
 )  # fmt: skip
 @click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: maximum distance of neighbors [m].")
-@click.option("--min-neighbors", type=COUNT, metavar="N", help="Radius filter: minimum number of neighbors.")
+@click.option("--min-neighbors", type=COUNT_TYPE, metavar="N", help="Radius filter: minimum number of neighbors.")
 @click.option("--removed", type=FILE, metavar="FILE", help="Write the removed points, if any, to this cloud.")
 @from_cloud_to_cloud()
 def clean(
@@ -94,7 +94,7 @@ def clean(
     if radius is not None:
         filters["radius"] = (radius, min_neighbors)
     if neighbors or ratio or not (non_finite or duplicates or radius):
-        filters["statistical"] = (neighbors or NEIGHBORS, ratio or RATIO)
+        filters["statistical"] = (neighbors or DEFAULT_NEIGHBORS, ratio or DEFAULT_DEVIATIONS)
     with Progress() as progress:
         return clean_file(source, output, removed=removed, progress=progress, **filters, **settings)
 
@@ -105,10 +105,10 @@ def clean(
     help="Maximum distance of neighbors [m]: eps of DBSCAN.",
 )  # fmt: skip
 @click.option(
-    "--neighbors", "min_points", cls=Renamed, old="--min-points", type=COUNT, default=10, show_default=True,
+    "--neighbors", "min_points", cls=Renamed, old="--min-points", type=COUNT_TYPE, default=10, show_default=True,
     metavar="N", help="Minimum neighbors of a core point, including itself.",
 )  # fmt: skip
-@click.option("--largest", type=COUNT, metavar="N", help="Keep only the N largest clusters. Default: all points.")
+@click.option("--largest", type=COUNT_TYPE, metavar="N", help="Keep only the N largest clusters. Default: all points.")
 @click.option("--paint", is_flag=True, help="Color the points by label (tab20, noise black).")
 @from_cloud_to_cloud()
 def cluster(source: Path, output: Path, **options: Any) -> Answer:
@@ -133,12 +133,14 @@ def cluster(source: Path, output: Path, **options: Any) -> Answer:
     "--distance", type=LENGTH, required=True, metavar="M", help="Maximum distance of inliers from the plane [m]."
 )
 @click.option(
-    "--iterations", type=COUNT, default=1000, show_default=True, metavar="N", help="RANSAC iterations per plane."
+    "--iterations", type=COUNT_TYPE, default=1000, show_default=True, metavar="N", help="RANSAC iterations per plane."
 )
-@click.option("--planes", type=COUNT, metavar="N", help="Label the points of up to N planes, the largest first.")
-@click.option("--min-points", type=COUNT, metavar="N", help="With --planes: minimum points of a plane. Default: 100.")
+@click.option("--planes", type=COUNT_TYPE, metavar="N", help="Label the points of up to N planes, the largest first.")
+@click.option(
+    "--min-points", type=COUNT_TYPE, metavar="N", help="With --planes: minimum points of a plane. Default: 100."
+)
 @click.option("--invert", is_flag=True, help="Write the points outside the plane.")
-@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Random seed.")
+@click.option("--seed", type=SEED_TYPE, default=0, show_default=True, metavar="N", help="Random seed.")
 @from_cloud_to_cloud()
 def plane(
     source: Path, output: Path, planes: int | None, min_points: int | None, invert: bool, **options: Any
@@ -197,12 +199,12 @@ def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Pat
 
 
 @click.command(short_help="Downsample a cloud.")
-@click.option("--every", type=COUNT, metavar="K", help="Keep every K-th point.")
-@click.option("--ratio", type=FRACTION, metavar="R", help="Keep this fraction of the points, selected at random.")
-@click.option("--farthest", type=COUNT, metavar="N", help="Keep N points by farthest point sampling.")
+@click.option("--every", type=COUNT_TYPE, metavar="K", help="Keep every K-th point.")
+@click.option("--ratio", type=FRACTION_TYPE, metavar="R", help="Keep this fraction of the points, selected at random.")
+@click.option("--farthest", type=COUNT_TYPE, metavar="N", help="Keep N points by farthest point sampling.")
 @click.option("--voxel", type=LENGTH, metavar="M", help="Keep the mean of the points of each voxel of this size [m].")
 @click.option("--nearest", is_flag=True, help="With --voxel: keep the point nearest to the mean instead.")
-@click.option("--seed", type=SEED, metavar="N", help="With --ratio: random seed. Default: 0.")
+@click.option("--seed", type=SEED_TYPE, metavar="N", help="With --ratio: random seed. Default: 0.")
 @from_cloud_to_cloud()
 def downsample(source: Path, output: Path, nearest: bool, seed: int | None, **options: Any) -> Answer:
     """Downsample the cloud IN by one of --every, --ratio, --farthest and --voxel, and write it to OUT.

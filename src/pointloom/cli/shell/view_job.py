@@ -30,7 +30,7 @@ from .answer import answer_with
 from .console import Progress, print_json
 from .pipes import INPUT, Ends
 
-SIZE = (1280, 960)  # [px]
+IMAGE_SIZE = (1280, 960)  # [px]
 FIRST_LOOK = 250_000  # points of a large file shown while it is being read
 
 
@@ -73,7 +73,7 @@ class ViewJob:
         self._recorded = {"topic": topic, "frame": frame}
         self._columns = columns_of(self.files, columns)
         self.clock = Clock()
-        self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
+        self.view = None if view_file is None else read_view(view_file, width=IMAGE_SIZE[0], height=IMAGE_SIZE[1])
         for path in self.files:
             if not path.exists():
                 raise FileError(path, "does not exist")
@@ -165,7 +165,7 @@ class ViewJob:
         from ...visualization.render.render import render
 
         entries = [as_entry(one) for one in named]
-        picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None, up=self.up)
+        picture = render(entries, camera=self.view, size=IMAGE_SIZE, color_bar=self.color_by is not None, up=self.up)
         write_image(path, picture, overwrite=self.force)
 
     def _colored(self) -> list[Named]:

@@ -15,10 +15,10 @@ from ..scenes.figure import owl
 from .results import PosedScans
 from .views import ring, scene_of, view_mesh
 
-CAMERA = PinholeCameraIntrinsic(320, 240, 400.0, 400.0, 159.5, 119.5)
-DISTANCE = 0.6  # [m] from the camera to the center of the figure
-HEIGHTS = (math.radians(15), math.radians(35))  # elevations of the camera, alternating
-STEEPEST = 0.2  # minimum cosine to the normal of a return
+SCAN_CAMERA = PinholeCameraIntrinsic(320, 240, 400.0, 400.0, 159.5, 119.5)
+CAMERA_DISTANCE = 0.6  # [m] from the camera to the center of the figure
+CAMERA_ELEVATIONS = (math.radians(15), math.radians(35))  # elevations of the camera, alternating
+MIN_INCIDENCE_COSINE = 0.2  # minimum cosine to the normal of a return
 RANGE_NOISE = 0.0005  # [m] standard deviation, as of a close-range structured-light scanner
 COLOR_NOISE = 2.0 / 255
 
@@ -81,16 +81,18 @@ def object_scans(count: int = 10, *, noise: bool = True, seed: int = 0) -> Posed
         True
     """
     count, noise, seed = check_count("count", count), bool(noise), check_seed(seed)
-    poses = ring(count, DISTANCE, HEIGHTS, start=-math.pi / 2)
+    poses = ring(count, CAMERA_DISTANCE, CAMERA_ELEVATIONS, start=-math.pi / 2)
 
     def make() -> Arrays:
         mesh, rng, scans = object_mesh(), np.random.default_rng(seed), []
         scene = scene_of(mesh)
-        v, u = np.mgrid[: CAMERA.height, : CAMERA.width]
-        directions = np.stack([(u - CAMERA.cx) / CAMERA.fx, (v - CAMERA.cy) / CAMERA.fy, np.ones(u.shape)], axis=-1)
+        v, u = np.mgrid[: SCAN_CAMERA.height, : SCAN_CAMERA.width]
+        directions = np.stack(
+            [(u - SCAN_CAMERA.cx) / SCAN_CAMERA.fx, (v - SCAN_CAMERA.cy) / SCAN_CAMERA.fy, np.ones(u.shape)], axis=-1
+        )
         for T in poses:
-            view = view_mesh(mesh, scene, CAMERA, T)
-            seen = (view.depth > 0) & (view.cosine > STEEPEST)
+            view = view_mesh(mesh, scene, SCAN_CAMERA, T)
+            seen = (view.depth > 0) & (view.cosine > MIN_INCIDENCE_COSINE)
             points, colors = directions[seen] * view.depth[seen, None], view.colors[seen]
             if noise:
                 ranges = np.linalg.norm(points, axis=1, keepdims=True)

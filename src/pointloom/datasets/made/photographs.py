@@ -21,15 +21,15 @@ from .objects import object_mesh
 from .results import PosedImages
 from .views import MeshView, ring, scene_of, view_mesh
 
-CAMERA = PinholeCameraIntrinsic(640, 480, 720.0, 720.0, 319.5, 239.5)
-DISTANCE = 0.62  # [m]
-HEIGHTS = (math.radians(22), math.radians(34))  # elevations of the camera, alternating
-CLOTH, CLOTH_STEP, CHECK = 0.8, 0.01, 0.06  # [m] side of the cloth, of its cells, of its pattern's squares
+PHOTO_CAMERA = PinholeCameraIntrinsic(640, 480, 720.0, 720.0, 319.5, 239.5)
+CAMERA_DISTANCE = 0.62  # [m]
+CAMERA_ELEVATIONS = (math.radians(22), math.radians(34))  # elevations of the camera, alternating
+CLOTH_SIDE, CLOTH_STEP, CHECK_SIDE = 0.8, 0.01, 0.06  # [m] side of the cloth, of its cells, of its pattern's squares
 GRAIN_SCALE = 10.0  # the room texture of 12 cm to 15 mm becomes 12 to 1.5 mm
 COLOR_NOISE = 1.0  # [of 255] standard deviation, as of a photograph in good light
-LIGHT = np.array([0.45, -0.55, 0.7]) / norm([0.45, -0.55, 0.7])
-AMBIENT = 0.55
-ABOVE = 0.0008  # [m] offset of shadow rays from the surface
+LIGHT_DIRECTION = np.array([0.45, -0.55, 0.7]) / norm([0.45, -0.55, 0.7])
+AMBIENT_LIGHT = 0.55
+SHADOW_OFFSET = 0.0008  # [m] offset of shadow rays from the surface
 
 
 def photographs(count: int = 12, *, seed: int = 0) -> PosedImages:
@@ -60,27 +60,27 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedImages:
         ((480, 640, 3), 0.0)
     """
     count, seed = check_count("count", count), check_seed(seed)
-    poses = ring(count, DISTANCE, HEIGHTS, start=-math.pi / 2)
+    poses = ring(count, CAMERA_DISTANCE, CAMERA_ELEVATIONS, start=-math.pi / 2)
 
     def make() -> Arrays:
         stage = _stage()
         scene = scene_of(stage)
-        views = [view_mesh(stage, scene, CAMERA, T) for T in poses]
+        views = [view_mesh(stage, scene, PHOTO_CAMERA, T) for T in poses]
         images = [_image(view, scene, T, seed, k) for k, (view, T) in enumerate(zip(views, poses, strict=True))]
         return {"images": np.array(images), "depths": np.array([view.depth for view in views], np.float32)}
 
     arrays = cached("photographs", {"count": count, "seed": seed}, make)
-    return PosedImages(list(arrays["images"]), CAMERA, poses, list(arrays["depths"]))
+    return PosedImages(list(arrays["images"]), PHOTO_CAMERA, poses, list(arrays["depths"]))
 
 
 def _stage() -> TriangleMesh:
-    figure, steps = object_mesh(), round(CLOTH / CLOTH_STEP)
+    figure, steps = object_mesh(), round(CLOTH_SIDE / CLOTH_STEP)
     sides = (np.arange(steps + 1) - steps / 2) * CLOTH_STEP
     x, y = np.meshgrid(sides, sides, indexing="ij")
     floor = np.full(x.shape, figure.get_min_bound()[2])
     k = (np.arange(steps)[:, None] * (steps + 1) + np.arange(steps)).reshape(-1)
     triangles = np.concatenate([np.stack([k, k + steps + 1, k + steps + 2], 1), np.stack([k, k + steps + 2, k + 1], 1)])
-    odd = (np.floor(x / CHECK + 0.25) + np.floor(y / CHECK + 0.25)) % 2
+    odd = (np.floor(x / CHECK_SIDE + 0.25) + np.floor(y / CHECK_SIDE + 0.25)) % 2
     colors = np.where(odd[..., None] > 0, (0.90, 0.86, 0.78), (0.24, 0.42, 0.58)).reshape(-1, 3)
     cloth = TriangleMesh(np.stack([x, y, floor], -1).reshape(-1, 3), triangles, vertex_colors=colors)
     return figure + cloth
@@ -88,15 +88,15 @@ def _stage() -> TriangleMesh:
 
 def _image(view: MeshView, scene: RaycastingScene, T: NDArray[np.float64], seed: int, frame: int) -> NDArray[np.uint8]:
     """The sensor image: color with light, shadow, texture and noise."""
-    off = view.points + ABOVE * view.normals
-    rays = np.concatenate([off, np.broadcast_to(LIGHT, off.shape)], axis=-1)
+    off = view.points + SHADOW_OFFSET * view.normals
+    rays = np.concatenate([off, np.broadcast_to(LIGHT_DIRECTION, off.shape)], axis=-1)
     lit = ~scene.test_occlusions(rays)
-    light = AMBIENT + (1 - AMBIENT) * np.clip(matmul(view.normals, LIGHT), 0, 1) * lit
+    light = AMBIENT_LIGHT + (1 - AMBIENT_LIGHT) * np.clip(matmul(view.normals, LIGHT_DIRECTION), 0, 1) * lit
     colors = np.where(view.depth[..., None] > 0, view.colors * light[..., None], (0.80, 0.82, 0.85))
     flat = upload(np.rint(255 * np.clip(colors, 0, 1)).astype(np.uint8).reshape(-1), uint8, "cpu")
     depth = upload((GRAIN_SCALE * view.depth).astype(np.float32).reshape(-1), float32, "cpu")
     enlarged = T.copy()
     enlarged[:3, 3] *= GRAIN_SCALE
-    grained = grain_pixels(CAMERA, enlarged, depth, flat)
+    grained = grain_pixels(PHOTO_CAMERA, enlarged, depth, flat)
     noisy = measure_colors(grained, sigma=COLOR_NOISE, seed=seed, frame=frame)
-    return np.array(download(noisy), np.uint8).reshape(CAMERA.height, CAMERA.width, 3)
+    return np.array(download(noisy), np.uint8).reshape(PHOTO_CAMERA.height, PHOTO_CAMERA.width, 3)

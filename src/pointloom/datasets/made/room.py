@@ -20,18 +20,18 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ..array_cache import Arrays, cached
-from ..scenes.furniture import SIZE, furnished_room
+from ..scenes.furniture import ROOM_SIZE, furnished_room
 from ..scenes.room import COLOR_NOISE, DEPTH_SCALE, RoomFrame, film_pose, look_along, room_pose, room_views, round_pose
 
 FRAMES_OF_A_ROUND = 120  # frames per circle of `room_frames`: 3 degrees and about 7 cm apart
 FIRST_FRAME = 44  # on the circle: looks at the sofa
-GRAIN = 0.25  # fraction of the full texture contrast: enough for matching, and walls still look painted
-VIEWS = 100  # number of views for the cloud and the mesh
-CORNERS = ((4.5, 3.6), (4.6, 0.5), (0.4, 0.7), (0.4, 3.6))  # [m] x and y of views down from near the corners
+TEXTURE_CONTRAST = 0.25  # fraction of the full texture contrast: enough for matching, and walls still look painted
+VIEW_COUNT = 100  # number of views for the cloud and the mesh
+CORNER_POSITIONS = ((4.5, 3.6), (4.6, 0.5), (0.4, 0.7), (0.4, 3.6))  # [m] x and y of views down from near the corners
 VIEW_SIZE = (320, 240)  # [px]
-FARTHEST = 6.0  # [m] larger than any distance of walls
+MAX_DEPTH = 6.0  # [m] larger than any distance of walls
 SCAN_NOISE = 0.0015  # [m] standard deviation of the cloud's points before downsampling
-NEAR = 1e-3  # [m] finite difference step of normals
+NORMAL_STEP = 1e-3  # [m] finite difference step of normals
 MESH_VOXEL = 0.02  # [m]
 MESH_TRIANGLES = 250_000
 
@@ -80,7 +80,7 @@ def room_frames(
 
     def make() -> Arrays:
         sigma = COLOR_NOISE if noise else 0.0
-        frames = list(room_views(poses, camera, seed=seed, noise=noise, texture=GRAIN, color_noise=sigma))
+        frames = list(room_views(poses, camera, seed=seed, noise=noise, texture=TEXTURE_CONTRAST, color_noise=sigma))
         return {"depth": np.array([f.depth for f in frames]), "color": np.array([f.color for f in frames])}
 
     arrays = cached("room_frames", parameters, make)
@@ -145,7 +145,7 @@ def room_mesh() -> TriangleMesh:
         volume = TSDFVolume(voxel_size=MESH_VOXEL, truncation=3 * MESH_VOXEL)
         for frame in _views():
             T = inv(frame.T_world_camera)
-            volume.integrate(frame.depth, frame.intrinsic, T, frame.color, depth_scale=1.0, depth_max=FARTHEST)
+            volume.integrate(frame.depth, frame.intrinsic, T, frame.color, depth_scale=1.0, depth_max=MAX_DEPTH)
         mesh = volume.extract_triangle_mesh(weight_threshold=0.0)
         mesh = mesh.simplify_quadric_decimation(MESH_TRIANGLES).compute_vertex_normals()
         names = ("vertices", "triangles", "vertex_colors", "vertex_normals")
@@ -166,23 +166,23 @@ def _metres(depth: NDArray[Any]) -> NDArray[np.float32]:
 
 def _views() -> Iterator[RoomFrame]:
     """Exact frames from all sides: around the middle, along the walls and down from the ceiling."""
-    poses = [_survey_pose(i) for i in range(VIEWS)]
-    return iter(room_views(poses, _camera(*VIEW_SIZE), texture=GRAIN, color_noise=0.0))
+    poses = [_survey_pose(i) for i in range(VIEW_COUNT)]
+    return iter(room_views(poses, _camera(*VIEW_SIZE), texture=TEXTURE_CONTRAST, color_noise=0.0))
 
 
 def _survey_pose(index: int) -> NDArray[np.float64]:
     """Five interleaved paths: two walks, near the ceiling, near the floor, and down from the corners."""
-    fraction, kind = index / VIEWS, index % 5
+    fraction, kind = index / VIEW_COUNT, index % 5
     if kind < 2:
         return (room_pose, round_pose)[kind](fraction)
     if kind == 4:
-        x, y = CORNERS[index // 5 % 4]
+        x, y = CORNER_POSITIONS[index // 5 % 4]
         offset = (index // 20 % 5 - 2) * 0.3
-        yaw, height, pitch = math.atan2(SIZE[1] / 2 - y, SIZE[0] / 2 - x) + offset, 2.25, -0.75
+        yaw, height, pitch = math.atan2(ROOM_SIZE[1] / 2 - y, ROOM_SIZE[0] / 2 - x) + offset, 2.25, -0.75
     else:
         wide, deep, height, pitch = ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2]
         yaw = 4 * math.pi * fraction
-        x, y = SIZE[0] / 2 - wide * math.cos(yaw), SIZE[1] / 2 - deep * math.sin(yaw)
+        x, y = ROOM_SIZE[0] / 2 - wide * math.cos(yaw), ROOM_SIZE[1] / 2 - deep * math.sin(yaw)
     direction = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
     return look_along(np.array([x, y, height]), direction)
 
@@ -190,14 +190,14 @@ def _survey_pose(index: int) -> NDArray[np.float64]:
 def _seen_points(frame: RoomFrame) -> PointCloud:
     """The points of an exact frame in room coordinates."""
     assert frame.color is not None
-    image = RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=FARTHEST)
+    image = RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=MAX_DEPTH)
     return PointCloud.create_from_rgbd_image(image, frame.intrinsic, inv(frame.T_world_camera))
 
 
 def _true_normals(points: NDArray[np.float64]) -> NDArray[np.float32]:
     """Gradient of the distance to the room's surface, outward, (n, 3)."""
     solids, slopes = furnished_room().solids("cpu"), []
-    for step in NEAR * np.eye(3):
+    for step in NORMAL_STEP * np.eye(3):
         ahead, behind = (
             download(distance_to_solids(upload(points + side, vec3d, "cpu"), solids)) for side in (step, -step)
         )

@@ -13,9 +13,9 @@ from ..scenes.drive import SCAN_PERIOD, in_world, pose_at, rotating_rays, sensor
 from ..scenes.street import painted_street
 from .results import PosedScans
 
-BEAMS = np.radians(np.concatenate([np.linspace(-24.0, -4.0, 18), np.linspace(-3.0, 12.0, 14)]))  # 32, dense ahead
-AZIMUTHS = 1024
-SPEED = 10.0  # [m/s]
+BEAM_ANGLES = np.radians(np.concatenate([np.linspace(-24.0, -4.0, 18), np.linspace(-3.0, 12.0, 14)]))  # 32, dense ahead
+AZIMUTH_COUNT = 1024
+DRIVE_SPEED = 10.0  # [m/s]
 MAX_RANGE, MIN_RANGE = 80.0, 1.0  # [m]
 RANGE_NOISE = 0.01  # [m] standard deviation
 
@@ -56,16 +56,16 @@ def street_scans(count: int = 10, *, seed: int = 0) -> PosedScans:
     ends = np.cumsum(arrays.pop("counts"))[:-1]
     columns: dict[str, Any] = {name: np.split(values, ends) for name, values in arrays.items()}
     scans = [PointCloud(**{name: values[k] for name, values in columns.items()}) for k in range(count)]
-    return PosedScans(scans, np.array([sensor_pose(k * SPEED * SCAN_PERIOD) for k in range(count)]))
+    return PosedScans(scans, np.array([sensor_pose(k * DRIVE_SPEED * SCAN_PERIOD) for k in range(count)]))
 
 
 def _drive(count: int, seed: int) -> Arrays:
-    parts = painted_street(count * SPEED * SCAN_PERIOD, seed)
+    parts = painted_street(count * DRIVE_SPEED * SCAN_PERIOD, seed)
     scene, colors, labels = parts.scene(), parts.colors, parts.labels
     rng, scans = np.random.default_rng([seed, 1]), []
     for k in range(count):
-        rays, fraction = rotating_rays(BEAMS, AZIMUTHS, rng)
-        positions, headings = pose_at((k + fraction - 1) * SPEED * SCAN_PERIOD, 0.0)
+        rays, fraction = rotating_rays(BEAM_ANGLES, AZIMUTH_COUNT, rng)
+        positions, headings = pose_at((k + fraction - 1) * DRIVE_SPEED * SCAN_PERIOD, 0.0)
         directions = in_world(rays, headings)
         hits = scene.cast_rays(np.concatenate([positions, directions], axis=1))
         ranges = hits["t_hit"].astype(np.float64) + rng.normal(0, RANGE_NOISE, len(rays))
@@ -78,7 +78,7 @@ def _drive(count: int, seed: int) -> Arrays:
                 "points": (rays[seen] * ranges[seen, None]).astype(np.float32),
                 "colors": colors[rows],
                 "time": (k + fraction[seen]) * SCAN_PERIOD,
-                "ring": np.tile(np.arange(len(BEAMS), dtype=np.uint8), AZIMUTHS)[seen],
+                "ring": np.tile(np.arange(len(BEAM_ANGLES), dtype=np.uint8), AZIMUTH_COUNT)[seen],
                 "intensity": light.astype(np.float32),
                 "label": labels[rows],
             }

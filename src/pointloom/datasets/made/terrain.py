@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 from ...core.checks import check_seed
 from ...pcd.cloud import PointCloud
 from ..array_cache import Arrays, cached
-from ..scenes.country import EXTENT, TREES, Country, painted_country
+from ..scenes.country import COUNTRY_SIDE, TREE_CLASS, Country, painted_country
 
-UTM = np.array([447_800.0, 5_411_300.0, 312.0])  # [m] south-west corner in zone 32 north, and height of zero
-FLIGHT = 500.0  # [m] flight height
-STRIPS = (-60.0, 60.0)  # [m] y of the two flight lines
-PULSES = 310_000
-PASSES = 0.45  # fraction of pulses that penetrate a crown
+UTM_ORIGIN = np.array([447_800.0, 5_411_300.0, 312.0])  # [m] south-west corner in zone 32 north, and height of zero
+FLIGHT_HEIGHT = 500.0  # [m] flight height
+STRIP_POSITIONS = (-60.0, 60.0)  # [m] y of the two flight lines
+PULSE_COUNT = 310_000
+CROWN_PENETRATION = 0.45  # fraction of pulses that penetrate a crown
 RANGE_NOISE = 0.03  # [m] standard deviation
 
 
@@ -53,33 +53,33 @@ def terrain(*, seed: int = 0) -> PointCloud:
 
 def _fly(seed: int) -> Arrays:
     country, rng = painted_country(seed), np.random.default_rng([seed, 1])
-    strips = [_strip(country, y, number + 1, rng) for number, y in enumerate(STRIPS)]
+    strips = [_strip(country, y, number + 1, rng) for number, y in enumerate(STRIP_POSITIONS)]
     columns = {name: np.concatenate([strip[name] for strip in strips]) for name in strips[0]}
-    inside = (np.abs(columns["points"][:, :2]) <= EXTENT / 2).all(axis=1)
+    inside = (np.abs(columns["points"][:, :2]) <= COUNTRY_SIDE / 2).all(axis=1)
     columns = {name: values[inside] for name, values in columns.items()}
-    columns["points"] = np.round(columns["points"] + [EXTENT / 2, EXTENT / 2, 0] + UTM, 3)
+    columns["points"] = np.round(columns["points"] + [COUNTRY_SIDE / 2, COUNTRY_SIDE / 2, 0] + UTM_ORIGIN, 3)
     return columns
 
 
 def _strip(country: Country, y: float, number: int, rng: np.random.Generator) -> Arrays:
     """The returns of one flight line along x."""
-    count = PULSES // len(STRIPS)
+    count = PULSE_COUNT // len(STRIP_POSITIONS)
     margin = 10.0
     target = np.column_stack(
         [
-            rng.uniform(-EXTENT / 2 - 2, EXTENT / 2 + 2, count),
-            np.sort(rng.uniform(0, EXTENT / 2 + margin, count)) - (EXTENT / 2 if y < 0 else margin),
+            rng.uniform(-COUNTRY_SIDE / 2 - 2, COUNTRY_SIDE / 2 + 2, count),
+            np.sort(rng.uniform(0, COUNTRY_SIDE / 2 + margin, count)) - (COUNTRY_SIDE / 2 if y < 0 else margin),
             np.zeros(count),
         ]
     )
-    origin = np.column_stack([target[:, 0], np.full(count, y), np.full(count, FLIGHT)])
+    origin = np.column_stack([target[:, 0], np.full(count, y), np.full(count, FLIGHT_HEIGHT)])
     directions = (target - origin) / np.linalg.norm(target - origin, axis=1, keepdims=True)
     rays = np.concatenate([origin, directions], axis=1)
     below, above = country.solid.scene().cast_rays(rays), country.crowns.scene().cast_rays(rays)
     floor, leaves = below["t_hit"].astype(np.float64), above["t_hit"].astype(np.float64)
     in_crown = leaves < floor
     deep = np.minimum(leaves + rng.exponential(0.8, count), floor - 0.5)
-    both = in_crown & (rng.random(count) < PASSES)
+    both = in_crown & (rng.random(count) < CROWN_PENETRATION)
     first = _returns(origin, directions, np.where(in_crown, deep, floor), rng)
     last = _returns(origin, directions, floor, rng)[both]
     solid, crown = (
@@ -87,7 +87,7 @@ def _strip(country: Country, y: float, number: int, rng: np.random.Generator) ->
         np.where(in_crown, above["primitive_ids"], 0).astype(np.int64),
     )
     colors = np.where(in_crown[:, None], country.crowns.colors[crown], country.solid.colors[solid])
-    labels = np.where(in_crown, TREES, country.solid.labels[solid]).astype(np.uint8)
+    labels = np.where(in_crown, TREE_CLASS, country.solid.labels[solid]).astype(np.uint8)
     steep = np.abs((directions * below["primitive_normals"]).sum(axis=1))
     bright = np.where(in_crown, 0.5, 0.3 + 0.7 * steep) * colors.mean(axis=1)
     returns = 1 + both.astype(np.uint8)

@@ -23,7 +23,7 @@ from ..array_cache import data_folder
 
 MIRROR = "POINTLOOM_DATA_MIRROR"
 LISTING = ".files.json"  # list of a set's files, by which later calls recognize it as complete
-TIMEOUT = 30.0  # [s] timeout without a byte
+TIMEOUT_SECONDS = 30.0  # [s] timeout without a byte
 
 
 def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
@@ -121,7 +121,7 @@ def _download(wanted: PublicSet, file: PublicFile, downloads: Path) -> Path:
     for source in _sources(wanted, file):
         try:
             if "://" in source:
-                loader = pooch.HTTPDownloader(timeout=TIMEOUT, progressbar=False)
+                loader = pooch.HTTPDownloader(timeout=TIMEOUT_SECONDS, progressbar=False)
                 pooch.retrieve(source, file.checksum, path.name, downloads, downloader=loader)
                 return path
             if _matches(pooch, path, file):

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import elementwise
 from .painted import Color, PaintedParts
 
-EXTENT = 200.0  # [m] side of the square
-STEP = 1.0  # [m] ground grid spacing
-GROUND, TREES, BUILDING = 2, 5, 6  # LAS: ground, high vegetation, building
-HOUSES, TREE_COUNT = 18, 170
+COUNTRY_SIDE = 200.0  # [m] side of the square
+GRID_STEP = 1.0  # [m] ground grid spacing
+GROUND_CLASS, TREE_CLASS, BUILDING_CLASS = 2, 5, 6  # LAS: ground, high vegetation, building
+HOUSE_COUNT, TREE_COUNT = 18, 170
 LANE_WIDTH = 5.0  # [m]
 
-_ROOFS: tuple[Color, ...] = ((0.66, 0.28, 0.20), (0.55, 0.24, 0.20), (0.40, 0.36, 0.36), (0.72, 0.40, 0.28))
-_CROWNS: tuple[Color, ...] = ((0.16, 0.38, 0.15), (0.24, 0.46, 0.18), (0.35, 0.48, 0.16), (0.13, 0.32, 0.20))
+_ROOF_COLORS: tuple[Color, ...] = ((0.66, 0.28, 0.20), (0.55, 0.24, 0.20), (0.40, 0.36, 0.36), (0.72, 0.40, 0.28))
+_CROWN_COLORS: tuple[Color, ...] = ((0.16, 0.38, 0.15), (0.24, 0.46, 0.18), (0.35, 0.48, 0.16), (0.13, 0.32, 0.20))
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -51,14 +51,14 @@ def painted_country(seed: int) -> Country:
 
 
 def _ground(parts: PaintedParts) -> None:
-    steps = round((EXTENT + 40) / STEP)
-    sides = (np.arange(steps + 1) - steps / 2) * STEP
+    steps = round((COUNTRY_SIDE + 40) / GRID_STEP)
+    sides = (np.arange(steps + 1) - steps / 2) * GRID_STEP
     x, y = np.meshgrid(sides, sides, indexing="ij")
     corners = np.stack([x, y, ground_height(x, y)], axis=-1).reshape(-1, 3)
     k = (np.arange(steps)[:, None] * (steps + 1) + np.arange(steps)).reshape(-1)
     faces = np.concatenate([np.stack([k, k + steps + 1, k + steps + 2], 1), np.stack([k, k + steps + 2, k + 1], 1)])
     middle = corners[faces].mean(axis=1)
-    parts.label = GROUND
+    parts.label = GROUND_CLASS
     parts.add(corners, faces, _meadow(middle[:, 0], middle[:, 1]))
 
 
@@ -75,15 +75,15 @@ def _meadow(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float6
 def _houses(parts: PaintedParts, rng: np.random.Generator) -> NDArray[np.float64]:
     """Houses on both sides of the lane. Returns positions (n, 2)."""
     house_positions = []
-    parts.label = BUILDING
-    for k in range(HOUSES):
-        along = (k // 2 + 0.5) / (HOUSES // 2) * (EXTENT - 20) - (EXTENT - 20) / 2 + rng.uniform(-3, 3)
+    parts.label = BUILDING_CLASS
+    for k in range(HOUSE_COUNT):
+        along = (k // 2 + 0.5) / (HOUSE_COUNT // 2) * (COUNTRY_SIDE - 20) - (COUNTRY_SIDE - 20) / 2 + rng.uniform(-3, 3)
         side = 1 if k % 2 else -1
         x, y = along, float(lane(along)) + side * rng.uniform(11, 17)
         length, width, high = rng.uniform(9, 14), rng.uniform(7, 10), rng.uniform(3.0, 6.5)
         angle = math.atan(18 / 42 * math.cos(along / 42)) + rng.uniform(-0.15, 0.15)
         floor = float(ground_height(np.array(x), np.array(y)))
-        roof = _ROOFS[rng.integers(len(_ROOFS))]
+        roof = _ROOF_COLORS[rng.integers(len(_ROOF_COLORS))]
         parts.set_frame(x, y, floor, angle=angle)
         walls = (0.88, 0.84, 0.76)
         parts.box((0, 0, high / 2 - 1.5), (length, width, high + 3), walls)
@@ -96,7 +96,7 @@ def _houses(parts: PaintedParts, rng: np.random.Generator) -> NDArray[np.float64
 
 
 def _trees(parts: PaintedParts, rng: np.random.Generator, house_positions: NDArray[np.float64]) -> None:
-    parts.label, planted = TREES, 0
+    parts.label, planted = TREE_CLASS, 0
     while planted < TREE_COUNT:
         in_wood = planted < TREE_COUNT * 0.6
         x, y = rng.uniform((-96, -96), (-10, -35)) if in_wood else rng.uniform(-97, 97, 2)
@@ -104,12 +104,12 @@ def _trees(parts: PaintedParts, rng: np.random.Generator, house_positions: NDArr
         if near_house or abs(y - lane(x)) < 5:
             continue
         tall, wide = rng.uniform(7, 16), rng.uniform(2.0, 3.6)
-        floor, leaf = float(ground_height(np.array(x), np.array(y))), _CROWNS[rng.integers(len(_CROWNS))]
+        floor, leaf = float(ground_height(np.array(x), np.array(y))), _CROWN_COLORS[rng.integers(len(_CROWN_COLORS))]
         parts.set_frame(x, y, floor, angle=rng.uniform(0, 6))
         if rng.random() < 0.35:  # a conifer
             for fraction in (0.35, 0.55, 0.75, 0.92):
                 radius = 0.8 * wide * (1.15 - fraction)
-                parts.crown((0, 0, fraction * tall), (radius, radius, 0.16 * tall), _CROWNS[3], rng)
+                parts.crown((0, 0, fraction * tall), (radius, radius, 0.16 * tall), _CROWN_COLORS[3], rng)
         else:
             for _ in range(3):
                 off = rng.normal(0, 0.3 * wide, 3)

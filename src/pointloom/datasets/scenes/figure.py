@@ -18,14 +18,14 @@ from ...meshing.mesh.mesh import TriangleMesh
 
 Field = NDArray[Any]
 
-STEP = 0.0025  # [m] sampling step of the field
-LOW, HIGH = np.array([-0.108, -0.108, -0.158]), np.array([0.108, 0.108, 0.158])  # [m] sampled box
-SMALLEST = 1e-9
+FIELD_STEP = 0.0025  # [m] sampling step of the field
+LOW_CORNER, HIGH_CORNER = np.array([-0.108, -0.108, -0.158]), np.array([0.108, 0.108, 0.158])  # [m] sampled box
+MIN_SLOPE = 1e-9
 
-_BROWN, _DARK, _CREAM = (0.50, 0.32, 0.18), (0.30, 0.18, 0.11), (0.93, 0.85, 0.68)
-_TAN = (0.65, 0.50, 0.34)
-_GOLD, _BLACK, _ORANGE = (0.98, 0.74, 0.16), (0.06, 0.05, 0.05), (0.93, 0.52, 0.13)
-_BARK, _WOOD, _RING = (0.38, 0.28, 0.19), (0.80, 0.62, 0.40), (0.58, 0.40, 0.23)
+_BROWN_RGB, _DARK_RGB, _CREAM_RGB = (0.50, 0.32, 0.18), (0.30, 0.18, 0.11), (0.93, 0.85, 0.68)
+_TAN_RGB = (0.65, 0.50, 0.34)
+_GOLD_RGB, _BLACK_RGB, _ORANGE_RGB = (0.98, 0.74, 0.16), (0.06, 0.05, 0.05), (0.93, 0.52, 0.13)
+_BARK_RGB, _WOOD_RGB, _RING_RGB = (0.38, 0.28, 0.19), (0.80, 0.62, 0.40), (0.58, 0.40, 0.23)
 
 
 def _sin(values: Field) -> Field:
@@ -44,7 +44,7 @@ def _ellipsoid(p: Field, center: ArrayLike, radii: ArrayLike, *, lean: float = 0
     r = np.asarray(radii, np.float32)
     near = np.sqrt((x / r[0]) ** 2 + (y / r[1]) ** 2 + (z / r[2]) ** 2)
     slope = np.sqrt((x / r[0] ** 2) ** 2 + (y / r[1] ** 2) ** 2 + (z / r[2] ** 2) ** 2)
-    return near * (near - 1) / np.maximum(slope, np.float32(SMALLEST))
+    return near * (near - 1) / np.maximum(slope, np.float32(MIN_SLOPE))
 
 
 def _cone(p: Field, foot: ArrayLike, tip: ArrayLike, radius: float, end: float) -> Field:
@@ -114,18 +114,18 @@ def _colors(p: Field, parts: dict[str, Field]) -> NDArray[np.float32]:
     rings = 0.5 + 0.5 * _sin(650 * radius + 2.2 * _sin(3 * _arctan2(y, x)))
     top = (z > -0.0965) & (radius < 0.077)
     front = np.clip(1.5 - np.abs(x) / 0.034, 0, 1) * (y < 0.0)
-    plume = _mix(_DARK, _BROWN, scales)
+    plume = _mix(_DARK_RGB, _BROWN_RGB, scales)
     table = {
-        "stump": np.where(top[:, None], _mix(_WOOD, _RING, rings**2), _mix(_BARK, _DARK, rings * 0.5)),
-        "body": _mix(plume, _mix(_ORANGE, _CREAM, np.clip(1.5 * scales, 0, 1)), front),
-        "head": _mix(_BROWN, _DARK, 0.5 + 0.5 * _sin(260 * z) * _sin(220 * x)),
-        "wing": _mix(_DARK, _TAN, fine),
-        "tail": _mix(_DARK, _BROWN, 0.5 + 0.5 * _sin(400 * z)),
-        "disc": _mix(_CREAM, _BROWN, 0.35 + 0.35 * _sin(34 * _arctan2(z - 0.080, np.abs(x) - 0.026))),
-        "eye": _mix(_GOLD, _GOLD, z),
-        "pupil": _mix(_BLACK, _BLACK, z),
-        "beak": _mix(_ORANGE, _DARK, np.clip((0.056 - z) / 0.03, 0, 1)),
-        "foot": _mix(_ORANGE, _GOLD, 0.5 + 0.5 * _sin(900 * y)),
+        "stump": np.where(top[:, None], _mix(_WOOD_RGB, _RING_RGB, rings**2), _mix(_BARK_RGB, _DARK_RGB, rings * 0.5)),
+        "body": _mix(plume, _mix(_ORANGE_RGB, _CREAM_RGB, np.clip(1.5 * scales, 0, 1)), front),
+        "head": _mix(_BROWN_RGB, _DARK_RGB, 0.5 + 0.5 * _sin(260 * z) * _sin(220 * x)),
+        "wing": _mix(_DARK_RGB, _TAN_RGB, fine),
+        "tail": _mix(_DARK_RGB, _BROWN_RGB, 0.5 + 0.5 * _sin(400 * z)),
+        "disc": _mix(_CREAM_RGB, _BROWN_RGB, 0.35 + 0.35 * _sin(34 * _arctan2(z - 0.080, np.abs(x) - 0.026))),
+        "eye": _mix(_GOLD_RGB, _GOLD_RGB, z),
+        "pupil": _mix(_BLACK_RGB, _BLACK_RGB, z),
+        "beak": _mix(_ORANGE_RGB, _DARK_RGB, np.clip((0.056 - z) / 0.03, 0, 1)),
+        "foot": _mix(_ORANGE_RGB, _GOLD_RGB, 0.5 + 0.5 * _sin(900 * y)),
     }
     nearest = np.argmin(np.stack([parts[name] for name in table]), axis=0)
     return np.stack(list(table.values()))[nearest, np.arange(len(p))].astype(np.float32)
@@ -137,10 +137,10 @@ def _mix(first: ArrayLike, second: ArrayLike, fraction: NDArray[np.floating]) ->
 
 
 def owl() -> TriangleMesh:
-    counts = np.ceil((HIGH - LOW) / STEP).astype(int) + 1
-    axes = [LOW[k] + STEP * np.arange(counts[k]) for k in range(3)]
+    counts = np.ceil((HIGH_CORNER - LOW_CORNER) / FIELD_STEP).astype(int) + 1
+    axes = [LOW_CORNER[k] + FIELD_STEP * np.arange(counts[k]) for k in range(3)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).astype(np.float32)
-    mesh = marching_cubes(_join_parts(_parts(grid)), spacing=[STEP] * 3, origin=LOW)
+    mesh = marching_cubes(_join_parts(_parts(grid)), spacing=[FIELD_STEP] * 3, origin=LOW_CORNER)
     labels, counts, _ = mesh.cluster_connected_triangles()
     mesh = mesh.remove_triangles_by_mask(np.asarray(labels) != np.argmax(counts)).remove_unreferenced_vertices()
     at = mesh.vertices.astype(np.float32)

@@ -12,17 +12,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul
-from ...kernels.scenes.primitives import BOX, CYLINDER, Solids
-from ...kernels.scenes.room import CHECKER, GLOW, PLAIN, PLANKS, STRIPES, Room
+from ...kernels.scenes.primitives import BOX_KIND, CYLINDER_KIND, Solids
+from ...kernels.scenes.room import CHECKER_PATTERN, GLOW_PATTERN, PLAIN_PATTERN, PLANKS_PATTERN, STRIPES_PATTERN, Room
 
-SIZE = (5.0, 4.0, 2.6)  # [m]
-LAMP = (2.5, 2.0, 2.2)  # [m] position of the light below the ceiling
-WALL = 0.2  # [m] thickness of the walls, and depth of the window's recess
+ROOM_SIZE = (5.0, 4.0, 2.6)  # [m]
+LAMP_POSITION = (2.5, 2.0, 2.2)  # [m] position of the light below the ceiling
+WALL_THICKNESS = 0.2  # [m] thickness of the walls, and depth of the window's recess
 
-_WHITE: Color = (0.93, 0.92, 0.89)
-_OAK: Color = (0.74, 0.55, 0.35)
-_WALNUT: Color = (0.42, 0.27, 0.17)
-_STEEL: Color = (0.45, 0.47, 0.50)
+_WHITE_RGB: Color = (0.93, 0.92, 0.89)
+_OAK_RGB: Color = (0.74, 0.55, 0.35)
+_WALNUT_RGB: Color = (0.42, 0.27, 0.17)
+_STEEL_RGB: Color = (0.45, 0.47, 0.50)
 
 
 def furnished_room() -> SolidBuilder:
@@ -42,27 +42,31 @@ def sofa() -> SolidBuilder:
 def build_room(device: Any) -> Room:
     """The furnished room on a device, ready to render."""
     parts = furnished_room()
-    margin = WALL + 0.15
-    low, high = (-margin, -margin, -margin), tuple(s + margin for s in SIZE)
+    margin = WALL_THICKNESS + 0.15
+    low, high = (-margin, -margin, -margin), tuple(s + margin for s in ROOM_SIZE)
     solids = parts.solids(device)
-    return Room(solids, np.array(parts.paints), np.array(parts.patterns), lamp=LAMP, low=low, high=high)
+    return Room(solids, np.array(parts.paints), np.array(parts.patterns), lamp=LAMP_POSITION, low=low, high=high)
 
 
 def _shell(room: SolidBuilder) -> None:
-    x, y, z = SIZE
-    w = WALL
+    x, y, z = ROOM_SIZE
+    w = WALL_THICKNESS
     long, wide = x + 2 * w, y + 2 * w
     room.box(
-        (x / 2, y / 2, -w / 2), (long, wide, w), (0.72, 0.53, 0.36), second=(0.50, 0.34, 0.22), pattern=(PLANKS, 0.14)
+        (x / 2, y / 2, -w / 2),
+        (long, wide, w),
+        (0.72, 0.53, 0.36),
+        second=(0.50, 0.34, 0.22),
+        pattern=(PLANKS_PATTERN, 0.14),
     )
-    room.box((x / 2, y / 2, z + w / 2), (long, wide, w), _WHITE)
+    room.box((x / 2, y / 2, z + w / 2), (long, wide, w), _WHITE_RGB)
     room.box((-w / 2, y / 2, z / 2), (w, wide, z), (0.56, 0.68, 0.70))
-    room.box((x + w / 2, y / 2, z / 2), (w, wide, z), _WHITE)
+    room.box((x + w / 2, y / 2, z / 2), (w, wide, z), _WHITE_RGB)
     room.box((x / 2, -w / 2, z / 2), (x, w, z), (0.90, 0.84, 0.72))
     for low, high in ((0.0, 1.6), (3.4, x)):
-        room.box(((low + high) / 2, y + w / 2, z / 2), (high - low, w, z), _WHITE)
-    room.box((2.5, y + w / 2, 0.45), (1.8, w, 0.9), _WHITE)
-    room.box((2.5, y + w / 2, 2.375), (1.8, w, 0.45), _WHITE)
+        room.box(((low + high) / 2, y + w / 2, z / 2), (high - low, w, z), _WHITE_RGB)
+    room.box((2.5, y + w / 2, 0.45), (1.8, w, 0.9), _WHITE_RGB)
+    room.box((2.5, y + w / 2, 2.375), (1.8, w, 0.45), _WHITE_RGB)
     skirting = (0.97, 0.96, 0.94)
     room.box((x / 2, y - 0.01, 0.05), (x, 0.02, 0.1), skirting)
     room.box((x / 2, 0.01, 0.05), (x, 0.02, 0.1), skirting)
@@ -71,13 +75,15 @@ def _shell(room: SolidBuilder) -> None:
     room.box((x - 0.02, 3.3, 1.02), (0.04, 0.92, 2.04), (0.86, 0.87, 0.85))
     for low in (0.18, 1.1):
         room.box((x - 0.045, 3.3, low + 0.38), (0.02, 0.62, 0.76), (0.80, 0.81, 0.79), radius=0.008)
-    room.cylinder((x - 0.06, 2.93, 1.02), 0.014, 0.06, _STEEL, tilt=(1, 90))
+    room.cylinder((x - 0.06, 2.93, 1.02), 0.014, 0.06, _STEEL_RGB, tilt=(1, 90))
     room.sphere((x - 0.105, 2.93, 1.02), 0.033, (0.80, 0.66, 0.30))
 
 
 def _window(room: SolidBuilder) -> None:
-    x, y, z, frame = 2.5, SIZE[1] + WALL, 1.5, (0.97, 0.97, 0.97)
-    room.box((x, y + 0.05, z), (1.9, 0.1, 1.4), (0.62, 0.80, 0.95), second=(0.70, 0.86, 0.97), pattern=(STRIPES, 0.3))
+    x, y, z, frame = 2.5, ROOM_SIZE[1] + WALL_THICKNESS, 1.5, (0.97, 0.97, 0.97)
+    room.box(
+        (x, y + 0.05, z), (1.9, 0.1, 1.4), (0.62, 0.80, 0.95), second=(0.70, 0.86, 0.97), pattern=(STRIPES_PATTERN, 0.3)
+    )
     for side in (-0.87, 0.0, 0.87):
         room.box((x + side, y - 0.03, z), (0.06, 0.06, 1.2), frame)
     for height in (-0.57, 0.57):
@@ -87,9 +93,14 @@ def _window(room: SolidBuilder) -> None:
         for fold in range(5):
             at = x + side * (0.98 + 0.09 * fold)
             room.cylinder(
-                (at, 3.93, 1.2), 0.05, 2.3, (0.80, 0.46, 0.33), second=(0.72, 0.38, 0.27), pattern=(STRIPES, 0.06)
+                (at, 3.93, 1.2),
+                0.05,
+                2.3,
+                (0.80, 0.46, 0.33),
+                second=(0.72, 0.38, 0.27),
+                pattern=(STRIPES_PATTERN, 0.06),
             )
-    room.cylinder((x, 3.93, 2.38), 0.014, 3.1, _STEEL, tilt=(1, 90))
+    room.cylinder((x, 3.93, 2.38), 0.014, 3.1, _STEEL_RGB, tilt=(1, 90))
     for rib in range(11):
         room.box((x - 0.5 + 0.1 * rib, 3.9, 0.42), (0.06, 0.09, 0.56), (0.95, 0.94, 0.92), radius=0.028)
 
@@ -103,9 +114,9 @@ def _sofa(room: SolidBuilder) -> None:
         room.box((side * 0.96, 0.02, 0.38), (0.22, 0.86, 0.5), cloth, radius=0.09)
         room.box((side * 0.43, 0.08, 0.42), (0.84, 0.7, 0.17), (0.36, 0.49, 0.54), radius=0.06)
         for depth in (-0.34, 0.34):
-            room.cylinder((side * 0.88, depth, 0.06), 0.025, 0.12, _WALNUT)
+            room.cylinder((side * 0.88, depth, 0.06), 0.025, 0.12, _WALNUT_RGB)
     mustard, rose = (0.88, 0.66, 0.22), (0.78, 0.36, 0.34)
-    stripes = (STRIPES, 0.06)
+    stripes = (STRIPES_PATTERN, 0.06)
     room.box(
         (-0.66, -0.14, 0.68),
         (0.42, 0.15, 0.42),
@@ -122,7 +133,7 @@ def _sofa(room: SolidBuilder) -> None:
         radius=0.07,
         tilt=(0, 24),
         second=(0.9, 0.75, 0.68),
-        pattern=(CHECKER, 0.07),
+        pattern=(CHECKER_PATTERN, 0.07),
     )
 
 
@@ -135,15 +146,21 @@ def _rug(room: SolidBuilder) -> None:
         (0.72, 0.25, 0.22),
         radius=0.009,
         second=(0.88, 0.80, 0.66),
-        pattern=(CHECKER, 0.19),
+        pattern=(CHECKER_PATTERN, 0.19),
     )
     room.cylinder(
-        (-0.05, 0.05, 0.40), 0.40, 0.035, _OAK, rounding=0.012, second=(0.66, 0.47, 0.29), pattern=(STRIPES, 0.05)
+        (-0.05, 0.05, 0.40),
+        0.40,
+        0.035,
+        _OAK_RGB,
+        rounding=0.012,
+        second=(0.66, 0.47, 0.29),
+        pattern=(STRIPES_PATTERN, 0.05),
     )
     for corner in range(3):
         angle = math.radians(120 * corner + 20)
         at = (-0.05 + 0.26 * math.cos(angle), 0.05 + 0.26 * math.sin(angle), 0.2)
-        room.cylinder(at, 0.022, 0.4, _WALNUT)
+        room.cylinder(at, 0.022, 0.4, _WALNUT_RGB)
     room.cylinder(
         (-0.2, 0.1, 0.465),
         0.042,
@@ -151,7 +168,7 @@ def _rug(room: SolidBuilder) -> None:
         (0.90, 0.90, 0.92),
         rounding=0.006,
         second=(0.2, 0.4, 0.7),
-        pattern=(CHECKER, 0.04),
+        pattern=(CHECKER_PATTERN, 0.04),
     )
     room.box((0.12, 0.16, 0.43), (0.21, 0.28, 0.022), (0.15, 0.35, 0.60), tilt=(2, 25))
     room.box((0.12, 0.15, 0.452), (0.19, 0.25, 0.022), (0.85, 0.80, 0.70), tilt=(2, 12))
@@ -159,10 +176,17 @@ def _rug(room: SolidBuilder) -> None:
 
 def _table(room: SolidBuilder) -> None:
     room.set_frame(3.75, 1.75, angle=8)
-    room.box((0, 0, 0.735), (0.85, 1.4, 0.04), _OAK, radius=0.012, second=(0.64, 0.45, 0.28), pattern=(PLANKS, 0.12))
+    room.box(
+        (0, 0, 0.735),
+        (0.85, 1.4, 0.04),
+        _OAK_RGB,
+        radius=0.012,
+        second=(0.64, 0.45, 0.28),
+        pattern=(PLANKS_PATTERN, 0.12),
+    )
     for x in (-0.36, 0.36):
         for y in (-0.63, 0.63):
-            room.cylinder((x, y, 0.36), 0.032, 0.72, _OAK)
+            room.cylinder((x, y, 0.36), 0.032, 0.72, _OAK_RGB)
     # a plate of fruit, a laptop and a mug
     room.cylinder((0.02, 0.32, 0.775), 0.17, 0.04, (0.93, 0.93, 0.90), rounding=0.018)
     fruit = ((-0.06, 0.30, (0.85, 0.25, 0.18)), (0.06, 0.27, (0.95, 0.60, 0.15)), (0.03, 0.40, (0.55, 0.72, 0.22)))
@@ -172,10 +196,10 @@ def _table(room: SolidBuilder) -> None:
     room.box(
         (0.08, -0.32, 0.763),
         (0.25, 0.35, 0.016),
-        _STEEL,
+        _STEEL_RGB,
         radius=0.006,
         second=(0.2, 0.2, 0.22),
-        pattern=(CHECKER, 0.03),
+        pattern=(CHECKER_PATTERN, 0.03),
     )
     room.box(
         (-0.075, -0.32, 0.875),
@@ -184,7 +208,7 @@ def _table(room: SolidBuilder) -> None:
         radius=0.005,
         tilt=(1, -14),
         second=(0.3, 0.55, 0.75),
-        pattern=(CHECKER, 0.08),
+        pattern=(CHECKER_PATTERN, 0.08),
     )
     room.cylinder((0.28, 0.02, 0.80), 0.04, 0.09, (0.80, 0.30, 0.25), rounding=0.006)
     for x, y, angle in ((-0.72, 0.28, -85), (0.76, -0.28, 97)):
@@ -193,9 +217,11 @@ def _table(room: SolidBuilder) -> None:
 
 def _chair(room: SolidBuilder, x: float, y: float, angle: float) -> None:
     """A chair whose front faces its own y axis."""
-    wood, seat = _WALNUT, (0.86, 0.80, 0.68)
+    wood, seat = _WALNUT_RGB, (0.86, 0.80, 0.68)
     room.set_frame(x, y, angle=angle)
-    room.box((0, 0, 0.45), (0.42, 0.42, 0.05), seat, radius=0.022, second=(0.75, 0.66, 0.52), pattern=(STRIPES, 0.05))
+    room.box(
+        (0, 0, 0.45), (0.42, 0.42, 0.05), seat, radius=0.022, second=(0.75, 0.66, 0.52), pattern=(STRIPES_PATTERN, 0.05)
+    )
     for side in (-0.18, 0.18):
         room.cylinder((side, 0.18, 0.215), 0.02, 0.43, wood)
         room.cylinder((side, -0.19, 0.46), 0.02, 0.92, wood)
@@ -232,7 +258,7 @@ def _shelf(room: SolidBuilder) -> None:
         0.11,
         (0.25, 0.50, 0.75),
         second=(0.35, 0.62, 0.35),
-        pattern=(CHECKER, 0.07),
+        pattern=(CHECKER_PATTERN, 0.07),
     )
     room.box((0.02, 0.0, 0.09 + 0.362 * 3 + 0.1), (0.2, 0.14, 0.2), (0.72, 0.56, 0.60), radius=0.02)
     room.cylinder((-0.40, 0, 0.09 + 0.362 * 4 + 0.11), 0.075, 0.22, (0.35, 0.55, 0.52), rounding=0.03)
@@ -242,33 +268,42 @@ def _shelf(room: SolidBuilder) -> None:
         0.12,
         (0.90, 0.86, 0.80),
         second=(0.75, 0.42, 0.3),
-        pattern=(CHECKER, 0.06),
+        pattern=(CHECKER_PATTERN, 0.06),
     )
     room.sphere((0.36, 0, 0.09 + 0.362 * 4 + 0.09), 0.09, (0.85, 0.80, 0.30))
 
 
 def _lamps(room: SolidBuilder) -> None:
     shade = (0.98, 0.93, 0.80)
-    room.cylinder((LAMP[0], LAMP[1], 2.55), 0.24, 0.10, (0.98, 0.95, 0.88), rounding=0.04, pattern=(GLOW, 1.0))
+    room.cylinder(
+        (LAMP_POSITION[0], LAMP_POSITION[1], 2.55),
+        0.24,
+        0.10,
+        (0.98, 0.95, 0.88),
+        rounding=0.04,
+        pattern=(GLOW_PATTERN, 1.0),
+    )
     room.set_frame(0.45, 3.45)
-    room.cylinder((0, 0, 0.015), 0.15, 0.03, _STEEL, rounding=0.01)
-    room.cylinder((0, 0, 0.72), 0.014, 1.4, _STEEL)
-    room.cylinder((0, 0, 1.55), 0.19, 0.30, shade, second=(0.92, 0.82, 0.62), pattern=(STRIPES, 0.05))
-    room.sphere((0, 0, 1.72), 0.035, _STEEL)
+    room.cylinder((0, 0, 0.015), 0.15, 0.03, _STEEL_RGB, rounding=0.01)
+    room.cylinder((0, 0, 0.72), 0.014, 1.4, _STEEL_RGB)
+    room.cylinder((0, 0, 1.55), 0.19, 0.30, shade, second=(0.92, 0.82, 0.62), pattern=(STRIPES_PATTERN, 0.05))
+    room.sphere((0, 0, 1.72), 0.035, _STEEL_RGB)
 
 
 def _images(room: SolidBuilder) -> None:
     frame = (0.16, 0.15, 0.15)
     room.set_frame(0, 1.9, 1.55)  # above the sofa
     for y, wide, high, first, second, kind in (
-        (-0.55, 0.70, 0.50, (0.85, 0.55, 0.30), (0.20, 0.35, 0.45), (CHECKER, 0.11)),
-        (0.25, 0.50, 0.66, (0.90, 0.86, 0.78), (0.65, 0.20, 0.22), (PLANKS, 0.07)),
+        (-0.55, 0.70, 0.50, (0.85, 0.55, 0.30), (0.20, 0.35, 0.45), (CHECKER_PATTERN, 0.11)),
+        (0.25, 0.50, 0.66, (0.90, 0.86, 0.78), (0.65, 0.20, 0.22), (PLANKS_PATTERN, 0.07)),
     ):
         room.box((0.015, y, 0), (0.03, wide, high), frame)
         room.box((0.03, y, 0), (0.012, wide - 0.08, high - 0.08), first, second=second, pattern=kind)
     room.set_frame(3.7, 0, 1.5)
     room.box((0, 0.015, 0), (1.0, 0.03, 0.7), frame)
-    room.box((0, 0.03, 0), (0.9, 0.012, 0.6), (0.25, 0.42, 0.55), second=(0.92, 0.72, 0.42), pattern=(CHECKER, 0.15))
+    room.box(
+        (0, 0.03, 0), (0.9, 0.012, 0.6), (0.25, 0.42, 0.55), second=(0.92, 0.72, 0.42), pattern=(CHECKER_PATTERN, 0.15)
+    )
     room.set_frame(5.0, 1.3, 1.6)
     room.cylinder((-0.02, 0, 0), 0.17, 0.04, (0.95, 0.95, 0.95), rounding=0.008, tilt=(1, 90))
     room.box((-0.045, 0.03, 0.045), (0.008, 0.014, 0.13), frame, tilt=(0, -35))
@@ -288,11 +323,22 @@ def _small_things(room: SolidBuilder) -> None:
         room.box((0.19 * c, 0, 0.19 * s), (0.36, 0.11, 0.03), green, radius=0.015, tilt=(1, -lift))
     room.set_frame(0, 0)
     room.sphere(
-        (2.45, 0.62, 0.13), 0.13, (0.92, 0.92, 0.90), second=(0.85, 0.22, 0.20), pattern=(CHECKER, 0.11), tilt=(0, 30)
+        (2.45, 0.62, 0.13),
+        0.13,
+        (0.92, 0.92, 0.90),
+        second=(0.85, 0.22, 0.20),
+        pattern=(CHECKER_PATTERN, 0.11),
+        tilt=(0, 30),
     )
     room.set_frame(2.9, 3.2, angle=20)  # a pouf and a toy box below the window
     room.cylinder(
-        (0, 0, 0.2), 0.27, 0.4, (0.55, 0.42, 0.62), rounding=0.09, second=(0.64, 0.52, 0.70), pattern=(STRIPES, 0.07)
+        (0, 0, 0.2),
+        0.27,
+        0.4,
+        (0.55, 0.42, 0.62),
+        rounding=0.09,
+        second=(0.64, 0.52, 0.70),
+        pattern=(STRIPES_PATTERN, 0.07),
     )
     room.set_frame(4.35, 3.0, angle=-12)
     room.box(
@@ -301,7 +347,7 @@ def _small_things(room: SolidBuilder) -> None:
         (0.30, 0.55, 0.70),
         radius=0.02,
         second=(0.92, 0.90, 0.85),
-        pattern=(CHECKER, 0.09),
+        pattern=(CHECKER_PATTERN, 0.09),
     )
     room.box((-0.25, 0.45, 0.35), (0.28, 0.22, 0.14), (0.85, 0.72, 0.25), radius=0.02, tilt=(2, 30))
 
@@ -333,14 +379,14 @@ class SolidBuilder:
         *,
         radius: float = 0.0,
         second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN, 1.0),
+        pattern: tuple[int, float] = (PLAIN_PATTERN, 1.0),
         tilt: tuple[int, float] = (0, 0.0),
     ) -> None:
         """A box of full `size` [m], its edges rounded by `radius` [m], tilted about an axis [degrees]."""
         half = [s / 2 - radius for s in size]
         if min(half) < 0:
             raise ValueError(f"radius: {radius} m is more than half of {min(size)} m")
-        self._add(BOX, center, (half[0], half[1], half[2], radius), color, second, pattern, tilt)
+        self._add(BOX_KIND, center, (half[0], half[1], half[2], radius), color, second, pattern, tilt)
 
     def cylinder(
         self,
@@ -351,12 +397,12 @@ class SolidBuilder:
         *,
         rounding: float = 0.0,
         second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN, 1.0),
+        pattern: tuple[int, float] = (PLAIN_PATTERN, 1.0),
         tilt: tuple[int, float] = (0, 0.0),
     ) -> None:
         """A cylinder along z with `radius` and full `height` [m], its edges rounded by `rounding` [m]."""
         extent = (radius - rounding, 0.0, height / 2 - rounding, rounding)
-        self._add(CYLINDER, center, extent, color, second, pattern, tilt)
+        self._add(CYLINDER_KIND, center, extent, color, second, pattern, tilt)
 
     def sphere(
         self,
@@ -365,10 +411,10 @@ class SolidBuilder:
         color: Color,
         *,
         second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN, 1.0),
+        pattern: tuple[int, float] = (PLAIN_PATTERN, 1.0),
         tilt: tuple[int, float] = (0, 0.0),
     ) -> None:
-        self._add(BOX, center, (0.0, 0.0, 0.0, radius), color, second, pattern, tilt)
+        self._add(BOX_KIND, center, (0.0, 0.0, 0.0, radius), color, second, pattern, tilt)
 
     def _add(
         self,

@@ -14,7 +14,7 @@ from ...meshing.scene.raycasting_scene import RaycastingScene
 
 Color = tuple[float, float, float]
 
-_FACES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+_BOX_FACES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
 
 
 class PaintedParts:
@@ -45,7 +45,7 @@ class PaintedParts:
         """A box of full `size` [m]; `taper` scales length and width of its top."""
         corners = np.array([[i & 1, i >> 1 & 1, i >> 2 & 1] for i in range(8)]) - 0.5
         corners[4:, :2] *= taper
-        quads = _FACES
+        quads = _BOX_FACES
         faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
         self.add(corners * np.asarray(size) + np.asarray(center), faces, color)
 

@@ -30,20 +30,20 @@ from ...kernels.memory import download, upload
 from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.depth_noise import measure_depth
 from ...kernels.scenes.primitives import distance_to_solids
-from ...kernels.scenes.room import CHECKER, STRIPES, Room
+from ...kernels.scenes.room import CHECKER_PATTERN, STRIPES_PATTERN, Room
 from ...kernels.scenes.value_noise import grain_pixels
-from .furniture import SIZE, build_room, furnished_room
+from .furniture import ROOM_SIZE, build_room, furnished_room
 
-ROUNDS = 4
+LOOP_ROUNDS = 4
 
 
 def room_pose(fraction: float) -> NDArray[np.float64]:
     """Camera to world [m] at a fraction 0 to 1 of the walk, 2 to 3 m from most visible surfaces."""
-    angle = 2 * math.pi * ROUNDS * fraction + 0.35
+    angle = 2 * math.pi * LOOP_ROUNDS * fraction + 0.35
     behind = _blend(fraction, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
     pitch = math.radians(_blend(fraction, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
     height = _blend(fraction, (0.0, 0.50, 0.58, 1.0), (1.5, 1.4, 1.65, 1.75))
-    x, y = SIZE[0] / 2 - behind * math.cos(angle), SIZE[1] / 2 - 0.75 * behind * math.sin(angle)
+    x, y = ROOM_SIZE[0] / 2 - behind * math.cos(angle), ROOM_SIZE[1] / 2 - 0.75 * behind * math.sin(angle)
     eye = np.array([x, y, height + 0.05 * math.sin(5 * angle)])
     yaw = angle - math.radians(_blend(fraction, (0.0, 0.74, 0.82, 1.0), (0.0, 0.0, 55.0, 55.0)))
     return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
@@ -103,7 +103,7 @@ def _hand_held(fraction: float, position: tuple[float, float, float], yaw: float
     tremble = 0.003 * np.sin([19 * a + 0.3, 23 * a + 1.1, 17 * a + 2.0])
     yaw += math.radians(0.2) * math.sin(21 * a + 0.7)
     pitch += math.radians(0.2) * math.sin(18 * a + 0.1)
-    eye = np.array([SIZE[0] / 2, SIZE[1] / 2, 0.0]) + position + tremble
+    eye = np.array([ROOM_SIZE[0] / 2, ROOM_SIZE[1] / 2, 0.0]) + position + tremble
     return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
 
 
@@ -111,7 +111,7 @@ LOOPS = {"round": round_pose, "eight": eight_pose}
 
 
 DEPTH_SCALE = 1000.0  # noisy depth is stored in integer millimeters
-RATE = 30.0  # [Hz] frame rate of the loops
+FRAME_RATE = 30.0  # [Hz] frame rate of the loops
 COLOR_NOISE = 2.0  # [of 255] standard deviation of color noise with texture, as of a phone camera indoors
 
 
@@ -172,7 +172,7 @@ class RoomSequence:
             shutter = [self._path((index + offset) / self.frame_count) for offset in effects.shutter_offsets()]
             others = (np.array(download(self._look(room, other)[2])).reshape(color.shape) for other in shutter)
             measured, color = effects.spoil(index, measured, color, others)
-            time = index / RATE
+            time = index / FRAME_RATE
         if self._color_noise and color is not None:
             color = self._with_noise(index, color)
         return RoomFrame(
@@ -381,9 +381,9 @@ def write_room_sequence(
         shutil.rmtree(part, ignore_errors=True)
 
 
-EXPOSURES = 5  # renderings averaged for blur; odd, so that one is at the pose
+BLUR_RENDERINGS = 5  # renderings averaged for blur; odd, so that one is at the pose
 
-WAVES = (2.3, 0.7)  # [s] periods of the exposure
+EXPOSURE_PERIODS = (2.3, 0.7)  # [s] periods of the exposure
 
 FRAME_TIME = 1 / 30  # [s]
 
@@ -422,7 +422,7 @@ class RoomEffects:
         """Offsets [frames] of the additional renderings of a blurred image."""
         if not self.blur or not self.color:
             return []
-        offsets = [(k / (EXPOSURES - 1) - 0.5) * self.blur for k in range(EXPOSURES)]
+        offsets = [(k / (BLUR_RENDERINGS - 1) - 0.5) * self.blur for k in range(BLUR_RENDERINGS)]
         return [offset for offset in offsets if offset]
 
     def spoil(
@@ -443,8 +443,10 @@ class RoomEffects:
     def _gains(self, index: int, rows: int) -> NDArray[np.float64]:
         """Brightness of each row under a rolling shutter."""
         time = (index + np.arange(rows) / rows) * FRAME_TIME
-        phases = 2 * math.pi * np.random.default_rng([self.seed, 1]).random(len(WAVES))
-        waves = [np.sin(2 * math.pi * time / period + phase) for period, phase in zip(WAVES, phases, strict=True)]
+        phases = 2 * math.pi * np.random.default_rng([self.seed, 1]).random(len(EXPOSURE_PERIODS))
+        waves = [
+            np.sin(2 * math.pi * time / period + phase) for period, phase in zip(EXPOSURE_PERIODS, phases, strict=True)
+        ]
         return (1 + self.exposure) ** np.mean(waves, axis=0)
 
 
@@ -452,11 +454,11 @@ def person_in(room: Room, T_world_camera: NDArray[np.float64], fraction: float) 
     """The room with a person in front of the camera. The lighting does not change."""
     parts, eye, forward = furnished_room(), T_world_camera[:3, 3], T_world_camera[:3, 2]
     angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * fraction)
-    x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), SIZE[0] - 0.35)
-    y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), SIZE[1] - 0.35)
+    x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), ROOM_SIZE[0] - 0.35)
+    y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), ROOM_SIZE[1] - 0.35)
     parts.set_frame(x, y, angle=math.degrees(angle))
-    shirt = {"second": (0.90, 0.86, 0.80), "pattern": (STRIPES, 0.05)}
+    shirt = {"second": (0.90, 0.86, 0.80), "pattern": (STRIPES_PATTERN, 0.05)}
     parts.cylinder((0, 0, 1.1), 0.21, 0.72, (0.20, 0.30, 0.55), rounding=0.1, **shirt)
     parts.cylinder((0, 0, 0.4), 0.16, 0.8, (0.16, 0.17, 0.22), rounding=0.05)
-    parts.sphere((0, 0, 1.6), 0.12, (0.85, 0.66, 0.52), second=(0.30, 0.20, 0.15), pattern=(CHECKER, 0.12))
+    parts.sphere((0, 0, 1.6), 0.12, (0.85, 0.66, 0.52), second=(0.30, 0.20, 0.15), pattern=(CHECKER_PATTERN, 0.12))
     return Room(parts.solids(room.device), np.array(parts.paints), np.array(parts.patterns), light=room.light)

@@ -16,7 +16,7 @@ from ..source import open_source
 from .message_chunks import Channel, Chunk, Contents, Row, number, slice_of, unpack
 
 MAGIC = b"#ROSBAG V2.0\n"
-_MESSAGE, _HEADER, _INDEX, _CHUNK, _CHUNK_INFO, _CONNECTION = 2, 3, 4, 5, 6, 7
+_MESSAGE_OP, _HEADER_OP, _INDEX_OP, _CHUNK_OP, _CHUNK_INFO_OP, _CONNECTION_OP = 2, 3, 4, 5, 6, 7
 _DAMAGED = (FileError, struct.error, KeyError, ValueError)
 
 
@@ -41,17 +41,17 @@ class _Bag:
         try:
             while offset < len(self.source):
                 op, fields, begin, length = _record(self.path, self.source, offset)
-                if op == _CHUNK:
+                if op == _CHUNK_OP:
                     self.take_chunk(offset, fields, begin, length)
-                elif op == _INDEX:
+                elif op == _INDEX_OP:
                     self.take_index(fields, slice_of(self.path, self.source, begin, length))
-                elif op == _CONNECTION:
+                elif op == _CONNECTION_OP:
                     self.take_connection(fields, slice_of(self.path, self.source, begin, length))
-                elif op == _CHUNK_INFO:
+                elif op == _CHUNK_INFO_OP:
                     self.take_info(fields, slice_of(self.path, self.source, begin, length))
-                elif op == _HEADER and any(fields.get(b"index_pos", b"")):  # otherwise the bag was not closed
+                elif op == _HEADER_OP and any(fields.get(b"index_pos", b"")):  # otherwise the bag was not closed
                     self.announced = number("I", fields[b"chunk_count"], 0)
-                elif op == _MESSAGE:
+                elif op == _MESSAGE_OP:
                     self.contents.note(f"has a message outside of its chunks at byte {offset}")
                 offset = begin + length
         except _DAMAGED as error:
@@ -125,9 +125,9 @@ class _Bag:
             data, offset = self.contents.pieces[chunk.piece](), 0
             while offset < len(data):
                 op, fields, begin, length = _record(self.path, data, offset)
-                if op == _CONNECTION:
+                if op == _CONNECTION_OP:
                     self.take_connection(fields, data[begin : begin + length])
-                elif op == _MESSAGE:
+                elif op == _MESSAGE_OP:
                     rows.append((_time(fields[b"time"]), number("I", fields[b"conn"], 0), offset))
                 else:
                     raise FileError(self.path, f"a chunk contains a record of kind {op}", where=f"byte {chunk.begin}")
@@ -144,7 +144,7 @@ class _Bag:
 
     def payload(self, data: bytes, offset: int, connection: int, time: int) -> bytes:
         op, fields, begin, length = _record(self.path, data, offset)
-        if op != _MESSAGE or (_time(fields[b"time"]), number("I", fields[b"conn"], 0)) != (time, connection):
+        if op != _MESSAGE_OP or (_time(fields[b"time"]), number("I", fields[b"conn"], 0)) != (time, connection):
             raise FileError(self.path, "the index refers to another message", where=f"byte {offset} of a chunk")
         return slice_of(self.path, data, begin, length)
 

@@ -54,13 +54,13 @@ def table_of_livox(path: Path, data: bytes, encoding: str) -> PointTable:
 
 
 NAMES = ("time", "t", "timestamp", "offset_time", "time_offset", "timeStamp", "time_stamp")
-UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
+SECONDS_PER_UNIT = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 WRITTEN = {("time", "f"): "s", ("t", "u"): "ns", ("offset_time", "u"): "ns"}  # of one driver, see above
-SWEEP = (2e-3, 1.5)  # [s] plausible duration of a message
-SHORTEST = 5e-4  # [s] plausible duration of a message with a documented unit
-APART = 2.0  # [s] maximum difference of header time and first point, same clock
-SINCE = 60.0  # [s] minimum clock time. An earlier one may be relative to the sweep
-COARSEST = 1e-3  # [s] float resolution beyond which point times are useless
+SWEEP_DURATIONS = (2e-3, 1.5)  # [s] plausible duration of a message
+MIN_DURATION = 5e-4  # [s] plausible duration of a message with a documented unit
+MAX_CLOCK_DIFFERENCE = 2.0  # [s] maximum difference of header time and first point, same clock
+MIN_CLOCK_TIME = 60.0  # [s] minimum clock time. An earlier one may be relative to the sweep
+MAX_TIME_STEP = 1e-3  # [s] float resolution beyond which point times are useless
 
 
 def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[Any], stamp: float) -> dict[str, Any]:
@@ -78,14 +78,15 @@ def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[
     unit = _unit(measured, written, stamp, _steps(raw.dtype, measured))
     if unit is None:
         other = name if name != "time" else "timestamps"
-        message = f"the point times in {name!r} give no sweep of {SWEEP[0]:g} to {SWEEP[1]:g} s in any unit"
+        low, high = SWEEP_DURATIONS
+        message = f"the point times in {name!r} give no sweep of {low:g} to {high:g} s in any unit"
         warn_of_units(f"{path}: {message}; they are kept unchanged as {other!r}", RecordingWarning)
         return {**remaining, other: raw}
     if written is not None and unit != written:
         message = f"the point times in {name!r} are read as {unit}: in {written} no sweep has such a duration"
         warn_of_units(f"{path}: {message}", RecordingWarning)
     first = measured.min() if measured.size else times.dtype.type(0)
-    return {**remaining, "time": np.asarray((times - first) * UNITS[unit], np.float64)}
+    return {**remaining, "time": np.asarray((times - first) * SECONDS_PER_UNIT[unit], np.float64)}
 
 
 def _set(times: NDArray[Any]) -> NDArray[Any]:
@@ -105,13 +106,23 @@ def _unit(times: NDArray[Any], written: str | None, stamp: float, step: float) -
     if not times.any():
         return written or "s"  # as good as any
     first, span = float(times.min()), float(times.max() - times.min())
-    known = {unit: scale for unit, scale in UNITS.items() if step * scale < COARSEST}
-    fitting = [u for u, scale in known.items() if stamp > SINCE < first * scale and abs(first * scale - stamp) < APART]
-    if not fitting and written in known and (span == 0 or SHORTEST <= span * UNITS[written] <= SWEEP[1]):
+    known = {unit: scale for unit, scale in SECONDS_PER_UNIT.items() if step * scale < MAX_TIME_STEP}
+    fitting = [
+        u
+        for u, scale in known.items()
+        if stamp > MIN_CLOCK_TIME < first * scale and abs(first * scale - stamp) < MAX_CLOCK_DIFFERENCE
+    ]
+    if (
+        not fitting
+        and written in known
+        and (span == 0 or MIN_DURATION <= span * SECONDS_PER_UNIT[written] <= SWEEP_DURATIONS[1])
+    ):
         fitting = [written]
     if not fitting and span == 0 and "s" in known:
         fitting = ["s"]
-    fitting = fitting or [unit for unit, scale in known.items() if SWEEP[0] <= span * scale <= SWEEP[1]]
+    fitting = fitting or [
+        unit for unit, scale in known.items() if SWEEP_DURATIONS[0] <= span * scale <= SWEEP_DURATIONS[1]
+    ]
     return fitting[0] if fitting else None
 
 

@@ -19,8 +19,9 @@ from ..source import open_source
 from .message_chunks import Channel, Chunk, Contents, Row, number, slice_of, unpack
 
 MAGIC = b"\x89MCAP0\r\n"
-_FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _INDEX, _STATISTICS, _DATA_END = 2, 3, 4, 5, 6, 7, 11, 15
-_PRIVATE = 128  # records of this kind and above are for applications
+_FOOTER_OP, _SCHEMA_OP, _CHANNEL_OP, _MESSAGE_OP, _CHUNK_OP, _INDEX_OP = range(2, 8)
+_STATISTICS_OP, _DATA_END_OP = 11, 15
+_PRIVATE_OPS = 128  # records of this kind and above are for applications
 _MESSAGE_HEAD = 22  # [B] channel, sequence and two times
 _DAMAGED = (FileError, struct.error, ValueError)
 
@@ -57,11 +58,11 @@ class _File:
     def parse(self) -> None:
         try:
             for op, begin, length in self.records(self.source, len(MAGIC)):
-                if op == _FOOTER:
+                if op == _FOOTER_OP:
                     break
-                if op == _DATA_END:
+                if op == _DATA_END_OP:
                     self.has_end = True
-                elif op == _STATISTICS and self.has_end:
+                elif op == _STATISTICS_OP and self.has_end:
                     self.take_statistics(slice_of(self.path, self.source, begin, length))
                 elif not self.has_end:
                     self.take(op, begin, length)
@@ -72,11 +73,11 @@ class _File:
             self.contents.note("is cut off: the record that ends its data is missing")
 
     def take(self, op: int, begin: int, length: int) -> None:
-        if op == _CHUNK:
+        if op == _CHUNK_OP:
             self.take_chunk(begin, length)
-        elif op == _INDEX:
+        elif op == _INDEX_OP:
             self.take_index(slice_of(self.path, self.source, begin, length))
-        elif op == _MESSAGE:
+        elif op == _MESSAGE_OP:
             self.loose.append(self.row_of(self.source, begin, length))
         elif op:
             self.take_definition(op, self.source, begin, length)
@@ -84,10 +85,10 @@ class _File:
             raise FileError(self.path, "a record has no kind", where=f"byte {begin - 9}")
 
     def take_definition(self, op: int, data: Any, begin: int, length: int) -> None:
-        if op == _SCHEMA:
+        if op == _SCHEMA_OP:
             content = slice_of(self.path, data, begin, length)
             self.schemas[number("H", content, 0)] = _text(self.path, content, 2)[0]
-        elif op == _CHANNEL:
+        elif op == _CHANNEL_OP:
             content = slice_of(self.path, data, begin, length)
             topic, at = _text(self.path, content, 4)
             kind, encoding = self.schemas.get(number("H", content, 2), ""), _text(self.path, content, at)[0]
@@ -176,11 +177,11 @@ class _File:
         try:
             data = self.contents.pieces[chunk.piece]()
             for op, begin, length in self.records(data, 0):
-                if op == _MESSAGE:
+                if op == _MESSAGE_OP:
                     rows.append(self.row_of(data, begin, length))
-                elif op in (_SCHEMA, _CHANNEL):
+                elif op in (_SCHEMA_OP, _CHANNEL_OP):
                     self.take_definition(op, data, begin, length)
-                elif op < _PRIVATE:
+                elif op < _PRIVATE_OPS:
                     raise FileError(self.path, f"a chunk contains a record of kind {op}", where=f"byte {chunk.begin}")
         except _DAMAGED as error:
             self.contents.note(f"has a damaged chunk: {error}")
@@ -193,7 +194,7 @@ class _File:
 
     def payload(self, data: bytes, offset: int, channel: int, time: int) -> bytes:
         length = number("Q", data, offset + 1)
-        if number("B", data, offset) != _MESSAGE or self.row_of(data, offset + 9, length)[:2] != (time, channel):
+        if number("B", data, offset) != _MESSAGE_OP or self.row_of(data, offset + 9, length)[:2] != (time, channel):
             raise FileError(self.path, "the index refers to another message", where=f"byte {offset} of a chunk")
         return slice_of(self.path, data, offset + 9 + _MESSAGE_HEAD, length - _MESSAGE_HEAD)
 

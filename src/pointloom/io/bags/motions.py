@@ -22,7 +22,7 @@ POSES = {
     "geometry_msgs/msg/PoseWithCovarianceStamped": ("pose", "pose"),
     "geometry_msgs/msg/TransformStamped": ("transform",),
 }
-_UNIT = 1e-3  # maximum deviation of a quaternion's length from 1
+_MAX_NORM_ERROR = 1e-3  # maximum deviation of a quaternion's length from 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +81,7 @@ def trajectory_of_messages(path: Path, topic: str, kind: str, messages: Iterable
         )
         row = [stamp_of_header(message.header), position.x, position.y, position.z, q.x, q.y, q.z, q.w]
         length = np.linalg.norm(row[4:])
-        if not np.isfinite(row).all() or abs(length - 1) > _UNIT:
+        if not np.isfinite(row).all() or abs(length - 1) > _MAX_NORM_ERROR:
             reason = (
                 f"{topic}: message {number} contains no pose: {row[1:4]}, rotation {row[4:]} of length {length:.3g}"
             )

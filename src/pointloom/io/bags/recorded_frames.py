@@ -30,7 +30,7 @@ from .message_chunks import byte_order
 
 IMAGE, COMPRESSED, CAMERA_INFO = (f"sensor_msgs/msg/{name}" for name in ("Image", "CompressedImage", "CameraInfo"))
 DEPTH = {"16UC1": "u2", "mono16": "u2", "32FC1": "f4"}
-COLORS = {  # type, and indices of red, green and blue
+COLOR_ENCODINGS = {  # type, and indices of red, green and blue
     "rgb8": (3, (0, 1, 2)), "bgr8": (3, (2, 1, 0)), "8UC3": (3, (2, 1, 0)), "rgba8": (4, (0, 1, 2)),
     "bgra8": (4, (2, 1, 0)), "8UC4": (4, (2, 1, 0)), "mono8": (1, (0, 0, 0)), "8UC1": (1, (0, 0, 0)),
 }  # fmt: skip
@@ -61,10 +61,10 @@ def color_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint8]:
     """A color image, uint8 RGB (h, w, 3). Gray is replicated, transparency dropped."""
     if kind == COMPRESSED:
         return np.ascontiguousarray(decode_texture(path, np.asarray(message.data, np.uint8).tobytes())[:, :, :3])
-    if message.encoding not in COLORS:
+    if message.encoding not in COLOR_ENCODINGS:
         reason = f"images of encoding {message.encoding!r} are not supported as color"
-        raise FileError(path, reason, remedy=f"Supported are {_list(COLORS)}")
-    channels, order = COLORS[message.encoding]
+        raise FileError(path, reason, remedy=f"Supported are {_list(COLOR_ENCODINGS)}")
+    channels, order = COLOR_ENCODINGS[message.encoding]
     return np.ascontiguousarray(_rows(path, message, "u1", channels)[:, :, list(order)])
 
 

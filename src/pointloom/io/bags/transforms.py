@@ -19,8 +19,8 @@ from .motions import stamp_of_header
 
 TRANSFORMS = ("tf2_msgs/msg/TFMessage", "tf/msg/tfMessage")
 FIXED = "tf_static"  # suffix of static transform topics
-_UNIT = 1e-3  # maximum deviation of a quaternion's length from 1
-_ALIKE = 0.9995  # cosine of half an angle above which linear interpolation equals slerp to 1e-8
+_MAX_NORM_ERROR = 1e-3  # maximum deviation of a quaternion's length from 1
+_MIN_LINEAR_COSINE = 0.9995  # cosine of half an angle above which linear interpolation equals slerp to 1e-8
 
 Matrix = NDArray[np.float64]
 
@@ -185,7 +185,7 @@ def _rows(path: Path, topic: str, number: int, content: Any) -> Iterator[tuple[s
         row = [translation.x, translation.y, translation.z, q.x, q.y, q.z, q.w]
         length = float(np.linalg.norm(row[3:]))
         parent, child = _plain(item.header.frame_id), _plain(item.child_frame_id)
-        if not np.isfinite(row).all() or abs(length - 1) > _UNIT:
+        if not np.isfinite(row).all() or abs(length - 1) > _MAX_NORM_ERROR:
             reason = f"{topic}: message {number} contains no transform of {child}: {row[:3]}, rotation {row[3:]}"
             raise FileError(path, reason)
         if not parent or not child or parent == child:
@@ -203,9 +203,9 @@ def _between(a: Matrix, b: Matrix, fraction: Matrix) -> Matrix:
     cosine = (a * b).sum(axis=1, keepdims=True)
     b, cosine = np.where(cosine < 0, -b, b), np.abs(cosine)
     half = np.arccos(np.minimum(cosine, 1.0))
-    sine = np.where(cosine < _ALIKE, np.sin(half), 1.0)
-    first = np.where(cosine < _ALIKE, np.sin((1 - fraction) * half) / sine, 1 - fraction)
-    second = np.where(cosine < _ALIKE, np.sin(fraction * half) / sine, fraction)
+    sine = np.where(cosine < _MIN_LINEAR_COSINE, np.sin(half), 1.0)
+    first = np.where(cosine < _MIN_LINEAR_COSINE, np.sin((1 - fraction) * half) / sine, 1 - fraction)
+    second = np.where(cosine < _MIN_LINEAR_COSINE, np.sin(fraction * half) / sine, fraction)
     mixed = first * a + second * b
     return mixed / np.linalg.norm(mixed, axis=1, keepdims=True)
 

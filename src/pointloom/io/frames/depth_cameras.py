@@ -24,11 +24,11 @@ from .datasets import Frame
 from .frame_checks import checked_frame
 from .frame_times import TimeWatch
 
-NEGLIGIBLE = 0.05  # [px] smaller displacements count as a pinhole
+MAX_PINHOLE_SHIFT = 0.05  # [px] smaller displacements count as a pinhole
 
-PARTS = 16  # color is read at 1/16 px: four weights of 1/256 keep the sum within 16 bits
+PARTS_PER_PIXEL = 16  # color is read at 1/16 px: four weights of 1/256 keep the sum within 16 bits
 
-ITERATIONS = 20  # fixed-point iterations of the inverse. 0.001 px remain after a few
+INVERSE_ITERATIONS = 20  # fixed-point iterations of the inverse. 0.001 px remain after a few
 
 
 class LensMap:
@@ -51,14 +51,14 @@ class LensMap:
         self._nearest = np.rint(mapped_v).astype(np.intp) * width + np.rint(mapped_u).astype(np.intp)
         left, upper = np.floor(mapped_u).astype(np.intp), np.floor(mapped_v).astype(np.intp)
         right, lower = np.minimum(left + 1, width - 1), np.minimum(upper + 1, height - 1)
-        x = np.rint((mapped_u - left) * PARTS).astype(np.uint16)
-        y = np.rint((mapped_v - upper) * PARTS).astype(np.uint16)
+        x = np.rint((mapped_u - left) * PARTS_PER_PIXEL).astype(np.uint16)
+        y = np.rint((mapped_v - upper) * PARTS_PER_PIXEL).astype(np.uint16)
         self._corners = [
             (row * width + column, weight[..., None])
             for row, column, weight in (
-                (upper, left, (PARTS - y) * (PARTS - x)),
-                (upper, right, (PARTS - y) * x),
-                (lower, left, y * (PARTS - x)),
+                (upper, left, (PARTS_PER_PIXEL - y) * (PARTS_PER_PIXEL - x)),
+                (upper, right, (PARTS_PER_PIXEL - y) * x),
+                (lower, left, y * (PARTS_PER_PIXEL - x)),
                 (lower, right, y * x),
             )
         ]
@@ -71,10 +71,10 @@ class LensMap:
 
     def straighten_color(self, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
         pixels = color.reshape(-1, 3).astype(np.uint16)
-        mixed = np.full(color.shape, PARTS * PARTS // 2, np.uint16)
+        mixed = np.full(color.shape, PARTS_PER_PIXEL * PARTS_PER_PIXEL // 2, np.uint16)
         for index, weight in self._corners:
             mixed += pixels[index] * weight
-        straight = (mixed // (PARTS * PARTS)).astype(np.uint8)
+        straight = (mixed // (PARTS_PER_PIXEL * PARTS_PER_PIXEL)).astype(np.uint8)
         straight[self._outside] = 0
         return straight
 
@@ -92,7 +92,7 @@ def distort(positions: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[n
 
 def _undistort(positions: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
     estimate = positions.copy()
-    for _ in range(ITERATIONS):
+    for _ in range(INVERSE_ITERATIONS):
         estimate = estimate - (distort(estimate, k) - positions)
     return estimate
 
@@ -200,7 +200,7 @@ class DepthCamera:
         """Undistort all images, unless no pixel moves."""
         if np.any(coefficients):
             lens = LensMap(self.intrinsic, coefficients, inverse=inverse)
-            self._lens = lens if lens.shift > NEGLIGIBLE else None
+            self._lens = lens if lens.shift > MAX_PINHOLE_SHIFT else None
 
     def _finish(self, depth: Any, color: Any, time: float) -> Frame:
         frame = checked_frame(Frame(depth, color, None, f"frame-{self.count:06d}", time), self.intrinsic)

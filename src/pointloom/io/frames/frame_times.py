@@ -7,7 +7,7 @@ from collections import deque
 from statistics import median
 
 # A gap is a time step this many times the usual one: one dropped frame makes 2, a hanging camera far more.
-GAP = 5.0
+GAP_FACTOR = 5.0
 
 MAX_REMARKS = 100  # stored notes. Further ones are only counted
 
@@ -30,7 +30,7 @@ class TimeWatch:
             if step <= 0:
                 back = f"{-step:.3f} s before" if step else "equal to"
                 self.remark(f"{name}: its time stamp is {back} that of the frame before it")
-            elif step > GAP * usual:
+            elif step > GAP_FACTOR * usual:
                 self.remark(f"{name}: comes {step:.3f} s after the frame before it, instead of the usual {usual:.3f} s")
             if step > 0:
                 self._steps.append(step)

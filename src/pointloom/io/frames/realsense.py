@@ -12,9 +12,9 @@ from ...core.checks import check_count, check_name
 from ...core.errors import CameraError
 from .depth_cameras import DepthCamera, import_driver, recording_path
 
-TOGETHER = 0.017  # [s] maximum difference of depth and color: half the frame time
+MAX_TIME_DIFFERENCE = 0.017  # [s] maximum difference of depth and color: half the frame time
 
-SLICE = 0.1  # [s] between checks for the end of a recording
+POLL_SECONDS = 0.1  # [s] between checks for the end of a recording
 
 
 class RealSenseCamera(DepthCamera):
@@ -110,7 +110,7 @@ class RealSenseCamera(DepthCamera):
             number = depth.get_frame_number()
             if number == self._number:
                 continue  # already delivered with a color closer in time
-            if apart > TOGETHER:  # the driver repeats an image while it waits for the other camera
+            if apart > MAX_TIME_DIFFERENCE:  # the driver repeats an image while it waits for the other camera
                 self._pending = self._look_ahead()
                 ahead = self._pending
                 if isinstance(ahead, tuple) and ahead[0].get_frame_number() == number and ahead[2] < apart:
@@ -135,7 +135,7 @@ class RealSenseCamera(DepthCamera):
         """Depth, color, their time difference [s], and the frame set. None at the end of a recording."""
         waited = 0.0
         while True:
-            timeout = min(SLICE, self.timeout - waited) if self._playback is not None else self.timeout
+            timeout = min(POLL_SECONDS, self.timeout - waited) if self._playback is not None else self.timeout
             came, frames = self._pipeline.try_wait_for_frames(max(int(1000 * timeout), 1))
             if came:
                 waited = 0.0

@@ -30,11 +30,11 @@ from .png_stream import PNG_MAGIC, checked_png, parse_png_header
 
 JPEG_MAGIC = b"\xff\xd8\xff"
 
-_EOI, _SOS, _DRI = 0xD9, 0xDA, 0xDD
-_PROGRESSIVE = 0xC2
-_HUFFMAN_FRAMES = (0xC0, 0xC1, _PROGRESSIVE)
+_JPEG_EOI, _JPEG_SOS, _JPEG_DRI = 0xD9, 0xDA, 0xDD
+_JPEG_PROGRESSIVE = 0xC2
+_HUFFMAN_FRAMES = (0xC0, 0xC1, _JPEG_PROGRESSIVE)
 _OTHER_FRAMES = {*range(0xC3, 0xD0)} - {0xC4, 0xC8, 0xCC}  # lossless, hierarchical, arithmetic
-_STANDALONE = {0x01, *range(0xD0, 0xD8)}
+_JPEG_STANDALONE = {0x01, *range(0xD0, 0xD8)}
 
 # A scan ends at the first marker that is neither a stuffed zero nor a restart.
 _SCAN_END = re.compile(rb"\xff(?=[^\x00\xd0-\xd7\xff])")
@@ -44,7 +44,7 @@ _RESTART = re.compile(rb"\xff[\xd0-\xd7]")
 _LOOK_AHEAD = b"\xff\x00" * 8
 
 # Bits that no image ends with by chance, for the second decoding of a file with several scans.
-_NOISE = bytes((k * 167 + 71) % 251 for k in range(96))
+_SEPARATOR_BYTES = bytes((k * 167 + 71) % 251 for k in range(96))
 
 _REMEDY = "Fetch or write the file again"
 
@@ -77,7 +77,7 @@ def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
         return [data[: layout.scans[0][1]] + _LOOK_AHEAD]
     offsets = [0, *(end for _, end in layout.scans), len(data)]
     parts = [data[begin:end] for begin, end in itertools.pairwise(offsets)]
-    return [data, _NOISE.join(parts)]
+    return [data, _SEPARATOR_BYTES.join(parts)]
 
 
 def _parse_segments(path: Any, data: bytes) -> _Layout:
@@ -85,9 +85,9 @@ def _parse_segments(path: Any, data: bytes) -> _Layout:
     layout, offset = _Layout(), 2
     while True:
         marker, offset = _marker(path, data, offset)
-        if marker == _EOI:
+        if marker == _JPEG_EOI:
             return layout
-        if marker in _STANDALONE:
+        if marker in _JPEG_STANDALONE:
             continue
         length = int.from_bytes(data[offset : offset + 2], "big")
         segment, begin = data[offset + 2 : offset + length], offset
@@ -100,10 +100,10 @@ def _parse_segments(path: Any, data: bytes) -> _Layout:
             raise FileError(path, reason, where=f"byte {begin}", remedy="Store it as PNG, or as baseline JPEG")
         if marker in _HUFFMAN_FRAMES:
             _read_frame(path, segment, begin, layout)
-            layout.is_progressive = marker == _PROGRESSIVE
-        elif marker == _DRI:
+            layout.is_progressive = marker == _JPEG_PROGRESSIVE
+        elif marker == _JPEG_DRI:
             layout.restart_interval = int.from_bytes(segment[:2], "big")
-        elif marker == _SOS:
+        elif marker == _JPEG_SOS:
             components = _read_scan(path, segment, begin, layout)
             scan_end = _SCAN_END.search(data, offset)
             if scan_end is None:

@@ -25,10 +25,24 @@ from ..optional_imports import foreign_errors, ignored_errors, import_for
 from .image_files import PIXEL_LIMIT, ImageHeader
 
 _MAGIC = {b"II*\0": "<", b"MM\0*": ">"}
-_SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4}  # bytes of each TIFF type
-_FORMS = {1: "B", 3: "H", 4: "I", 13: "I"}
-_PARTS = ((273, 279), (324, 325))  # offsets and lengths of strips, of tiles
-_SUB = 330  # directories below one
+_TIFF_SIZES = {
+    1: 1,
+    2: 1,
+    3: 2,
+    4: 4,
+    5: 8,
+    6: 1,
+    7: 1,
+    8: 2,
+    9: 4,
+    10: 8,
+    11: 4,
+    12: 8,
+    13: 4,
+}  # bytes of each TIFF type
+_TIFF_INTEGERS = {1: "B", 3: "H", 4: "I", 13: "I"}
+_TIFF_PARTS = ((273, 279), (324, 325))  # offsets and lengths of strips, of tiles
+_TIFF_SUB_IFDS = 330  # directories below one
 _MAX_DIRECTORIES = 64  # directories: a DNG has about five. More, or a cycle, is damage
 _AGAIN = "Fetch or write the file again"
 
@@ -39,7 +53,7 @@ def check_extents(path: FilePath, data: bytes) -> None:
         raise FileError(path, "is not a DNG file", where="byte 0", remedy="Convert it to PNG or JPEG")
     try:
         for entries in _directories(data, order):
-            for offsets, lengths in _PARTS:
+            for offsets, lengths in _TIFF_PARTS:
                 for start, count in zip(entries.get(offsets, ()), entries.get(lengths, ()), strict=False):
                     if start + count > len(data):
                         raise FileError(path, f"cut off: {len(data)} bytes, of {start + count}", remedy=_AGAIN)
@@ -60,24 +74,24 @@ def _directories(data: bytes, order: str) -> Iterator[dict[int, tuple[int, ...]]
             raise ValueError("too many directories")
         (count,) = struct.unpack_from(f"{order}H", data, offset)
         entries = dict(_entry(data, order, offset + 2 + 12 * k) for k in range(count))
-        waiting += [*struct.unpack_from(f"{order}I", data, offset + 2 + 12 * count), *entries.get(_SUB, ())]
+        waiting += [*struct.unpack_from(f"{order}I", data, offset + 2 + 12 * count), *entries.get(_TIFF_SUB_IFDS, ())]
         yield entries
 
 
 def _entry(data: bytes, order: str, offset: int) -> tuple[int, tuple[int, ...]]:
     """The tag of an entry and its integers. None for other types."""
     tag, kind, count = struct.unpack_from(f"{order}HHI", data, offset)
-    if kind not in _FORMS or tag not in (_SUB, *(tag for pair in _PARTS for tag in pair)):
+    if kind not in _TIFF_INTEGERS or tag not in (_TIFF_SUB_IFDS, *(tag for pair in _TIFF_PARTS for tag in pair)):
         return tag, ()
-    size = _SIZES[kind] * count
+    size = _TIFF_SIZES[kind] * count
     where = offset + 8 if size <= 4 else struct.unpack_from(f"{order}I", data, offset + 8)[0]
-    return tag, struct.unpack_from(f"{order}{count}{_FORMS[kind]}", data, where)
+    return tag, struct.unpack_from(f"{order}{count}{_TIFF_INTEGERS[kind]}", data, where)
 
 
 KINDS = {".heic": "heif", ".heif": "heif", ".tif": "tiff", ".tiff": "tiff", ".webp": "webp", ".dng": "dng"}
 EXTRA = "photos"
 
-_ORIENTATION, _INNER = 0x0112, 0x8769  # EXIF tags: orientation, offset of further tags
+_ORIENTATION_TAG, _EXIF_IFD = 0x0112, 0x8769  # EXIF tags: orientation, offset of further tags
 _DEEP_GRAY = ("I;16", "I;16B", "I;16L", "I;16N")
 _NUMBERS = ("F", "I", "LAB")  # Pillow modes that are no colors or cannot be converted to RGB
 
@@ -134,24 +148,24 @@ def read_exif(path: FilePath) -> Image.Exif:
     with ignored_errors():
         if kind in ("dng", "tiff"):  # EXIF's own types
             exif.load(b"Exif\0\0" + path.read_bytes())
-            exif.get_ifd(_INNER)
+            exif.get_ifd(_EXIF_IFD)
             if kind == "tiff":
-                exif.pop(_ORIENTATION, None)  # Pillow rotates the pixels
+                exif.pop(_ORIENTATION_TAG, None)  # Pillow rotates the pixels
         elif kind is None:
             with Image.open(path) as image:
                 exif = image.getexif()
-                exif.get_ifd(_INNER)  # while the file is open
+                exif.get_ifd(_EXIF_IFD)  # while the file is open
         else:
             with _opened(path, kind) as image:
                 exif = image.getexif()
-                exif.get_ifd(_INNER)
+                exif.get_ifd(_EXIF_IFD)
     return exif
 
 
 def orientation_of(exif: Image.Exif) -> int:
     """The EXIF orientation. 1 if upright or unknown."""
     with ignored_errors():
-        orientation = int(exif.get(_ORIENTATION, 1))
+        orientation = int(exif.get(_ORIENTATION_TAG, 1))
         return orientation if 1 <= orientation <= 8 else 1
     return 1
 

@@ -22,7 +22,7 @@ _COLOR_TYPES = {
 }  # fmt: skip
 
 # Adam7: first column and row of each pass, and its pixel steps.
-_PASSES = ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2))
+_ADAM7_PASSES = ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2))
 
 _NEEDED = (b"IHDR", b"PLTE", b"tRNS")
 _LAST_FILTER = 4  # Paeth filter
@@ -42,7 +42,7 @@ class PngHeader:
 
     def passes(self) -> Iterator[tuple[int, int]]:
         """Rows of each nonempty pass, and bytes per row including the filter byte."""
-        for column, row, across, down in _PASSES if self.is_interlaced else ((0, 0, 1, 1),):
+        for column, row, across, down in _ADAM7_PASSES if self.is_interlaced else ((0, 0, 1, 1),):
             width = (self.width - column + across - 1) // across
             height = (self.height - row + down - 1) // down
             if width > 0 and height > 0:

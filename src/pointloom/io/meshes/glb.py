@@ -23,7 +23,7 @@ from ..table import MeshTable
 from .gltf_arrays import GltfArrays
 from .gltf_file import GltfFile
 from .gltf_nodes import list_scene_nodes
-from .gltf_primitives import TRIANGLES, Placing, Primitive, Vertices, placing_of
+from .gltf_primitives import TRIANGLES_MODE, Placing, Primitive, Vertices, placing_of
 from .gltf_unsupported import SPECULAR, LeftBehind, check_required
 
 _TRANSFORM = "KHR_texture_transform"
@@ -205,7 +205,7 @@ class _Parts:
             if primitive.has_triangles:
                 self._add(primitive, primitive.material, placing, shared)
             else:
-                self.left.add("points and lines" if primitive.mode < TRIANGLES else "triangles without positions")
+                self.left.add("points and lines" if primitive.mode < TRIANGLES_MODE else "triangles without positions")
 
     def _read_primitives(self, mesh: dict[str, Any], what: str) -> Iterator[Primitive]:
         primitives = mesh.get("primitives")

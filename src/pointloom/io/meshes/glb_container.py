@@ -10,11 +10,11 @@ import struct
 
 from ...core.errors import FileError
 
-MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
+GLB_MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 
 
 def split_chunks(path: str | os.PathLike[str], data: memoryview) -> tuple[memoryview, memoryview | None]:
-    if data[:4] != MAGIC:
+    if data[:4] != GLB_MAGIC:
         raise FileError(path, "is not a GLB: it does not begin with glTF", where="byte 0", remedy="Is it a .gltf?")
     if len(data) < 20:
         raise FileError(path, "cut off in its header", where=f"byte {len(data)}")

@@ -27,12 +27,12 @@ from ..color_space import srgb_to_linear
 from ..images.image_files import encode_png
 from ..images.texture_files import alpha_mode, derived_name, image_names, write_with
 from ..table import MeshTable
-from .glb_container import BINARY_CHUNK, JSON_CHUNK, MAGIC
-from .gltf_arrays import COMPONENTS
+from .glb_container import BINARY_CHUNK, GLB_MAGIC, JSON_CHUNK
+from .gltf_arrays import COMPONENT_TYPES
 from .gltf_primitives import ALPHA
 
 _VERTEX_TARGET, _INDEX_TARGET = 34962, 34963
-_CODES = {np.dtype(code): number for number, code in COMPONENTS.items()}
+_CODES = {np.dtype(code): number for number, code in COMPONENT_TYPES.items()}
 _MAX_WIDTH = 4
 
 
@@ -48,7 +48,7 @@ def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
     if length >= 2**32:
         raise FileError(path, f"GLB is limited to 4 GiB, and the mesh needs {length} bytes", remedy="Write .ply")
     with atomic_write(path, overwrite=overwrite) as file:
-        file.write(MAGIC + struct.pack("<II", 2, length) + struct.pack("<II", len(text), JSON_CHUNK) + text)
+        file.write(GLB_MAGIC + struct.pack("<II", 2, length) + struct.pack("<II", len(text), JSON_CHUNK) + text)
         file.write(struct.pack("<II", len(body), BINARY_CHUNK))
         file.write(body)
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from .gltf_compression import MESHOPT, decode_view
 from .gltf_file import GltfFile
 
-COMPONENTS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
-_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+COMPONENT_TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+_TYPE_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
 class GltfArrays:
@@ -70,11 +70,11 @@ class GltfArrays:
         accessor = file.take("accessors", number, what)
         name = f"accessors {number} ({what})"
         kind, component = accessor.get("type"), file.integer(accessor, "componentType", name)
-        code = COMPONENTS.get(component, "")
+        code = COMPONENT_TYPES.get(component, "")
         is_normalized = accessor.get("normalized", False) is True
         if kind not in types or not code or f"{'n' * is_normalized}{code[1:]}" not in components.split():
             raise file.error(f"{name} is of the type {str(kind)[:20]} {component}, which is not supported there")
-        count, dtype, width = file.integer(accessor, "count", name), np.dtype(code), _WIDTHS[kind]
+        count, dtype, width = file.integer(accessor, "count", name), np.dtype(code), _TYPE_WIDTHS[kind]
         if given is not None:
             values = self._as_declared(given, count, dtype, width, name)
         elif "sparse" in accessor and "bufferView" not in accessor:
@@ -107,7 +107,7 @@ class GltfArrays:
         if not 0 < count <= len(values):
             raise file.error(f"{what} replaces {count} of {len(values)} elements")
         indices, fresh = file.part(sparse, "indices", what), file.part(sparse, "values", what)
-        code = COMPONENTS.get(file.integer(indices, "componentType", what), "")
+        code = COMPONENT_TYPES.get(file.integer(indices, "componentType", what), "")
         if code not in ("<u1", "<u2", "<u4"):
             raise file.error(f"{what} has indices that are not unsigned integers")
         rows = self._elements(indices, np.dtype(code), 1, count, what, steps=False)[:, 0].astype(np.int64)

@@ -15,7 +15,7 @@ from .gltf_file import GltfFile
 
 DRACO = "KHR_draco_mesh_compression"
 MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
-_FILTERS = {"NONE": (), "OCTAHEDRAL": (4, 8), "QUATERNION": (8,), "EXPONENTIAL": tuple(range(4, 257, 4))}
+_MESHOPT_FILTERS = {"NONE": (), "OCTAHEDRAL": (4, 8), "QUATERNION": (8,), "EXPONENTIAL": tuple(range(4, 257, 4))}
 _MAX_STRIDE = 256
 
 
@@ -25,11 +25,11 @@ def decode_view(file: GltfFile, packed: dict[str, Any], data: memoryview, name: 
     mode, filter_name = packed.get("mode"), packed.get("filter", "NONE")
     is_attribute = mode == "ATTRIBUTES"
     file.check_count(count, f"the elements of {name}")
-    if mode not in ("ATTRIBUTES", "TRIANGLES", "INDICES") or filter_name not in _FILTERS:
+    if mode not in ("ATTRIBUTES", "TRIANGLES", "INDICES") or filter_name not in _MESHOPT_FILTERS:
         raise file.error(f"{name} is compressed as {str(mode)[:20]} {str(filter_name)[:20]}, which is not supported")
     good = range(4, _MAX_STRIDE + 1, 4) if is_attribute else (2, 4)
     if filter_name != "NONE":
-        good = _FILTERS[filter_name] if is_attribute else ()
+        good = _MESHOPT_FILTERS[filter_name] if is_attribute else ()
     if stride not in good or count < 1 or (mode == "TRIANGLES" and count % 3):
         raise file.error(
             f"{name} is compressed as {mode} {filter_name} of {count} times {stride} bytes, which is invalid"

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ...core.errors import FileError
 from ..images.texture_files import find_beside, why_missing
 from ..source import open_source
-from .glb_container import MAGIC, split_chunks
+from .glb_container import GLB_MAGIC, split_chunks
 
 # Limits on elements, so that few bytes cannot declare endless ones: this many in any case, and this many
 # per byte. A stored triangle takes at least a byte, a compressed one seldom less than a bit.
@@ -38,7 +38,7 @@ class GltfFile:
         data = memoryview(open_source(path)[:])
         self.size = len(data)
         text, self.binary = data, None
-        if data[:4] == MAGIC or self.path.suffix.lower() == ".glb":
+        if data[:4] == GLB_MAGIC or self.path.suffix.lower() == ".glb":
             text, self.binary = split_chunks(self.path, data)
         try:
             content = json.loads(bytes(text).decode("utf-8-sig"), parse_constant=_refuse_constant)

@@ -23,7 +23,7 @@ from .gltf_compression import DRACO, DracoMesh
 from .gltf_nodes import Tree, blend_joints, joint_transforms, move_points, transform_normals
 from .gltf_unsupported import LeftBehind
 
-TRIANGLES, STRIP, FAN = 4, 5, 6
+TRIANGLES_MODE, STRIP_MODE, FAN_MODE = 4, 5, 6
 ALPHA = "alpha"
 
 # Component types, including KHR_mesh_quantization; "n" is for normalized ones.
@@ -73,8 +73,8 @@ class Primitive:
         """Parse the primitive. Only Draco meshes are decoded."""
         self._arrays, self._file, self._left, self._what = arrays, arrays.file, left, what
         self._content = content
-        self.mode = self._file.integer(content, "mode", what, TRIANGLES)
-        if self.mode > FAN:
+        self.mode = self._file.integer(content, "mode", what, TRIANGLES_MODE)
+        if self.mode > FAN_MODE:
             raise self._file.error(f"{what} has the unknown mode {self.mode}")
         attributes = content.get("attributes")
         if not isinstance(attributes, dict):
@@ -87,7 +87,7 @@ class Primitive:
         self._weights: dict[int, NDArray[np.float64]] = {}  # of the targets, by the identity of their list
         self._moved: dict[tuple[str, int], NDArray[Any]] = {}  # by morphs, for all nodes with these weights
         self._values: tuple[NDArray[Any] | None, dict[str, NDArray[Any]]] | None = None
-        self.has_triangles = self.mode >= TRIANGLES and "POSITION" in attributes
+        self.has_triangles = self.mode >= TRIANGLES_MODE and "POSITION" in attributes
         packed = self._file.extension(content, DRACO, what)
         self._packed = packed if packed is not None and self.has_triangles and not self._has_uncompressed() else None
         self._draco: DracoMesh | None = None
@@ -242,13 +242,13 @@ class Primitive:
         elif len(corners) and corners.max() >= count:
             raise self._file.error(f"indices of {self._what} refer to vertex {corners.max()}, of {count}")
         if self._draco is not None:  # also triangulates strips
-            mode = TRIANGLES
-        if mode == TRIANGLES:
+            mode = TRIANGLES_MODE
+        if mode == TRIANGLES_MODE:
             if len(corners) % 3:
                 raise self._file.error(f"{self._what}: {len(corners)} corners are not complete triangles")
             return corners.reshape(-1, 3)
         k = np.arange(max(len(corners) - 2, 0))
-        if mode == STRIP:  # every other triangle of a strip has the opposite orientation
+        if mode == STRIP_MODE:  # every other triangle of a strip has the opposite orientation
             return np.stack([corners[k], corners[k + 1 + k % 2], corners[k + 2 - k % 2]], axis=1)
         return np.stack([corners[k + 1], corners[k + 2], np.broadcast_to(corners[0], k.shape)], axis=1)
 
@@ -257,7 +257,7 @@ class Primitive:
             return None if self._draco is None else self._draco.corners
         given, what = None, f"indices of {self._what}"
         if self._draco is not None:
-            if self.mode != TRIANGLES:
+            if self.mode != TRIANGLES_MODE:
                 return self._draco.corners
             given = self._draco.corners[:, None]
         return self._arrays.accessor(self._content["indices"], what, ("SCALAR",), "u1 u2 u4", given)[:, 0].astype(

@@ -40,15 +40,15 @@ from ..table import MeshTable
 from ..triangulation import split_faces
 from .obj_corners import read_corners
 
-# Maximum number of words after each option of a map; those of _MOVING are fewer if a word is no number.
-_OPTIONS = {
+# Maximum number of words after each option of a map; those of _MAP_TRANSFORM_DEFAULTS are fewer if a word is no number.
+_MAP_OPTION_WORDS = {
     "-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-imfchan": 1, "-bm": 1, "-boost": 1,
     "-type": 1, "-mm": 2, "-o": 3, "-s": 3, "-t": 3,
 }  # fmt: skip
-_MOVING = {"-mm": (0.0, 1.0), "-o": (0.0,) * 3, "-s": (1.0,) * 3, "-t": (0.0,) * 3}
+_MAP_TRANSFORM_DEFAULTS = {"-mm": (0.0, 1.0), "-o": (0.0,) * 3, "-s": (1.0,) * 3, "-t": (0.0,) * 3}
 _MAX_NOTES = 5
 
-WHITE = (1.0, 1.0, 1.0)
+WHITE_RGB = (1.0, 1.0, 1.0)
 
 
 @dataclass
@@ -115,22 +115,22 @@ def _take_map(material: Material, text: str) -> str:
     lost = []
     while text.startswith("-"):
         option, _, rest = text.partition(" ")
-        if option not in _OPTIONS:
+        if option not in _MAP_OPTION_WORDS:
             lost.append(f"the unknown option {option[:40]!r} of map_Kd")
             text = rest.rpartition(" ")[2]  # number of values unknown. Names with blanks are rare
             break
         values: list[str] = []
-        while len(values) < _OPTIONS[option]:
+        while len(values) < _MAP_OPTION_WORDS[option]:
             word, _, after = rest.lstrip().partition(" ")
-            if option in _MOVING and not _is_number(word):
+            if option in _MAP_TRANSFORM_DEFAULTS and not _is_number(word):
                 break
             values.append(word)
             rest = after
-        if option in _MOVING:
-            numbers = [*map(float, values), *_MOVING[option][len(values) :]]
+        if option in _MAP_TRANSFORM_DEFAULTS:
+            numbers = [*map(float, values), *_MAP_TRANSFORM_DEFAULTS[option][len(values) :]]
             if option in ("-s", "-o") and np.isfinite(numbers).all():
                 setattr(material, "scale" if option == "-s" else "offset", (numbers[0], numbers[1]))
-            elif tuple(numbers) != _MOVING[option]:
+            elif tuple(numbers) != _MAP_TRANSFORM_DEFAULTS[option]:
                 lost.append(f"the option {option} of map_Kd")
         text = rest.lstrip()
     material.image = text or None
@@ -179,7 +179,7 @@ def images_of(
     result = []
     for material in materials:
         if material.image is None:
-            color = np.array(material.color or WHITE)
+            color = np.array(material.color or WHITE_RGB)
             result.append(np.rint(color * 255).astype(np.uint8).reshape(1, 1, 3))
             continue
         image = next(images, None)

@@ -126,18 +126,18 @@ def _parse_one_by_one(path: Any, faces: Sequence[bytes], lines: Sequence[int]) -
                 remedy = "Corners are v, v/vt, v//vn or v/vt/vn"
                 raise FileError(path, f"not a corner of a face: {shown!r}", where=f"line {line}", remedy=remedy)
     table = np.array(numbers, np.int64).reshape(-1, 3)
-    given = table != _EMPTY
+    given = table != _EMPTY_PART
     return np.where(given, table, 0), given, np.array(lengths)
 
 
-_EMPTY = -(2**63)
+_EMPTY_PART = -(2**63)
 
 
 def _parse(word: bytes) -> list[int]:
     parts = word.split(b"/")
     if len(parts) > 3 or not parts[0]:
         return []
-    numbers = [_EMPTY] * 3
+    numbers = [_EMPTY_PART] * 3
     for k, part in enumerate(parts):
         digits = part.removeprefix(b"-")
         if part and not digits.isdigit():

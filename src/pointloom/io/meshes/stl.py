@@ -23,16 +23,16 @@ from ..columns import check_extent, colors_or_loss, warn_left_out, warn_of_loss
 from ..source import SourceFile, open_source
 from ..table import MeshTable
 
-_FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute_bytes", "<u2")])
+_FACET_TYPE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute_bytes", "<u2")])
 
 # Must not begin with "solid", by which readers recognize the text form.
-_HEADER = b"binary STL written by pointloom".ljust(80)
+_STL_HEADER = b"binary STL written by pointloom".ljust(80)
 _HEADER_BYTES = 84
-_FLAG = 0x8000
+_COLOR_FLAG = 0x8000
 _DEFAULT_COLOR = b"COLOR="
 
 # The lines of a text facet: leading words and the number of values.
-_LINES = (
+_FACET_LINES = (
     (b"facet normal", 3), (b"outer loop", 0),
     (b"vertex", 3), (b"vertex", 3), (b"vertex", 3),
     (b"endloop", 0), (b"endfacet", 0),
@@ -45,8 +45,8 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
     path = Path(path)
     source = open_source(path)
     count = int.from_bytes(source[80:_HEADER_BYTES], "little")
-    if len(source) >= _HEADER_BYTES and len(source) == _HEADER_BYTES + count * _FACET.itemsize:
-        facets = source.array(_FACET, count, _HEADER_BYTES)
+    if len(source) >= _HEADER_BYTES and len(source) == _HEADER_BYTES + count * _FACET_TYPE.itemsize:
+        facets = source.array(_FACET_TYPE, count, _HEADER_BYTES)
         corners = facets["corners"].reshape(-1, 3).astype(np.float32)
         colors = _colors_of_bytes(path, bytes(source[:80]), facets["attribute_bytes"])
     elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files start the same way, but have the right size
@@ -67,7 +67,7 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
 def _colors_of_bytes(path: Path, header: bytes, values: NDArray[np.uint16]) -> NDArray[np.float32] | None:
     """Facet colors from attribute bytes, float32 (t, 3 or 4), or None."""
     fives = (values[:, None] >> np.array([10, 5, 0], np.uint16)) & 31
-    colors, flagged = fives.astype(np.float32) / np.float32(31), (values & _FLAG) != 0
+    colors, flagged = fives.astype(np.float32) / np.float32(31), (values & _COLOR_FLAG) != 0
     begin = header.find(_DEFAULT_COLOR)
     if begin >= 0 and begin + 10 <= len(header):
         default = np.frombuffer(header, np.uint8, 4, begin + 6) / np.float32(255)
@@ -94,7 +94,7 @@ def _wrong_size(path: Path, source: SourceFile, count: int) -> FileError:
     if len(source) < _HEADER_BYTES:
         reason = "is not an STL file: it neither begins with solid nor is long enough for the binary format"
         return FileError(path, reason, where=f"byte {len(source)}")
-    expected = _HEADER_BYTES + count * _FACET.itemsize
+    expected = _HEADER_BYTES + count * _FACET_TYPE.itemsize
     reason = f"{len(source)} bytes, but the {count} facets that it declares take {expected}"
     return FileError(path, reason, where=f"byte {min(len(source), expected)}", remedy="The file may be cut off")
 
@@ -120,7 +120,7 @@ def _read_text(path: Path, source: SourceFile) -> tuple[NDArray[np.float64], NDA
         if step == 0 and word in (b"solid", b"endsolid") and is_open == (word == b"endsolid"):
             is_open, current = not is_open, b""
             continue
-        begin, width = _LINES[step]
+        begin, width = _FACET_LINES[step]
         named = begin.split()
         right = is_open and [w.lower() for w in words[: len(named)]] == named and len(words) == len(named) + width
         if not right:
@@ -130,7 +130,7 @@ def _read_text(path: Path, source: SourceFile) -> tuple[NDArray[np.float64], NDA
         numbers[k] = b" ".join(words[len(named) :])
         if not step and current:
             colors[count] = current
-        step = (step + 1) % len(_LINES)
+        step = (step + 1) % len(_FACET_LINES)
         count += not step
     if is_open:
         raise FileError(path, "truncated: ends without endsolid", where=f"line {len(lines)}")
@@ -207,16 +207,16 @@ def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
     warn_left_out(path, "STL", [name for name in lost if name != "normals"])
     colors = mesh.triangle_attributes.get("colors")
     with atomic_write(path, overwrite=overwrite) as file:
-        file.write(_HEADER + np.uint32(len(mesh.triangles)).astype("<u4").tobytes())
+        file.write(_STL_HEADER + np.uint32(len(mesh.triangles)).astype("<u4").tobytes())
         for begin in range(0, len(mesh.triangles), CHUNK_ROWS):
             rows = mesh.triangles[begin : begin + CHUNK_ROWS]
             corners = mesh.vertices[rows].astype(np.float64)
             normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
             lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-            facets = np.zeros(len(rows), _FACET)
+            facets = np.zeros(len(rows), _FACET_TYPE)
             facets["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
             facets["corners"] = single[rows]
             if colors is not None:
                 fives = np.round(colors[begin : begin + CHUNK_ROWS] * 31).astype(np.uint16)
-                facets["attribute_bytes"] = _FLAG | fives[:, 0] << 10 | fives[:, 1] << 5 | fives[:, 2]
+                facets["attribute_bytes"] = _COLOR_FLAG | fives[:, 0] << 10 | fives[:, 1] << 5 | fives[:, 2]
             file.write(facets.tobytes())

@@ -20,15 +20,17 @@ from .colmap_records import Image, Points, Records, camera_of
 from .colmap_rigs import SENSOR_TYPES, Frame, Pose, Rig, Sensor, rig_of
 
 _CAMERA, _IMAGE, _COUNT = struct.Struct("<IiQQ"), struct.Struct("<I7dI"), struct.Struct("<Q")
-_KEYPOINT = np.dtype([("place", "<f8", 2), ("point", "<i8")])
-_POINT = np.dtype([("number", "<i8"), ("position", "<f8", 3), ("color", "u1", 3), ("error", "<f8"), ("length", "<i8")])
+_KEYPOINT_TYPE = np.dtype([("place", "<f8", 2), ("point", "<i8")])
+_POINT_TYPE = np.dtype(
+    [("number", "<i8"), ("position", "<f8", 3), ("color", "u1", 3), ("error", "<f8"), ("length", "<i8")]
+)
 _STEP = np.dtype([("image", "<u4"), ("keypoint", "<u4")])
 _RIG, _SENSOR, _FRAME = struct.Struct("<II"), struct.Struct("<iI"), struct.Struct("<II7dI")
 _POSE, _FLAG, _DATA = struct.Struct("<7d"), struct.Struct("<B"), struct.Struct("<iIQ")
-_LENGTH_AT = _POINT.itemsize - 8
+_LENGTH_AT = _POINT_TYPE.itemsize - 8
 LONGEST_NAME = 4096  # bytes: no path is longer
 _CUT = "The file is cut off or damaged; copy or write it again"
-_ROWS = 1 << 16  # records gathered at a time
+_ROWS_PER_BLOCK = 1 << 16  # records gathered at a time
 
 
 class _Reader:
@@ -117,7 +119,7 @@ def read_images(path: Path) -> list[Image]:
         where = f"byte {file.at}"
         number, *pose, camera = file.take(_IMAGE, "an image")
         name = file.text("the name of an image")
-        keypoints = file.array(_KEYPOINT, file.count("keypoints", _KEYPOINT.itemsize), "keypoints")
+        keypoints = file.array(_KEYPOINT_TYPE, file.count("keypoints", _KEYPOINT_TYPE.itemsize), "keypoints")
         pixels, points = keypoints["place"], keypoints["point"]
         images.append(Image(number, name, tuple(pose[:4]), tuple(pose[4:]), camera, pixels, points, where))
     file.close()
@@ -164,16 +166,16 @@ def _sensor(file: _Reader, kind: int, number: int) -> Sensor:
 
 def read_points(path: Path) -> Points:
     file = _Reader(path)
-    count = file.count("points", _POINT.itemsize)
+    count = file.count("points", _POINT_TYPE.itemsize)
     data = file.source.array(np.uint8, file.size)
     starts = _find_records(file, count, data)
     file.close()
-    fixed = _gather(data, starts, _POINT.itemsize).view(_POINT).reshape(-1)
+    fixed = _gather(data, starts, _POINT_TYPE.itemsize).view(_POINT_TYPE).reshape(-1)
     lengths = fixed["length"].astype(np.int64)
     is_track = np.ones(len(data), bool)
     is_track[:8] = False
-    for begin in range(0, count, _ROWS):
-        is_track[starts[begin : begin + _ROWS, None] + np.arange(_POINT.itemsize)] = False
+    for begin in range(0, count, _ROWS_PER_BLOCK):
+        is_track[starts[begin : begin + _ROWS_PER_BLOCK, None] + np.arange(_POINT_TYPE.itemsize)] = False
     steps = data[is_track].view(_STEP)
     tracks = np.stack([steps["image"], steps["keypoint"]], axis=1).astype(np.int64)
     return Points(
@@ -205,8 +207,8 @@ def _find_records(file: _Reader, count: int, data: NDArray[np.uint8]) -> NDArray
 
 def _gather(data: NDArray[np.uint8], starts: NDArray[np.int64], width: int) -> NDArray[np.uint8]:
     rows = np.empty((len(starts), width), np.uint8)
-    for begin in range(0, len(starts), _ROWS):
-        rows[begin : begin + _ROWS] = data[starts[begin : begin + _ROWS, None] + np.arange(width)]
+    for begin in range(0, len(starts), _ROWS_PER_BLOCK):
+        rows[begin : begin + _ROWS_PER_BLOCK] = data[starts[begin : begin + _ROWS_PER_BLOCK, None] + np.arange(width)]
     return rows
 
 
@@ -229,7 +231,7 @@ def write_images(file: IO[bytes], records: Records) -> None:
         pose = (*records.quaternions[i], *model.T_camera_world[i, :3, 3])
         file.write(_IMAGE.pack(i + 1, *pose, records.camera_numbers[i]))
         file.write(name.encode() + b"\0" + _COUNT.pack(end - begin))
-        keypoints = np.empty(end - begin, _KEYPOINT)
+        keypoints = np.empty(end - begin, _KEYPOINT_TYPE)
         keypoints["place"], keypoints["point"] = records.keypoints[begin:end], model.observations[begin:end, 1] + 1
         file.write(keypoints.tobytes())
 
@@ -237,19 +239,21 @@ def write_images(file: IO[bytes], records: Records) -> None:
 def write_points(file: IO[bytes], records: Records) -> None:
     model, count = records.model, len(records.model.points)
     file.write(_COUNT.pack(count))
-    for begin in range(0, count, _ROWS):
-        end = min(begin + _ROWS, count)
-        fixed = np.empty(end - begin, _POINT)
+    for begin in range(0, count, _ROWS_PER_BLOCK):
+        end = min(begin + _ROWS_PER_BLOCK, count)
+        fixed = np.empty(end - begin, _POINT_TYPE)
         fixed["number"] = np.arange(begin + 1, end + 1)
         fixed["position"], fixed["color"] = model.points[begin:end], model.colors[begin:end]
         fixed["error"], fixed["length"] = records.errors[begin:end], model.view_counts[begin:end]
         first, last = records.track_starts[begin], records.track_starts[end]
         steps = np.empty(last - first, _STEP)
         steps["image"], steps["keypoint"] = records.tracks[first:last].T
-        starts = np.arange(end - begin) * _POINT.itemsize + (records.track_starts[begin:end] - first) * _STEP.itemsize
+        starts = (
+            np.arange(end - begin) * _POINT_TYPE.itemsize + (records.track_starts[begin:end] - first) * _STEP.itemsize
+        )
         block = np.empty(fixed.nbytes + steps.nbytes, np.uint8)
         is_track = np.ones(len(block), bool)
-        at = starts[:, None] + np.arange(_POINT.itemsize)
+        at = starts[:, None] + np.arange(_POINT_TYPE.itemsize)
         is_track[at] = False
         block[at] = fixed.view(np.uint8).reshape(len(fixed), -1)
         block[is_track] = steps.view(np.uint8)

@@ -19,10 +19,10 @@ from ...core.quaternions import nearest_rotations, quaternions_to_rotations, rot
 from .sfm_model import SfmModel
 
 NO_POINT = -1  # point id of a keypoint without a point
-LARGEST = 1e100  # larger values overflow in products of three
-UNIT = 1e-2  # maximum deviation of a quaternion's length from 1: text with four decimals leaves 1e-4
+MAX_COORDINATE = 1e100  # larger values overflow in products of three
+MAX_NORM_ERROR = 1e-2  # maximum deviation of a quaternion's length from 1: text with four decimals leaves 1e-4
 
-DENSE = 1 << 20  # ids that a lookup table may cover in any case
+MAX_TABLE_IDS = 1 << 20  # ids that a lookup table may cover in any case
 
 CUT = "The file may be cut off or damaged; write the model again"
 MIXED = "The files may be of different models"
@@ -98,7 +98,7 @@ def assemble(
         reason = f"{len(observed)} keypoints belong to points, but the tracks have {len(points.tracks)}"
         raise FileError(sparse, reason, remedy=MIXED)
     pixels = keypoints[observed] - HALF
-    wrong = np.flatnonzero(~(np.abs(pixels) <= LARGEST).all(axis=1))
+    wrong = np.flatnonzero(~(np.abs(pixels) <= MAX_COORDINATE).all(axis=1))
     if len(wrong):
         image = images[observers[wrong[0]]]
         raise FileError(source, f"a keypoint of {image.name!r} is not finite", where=image.where, remedy=CUT)
@@ -146,7 +146,7 @@ def poses_of(
     """Poses (n, 4, 4) of quaternions w, x, y, z; `title` returns the name of a row and where it is, for errors."""
     with np.errstate(all="ignore"):
         lengths = np.sqrt((quaternions * quaternions).sum(axis=1))
-        good = (np.abs(lengths - 1) <= UNIT) & (np.abs(translations) <= LARGEST).all(axis=1)
+        good = (np.abs(lengths - 1) <= MAX_NORM_ERROR) & (np.abs(translations) <= MAX_COORDINATE).all(axis=1)
     for i in np.flatnonzero(~good):
         what, where = title(int(i))
         pose = f"quaternion {tuple(quaternions[i].tolist())}, translation {tuple(translations[i].tolist())}"
@@ -160,7 +160,7 @@ def poses_of(
 def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Rows of points sorted by id, and the rank of each row."""
     for what, values in (("a position", points.positions), ("an error", points.errors[:, None])):
-        wrong = np.flatnonzero(~(np.abs(values) <= LARGEST).all(axis=1))
+        wrong = np.flatnonzero(~(np.abs(values) <= MAX_COORDINATE).all(axis=1))
         if len(wrong):
             row = int(wrong[0])
             raise FileError(path, f"{what} is not finite: {values[row].tolist()}", where=points.where(row), remedy=CUT)
@@ -178,7 +178,7 @@ def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArra
 def _find_numbers(numbers: NDArray[np.int64], wanted: NDArray[np.int64]) -> NDArray[np.int64]:
     if not len(numbers):
         return np.full(len(wanted), -1)
-    if numbers[0] >= 0 and numbers[-1] < 8 * len(numbers) + DENSE:  # a table is four times faster than a search
+    if numbers[0] >= 0 and numbers[-1] < 8 * len(numbers) + MAX_TABLE_IDS:  # a table is four times faster than a search
         table = np.full(int(numbers[-1]) + 2, -1)
         table[numbers] = np.arange(len(numbers))
         return table[np.where((wanted >= 0) & (wanted <= numbers[-1]), wanted, numbers[-1] + 1)]

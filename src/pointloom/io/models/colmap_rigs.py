@@ -23,7 +23,7 @@ SENSOR_TYPES = (CAMERA, "IMU")  # by their number in binary files
 
 Sensor = tuple[str, int]  # type and number. The number of a camera is that of cameras.bin or cameras.txt
 Pose = tuple[float, ...]  # quaternion w, x, y, z and translation
-_IDENTITY: Pose = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+_IDENTITY_POSE: Pose = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 _ONE_SOURCE = "Write rigs and frames again, or remove both to use the poses of the images"
 
 
@@ -51,7 +51,7 @@ def rig_of(
     path: Path, where: str, number: int, reference: Sensor | None, sensors: Sequence[tuple[Sensor, Pose | None]]
 ) -> Rig:
     """A rig without duplicated sensors."""
-    poses: dict[Sensor, Pose | None] = {} if reference is None else {reference: _IDENTITY}
+    poses: dict[Sensor, Pose | None] = {} if reference is None else {reference: _IDENTITY_POSE}
     for sensor, pose in sensors:
         if sensor in poses:
             raise FileError(path, f"the sensor {_title(sensor)} of rig {number} is duplicated", where=where)
@@ -130,7 +130,7 @@ def _sensor_poses(path: Path, rigs: dict[int, Rig], chosen: list[tuple[int, Sens
         path,
         chosen,
         lambda key: f"{_title(key[1])} of rig {key[0]}",
-        lambda key: rigs[key[0]].sensors[key[1]] or _IDENTITY,
+        lambda key: rigs[key[0]].sensors[key[1]] or _IDENTITY_POSE,
         lambda key: rigs[key[0]].where,
     )
 

@@ -23,8 +23,8 @@ from .colmap_records import CUT, Image, Points, Records, camera_of
 from .colmap_rigs import SENSOR_TYPES, Frame, Pose, Rig, Sensor, rig_of
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\r\n]*", re.M)
-_EXACT = 2**53  # up to here integers are exact in float64
-_ROWS = 1 << 14
+_MAX_EXACT_INTEGER = 2**53  # up to here integers are exact in float64
+_ROWS_PER_BLOCK = 1 << 14
 
 
 def read_cameras(path: Path) -> dict[int, CameraModel]:
@@ -168,7 +168,7 @@ def read_points(path: Path) -> Points:
 
 
 def _as_integers(path: Path, values: NDArray[np.float64], minimum: int, where, what: str) -> NDArray[np.int64]:
-    wrong = np.flatnonzero(~((values >= minimum) & (values <= _EXACT) & (values == np.floor(values))))
+    wrong = np.flatnonzero(~((values >= minimum) & (values <= _MAX_EXACT_INTEGER) & (values == np.floor(values))))
     if len(wrong):
         i = int(wrong[0])
         raise FileError(path, f"{what}: expected a whole number >= {minimum}, got {values[i]:g}", where=where(i))
@@ -235,8 +235,8 @@ def write_images(file: IO[bytes], records: Records) -> None:
 def write_points(file: IO[bytes], records: Records) -> None:
     model = records.model
     file.write(b"# Points, one a line: POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n")
-    for begin in range(0, len(model.points), _ROWS):
-        end = min(begin + _ROWS, len(model.points))
+    for begin in range(0, len(model.points), _ROWS_PER_BLOCK):
+        end = min(begin + _ROWS_PER_BLOCK, len(model.points))
         first = records.track_starts[begin]
         steps = [f"{a} {b}" for a, b in records.tracks[first : records.track_starts[end]].tolist()]
         starts = (records.track_starts[begin : end + 1] - first).tolist()

@@ -23,10 +23,10 @@ from ..images.image_files import read_image_header
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
-AXES = np.diag([1.0, -1.0, -1.0, 1.0])  # from x right, y down, z forward to x right, y up, z back
+OPENGL_AXES = np.diag([1.0, -1.0, -1.0, 1.0])  # from x right, y down, z forward to x right, y up, z back
 LENSES = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV_FISHEYE")
 DISTORTION = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
-POLYCAM = [f"t_{row}{column}" for row in range(3) for column in range(4)]
+POLYCAM_KEYS = [f"t_{row}{column}" for row in range(3) for column in range(4)]
 SCANNER_APP = "cameraPoseARFrame"
 IMAGES = (".jpg", ".jpeg", ".png")
 
@@ -82,7 +82,7 @@ def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
         else:
             width, height = (_side(path, "", content, name) for name in ("width", "height"))
             params = tuple(_number(path, "", content, name) for name in ("fx", "fy", "cx", "cy"))
-            rows = np.array([_number(path, "", content, name) for name in POLYCAM]).reshape(3, 4)
+            rows = np.array([_number(path, "", content, name) for name in POLYCAM_KEYS]).reshape(3, 4)
         names.append(path.stem)
         cameras.append(camera_of(path, "", "PINHOLE", width, height, [float(value) for value in params]))
         poses.append(_pose(path, "", rows))
@@ -166,7 +166,7 @@ def _pose(path: Path, where: str, rows: NDArray[np.float64]) -> NDArray[np.float
     T = np.eye(4)
     T[: len(rows)] = rows
     try:
-        T = check_rigid("the pose", T) @ AXES
+        T = check_rigid("the pose", T) @ OPENGL_AXES
     except ValueError as error:
         raise FileError(path, str(error), where=where) from error
     return inv(T)

@@ -23,8 +23,8 @@ from ..source import open_source
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
-LARGEST = 1 << 28  # [B] about 100,000 cameras. The parsed tree takes ten times as much
-DEEPEST = 64  # maximum nesting. Real files have eight
+MAX_XML_BYTES = 1 << 28  # [B] about 100,000 cameras. The parsed tree takes ten times as much
+MAX_XML_DEPTH = 64  # maximum nesting. Real files have eight
 
 FRAME, FISHEYE = ("frame",), ("fisheye", "equidistant_fisheye")
 NUMBERS = ("f", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2", "b1", "b2")
@@ -222,8 +222,8 @@ class _Builder(ET.TreeBuilder):
 
     def start(self, tag: str, attrs: dict[str, str]) -> ET.Element:
         self._depth += 1
-        if self._depth > DEEPEST:
-            raise ValueError(f"more than {DEEPEST} elements are nested")
+        if self._depth > MAX_XML_DEPTH:
+            raise ValueError(f"more than {MAX_XML_DEPTH} elements are nested")
         return super().start(tag, attrs)
 
     def end(self, tag: str) -> ET.Element:
@@ -233,8 +233,10 @@ class _Builder(ET.TreeBuilder):
 
 def _chunk_of(path: Path) -> ET.Element:
     data = open_source(path)
-    if len(data) > LARGEST:
-        raise FileError(path, f"has {len(data):,} bytes; expected at most {LARGEST:,}", remedy="Export fewer cameras")
+    if len(data) > MAX_XML_BYTES:
+        raise FileError(
+            path, f"has {len(data):,} bytes; expected at most {MAX_XML_BYTES:,}", remedy="Export fewer cameras"
+        )
     parser = ET.XMLParser(target=_Builder())
     try:
         parser.feed(data[:])

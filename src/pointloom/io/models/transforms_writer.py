@@ -14,7 +14,7 @@ from ...core.checks import check_name
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ..points.point_cloud import write_point_cloud
-from .frame_cameras import AXES
+from .frame_cameras import OPENGL_AXES
 from .sfm_model import SfmModel
 
 POINTS = "sparse_pc.ply"  # as nerfstudio calls it
@@ -71,7 +71,7 @@ def write_content(
     frames: list[dict[str, Any]] = []
     for name, lens, T in zip(model.names, lenses, model.T_world_camera, strict=True):
         file = str(PurePosixPath(images, *PurePosixPath(name.replace(os.sep, "/")).parts)) if images else name
-        frames.append({"file_path": file, **lens, "transform_matrix": (T @ AXES).tolist()})
+        frames.append({"file_path": file, **lens, "transform_matrix": (T @ OPENGL_AXES).tolist()})
     for frame, mask in zip(frames, masks or (), strict=False):
         frame["mask_path"] = mask
     content: dict[str, Any] = {"camera_model": lenses[0]["camera_model"], **(more or {}), "frames": frames}

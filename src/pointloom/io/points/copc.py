@@ -21,12 +21,12 @@ from ..source import SourceFile
 from ..table import PointTable
 from .las import COLORS, LasFile, open_las, scale_by, table_of
 from .las_extra import warn_of_wide_integers
-from .laszip import RECORD as LASZIP
+from .laszip import LASZIP_RECORD as LASZIP
 from .laszip import chunks_at
 
-INFO, HIERARCHY = ("copc", 1), ("copc", 1000)
+COPC_INFO, COPC_HIERARCHY = ("copc", 1), ("copc", 1000)
 INFO_FIELDS = struct.Struct("<5d2Q2d11Q")
-ENTRY = np.dtype([("level", "<i4"), ("cell", "<i4", 3), ("begin", "<u8"), ("size", "<i4"), ("count", "<i4")])
+COPC_ENTRY = np.dtype([("level", "<i4"), ("cell", "<i4", 3), ("begin", "<u8"), ("size", "<i4"), ("count", "<i4")])
 POINT_FORMATS = (6, 7, 8)
 IN_PAGE = -1  # point count of an entry that refers to another page
 _MAX_LEVELS = 31  # cells have 32-bit indices
@@ -35,7 +35,7 @@ _MAX_LEVELS = 31  # cells have 32-bit indices
 @dataclass(frozen=True, eq=False)
 class CopcFile:
     """A file with a validated octree: lower `corner` (3,) and `side` of its cube, `spacing` of the coarsest level.
-    `nodes` are those with points, coarse to fine, with the fields of ENTRY; `times` is the GPS time range as stored."""
+    `nodes` are those with points, coarse to fine, with the fields of COPC_ENTRY; `times` is the GPS time range."""
 
     file: LasFile
     corner: NDArray[np.float64]
@@ -105,7 +105,7 @@ class CopcFile:
 
 
 def is_copc(file: LasFile) -> bool:
-    return file.header.is_compressed and file.header.find(*INFO) is not None
+    return file.header.is_compressed and file.header.find(*COPC_INFO) is not None
 
 
 def open_copc(path: str | os.PathLike[str]) -> CopcFile:
@@ -122,7 +122,7 @@ def octree_of(file: LasFile, *, strict: bool = True) -> CopcFile:
         raise FileError(
             file.path, f"COPC has point formats 6, 7 and 8, this is {header.point_format}", where="byte 104"
         )
-    record = header.find(*INFO) or b""
+    record = header.find(*COPC_INFO) or b""
     if len(record) != INFO_FIELDS.size:
         raise FileError(file.path, f"the record of its octree has {len(record)} bytes, not {INFO_FIELDS.size}")
     values = INFO_FIELDS.unpack(record)
@@ -143,10 +143,10 @@ def _read_pages(path: Path, source: SourceFile, begin: int, size: int) -> NDArra
         if begin in read:
             raise FileError(path, "pages of the octree form a cycle", where=f"byte {begin}")
         read.add(begin)
-        if size < 0 or size % ENTRY.itemsize or begin + size > len(source):
-            reason = f"a page of the octree should have {size} bytes, a multiple of {ENTRY.itemsize}"
+        if size < 0 or size % COPC_ENTRY.itemsize or begin + size > len(source):
+            reason = f"a page of the octree should have {size} bytes, a multiple of {COPC_ENTRY.itemsize}"
             raise FileError(path, f"{reason}; the file ends at byte {len(source)}", where=f"byte {begin}")
-        page = source.array(ENTRY, size // ENTRY.itemsize, begin)
+        page = source.array(COPC_ENTRY, size // COPC_ENTRY.itemsize, begin)
         further = page["count"] == IN_PAGE
         wanted += zip(page["begin"][further].tolist(), page["size"][further].tolist(), strict=True)
         pages.append(page[~further])

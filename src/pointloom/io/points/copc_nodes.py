@@ -17,13 +17,13 @@ from ...kernels.lru_cache import LruCache
 from ..optional_imports import foreign_errors, import_for
 from ..source import netted, open_source
 from ..table import PointTable
-from .copc import INFO, CopcFile, octree_of
+from .copc import COPC_INFO, CopcFile, octree_of
 from .las import COLORS, open_las, table_of
 from .las_header import parse_las_header
 from .las_units import units_of
-from .laszip import RECORD, check_chunk
+from .laszip import LASZIP_RECORD, check_chunk
 
-MEMORY = 1 << 28  # [B] cache of unpacked points
+CACHE_BYTES = 1 << 28  # [B] cache of unpacked points
 MAX_POINTS = 1 << 22  # maximum points of a node: writers use about 100,000, and a few bytes may claim any number
 
 
@@ -32,7 +32,7 @@ class CopcNodes:
     `memory` is the size of the LRU cache of unpacked nodes [B]. A larger node is cached alone. `nodes_read` and
     `bytes_read` count unpacked nodes and compressed bytes."""
 
-    def __init__(self, path: str | os.PathLike[str], *, memory: int = MEMORY):
+    def __init__(self, path: str | os.PathLike[str], *, memory: int = CACHE_BYTES):
         self._rows: LruCache[NDArray[Any]] = LruCache(check_count("memory", memory, minimum=0))
         self.octree = _open(Path(path))
         self.path, self._header = self.octree.path, self.octree.file.header
@@ -91,7 +91,7 @@ class CopcNodes:
             if len(chunk) < size:
                 raise FileError(self.path, f"{what}, has {len(chunk)} of {size} bytes")
             check_chunk(self.path, self._header, chunk, what)
-            record = self._header.find(*RECORD) or b""
+            record = self._header.find(*LASZIP_RECORD) or b""
             lazrs.decompress_points_with_chunk_table(chunk, record, rows.view(np.uint8), [(count, size)])
         with self._lock:
             self.nodes_read, self.bytes_read = self.nodes_read + 1, self.bytes_read + size
@@ -108,7 +108,7 @@ def declares_copc(path: str | os.PathLike[str], *, more_than: int = 0) -> bool:
     """True if the header of a LAZ file declares COPC and more than `more_than` points."""
     path = Path(path)
     header = parse_las_header(path, open_source(path))
-    return header.is_compressed and header.find(*INFO) is not None and header.point_count > more_than
+    return header.is_compressed and header.find(*COPC_INFO) is not None and header.point_count > more_than
 
 
 def _stamp_of(path: Path) -> tuple[int, int]:

@@ -26,18 +26,18 @@ from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
 from ...pcd.detail_nodes import NodeTable, make_nodes
 from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
-from .copc import ENTRY, HIERARCHY, IN_PAGE, INFO, INFO_FIELDS
+from .copc import COPC_ENTRY, COPC_HIERARCHY, COPC_INFO, IN_PAGE, INFO_FIELDS
 from .las_header import LasHeader
 from .las_writer import LasLayout, lay_out, with_scan_angle
-from .laszip import RECORD as LASZIP
+from .laszip import LASZIP_RECORD as LASZIP
 from .laszip import chunks_at
 
 # Nodes with fewer points join their parent: smaller nodes compress worse, larger ones are slower to query.
 _MIN_NODE_POINTS = 8192
-_BATCH = 1 << 20  # points compressed at a time, one node per core
+_POINTS_PER_BATCH = 1 << 20  # points compressed at a time, one node per core
 _EXTENDED_HEADER = 60  # bytes
 _PAGE_DEPTH = 5  # from this level on, branches of a large octree have their own pages
-_PAGE = 1 << 12  # maximum entries of the first page
+_ENTRIES_PER_PAGE = 1 << 12  # maximum entries of the first page
 
 
 def write_copc(
@@ -60,7 +60,7 @@ def write_copc(
         ends = np.cumsum(nodes.counts)
         begin = 0
         while begin < len(ends):
-            end = max(int(np.searchsorted(ends, nodes.firsts[begin] + _BATCH)), begin + 1)
+            end = max(int(np.searchsorted(ends, nodes.firsts[begin] + _POINTS_PER_BATCH)), begin + 1)
             rows = [np.sort(nodes.order[ends[k] - nodes.counts[k] : ends[k]]) for k in range(begin, end)]
             writer.add(nodes.depths[begin:end], nodes.cells[begin:end], [layout.pack(part) for part in rows])
             begin = end
@@ -120,7 +120,7 @@ class CopcWriter:
         begin = at + _EXTENDED_HEADER
         pages, root_size = _pages(self._entries(), begin)
         file.seek(at)
-        records = self._laspy.vlrs.vlrlist.VLRList([self._laspy.VLR(*HIERARCHY, "", pages), *extended])
+        records = self._laspy.vlrs.vlrlist.VLRList([self._laspy.VLR(*COPC_HIERARCHY, "", pages), *extended])
         header.start_of_first_evlr, header.number_of_evlrs = at, len(records)
         records.write_to(file, as_extended=True)
         header.vlrs[0] = self._info(begin, root_size)
@@ -131,14 +131,14 @@ class CopcWriter:
 
     def _entries(self) -> NDArray[Any]:
         """Entries of the nodes, including empty parents of nodes."""
-        entries = np.zeros(len(self._counts), ENTRY)
+        entries = np.zeros(len(self._counts), COPC_ENTRY)
         if len(entries):
             entries["level"], entries["cell"], entries["count"] = self._levels, self._cells, self._counts
             entries["begin"] = self._begin + 8 + np.cumsum(self._sizes) - self._sizes
             entries["size"] = self._sizes
         stored = set(zip(entries["level"].tolist(), *entries["cell"].T.tolist(), strict=True))
         bare = {above for key in stored for above in _ancestors(*key)} - stored
-        without = np.zeros(len(bare) if stored else 1, ENTRY)
+        without = np.zeros(len(bare) if stored else 1, COPC_ENTRY)
         if bare:
             keys = np.array(sorted(bare))
             without["level"], without["cell"] = keys[:, 0], keys[:, 1:]
@@ -148,7 +148,7 @@ class CopcWriter:
         times = self._times if self._counts else (0.0, 0.0)
         spacing = self._side / 2**NODE_BITS
         record = INFO_FIELDS.pack(*self._middle.tolist(), self._side / 2, spacing, begin, size, *times, *[0] * 11)
-        return self._laspy.VLR(*INFO, "", record)
+        return self._laspy.VLR(*COPC_INFO, "", record)
 
 
 def pack_chunks(path: str, record: bytes, rows: list[NDArray[Any]]) -> list[bytes]:
@@ -178,16 +178,16 @@ def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float,
 
 def _pages(entries: NDArray[Any], begin: int) -> tuple[bytes, int]:
     entries = entries[np.lexsort((*entries["cell"].T[::-1], entries["level"]))]
-    if len(entries) <= _PAGE:
+    if len(entries) <= _ENTRIES_PER_PAGE:
         return entries.tobytes(), entries.nbytes
     deep = entries["level"] >= _PAGE_DEPTH
     below = entries[deep]
     roots, branch = np.unique(below["cell"] >> (below["level"] - _PAGE_DEPTH)[:, None], axis=0, return_inverse=True)
     order = np.argsort(branch.ravel(), kind="stable")
-    sizes = np.bincount(branch.ravel(), minlength=len(roots)) * ENTRY.itemsize
-    links = np.zeros(len(roots), ENTRY)
+    sizes = np.bincount(branch.ravel(), minlength=len(roots)) * COPC_ENTRY.itemsize
+    links = np.zeros(len(roots), COPC_ENTRY)
     links["level"], links["cell"], links["count"], links["size"] = _PAGE_DEPTH, roots, IN_PAGE, sizes
-    root_size = (len(entries) - len(below) + len(links)) * ENTRY.itemsize
+    root_size = (len(entries) - len(below) + len(links)) * COPC_ENTRY.itemsize
     links["begin"] = begin + root_size + np.cumsum(sizes) - sizes
     return np.concatenate([entries[~deep], links, below[order]]).tobytes(), root_size
 

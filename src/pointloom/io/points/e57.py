@@ -28,7 +28,7 @@ from ..optional_imports import foreign_errors, import_for
 from ..source import open_source
 from ..table import PointTable
 
-BLOCK = 1 << 18  # points unpacked at a time
+POINTS_PER_BLOCK = 1 << 18  # points unpacked at a time
 
 CARTESIAN: tuple[str, ...] = ("cartesianX", "cartesianY", "cartesianZ")
 _SPHERICAL: tuple[str, ...] = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
@@ -202,7 +202,7 @@ def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype
     """Read the fields of all points. Memory is bounded by the delivered data, not by the declared count."""
     libe57 = _libe57()
     count = vector.childCount()
-    blocks = {name: np.empty(min(count, BLOCK), dtype) for name, dtype in wanted.items()}
+    blocks = {name: np.empty(min(count, POINTS_PER_BLOCK), dtype) for name, dtype in wanted.items()}
     columns = GrowingColumns(count, is_proven=False)
     columns.append({name: block[:0] for name, block in blocks.items()})
     if not count:

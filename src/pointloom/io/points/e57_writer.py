@@ -23,7 +23,7 @@ from ...core.quaternions import rotations_to_quaternions
 from ..columns import colors_to_bytes
 from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
-from .e57 import ATTRIBUTES, BLOCK, CARTESIAN, COLORS, NARROW, NORMALS, SCAN_INDEX, WIDE, ScanFrame
+from .e57 import ATTRIBUTES, CARTESIAN, COLORS, NARROW, NORMALS, POINTS_PER_BLOCK, SCAN_INDEX, WIDE, ScanFrame
 from .header_units import in_metres
 
 _NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
@@ -194,15 +194,15 @@ def _write_scan(
     node.set("points", vector)
     scans.append(node)
     count = len(columns[CARTESIAN[0]])
-    blocks = {field: np.empty(max(1, min(count, BLOCK)), values.dtype) for field, values in columns.items()}
+    blocks = {field: np.empty(max(1, min(count, POINTS_PER_BLOCK)), values.dtype) for field, values in columns.items()}
     buffers = libe57.VectorSourceDestBuffer()
     for field, block in blocks.items():
         buffers.append(libe57.SourceDestBuffer(image, field, block, len(block), True, True))
     writer = None
     try:
         writer = vector.writer(buffers)
-        for begin in range(0, count, BLOCK):
-            added = min(BLOCK, count - begin)
+        for begin in range(0, count, POINTS_PER_BLOCK):
+            added = min(POINTS_PER_BLOCK, count - begin)
             for field, values in columns.items():
                 blocks[field][:added] = values[begin : begin + added]
             writer.write(added)

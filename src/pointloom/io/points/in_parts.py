@@ -27,7 +27,7 @@ from .pcd_header import read_header as read_pcd_header
 from .ply_header import read_header as read_ply_header
 from .ply_rows import find_rows
 
-_SAMPLE = 4096  # sample size of the median for the origin
+_SAMPLE_POINTS = 4096  # sample size of the median for the origin
 
 
 class RowsInParts:
@@ -56,7 +56,7 @@ class RowsInParts:
         return self._table(slice(None, None, -(-self.count // count) or 1))
 
     def origin(self) -> NDArray[np.float64]:
-        return choose_origin(self.sample(_SAMPLE).points)
+        return choose_origin(self.sample(_SAMPLE_POINTS).points)
 
     def _table(self, rows: slice) -> PointTable:
         table = self._table_of(self.path, self._rows.columns(rows))
@@ -77,7 +77,7 @@ class LasInParts:
         return self._file.sample(count)
 
     def origin(self) -> NDArray[np.float64]:
-        return choose_origin(self.sample(_SAMPLE).points, np.array(self._file.header.scales, np.float64))
+        return choose_origin(self.sample(_SAMPLE_POINTS).points, np.array(self._file.header.scales, np.float64))
 
 
 def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | None:

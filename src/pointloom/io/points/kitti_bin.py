@@ -24,7 +24,7 @@ from ..table import PointTable
 from .text_table import check_columns, table_of
 
 KITTI = ("x", "y", "z", "intensity")
-LAYOUTS = {
+COLUMN_LAYOUTS = {
     3: "x y z",
     4: "x y z intensity (KITTI)",
     5: "x y z intensity ring (nuScenes)",
@@ -32,11 +32,11 @@ LAYOUTS = {
     7: "x y z and four others",
     8: "x y z and five others",
 }
-FARTHEST = 1e6  # [m] beyond any scanner's range. Other data read as float32 nearly always has larger numbers
-NEAREST = 1e-12  # [m] integers of 8 to 32 bits read as float32 are smaller, or larger than the range
+MAX_COORDINATE = 1e6  # [m] beyond any scanner's range. Other data read as float32 nearly always has larger numbers
+MIN_COORDINATE = 1e-12  # [m] integers of 8 to 32 bits read as float32 are smaller, or larger than the range
 SMALLEST_NORMAL = float(np.finfo(np.float32).tiny)  # integers up to 8,388,607 read as float32 are smaller
 MIN_POINTS = 64  # fewer points have no reliable statistics
-SAMPLE = 840 * 120  # numbers in the statistics: whole points in each layout
+SAMPLE_NUMBERS = 840 * 120  # numbers in the statistics: whole points in each layout
 PERIOD_MARGIN = 0.1  # minimum gain in explained variance of another number of columns over KITTI's
 
 
@@ -55,10 +55,10 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
     if columns is None:
         _check_layout(path, rows)
     points = rows[:, [names.index(axis) for axis in ("x", "y", "z")]]
-    wild = np.isfinite(points) & (np.abs(points) > FARTHEST)
-    tiny = np.abs(points[points != 0]) < NEAREST
+    wild = np.isfinite(points) & (np.abs(points) > MAX_COORDINATE)
+    tiny = np.abs(points[points != 0]) < MIN_COORDINATE
     if tiny.sum() > tiny.size / 2:
-        reason = f"most coordinates are below {NEAREST:g}; this is not a scan of float32 {', '.join(names)}"
+        reason = f"most coordinates are below {MIN_COORDINATE:g}; this is not a scan of float32 {', '.join(names)}"
         raise FileError(path, reason, remedy="Other types of numbers, such as integers, are not supported")
     if len(points) and ((points[0] != 0) & (np.abs(points[0]) < SMALLEST_NORMAL)).any():
         reason = f"the first point is {points[0].tolist()}: small integers, as of a header, read as float32"
@@ -76,7 +76,7 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
 
 
 def _fitting(size: int) -> str:
-    layouts = [layout for width, layout in LAYOUTS.items() if not size % (4 * width)]
+    layouts = [layout for width, layout in COLUMN_LAYOUTS.items() if not size % (4 * width)]
     return f"; give columns= with all names. The size fits {'; '.join(layouts)}" if layouts else ""
 
 
@@ -85,14 +85,14 @@ def _check_intensities(path: str | os.PathLike[str], intensities: NDArray[np.flo
     if len(below):
         row = int(below[0])
         reason = f"point {row} has the intensity {intensities[row]:g}; this is not a scan of float32 {', '.join(KITTI)}"
-        remedy = f"Give columns= with the names of all columns, such as {LAYOUTS[3]}"
+        remedy = f"Give columns= with the names of all columns, such as {COLUMN_LAYOUTS[3]}"
         raise FileError(path, reason, where=f"byte {16 * row + 12}", remedy=remedy)
 
 
 def _is_evident(rows: NDArray[np.float32]) -> bool:
     """True if only KITTI's layout fits the size, or its columns explain more variance than those of each other."""
     values = rows.ravel()
-    others = [width for width in LAYOUTS if width % 4 and values.size % width == 0]
+    others = [width for width in COLUMN_LAYOUTS if width % 4 and values.size % width == 0]
     if not others or not len(values):
         return True
     best_other = max(float(_explained(values, width).max()) for width in others)
@@ -100,9 +100,9 @@ def _is_evident(rows: NDArray[np.float32]) -> bool:
 
 
 def _warn_of_layout(path: str | os.PathLike[str], size: int) -> None:
-    fitting = ", ".join(layout for width, layout in LAYOUTS.items() if width != 4 and not size % (4 * width))
+    fitting = ", ".join(layout for width, layout in COLUMN_LAYOUTS.items() if width != 4 and not size % (4 * width))
     message = (
-        f"{path}: assumed {LAYOUTS[4]}, but the numbers do not show it, and the size also fits {fitting}. "
+        f"{path}: assumed {COLUMN_LAYOUTS[4]}, but the numbers do not show it, and the size also fits {fitting}. "
         "Give columns= with the names of all columns."
     )
     warnings.warn(escaped(message), UserWarning, stacklevel=5)
@@ -115,24 +115,26 @@ def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> No
     if len(rows) < MIN_POINTS:
         return
     values = rows.ravel()
-    explained = {width: _explained(values, width) for width in LAYOUTS if values.size % width == 0 and width != 8}
+    explained = {
+        width: _explained(values, width) for width in COLUMN_LAYOUTS if values.size % width == 0 and width != 8
+    }
     gains = {width: float((part - explained[4]).max()) for width, part in explained.items()}
     max_gain = max(gains.values())
     width = min(period for period, gain in gains.items() if gain >= 0.9 * max_gain)  # multiples explain as much
     if gains[width] <= PERIOD_MARGIN:
-        if values.size % 8 or not _has_integer_column(values.reshape(-1, 8)[:SAMPLE]):
+        if values.size % 8 or not _has_integer_column(values.reshape(-1, 8)[:SAMPLE_NUMBERS]):
             return
         width = 8
     raise FileError(
         path,
         f"is not a scan of float32 x, y, z, intensity: its numbers repeat every {width}",
-        remedy=f"Give columns= with the names of all {width}, such as {LAYOUTS[width]}",
+        remedy=f"Give columns= with the names of all {width}, such as {COLUMN_LAYOUTS[width]}",
     )
 
 
 def _explained(values: NDArray[np.float32], width: int) -> NDArray[np.float64]:
     """Fraction of variance explained by the column: of magnitude, sign and integrality."""
-    rows = np.nan_to_num(values[:SAMPLE].astype(np.float64), posinf=0, neginf=0).reshape(-1, width)
+    rows = np.nan_to_num(values[:SAMPLE_NUMBERS].astype(np.float64), posinf=0, neginf=0).reshape(-1, width)
     features = np.stack([np.log1p(np.abs(rows)), rows < 0, rows == np.floor(rows)])
     total = features.var(axis=(1, 2))
     between = features.mean(axis=1).var(axis=1)

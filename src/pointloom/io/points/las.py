@@ -33,7 +33,7 @@ from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 # Points decoded at a time: blocks of about 10 MB, so that LAZ chunks (usually 50,000 points) use all cores.
 # Fewer for long records, since compressed bytes do not bound them. Uncompressed blocks that remain in the cache are
 # decoded faster: 250 MB in 0.37 s of CPU instead of 0.51 s (2026-11-27).
-_BLOCK, _PLAIN_BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 15, 1 << 24
+_POINTS_PER_BLOCK, _PLAIN_BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 15, 1 << 24
 
 _PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that contain several dimensions
 _COORDINATES = ("X", "Y", "Z")
@@ -120,7 +120,7 @@ def read_las(path: str | os.PathLike[str]) -> PointTable:
     file = open_las(path)
     warn_of_wide_integers(path, file.layout)
     columns = GrowingColumns(file.header.point_count, is_proven=not file.header.is_compressed)
-    block_points = _BLOCK if file.header.is_compressed else _PLAIN_BLOCK
+    block_points = _POINTS_PER_BLOCK if file.header.is_compressed else _PLAIN_BLOCK
     for block in file.blocks(min(block_points, _BLOCK_BYTES // file.header.record_length)):
         columns.append(block)
     arrays = columns.finish()

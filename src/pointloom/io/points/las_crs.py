@@ -13,9 +13,9 @@ from typing import Any
 from ...core.escaped_text import escaped
 from .las_header import PROJECTION, LasHeader
 
-WKT, _KEYS, _ASCII = 2112, 34735, 34737
+WKT_RECORD, _GEOTIFF_KEYS_RECORD, _GEOTIFF_ASCII_RECORD = 2112, 34735, 34737
 NO_NAME = "unknown"  # name of a system that only defines a unit
-_MODEL_TYPE, _GEOGRAPHIC = 1024, 2
+_MODEL_TYPE, _GEOGRAPHIC_MODEL = 1024, 2
 
 # Names of geographic systems in both versions of WKT. A projected system contains such a name nested inside
 # its own.
@@ -23,26 +23,30 @@ _PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re
 _GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
 
 # Keys that name the system, best first: citations are text, types are EPSG codes.
-_CITATIONS = (3073, 1026, 2049)
-_TYPES = (3072, 2048)
+_CITATION_KEYS = (3073, 1026, 2049)
+_SYSTEM_KEYS = (3072, 2048)
 _USER_DEFINED = 32767
 
 
 def crs_name(header: LasHeader) -> str | None:
     """Name of the coordinate system, such as "NAD83 / UTM zone 10N" or "EPSG:26910", or None."""
-    text = header.find(PROJECTION, WKT)
+    text = header.find(PROJECTION, WKT_RECORD)
     if text:
         match = re.match(r'\s*\w+\s*\[\s*"([^"]*)"', text.decode("utf-8", "replace"))
         if match and match[1] not in ("", NO_NAME):
             return match[1]
     keys = find_keys(header)
-    letters = (header.find(PROJECTION, _ASCII) or b"").decode("ascii", "replace")
-    for key in _CITATIONS:
+    letters = (header.find(PROJECTION, _GEOTIFF_ASCII_RECORD) or b"").decode("ascii", "replace")
+    for key in _CITATION_KEYS:
         location, length, begin = keys.get(key, (0, 0, 0))
-        name = letters[begin : begin + length].split("\0")[0].split("|")[0].strip() if location == _ASCII else ""
+        name = (
+            letters[begin : begin + length].split("\0")[0].split("|")[0].strip()
+            if location == _GEOTIFF_ASCII_RECORD
+            else ""
+        )
         if name:
             return name
-    for key in _TYPES:
+    for key in _SYSTEM_KEYS:
         location, _, code = keys.get(key, (0, 0, 0))
         if key in keys and location == 0 and 0 < code < _USER_DEFINED:
             return f"EPSG:{code}"
@@ -65,7 +69,7 @@ def is_geographic(header: LasHeader) -> bool:
     if text:
         return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
     location, _, value = find_keys(header).get(_MODEL_TYPE, (0, 0, 0))
-    return location == 0 and value == _GEOGRAPHIC
+    return location == 0 and value == _GEOGRAPHIC_MODEL
 
 
 def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
@@ -77,11 +81,11 @@ def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
 
 
 def find_text(header: LasHeader) -> str:
-    return (header.find(PROJECTION, WKT) or b"").decode("utf-8", "replace").strip("\0 \n")
+    return (header.find(PROJECTION, WKT_RECORD) or b"").decode("utf-8", "replace").strip("\0 \n")
 
 
 def find_keys(header: LasHeader) -> dict[int, tuple[int, ...]]:
     """GeoTIFF keys: location of each value, count, and the value or its offset."""
-    directory = header.find(PROJECTION, _KEYS) or b""
+    directory = header.find(PROJECTION, _GEOTIFF_KEYS_RECORD) or b""
     numbers = struct.unpack(f"<{len(directory) // 2}H", directory[: len(directory) // 2 * 2])
     return {numbers[k]: numbers[k + 1 : k + 4] for k in range(4, len(numbers) - 3, 4)}

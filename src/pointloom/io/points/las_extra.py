@@ -23,8 +23,8 @@ TITLE = "Extra Bytes Record"
 TYPES = ("u1", "i1", "u2", "i2", "u4", "i4", "u8", "i8", "f4", "f8")  # the data types 1 to 10 of the record
 
 _ENTRY = struct.Struct("<2sBB32s4s24s24s24s3d3d32s")
-_NO_DATA_BYTES, _TEXTS = slice(40, 64), (slice(4, 36), slice(160, 192))
-_NO_DATA, _MIN, _MAX, _SCALE, _OFFSET = 1, 2, 4, 8, 16
+_NO_DATA_BYTES, _TEXT_BYTES = slice(40, 64), (slice(4, 36), slice(160, 192))
+_NO_DATA_BIT, _MIN_BIT, _MAX_BIT, _SCALE_BIT, _OFFSET_BIT = 1, 2, 4, 8, 16
 _WIDE = {"u": "<u8", "i": "<i8", "f": "<f8"}  # the types of no_data values and ranges
 _WITH_NAN: dict[int, str] = {1: "f4", 2: "f4", 4: "f8"}  # float types by the size of the integers that they represent
 
@@ -37,7 +37,7 @@ def parameters_of(known: Any, data: bytes) -> list[Any]:
     for described, dimension in zip(record.extra_bytes_structs, parameters, strict=True):
         if not described.data_type:  # untyped bytes: the options are their count
             dimension.scales = dimension.offsets = None
-        elif described.options & _NO_DATA:
+        elif described.options & _NO_DATA_BIT:
             kind = dimension.type.base
             no_data = np.frombuffer(bytes(described)[_NO_DATA_BYTES], _WIDE[kind.kind])[: described.num_elements()]
             dimension.no_data = no_data.astype(kind) if kind.kind == "f" else no_data
@@ -46,7 +46,7 @@ def parameters_of(known: Any, data: bytes) -> list[Any]:
 
 def _with_utf8(entry: bytes) -> bytes:
     """An entry with name and description in UTF-8. Other encodings are read as Latin-1."""
-    for field in _TEXTS:
+    for field in _TEXT_BYTES:
         text = entry[field].split(b"\0")[0]
         try:
             text.decode()
@@ -153,7 +153,12 @@ def record_of(columns: dict[str, ExtraColumn], *, with_ranges: bool) -> bytes:
     for name, column in columns.items():
         kind, options = column.values.dtype, 0
         ends = _range_of(column) if with_ranges else None
-        for bit, value in ((_NO_DATA, column.no_data), (_MIN, ends), (_MAX, ends), (_SCALE | _OFFSET, column.scale)):
+        for bit, value in (
+            (_NO_DATA_BIT, column.no_data),
+            (_MIN_BIT, ends),
+            (_MAX_BIT, ends),
+            (_SCALE_BIT | _OFFSET_BIT, column.scale),
+        ):
             options |= bit if value is not None else 0
         low, high = (0, 0) if ends is None else ends
         no_data = 0 if column.no_data is None else column.no_data
@@ -181,8 +186,8 @@ def join_ranges(records: Sequence[bytes]) -> bytes:
     for entries in zip(*([*_ENTRY.iter_unpack(record)] for record in records), strict=True):
         fields = [*entries[0]]
         dtype = np.dtype("<f8" if fields[1] > 8 else "<i8" if fields[1] % 2 == 0 else "<u8")
-        fields[2] &= ~(_MIN | _MAX)
-        for index, bit, end in ((6, _MIN, min), (7, _MAX, max)):
+        fields[2] &= ~(_MIN_BIT | _MAX_BIT)
+        for index, bit, end in ((6, _MIN_BIT, min), (7, _MAX_BIT, max)):
             ends = [np.frombuffer(entry[index], dtype)[0] for entry in entries if entry[2] & bit]
             if ends:
                 fields[2] |= bit

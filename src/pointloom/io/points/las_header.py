@@ -27,7 +27,7 @@ _RECORD_HEADER = struct.Struct("<H16sHH32s")
 _EXTENDED_HEADER = struct.Struct("<H16sHQ32s")
 
 # Bit 7 of the point format marks LASzip. Bit 6 marked an obsolete predecessor.
-_COMPRESSED = 0x80
+_COMPRESSED_BIT = 0x80
 
 PROJECTION = "LASF_Projection"  # user id of the coordinate system records
 SPEC = "LASF_Spec"
@@ -94,7 +94,7 @@ def parse_las_header(path: Any, source: SourceFile) -> LasHeader:
     if not header_bytes <= begin <= len(source):
         reason = f"the points should start at byte {begin}, but the header takes {header_bytes} and the file ends"
         raise FileError(path, f"{reason} at byte {len(source)}", where="byte 96")
-    is_compressed, point_format = bool(point_format & _COMPRESSED), point_format & ~_COMPRESSED
+    is_compressed, point_format = bool(point_format & _COMPRESSED_BIT), point_format & ~_COMPRESSED_BIT
     _check_format(path, minor, point_format, length)
     scales, offsets = _check_scaling(path, fields[17:23])
     records = _read_records(path, source, _RECORD_HEADER, header_bytes, begin, fields[12])

@@ -12,22 +12,22 @@ from typing import Any
 
 from ...core.units import LengthUnit, is_same, warn_of_units
 from ..columns import warn_of_loss
-from .copc import HIERARCHY, INFO
-from .las_crs import NO_NAME, WKT
+from .copc import COPC_HIERARCHY, COPC_INFO
+from .las_crs import NO_NAME, WKT_RECORD
 from .las_extra import EXTRA_BYTES, TITLE, join_ranges, value_record
 from .las_header import PROJECTION, SPEC, LasHeader, LasRecord
 from .las_units import units_of
 from .las_wkt import text_of_keys
-from .laszip import RECORD as LASZIP
+from .laszip import LASZIP_RECORD as LASZIP
 
 GPS_TIME_BIT, WKT_BIT = 1, 16
 _WAVEFORM_BITS, _SYNTHETIC_RETURNS_BIT = 2 | 4, 8
 FIRST_OF_1_4 = 6  # point format
 _MAX_RECORD_BYTES = 0xFFFF
-_LIBLAS_WKT = ("liblas", WKT)  # where libLAS stored WKT before LAS 1.4 defined a record
+_LIBLAS_WKT = ("liblas", WKT_RECORD)  # where libLAS stored WKT before LAS 1.4 defined a record
 
-_LAYOUT = (EXTRA_BYTES, LASZIP, INFO, HIERARCHY)
-_WAVEFORMS = {*range(100, 355), 65535}  # record ids of LASF_Spec: waveform descriptors and waveform data
+_LAYOUT = (EXTRA_BYTES, LASZIP, COPC_INFO, COPC_HIERARCHY)
+_WAVEFORM_RECORDS = {*range(100, 355), 65535}  # record ids of LASF_Spec: waveform descriptors and waveform data
 _SPATIAL_INDEX = ("LAStools", 30)
 
 
@@ -49,7 +49,7 @@ def _is_projection(record: LasRecord) -> bool:
 
 
 def _is_waveform(record: LasRecord) -> bool:
-    return record.user_id == SPEC and record.record_id in _WAVEFORMS
+    return record.user_id == SPEC and record.record_id in _WAVEFORM_RECORDS
 
 
 def _carried(like: LasHeader) -> list[LasRecord]:
@@ -111,7 +111,7 @@ def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
     if text is not None:
         header.global_encoding.value |= WKT_BIT
         others = (record for record in carried if not _is_projection(record))
-        carried = [LasRecord(PROJECTION, WKT, text), *others]
+        carried = [LasRecord(PROJECTION, WKT_RECORD, text), *others]
     for record in carried:
         is_extended = _is_extended(record)
         target, data = extended if is_extended else header.vlrs, bytes(record.data)
@@ -139,4 +139,4 @@ def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader 
     name = unit.name.replace('"', '""')
     axes = 'AXIS["Easting",EAST],AXIS["Northing",NORTH]'
     text = f'LOCAL_CS["{NO_NAME}",LOCAL_DATUM["{NO_NAME}",0],UNIT["{name}",{unit.meters!r}],{axes}]'
-    return laspy.VLR(PROJECTION, WKT, "", text.encode("ascii") + b"\0")
+    return laspy.VLR(PROJECTION, WKT_RECORD, "", text.encode("ascii") + b"\0")

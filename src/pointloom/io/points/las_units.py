@@ -15,15 +15,15 @@ from ...core.units import DEGREE, FOOT, METRE, US_FOOT, LengthUnit, is_same, uni
 from .las_crs import find_keys, find_text
 from .las_header import PROJECTION, LasHeader
 
-_DOUBLES = 34736
-_MODEL_TYPE, _PROJECTED, _GEOGRAPHIC, _GEOCENTRIC = 1024, 1, 2, 3
+_GEOTIFF_DOUBLES_RECORD = 34736
+_MODEL_TYPE, _PROJECTED_MODEL, _GEOGRAPHIC_MODEL, _GEOCENTRIC_MODEL = 1024, 1, 2, 3
 _GEOCENTRIC_UNIT, _ANGLE_UNIT, _PLANE_UNIT, _PLANE_UNIT_SIZE, _HEIGHT_UNIT = 2052, 2054, 3076, 3077, 4099
 _USER_DEFINED = 32767
-_DEGREES = (9102, 9122)
+_DEGREE_CODES = (9102, 9122)
 _WKT_BIT = 16
 
 # EPSG codes.
-_LENGTHS = {
+_LENGTH_UNITS = {
     9001: METRE, 9002: FOOT, 9003: US_FOOT, 9036: unit_by_name("kilometre"), 9096: unit_by_name("yard"),
     9005: LengthUnit("Clarke's foot", "Clarke's ft", 0.3047972654),
     9041: LengthUnit("British foot (Sears 1922)", "ft (Sears 1922)", 0.304799471538676),
@@ -169,15 +169,15 @@ def _units_of_keys(header: LasHeader) -> LasUnits:
         return value if location == 0 else None
 
     model = code(_MODEL_TYPE)
-    height = _LENGTHS.get(code(_HEIGHT_UNIT) or 0)
-    if model == _GEOGRAPHIC:
-        return LasUnits(DEGREE if code(_ANGLE_UNIT) in (None, *_DEGREES) else None, height)
-    key = _GEOCENTRIC_UNIT if model == _GEOCENTRIC else _PLANE_UNIT
+    height = _LENGTH_UNITS.get(code(_HEIGHT_UNIT) or 0)
+    if model == _GEOGRAPHIC_MODEL:
+        return LasUnits(DEGREE if code(_ANGLE_UNIT) in (None, *_DEGREE_CODES) else None, height)
+    key = _GEOCENTRIC_UNIT if model == _GEOCENTRIC_MODEL else _PLANE_UNIT
     if code(key) != _USER_DEFINED:
-        return LasUnits(_LENGTHS.get(code(key) or 0), height)
+        return LasUnits(_LENGTH_UNITS.get(code(key) or 0), height)
     location, _, index = keys.get(_PLANE_UNIT_SIZE, (0, 0, 0))
-    numbers = header.find(PROJECTION, _DOUBLES) or b""
-    if key != _PLANE_UNIT or location != _DOUBLES or 8 * (index + 1) > len(numbers):
+    numbers = header.find(PROJECTION, _GEOTIFF_DOUBLES_RECORD) or b""
+    if key != _PLANE_UNIT or location != _GEOTIFF_DOUBLES_RECORD or 8 * (index + 1) > len(numbers):
         return LasUnits(None, height)
     size = struct.unpack_from("<d", numbers, 8 * index)[0]
     return LasUnits(unit_by_length("", size), height)

@@ -14,13 +14,13 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.units import LengthUnit
 from ..optional_imports import import_for
-from .las_crs import WKT, crs_name, find_keys, find_text
+from .las_crs import WKT_RECORD, crs_name, find_keys, find_text
 from .las_header import PROJECTION, LasHeader, LasRecord
 from .las_units import units_of
 
-_PROJECTED, _GEOGRAPHIC, _VERTICAL = 3072, 2048, 4096
+_PROJECTED_KEY, _GEOGRAPHIC_KEY, _VERTICAL_KEY = 3072, 2048, 4096
 _USER_DEFINED, _WKT_BIT = 32767, 16
-SAME = 1e-9  # of a unit's length
+MAX_UNIT_DIFFERENCE = 1e-9  # of a unit's length
 
 
 class LostSystemWarning(UserWarning):
@@ -39,9 +39,9 @@ def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
     keys = find_keys(header)
     if find_text(header) or header.encoding & _WKT_BIT or not keys:  # with the bit set, keys are ignored
         return None
-    codes = [_code(keys, key) for key in (_PROJECTED, _GEOGRAPHIC)]
+    codes = [_code(keys, key) for key in (_PROJECTED_KEY, _GEOGRAPHIC_KEY)]
     code = next((code for code in codes if code), 0)
-    if not code or _is_user_defined(keys, _PROJECTED):
+    if not code or _is_user_defined(keys, _PROJECTED_KEY):
         return _lost(header, "its keys describe a system that the EPSG register does not name")
     try:
         pyproj: Any = import_for(path, "pyproj", "geo")
@@ -49,12 +49,12 @@ def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
         return _lost(header, str(error))
     try:
         system = _registered(pyproj, code)
-        height = _code(keys, _VERTICAL)
+        height = _code(keys, _VERTICAL_KEY)
         heights: Any = _registered(pyproj, height) if height else None
     except ValueError as error:
         return _lost(header, str(error))
     units, is_2d = units_of(header), heights is None
-    if _is_user_defined(keys, _VERTICAL):
+    if _is_user_defined(keys, _VERTICAL_KEY):
         return _lost(header, "its keys describe heights that the EPSG register does not name")
     if system.is_projected and not _counts_in(system, units.plane):
         return _lost(header, f"its keys declare {units.plane}, but EPSG:{code} uses {system.axis_info[0].unit_name}")
@@ -79,12 +79,12 @@ def _registered(pyproj: Any, code: int) -> Any:
 
 def _counts_in(system: Any, unit: LengthUnit | None) -> bool:
     factor = system.axis_info[0].unit_conversion_factor
-    return unit is None or not unit.meters or abs(unit.meters / factor - 1) <= SAME
+    return unit is None or not unit.meters or abs(unit.meters / factor - 1) <= MAX_UNIT_DIFFERENCE
 
 
 def with_system(header: LasHeader, text: str) -> LasHeader:
     other_records = tuple(record for record in header.records if record.user_id != PROJECTION)
-    record = LasRecord(PROJECTION, WKT, text.encode("utf-8") + b"\0")
+    record = LasRecord(PROJECTION, WKT_RECORD, text.encode("utf-8") + b"\0")
     return replace(header, records=(*other_records, record), encoding=header.encoding | _WKT_BIT)
 
 

@@ -32,9 +32,9 @@ from .las_records import WKT_BIT, needs_1_4, take_over, unit_record
 # which the points are within 1000 units, so that objects and degrees keep a millionth of their extent.
 _COARSEST_SCALE = 0.001
 _STEPS_ACROSS = 1.0e6
-_SAMPLE = 1 << 16  # sample size of the extent, without 1 % at either end: robust to outliers
+_SAMPLE_POINTS = 1 << 16  # sample size of the extent, without 1 % at either end: robust to outliers
 
-_BLOCK = 1 << 18  # points packed at a time
+_POINTS_PER_BLOCK = 1 << 18  # points packed at a time
 _MAX_STEPS = 2**31 - 1
 _MAX_NAME_BYTES = 32
 RENAMED = "_value"  # suffix for values outside the range of a LAS dimension
@@ -67,8 +67,8 @@ def write_las(
         quiet(),
         open_writer(layout.laspy, file, layout.header, compress=compress) as writer,
     ):
-        for begin in range(0, len(layout.table.points), _BLOCK):
-            writer.write_points(layout.pack(slice(begin, begin + _BLOCK)))
+        for begin in range(0, len(layout.table.points), _POINTS_PER_BLOCK):
+            writer.write_points(layout.pack(slice(begin, begin + _POINTS_PER_BLOCK)))
         if layout.extended:
             writer.write_evlrs(layout.extended)
 
@@ -263,7 +263,7 @@ def _fitting_scales(points: NDArray[Any], extents: NDArray[np.float64]) -> list[
     """A power of ten per axis, not finer than 32 bits and the points' type can resolve."""
     if not len(points):
         return [_COARSEST_SCALE] * 3
-    sample = points[:: len(points) // _SAMPLE | 1]
+    sample = points[:: len(points) // _SAMPLE_POINTS | 1]
     low, high = np.quantile(sample, (0.01, 0.99), axis=0)
     resolution = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
     scales = []

@@ -20,18 +20,18 @@ from ..optional_imports import foreign_errors, import_for
 from ..source import Source, SourceFile
 from .las_header import LasHeader
 
-RECORD = ("laszip encoded", 22204)
+LASZIP_RECORD = ("laszip encoded", 22204)
 _FIELDS = struct.Struct("<HHBBHIIqqH")
 _CHUNK_SIZE_AT = 12
 _ITEM = struct.Struct("<HHH")
-_VARIABLE = 0xFFFFFFFF  # chunk size meaning that the table has the size of each chunk
-_POINTWISE, _LAYERED = 2, 3  # the compressors that lazrs supports
+_VARIABLE_CHUNKS = 0xFFFFFFFF  # chunk size meaning that the table has the size of each chunk
+_POINTWISE_COMPRESSOR, _LAYERED_COMPRESSOR = 2, 3  # the compressors that lazrs supports
 
 # Unpacked bytes up to which several chunks are unpacked at a time: 40 times those of the usual 50,000 points.
 _PARALLEL_CHUNK_BYTES = 1 << 26
 
 # Bytes and layers of an item in a layered chunk. None for variable length (extra bytes).
-_ITEMS = {
+_LAYERED_ITEMS = {
     0: (None, 0), 6: (20, 0), 7: (8, 0), 8: (6, 0), 9: (29, 0),
     10: (30, 9), 11: (6, 1), 12: (8, 2), 13: (29, 1), 14: (None, None),
 }  # fmt: skip
@@ -94,9 +94,9 @@ def chunks_at(path: Any, file: IO[bytes], begin: int, record: bytes) -> NDArray[
 
 def _lower_chunk_size(header: LasHeader) -> bytes:
     """The LASzip record. For one chunk, its size is limited to the point count, since lazrs allocates it."""
-    record = bytearray(header.find(*RECORD) or b"")
+    record = bytearray(header.find(*LASZIP_RECORD) or b"")
     (chunk_size,) = struct.unpack_from("<I", record, _CHUNK_SIZE_AT)
-    if chunk_size != _VARIABLE:
+    if chunk_size != _VARIABLE_CHUNKS:
         struct.pack_into("<I", record, _CHUNK_SIZE_AT, min(chunk_size, header.point_count))
     return bytes(record)
 
@@ -104,21 +104,21 @@ def _lower_chunk_size(header: LasHeader) -> bytes:
 def check_laszip(path: Any, source: SourceFile, header: LasHeader, *, layers_too: bool = True) -> None:
     """Check the LASzip record, chunk table and, if `layers_too`, chunk layers (else use `check_chunk` later)."""
     lazrs = import_for(path, "lazrs", "las")
-    record = header.find(*RECORD)
+    record = header.find(*LASZIP_RECORD)
     if record is None:
         raise FileError(path, "its points are compressed, but there is no LASzip record", where="byte 100")
     compressor, chunk_size, layers = _check_record(path, record, header)
     if header.point_count:
         with foreign_errors(path, "the table of chunks is damaged"):
             chunks = _read_chunk_table(path, source, header, record, chunk_size, lazrs)
-            if compressor == _LAYERED and layers_too:
+            if compressor == _LAYERED_COMPRESSOR and layers_too:
                 _check_layers(path, source, header, chunks, layers)
 
 
 def check_chunk(path: Any, header: LasHeader, chunk: bytes, what: str) -> None:
     """Raise `FileError` if the layers of one chunk exceed its bytes."""
-    compressor, _, layers = _check_record(path, header.find(*RECORD) or b"", header)
-    if compressor == _LAYERED and not _fits(chunk, 0, len(chunk), header.record_length + 4, layers):
+    compressor, _, layers = _check_record(path, header.find(*LASZIP_RECORD) or b"", header)
+    if compressor == _LAYERED_COMPRESSOR and not _fits(chunk, 0, len(chunk), header.record_length + 4, layers):
         raise FileError(path, f"{what}, is damaged: its layers do not fit into its {len(chunk)} bytes")
 
 
@@ -127,18 +127,18 @@ def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int
         raise FileError(path, f"the LASzip record has {len(record)} bytes, at least {_FIELDS.size} are needed")
     fields = _FIELDS.unpack_from(record)
     compressor, chunk_size, item_count = fields[0], fields[6], fields[9]
-    if compressor not in (_POINTWISE, _LAYERED):
+    if compressor not in (_POINTWISE_COMPRESSOR, _LAYERED_COMPRESSOR):
         remedy = "Unpack it with the program that wrote it"
         raise FileError(path, f"LASzip's compressor {compressor} is not supported", remedy=remedy)
     if len(record) < _FIELDS.size + item_count * _ITEM.size or not chunk_size:
         raise FileError(path, f"the LASzip record is damaged: {item_count} items, chunks of {chunk_size} points")
     items = [_ITEM.unpack_from(record, _FIELDS.size + k * _ITEM.size)[:2] for k in range(item_count)]
-    if any(kind not in _ITEMS or _ITEMS[kind][0] not in (None, size) for kind, size in items):
+    if any(kind not in _LAYERED_ITEMS or _LAYERED_ITEMS[kind][0] not in (None, size) for kind, size in items):
         raise FileError(path, f"the LASzip record is damaged: items (type, bytes) {items}")
     if sum(size for _, size in items) != header.record_length:
         reason = f"LASzip's points have {sum(size for _, size in items)} bytes, the header's {header.record_length}"
         raise FileError(path, reason)
-    layers = [_ITEMS[kind][1] for kind, _ in items]
+    layers = [_LAYERED_ITEMS[kind][1] for kind, _ in items]
     return compressor, chunk_size, sum(size if n is None else n for n, (_, size) in zip(layers, items, strict=True))
 
 
@@ -159,7 +159,7 @@ def _read_chunk_table(
     if version or count > (table - first) // header.record_length:  # each chunk starts with an uncompressed point
         reason = f"the table of chunks is damaged: version {version}, {count} chunks in {table - first} bytes"
         raise FileError(path, reason, where=f"byte {table}")
-    if chunk_size != _VARIABLE and not (count - 1) * chunk_size <= header.point_count <= count * chunk_size:
+    if chunk_size != _VARIABLE_CHUNKS and not (count - 1) * chunk_size <= header.point_count <= count * chunk_size:
         reason = f"the header counts {header.point_count} points, the table {count} chunks of {chunk_size}"
         raise FileError(path, reason, where=f"byte {table}")
     with source.reopen() as file:
@@ -169,7 +169,7 @@ def _read_chunk_table(
         raise FileError(path, "the table of chunks is empty, but there are points", where=f"byte {table}")
     if min(size for _, size in chunks) < header.record_length or sum(size for _, size in chunks) > table - first:
         raise FileError(path, f"the chunks do not fit into the {table - first} bytes before", where=f"byte {table}")
-    if chunk_size == _VARIABLE and sum(points for points, _ in chunks) != header.point_count:
+    if chunk_size == _VARIABLE_CHUNKS and sum(points for points, _ in chunks) != header.point_count:
         chunk_points = sum(points for points, _ in chunks)
         raise FileError(
             path, f"the header counts {header.point_count} points, its chunks {chunk_points}", where="byte 107"

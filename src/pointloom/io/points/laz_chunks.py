@@ -12,7 +12,7 @@ from ...core.errors import FileError
 from ..optional_imports import foreign_errors, import_for
 from .las import open_las
 from .las_header import LasHeader
-from .laszip import RECORD as LASZIP
+from .laszip import LASZIP_RECORD as LASZIP
 from .laszip import chunks_at
 
 

@@ -17,7 +17,7 @@ _MAX_LITERALS = 32
 _MAX_MATCH = 264
 
 # Bytes searched for matches at a time. The search needs about 40 bytes of memory for each.
-_BLOCK = 1 << 20
+_BLOCK_BYTES = 1 << 20
 
 
 class LzfError(ValueError):
@@ -71,8 +71,8 @@ def decompress(stream: bytes, size: int) -> bytes:
 def compress(data: bytes) -> bytes:
     """Compress greedily. Each match is the nearest earlier occurrence of its first three bytes."""
     out = bytearray()
-    for begin in range(0, len(data), _BLOCK):
-        _compress_block(data[begin : begin + _BLOCK], out)
+    for begin in range(0, len(data), _BLOCK_BYTES):
+        _compress_block(data[begin : begin + _BLOCK_BYTES], out)
     return bytes(out)
 
 

@@ -26,7 +26,7 @@ from ..source import SourceFile, open_source
 from ..table import PointTable
 from . import lzf
 from .header_units import unit_comment
-from .pcd_header import ENCODINGS, STANDING, Field, PcdHeader, read_header
+from .pcd_header import ENCODINGS, IDENTITY_VIEWPOINT, Field, PcdHeader, read_header
 
 PACKED = ("rgb", "rgba")  # fields of colors 0xAARRGGBB
 UNREADABLE = "the text of field {!r} is nan, as PCL wrote colors with red from 128 on; write the file as binary"
@@ -345,7 +345,7 @@ def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
 
 def _header(table: PointTable, fields: dict[str, NDArray[Any]], encoding: str) -> bytes:
     height, width = table.grid or (1, len(table.points))
-    viewpoint = " ".join(np.format_float_positional(value, trim="-") for value in table.viewpoint or STANDING)
+    viewpoint = " ".join(np.format_float_positional(value, trim="-") for value in table.viewpoint or IDENTITY_VIEWPOINT)
     counts = [1 if values.ndim == 1 else values.shape[1] for values in fields.values()]
     return "\n".join(
         [

@@ -16,7 +16,7 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ..source import MAX_HEADER_BYTES, Source, parse_count
 
-STANDING = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)  # a VIEWPOINT at the origin
+IDENTITY_VIEWPOINT = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)  # a VIEWPOINT at the origin
 
 #: The encodings of a DATA line.
 ENCODINGS = ("ascii", "binary", "binary_compressed")
@@ -188,4 +188,4 @@ def _parse_viewpoint(path: Any, lines: _Lines) -> tuple[float, ...] | None:
         numbers = ()
     if len(numbers) != 7 or not all(map(math.isfinite, numbers)):
         raise FileError(path, f"VIEWPOINT: expected 7 numbers, got {' '.join(words)[:60]!r}", where=f"line {line}")
-    return None if numbers in (STANDING, (0.0,) * 7) else numbers
+    return None if numbers in (IDENTITY_VIEWPOINT, (0.0,) * 7) else numbers

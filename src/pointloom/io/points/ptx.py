@@ -31,9 +31,9 @@ from .e57 import SCAN_INDEX, ScanFrame, merge_scans
 _HEADER_LINES = 10
 _NO_POSE = np.vstack([np.zeros(3), np.eye(3)])  # position and axes
 _SAME_POSE = 1e-3  # [m], and relative: more than the three decimals that programs write
-_WIDTHS = (4, 7)
-_BLOCK = 1 << 18  # lines parsed at a time
-_SEARCHED = 1 << 24  # bytes in which line ends are found at a time
+_VALUES_PER_LINE = (4, 7)
+_LINES_PER_BLOCK = 1 << 18  # lines parsed at a time
+_BYTES_PER_SEARCH = 1 << 24  # bytes in which line ends are found at a time
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class _Lines:
     def __init__(self, path: Path, source: Source):
         self.path = path
         self._body: Source = source if source.find(b"\n") >= 0 else unix_lines(bytes(source[:]))
-        begins = range(0, len(self._body), _SEARCHED)
+        begins = range(0, len(self._body), _BYTES_PER_SEARCH)
         newlines = [np.flatnonzero(_bytes_of(self._body, begin) == ord("\n")) + begin for begin in begins]
         ends = np.concatenate(newlines)
         is_open = not len(ends) or ends[-1] + 1 < len(self._body)
@@ -83,7 +83,7 @@ class _Lines:
 
 
 def _bytes_of(body: Source, begin: int) -> NDArray[np.uint8]:
-    return np.frombuffer(body[begin : begin + _SEARCHED], np.uint8)
+    return np.frombuffer(body[begin : begin + _BYTES_PER_SEARCH], np.uint8)
 
 
 def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
@@ -178,12 +178,12 @@ def _compare_poses(path: Path, at: int, scanner: NDArray[np.float64], pose: NDAr
 def _read_scan(lines: _Lines, scan: _Scan) -> PointTable:
     count, width = scan.shape[0] * scan.shape[1], 0
     indices, parts = [np.empty(0, np.int64)], [np.empty((0, 4))]
-    for begin in range(scan.first, scan.first + count, _BLOCK):
-        end = min(begin + _BLOCK, scan.first + count)
+    for begin in range(scan.first, scan.first + count, _LINES_PER_BLOCK):
+        end = min(begin + _LINES_PER_BLOCK, scan.first + count)
         rows = lines.rows(begin, end)
         if not width:
             width = int(rows.widths()[0])
-            if width not in _WIDTHS:
+            if width not in _VALUES_PER_LINE:
                 reason = f"expected 4 or 7 values (x y z intensity, then r g b), got {width}"
                 raise FileError(lines.path, reason, where=rows.where(0), remedy="Check the number of rows and columns")
             parts = [np.empty((0, width))]

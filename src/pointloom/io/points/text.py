@@ -23,7 +23,7 @@ from ..table import PointTable
 from .text_table import read_text_table
 
 #: Values per line by extension. PTS has one of several.
-_WIDTHS = {".xyz": (3,), ".xyzn": (6,), ".xyzrgb": (6,), ".pts": (3, 4, 6, 7)}
+_VALUES_PER_LINE = {".xyz": (3,), ".xyzn": (6,), ".xyzrgb": (6,), ".pts": (3, 4, 6, 7)}
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
 
@@ -39,7 +39,7 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
     if b"#" in body:
         body = _COMMENT.sub(b"", body)
     rows = AsciiRows(path, body, 1)
-    (width,) = _WIDTHS[kind]
+    (width,) = _VALUES_PER_LINE[kind]
     rows.check_width(0, rows.row_count, width)
     if not rows.row_count:
         raise FileError(path, "contains no points")
@@ -64,8 +64,8 @@ def write_text(path: str | os.PathLike[str], table: PointTable, *, overwrite: bo
 
 def _kind(path: Path) -> str:
     kind = path.suffix.lower()
-    if kind not in _WIDTHS:
-        raise FileError(path, f"{path.suffix!r} is not one of {', '.join(_WIDTHS)}")
+    if kind not in _VALUES_PER_LINE:
+        raise FileError(path, f"{path.suffix!r} is not one of {', '.join(_VALUES_PER_LINE)}")
     return kind
 
 
@@ -82,7 +82,7 @@ def _read_pts(path: Path, body: bytes) -> PointTable:
     if not count:
         return PointTable(np.empty((0, 3)))
     width = int(rows.widths()[0])
-    if width not in _WIDTHS[".pts"]:
+    if width not in _VALUES_PER_LINE[".pts"]:
         raise FileError(path, f"expected 3, 4, 6 or 7 values, got {width}", where=rows.where(0))
     rows.check_width(0, count, width)
     table = rows.numbers().reshape(count, width)

@@ -29,10 +29,10 @@ from .text_table import (
     wrong_count,
 )
 
-BLOCK = 1 << 23  # bytes of lines at a time
-_HEAD = 1 << 16  # [B] maximum size of the header
+BLOCK_BYTES = 1 << 23  # bytes of lines at a time
+_MAX_HEADER_BYTES = 1 << 16  # [B] maximum size of the header
 _FIXED = {".xyzn": (*POSITION, *NORMAL), ".xyzrgb": (*POSITION, *COLOR)}
-_PTS = {3: POSITION, 4: (*POSITION, "intensity"), 6: (*POSITION, *COLOR), 7: (*POSITION, "intensity", *COLOR)}
+_PTS_COLUMNS = {3: POSITION, 4: (*POSITION, "intensity"), 6: (*POSITION, *COLOR), 7: (*POSITION, "intensity", *COLOR)}
 
 
 class TextInParts:
@@ -43,7 +43,7 @@ class TextInParts:
         self._kind, source = self.path.suffix.lower(), open_source(path)
         self._source = source
         begin = 3 if source[:3] == b"\xef\xbb\xbf" else 0
-        first = unix_lines(bytes(source[begin : begin + _HEAD]))
+        first = unix_lines(bytes(source[begin : begin + _MAX_HEADER_BYTES]))
         self._declared, self._delimiter, self._lines, full = -1, None, 0, None
         if self._kind == ".pts":
             self._declared = parse_count(
@@ -101,9 +101,9 @@ class TextInParts:
             rows = AsciiRows(self.path, blank, line + min(skip, lines))
             if names is None and rows.row_count:
                 width = int(rows.widths()[0])
-                if width not in _PTS:
+                if width not in _PTS_COLUMNS:
                     raise FileError(self.path, f"expected 3, 4, 6 or 7 values, got {width}", where=rows.where(0))
-                names = _PTS[width]
+                names = _PTS_COLUMNS[width]
             if rows.row_count:
                 assert names is not None
                 check_fields(self.path, rows, text, self._delimiter, line + min(skip, lines), len(names))
@@ -116,9 +116,9 @@ class TextInParts:
 
 def _blocks(source: SourceFile, begin: int) -> Iterator[bytes]:
     left = b""
-    for at in range(begin, len(source), BLOCK):
-        block = left + bytes(source[at : at + BLOCK])
-        is_last = at + BLOCK >= len(source)
+    for at in range(begin, len(source), BLOCK_BYTES):
+        block = left + bytes(source[at : at + BLOCK_BYTES])
+        is_last = at + BLOCK_BYTES >= len(source)
         if not is_last and block.endswith(b"\r"):  # its LF may follow
             block, carried = block[:-1], b"\r"
         else:

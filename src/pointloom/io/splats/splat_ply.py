@@ -26,10 +26,10 @@ from ..source import SourceFile, open_source
 from ..table import PointTable
 
 PACKED = ("packed_position", "packed_rotation", "packed_scale", "packed_color")
-_SPLATS = 256  # of a chunk
+_SPLATS_PER_CHUNK = 256  # of a chunk
 _FIRST_HARMONIC = 0.28209479177387814
 _COUNTS_OF_REST = (9, 24, 45, 72)
-_BITS = ((21, 11), (11, 10), (0, 11))
+_PACKED_BITS = ((21, 11), (11, 10), (0, 11))
 Columns = dict[str, NDArray[Any]]
 
 
@@ -47,9 +47,9 @@ def read_compressed_ply(path: Path, source: SourceFile, header: PlyHeader) -> Po
     count = len(packed[PACKED[0]])
     chunks = elements.get("chunk", {})
     bounds = _bounds_of(path, chunks, count)
-    number = np.arange(count) // _SPLATS
-    points = _between(bounds, "", "xyz", number, _unpacked(packed["packed_position"], _BITS))
-    scales = _between(bounds, "scale_", "xyz", number, _unpacked(packed["packed_scale"], _BITS))
+    number = np.arange(count) // _SPLATS_PER_CHUNK
+    points = _between(bounds, "", "xyz", number, _unpacked(packed["packed_position"], _PACKED_BITS))
+    scales = _between(bounds, "scale_", "xyz", number, _unpacked(packed["packed_scale"], _PACKED_BITS))
     channels = _unpacked(packed["packed_color"], [(24, 8), (16, 8), (8, 8), (0, 8)])
     colors = channels[:, :3]
     with np.errstate(divide="ignore"):  # 0 and 1 are infinite logits
@@ -94,9 +94,11 @@ def _bounds_of(path: Path, chunks: Columns, count: int) -> Columns:
     colors = [f"{end}_{channel}" for end in ("min", "max") for channel in "rgb"]
     if 0 < sum(name in chunks for name in colors) < len(colors):
         raise FileError(path, f"element chunk of a compressed splat file: expected all of {', '.join(colors)}, or none")
-    chunk_count, expected = len(chunks["min_x"]), -(-count // _SPLATS)
+    chunk_count, expected = len(chunks["min_x"]), -(-count // _SPLATS_PER_CHUNK)
     if chunk_count != expected:
-        raise FileError(path, f"expected {expected} chunks of {_SPLATS} for {count} splats, got {chunk_count}")
+        raise FileError(
+            path, f"expected {expected} chunks of {_SPLATS_PER_CHUNK} for {count} splats, got {chunk_count}"
+        )
     return {name: column.astype(np.float64) for name, column in chunks.items()}
 
 
@@ -137,7 +139,7 @@ def _harmonics(path: Path, columns: Columns, count: int) -> NDArray[np.float32]:
     return np.stack([columns[name] * (8 / 255) - 4 for name in names], axis=1).astype(np.float32)
 
 
-_GROUPS = {"f_dc": 3, "scale": 3, "rot": 4}
+_GROUP_WIDTHS = {"f_dc": 3, "scale": 3, "rot": 4}
 _NUMBERED = re.compile(r"(f_dc|f_rest|scale|rot)_(\d+)")
 _KNOWN = {"x", "y", "z", "nx", "ny", "nz"}
 
@@ -158,14 +160,16 @@ def read_splat_ply(path: str | os.PathLike[str]) -> PointTable:
     for name in columns:
         if match := _NUMBERED.fullmatch(name):
             counts[match[1]] = counts.get(match[1], 0) + 1
-    for group, count in _GROUPS.items():
+    for group, count in _GROUP_WIDTHS.items():
         if counts[group] != count:
             flat = "; splats of 2D Gaussian Splatting have 2" if (group, counts[group]) == ("scale", 2) else ""
             raise FileError(path, f"expected {count} columns {group}_i, got {counts[group]}{flat}")
     rest = counts.get("f_rest", 0)
     if rest % 3 or degree_of(rest // 3 + 1) is None:
         raise FileError(path, f"expected 0, 9, 24, 45 or 72 columns f_rest_i, got {rest}")
-    attributes = {group: _stacked(path, columns, group, count) for group, count in (_GROUPS | {"f_rest": rest}).items()}
+    attributes = {
+        group: _stacked(path, columns, group, count) for group, count in (_GROUP_WIDTHS | {"f_rest": rest}).items()
+    }
     attributes["opacity"] = own(columns["opacity"]).astype(np.float32)
     if not rest:
         del attributes["f_rest"]

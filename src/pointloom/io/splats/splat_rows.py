@@ -20,25 +20,25 @@ from ..columns import warn_left_out
 from ..source import open_source
 from ..table import PointTable
 
-_ROW = np.dtype([("point", "<f4", 3), ("scale", "<f4", 3), ("color", "u1", 4), ("rot", "u1", 4)])
-_LARGEST = 1e6  # larger than any splat. Other data read as float32 nearly always has larger numbers
+_ROW_TYPE = np.dtype([("point", "<f4", 3), ("scale", "<f4", 3), ("color", "u1", 4), ("rot", "u1", 4)])
+_MAX_SCALE = 1e6  # larger than any splat. Other data read as float32 nearly always has larger numbers
 
 
 def read_splat(path: str | os.PathLike[str]) -> PointTable:
     """Read splats of degree 0 as columns `f_dc`, `opacity`, `scale`, `rot`. Raises `FileError` for implausible data."""
     source = open_source(path)
-    if len(source) % _ROW.itemsize:
-        reason = f"{len(source)} bytes are not a multiple of {_ROW.itemsize}, the bytes of a splat"
-        where = f"byte {len(source) // _ROW.itemsize * _ROW.itemsize}"
+    if len(source) % _ROW_TYPE.itemsize:
+        reason = f"{len(source)} bytes are not a multiple of {_ROW_TYPE.itemsize}, the bytes of a splat"
+        where = f"byte {len(source) // _ROW_TYPE.itemsize * _ROW_TYPE.itemsize}"
         raise FileError(path, reason, where=where, remedy="The file may be cut off")
-    rows = source.array(_ROW, len(source) // _ROW.itemsize)
+    rows = source.array(_ROW_TYPE, len(source) // _ROW_TYPE.itemsize)
     sizes = rows["scale"]
     with np.errstate(invalid="ignore"):
-        wrong = ((sizes < 0) | (sizes > _LARGEST)).any(axis=1)
+        wrong = ((sizes < 0) | (sizes > _MAX_SCALE)).any(axis=1)
     if wrong.any():
         row = int(np.argmax(wrong))
         reason = f"splat {row} has the scales {sizes[row].tolist()}; this is not a .splat file"
-        raise FileError(path, reason, where=f"byte {row * _ROW.itemsize + 12}")
+        raise FileError(path, reason, where=f"byte {row * _ROW_TYPE.itemsize + 12}")
     colors = rows["color"].astype(np.float64) / 255
     with np.errstate(divide="ignore", invalid="ignore"):
         scale = np.log(sizes.astype(np.float64)).astype(np.float32)
@@ -58,7 +58,7 @@ def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: b
     spare = [name for name in columns if name not in ("f_dc", "opacity", "scale", "rot")]
     points = table.points.astype(np.float32)
     check_rounding(path, table.points, np.abs(table.points - points).max(initial=0.0))
-    rows = np.empty(len(points), _ROW)
+    rows = np.empty(len(points), _ROW_TYPE)
     rows["point"] = points
     with np.errstate(over="ignore"):
         rows["scale"] = np.exp(columns["scale"].astype(np.float64))

@@ -22,10 +22,10 @@ from ..optional_imports import foreign_errors, import_for
 from ..source import Source, open_source
 from ..table import PointTable
 
-MAGIC = 0x5053474E
+SPZ_MAGIC = 0x5053474E
 HEADER = struct.Struct("<IIIBBBB")
 COLOR_SCALE = 0.15  # fraction of the byte range per unit of f_dc
-FLIPS = (1, -1, -1)  # from right, up, back to right, down, forward, and back
+AXIS_SIGNS = (1, -1, -1)  # from right, up, back to right, down, forward, and back
 HAS_EXTENSIONS = 2  # a flag
 _FREE_BYTES, _MAX_RATIO = 1 << 28, 1000  # limit of unpacked columns, whose number is in the header
 _ENTRY = struct.Struct("<QQ")
@@ -59,7 +59,7 @@ def read_spz(path: str | os.PathLike[str]) -> PointTable:
 
 
 def _check(path: Path, header: SpzHeader, versions: tuple[int, ...]) -> None:
-    if header.magic != MAGIC:
+    if header.magic != SPZ_MAGIC:
         raise FileError(path, "does not begin with the magic number of SPZ", where="byte 0")
     if header.version not in versions:
         raise FileError(
@@ -150,12 +150,12 @@ def _points(header: SpzHeader, data: NDArray[np.uint8]) -> NDArray[np.float32]:
     parts = data.reshape(-1, 3).astype(np.int32)
     integers = parts[:, 0] | parts[:, 1] << 8 | parts[:, 2] << 16
     integers -= (integers >> 23) << 24  # sign bit
-    return (integers.reshape(-1, 3) / 2.0**header.fractional_bits * FLIPS).astype(np.float32)
+    return (integers.reshape(-1, 3) / 2.0**header.fractional_bits * AXIS_SIGNS).astype(np.float32)
 
 
 def _attributes(header: SpzHeader, data: dict[str, NDArray[np.uint8]]) -> dict[str, NDArray[Any]]:
     decode_rotations = _three_bytes if header.version == 2 else _smallest_three
-    flips = np.array([1.0, *FLIPS])  # a rotation by half a circle about x on both sides
+    flips = np.array([1.0, *AXIS_SIGNS])  # a rotation by half a circle about x on both sides
     attributes: dict[str, NDArray[Any]] = {
         "f_dc": ((data["f_dc"].reshape(-1, 3) / 255 - 0.5) / COLOR_SCALE).astype(np.float32),
         "opacity": logits_of(data["opacity"] / 255),
@@ -164,7 +164,7 @@ def _attributes(header: SpzHeader, data: dict[str, NDArray[np.uint8]]) -> dict[s
     }
     if header.degree:
         rest = (data["f_rest"].reshape(header.splats, -1, 3).astype(np.float32) - 128) / 128
-        rest *= signs_of_flip(FLIPS, header.degree).astype(np.float32)[:, None]
+        rest *= signs_of_flip(AXIS_SIGNS, header.degree).astype(np.float32)[:, None]
         attributes["f_rest"] = np.ascontiguousarray(rest.transpose(0, 2, 1)).reshape(header.splats, -1)
     return attributes
 

@@ -16,10 +16,10 @@ from ...pcd.splats import fractions_of, unit_quaternions
 from ..columns import warn_left_out
 from ..table import PointTable
 from .splat_rows import check_rounding, to_bytes
-from .spz import COLOR_SCALE, FLIPS, HEADER, MAGIC, SpzHeader
+from .spz import AXIS_SIGNS, COLOR_SCALE, HEADER, SPZ_MAGIC, SpzHeader
 
 _MAX_BITS = 12  # fractional bits: steps of 0.24 mm, up to 2 km
-_VERSION = 3
+_SPZ_VERSION = 3
 
 
 def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
@@ -30,10 +30,10 @@ def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
     bits = _fractional_bits(path, table.points)
     if len(table.points) > 0xFFFFFFFF:
         raise FileError(path, f"SPZ stores fewer than 2^32 splats, got {len(table.points):,}")
-    header = SpzHeader(MAGIC, _VERSION, len(table.points), degree, bits, 0, 0)
-    rotations = np.roll(unit_quaternions(columns["rot"]), -1, axis=1) * [*FLIPS, 1.0]
+    header = SpzHeader(SPZ_MAGIC, _SPZ_VERSION, len(table.points), degree, bits, 0, 0)
+    rotations = np.roll(unit_quaternions(columns["rot"]), -1, axis=1) * [*AXIS_SIGNS, 1.0]
     parts = [
-        _three_bytes(np.rint(table.points.astype(np.float64) * FLIPS * 2.0**bits).astype(np.int32)),
+        _three_bytes(np.rint(table.points.astype(np.float64) * AXIS_SIGNS * 2.0**bits).astype(np.int32)),
         to_bytes(fractions_of(columns["opacity"]) * 255),
         to_bytes((columns["f_dc"].astype(np.float64) * COLOR_SCALE + 0.5) * 255),
         to_bytes((np.maximum(columns["scale"].astype(np.float64), -10.0) + 10) * 16),
@@ -80,6 +80,6 @@ def _smallest_three(rotations: NDArray[np.float64]) -> NDArray[np.uint32]:
 
 def _harmonics(rest: NDArray[Any], degree: int) -> NDArray[np.uint8]:
     """Bytes in steps of 1/16 for degree 1 and 1/8 beyond, red, green, blue per coefficient."""
-    values = rest.reshape(len(rest), 3, -1).transpose(0, 2, 1) * signs_of_flip(FLIPS, degree)[:, None]
+    values = rest.reshape(len(rest), 3, -1).transpose(0, 2, 1) * signs_of_flip(AXIS_SIGNS, degree)[:, None]
     step = np.where(np.arange(values.shape[1]) < 3, 8, 16)[:, None]
     return np.clip(np.rint(values * 128 / step) * step + 128, 0, 255).astype(np.uint8)

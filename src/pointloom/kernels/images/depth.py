@@ -33,13 +33,13 @@ from ..lang import (
 )
 from ..memory import download, empty, zeros
 
-RUN = 1024  # pixels per thread of an atomic reduction on the CPU
-WORD = 0xFFFF  # the largest raw depth
-BYTE = 0xFF
-LANES = 8  # pixels of a thread that fits normals, which a CPU fits at once
+PIXELS_PER_RUN = 1024  # pixels per thread of an atomic reduction on the CPU
+UINT16_MAX = 0xFFFF  # the largest raw depth
+BYTE_MASK = 0xFF
+LANE_COUNT = 8  # pixels of a thread that fits normals, which a CPU fits at once
 octet = vector(8, float32)  # one number per pixel of a thread
 NYU_SCALE, NYU_OFFSET = 351.3, 1092.5  # meters = scale / (offset - raw), as in the data set's toolbox
-RED, GREEN, BLUE = 0.2990, 0.5870, 0.1140  # weights of brightness (ITU-R BT.601)
+RED_WEIGHT, GREEN_WEIGHT, BLUE_WEIGHT = 0.2990, 0.5870, 0.1140  # weights of brightness (ITU-R BT.601)
 
 
 @kernel
@@ -47,7 +47,7 @@ def decode_sun_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
     """SUN3D: millimeters, rotated left by three bits."""
     i = tid()
     x = int(raw[i])
-    depth[i] = uint16(((x >> 3) | (x << 13)) & WORD)
+    depth[i] = uint16(((x >> 3) | (x << 13)) & UINT16_MAX)
 
 
 @kernel
@@ -55,11 +55,11 @@ def decode_nyu_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
     """NYU Depth v2: byte-swapped disparity; whole millimeters, 0 for none."""
     i = tid()
     x = int(raw[i])
-    x = ((x & BYTE) << 8) | (x >> 8)
+    x = ((x & BYTE_MASK) << 8) | (x >> 8)
     meters = float64(NYU_SCALE) / (float64(NYU_OFFSET) - float64(x))
     millimeters = 0
     if meters > 0.0:
-        millimeters = min(int(floor(meters * 1000.0 + 0.5)), WORD)
+        millimeters = min(int(floor(meters * 1000.0 + 0.5)), UINT16_MAX)
     depth[i] = uint16(millimeters)
 
 
@@ -174,10 +174,10 @@ def fit_pixel_normals_kernel(
     valid: array(dtype=uint8),
 ):
     """R times unit normals, toward the camera, from the right and lower neighbors; `fill` if one has no depth. A thread
-    fits LANES pixels of a row."""
+    fits LANE_COUNT pixels of a row."""
     i = tid()
-    groups = (grid.columns + LANES - 1) // LANES
-    first = (i % groups) * LANES
+    groups = (grid.columns + LANE_COUNT - 1) // LANE_COUNT
+    first = (i % groups) * LANE_COUNT
     row = i // groups
     v = row * grid.stride
     line = v * grid.width
@@ -185,7 +185,7 @@ def fit_pixel_normals_kernel(
     x = octet(0.0)
     y = octet(0.0)
     z = octet(0.0)
-    for lane in range(LANES):
+    for lane in range(LANE_COUNT):
         u = min((first + lane) * grid.stride, camera.width - 1)
         right = min(u + grid.stride, camera.width - 1)
         depths = vec3(depth[line + u], depth[line + right], depth[below + u])
@@ -197,7 +197,7 @@ def fit_pixel_normals_kernel(
         x[lane] = n[0] if good else float(NAN)
         y[lane] = n[1] if good else float(NAN)
         z[lane] = n[2] if good else float(NAN)
-    for lane in range(LANES):
+    for lane in range(LANE_COUNT):
         if first + lane < grid.columns:
             at = row * grid.columns + first + lane
             n = vec3(x[lane], y[lane], z[lane])
@@ -228,7 +228,9 @@ def gray_pixels_kernel(intensity: array(dtype=float32), grid: PixelGrid, colors:
 @kernel
 def weigh_colors_kernel(pixels: array(dtype=uint8, ndim=2), intensity: array(dtype=float32)):
     i = tid()
-    intensity[i] = (RED * float(pixels[i, 0]) + GREEN * float(pixels[i, 1]) + BLUE * float(pixels[i, 2])) / 255.0
+    intensity[i] = (
+        RED_WEIGHT * float(pixels[i, 0]) + GREEN_WEIGHT * float(pixels[i, 1]) + BLUE_WEIGHT * float(pixels[i, 2])
+    ) / 255.0
 
 
 def decode_depth(raw: Array1[uint16], layout: str) -> Array1[uint16]:
@@ -247,7 +249,7 @@ def metric_depth(raw: Scalars | Array1[uint16], scale: float, farthest: float) -
 
 def depth_runs(raw: Scalars | Array1[uint16]) -> Runs:
     """Runs of a depth image, with as many rows as `largest`."""
-    return Runs(raw.size, raw.device, RUN)
+    return Runs(raw.size, raw.device, PIXELS_PER_RUN)
 
 
 def scale_depth(
@@ -281,7 +283,7 @@ def pixel_normals(
     """(normals vec3 (grid.count) toward the camera, `fill` for none; valid uint8), rotated by the float64 matrix R."""
     normals, valid = empty(grid.count, vec3, depth.device), empty(grid.count, uint8, depth.device)
     arguments = [depth, grid, camera, mat33d(*R.ravel()), float(fill), normals, valid]
-    launch(fit_pixel_normals_kernel, grid.rows * -(-grid.columns // LANES), arguments)
+    launch(fit_pixel_normals_kernel, grid.rows * -(-grid.columns // LANE_COUNT), arguments)
     return normals, valid
 
 

@@ -4,23 +4,23 @@ from ..array_types import Array2, Scalars
 from ..lang import array, bits_float, float32, floor, func, kernel, launch, loop, tid, uint8, vec3, vector
 from ..memory import empty
 
-CENTER, NEAR, FAR = 0.375, 0.25, 0.0625  # the binomial weights 6, 4, 1 of 16
+CENTER_WEIGHT, SIDE_WEIGHT, CORNER_WEIGHT = 0.375, 0.25, 0.0625  # the binomial weights 6, 4, 1 of 16
 # Gaussian of deviation 1 at 0, 1 and 2 pixels, normalized over five.
 GAUSS_CENTER, GAUSS_NEAR, GAUSS_FAR = 0.40261995, 0.24420134, 0.05448868
 HALF_WINDOW = 2
-FARTHEST = 87.0  # exponent beyond which a weight is 0
+MAX_EXPONENT = 87.0  # exponent beyond which a weight is 0
 INVERSE_LOG2 = 1.44269504
 LOG2_HIGH = 0.693359375  # of ln 2: 10 bits, so that integer multiples are exact
 LOG2_LOW = -2.12194440e-4
 EXPONENT_BIAS, EXPONENT_SHIFT = 127, 23  # of a float32
-LANES = 8  # pixels of a thread of the bilateral filter, which a CPU filters at once
+LANE_COUNT = 8  # pixels of a thread of the bilateral filter, which a CPU filters at once
 octet = vector(8, float32)  # one number per pixel of a thread
 
 
 @func
 def falloff(x: float) -> float:
-    """exp(-x) for x >= 0, to 2e-7, bitwise identical everywhere and branch-free. 0 beyond FARTHEST."""
-    n = int(min(x, float(FARTHEST)) * INVERSE_LOG2 + 0.5)
+    """exp(-x) for x >= 0, to 2e-7, bitwise identical everywhere and branch-free. 0 beyond MAX_EXPONENT."""
+    n = int(min(x, float(MAX_EXPONENT)) * INVERSE_LOG2 + 0.5)
     k = float(n)
     r = (k * LOG2_HIGH - x) + k * LOG2_LOW
     s = 1.9875691500e-4 * r + 1.3981999507e-3
@@ -30,7 +30,7 @@ def falloff(x: float) -> float:
     s = s * r + 5.0000001201e-1
     s = s * (r * r) + r + 1.0
     value = s * bits_float((EXPONENT_BIAS - n) << EXPONENT_SHIFT)  # s / 2^n, exact
-    return value if x <= float(FARTHEST) else 0.0
+    return value if x <= float(MAX_EXPONENT) else 0.0
 
 
 @kernel
@@ -43,16 +43,16 @@ def filter_bilateral_kernel(
     distance_falloff: float,
     filtered: array(dtype=float32),
 ):
-    """Bilateral filter (Tomasi and Manduchi 1998) with replicated border. A thread filters LANES pixels of a row."""
+    """Bilateral filter (Tomasi and Manduchi 1998) with replicated border. A thread filters LANE_COUNT pixels."""
     i = tid()
-    groups = (width + LANES - 1) // LANES
-    first = (i % groups) * LANES
+    groups = (width + LANE_COUNT - 1) // LANE_COUNT
+    first = (i % groups) * LANE_COUNT
     v = i // groups
     center = octet(0.0)
     value = octet(0.0)
     total = octet(0.0)
     weights = octet(0.0)
-    for lane in range(LANES):
+    for lane in range(LANE_COUNT):
         center[lane] = depth[v * width + min(first + lane, width - 1)]
     for dv in range(-radius, radius + 1):
         row = min(max(v + dv, 0), height - 1) * width
@@ -60,20 +60,20 @@ def filter_bilateral_kernel(
             sqdist = du * du + dv * dv
             if sqdist <= radius * radius:
                 start = first + du
-                if start >= 0 and start + LANES <= width:
-                    for lane in range(LANES):
+                if start >= 0 and start + LANE_COUNT <= width:
+                    for lane in range(LANE_COUNT):
                         value[lane] = depth[row + start + lane]
                 else:
-                    for lane in range(LANES):
+                    for lane in range(LANE_COUNT):
                         value[lane] = depth[row + min(max(start + lane, 0), width - 1)]
                 distance = float(sqdist) * distance_falloff
-                for lane in range(LANES):
+                for lane in range(LANE_COUNT):
                     difference = value[lane] - center[lane]  # flat regions stay bitwise unchanged
                     w = falloff(difference * difference * value_falloff + distance)
                     w = w if value[lane] > 0.0 else 0.0
                     total[lane] += w * difference
                     weights[lane] += w
-    for lane in range(LANES):
+    for lane in range(LANE_COUNT):
         if first + lane < width:
             mean = 0.0
             if center[lane] > 0.0:
@@ -114,11 +114,11 @@ def erode_edges_kernel(
 
 @func
 def binomial_weight(offset: int) -> float:
-    weight = float(CENTER)
+    weight = float(CENTER_WEIGHT)
     if offset != 0:
-        weight = NEAR
+        weight = SIDE_WEIGHT
     if abs(offset) == HALF_WINDOW:
-        weight = FAR
+        weight = CORNER_WEIGHT
     return weight
 
 
@@ -201,7 +201,7 @@ def filter_bilateral(
     """Bilateral depth, float32 (height * width); deviations in meters and pixels."""
     filtered = empty(depth.size, float32, depth.device)
     falloffs = [0.5 / max(sigma * sigma, 1e-30) for sigma in (value_sigma, distance_sigma)]  # finite in float32
-    threads = height * -(-width // LANES)
+    threads = height * -(-width // LANE_COUNT)
     launch(filter_bilateral_kernel, threads, [depth, width, height, radius, *falloffs, filtered])
     return filtered
 

@@ -11,9 +11,9 @@ from ..array_types import Array1, Array2, Device, Mask
 from ..lang import array, float64, floor, func, kernel, launch, sqrt, struct, tid, uint8, vec2, vec2d
 from ..memory import empty
 
-PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = 0, 1, 2, 3, 4
-UNSEEN = -1.0  # position outside the lens
-FAR = 1.0e30  # replaces an infinite radius
+PERSPECTIVE_LENS, EQUIDISTANT_LENS, FIELD_OF_VIEW_LENS, DIVISION_LENS, UNIFIED_LENS = 0, 1, 2, 3, 4
+UNSEEN_POSITION = -1.0  # position outside the lens
+MAX_FINITE_RADIUS = 1.0e30  # replaces an infinite radius
 
 
 @struct
@@ -56,28 +56,28 @@ class LensOptics:
         self.b1, self.b2, self.b3 = lens.rational
         (self.p1, self.p2), (self.s1, self.s2) = lens.tangential, lens.prism
         self.shape, self.second = lens.shape
-        self.thin, self.wide, self.max_radius = thin, wide, min(max_radius, FAR)
+        self.thin, self.wide, self.max_radius = thin, wide, min(max_radius, MAX_FINITE_RADIUS)
 
 
 @func
 def shortened(r: float64, lens: LensOptics) -> float64:
     """Factor of the radial mapping at radius r, or -1 if there is no such ray."""
     factor = float64(1.0)
-    if lens.kind == EQUIDISTANT and r > 0.0:
+    if lens.kind == EQUIDISTANT_LENS and r > 0.0:
         factor = angle_of(r, 1.0) / r
-    if lens.kind == FIELD_OF_VIEW:
+    if lens.kind == FIELD_OF_VIEW_LENS:
         if lens.thin == 1:
             factor = lens.shape * lens.shape * (r * r / 3.0 - float64(1.0) / float64(12.0)) + 1.0
         elif r > 0.0:
             factor = angle_of(r * lens.wide, 1.0) / (r * lens.shape)
         else:
             factor = lens.wide / lens.shape
-    if lens.kind == DIVISION:
+    if lens.kind == DIVISION_LENS:
         inside = 1.0 - 4.0 * lens.shape * r * r
         factor = -1.0
         if inside >= 0.0:
             factor = 2.0 / (1.0 + sqrt(inside))
-    if lens.kind == UNIFIED:
+    if lens.kind == UNIFIED_LENS:
         inside = lens.second * r * r + 1.0
         factor = -1.0
         if inside >= 0.0:
@@ -107,7 +107,7 @@ def find_lens_positions_kernel(lens: LensOptics, camera: Camera, positions: arra
     x = (float64(i % camera.width) - camera.cx) / camera.fx
     y = (float64(i // camera.width) - camera.cy) / camera.fy
     factor = shortened(sqrt(x * x + y * y), lens)
-    position = vec2(UNSEEN, UNSEEN)
+    position = vec2(UNSEEN_POSITION, UNSEEN_POSITION)
     x = x * factor
     y = y * factor
     if factor > 0.0 and x * x + y * y <= lens.max_radius * lens.max_radius:

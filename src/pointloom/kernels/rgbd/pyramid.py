@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..array_types import AnyArray, Array2, Device, Points, Scalars
-from ..images.depth import BLUE, GREEN, RED, intensity_of
+from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT, intensity_of
 from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
 
@@ -146,7 +146,9 @@ def halve_level_kernel(
 
 @func
 def luma(at: int, pixels: array(dtype=uint8, ndim=2)) -> float:
-    return (RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])) / 255.0
+    return (
+        RED_WEIGHT * float(pixels[at, 0]) + GREEN_WEIGHT * float(pixels[at, 1]) + BLUE_WEIGHT * float(pixels[at, 2])
+    ) / 255.0
 
 
 @kernel

@@ -5,9 +5,9 @@ from ..arrays.random import random_bits
 from ..lang import array, func, int64, kernel, launch, tid, uint8
 from ..memory import empty
 
-STREAM = 0x40000000  # distinct from the streams of the depth noise
+COLOR_NOISE_STREAM = 0x40000000  # distinct from the streams of the depth noise
 HALF_WORD = 0xFFFF
-MEAN = 262140.0  # of the sum of eight numbers from 0 to 65,535
+MEAN_OF_SUM = 262140.0  # of the sum of eight numbers from 0 to 65,535
 PER_SIGMA = 1.0 / 53510.0  # their standard deviation: 65,536 sqrt(8 / 12)
 
 
@@ -21,14 +21,14 @@ def measure_colors_kernel(
     sigma: float, seed: int, frame: int, colors: array(dtype=uint8), measured: array(dtype=uint8)
 ):
     i = tid()
-    words = random_bits(seed, i, STREAM + frame)
+    words = random_bits(seed, i, COLOR_NOISE_STREAM + frame)
     sums = (
         sum_half_words(int64(words[0]))
         + sum_half_words(int64(words[1]))
         + sum_half_words(int64(words[2]))
         + sum_half_words(int64(words[3]))
     )
-    normal = (float(sums) - MEAN) * PER_SIGMA
+    normal = (float(sums) - MEAN_OF_SUM) * PER_SIGMA
     value = float(int(colors[i])) + sigma * normal
     measured[i] = uint8(int(min(max(value, 0.0), 255.0) + 0.5))
 

@@ -11,11 +11,11 @@ from ..memory import empty
 AXIAL_BASE = 0.0012  # [m]
 AXIAL_GROWTH = 0.0019  # [1/m]
 AXIAL_NEAREST = 0.4  # [m]
-GRAZING = 0.17364818  # cos 80 degrees
+MIN_INCIDENCE_COSINE = 0.17364818  # cos 80 degrees
 EDGE_JUMP = 0.04  # relative depth step at an edge
 EDGE_LOSS = 0.7  # fraction of edge pixels without depth
-NEAREST = 0.3  # [m] minimum range
-FARTHEST = 8.0  # [m] maximum range
+MIN_RANGE = 0.3  # [m]
+MAX_RANGE = 8.0  # [m]
 
 
 @kernel
@@ -42,7 +42,7 @@ def measure_depth_kernel(
     away = z - AXIAL_NEAREST
     noisy = z + (AXIAL_BASE + AXIAL_GROWTH * away * away) * gaussian_pair(u[0], u[1])[0]
     is_valid = 1
-    if noisy < NEAREST or noisy > FARTHEST or incidence[i] < GRAZING:
+    if noisy < MIN_RANGE or noisy > MAX_RANGE or incidence[i] < MIN_INCIDENCE_COSINE:
         is_valid = 0
     if jump > EDGE_JUMP * z and u[2] < EDGE_LOSS:
         is_valid = 0

@@ -28,42 +28,42 @@ from ..lang import (
 )
 from ..memory import empty, upload
 
-BOX = 0
-CYLINDER = 1
-TOUCH = 1e-9  # [m] distance that counts as a hit
-GRAZE = 1e-6  # [m] ... or this close when the steps run out, for tangent rays
-STEPS = 40
-SMALLEST = 1e-12  # replaces a zero direction component
-ZERO = 0.0
-ONE = 1.0
+BOX_KIND = 0
+CYLINDER_KIND = 1
+HIT_DISTANCE = 1e-9  # [m] distance that counts as a hit
+TANGENT_HIT_DISTANCE = 1e-6  # [m] ... or this close when the steps run out, for tangent rays
+MAX_STEPS = 40
+MIN_SLOPE = 1e-12  # replaces a zero direction component
+ZERO_LENGTH = 0.0
+UNIT_SLOPE = 1.0
 
 
 @func
 def box_field(q: vec3d, extent: vec4d) -> vec4d:
     """Gradient and signed distance [m] of a rounded box at a point in its frame."""
     a = vec3d(abs(q[0]) - extent[0], abs(q[1]) - extent[1], abs(q[2]) - extent[2])
-    x = max(a[0], float64(ZERO))
-    y = max(a[1], float64(ZERO))
-    z = max(a[2], float64(ZERO))
+    x = max(a[0], float64(ZERO_LENGTH))
+    y = max(a[1], float64(ZERO_LENGTH))
+    z = max(a[2], float64(ZERO_LENGTH))
     size = sqrt(x * x + y * y + z * z)
-    distance = size + float64(ZERO)
-    if size > float64(ZERO):
+    distance = size + float64(ZERO_LENGTH)
+    if size > float64(ZERO_LENGTH):
         x = x / size
         y = y / size
         z = z / size
     else:
         distance = max(a[0], max(a[1], a[2]))
         if a[0] == distance:
-            x = float64(ONE)
+            x = float64(UNIT_SLOPE)
         elif a[1] == distance:
-            y = float64(ONE)
+            y = float64(UNIT_SLOPE)
         else:
-            z = float64(ONE)
-    if q[0] < float64(ZERO):
+            z = float64(UNIT_SLOPE)
+    if q[0] < float64(ZERO_LENGTH):
         x = -x
-    if q[1] < float64(ZERO):
+    if q[1] < float64(ZERO_LENGTH):
         y = -y
-    if q[2] < float64(ZERO):
+    if q[2] < float64(ZERO_LENGTH):
         z = -z
     return vec4d(x, y, z, distance - extent[3])
 
@@ -72,10 +72,12 @@ def box_field(q: vec3d, extent: vec4d) -> vec4d:
 def cylinder_field(q: vec3d, extent: vec4d) -> vec4d:
     """Gradient and signed distance [m] of a rounded cylinder along z."""
     radius = sqrt(q[0] * q[0] + q[1] * q[1])
-    flat = box_field(vec3d(radius, float64(ZERO), q[2]), vec4d(extent[0], float64(INFINITY), extent[2], extent[3]))
-    x = float64(ONE)
-    y = float64(ZERO)
-    if radius > float64(ZERO):
+    flat = box_field(
+        vec3d(radius, float64(ZERO_LENGTH), q[2]), vec4d(extent[0], float64(INFINITY), extent[2], extent[3])
+    )
+    x = float64(UNIT_SLOPE)
+    y = float64(ZERO_LENGTH)
+    if radius > float64(ZERO_LENGTH):
         x = q[0] / radius
         y = q[1] / radius
     return vec4d(flat[0] * x, flat[0] * y, flat[2], flat[3])
@@ -85,7 +87,7 @@ def cylinder_field(q: vec3d, extent: vec4d) -> vec4d:
 def solid_field(q: vec3d, extent: vec4d, kind: int) -> vec4d:
     """Gradient (0, 1, 2) and signed distance (3) [m] of a solid at a point in its frame."""
     field = box_field(q, extent)
-    if kind == CYLINDER:
+    if kind == CYLINDER_KIND:
         field = cylinder_field(q, extent)
     return field
 
@@ -93,32 +95,32 @@ def solid_field(q: vec3d, extent: vec4d, kind: int) -> vec4d:
 @func
 def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit: float64) -> float64:
     """Parameter at which a ray in a solid's frame first hits it, from the bounding box on; infinite beyond `limit`."""
-    near = float64(ZERO)
-    far = limit + float64(ZERO)
+    near = float64(ZERO_LENGTH)
+    far = limit + float64(ZERO_LENGTH)
     for axis in range(3):
         half = extent[axis] + extent[3]
-        if kind == CYLINDER and axis == 1:
+        if kind == CYLINDER_KIND and axis == 1:
             half = extent[0] + extent[3]
         slope = direction[axis]
-        if abs(slope) < float64(SMALLEST):
-            slope = float64(SMALLEST)
+        if abs(slope) < float64(MIN_SLOPE):
+            slope = float64(MIN_SLOPE)
         a = (-half - origin[axis]) / slope
         b = (half - origin[axis]) / slope
         near = max(near, min(a, b))
         far = min(far, max(a, b))
     t = float64(INFINITY)
     if near <= far:
-        parameter = near + float64(ZERO)
+        parameter = near + float64(ZERO_LENGTH)
         searching = 1
         step = 0
         while searching == 1:
             field = solid_field(origin + direction * parameter, extent, kind)
             descent = -(field[0] * direction[0] + field[1] * direction[1] + field[2] * direction[2])
             step += 1
-            if field[3] <= float64(TOUCH) or (step > STEPS and field[3] <= float64(GRAZE)):
+            if field[3] <= float64(HIT_DISTANCE) or (step > MAX_STEPS and field[3] <= float64(TANGENT_HIT_DISTANCE)):
                 t = parameter
                 searching = 0
-            elif descent <= float64(ZERO) or step > STEPS:
+            elif descent <= float64(ZERO_LENGTH) or step > MAX_STEPS:
                 searching = 0
             else:
                 parameter = parameter + field[3] / descent

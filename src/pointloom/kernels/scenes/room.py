@@ -40,16 +40,16 @@ from ..lang import (
 from ..memory import empty, upload
 from .primitives import Solids, meet_solid, point_in_solid, scene_distance, scene_normal
 
-AMBIENT = 0.54
-SKY = 0.04  # additional ambient light from above
-LAMP = 0.85
+AMBIENT_LIGHT = 0.54
+SKY_LIGHT = 0.04  # additional ambient light from above
+LAMP_LIGHT = 0.85
 LAMP_RANGE = 3.2  # [m] distance at which the lamp's light has halved
 LAMP_RADIUS = 0.25  # [m] objects closer to the lamp cast no shadow, such as its own glass
 NEAR_CORNER = 0.07  # [m] range of corner darkening
 FAR_CORNER = 0.28
 SHADOW_STEP = 0.04  # [m] shortest and longest step toward the lamp
 SHADOW_STRIDE = 0.12
-PENUMBRA = 6.0  # distance over width of a penumbra
+PENUMBRA_RATIO = 6.0  # distance over width of a penumbra
 
 
 @struct
@@ -122,7 +122,7 @@ def sample_shadows_kernel(light: LightGrid, distances: array(dtype=vec2)):
     t = float(SHADOW_STEP)
     while t < distance - LAMP_RADIUS and clear > 0.0:
         d = read_grid(p + way * (t / distance), distances, light)[0]
-        clear = min(clear, 0.5 + 0.5 * PENUMBRA * d / t)
+        clear = min(clear, 0.5 + 0.5 * PENUMBRA_RATIO * d / t)
         t = t + min(max(0.5 * d, SHADOW_STEP), SHADOW_STRIDE)
     fraction = min(max(clear, 0.0), 1.0)
     light.nodes[i] = vec2(distances[i][0], fraction * fraction * (3.0 - 2.0 * fraction))
@@ -139,31 +139,31 @@ def light_surface(p: vec3, normal: vec3, light: LightGrid) -> float:
     distance = length(way)
     lit = max(dot(normal, way) / distance, 0.0) * near[1]
     fall = 1.0 / (1.0 + distance * distance / (LAMP_RANGE * LAMP_RANGE))
-    return (AMBIENT + SKY * normal[2]) * openness + LAMP * lit * fall * (0.6 + 0.4 * openness)
+    return (AMBIENT_LIGHT + SKY_LIGHT * normal[2]) * openness + LAMP_LIGHT * lit * fall * (0.6 + 0.4 * openness)
 
 
-TILE = 16  # [px] smaller tiles list fewer solids, larger ones need fewer lists. 8 and 32 were slower
-TILE_SIZE = float(TILE)
-PLAIN = 0
-CHECKER = 1
-STRIPES = 2
-PLANKS = 3
-GLOW = 4  # emissive
-SEAM = 0.137  # shifts pattern seams off the faces of solids, where rounding would decide
+TILE_PIXELS = 16  # [px] smaller tiles list fewer solids, larger ones need fewer lists. 8 and 32 were slower
+TILE_SIZE = float(TILE_PIXELS)
+PLAIN_PATTERN = 0
+CHECKER_PATTERN = 1
+STRIPES_PATTERN = 2
+PLANKS_PATTERN = 3
+GLOW_PATTERN = 4  # emissive
+SEAM_SHIFT = 0.137  # shifts pattern seams off the faces of solids, where rounding would decide
 PLANK_LENGTH = 5.0  # widths of a plank
 
 
 @func
 def pattern_weight(q: vec3, kind: int, size: float) -> float:
     """Fraction of the second color at a point in a solid's frame."""
-    u = q / size + vec3(SEAM, SEAM, SEAM)
+    u = q / size + vec3(SEAM_SHIFT, SEAM_SHIFT, SEAM_SHIFT)
     weight = 0.0
-    if kind == CHECKER:
+    if kind == CHECKER_PATTERN:
         total = floor(u[0]) + floor(u[1]) + floor(u[2])
         weight = total - 2.0 * floor(total * 0.5)
-    elif kind == STRIPES:
+    elif kind == STRIPES_PATTERN:
         weight = floor(u[0]) - 2.0 * floor(u[0] * 0.5)
-    elif kind == PLANKS:
+    elif kind == PLANKS_PATTERN:
         row = floor(u[1])
         coordinate = u[0] / PLANK_LENGTH + row * 0.381966
         plank = floor(coordinate) * 7.13 + row * 3.71
@@ -175,7 +175,7 @@ def pattern_weight(q: vec3, kind: int, size: float) -> float:
 
 @struct
 class Room:
-    """A scene of solids, two colors each (0 to 1), `patterns`: kind (PLAIN, CHECKER, STRIPES, PLANKS, GLOW) and size
+    """A scene of solids, two colors each (0 to 1), `patterns`: kind (PLAIN_PATTERN to GLOW_PATTERN) and size
     [m]. `light`: an existing grid, instead of `lamp`, `low`, `high` and `step` [m].
     """
 
@@ -221,7 +221,7 @@ class TileLists:
     lists: array(dtype=int32)
 
     def __init__(self, camera: CameraLike, T_world_camera: Transform, solids: Solids) -> None:
-        self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
+        self.columns, rows = -(-camera.width // TILE_PIXELS), -(-camera.height // TILE_PIXELS)
         count, device = self.columns * rows, solids.device
         self.lists, self.counts = empty(count * solids.count, int32, device), empty(count, int32, device)
         launch(list_solids_kernel, count, [camera, T_world_camera, solids, self])
@@ -230,8 +230,8 @@ class TileLists:
 @kernel
 def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids, tiles: TileLists):
     i = tid()
-    x0 = float64((i % tiles.columns) * TILE) - 0.5
-    y0 = float64((i // tiles.columns) * TILE) - 0.5
+    x0 = float64((i % tiles.columns) * TILE_PIXELS) - 0.5
+    y0 = float64((i // tiles.columns) * TILE_PIXELS) - 0.5
     size = float64(TILE_SIZE)
     middle = normalize(pixel_ray(x0 + size * 0.5, y0 + size * 0.5, camera))
     cosine = float64(1.0)
@@ -263,7 +263,7 @@ def color_at(p: vec3d, normal: vec3d, solid: int, room: Room) -> vec3:
     q = point_in_solid(p, solid, room.solids)
     light = light_surface(narrow(p), narrow(normal), room.light)
     pattern = room.patterns[solid]
-    if int(pattern[0]) == GLOW:
+    if int(pattern[0]) == GLOW_PATTERN:
         light = 1.0
     weight = pattern_weight(narrow(q), int(pattern[0]), pattern[1])
     return (room.paints[2 * solid] * (1.0 - weight) + room.paints[2 * solid + 1] * weight) * light
@@ -283,7 +283,7 @@ def render_pixels_kernel(
     i = tid()
     column = i % camera.width
     row = i // camera.width
-    tile = (row // TILE) * tiles.columns + column // TILE
+    tile = (row // TILE_PIXELS) * tiles.columns + column // TILE_PIXELS
     view = pixel_ray(float64(column), float64(row), camera)
     ray = T_world_camera.R @ view
     eye = T_world_camera.t

@@ -14,10 +14,10 @@ from ..lang import array, float32, float64, floor, func, kernel, launch, tid, ui
 from ..memory import empty
 
 # Detail at near and far range: 0.12 m is 30 px of a VGA image at 2 m, 15 mm is 4 px.
-COARSE, MIDDLE, FINE = 0.12, 0.04, 0.015  # [m] spacing of the octaves' lattices
+COARSE_SPACING, MIDDLE_SPACING, FINE_SPACING = 0.12, 0.04, 0.015  # [m] spacing of the octaves' lattices
 COARSE_WEIGHT, MIDDLE_WEIGHT, FINE_WEIGHT = 0.45, 0.33, 0.22  # their fractions
-DARKEST = 0.45  # color factor at noise 0 ...
-RANGE = 1.1  # ... and its increase at noise 1: the mean is 1
+MIN_COLOR_FACTOR = 0.45  # color factor at noise 0 ...
+COLOR_FACTOR_RANGE = 1.1  # ... and its increase at noise 1: the mean is 1
 
 PRIME_X, PRIME_Y, PRIME_Z = 73856093, 19349663, 83492791  # of Teschner et al.
 PRIME_SEED = 2654435761
@@ -66,10 +66,10 @@ def value_noise(p: vec3, seed: int) -> float:
 @func
 def grain(p: vec3, seed: int) -> float:
     """Color factor at a position [m]: three octaves, mean 1."""
-    coarse = COARSE_WEIGHT * value_noise(p / COARSE, seed)
-    middle = MIDDLE_WEIGHT * value_noise(p / MIDDLE, seed + 1)
-    fine = FINE_WEIGHT * value_noise(p / FINE, seed + 2)
-    return DARKEST + RANGE * (coarse + middle + fine)
+    coarse = COARSE_WEIGHT * value_noise(p / COARSE_SPACING, seed)
+    middle = MIDDLE_WEIGHT * value_noise(p / MIDDLE_SPACING, seed + 1)
+    fine = FINE_WEIGHT * value_noise(p / FINE_SPACING, seed + 2)
+    return MIN_COLOR_FACTOR + COLOR_FACTOR_RANGE * (coarse + middle + fine)
 
 
 @kernel

@@ -4,12 +4,12 @@ A block is one load in bilinear interpolation: 16 bits each for a pixel, the one
 opposite one, from the lowest bits on. 8 B per pixel.
 """
 
-from ..images.depth import BLUE, GREEN, RED
+from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT
 from ..lang import array, func, int64, kernel, tid, uint8, uint64
 
-WHITE = 255.0
-LEVELS = 65535.0  # of brightness 1
-LEVEL = 0xFFFF
+WHITE_LEVEL = 255.0
+MAX_PACKED_LEVEL = 65535.0  # of brightness 1
+PACKED_LEVEL_MASK = 0xFFFF
 
 
 @func
@@ -19,8 +19,8 @@ def brightness_of(pixels: array(dtype=uint8), pixel: int, channels: int) -> floa
     if channels == 3:
         green = float(pixels[pixel * channels + 1])
         blue = float(pixels[pixel * channels + 2])
-        value = RED * value + GREEN * green + BLUE * blue
-    return value / WHITE
+        value = RED_WEIGHT * value + GREEN_WEIGHT * green + BLUE_WEIGHT * blue
+    return value / WHITE_LEVEL
 
 
 @func
@@ -49,7 +49,7 @@ def resized_brightness(
 @func
 def brightness_in(block: uint64) -> float:
     """Brightness of the pixel of a block."""
-    return float(int(block & uint64(LEVEL))) * (1.0 / LEVELS)
+    return float(int(block & uint64(PACKED_LEVEL_MASK))) * (1.0 / MAX_PACKED_LEVEL)
 
 
 @kernel
@@ -74,5 +74,5 @@ def resize_brightness_kernel(
             value = brightness_of(pixels, y * columns + x, channels)
         else:
             value = resized_brightness(pixels, channels, columns, rows, width, height, x, y)
-        block = block | (uint64(int64(value * LEVELS + 0.5)) << uint64(16 * k))
+        block = block | (uint64(int64(value * MAX_PACKED_LEVEL + 0.5)) << uint64(16 * k))
     blocks[first + i] = block

@@ -13,18 +13,18 @@ from ..lang import array, float32, floor, func, int32, kernel, launch, mat33, ti
 from ..memory import empty
 from .brightness import brightness_of
 
-LANES = 16  # pixels of a thread, and disparities computed together: LLVM vectorizes loops over them
-ACROSS, DOWN = 4, 3  # half the window [px]
+LANE_COUNT = 16  # pixels of a thread, and disparities computed together: LLVM vectorizes loops over them
+WINDOW_HALF_WIDTH, WINDOW_HALF_HEIGHT = 4, 3  # half the window [px]
 NO_CODE = -1  # outside the image
-OUTSIDE = -1.0  # brightness
+OUTSIDE_BRIGHTNESS = -1.0  # brightness
 
-lanes = vector(LANES, int32)
+lanes = vector(LANE_COUNT, int32)
 
 
 @func
 def blended(pixels: array(dtype=uint8), channels: int, columns: int, rows: int, u: float, v: float) -> float:
-    """Bilinear brightness at a position, OUTSIDE beyond the pixel centers of the border."""
-    value = float(OUTSIDE)
+    """Bilinear brightness at a position, OUTSIDE_BRIGHTNESS beyond the pixel centers of the border."""
+    value = float(OUTSIDE_BRIGHTNESS)
     if u >= 0.0 and v >= 0.0 and u <= float(columns - 1) and v <= float(rows - 1):
         column = min(int(floor(u)), columns - 2)
         row = min(int(floor(v)), rows - 2)
@@ -53,10 +53,10 @@ def rectify_brightness_kernel(
 ):
     """Brightness with a repeated border for the window. `there` maps its pixels to the image, unless it is copied."""
     i = tid()
-    stride = width + 2 * ACROSS + LANES
-    x = min(max(i % stride - ACROSS, 0), width - 1)
-    y = min(max(i // stride - DOWN, 0), height - 1)
-    value = float(OUTSIDE)
+    stride = width + 2 * WINDOW_HALF_WIDTH + LANE_COUNT
+    x = min(max(i % stride - WINDOW_HALF_WIDTH, 0), width - 1)
+    y = min(max(i // stride - WINDOW_HALF_HEIGHT, 0), height - 1)
+    value = float(OUTSIDE_BRIGHTNESS)
     if is_copied == 1:
         if x < columns and y < rows:
             value = brightness_of(pixels, y * columns + x, channels)
@@ -73,20 +73,20 @@ def find_codes_kernel(
 ):
     """Codes of rows of pixels, each at start + step * column of a row of `codes`."""
     i = tid()
-    blocks = (width + LANES - 1) // LANES
+    blocks = (width + LANE_COUNT - 1) // LANE_COUNT
     y = i // blocks
-    first = i % blocks * LANES
-    stride = width + 2 * ACROSS + LANES
-    center = (y + DOWN) * stride + first + ACROSS
+    first = i % blocks * LANE_COUNT
+    stride = width + 2 * WINDOW_HALF_WIDTH + LANE_COUNT
+    center = (y + WINDOW_HALF_HEIGHT) * stride + first + WINDOW_HALF_WIDTH
     code = lanes(0)
-    for dy in range(DOWN + 1):
-        for dx in range(-ACROSS, ACROSS + 1):
+    for dy in range(WINDOW_HALF_HEIGHT + 1):
+        for dx in range(-WINDOW_HALF_WIDTH, WINDOW_HALF_WIDTH + 1):
             if dy > 0 or dx > 0:
                 offset = dy * stride + dx
-                for k in range(LANES):
+                for k in range(LANE_COUNT):
                     bit = 1 if brightness[center + k + offset] > brightness[center + k - offset] else 0
                     code[k] = code[k] * 2 + bit
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         column = start + step * (first + k)
         if first + k < width and column >= 0 and column < length:
             value = code[k]
@@ -103,13 +103,13 @@ def find_code_kernel(
     i = tid()
     x = i % width
     y = i // width
-    stride = width + 2 * ACROSS + LANES
-    center = (y + DOWN) * stride + x + ACROSS
+    stride = width + 2 * WINDOW_HALF_WIDTH + LANE_COUNT
+    center = (y + WINDOW_HALF_HEIGHT) * stride + x + WINDOW_HALF_WIDTH
     column = start + step * x
     if column >= 0 and column < length:
         code = 0
-        for dy in range(DOWN + 1):
-            for dx in range(-ACROSS, ACROSS + 1):
+        for dy in range(WINDOW_HALF_HEIGHT + 1):
+            for dx in range(-WINDOW_HALF_WIDTH, WINDOW_HALF_WIDTH + 1):
                 if dy > 0 or dx > 0:
                     offset = dy * stride + dx
                     code = code * 2 + (1 if brightness[center + offset] > brightness[center - offset] else 0)
@@ -122,7 +122,7 @@ def rectify_brightness(
     pixels: Bytes, channels: int, columns: int, rows: int, there: np.ndarray | None, width: int, height: int
 ) -> Scalars:
     """Brightness of an image seen through a homography, None for a copy, with the border that `find_codes` needs."""
-    size = (width + 2 * ACROSS + LANES) * (height + 2 * DOWN)
+    size = (width + 2 * WINDOW_HALF_WIDTH + LANE_COUNT) * (height + 2 * WINDOW_HALF_HEIGHT)
     out = empty(size, float32, pixels.device)
     matrix = mat33(*np.eye(3).ravel() if there is None else there.ravel())
     arrays = [pixels, channels, columns, rows, int(there is None), matrix, width, height, out]
@@ -132,5 +132,5 @@ def rectify_brightness(
 
 def find_codes(brightness: Scalars, width: int, height: int, *, step: int, start: int, codes: Integers) -> None:
     """Write the codes of an image into rows of `codes`, at start + step * column."""
-    threads = width if codes.device.is_cuda else -(-width // LANES)
+    threads = width if codes.device.is_cuda else -(-width // LANE_COUNT)
     launch(find_codes_kernel, threads * height, [brightness, width, step, start, codes.size // height, codes])

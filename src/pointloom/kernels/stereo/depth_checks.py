@@ -13,9 +13,9 @@ from ..lang import array, dot, float32, float64, floor, func, int32, kernel, lau
 from ..memory import empty, zeros
 
 SAME_SURFACE = 0.02  # relative difference of neighboring pixels of one surface: 80 degrees at a focal length of 300 px
-AROUND = 2  # window radius of supporting pixels
-NEIGHBORS = 24  # in total
-GRAZING = 1.0e-3  # cosine below which the plane's slope is meaningless
+SUPPORT_RADIUS = 2  # window radius of supporting pixels
+SUPPORT_PIXELS = 24  # in total
+MIN_PLANE_COSINE = 1.0e-3  # cosine below which the plane's slope is meaningless
 meeting = vector(4, float64)  # source surface projected back: column, row, inverse depth (0 for none). Source pixel
 
 
@@ -182,12 +182,12 @@ def support_depth_kernel(
         facing = dot(n, vec3(u, v, 1.0))
         across = 0.0
         down = 0.0
-        if abs(facing) > GRAZING:
+        if abs(facing) > MIN_PLANE_COSINE:
             across = n[0] / facing * w / float(camera.fx)
             down = n[1] / facing * w / float(camera.fy)
         count = 0
-        for row in range(max(y - AROUND, 0), min(y + AROUND, camera.height - 1) + 1):
-            for column in range(max(x - AROUND, 0), min(x + AROUND, camera.width - 1) + 1):
+        for row in range(max(y - SUPPORT_RADIUS, 0), min(y + SUPPORT_RADIUS, camera.height - 1) + 1):
+            for column in range(max(x - SUPPORT_RADIUS, 0), min(x + SUPPORT_RADIUS, camera.width - 1) + 1):
                 e = depth[row * camera.width + column]
                 if e > 0.0:
                     expected = w + across * float(column - x) + down * float(row - y)

@@ -29,7 +29,7 @@ from ..lang import (
 from ..memory import empty, zeros
 from .depth_checks import Pair, agrees, meet
 
-EXPONENT = 23  # position of the exponent in a float32
+FLOAT32_EXPONENT_BIT = 23  # position of the exponent in a float32
 HAS_NORMAL = 0.25  # of its squared length: unit, or zero for none
 
 
@@ -84,7 +84,7 @@ def color_of(pixels: array(dtype=uint8, ndim=2), i: int) -> vec3:
 @func
 def octave_of(depth: float, camera: Camera) -> int:
     """Octave of a pixel's width on the surface."""
-    return float_bits(float(float64(depth) / camera.fx)) >> EXPONENT
+    return float_bits(float(float64(depth) / camera.fx)) >> FLOAT32_EXPONENT_BIT
 
 
 @kernel

@@ -30,25 +30,25 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full
-from .census import LANES, lanes
+from .census import LANE_COUNT, lanes
 from .inverse_planes import normal_of
 
-UNIQUE = 90  # percent of another sum that the least one must not exceed
+MAX_SUM_PERCENT = 90  # percent of another sum that the least one must not exceed
 MAX_SUM = 1 << 30
-SHIFT = 1 << 16  # of a sum above its disparity
+SUM_KEY_FACTOR = 1 << 16  # of a sum above its disparity
 MAX_DIFFERENCE = 1  # of the disparities of both images
 NO_DISPARITY = -1.0e3  # farther from any other than a step
-AROUND = 2  # [px] half the window of a plane
+PLANE_RADIUS = 2  # [px] half the window of a plane
 MAX_STEP = 1.0  # [px] between neighbors on one surface
 MIN_SUPPORT = 13  # of the 25 pixels of a window
-numbers = vector(LANES, float32)
-AGREED = 0.5  # n / (n + 1) of n = 1 source that agrees, as in `plane_results`
+numbers = vector(LANE_COUNT, float32)
+ONE_SOURCE_TRUST = 0.5  # n / (n + 1) of n = 1 source that agrees, as in `plane_results`
 
 
 @func
 def row_stride(width: int) -> int:
     """Elements per row of disparities with a border for the windows of planes."""
-    return width + 2 * AROUND + LANES
+    return width + 2 * PLANE_RADIUS + LANE_COUNT
 
 
 @func
@@ -72,9 +72,9 @@ def keep_winner(
     right_margin: array(dtype=float32),
 ):
     """Store the disparity of a pixel from its least sum and the least one that is not adjacent, -1 if ambiguous."""
-    winner = key % SHIFT
-    least_sum = key // SHIFT
-    if winner == 0 or winner == count - 1 or least_sum * 100 >= other * UNIQUE:
+    winner = key % SUM_KEY_FACTOR
+    least_sum = key // SUM_KEY_FACTOR
+    if winner == 0 or winner == count - 1 or least_sum * 100 >= other * MAX_SUM_PERCENT:
         winner = -1
     best[cell] = winner
     right_margin[cell] = 0.0
@@ -98,16 +98,16 @@ def compare_images(
 ):
     """Refine the disparities of pixel x of a row in both images where those of the corresponding pixels agree."""
     length = width + count
-    padded = (y + AROUND) * row_stride(width) + AROUND
+    padded = (y + PLANE_RADIUS) * row_stride(width) + PLANE_RADIUS
     d = best[y * width + x]
     if d > 0:
-        corresponding = best_right[y * length + width - 1 - x + d] % SHIFT
+        corresponding = best_right[y * length + width - 1 - x + d] % SUM_KEY_FACTOR
         if abs(corresponding - d) <= MAX_DIFFERENCE:
             cell = (y * width + x) * count + d
             left[padded + x] = float(d) + refined(int(sums[cell - 1]), int(sums[cell]), int(sums[cell + 1]))
     reverse = width - 1 - first - x  # column of pixel x of the right image
     if reverse >= 0 and reverse < length:
-        d = best_right[y * length + reverse] % SHIFT
+        d = best_right[y * length + reverse] % SUM_KEY_FACTOR
         u = width - 1 - reverse + d
         if d > 0 and d < count - 1 and u > 0 and u < width - 1:
             if best[y * width + u] > 0 and abs(best[y * width + u] - d) <= MAX_DIFFERENCE:
@@ -138,31 +138,31 @@ def find_disparities_kernel(
         cell = (y * width + x) * count
         opposite = y * length + width - 1 - x
         least = lanes(MAX_SUM)
-        for chunk in range(count // LANES):
-            d = chunk * LANES
+        for chunk in range(count // LANE_COUNT):
+            d = chunk * LANE_COUNT
             keys = lanes(0)
             others = lanes(0)
-            for k in range(LANES):
-                keys[k] = int(sums[cell + d + k]) * SHIFT + d + k
+            for k in range(LANE_COUNT):
+                keys[k] = int(sums[cell + d + k]) * SUM_KEY_FACTOR + d + k
                 others[k] = min(best_right[opposite + d + k], keys[k])
                 least[k] = min(least[k], keys[k])
-            for k in range(LANES):
+            for k in range(LANE_COUNT):
                 best_right[opposite + d + k] = others[k]
         key = int(MAX_SUM)
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             key = min(key, least[k])
-        winner = key % SHIFT
+        winner = key % SUM_KEY_FACTOR
         second = lanes(MAX_SUM)
-        for chunk in range(count // LANES):
-            d = chunk * LANES
-            for k in range(LANES):
+        for chunk in range(count // LANE_COUNT):
+            d = chunk * LANE_COUNT
+            for k in range(LANE_COUNT):
                 apart = abs(d + k - winner)
                 value = int(sums[cell + d + k])
                 if apart < 2:
                     value = MAX_SUM
                 second[k] = min(second[k], value)
         other = int(MAX_SUM)
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             other = min(other, second[k])
         keep_winner(y * width + x, count, key, other, best, left_margin, right_margin)
     for x in range(width):
@@ -192,14 +192,14 @@ def find_disparities_in_lanes_kernel(
         for chunk in range((count + WARP - 1) // WARP):
             d = chunk * WARP + lane()
             if d < count:
-                sum_above = int(sums[cell + d]) * SHIFT + d
+                sum_above = int(sums[cell + d]) * SUM_KEY_FACTOR + d
                 best_right[opposite + d] = min(best_right[opposite + d], sum_above)
                 least = min(least, sum_above)
         key = min_int_of_lanes(least)
         second = int(MAX_SUM)
         for chunk in range((count + WARP - 1) // WARP):
             d = chunk * WARP + lane()
-            if d < count and abs(d - key % SHIFT) >= 2:
+            if d < count and abs(d - key % SUM_KEY_FACTOR) >= 2:
                 second = min(second, int(sums[cell + d]))
         other = min_int_of_lanes(second)
         if lane() == 0:
@@ -239,16 +239,16 @@ class RectifiedView:
 
 @kernel
 def fit_planes_kernel(width: int, disparities: array(dtype=float32), planes: array(dtype=vec4)):
-    """Disparity, slopes along x and y, and number of pixels of a plane around each of LANES adjacent pixels.
+    """Disparity, slopes along x and y, and number of pixels of a plane around each of LANE_COUNT adjacent pixels.
 
     It is fitted by least squares to the pixels of a window that continue the surface. NO_DISPARITY if they are too few.
     """
     i = tid()
-    blocks = (width + LANES - 1) // LANES
+    blocks = (width + LANE_COUNT - 1) // LANE_COUNT
     y = i // blocks
-    first = i % blocks * LANES
+    first = i % blocks * LANE_COUNT
     stride = row_stride(width)
-    center = (y + AROUND) * stride + AROUND + first
+    center = (y + PLANE_RADIUS) * stride + PLANE_RADIUS + first
     n = numbers(0.0)
     x1 = numbers(0.0)
     y1 = numbers(0.0)
@@ -258,13 +258,13 @@ def fit_planes_kernel(width: int, disparities: array(dtype=float32), planes: arr
     yy = numbers(0.0)
     xd = numbers(0.0)
     yd = numbers(0.0)
-    for dy in range(-AROUND, AROUND + 1):
-        for dx in range(-AROUND, AROUND + 1):
+    for dy in range(-PLANE_RADIUS, PLANE_RADIUS + 1):
+        for dx in range(-PLANE_RADIUS, PLANE_RADIUS + 1):
             a = float(dx)
             b = float(dy)
             limit = MAX_STEP * float(max(max(abs(dx), abs(dy)), 1))
             offset = dy * stride + dx
-            for k in range(LANES):
+            for k in range(LANE_COUNT):
                 here = disparities[center + k]
                 other = disparities[center + k + offset]
                 d = other - here
@@ -279,7 +279,7 @@ def fit_planes_kernel(width: int, disparities: array(dtype=float32), planes: arr
                 yy[k] = yy[k] + one * (b * b)
                 xd[k] = xd[k] + d * a
                 yd[k] = yd[k] + d * b
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         if first + k < width:
             here = disparities[center + k]
             plane = vec4(NO_DISPARITY, 0.0, 0.0, n[k])
@@ -337,7 +337,7 @@ def find_depth_kernel(
                 if position[2] > 0.0:
                     z = position[2]
                     n = view.back @ (away * -1.0)
-                    trust = AGREED * margins[row * view.width + column]
+                    trust = ONE_SOURCE_TRUST * margins[row * view.width + column]
     depth[i] = z
     normals[i] = n
     confidence[i] = trust
@@ -348,10 +348,10 @@ def find_disparities(
 ) -> tuple[tuple[Scalars, Scalars], tuple[Scalars, Scalars]]:
     """Disparity numbers and margins (height * width) of the left and the right image; number d: disparity `first` + d.
 
-    The disparities are NO_DISPARITY if unknown, and in a border of AROUND pixels, with LANES more on the right.
+    The disparities are NO_DISPARITY if unknown, and in a border of PLANE_RADIUS pixels (LANE_COUNT more on the right).
     """
     device, size = sums.device, width * height
-    padded = (width + 2 * AROUND + LANES) * (height + 2 * AROUND)
+    padded = (width + 2 * PLANE_RADIUS + LANE_COUNT) * (height + 2 * PLANE_RADIUS)
     best, best_right = empty(size, int32, device), full(height * (width + count), MAX_SUM, int32, device)
     left, right = (full(padded, NO_DISPARITY, float32, device) for _ in range(2))
     left_margin, right_margin = (empty(size, float32, device) for _ in range(2))
@@ -368,7 +368,7 @@ def find_depth(
     depth, confidence = (empty(count, float32, device) for _ in range(2))
     normals = empty(count, vec3, device)
     planes = empty(view.width * view.height, vec4, device)
-    launch(fit_planes_kernel, -(-view.width // LANES) * view.height, [view.width, disparities, planes])
+    launch(fit_planes_kernel, -(-view.width // LANE_COUNT) * view.height, [view.width, disparities, planes])
     matrix = mat33(*np.eye(3).ravel() if there is None else there.ravel())
     arrays = [columns, int(there is None), matrix, view, planes, margins, depth, normals, confidence]
     launch(find_depth_kernel, count, arrays)

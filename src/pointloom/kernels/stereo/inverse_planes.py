@@ -5,7 +5,7 @@ vec4 of w [1 / pose unit], gx, gy [1 / (unit px)] and cost. A lens is fx, fy, cx
 from ..lang import array, dot, func, kernel, normalize, tid, vec2, vec3, vec4
 
 MIN_COSINE = 0.2  # between normal and ray: surfaces beyond 78 degrees cannot be compared
-LEANING = 0.25  # of the ray, added to normals beyond
+MIN_NORMAL_TILT = 0.25  # of the ray, added to normals beyond
 
 
 @func
@@ -32,9 +32,9 @@ def limited_tilt(direction: vec3, ray: vec3) -> vec3:
     c = dot(direction, ray)
     tilted = direction
     if c * c <= MIN_COSINE * MIN_COSINE * (dot(direction, direction) * dot(ray, ray)):
-        leaning = LEANING
+        leaning = MIN_NORMAL_TILT
         if c < 0.0:
-            leaning = -LEANING
+            leaning = -MIN_NORMAL_TILT
         tilted = normalize(direction) + normalize(ray) * leaning
     return tilted
 

@@ -7,8 +7,17 @@ a computed index. The tried planes of eight lanes are compared one after another
 from ..lang import bit_count, cuda_func, float32, lane, shuffle, shuffle_xor, sqrt, uint64, vec3, vec4i, vector
 from ..search.lane_boxes import flags_of_eight
 from ..search.tree_walk import lowest_bit
-from .brightness import LEVEL, LEVELS, brightness_in
-from .patch_costs import BAD, COLOR_SCALE, LANES, MAX_BLOCKS, MIN_VARIANCE, NEAR, Reference, Sources
+from .brightness import MAX_PACKED_LEVEL, PACKED_LEVEL_MASK, brightness_in
+from .patch_costs import (
+    COLOR_SCALE,
+    LANE_COUNT,
+    MAX_BLOCKS,
+    MAX_PATCH_COST,
+    MIN_SOURCE_DEPTH,
+    MIN_VARIANCE,
+    Reference,
+    Sources,
+)
 
 own_samples = vector(MAX_BLOCKS, float32)  # of a lane: one per block
 
@@ -16,12 +25,12 @@ own_samples = vector(MAX_BLOCKS, float32)  # of a lane: one per block
 @cuda_func
 def of_eight(x: float, k: int) -> float:
     """Value of lane k of the own eight."""
-    return shuffle(x, (lane() & ~(LANES - 1)) | k)
+    return shuffle(x, (lane() & ~(LANE_COUNT - 1)) | k)
 
 
 @cuda_func
 def index_of_eight(x: int, k: int) -> int:
-    return shuffle(x, (lane() & ~(LANES - 1)) | k)
+    return shuffle(x, (lane() & ~(LANE_COUNT - 1)) | k)
 
 
 @cuda_func
@@ -43,7 +52,7 @@ def window_of_lanes(
 ) -> tuple[own_samples, own_samples, float, float]:
     """`window_of` for the samples k of the blocks: the lane's weights, times centered brightness, the variance, and the
     pixel's brightness."""
-    count = LANES * reference.blocks
+    count = LANE_COUNT * reference.blocks
     weights = own_samples(0.0)
     rises = own_samples(0.0)
     center = brightness_in(sources.images[reference.first + y * reference.width + x])
@@ -51,7 +60,7 @@ def window_of_lanes(
     moment = 0.0
     squares = 0.0
     for block in range(reference.blocks):
-        at = block * LANES + k
+        at = block * LANE_COUNT + k
         dx = x + int(reference.patch[at])
         dy = y + int(reference.patch[count + at])
         column = min(max(dx, 0), reference.width - 1)
@@ -98,16 +107,16 @@ def sums_of_samples(
     sources: Sources,
 ) -> vec3:
     """The lane's part of `correlation_sums`: of the samples k of the blocks. The patch is at `middle` in the source."""
-    count = LANES * reference.blocks
+    count = LANE_COUNT * reference.blocks
     right = float(there[0] - 1)
     bottom = float(there[1] - 1)
     means = 0.0
     squares = 0.0
     products = 0.0
     for block in range(reference.blocks):
-        dx = reference.patch[block * LANES + k]
-        dy = reference.patch[count + block * LANES + k]
-        inverse = 1.0 / max(middle[2] + across[2] * dx + down[2] * dy, NEAR)
+        dx = reference.patch[block * LANE_COUNT + k]
+        dy = reference.patch[count + block * LANE_COUNT + k]
+        inverse = 1.0 / max(middle[2] + across[2] * dx + down[2] * dy, MIN_SOURCE_DEPTH)
         u = min(max((middle[0] + across[0] * dx + down[0] * dy) * inverse, 0.0), right)
         v = min(max((middle[1] + across[1] * dx + down[1] * dy) * inverse, 0.0), bottom)
         column = min(int(u), there[0] - 2)
@@ -115,13 +124,13 @@ def sums_of_samples(
         along = u - float(column)
         below = v - float(row)
         shown = sources.images[there[2] + row * there[0] + column]
-        here = float(int(shown & uint64(LEVEL)))
-        beside = float(int((shown >> uint64(16)) & uint64(LEVEL)))
-        under = float(int((shown >> uint64(32)) & uint64(LEVEL)))
+        here = float(int(shown & uint64(PACKED_LEVEL_MASK)))
+        beside = float(int((shown >> uint64(16)) & uint64(PACKED_LEVEL_MASK)))
+        under = float(int((shown >> uint64(32)) & uint64(PACKED_LEVEL_MASK)))
         opposite = float(int(shown >> uint64(48)))
         top = here + (beside - here) * along
         value = top + ((under + (opposite - under) * along) - top) * below
-        q = value * (1.0 / LEVELS) - center
+        q = value * (1.0 / MAX_PACKED_LEVEL) - center
         wq = sample_of(weights, block) * q
         means = means + wq
         squares = squares + wq * q
@@ -132,11 +141,11 @@ def sums_of_samples(
 @cuda_func
 def is_visible(middle: vec3, there: vec4i) -> int:
     """1 if the middle of a patch is in a source's image."""
-    inverse = 1.0 / max(middle[2], NEAR)
+    inverse = 1.0 / max(middle[2], MIN_SOURCE_DEPTH)
     u = middle[0] * inverse
     v = middle[1] * inverse
     beyond = max(max(-u, u - float(there[0] - 1)), max(-v, v - float(there[1] - 1)))
-    return 1 if middle[2] > NEAR and beyond <= 0.0 else 0
+    return 1 if middle[2] > MIN_SOURCE_DEPTH and beyond <= 0.0 else 0
 
 
 @cuda_func
@@ -167,8 +176,8 @@ def patch_cost_of_lanes(
         tried = is_visible(middle, there)
     left = flags_of_eight(tried)
     rounds = bit_count(left)
-    rounds = max(rounds, shuffle_xor(rounds, LANES))
-    rounds = max(rounds, shuffle_xor(rounds, 2 * LANES))
+    rounds = max(rounds, shuffle_xor(rounds, LANE_COUNT))
+    rounds = max(rounds, shuffle_xor(rounds, 2 * LANE_COUNT))
     sums = vec3(0.0, 0.0, 0.0)
     for _ in range(rounds):
         number = lowest_bit(left) if left != 0 else 0
@@ -187,7 +196,7 @@ def patch_cost_of_lanes(
             sums = vec3(means, squares, products)
         left = left & (left - 1)
     spread = sums[1] - sums[0] * sums[0]
-    cost = float(BAD)
+    cost = float(MAX_PATCH_COST)
     if spread > MIN_VARIANCE:
-        cost = min(max(1.0 - sums[2] / sqrt(variance * max(spread, MIN_VARIANCE)), 0.0), BAD)
+        cost = min(max(1.0 - sums[2] / sqrt(variance * max(spread, MIN_VARIANCE)), 0.0), MAX_PATCH_COST)
     return cost

@@ -10,22 +10,22 @@ import numpy as np
 from ..array_types import Array1, Device, Scalars
 from ..lang import array, float32, floor, func, int32, mat33, sqrt, struct, uint64, vec2, vec3, vec4, vec4i, vector
 from ..memory import upload
-from .brightness import LEVEL, LEVELS, brightness_in
+from .brightness import MAX_PACKED_LEVEL, PACKED_LEVEL_MASK, brightness_in
 from .inverse_planes import inverse_depth_at
 
-BAD = 2.0  # cost if a source does not see a patch, or of negatively correlated ones
+MAX_PATCH_COST = 2.0  # cost if a source does not see a patch, or of negatively correlated ones
 COLOR_SCALE = 0.06  # brightness difference that halves a sample's weight
 SPACE_SCALE = 18.0  # squared pixels that halve the weight
 MIN_VARIANCE = 1.0e-6  # minimum brightness variance for a correlation
-NEAR = 1.0e-6  # minimum depth in a source, in the units of A p + b w
+MIN_SOURCE_DEPTH = 1.0e-6  # minimum depth in a source, in the units of A p + b w
 MAX_BACK = 3.0  # [px] maximum round-trip error
-LANES = 8  # samples processed together
+LANE_COUNT = 8  # samples processed together
 MAX_BLOCKS = 4  # groups per patch
 
-samples = vector(LANES * MAX_BLOCKS, float32)
-eight = vector(LANES, float32)
-eight_indices = vector(LANES, int32)
-eight_blocks = vector(LANES, uint64)
+samples = vector(LANE_COUNT * MAX_BLOCKS, float32)
+eight = vector(LANE_COUNT, float32)
+eight_indices = vector(LANE_COUNT, int32)
+eight_blocks = vector(LANE_COUNT, uint64)
 
 
 @struct
@@ -54,14 +54,14 @@ class Reference:
     ) -> None:
         self.width, self.height, self.first, self.lens = width, height, first, vec4(*lens)
         self.farthest, self.nearest = limits
-        self.pixels_per, self.patch, self.blocks = pixels_per, patch, patch.size // (3 * LANES)
+        self.pixels_per, self.patch, self.blocks = pixels_per, patch, patch.size // (3 * LANE_COUNT)
 
 
 def patch_on(pattern: np.ndarray, device: Device) -> Scalars:
     """Patch from integer sample offsets (n, 2) [px]: columns, rows, then distance weights. Zero-padded."""
     near = 1 / (1 + (pattern**2).sum(1) / SPACE_SCALE)
     columns = np.column_stack([pattern, near])
-    return upload(np.pad(columns, ((0, -len(pattern) % LANES), (0, 0))).T.ravel(), float32, device)
+    return upload(np.pad(columns, ((0, -len(pattern) % LANE_COUNT), (0, 0))).T.ravel(), float32, device)
 
 
 @struct
@@ -110,7 +110,7 @@ def sum_of(lanes: eight) -> float:
 @func
 def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[samples, samples, float]:
     """Normalized weights of a pixel's samples, times centered brightness, and the variance; vectorized by LLVM."""
-    count = LANES * reference.blocks
+    count = LANE_COUNT * reference.blocks
     weights = samples(0.0)
     rises = samples(0.0)
     center = brightness_in(sources.images[reference.first + y * reference.width + x])
@@ -118,10 +118,10 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
     sums = eight(0.0)
     squares = eight(0.0)
     for block in range(reference.blocks):
-        first = block * LANES
+        first = block * LANE_COUNT
         indices = eight_indices(0)
         near = eight(0.0)
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             dx = x + int(reference.patch[first + k])
             dy = y + int(reference.patch[count + first + k])
             column = min(max(dx, 0), reference.width - 1)
@@ -130,9 +130,9 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
             near[k] = reference.patch[2 * count + first + k] if column == dx else 0.0
             near[k] = near[k] if row == dy else 0.0
         r = eight(0.0)
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             r[k] = brightness_in(sources.images[indices[k]])
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             rise = r[k] - center
             d = rise * (1.0 / COLOR_SCALE)
             w = near[k] / (1.0 + d * d)
@@ -144,8 +144,8 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
     fraction = 1.0 / sum_of(totals)
     mean = sum_of(sums) * fraction
     for block in range(reference.blocks):
-        first = block * LANES
-        for k in range(LANES):
+        first = block * LANE_COUNT
+        for k in range(LANE_COUNT):
             weights[first + k] = weights[first + k] * fraction
             rises[first + k] = weights[first + k] * (rises[first + k] - mean)
     return weights, rises, sum_of(squares) * fraction - mean * mean
@@ -163,21 +163,21 @@ def correlation_sums(
     across = vec3(A[0, 0], A[1, 0], A[2, 0]) + b * plane[1]
     down = vec3(A[0, 1], A[1, 1], A[2, 1]) + b * plane[2]
     center = brightness_in(sources.images[reference.first + y * reference.width + x])
-    count = LANES * reference.blocks
+    count = LANE_COUNT * reference.blocks
     means = eight(0.0)
     squares = eight(0.0)
     products = eight(0.0)
     right = float(there[0] - 1)
     bottom = float(there[1] - 1)
     for block in range(reference.blocks):
-        first = block * LANES
+        first = block * LANE_COUNT
         indices = eight_indices(0)
         along = eight(0.0)
         below = eight(0.0)
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             dx = reference.patch[first + k]
             dy = reference.patch[count + first + k]
-            inverse = 1.0 / max(middle[2] + across[2] * dx + down[2] * dy, NEAR)
+            inverse = 1.0 / max(middle[2] + across[2] * dx + down[2] * dy, MIN_SOURCE_DEPTH)
             u = min(max((middle[0] + across[0] * dx + down[0] * dy) * inverse, 0.0), right)
             v = min(max((middle[1] + across[1] * dx + down[1] * dy) * inverse, 0.0), bottom)
             column = min(int(u), there[0] - 2)
@@ -186,16 +186,16 @@ def correlation_sums(
             below[k] = v - float(row)
             indices[k] = there[2] + row * there[0] + column
         shown = eight_blocks(uint64(0))
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             shown[k] = sources.images[indices[k]]
-        for k in range(LANES):
-            here = float(int(shown[k] & uint64(LEVEL)))
-            beside = float(int((shown[k] >> uint64(16)) & uint64(LEVEL)))
-            under = float(int((shown[k] >> uint64(32)) & uint64(LEVEL)))
+        for k in range(LANE_COUNT):
+            here = float(int(shown[k] & uint64(PACKED_LEVEL_MASK)))
+            beside = float(int((shown[k] >> uint64(16)) & uint64(PACKED_LEVEL_MASK)))
+            under = float(int((shown[k] >> uint64(32)) & uint64(PACKED_LEVEL_MASK)))
             opposite = float(int(shown[k] >> uint64(48)))
             top = here + (beside - here) * along[k]
             value = top + ((under + (opposite - under) * along[k]) - top) * below[k]
-            q = value * (1.0 / LEVELS) - center
+            q = value * (1.0 / MAX_PACKED_LEVEL) - center
             wq = weights[first + k] * q
             means[k] = means[k] + wq
             squares[k] = squares[k] + wq * q
@@ -218,18 +218,18 @@ def patch_costs(
     reference: Reference,
     sources: Sources,
 ) -> eight:
-    """1 - weighted correlation of the slanted patches of eight planes, 0 to 2. BAD if not visible or not tried."""
+    """1 - weighted correlation of slanted patches of eight planes, 0 to 2. MAX_PATCH_COST if invisible or not tried."""
     b = sources.shift[s]
     there = sources.layout[s]
     base = sources.there[s] @ vec3(float(x), float(y), 1.0)
     is_visible = eight_indices(0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         depth = base[2] + b[2] * w[k]
-        inverse = 1.0 / max(depth, NEAR)
+        inverse = 1.0 / max(depth, MIN_SOURCE_DEPTH)
         u = (base[0] + b[0] * w[k]) * inverse
         v = (base[1] + b[1] * w[k]) * inverse
         beyond = max(max(-u, u - float(there[0] - 1)), max(-v, v - float(there[1] - 1)))
-        is_visible[k] = is_tried[k] if depth > NEAR else 0
+        is_visible[k] = is_tried[k] if depth > MIN_SOURCE_DEPTH else 0
         is_visible[k] = is_visible[k] if beyond <= 0.0 else 0
     means = eight(0.0)
     squares = eight(0.0)
@@ -237,7 +237,7 @@ def patch_costs(
     if variance > MIN_VARIANCE:
         listed = eight_indices(0)  # without branches that the processor cannot predict
         number = 0
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             listed[number] = k
             number += is_visible[k]
         for j in range(number):
@@ -247,10 +247,10 @@ def patch_costs(
             squares[k] = sums[1]
             products[k] = sums[2]
     costs = eight(0.0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         spread = squares[k] - means[k] * means[k]
         cost = 1.0 - products[k] / sqrt(variance * max(spread, MIN_VARIANCE))
-        costs[k] = min(max(cost, 0.0), BAD) if spread > MIN_VARIANCE else float(BAD)
+        costs[k] = min(max(cost, 0.0), MAX_PATCH_COST) if spread > MIN_VARIANCE else float(MAX_PATCH_COST)
     return costs
 
 
@@ -268,9 +268,9 @@ def round_trips(x: int, y: int, w: eight, s: int, sources: Sources) -> eight:
     down = eight(0.0)
     outside = eight(0.0)
     indices = eight_indices(0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         depth = start[2] + shift[2] * w[k]
-        inverse = 1.0 / max(depth, NEAR)
+        inverse = 1.0 / max(depth, MIN_SOURCE_DEPTH)
         u = (start[0] + shift[0] * w[k]) * inverse
         v = (start[1] + shift[1] * w[k]) * inverse
         column = floor(min(max(u + 0.5, 0.0), float(there[0]) - 0.5))
@@ -279,25 +279,25 @@ def round_trips(x: int, y: int, w: eight, s: int, sources: Sources) -> eight:
         vs[k] = v
         across[k] = u - column
         down[k] = v - row
-        outside[k] = max(abs(u - column), abs(v - row)) if depth > NEAR else 1.0
+        outside[k] = max(abs(u - column), abs(v - row)) if depth > MIN_SOURCE_DEPTH else 1.0
         indices[k] = there[2] + int(row) * there[0] + int(column)
     middle = eight(0.0)
     slope_x = eight(0.0)
     slope_y = eight(0.0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         plane = sources.maps[indices[k]]
         middle[k] = plane[0]
         slope_x[k] = plane[1]
         slope_y[k] = plane[2]
     errors = eight(0.0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         d = middle[k] + slope_x[k] * across[k] + slope_y[k] * down[k]
         depth = back[2, 0] * us[k] + back[2, 1] * vs[k] + back[2, 2] + back_shift[2] * d
-        inverse = 1.0 / max(depth, NEAR)
+        inverse = 1.0 / max(depth, MIN_SOURCE_DEPTH)
         dx = (back[0, 0] * us[k] + back[0, 1] * vs[k] + back[0, 2] + back_shift[0] * d) * inverse - float(x)
         dy = (back[1, 0] * us[k] + back[1, 1] * vs[k] + back[1, 2] + back_shift[1] * d) * inverse - float(y)
         error = min(sqrt(dx * dx + dy * dy), MAX_BACK) if outside[k] <= 0.5 else float(MAX_BACK)
-        error = error if depth > NEAR else float(MAX_BACK)
+        error = error if depth > MIN_SOURCE_DEPTH else float(MAX_BACK)
         errors[k] = error if d > 0.0 else float(MAX_BACK)
     return errors
 
@@ -314,7 +314,7 @@ def patch_cost(
     reference: Reference,
     sources: Sources,
 ) -> float:
-    """1 - weighted correlation of a slanted patch with a source, 0 to 2. BAD if not visible."""
+    """1 - weighted correlation of a slanted patch with a source, 0 to 2. MAX_PATCH_COST if not visible."""
     is_tried = eight_indices(0)
     is_tried[0] = 1
     costs = patch_costs(
@@ -340,7 +340,7 @@ def round_trip(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
     p = sources.map_there[s] @ vec3(float(x), float(y), 1.0) + sources.map_shift[s] * w
     distance = float(MAX_BACK)
     back = 0.0
-    if p[2] > NEAR:
+    if p[2] > MIN_SOURCE_DEPTH:
         u = p[0] / p[2]
         v = p[1] / p[2]
         there = sources.map_layout[s]
@@ -350,7 +350,7 @@ def round_trip(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
             plane = sources.maps[there[2] + row * there[0] + column]
             inverse_depth = inverse_depth_at(plane, u - float(column), v - float(row))
             q = sources.map_back[s] @ vec3(u, v, 1.0) + sources.map_back_shift[s] * inverse_depth
-            if q[2] > NEAR and inverse_depth > 0.0:
+            if q[2] > MIN_SOURCE_DEPTH and inverse_depth > 0.0:
                 dx = q[0] / q[2] - float(x)
                 dy = q[1] / q[2] - float(y)
                 distance = min(sqrt(dx * dx + dy * dy), MAX_BACK)

@@ -34,7 +34,7 @@ from ..search.tree_walk import lowest_bit
 from .inverse_planes import limited_tilt, normal_of, random_direction, ray_of, slopes_of
 from .lane_costs import index_of_eight, of_eight, own_samples, patch_cost_of_lanes, vector_of_eight, window_of_lanes
 from .patch_costs import (
-    LANES,
+    LANE_COUNT,
     Reference,
     Sources,
     eight,
@@ -47,15 +47,15 @@ from .patch_costs import (
     window_of,
 )
 
-NEIGHBORS = 8
+NEIGHBOR_COUNT = 8
 MAX_SOURCES = 8
 BAD_COST = 1.2  # counts against a source
 MAX_BAD = 2  # of the nine costs
 MIN_GOOD = 2
-FALLOFF = 0.09  # squared cost that halves the weight of a good one
-UNSURE = 0.02  # weight of a source without evidence
+HALF_WEIGHT_SQCOST = 0.09  # squared cost that halves the weight of a good one
+NO_EVIDENCE_WEIGHT = 0.02  # weight of a source without evidence
 
-source_costs = vector(MAX_SOURCES * LANES, float32)  # of eight planes
+source_costs = vector(MAX_SOURCES * LANE_COUNT, float32)  # of eight planes
 
 
 @func
@@ -64,21 +64,21 @@ def rate_source(i: int, s: int, count: int, near: eight_indices, good: float, co
     fine = 0
     bad = 0
     total = 0.0
-    neighbors = int(NEIGHBORS)
+    neighbors = int(NEIGHBOR_COUNT)
     for k in range(neighbors + 1):
         neighbor = int(i)
-        if k < NEIGHBORS:
+        if k < NEIGHBOR_COUNT:
             neighbor = near[k]
         if neighbor >= 0:
             c = costs[neighbor * count + s]
             if c < good:
                 fine += 1
-                total += FALLOFF / (FALLOFF + c * c)
+                total += HALF_WEIGHT_SQCOST / (HALF_WEIGHT_SQCOST + c * c)
             if c > BAD_COST:
                 bad += 1
     rating = 0.0
     if bad <= MAX_BAD:
-        rating = UNSURE
+        rating = NO_EVIDENCE_WEIGHT
         if fine >= MIN_GOOD:
             rating = total / float(fine)
     return rating
@@ -109,10 +109,10 @@ def order_of(ratings: eight, count: int) -> eight_indices:
 NEAR_COUNT, FAR_COUNT = 7, 11  # pixels of a near and a far region
 FAR_BEGIN = 3  # [px] start of the far regions, every second pixel
 NO_COST = 1.0e9
-TRIALS = 4  # perturbed planes per half iteration: depth, normal, both, random
+TRIALS_PER_STEP = 4  # perturbed planes per half iteration: depth, normal, both, random
 SAME_PLANE = 0.02  # [px] difference over a patch below which planes are equal
 PATCH_RADIUS = 5.0  # [px] patch radius
-TILT = 0.08  # change of a unit normal per pixel of spread
+NORMAL_CHANGE_PER_PIXEL = 0.08  # change of a unit normal per pixel of spread
 
 
 @struct
@@ -291,13 +291,13 @@ def region_planes(
     w = eight(0.0)
     gx = eight(0.0)
     gy = eight(0.0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         other = planes[max(near[k], 0)]
         w[k] = other[0]
         gx[k] = other[1]
         gy[k] = other[2]
     is_tried = eight_indices(0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         w[k] = w[k] - gx[k] * dx[k] - gy[k] * dy[k]
         slopes = abs(gx[k] - plane[1]) + abs(gy[k] - plane[2])
         difference = (abs(w[k] - plane[0]) + PATCH_RADIUS * slopes) * reference.pixels_per
@@ -311,7 +311,7 @@ def changed_planes(
     x: int, y: int, pixel: int, plane: vec4, options: HalfIteration, reference: Reference
 ) -> tuple[eight, eight, eight, eight_indices]:
     """Perturbed depth, normal, both, and a random plane, as w, gx, gy, and 1 for each."""
-    stream = 1 + options.number * (TRIALS // 2)
+    stream = 1 + options.number * (TRIALS_PER_STEP // 2)
     a = random_bits(options.seed, pixel, stream)
     b = random_bits(options.seed, pixel, stream + 1)
     lens = reference.lens
@@ -321,7 +321,7 @@ def changed_planes(
     gx = eight(0.0)
     gy = eight(0.0)
     is_tried = eight_indices(0)
-    for k in range(TRIALS):
+    for k in range(TRIALS_PER_STEP):
         words = a
         if k >= 2:
             words = b
@@ -335,7 +335,7 @@ def changed_planes(
         if k == 0:
             direction = normal
         elif k < 3:
-            direction = normal + direction * (options.spread * TILT)
+            direction = normal + direction * (options.spread * NORMAL_CHANGE_PER_PIXEL)
         slopes = slopes_of(limited_tilt(direction, ray), ray, w[k], lens)
         gx[k] = slopes[0]
         gy[k] = slopes[1]
@@ -406,7 +406,7 @@ def spread_planes_kernel(
             first = chosen
             last = count
             limit = NO_COST
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             is_tried[k] = is_tried[k] if w[k] <= reference.nearest else 0
             is_tried[k] = is_tried[k] if w[k] >= reference.farthest else 0
         table = source_costs(0.0)
@@ -414,24 +414,24 @@ def spread_planes_kernel(
         if options.geometric > 0.0:  # fast to compute: if they reject a plane, no patch is compared
             for rank in range(first, last):
                 errors = round_trips(x, y, w, order[rank], sources)
-                for k in range(LANES):
-                    table[rank * LANES + k] = options.geometric * errors[k]
-                    totals[k] = totals[k] + weight[rank] * table[rank * LANES + k]
+                for k in range(LANE_COUNT):
+                    table[rank * LANE_COUNT + k] = options.geometric * errors[k]
+                    totals[k] = totals[k] + weight[rank] * table[rank * LANE_COUNT + k]
         for rank in range(first, last):
-            for k in range(LANES):
+            for k in range(LANE_COUNT):
                 is_tried[k] = is_tried[k] if totals[k] < limit else 0
             c = patch_costs(x, y, w, gx, gy, is_tried, order[rank], weights, rises, variance, reference, sources)
-            for k in range(LANES):
-                table[rank * LANES + k] = table[rank * LANES + k] + c[k]
+            for k in range(LANE_COUNT):
+                table[rank * LANE_COUNT + k] = table[rank * LANE_COUNT + k] + c[k]
                 totals[k] = totals[k] + weight[rank] * c[k]
         best = -1
-        for k in range(LANES):
+        for k in range(LANE_COUNT):
             if is_tried[k] == 1 and totals[k] < limit:
                 limit = totals[k]
                 best = k
         if best >= 0:
             for rank in range(first, last):
-                costs[pixel * count + order[rank]] = table[rank * LANES + best]
+                costs[pixel * count + order[rank]] = table[rank * LANE_COUNT + best]
             if part < 2:
                 bound = limit
                 plane = vec4(w[best], gx[best], gy[best], 0.0)
@@ -470,7 +470,7 @@ def changed_plane(
     x: int, y: int, k: int, pixel: int, plane: vec4, options: HalfIteration, reference: Reference
 ) -> vec3:
     """Plane k of `changed_planes`."""
-    words = random_bits(options.seed, pixel, 1 + options.number * (TRIALS // 2) + k // 2)
+    words = random_bits(options.seed, pixel, 1 + options.number * (TRIALS_PER_STEP // 2) + k // 2)
     u = half_uniform(words, k % 2)
     ray = ray_of(x, y, reference.lens)
     w = plane[0]
@@ -483,7 +483,7 @@ def changed_plane(
     if k == 0:
         direction = normal
     elif k < 3:
-        direction = normal + direction * (options.spread * TILT)
+        direction = normal + direction * (options.spread * NORMAL_CHANGE_PER_PIXEL)
     slopes = slopes_of(limited_tilt(direction, ray), ray, w, reference.lens)
     return vec3(w, slopes[0], slopes[1])
 
@@ -494,21 +494,21 @@ def rate_source_of_lane(i: int, s: int, count: int, near: int, good: float, cost
     fine = 0
     bad = 0
     total = 0.0
-    neighbors = int(NEIGHBORS)
+    neighbors = int(NEIGHBOR_COUNT)
     for k in range(neighbors + 1):
-        neighbor = index_of_eight(near, k % NEIGHBORS)
-        if k == NEIGHBORS:
+        neighbor = index_of_eight(near, k % NEIGHBOR_COUNT)
+        if k == NEIGHBOR_COUNT:
             neighbor = i
         if neighbor >= 0 and s < count:
             c = costs[neighbor * count + s]
             if c < good:
                 fine += 1
-                total += FALLOFF / (FALLOFF + c * c)
+                total += HALF_WEIGHT_SQCOST / (HALF_WEIGHT_SQCOST + c * c)
             if c > BAD_COST:
                 bad += 1
     rating = 0.0
     if bad <= MAX_BAD and s < count:
-        rating = UNSURE if fine < MIN_GOOD else total / float(fine)
+        rating = NO_EVIDENCE_WEIGHT if fine < MIN_GOOD else total / float(fine)
     return rating
 
 
@@ -518,7 +518,7 @@ def source_at_rank(rating: float, k: int, count: int) -> int:
     rank = int(k)
     if k < count:
         rank = 0
-    sources = int(LANES)
+    sources = int(LANE_COUNT)
     for s in range(sources):
         other = of_eight(rating, s)
         if k < count and s < count and (other > rating or (other == rating and s < k)):
@@ -552,7 +552,7 @@ def weights_of_lanes(weight: float, k: int, max_sources: int) -> tuple[float, in
 @cuda_func
 def with_added(table: eight, rank: int, x: float) -> eight:
     added = table
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         added[k] = table[k] + x if k == rank else table[k]
     return added
 
@@ -561,7 +561,7 @@ def with_added(table: eight, rank: int, x: float) -> eight:
 def cost_at_rank(table: eight, k: int, best: int) -> float:
     """The cost of rank k in the table of lane `best` of the own eight."""
     cost = 0.0
-    for rank in range(LANES):
+    for rank in range(LANE_COUNT):
         other = of_eight(table[rank], best)
         cost = other if rank == k else cost
     return cost
@@ -624,10 +624,10 @@ def spread_planes_of_lanes_kernel(
 ):
     """CUDA variant, eight lanes per pixel: a lane has a region, a plane, a source by its number and one by its rank."""
     i = tid()
-    k = i % LANES
+    k = i % LANE_COUNT
     half = (reference.width + 1) // 2
-    y = i // LANES // half
-    x = 2 * (i // LANES % half) + (y + options.color) % 2
+    y = i // LANE_COUNT // half
+    x = 2 * (i // LANE_COUNT % half) + (y + options.color) % 2
     is_pixel = 1 if x < reference.width and y < reference.height else 0
     pixel = y * reference.width + x
     count = sources.count
@@ -717,5 +717,5 @@ def spread_planes(
     """One half iteration: pixels of one color find better planes."""
     threads = (reference.width + 1) // 2 * reference.height
     if planes.device.is_cuda:
-        threads = -(-threads * LANES // WARP) * WARP  # eight lanes per pixel, whole warps
+        threads = -(-threads * LANE_COUNT // WARP) * WARP  # eight lanes per pixel, whole warps
     launch(spread_planes_kernel, threads, [options, reference, sources, planes, costs])

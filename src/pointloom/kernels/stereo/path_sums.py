@@ -4,29 +4,29 @@ Hirschmueller, "Stereo processing by semiglobal matching and mutual information"
 numbers are integers, so the result is bitwise identical on every device. A cell is a pixel at a disparity. `step_rows`
 computes costs and both horizontal paths, one thread per row. `step_down` computes three paths from one row to the next,
 one launch per row: each row depends on the previous one. Memory: 3 B per cell, read or written are 13 B per cell.
-Eight paths take 8 x 6 integer operations per cell, vectorized over LANES disparities. On CUDA the lanes of a warp have
-the disparities of a pixel.
+Eight paths take 8 x 6 integer operations per cell, vectorized over LANE_COUNT disparities. On CUDA the lanes of a warp
+have the disparities of a pixel.
 """
 
 from ..array_types import Array1, Bytes, Integers
 from ..arrays.lanes import min_int_of_lanes
 from ..lang import WARP, array, bit_count, func, int32, kernel, lane, launch, sync_lanes, tid, uint8, uint16
 from ..memory import empty, full
-from .census import LANES, lanes
+from .census import LANE_COUNT, lanes
 
-SMALL = 8  # penalty of a change by one disparity (P1)
-LARGE = 32  # penalty of any other change (P2)
-WORST = 31  # cost without a code, the maximum distance of codes
-FAR = 255  # path cost beyond the range of disparities, above any other
-PATHS = 3  # from the previous row
-COLUMNS = 40  # per thread on the CPU
+SMALL_STEP_PENALTY = 8  # penalty of a change by one disparity (P1)
+LARGE_STEP_PENALTY = 32  # penalty of any other change (P2)
+MAX_CODE_DISTANCE = 31  # cost without a code, the maximum distance of codes
+OUTSIDE_PATH_COST = 255  # path cost beyond the range of disparities, above any other
+PATHS_PER_ROW = 3  # from the previous row
+COLUMNS_PER_THREAD = 40  # per thread on the CPU
 NO_COST = 1 << 20
 
 
 @func
 def least_of(values: lanes) -> int:
     least = int(NO_COST)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         least = min(least, values[k])
     return least
 
@@ -34,22 +34,22 @@ def least_of(values: lanes) -> int:
 @func
 def path_cost(cost: int, before: array(dtype=uint8), b: int, low: int) -> int:
     """Path cost of a disparity from those `before` the pixel, whose minimum is `low`."""
-    near = min(int(before[b - 1]), int(before[b + 1])) + SMALL
-    return cost + min(min(int(before[b]), near), low + LARGE) - low
+    near = min(int(before[b - 1]), int(before[b + 1])) + SMALL_STEP_PENALTY
+    return cost + min(min(int(before[b]), near), low + LARGE_STEP_PENALTY) - low
 
 
 @func
 def cost_of(code: int, other: int) -> int:
-    return min(bit_count(code ^ other) | (((code | other) >> 31) & WORST), WORST)
+    return min(bit_count(code ^ other) | (((code | other) >> 31) & MAX_CODE_DISTANCE), MAX_CODE_DISTANCE)
 
 
 @func
 def step_path(costs: lanes, before: array(dtype=uint8), b: int, low: int, after: array(dtype=uint8), a: int) -> lanes:
-    """`path_cost` of LANES disparities."""
+    """`path_cost` of LANE_COUNT disparities."""
     values = lanes(0)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         values[k] = path_cost(costs[k], before, b + k, low)
-    for k in range(LANES):
+    for k in range(LANE_COUNT):
         after[a + k] = uint8(values[k])
     return values
 
@@ -66,14 +66,14 @@ def step_rows_kernel(
 ):
     """Costs of a row, and the sums of its paths from the left and from the right."""
     y = tid()
-    stride = count + LANES
+    stride = count + LANE_COUNT
     for direction in range(2):
         low = 0
-        for k in range(2 * (stride + LANES)):
-            paths[y * 2 * (stride + LANES) + k] = uint8(0)
+        for k in range(2 * (stride + LANE_COUNT)):
+            paths[y * 2 * (stride + LANE_COUNT) + k] = uint8(0)
         for k in range(4):
-            row = y * 2 * (stride + LANES) + k // 2 * (stride + LANES)
-            paths[row + LANES - 1 + k % 2 * (count + 1)] = uint8(FAR)
+            row = y * 2 * (stride + LANE_COUNT) + k // 2 * (stride + LANE_COUNT)
+            paths[row + LANE_COUNT - 1 + k % 2 * (count + 1)] = uint8(OUTSIDE_PATH_COST)
         for step in range(width):
             x = step
             if direction == 1:
@@ -81,27 +81,27 @@ def step_rows_kernel(
             cell = (y * width + x) * count
             opposite = y * (width + count) + width - 1 - x
             code = left[y * width + x]
-            here = (2 * y + step % 2) * (stride + LANES) + LANES
-            there = (2 * y + 1 - step % 2) * (stride + LANES) + LANES
+            here = (2 * y + step % 2) * (stride + LANE_COUNT) + LANE_COUNT
+            there = (2 * y + 1 - step % 2) * (stride + LANE_COUNT) + LANE_COUNT
             least = lanes(NO_COST)
-            for chunk in range(count // LANES):
-                d = chunk * LANES
+            for chunk in range(count // LANE_COUNT):
+                d = chunk * LANE_COUNT
                 c = lanes(0)
                 total = lanes(0)
                 if direction == 0:
-                    for k in range(LANES):
+                    for k in range(LANE_COUNT):
                         c[k] = cost_of(code, right[opposite + d + k])
-                    for k in range(LANES):
+                    for k in range(LANE_COUNT):
                         costs[cell + d + k] = uint8(c[k])
                 else:
-                    for k in range(LANES):
+                    for k in range(LANE_COUNT):
                         c[k] = int(costs[cell + d + k])
                         total[k] = int(sums[cell + d + k])
                 values = step_path(c, paths, here + d, low, paths, there + d)
-                for k in range(LANES):
+                for k in range(LANE_COUNT):
                     total[k] = total[k] + values[k]
                     least[k] = min(least[k], values[k])
-                for k in range(LANES):
+                for k in range(LANE_COUNT):
                     sums[cell + d + k] = uint16(total[k])
             low = least_of(least)
 
@@ -119,15 +119,17 @@ def step_rows_in_lanes_kernel(
     """CUDA variant: a warp per row, a lane per disparity."""
     i = tid()
     y = i // WARP
-    stride = count + LANES
-    both = 2 * (stride + LANES)
+    stride = count + LANE_COUNT
+    both = 2 * (stride + LANE_COUNT)
     n = int(2)
     for direction in range(n):
         for step in range((both + WARP - 1) // WARP):
             k = step * WARP + lane()
             if k < both:
-                at = k % (stride + LANES)
-                paths[y * both + k] = uint8(FAR if at == LANES - 1 or at == LANES + count else 0)
+                at = k % (stride + LANE_COUNT)
+                paths[y * both + k] = uint8(
+                    OUTSIDE_PATH_COST if at == LANE_COUNT - 1 or at == LANE_COUNT + count else 0
+                )
         low = 0
         for step in range(width):
             x = step
@@ -135,8 +137,8 @@ def step_rows_in_lanes_kernel(
                 x = width - 1 - step
             cell = (y * width + x) * count
             opposite = y * (width + count) + width - 1 - x
-            here = (2 * y + step % 2) * (stride + LANES) + LANES
-            there = (2 * y + 1 - step % 2) * (stride + LANES) + LANES
+            here = (2 * y + step % 2) * (stride + LANE_COUNT) + LANE_COUNT
+            there = (2 * y + 1 - step % 2) * (stride + LANE_COUNT) + LANE_COUNT
             least = int(NO_COST)
             sync_lanes()  # path costs of the previous pixel are complete
             for chunk in range((count + WARP - 1) // WARP):
@@ -173,7 +175,7 @@ def step_down_kernel(
 ):
     """Add the three paths from the previous row to the sums of a row. A thread has some adjacent columns."""
     i = tid()
-    stride = count + LANES
+    stride = count + LANE_COUNT
     row = width + 2
     for x in range(i * columns, min((i + 1) * columns, width)):
         cell = (y * width + x) * count
@@ -183,23 +185,23 @@ def step_down_kernel(
         least_left = lanes(NO_COST)
         least_above = lanes(NO_COST)
         least_right = lanes(NO_COST)
-        for chunk in range(count // LANES):
-            d = chunk * LANES
-            at = LANES + (x + 1) * stride + d
+        for chunk in range(count // LANE_COUNT):
+            d = chunk * LANE_COUNT
+            at = LANE_COUNT + (x + 1) * stride + d
             c = lanes(0)
             total = lanes(0)
-            for k in range(LANES):
+            for k in range(LANE_COUNT):
                 c[k] = int(costs[cell + d + k])
                 total[k] = int(sums[cell + d + k])
             from_left = step_path(c, before, at - stride, low_left, after, at)
             from_above = step_path(c, before, at + row * stride, low_above, after, at + row * stride)
             from_right = step_path(c, before, at + (2 * row + 1) * stride, low_right, after, at + 2 * row * stride)
-            for k in range(LANES):
+            for k in range(LANE_COUNT):
                 total[k] = total[k] + from_left[k] + from_above[k] + from_right[k]
                 least_left[k] = min(least_left[k], from_left[k])
                 least_above[k] = min(least_above[k], from_above[k])
                 least_right[k] = min(least_right[k], from_right[k])
-            for k in range(LANES):
+            for k in range(LANE_COUNT):
                 sums[cell + d + k] = uint16(total[k])
         lows_after[x + 1] = least_of(least_left)
         lows_after[row + x + 1] = least_of(least_above)
@@ -222,7 +224,7 @@ def step_down_in_lanes_kernel(
     """CUDA variant: a warp per column, a lane per disparity."""
     i = tid()
     x = i // WARP
-    stride = count + LANES
+    stride = count + LANE_COUNT
     row = width + 2
     cell = (y * width + x) * count
     low_left = lows_before[x]
@@ -234,7 +236,7 @@ def step_down_in_lanes_kernel(
     for chunk in range((count + WARP - 1) // WARP):
         d = chunk * WARP + lane()
         if d < count:
-            at = LANES + (x + 1) * stride + d
+            at = LANE_COUNT + (x + 1) * stride + d
             cost = int(costs[cell + d])
             from_left = path_cost(cost, before, at - stride, low_left)
             from_above = path_cost(cost, before, at + row * stride, low_above)
@@ -260,8 +262,8 @@ def clear_paths_kernel(count: int, paths: array(dtype=uint8)):
     """Path costs of zero before the first row and beside the image: a path begins with the cost of its first pixel."""
     i = tid()
     value = 0
-    if i % (count + LANES) < LANES:
-        value = FAR
+    if i % (count + LANE_COUNT) < LANE_COUNT:
+        value = OUTSIDE_PATH_COST
     paths[i] = uint8(value)
 
 
@@ -271,13 +273,13 @@ def sum_paths(left: Integers, right: Integers, width: int, height: int, count: i
     `left` has the codes of the left image, (height, width). `right` those of the right image from right to left,
     (height, width + count): pixel x at disparity number d is compared with element width - 1 - x + d.
     """
-    device, stride = left.device, count + LANES
+    device, stride = left.device, count + LANE_COUNT
     costs, sums = empty(width * height * count, uint8, device), empty(width * height * count, uint16, device)
-    paths = empty(2 * height * (stride + LANES), uint8, device)
+    paths = empty(2 * height * (stride + LANE_COUNT), uint8, device)
     warp = WARP if device.is_cuda else 1
     launch(step_rows_kernel, height * warp, [left, right, width, count, paths, costs, sums])
-    columns = 1 if device.is_cuda else COLUMNS
-    size, rows = PATHS * (width + 2) * stride + LANES, PATHS * (width + 2)
+    columns = 1 if device.is_cuda else COLUMNS_PER_THREAD
+    size, rows = PATHS_PER_ROW * (width + 2) * stride + LANE_COUNT, PATHS_PER_ROW * (width + 2)
     for order in (range(height), range(height - 1, -1, -1)):
         states: list[tuple[Bytes, Integers]] = []
         for _ in range(2):

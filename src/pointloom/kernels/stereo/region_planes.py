@@ -35,12 +35,12 @@ from .plane_results import AGREED_FRACTION, AGREED_PIXELS
 from .textureless_regions import TexturelessRegions, pixel_of, region_of
 
 TEXTURE_RADIUS = 2  # [px] radius of the texture window
-PLAIN = 0.011  # brightness deviation of pure noise: 2 to 3 of 255
-TEXTURED = 0.016  # brightness deviation of texture
+NOISE_DEVIATION = 0.011  # brightness deviation of pure noise: 2 to 3 of 255
+TEXTURE_DEVIATION = 0.016  # brightness deviation of texture
 SURE_COST = 0.35  # maximum cost of a reliable plane
 SURE_SOURCES = 2  # that agree with its depth, or all existing ones
 PLAIN_COST = 0.75  # maximum cost of a prior without texture
-CLEARLY = 0.8  # cost advantage required against the prior of an untextured pixel: noise reaches half
+MIN_COST_ADVANTAGE = 0.8  # cost advantage required against the prior of an untextured pixel: noise reaches half
 
 
 @kernel
@@ -67,7 +67,7 @@ def judge_pixels_kernel(reference: Reference, sources: Sources, planes: array(dt
                     squares += d * d
     mean = total / count
     spread = sqrt(max(squares / count - mean * mean, 0.0))
-    plain = min(max((TEXTURED - spread) / (TEXTURED - PLAIN), 0.0), 1.0)
+    plain = min(max((TEXTURE_DEVIATION - spread) / (TEXTURE_DEVIATION - NOISE_DEVIATION), 0.0), 1.0)
     plane = planes[i]
     agreed = 0
     for s in range(sources.count):
@@ -104,7 +104,7 @@ def take_priors_kernel(
             x, y, prior, s, geometric, weights, rises, variance, reference, sources
         )
     theirs = mean_of_best(i, chosen, sources.count, costs)
-    if theirs < own + prior[3] * CLEARLY:
+    if theirs < own + prior[3] * MIN_COST_ADVANTAGE:
         planes[i] = vec4(prior[0], prior[1], prior[2], min(min(own, theirs), PLAIN_COST))
 
 
@@ -130,17 +130,17 @@ def take_priors(
     launch(take_priors_kernel, count, [chosen, geometric, reference, sources, priors, planes, costs])
 
 
-TRIALS = 100
+TRIALS_PER_REGION = 100
 MAX_TRIED = 600  # reliable pixels counted per trial
-ROUNDS = 2  # planes per region: more cannot each have MIN_FRACTION
-REFITS = 2
-PARTS = 32  # threads per region that sum moments
-SEEDS = 256  # pixels per region tested for the nearest plane
+PLANES_PER_REGION = 2  # planes per region: more cannot each have MIN_FRACTION
+REFIT_COUNT = 2
+THREADS_PER_REGION = 32  # threads per region that sum moments
+TESTED_PIXELS = 256  # pixels per region tested for the nearest plane
 MIN_SUPPORT = 20  # minimum inliers of a plane
 MIN_FRACTION = 0.35  # of all reliable pixels: with less, scattered errors form planes
 MIN_SPREAD = 3.0  # [px] inlier extent across the longest direction: a line does not determine a plane
 MIN_TRIANGLE = 50.0  # [px^2] twice the area of three sampled pixels
-TOLERANCE = 0.5  # [px in the sources] inlier distance
+INLIER_DISTANCE = 0.5  # [px in the sources] inlier distance
 
 vec9d = vector(9, float64)
 
@@ -169,10 +169,13 @@ class Consensus:
         device, pairs, count = regions.device, regions.pairs.size, regions.count
         self.left, self.listed = full(pairs, 1, int32, device), empty(pairs, int32, device)
         self.plane_rounds, self.remaining = zeros(pairs, int32, device), empty(count, int32, device)
-        self.scores, self.tried = empty(count * TRIALS, int32, device), empty(count * TRIALS, vec3d, device)
+        self.scores, self.tried = (
+            empty(count * TRIALS_PER_REGION, int32, device),
+            empty(count * TRIALS_PER_REGION, vec3d, device),
+        )
         self.fits, self.alive = empty(count, vec3d, device), full(count, 1, int32, device)
-        self.accepted, self.count = empty(count * ROUNDS, vec3d, device), zeros(count, int32, device)
-        self.moments, self.tolerance = empty(count * PARTS, vec9d, device), tolerance
+        self.accepted, self.count = empty(count * PLANES_PER_REGION, vec3d, device), zeros(count, int32, device)
+        self.moments, self.tolerance = empty(count * THREADS_PER_REGION, vec9d, device), tolerance
 
 
 @func
@@ -211,7 +214,7 @@ def begin_round_kernel(regions: TexturelessRegions, state: Consensus):
 def try_planes_kernel(seed: int, round: int, regions: TexturelessRegions, planes: array(dtype=vec4), state: Consensus):
     """Plane through three random pixels, and its inlier count."""
     i = tid()
-    k = i // TRIALS
+    k = i // TRIALS_PER_REGION
     score = -1
     plane = vec3d(float64(0.0))
     if state.alive[k] != 0:
@@ -248,31 +251,31 @@ def choose_planes_kernel(state: Consensus):
     k = tid()
     best = int(-1)
     max_score = int(-1)
-    trials = int(TRIALS)
+    trials = int(TRIALS_PER_REGION)
     for t in range(trials):
-        if state.scores[k * TRIALS + t] > max_score:
-            max_score = state.scores[k * TRIALS + t]
+        if state.scores[k * TRIALS_PER_REGION + t] > max_score:
+            max_score = state.scores[k * TRIALS_PER_REGION + t]
             best = t
     if best < 0:
         state.alive[k] = 0
     else:
-        state.fits[k] = state.tried[k * TRIALS + best]
+        state.fits[k] = state.tried[k * TRIALS_PER_REGION + best]
 
 
 @kernel
 def sum_moments_kernel(regions: TexturelessRegions, planes: array(dtype=vec4), state: Consensus):
     """Moments of the inliers about the region's first pixel: x, y, z, xx, xy, yy, xz, yz, count."""
     i = tid()
-    k = i // PARTS
+    k = i // THREADS_PER_REGION
     total = vec9d(float64(0.0))
     if state.alive[k] != 0:
         first = regions.firsts[k]
         start = pixel_of(regions.pairs[first])
         w = float64(planes[start][0])
         plane = state.fits[k]
-        steps = (state.remaining[k] - i % PARTS + PARTS - 1) // PARTS
+        steps = (state.remaining[k] - i % THREADS_PER_REGION + THREADS_PER_REGION - 1) // THREADS_PER_REGION
         for step in range(steps):
-            pixel = pixel_of(regions.pairs[state.listed[first + i % PARTS + step * PARTS]])
+            pixel = pixel_of(regions.pairs[state.listed[first + i % THREADS_PER_REGION + step * THREADS_PER_REGION]])
             depth = float64(planes[pixel][0])
             if abs(height_at(plane, pixel, regions.width) - depth) < state.tolerance:
                 x = float64(pixel % regions.width - start % regions.width)
@@ -289,9 +292,9 @@ def fit_planes_kernel(regions: TexturelessRegions, planes: array(dtype=vec4), st
     if state.alive[k] == 0:
         return
     total = vec9d(float64(0.0))
-    parts = int(PARTS)
+    parts = int(THREADS_PER_REGION)
     for p in range(parts):
-        total += state.moments[k * PARTS + p]
+        total += state.moments[k * THREADS_PER_REGION + p]
     n = total[8]
     state.alive[k] = 0
     if n >= min_inliers(k, regions):
@@ -318,7 +321,7 @@ def fit_planes_kernel(regions: TexturelessRegions, planes: array(dtype=vec4), st
 def keep_planes_kernel(round: int, state: Consensus):
     k = tid()
     if state.alive[k] != 0:
-        state.accepted[k * ROUNDS + round] = state.fits[k]
+        state.accepted[k * PLANES_PER_REGION + round] = state.fits[k]
         state.count[k] = round + 1
 
 
@@ -340,7 +343,7 @@ def nearest_round(i: int, k: int, regions: TexturelessRegions, state: Consensus)
     min_sqdist = int64(0x7FFFFFFFFFFFFFFF)
     first = regions.firsts[k]
     count = regions.lasts[k] - first
-    step = (count + SEEDS - 1) // SEEDS
+    step = (count + TESTED_PIXELS - 1) // TESTED_PIXELS
     sample_count = (count + step - 1) // step
     for number in range(sample_count):
         j = number * step
@@ -367,7 +370,7 @@ def write_priors_kernel(
             round = 0
             if state.count[k] > 1:
                 round = nearest_round(i, k, regions, state)
-            plane = state.accepted[k * ROUNDS + round]
+            plane = state.accepted[k * PLANES_PER_REGION + round]
             w = float32(height_at(plane, i, regions.width))
             prior = vec4(w, float32(plane[1]), float32(plane[2]), judged[i][0])
     priors[i] = prior
@@ -379,14 +382,14 @@ def plane_priors(
     """Plane priors: inverse depth, two slopes, weight, or 0 (pixels), no sync; `judged` as of `judge_pixels`."""
     state, pairs, count = Consensus(regions, tolerance), regions.pairs.size, regions.count
     sums = empty(pairs, int32, regions.device)
-    for k in range(ROUNDS):
+    for k in range(PLANES_PER_REGION):
         inclusive_scan(state.left, sums)
         launch(list_left_kernel, pairs, [regions, sums, state])
         launch(begin_round_kernel, count, [regions, state])
-        launch(try_planes_kernel, count * TRIALS, [seed, k, regions, planes, state])
+        launch(try_planes_kernel, count * TRIALS_PER_REGION, [seed, k, regions, planes, state])
         launch(choose_planes_kernel, count, [state])
-        for _ in range(REFITS):
-            launch(sum_moments_kernel, count * PARTS, [regions, planes, state])
+        for _ in range(REFIT_COUNT):
+            launch(sum_moments_kernel, count * THREADS_PER_REGION, [regions, planes, state])
             launch(fit_planes_kernel, count, [regions, planes, state])
         launch(keep_planes_kernel, count, [k, state])
         launch(take_support_kernel, pairs, [k, regions, planes, state])

@@ -1,4 +1,4 @@
-"""Textureless regions of an image (4-connected), and the reliable pixels in each or within AROUND pixels of it."""
+"""Textureless regions of an image (4-connected), and the reliable pixels in or within REGION_MARGIN pixels of each."""
 
 from ..array_types import Array1, Device, Indices, Integers, Keys
 from ..arrays.prefix_sum import exclusive_scan
@@ -8,8 +8,8 @@ from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
 from ..memory import empty, fill, zeros
 
-AROUND = 3  # [px] from an untextured pixel
-WINDOW = 2 * AROUND * (AROUND + 1) + 1  # pixels within AROUND
+REGION_MARGIN = 3  # [px] from an untextured pixel
+MARGIN_PIXELS = 2 * REGION_MARGIN * (REGION_MARGIN + 1) + 1  # pixels within REGION_MARGIN
 MIN_AREA = 64  # [px] minimum area of a region
 PIXEL_BITS = 32  # of a pair's key: pixel, below the region
 
@@ -103,10 +103,10 @@ def is_first(
 ) -> bool:
     """True if no earlier pixel of the window is in the same region."""
     before = int(0)
-    rows = int(dy + AROUND + 1)
+    rows = int(dy + REGION_MARGIN + 1)
     for r in range(rows):
-        v = r - AROUND
-        half_width = AROUND - abs(v)
+        v = r - REGION_MARGIN
+        half_width = REGION_MARGIN - abs(v)
         columns = int(2 * half_width + 1)
         for c in range(columns):
             u = c - half_width
@@ -131,10 +131,10 @@ def list_near_kernel(
     count = int(0)
     last = -1  # last region found: usually the same, which saves the search
     if judged[i][1] > 0.0:
-        rows = int(2 * AROUND + 1)
+        rows = int(2 * REGION_MARGIN + 1)
         for r in range(rows):
-            dy = r - AROUND
-            half_width = AROUND - abs(dy)
+            dy = r - REGION_MARGIN
+            half_width = REGION_MARGIN - abs(dy)
             columns = int(2 * half_width + 1)
             for c in range(columns):
                 dx = c - half_width
@@ -183,7 +183,7 @@ def _list_pairs(judged: Array1[vec2], width: int, labels: Indices, numbers: Inte
     device, size = judged.device, judged.size
     counts, none = empty(size, int32, device), empty(0, int64, device)
     launch(list_near_kernel, size, [judged, width, labels, numbers, empty(0, int32, device), counts, none])
-    offsets, total = exclusive_scan(counts, largest=WINDOW)  # sync
+    offsets, total = exclusive_scan(counts, largest=MARGIN_PIXELS)  # sync
     keys = empty(total, int64, device)
     if total:
         launch(list_near_kernel, size, [judged, width, labels, numbers, offsets, counts, keys])

@@ -28,7 +28,7 @@ from ..lang import (
 from ..memory import empty, full
 
 NO_TRIANGLE = 2147483647
-AROUND = 9  # texels of a 3 x 3 square
+WINDOW_TEXELS = 9  # texels of a 3 x 3 square
 
 
 @struct
@@ -154,7 +154,7 @@ def spread_texels_kernel(
     if marks[i] == 0:
         total = vec3d(0.0, 0.0, 0.0)
         count = 0
-        around = int(AROUND)
+        around = int(WINDOW_TEXELS)
         for k in range(around):
             x = i % width + k % 3 - 1
             y = i // width + k // 3 - 1

@@ -42,15 +42,15 @@ from .exposures import Exposures
 from .seam_levels import Seams, image_color
 from .stacked_images import StackedImages
 
-RINGS = 2  # of texels around a chart, extrapolated from its triangles
-OUTSIDE = 1.5  # maximum extrapolation beyond the corners, in barycentric units
+EXTRAPOLATED_RINGS = 2  # of texels around a chart, extrapolated from its triangles
+MAX_BARYCENTRIC = 1.5  # maximum extrapolation beyond the corners, in barycentric units
 MAX_SAMPLES = 4  # per texel side
-UNREACHED = 1 << 20  # texels from any seam
+UNREACHED_STEPS = 1 << 20  # texels from any seam
 
 
 @struct
 class ChartTexels:
-    """Texels and their triangles: `owners` or NO_TRIANGLE; `rings`, 0 inside; `steps` from a seam or UNREACHED."""
+    """Texels and triangles: `owners` or NO_TRIANGLE; `rings`, 0 inside; `steps` from a seam, or UNREACHED_STEPS."""
 
     atlas: Atlas
     owners: array(dtype=int32)
@@ -68,11 +68,11 @@ class ChartTexels:
         self.rings, wider = zeros(count, int32, device), full(count, NO_TRIANGLE, int32, device)
         launch(claim_edges_kernel, triangles, [self.atlas, wider])
         launch(take_spare_kernel, count, [wider, owners, self.rings])
-        for ring in range(RINGS):
+        for ring in range(EXTRAPOLATED_RINGS):
             launch(widen_owners_kernel, count, [size, owners, ring + 1, wider, self.rings])
             owners, wider = wider, owners
         self.owners = owners
-        self.colors, self.steps = zeros(count, vec3d, device), full(count, UNREACHED, int32, device)
+        self.colors, self.steps = zeros(count, vec3d, device), full(count, UNREACHED_STEPS, int32, device)
 
 
 @func
@@ -133,7 +133,7 @@ def fractions_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
     """Barycentric weights at a texture position, clamped near the triangle."""
     a, b, c = texel_corners(atlas, t)
     doubled_area = side_of(a, b, c[0], c[1])
-    limit = float64(OUTSIDE)
+    limit = float64(MAX_BARYCENTRIC)
     second = float64(0.0)
     third = float64(0.0)
     if doubled_area != 0.0:
@@ -225,7 +225,7 @@ def finish_texels(texels: ChartTexels, gutter: int) -> Bytes:
     image, marks = empty(count, vec3, device), empty(count, uint8, device)
     launch(finish_texels_kernel, count, [texels, image, marks])
     wider, wider_marks = empty(count, vec3, device), empty(count, uint8, device)
-    for _ in range(gutter - RINGS):
+    for _ in range(gutter - EXTRAPOLATED_RINGS):
         launch(spread_texels_kernel, count, [size, size, image, marks, wider, wider_marks])
         image, wider, marks, wider_marks = wider, image, wider_marks, marks
     pixels = empty(3 * count, uint8, device)

@@ -34,7 +34,7 @@ from ..meshes.mesh_components import count_roots_kernel, label_chosen_kernel
 from ..meshes.mesh_topology import pair_edges_kernel, sorted_edges
 from .stacked_images import StackedImages, project_vertex
 
-FAR = 1 << 30
+EMPTY_BOUND = 1 << 30
 
 
 class Cells(NamedTuple):
@@ -57,7 +57,10 @@ class Charts:
     def __init__(self, labels: LongIntegers, count: int) -> None:
         device = labels.device
         self.labels, self.count = labels, count
-        self.lows, self.highs = full(2 * count, FAR, int32, device), full(2 * count, -FAR, int32, device)
+        self.lows, self.highs = (
+            full(2 * count, EMPTY_BOUND, int32, device),
+            full(2 * count, -EMPTY_BOUND, int32, device),
+        )
         self.views = zeros(count, int32, device)
 
     def boxes(self) -> np.ndarray:

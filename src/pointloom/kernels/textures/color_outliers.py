@@ -9,9 +9,9 @@ from ..memory import empty
 from .face_views import FaceViews
 
 MIN_VIEWS = 4  # minimum images for outlier detection
-UNLIKELY = 10.23  # squared Mahalanobis distance: exp(-x / 2) is 6e-3, as in the paper
+MAX_SQUARED_DEVIATION = 10.23  # squared Mahalanobis distance: exp(-x / 2) is 6e-3, as in the paper
 NOISE_VARIANCE = 6.0e-5  # variance always added: two gray levels, in 0..1
-NEAR = 3.0  # median distances from the medoid of the initial inliers
+INITIAL_MEDIAN_DISTANCES = 3.0  # median distances from the medoid of the initial inliers
 MIN_DISTANCE = 0.02  # [0..1] and at least this, five gray levels
 MAX_ITERATIONS = 10
 
@@ -101,7 +101,9 @@ def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
             keep[k] = uint8(1)
         return
     middle = find_medoid(first, last, views.colors)
-    max_distance = max(float64(NEAR) * median_distance(middle, first, last, views.colors), float64(MIN_DISTANCE))
+    max_distance = max(
+        float64(INITIAL_MEDIAN_DISTANCES) * median_distance(middle, first, last, views.colors), float64(MIN_DISTANCE)
+    )
     count = 0
     for k in range(first, last):
         is_in = 0
@@ -117,7 +119,7 @@ def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
         count = 0
         for k in range(first, last):
             is_in = 0
-            if squared_deviations(views.colors[k], sums) <= float64(UNLIKELY):
+            if squared_deviations(views.colors[k], sums) <= float64(MAX_SQUARED_DEVIATION):
                 is_in = 1
             if int(keep[k]) != is_in:
                 changed = 1

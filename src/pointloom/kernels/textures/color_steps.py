@@ -39,14 +39,14 @@ from .stacked_images import (
 )
 from .vertex_views import Sightings
 
-SQUARES, COUNT = 27, 28  # behind 21 of the matrix and 6 of the right side
+SQUARES_COLUMN, COUNT_COLUMN = 27, 28  # behind 21 of the matrix and 6 of the right side
 pose_sums = vector(29, float64)
 # 1 if the pair counts, residual, derivatives by the pose's 6 unknowns, image gradient, column, row
 pair_row = vector(12, float64)
-NOTHING = -1.0  # brightness of a vertex that is not in an image
+MISSING_BRIGHTNESS = -1.0  # brightness of a vertex that is not in an image
 FIRST_DAMPING = 1.0e-6  # of the diagonal: negligible unless a step fails
 MIN_DAMPING, MAX_DAMPING = 1.0e-9, 1.0e4  # above the maximum a step is negligible
-SHRINK, GROW = 0.1, 10.0  # factors of the damping after good and bad steps
+DAMPING_DECREASE, DAMPING_INCREASE = 0.1, 10.0  # factors of the damping after good and bad steps
 MIN_DECREASE = 1.0e-6  # minimum relative decrease of the mean square
 
 
@@ -96,8 +96,8 @@ def average_brightness_kernel(
 
 @func
 def sample_pair(projected: pixel, warp: warp_sample, image: int, stack: StackedImages) -> shade:
-    """Brightness and gradient of a warped vertex. NOTHING, 0, 0 if it is outside or in the margin."""
-    sampled = shade(NOTHING, 0.0, 0.0)
+    """Brightness and gradient of a warped vertex. MISSING_BRIGHTNESS, 0, 0 if it is outside or in the margin."""
+    sampled = shade(MISSING_BRIGHTNESS, 0.0, 0.0)
     if projected[2] > 0.0:
         u = projected[0]
         v = projected[1]
@@ -171,8 +171,8 @@ def judge_iteration_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float
     squares = float64(0.0)
     count = float64(0.0)
     for k in range(sums.shape[0]):
-        squares += sums[k][SQUARES] + ties[k]
-        count += sums[k][COUNT]
+        squares += sums[k][SQUARES_COLUMN] + ties[k]
+        count += sums[k][COUNT_COLUMN]
     error = squares / max(count, 1.0)
     best = state.error[1]
     damping = state.error[2]
@@ -186,10 +186,10 @@ def judge_iteration_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float
             if best - error <= float64(MIN_DECREASE) * best:
                 running = 0
             state.error[1] = error
-            damping = max(damping * float64(SHRINK), float64(MIN_DAMPING))
+            damping = max(damping * float64(DAMPING_DECREASE), float64(MIN_DAMPING))
         else:
             outcome = 0
-            damping = damping * float64(GROW)
+            damping = damping * float64(DAMPING_INCREASE)
             if damping > float64(MAX_DAMPING):
                 running = 0
     if state.iterations[0] >= state.iterations[1] or count == 0.0:
@@ -237,7 +237,7 @@ def keep_best_kernel(
 def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), poses: array(dtype=mat44d)):
     """Step each image from its best pose. One thread per image."""
     i = tid()
-    if state.running[0] == 1 and best_sums[i][COUNT] > 0.0:
+    if state.running[0] == 1 and best_sums[i][COUNT_COLUMN] > 0.0:
         poses[i] = multiply44(small_motion(damped_step(best_sums[i], state.error[2])), poses[i])
 
 

@@ -34,13 +34,13 @@ from ..rays.triangle_voxels import widened_corners
 from .face_views import FaceViews
 from .stacked_images import StackedImages, project_vertex
 
-LEVELS = 1024  # integer levels of a color
-FINE = 4096  # integer scale of a logarithm
-NUMBERS = 9
-DARKEST, BRIGHTEST = 0.05, 0.97  # usable color range
+COLOR_LEVELS = 1024  # integer levels of a color
+LOG_SCALE = 4096  # integer scale of a logarithm
+SUMS_PER_PAIR = 9
+MIN_USABLE_COLOR, MAX_USABLE_COLOR = 0.05, 0.97  # usable color range
 PRIOR_WEIGHT = 1.0e-3  # regularization to gain 1 and no bend, relative to the mean overlap
 BEND_WEIGHT = 0.1  # regularization of bends to their mean, likewise
-STRONGEST = 0.7  # maximum bend: a factor of two in the corners
+MAX_VIGNETTING = 0.7  # maximum bend: a factor of two in the corners
 MAX_VIEWS = 32  # of a triangle, its first images: sufficient
 
 
@@ -68,7 +68,7 @@ def image_sqradius(u: float64, v: float64, image: int, stack: StackedImages) -> 
 
 @func
 def to_integer(fraction: float64) -> int64:
-    return int64(floor(fraction * float64(int64(LEVELS)) + 0.5))
+    return int64(floor(fraction * float64(int64(COLOR_LEVELS)) + 0.5))
 
 
 @func
@@ -105,7 +105,7 @@ def measure_sqradii_kernel(
 @func
 def logarithm(fraction: float64, table: array(dtype=int32)) -> int64:
     """Log color as an integer. 0 if invalid."""
-    level = min(max(int(to_integer(fraction)), 0), LEVELS)
+    level = min(max(int(to_integer(fraction)), 0), COLOR_LEVELS)
     return int64(table[level])
 
 
@@ -125,7 +125,7 @@ def sum_differences_kernel(
                 a = logarithm(float64(views.colors[k][channel]), table)
                 b = logarithm(float64(views.colors[j][channel]), table)
                 if a != 0 and b != 0:
-                    at = ((channel * count + views.views[k]) * count + views.views[j]) * NUMBERS
+                    at = ((channel * count + views.views[k]) * count + views.views[j]) * SUMS_PER_PAIR
                     atomic_add(sums, at, int64(1))
                     atomic_add(sums, at + 1, p)
                     atomic_add(sums, at + 2, p * p)
@@ -145,16 +145,31 @@ def plain_exposures(stack: StackedImages) -> Exposures:
 def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, stack: StackedImages) -> Exposures:
     """Exposures that make images agree on shared triangles. One sync."""
     device, n = vertices.device, stack.count
-    levels = np.arange(LEVELS + 1)
-    is_usable = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)
-    table = upload(np.where(is_usable, np.rint(FINE * elementwise(math.log, np.maximum(levels, 2))), 0), int32, device)
-    sqradii, sums = empty(views.count, int32, device), zeros(3 * n * n * NUMBERS, int64, device)
+    levels = np.arange(COLOR_LEVELS + 1)
+    is_usable = (levels >= MIN_USABLE_COLOR * COLOR_LEVELS) & (levels <= MAX_USABLE_COLOR * COLOR_LEVELS)
+    table = upload(
+        np.where(is_usable, np.rint(LOG_SCALE * elementwise(math.log, np.maximum(levels, 2))), 0), int32, device
+    )
+    sqradii, sums = empty(views.count, int32, device), zeros(3 * n * n * SUMS_PER_PAIR, int64, device)
     launch(measure_sqradii_kernel, triangles.size, [vertices, triangles, views, stack, sqradii])
     launch(sum_differences_kernel, triangles.size, [views, sqradii, table, n, sums])
-    units = np.array([1, LEVELS, LEVELS**2, LEVELS, LEVELS**2, LEVELS**2, FINE, FINE * LEVELS, FINE * LEVELS], float)
-    every = download(sums).reshape(3, n, n, NUMBERS) / units  # sync
+    units = np.array(
+        [
+            1,
+            COLOR_LEVELS,
+            COLOR_LEVELS**2,
+            COLOR_LEVELS,
+            COLOR_LEVELS**2,
+            COLOR_LEVELS**2,
+            LOG_SCALE,
+            LOG_SCALE * COLOR_LEVELS,
+            LOG_SCALE * COLOR_LEVELS,
+        ],
+        float,
+    )
+    every = download(sums).reshape(3, n, n, SUMS_PER_PAIR) / units  # sync
     solved = np.array([_solve(channel) for channel in every])
-    gains, bends = elementwise(math.exp, solved[:, 0]).T, np.clip(solved[:, 1], -STRONGEST, STRONGEST).T
+    gains, bends = elementwise(math.exp, solved[:, 0]).T, np.clip(solved[:, 1], -MAX_VIGNETTING, MAX_VIGNETTING).T
     return Exposures(*(upload(np.ascontiguousarray(part), vec3d, device) for part in (gains, bends)))
 
 

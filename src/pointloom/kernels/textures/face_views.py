@@ -41,11 +41,11 @@ from .stacked_images import StackedImages, camera_center, color_at, is_inside, p
 from .surface_texels import STEP_MARGIN, mark_steps_kernel
 from .vertex_views import Sightings, list_sightings, mask_in_frame
 
-FLATTEST = 0.258819  # cosine of the view angle: 75 degrees, as in the paper
-MARGIN = 1.0  # [px] ignored image border, for bilinear neighbors
+MIN_VIEW_COSINE = 0.258819  # cosine of the view angle: 75 degrees, as in the paper
+BORDER_PIXELS = 1.0  # [px] ignored image border, for bilinear neighbors
 MAX_SAMPLES = 4096.0  # pixels sampled per triangle, relative to its box
 EDGE_FACTOR = 0.1  # quality factor beside depth edges
-PLAIN = 0.002  # [1 / px] of brightness, half a gray level: value of a uniform triangle
+UNIFORM_GRADIENT = 0.002  # [1 / px] of brightness, half a gray level: value of a uniform triangle
 
 
 @struct
@@ -87,7 +87,7 @@ def inside_margin(p: vec3, image: int, stack: StackedImages) -> int:
     projected = project_vertex(p, image, stack)
     inside = 0
     if projected[2] > 0.0:
-        inside = is_inside(projected[0], projected[1], image, float64(MARGIN), stack)
+        inside = is_inside(projected[0], projected[1], image, float64(BORDER_PIXELS), stack)
     return inside
 
 
@@ -109,7 +109,7 @@ def mask_faces_kernel(
         inside = inside_margin(vertices[t[0]], image, stack) + inside_margin(vertices[t[1]], image, stack)
         inside += inside_margin(vertices[t[2]], image, stack)
         if inside == 3:
-            if facing(vertices, t, eye) > float64(FLATTEST):
+            if facing(vertices, t, eye) > float64(MIN_VIEW_COSINE):
                 flag = 1
     mask[i] = uint8(flag)
 
@@ -207,7 +207,7 @@ def measure_views_kernel(
         slope = slope_at(int(floor(x + 0.5)), int(floor(y + 0.5)), image, stack)
         color = color_at(x, y, image, stack)
     views[i] = image
-    quality = 0.5 * abs(doubled) * (slope / count + float64(PLAIN))
+    quality = 0.5 * abs(doubled) * (slope / count + float64(UNIFORM_GRADIENT))
     beside = is_near_step(a[0], a[1], image, stack, steps) + is_near_step(b[0], b[1], image, stack, steps)
     beside += is_near_step(c[0], c[1], image, stack, steps) + is_near_step(x, y, image, stack, steps)
     if beside > 0:

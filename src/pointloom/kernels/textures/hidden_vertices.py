@@ -10,7 +10,7 @@ from ..rays.scene_trees import SceneTrees
 from ..rays.triangle_tree import TriangleTree
 from .stacked_images import StackedImages, camera_center
 
-SHORT = 0.999  # fraction of the ray that must be free
+FREE_RAY_FRACTION = 0.999  # fraction of the ray that must be free
 
 
 @kernel
@@ -79,5 +79,5 @@ def drop_hidden(vertices: Points, image: int, stack: StackedImages, trees: Scene
     """Clear `mask` (uint8 (m), in place, returned) for vertices that the mesh hides from a camera."""
     rays = empty(6 * vertices.size, float32, vertices.device)
     launch(aim_rays_kernel, vertices.size, [vertices, image, stack, mask, rays])
-    launch(keep_free_kernel, vertices.size, [test_occlusions(trees, rays, 0.0, SHORT), mask])
+    launch(keep_free_kernel, vertices.size, [test_occlusions(trees, rays, 0.0, FREE_RAY_FRACTION), mask])
     return mask

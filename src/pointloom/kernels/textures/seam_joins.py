@@ -37,9 +37,9 @@ from .seam_levels import Seams, is_seam, name_nodes_kernel
 
 A_TEXEL = 2.0  # samples per texel along the longer side
 MAX_SAMPLES = 1024  # per edge
-SIDES = 8  # texels of a sample: four per side
+TEXELS_PER_SAMPLE = 8  # texels of a sample: four per side
 ZERO_WEIGHT = 0.01  # weight of no change: leaves 1 % of a step
-SOLVED = 1.0e-8
+MAX_RESIDUAL_RATIO = 1.0e-8
 MAX_ITERATIONS = 300
 HIGH_QUANTILE = 0.95  # quantile reported by `drawn_steps`
 
@@ -62,7 +62,7 @@ class SeamSamples:
         counts = empty(corners, int32, device)
         launch(count_samples_kernel, corners, [texels.atlas, seams, counts])
         self.firsts, self.sample_count = exclusive_scan(counts, largest=MAX_SAMPLES)  # sync
-        entries = SIDES * self.sample_count
+        entries = TEXELS_PER_SAMPLE * self.sample_count
         self.keys, self.weights = empty(entries, int64, device), empty(entries, float64, device)
         self.nodes, self.count = empty(entries, int32, device), 0
         self.starts, self.entries = zeros(1, int32, device), empty(0, int32, device)
@@ -138,7 +138,7 @@ def compute_samples_kernel(atlas: Atlas, seams: Seams, samples: SeamSamples):
 def measure_steps_kernel(samples: SeamSamples, colors: array(dtype=vec3d), steps: array(dtype=vec3d)):
     i = tid()
     step = vec3d(0.0, 0.0, 0.0)
-    for k in range(SIDES):
+    for k in range(TEXELS_PER_SAMPLE):
         step += colors[int(samples.keys[8 * i + k])] * samples.weights[8 * i + k]
     steps[i] = step
 
@@ -163,7 +163,7 @@ def begin_joins_kernel(
 def search_steps_kernel(samples: SeamSamples, state: Gradients, steps: array(dtype=vec3d)):
     i = tid()
     step = vec3d(0.0, 0.0, 0.0)
-    for k in range(SIDES):
+    for k in range(TEXELS_PER_SAMPLE):
         step += state.search[samples.nodes[8 * i + k]] * samples.weights[8 * i + k]
     steps[i] = step
 
@@ -191,7 +191,7 @@ def join_seams(samples: SeamSamples, colors: Array1[vec3d]) -> None:
     if not count:
         return
     steps, diagonal = empty(samples.sample_count, vec3d, device), empty(count, float64, device)
-    state = Gradients(zeros(count, vec3d, device), SOLVED, MAX_ITERATIONS, zeros(1, vec2d, device))
+    state = Gradients(zeros(count, vec3d, device), MAX_RESIDUAL_RATIO, MAX_ITERATIONS, zeros(1, vec2d, device))
 
     def apply() -> None:
         launch(search_steps_kernel, samples.sample_count, [samples, state, steps])
@@ -213,7 +213,7 @@ def drawn_steps_kernel(samples: SeamSamples, image: array(dtype=uint8), sizes: a
     total = float64(0.0)
     for channel in range(3):
         step = float64(0.0)
-        for k in range(SIDES):
+        for k in range(TEXELS_PER_SAMPLE):
             texel = int(samples.keys[8 * i + k])
             step += float64(image[3 * texel + channel]) * samples.weights[8 * i + k]
         total += abs(step)

@@ -35,11 +35,11 @@ from ..meshes.mesh_topology import corner_vertex, next_corner
 from .exposures import Exposures, exposed
 from .stacked_images import StackedImages, color_at, project_vertex
 
-SAMPLES = 32  # maximum samples per edge: one per pixel
-STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge within a chart belongs to two triangles
-PULL = 1.0e-5  # weight of zero shift,
+MAX_EDGE_SAMPLES = 32  # maximum samples per edge: one per pixel
+EDGE_STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge within a chart belongs to two triangles
+ZERO_SHIFT_WEIGHT = 1.0e-5  # weight of zero shift,
 PULL_LEVEL = 0.1  # and for exposure-corrected images: remaining differences come from poses and stay within ten edges
-SOLVED = 1.0e-12  # of the initial squared residual
+MAX_RESIDUAL_RATIO = 1.0e-12  # of the initial squared residual
 MAX_ITERATIONS = 3000
 
 step_sums = vector(3, float64)  # sample count, sums of steps and of their squares
@@ -119,7 +119,7 @@ def samples_of(a: vec3, b: vec3, image: int, stack: StackedImages) -> int:
     q = project_vertex(b, image, stack)
     x = q[0] - p[0]
     y = q[1] - p[1]
-    return int(min(max(ceil(sqrt(x * x + y * y)), 2.0), float64(SAMPLES)))
+    return int(min(max(ceil(sqrt(x * x + y * y)), 2.0), float64(MAX_EDGE_SAMPLES)))
 
 
 @kernel
@@ -163,7 +163,7 @@ def begin_levels_kernel(seams: Seams, pull: float64, weights: array(dtype=float6
         h = seams.corners[j]
         before = next_corner(next_corner(h))
         if seams.views[h // 3] >= 0:
-            weight += 2.0 * float64(STIFFNESS)
+            weight += 2.0 * float64(EDGE_STIFFNESS)
             if is_seam(h, seams) == 1:
                 weight += 1.0
                 right -= seams.begins[h]
@@ -183,7 +183,7 @@ def map_levels_kernel(seams: Seams, weights: array(dtype=float64), state: Gradie
         after = next_corner(h)
         before = next_corner(after)
         if seams.views[h // 3] >= 0:
-            total -= float64(STIFFNESS) * (state.search[seams.nodes[after]] + state.search[seams.nodes[before]])
+            total -= float64(EDGE_STIFFNESS) * (state.search[seams.nodes[after]] + state.search[seams.nodes[before]])
             v = corner_vertex(seams.triangles, h)
             if is_seam(h, seams) == 1:
                 total -= state.search[node_beyond(h, v, seams)]
@@ -230,7 +230,7 @@ class SeamLevels:
     def solve(self, *, level: bool = False) -> None:
         """Solve for the shifts; `level` if images were exposure-corrected. One sync."""
         count, device = self.seams.count, self.vertices.device
-        state = Gradients(self.shifts, SOLVED, MAX_ITERATIONS, zeros(1, vec2d, device))
+        state = Gradients(self.shifts, MAX_RESIDUAL_RATIO, MAX_ITERATIONS, zeros(1, vec2d, device))
         weights = empty(count, float64, device)
 
         def apply() -> None:
@@ -239,7 +239,7 @@ class SeamLevels:
         def weigh() -> None:
             launch(weigh_by_diagonal_kernel, count, [weights, state])
 
-        launch(begin_levels_kernel, count, [self.seams, PULL_LEVEL if level else PULL, weights, state])
+        launch(begin_levels_kernel, count, [self.seams, PULL_LEVEL if level else ZERO_SHIFT_WEIGHT, weights, state])
         ConjugateGradients(state, apply, weigh).solve()
         self.iterations = int(download(state.iterations)[0])  # sync
 

@@ -11,15 +11,15 @@ from ..lang import array, dot, float64, func, int32, kernel, launch, length, tid
 from ..memory import empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .atlas_colors import NO_TRIANGLE, texel_corners
-from .chart_texels import RINGS, UNREACHED, ChartTexels, fractions_at, point_at, side_of_corner
+from .chart_texels import EXTRAPOLATED_RINGS, UNREACHED_STEPS, ChartTexels, fractions_at, point_at, side_of_corner
 from .exposures import Exposures
 from .seam_levels import Seams, image_color, is_seam, node_beyond
 from .stacked_images import StackedImages
 
 ON_SEAM = 1.5  # [texels] maximum distance of a chart's texel on a seam
 MAX_RING_DISTANCE = 4.0  # [texels] the same for ring texels
-STRIP = 20  # texels over which a change fades, as in the paper
-SOLVED = 1.0e-8
+STRIP_TEXELS = 20  # texels over which a change fades, as in the paper
+MAX_RESIDUAL_RATIO = 1.0e-8
 MAX_ITERATIONS = 400
 
 
@@ -152,8 +152,8 @@ def aim_at_seams_kernel(
         max_distance = float64(MAX_RING_DISTANCE)
     nearest = vec3d(-1.0, max_distance, 0.0)
     last = -1
-    for row in range(max(i // size - RINGS, 0), min(i // size + RINGS, size - 1) + 1):
-        for column in range(max(i % size - RINGS, 0), min(i % size + RINGS, size - 1) + 1):
+    for row in range(max(i // size - EXTRAPOLATED_RINGS, 0), min(i // size + EXTRAPOLATED_RINGS, size - 1) + 1):
+        for column in range(max(i % size - EXTRAPOLATED_RINGS, 0), min(i % size + EXTRAPOLATED_RINGS, size - 1) + 1):
             owner = texels.owners[row * size + column]
             if owner != NO_TRIANGLE and owner != last:
                 last = owner
@@ -190,7 +190,7 @@ def spread_steps_kernel(texels: ChartTexels, seams: Seams, step: int, free: arra
     """Extend the distance by one ring."""
     i = tid()
     owner = texels.owners[i]
-    if owner != NO_TRIANGLE and texels.steps[i] == UNREACHED:
+    if owner != NO_TRIANGLE and texels.steps[i] == UNREACHED_STEPS:
         if seams.views[owner] >= 0:
             is_next = 0
             for k in range(4):
@@ -243,7 +243,7 @@ def map_strips_kernel(
     for k in range(4):
         j = neighbor_texel(free[i], k, texels.atlas.width)
         if j >= 0:
-            if texels.steps[j] > 0 and texels.steps[j] < UNREACHED:
+            if texels.steps[j] > 0 and texels.steps[j] < UNREACHED_STEPS:
                 total -= state.search[numbers[j]]
     state.image[i] = total
 
@@ -274,13 +274,13 @@ def blend_strips(
     means: Positions = zeros(vertices.size, vec3d, device)
     launch(mean_at_vertices_kernel, seams.count, [vertices, seams, stack, exposures, shifts, means])
     launch(aim_at_seams_kernel, count, [texels, vertices, seams, stack, exposures, shifts, means, changes])
-    for step in range(1, STRIP + 1):
+    for step in range(1, STRIP_TEXELS + 1):
         launch(spread_steps_kernel, count, [texels, seams, step, free])
     rows: Indices = positions_of(free)  # sync
     if rows.size:
         numbers, weights = empty(count, int32, device), empty(rows.size, float64, device)
         launch(number_rows_kernel, rows.size, [rows, numbers])
-        state = Gradients(zeros(rows.size, vec3d, device), SOLVED, MAX_ITERATIONS, zeros(1, vec2d, device))
+        state = Gradients(zeros(rows.size, vec3d, device), MAX_RESIDUAL_RATIO, MAX_ITERATIONS, zeros(1, vec2d, device))
 
         def apply() -> None:
             launch(map_strips_kernel, rows.size, [texels, rows, numbers, weights, state])

@@ -8,7 +8,7 @@ its Gauss-Newton steps are too short). Both are bilinear. An optional warp shift
 import numpy as np
 
 from ..array_types import Array2, Device, Scalars
-from ..images.depth import BLUE, GREEN, RED
+from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT
 from ..lang import (
     array,
     float32,
@@ -31,7 +31,7 @@ from ..lang import (
 )
 from ..memory import empty, upload, zeros
 
-LANES = 8  # pixels of a thread, which a CPU smooths at once
+LANE_COUNT = 8  # pixels of a thread, which a CPU smooths at once
 octet = vector(8, float32)
 padded_octet = vector(10, float32)  # with the pixels on both sides
 LARGEST_PIXEL = 1.0e9  # limit of image coordinates, which fits into int32
@@ -92,22 +92,26 @@ class Warps:
 def smooth_brightness_kernel(
     pixels: array(dtype=uint8, ndim=2), first: int, width: int, height: int, brightness: array(dtype=float32)
 ):
-    """Smoothed brightness of one image. The border is replicated. A thread smooths LANES pixels of a row."""
+    """Smoothed brightness of one image. The border is replicated. A thread smooths LANE_COUNT pixels of a row."""
     i = tid()
-    groups = (width + LANES - 1) // LANES
-    u = (i % groups) * LANES
+    groups = (width + LANE_COUNT - 1) // LANE_COUNT
+    u = (i % groups) * LANE_COUNT
     v = i // groups
     total = octet(0.0)
     luma = padded_octet(0.0)
     for a in range(3):
         row = first + min(max(v + a - 1, 0), height - 1) * width
-        for b in range(LANES + 2):
+        for b in range(LANE_COUNT + 2):
             at = row + min(max(u + b - 1, 0), width - 1)
-            luma[b] = RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])
-        for lane in range(LANES):
+            luma[b] = (
+                RED_WEIGHT * float(pixels[at, 0])
+                + GREEN_WEIGHT * float(pixels[at, 1])
+                + BLUE_WEIGHT * float(pixels[at, 2])
+            )
+        for lane in range(LANE_COUNT):
             line = luma[lane] + 2.0 * luma[lane + 1] + luma[lane + 2]
             total[lane] += line * float(2 - abs(a - 1))
-    for lane in range(LANES):
+    for lane in range(LANE_COUNT):
         if u + lane < width:
             brightness[first + v * width + u + lane] = total[lane] / 4080.0  # 16 weights times 255
 
@@ -290,7 +294,7 @@ def smooth_brightness(pixels: Array2[uint8], sizes: np.ndarray) -> Scalars:
     """Smoothed brightness of concatenated images, float32 (pixels)."""
     brightness = empty(pixels.shape[0], float32, pixels.device)
     for width, height, first in np.asarray(sizes).tolist():
-        launch(smooth_brightness_kernel, -(-width // LANES) * height, [pixels, first, width, height, brightness])
+        launch(smooth_brightness_kernel, -(-width // LANE_COUNT) * height, [pixels, first, width, height, brightness])
     return brightness
 
 

@@ -41,9 +41,9 @@ from .hidden_vertices import drop_hidden, render_depth
 from .stacked_images import StackedImages, camera_center, color_at, nearest_pixel, project_vertex
 from .vertex_views import mask_in_frame
 
-STEEPEST = 0.1  # minimum cosine of the view angle
-FEATHER = 0.05  # fraction of the shorter image side over which weights fall to zero
-STEP = 0.05  # relative depth step of an occlusion edge
+MIN_VIEW_COSINE = 0.1  # minimum cosine of the view angle
+FEATHER_FRACTION = 0.05  # fraction of the shorter image side over which weights fall to zero
+MAX_DEPTH_STEP = 0.05  # relative depth step of an occlusion edge
 STEP_MARGIN = 2  # pixels ignored beside such an edge, because of pose errors
 
 
@@ -96,7 +96,7 @@ def mark_steps_kernel(depth: array(dtype=float32), width: int, height: int, mark
     for row in range(max(v - 1, 0), min(v + 1, height - 1) + 1):
         for column in range(max(u - 1, 0), min(u + 1, width - 1) + 1):
             other = depth[row * width + column]
-            if abs(other - d) > STEP * min(d, other):
+            if abs(other - d) > MAX_DEPTH_STEP * min(d, other):
                 mark = 1
     marks[i] = uint8(mark)
 
@@ -138,10 +138,10 @@ def blend_image_kernel(
         way = eye - widen(p)
         distance = length(way)
         cosine = dot(way, widen(normals[i])) / distance
-        if cosine > float64(STEEPEST):
+        if cosine > float64(MIN_VIEW_COSINE):
             projected = project_vertex(p, image, stack)
             size = stack.sizes[image]
-            feather = float64(FEATHER) * float64(min(size[0], size[1]))
+            feather = float64(FEATHER_FRACTION) * float64(min(size[0], size[1]))
             border = min(projected[0] + 0.5, float64(size[0]) - 0.5 - projected[0])
             border = min(border, min(projected[1] + 0.5, float64(size[1]) - 0.5 - projected[1]))
             detail = cosine / projected[2]

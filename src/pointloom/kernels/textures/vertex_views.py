@@ -29,7 +29,16 @@ from ..lang import (
     vec3,
 )
 from ..memory import cast, download, empty, upload, zeros
-from .stacked_images import LANES, StackedImages, Warps, find_vertex, is_inside, nearest_pixel, octet, project_vertex
+from .stacked_images import (
+    LANE_COUNT,
+    StackedImages,
+    Warps,
+    find_vertex,
+    is_inside,
+    nearest_pixel,
+    octet,
+    project_vertex,
+)
 
 MAX_MARKS = 1 << 26  # flags of images whose vertices are listed together: 5 B each
 
@@ -91,16 +100,16 @@ def count_views_kernel(vertices: array(dtype=int32), counts: array(dtype=int32))
 @kernel
 def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump: float, marks: array(dtype=uint8)):
     """1 where the Sobel gradient of the depth exceeds a limit. Missing depth counts as 0, which marks its boundary. A
-    thread marks LANES pixels of a row."""
+    thread marks LANE_COUNT pixels of a row."""
     i = tid()
-    groups = (width + LANES - 1) // LANES
-    first = (i % groups) * LANES
+    groups = (width + LANE_COUNT - 1) // LANE_COUNT
+    first = (i % groups) * LANE_COUNT
     v = i // groups
     upper = max(v - 1, 0) * width
     lower = min(v + 1, height - 1) * width
     middle = v * width
     size = octet(0.0)
-    for lane in range(LANES):
+    for lane in range(LANE_COUNT):
         u = min(first + lane, width - 1)
         left = max(u - 1, 0)
         right = min(u + 1, width - 1)
@@ -111,7 +120,7 @@ def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump
         dx = (c - a) + 2.0 * (depth[middle + right] - depth[middle + left]) + (h - f)
         dy = (f - a) + 2.0 * (depth[lower + u] - depth[upper + u]) + (h - c)
         size[lane] = sqrt(dx * dx + dy * dy)
-    for lane in range(LANES):
+    for lane in range(LANE_COUNT):
         if first + lane < width:
             marks[middle + first + lane] = uint8(1 if size[lane] > jump else 0)
 
@@ -215,7 +224,7 @@ def mask_by_depth(vertices: Points, image: int, stack: StackedImages, depth: Sca
     """Vertices visible in a depth image, uint8 (m); `depth` float32 (pixels) [m], 0 for none."""
     width, height, _ = stack.layout[image].tolist()
     marks, mask = empty(depth.size, uint8, depth.device), empty(vertices.size, uint8, depth.device)
-    launch(mark_jumps_kernel, -(-width // LANES) * height, [depth, width, height, rule.jump, marks])
+    launch(mark_jumps_kernel, -(-width // LANE_COUNT) * height, [depth, width, height, rule.jump, marks])
     launch(match_depth_kernel, vertices.size, [vertices, image, stack, depth, marks, rule, mask])
     return mask
 

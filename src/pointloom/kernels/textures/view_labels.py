@@ -12,16 +12,16 @@ from ..lang import array, atomic_add, float64, floor, func, int32, kernel, launc
 from ..memory import empty, full, zeros
 from .face_views import FaceViews
 
-UNIT = 1 << 16  # cost of an invisible triangle
-BEST = 0.995  # quality quantile from which on the cost is zero
-FAR = 1 << 30
-ITERATIONS = 120  # message iterations: the range of a message in triangles
+MAX_IMAGE_COST = 1 << 16  # cost of an invisible triangle
+BEST_QUALITY_QUANTILE = 0.995  # quality quantile from which on the cost is zero
+MAX_BELIEF = 1 << 30
+MESSAGE_ITERATIONS = 120  # message iterations: the range of a message in triangles
 MAX_CHANGES = 4096
 
 
 @struct
 class LabelGraph:
-    """Candidate `views` per triangle, ascending, with `costs` (0 to UNIT); `twins` or -1; `price` of an edge."""
+    """Ascending candidate `views` per triangle with `costs` (0 to MAX_IMAGE_COST); `twins` or -1; edge `price`."""
 
     starts: array(dtype=int32)
     views: array(dtype=int32)
@@ -36,12 +36,12 @@ class LabelGraph:
 
 @kernel
 def cost_views_kernel(qualities: array(dtype=float64), best: float64, costs: array(dtype=int32)):
-    """Cost of an image: 0 at the best quality, UNIT at zero."""
+    """Cost of an image: 0 at the best quality, MAX_IMAGE_COST at zero."""
     i = tid()
     fraction = float64(1.0)
     if best > 0.0:
         fraction = min(qualities[i] / best, 1.0)
-    costs[i] = int(floor((1.0 - fraction) * float64(UNIT) + 0.5))
+    costs[i] = int(floor((1.0 - fraction) * float64(MAX_IMAGE_COST) + 0.5))
 
 
 @kernel
@@ -71,7 +71,7 @@ def pass_messages_kernel(
         begin = graph.starts[twin // 3]
         end = graph.starts[twin // 3 + 1]
     other = twin % 3
-    min_belief = int(FAR)
+    min_belief = int(MAX_BELIEF)
     for j in range(begin, end):
         min_belief = min(min_belief, beliefs[j] - messages[3 * j + other])
     j = begin
@@ -91,7 +91,7 @@ def take_best_kernel(graph: LabelGraph, beliefs: array(dtype=int32), labels: arr
     """Candidate with the least belief, the first of equals, or -1 if there is none."""
     i = tid()
     label = -1
-    min_belief = int(FAR)
+    min_belief = int(MAX_BELIEF)
     for k in range(graph.starts[i], graph.starts[i + 1]):
         if beliefs[k] < min_belief:
             min_belief = beliefs[k]
@@ -200,7 +200,7 @@ def name_views_kernel(views: array(dtype=int32), labels: array(dtype=int32), nam
 def cost_views(views: FaceViews) -> Integers:
     """Costs of all pairs, int32 (k). One sync."""
     costs = empty(views.count, int32, views.device)
-    best = quantiles_of(views.qualities, [BEST])[0] if views.count else 0.0  # sync
+    best = quantiles_of(views.qualities, [BEST_QUALITY_QUANTILE])[0] if views.count else 0.0  # sync
     launch(cost_views_kernel, views.count, [views.qualities, best, costs])
     return costs
 
@@ -225,7 +225,7 @@ def improve(graph: LabelGraph, labels: Indices) -> None:
     loop_while(running, run_round)
 
 
-def choose_labels(graph: LabelGraph, iterations: int = ITERATIONS) -> Indices:
+def choose_labels(graph: LabelGraph, iterations: int = MESSAGE_ITERATIONS) -> Indices:
     """Low-energy candidate per triangle, int32 (t), -1 if it has none. No single change improves it."""
     pairs, device = graph.views.size, graph.device
     messages, new_messages, beliefs = (

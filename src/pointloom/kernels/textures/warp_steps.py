@@ -36,9 +36,9 @@ from .color_steps import ColorSearch, SearchState, measure_pair, pose_sums
 from .stacked_images import StackedImages, Warps
 from .vertex_views import Sightings
 
-ROW = 11  # derivatives along u and v, position in the cell (p, q), residual, pose derivatives
-TARGETS = 6  # per anchor: itself, four neighbors, and the border
-TIE = 0.125  # of the anchors' squares: Open3D's gradients are 8 times too large, so its anchors count 1/8
+VALUES_PER_ROW = 11  # derivatives along u and v, position in the cell (p, q), residual, pose derivatives
+TARGETS_PER_ANCHOR = 6  # per anchor: itself, four neighbors, and the border
+ANCHOR_WEIGHT = 0.125  # of the anchors' squares: Open3D's gradients are 8 times too large, so its anchors count 1/8
 border_sums = vector(14, float64)
 
 
@@ -59,10 +59,10 @@ class WarpSystem:
         device = warps.shifts.device
         self.width = 2 * (warps.rows + 1) + 2
         self.cells = empty(warps.count + 1, int32, device)
-        self.rows = empty((pair_count, ROW), float32, device)
+        self.rows = empty((pair_count, VALUES_PER_ROW), float32, device)
         self.band = empty((2 * warps.count, self.width), float64, device)
         self.border = empty((2 * warps.count, 8), float64, device)
-        self.ties = upload(TIE * np.square(weight * np.asarray(fractions, np.float64)), float64, device)
+        self.ties = upload(ANCHOR_WEIGHT * np.square(weight * np.asarray(fractions, np.float64)), float64, device)
 
 
 @kernel
@@ -182,8 +182,8 @@ def gather_anchors_kernel(image: int, warps: Warps, state: SearchState, system: 
     """Sums of one anchor with itself, a later neighbor, or the pose. Threads write distinct entries."""
     i = tid()
     grid = warps.grids[image]
-    anchor = i // TARGETS
-    target = i % TARGETS
+    anchor = i // TARGETS_PER_ANCHOR
+    target = i % TARGETS_PER_ANCHOR
     column = anchor // grid[1]
     row = anchor % grid[1]
     across = 0
@@ -376,4 +376,4 @@ class WarpSearch(ColorSearch):
         launch(clear_band_kernel, system.band.shape[0], [system.band])
         for image in range(self.images.count):
             anchors = int(np.prod(warps.layout[image][:2]))
-            launch(gather_anchors_kernel, TARGETS * anchors, [image, warps, self.state, system])
+            launch(gather_anchors_kernel, TARGETS_PER_ANCHOR * anchors, [image, warps, self.state, system])

@@ -24,7 +24,7 @@ from ...kernels.textures.seam_joins import SeamSamples, drawn_steps, join_seams
 from ...kernels.textures.seam_levels import SeamLevels, Seams
 from ...kernels.textures.seam_strips import blend_strips
 from ...kernels.textures.stacked_images import StackedImages
-from ...kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, cost_views, energy_of, name_views
+from ...kernels.textures.view_labels import MAX_IMAGE_COST, LabelGraph, choose_labels, cost_views, energy_of, name_views
 from ..mesh.mesh import TriangleMesh
 from ..mesh.posed_images import PosedImages
 from .chart_packing import Packing, pack_charts
@@ -169,9 +169,9 @@ def _choose(
     views: FaceViews = keep_views(all_views, keep_likely(all_views)) if outliers else all_views
     gains = find_exposures(vertices, triangles, views, stack) if exposures else plain_exposures(stack)
     twins = find_twins(triangles, vertices.size)
-    graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(smoothness * UNIT))
+    graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(smoothness * MAX_IMAGE_COST))
     labels = choose_labels(graph)
-    energy = energy_of(graph, labels) / UNIT
+    energy = energy_of(graph, labels) / MAX_IMAGE_COST
     seams = Seams(triangles, twins, name_views(graph, labels), stack.count, vertices.size)
     return _Choice(stack, gains, seams, all_views.count, all_views.count - views.count, energy)
 

@@ -15,7 +15,7 @@ from ...kernels.arrays.side_by_side import read_together
 from ...kernels.lang import loop_while
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.search.tree_search import search_nearest
-from ...kernels.textures.color_steps import COUNT, SQUARES, ColorSearch
+from ...kernels.textures.color_steps import COUNT_COLUMN, SQUARES_COLUMN, ColorSearch
 from ...kernels.textures.hidden_vertices import plant_trees, render_depth
 from ...kernels.textures.stacked_images import StackedImages, Warps
 from ...kernels.textures.vertex_views import (
@@ -209,14 +209,14 @@ def _conclude(
     state = search.state
     downloaded = read_together([search.best_sums, state.error, state.iterations, search.images.poses, seen])  # sync
     sums, error, iterations, poses, is_seen = downloaded
-    count = max(float(sums[:, COUNT].sum()), 1.0)
+    count = max(float(sums[:, COUNT_COLUMN].sum()), 1.0)
     return ColorMapResult(
         mesh.with_arrays(vertex_colors=colors),
         Trajectory(_world_poses(mesh, images, given, poses), given.timestamps, given.ids),
         is_seen.astype(bool),
         search.sightings.counts.copy(),
         float(np.sqrt(error[0])),
-        float(np.sqrt(sums[:, SQUARES].sum() / count)),
+        float(np.sqrt(sums[:, SQUARES_COLUMN].sum() / count)),
         int(iterations[0]) - 1,  # the first iteration evaluates the given poses
         search.images,
         search.warps,

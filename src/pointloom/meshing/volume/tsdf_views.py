@@ -13,7 +13,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.array_libraries import hand_out
 from ...core.checks import check_positive
 from ...kernels.arrays.origins import add_origin
-from ...kernels.images.depth import BLUE, GREEN, RED
+from ...kernels.images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT
 from ...kernels.volumes.block_rows import SeenBlocks
 from ...kernels.volumes.ray_images import RayImages
 from ...kernels.volumes.tsdf_raycast import cast_rays
@@ -90,7 +90,7 @@ def render_colors(
 def render_maps(
     seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float], colored: bool, normals: bool
 ) -> RenderedMaps:
-    fractions = (RED, GREEN, BLUE) if colored else None
+    fractions = (RED_WEIGHT, GREEN_WEIGHT, BLUE_WEIGHT) if colored else None
     count = camera.width * camera.height
     images = RayImages(count, seen.neighbors.device, normals=normals, fractions=fractions, in_camera=True)
     cast_rays(seen, camera, T, limits[0], limits[1], images)

@@ -1,8 +1,8 @@
 """Alignment of network depth by RANSAC: 1 / z = scale * d + shift.
 
 Fitted in inverse depth as in the training of relative networks (Ranftl et al. 2020, section 5), with relative residuals
-|scale d + shift - y| / y, y = 1 / z, truncated at `TOLERANCE` (MSAC, Torr and Zisserman 2000), then refitted to the
-inliers with weights 1 / y^2. On the host. Hypotheses are scored on a subset of the references.
+|scale d + shift - y| / y, y = 1 / z, truncated at `MAX_RELATIVE_RESIDUAL` (MSAC, Torr and Zisserman 2000), then
+refitted to the inliers with weights 1 / y^2. On the host. Hypotheses are scored on a subset of the references.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from ...core.errors import PointloomError
 
 Numbers = NDArray[np.float64]
 
-TOLERANCE = 0.1  # relative: above a good network's error, far below that of wrong matches
-HYPOTHESES = 512  # with 60% outliers, one pair in six is correct: failure probability 1e-40
-SCORED = 4096  # references used for scoring: inlier fraction to 0.8%
+MAX_RELATIVE_RESIDUAL = 0.1  # relative: above a good network's error, far below that of wrong matches
+HYPOTHESIS_COUNT = 512  # with 60% outliers, one pair in six is correct: failure probability 1e-40
+MAX_SCORED_REFERENCES = 4096  # references used for scoring: inlier fraction to 0.8%
 MIN_INLIERS = 20
-REFITS = 10
+REFIT_COUNT = 10
 MAX_DISTANCES = 50  # all 1225 pairs are tried; above this, random ones
-FLAT = 1e-6  # minimum difference in d, relative to the range of d
+MIN_RELATIVE_DIFFERENCE = 1e-6  # minimum difference in d, relative to the range of d
 
 
 class AlignmentError(PointloomError, ValueError):
@@ -45,7 +45,11 @@ def align_inverse_depth(d: Numbers, y: Numbers, *, seed: int = 0, with_shift: bo
     if len(d) < MIN_INLIERS:
         raise AlignmentError(f"align: expected at least {MIN_INLIERS} references inside the image, got {len(d)}")
     rng = np.random.default_rng(seed)
-    rows = np.arange(len(d)) if len(d) <= SCORED else rng.choice(len(d), SCORED, replace=False)
+    rows = (
+        np.arange(len(d))
+        if len(d) <= MAX_SCORED_REFERENCES
+        else rng.choice(len(d), MAX_SCORED_REFERENCES, replace=False)
+    )
     hypotheses = _draw(d[rows], y[rows], rng, with_shift)
     scale, shift = _best(hypotheses, d[rows], y[rows])
     scale, shift, inliers = _refit(scale, shift, d, y, with_shift)
@@ -86,16 +90,16 @@ def align_to_distances(d: Numbers, y: Numbers, *, with_shift: bool = True) -> Al
 
 
 def _draw(d: Numbers, y: Numbers, rng: np.random.Generator, with_shift: bool) -> Numbers:
-    first = rng.integers(0, len(d), HYPOTHESES)
+    first = rng.integers(0, len(d), HYPOTHESIS_COUNT)
     if not with_shift:
         return _scales(d[first], y[first])
-    second = (first + rng.integers(1, len(d), HYPOTHESES)) % len(d)
+    second = (first + rng.integers(1, len(d), HYPOTHESIS_COUNT)) % len(d)
     return _lines(d, y, first, second)
 
 
 def _lines(d: Numbers, y: Numbers, first: NDArray[np.int64], second: NDArray[np.int64]) -> Numbers:
     """Scale and shift of each pair with different d, shape [k, 2]."""
-    apart = np.abs(d[first] - d[second]) > FLAT * max(float(np.ptp(d)), 1e-300)
+    apart = np.abs(d[first] - d[second]) > MIN_RELATIVE_DIFFERENCE * max(float(np.ptp(d)), 1e-300)
     first, second = first[apart], second[apart]
     scales = (y[first] - y[second]) / (d[first] - d[second])
     return np.stack([scales, y[first] - scales * d[first]], 1)
@@ -111,7 +115,7 @@ def _best(hypotheses: Numbers, d: Numbers, y: Numbers) -> tuple[float, float]:
         raise AlignmentError(
             f"align: where the references are nearer, the depth of the network is equal or larger; {REMEDY}"
         )
-    costs = [np.minimum(_residuals(scale, shift, d, y), TOLERANCE).sum() for scale, shift in hypotheses]
+    costs = [np.minimum(_residuals(scale, shift, d, y), MAX_RELATIVE_RESIDUAL).sum() for scale, shift in hypotheses]
     scale, shift = hypotheses[int(np.argmin(costs))]
     return float(scale), float(shift)
 
@@ -124,12 +128,12 @@ def _refit(
     scale: float, shift: float, d: Numbers, y: Numbers, with_shift: bool
 ) -> tuple[float, float, NDArray[np.bool_]]:
     """Relative least squares over the inliers, until they no longer change."""
-    inliers = _residuals(scale, shift, d, y) < TOLERANCE
-    for _ in range(REFITS):
+    inliers = _residuals(scale, shift, d, y) < MAX_RELATIVE_RESIDUAL
+    for _ in range(REFIT_COUNT):
         if inliers.sum() < (2 if with_shift else 1):
             break
         scale, shift = _solve(d[inliers], y[inliers], with_shift, (scale, shift))
-        again = _residuals(scale, shift, d, y) < TOLERANCE
+        again = _residuals(scale, shift, d, y) < MAX_RELATIVE_RESIDUAL
         if np.array_equal(again, inliers):
             break
         inliers = again

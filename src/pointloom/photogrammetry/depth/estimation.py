@@ -32,11 +32,11 @@ from .inputs import Map
 from .network import DepthModel
 from .network_outputs import OwnCamera, Reading
 from .photos import Photo, camera_of, take_photo
-from .presets import DEFAULT, PRESETS, Preset, find_preset
+from .presets import DEFAULT, NETWORK_PRESETS, Preset, find_preset
 from .tiles import MAX_TILES, refine_by_tiles
 
 SPARSE = "the sparse model"
-AXIS = 1e-3  # [rad] about the axis, where distortion is negligible
+AXIS_ANGLE = 1e-3  # [rad] about the axis, where distortion is negligible
 NO_DEPTH = 65535  # invalid integer depth besides 0, as in 7-Scenes
 FORMS = "a sparse model, a depth map [h, w], or distances [n, 3] of u, v and meters; or the path of one"
 
@@ -163,9 +163,9 @@ def _number_of(model: SfmModel, name: str) -> int:
 
 def _pinhole_of(camera: CameraModel, size: tuple[int, int]) -> PinholeCameraIntrinsic:
     ahead, right, left, below, above = camera.project(
-        [[0, 0, 1], [AXIS, 0, 1], [-AXIS, 0, 1], [0, AXIS, 1], [0, -AXIS, 1]]
+        [[0, 0, 1], [AXIS_ANGLE, 0, 1], [-AXIS_ANGLE, 0, 1], [0, AXIS_ANGLE, 1], [0, -AXIS_ANGLE, 1]]
     )
-    focal = np.array([right[0] - left[0], below[1] - above[1]]) / (2 * AXIS)
+    focal = np.array([right[0] - left[0], below[1] - above[1]]) / (2 * AXIS_ANGLE)
     if camera.is_pinhole:
         exact = camera.intrinsic
         focal = np.array([exact.fx, exact.fy])
@@ -204,11 +204,10 @@ def sample(values: Map, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 ARBITRARY = "arbitrary"
-DEEPEST = (
-    10.0  # maximum depth of unaligned maps (the nearest is 1), and of aligned ones relative to the farthest reference
-)
+# Maximum depth of unaligned maps (the nearest is 1), and of aligned ones relative to the farthest reference.
+MAX_DEPTH_RATIO = 10.0
 FLYING_JUMP = 0.03  # minimum relative inverse depth difference of a flying pixel to both surfaces
-BLUR = 3  # network pixels of the transition between two surfaces
+EDGE_BLUR_PIXELS = 3  # network pixels of the transition between two surfaces
 FEW_INLIERS = 0.3  # fraction of the references below which the result is unreliable
 MAX_RADIUS = 32  # [px] 512 loads per pixel
 
@@ -297,7 +296,7 @@ class DepthEstimate(Assessed):
         step = check_count("stride", stride)
         image = RGBDImage(self.color, self.depth, depth_trunc=np.inf, device=resolve_device(device))
         if not keep_edges:
-            radius = min(max(round(BLUR * self.enlargement), BLUR), MAX_RADIUS)
+            radius = min(max(round(EDGE_BLUR_PIXELS * self.enlargement), EDGE_BLUR_PIXELS), MAX_RADIUS)
             filtered = drop_flying(image.depth_array, image.width, image.height, radius, FLYING_JUMP)
             image = RGBDImage.from_device_arrays(image.color_array, filtered, image.height, image.width)
         return PointCloud.create_from_rgbd_image(image, self.intrinsic, stride=step)
@@ -372,7 +371,7 @@ def estimate_depth(
     references = None if align is None else find_references(align, photo.name, photo.color.shape[:2], depth_scale)
     camera, source = _camera(photo, intrinsic, references)
     network = _network(model, preset, device)
-    kind = PRESETS[network.preset]
+    kind = NETWORK_PRESETS[network.preset]
     reading = network._read(photo.color, camera, is_known=_is_known(source))
     if reading.camera is not None and not _is_known(source):
         camera, source = _own_camera(reading.camera, photo), "the network"
@@ -451,7 +450,7 @@ def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tupl
 
 def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraIntrinsic) -> Map:
     """The network output as inverse depth, up to scale and shift ([1/m] for metric networks). NaN where unknown."""
-    kind, values = PRESETS[network.preset], reading.values
+    kind, values = NETWORK_PRESETS[network.preset], reading.values
     if not kind.gives_scale:
         return values
     if kind.focal is not None and not reading.is_metric:
@@ -481,7 +480,7 @@ def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Ali
 
 
 def _units_of(alignment: Alignment) -> tuple[float, float, float]:
-    return alignment.scale, alignment.shift, DEEPEST * alignment.farthest
+    return alignment.scale, alignment.shift, MAX_DEPTH_RATIO * alignment.farthest
 
 
 def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
@@ -491,7 +490,7 @@ def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
     low, high = float(np.nanmin(inverse)), float(np.nanmax(inverse))
     if kind.gives_scale:
         return 1.0 / high, 0.0, np.inf
-    scale = (1 - 1 / DEEPEST) / max(high - low, 1e-30)
+    scale = (1 - 1 / MAX_DEPTH_RATIO) / max(high - low, 1e-30)
     return scale, 1 - scale * high, np.inf
 
 

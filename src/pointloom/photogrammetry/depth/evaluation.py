@@ -12,7 +12,7 @@ from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_numeric, check_positive
 from ...core.exchange import on_host
 
-CLOSE = 1.25  # threshold of delta1
+DELTA1_RATIO = 1.25  # threshold of delta1
 
 
 @dataclasses.dataclass(frozen=True)
@@ -67,7 +67,7 @@ def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = D
         return DepthErrors(np.nan, np.nan, np.nan, 0.0, 0)
     with np.errstate(over="ignore"):
         relative, difference = np.abs(z - t) / t, z - t
-        close = np.maximum(z / t, t / z) < CLOSE
+        close = np.maximum(z / t, t / z) < DELTA1_RATIO
         rmse = float(np.sqrt(np.mean(difference * difference)))
     return DepthErrors(float(relative.mean()), float(close.mean()), rmse, float(both.sum() / known.sum()), len(z))
 

@@ -19,7 +19,7 @@ from .graph import Graph, Node
 INVERSE, SIGMOID, BROKEN, BINS, RECIPROCAL, EXP, CLAMPED = (
     "inverse", "sigmoid", "broken", "bins", "reciprocal", "exp", "clamped",
 )  # fmt: skip
-RANGES = (20.0, 80.0)  # [m] Depth Anything V2 metric: indoors (Hypersim), outdoors (Virtual KITTI)
+DEPTH_ANYTHING_RANGES = (20.0, 80.0)  # [m] Depth Anything V2 metric: indoors (Hypersim), outdoors (Virtual KITTI)
 MAX_STEPS = 1000  # about ten are usual; guards against recursive functions
 
 # Pass-through operations that only change shape, size or type.
@@ -127,7 +127,7 @@ def _head(kind: str, factor: float, is_inverted: bool) -> Head:
         return Head(RECIPROCAL, factor) if kind == INVERSE else UNKNOWN
     if factor <= 0 or (kind == SIGMOID and factor <= 1):
         return UNKNOWN  # a plain sigmoid is ambiguous: disparity networks have one too
-    if kind == INVERSE and factor in RANGES:
+    if kind == INVERSE and factor in DEPTH_ANYTHING_RANGES:
         return Head(BROKEN, factor)
     return Head(kind, factor)
 

@@ -16,7 +16,8 @@ from PIL import Image
 from .presets import Preset, input_size
 
 Map = NDArray[np.float32]
-REFLECTED = 3  # times the root of half a side: ZoeDepth's border, without which its maps are wrong near the border
+# Times the root of half a side: ZoeDepth's border, without which its maps are wrong near the border.
+REFLECTED_BORDER_FACTOR = 3
 
 
 @dataclasses.dataclass(frozen=True)
@@ -42,7 +43,10 @@ def placement_of(preset: Preset, height: int, width: int, fixed: tuple[int | Non
     """Placement of an image in an input with these fixed rows and columns (None: dynamic)."""
     border = (0, 0)
     if preset.reflects and not any(fixed):
-        border = int(math.sqrt(height / 2) * REFLECTED), int(math.sqrt(width / 2) * REFLECTED)
+        border = (
+            int(math.sqrt(height / 2) * REFLECTED_BORDER_FACTOR),
+            int(math.sqrt(width / 2) * REFLECTED_BORDER_FACTOR),
+        )
     chosen = input_size(preset, height + 2 * border[0], width + 2 * border[1])
     rows, columns = (side or wanted for side, wanted in zip(fixed, chosen, strict=True))
     if not (preset.sizing == "pad" or (preset.fixed_pads and any(fixed))):

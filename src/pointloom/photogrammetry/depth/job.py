@@ -32,7 +32,7 @@ from .alignment import AlignmentError
 from .estimation import ARBITRARY, DepthEstimate, estimate_depth
 from .network import DepthModel
 from .photos import SUFFIXES
-from .presets import PRESETS
+from .presets import NETWORK_PRESETS
 from .report import DepthFailure, DepthReport, ImageDepth
 from .settings import DepthSettings
 
@@ -116,7 +116,7 @@ def depth_of_images(
         raise first
     if folder is not None:
         report("images", len(jobs), len(jobs))
-    license, provider = PRESETS[network.preset].license, network.provider
+    license, provider = NETWORK_PRESETS[network.preset].license, network.provider
     run = network.path, network.preset, license, provider, str(where), tuple(images), tuple(failures)
     return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.notes)
 

@@ -27,7 +27,7 @@ from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Hea
 from .inputs import Map, Placement, placement_of, prepare
 from .network_outputs import Reading, ReadingError, read_outputs
 from .photos import Photo, camera_of, take_photo
-from .presets import DEFAULT, PRESETS, Preset, find_preset
+from .presets import DEFAULT, NETWORK_PRESETS, Preset, find_preset
 
 TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
 INTEGER_TYPES = ("tensor(int64)",)
@@ -114,7 +114,9 @@ def _is_canonical(signature: Signature, preset: Preset) -> bool:
 
 def _check_canvas(path: str, signature: Signature, preset: Preset) -> None:
     """Reject a model of Metric3D's input size for another network, which has the same inputs and outputs."""
-    canvas = next((each for each in PRESETS.values() if each.levels > 1 and signature.fixed in each.fixed), None)
+    canvas = next(
+        (each for each in NETWORK_PRESETS.values() if each.levels > 1 and signature.fixed in each.fixed), None
+    )
     if canvas is not None and preset.levels == 1:
         rows, columns = signature.fixed
         reason = f"has an input of {rows} x {columns} pixels, the size of {canvas.name}, not of {preset.name}"
@@ -138,7 +140,7 @@ def note_on(head: Head, preset: Preset) -> str | None:
             "that near points are near, or align, which rejects an inverted map"
         )
     if preset.output == "metric" and preset.reading == "map":
-        twins = (each for each in PRESETS.values() if each.output != "metric" and head.kind in each.heads)
+        twins = (each for each in NETWORK_PRESETS.values() if each.output != "metric" and head.kind in each.heads)
         if (twin := next(twins, None)) is not None:
             return (
                 f"the file does not specify that its depth is in meters, as {preset.name} assumes: "
@@ -191,7 +193,7 @@ def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, column
     if preset.fixed and not any(rows in (None, size[0]) and columns in (None, size[1]) for size in preset.fixed):
         sizes = " or ".join(f"{height} x {width}" for height, width in preset.fixed)
         reason = f"expected {sizes} for {preset.name}, got {rows or 'any'} rows and {columns or 'any'} columns"
-        other = next((each.name for each in PRESETS.values() if (rows, columns) in each.fixed), None)
+        other = next((each.name for each in NETWORK_PRESETS.values() if (rows, columns) in each.fixed), None)
         remedy = NOT_THE_MODEL if other is None else f"{NOT_THE_MODEL}; {other} has this size"
         raise FileError(path, reason, where=where, remedy=remedy)
     for side in (rows, columns):
@@ -229,7 +231,7 @@ def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
 MAX_THREADS = 1024
-SILENT = 4  # minimum severity of onnxruntime's stderr log. Errors are raised as exceptions too
+FATAL_LOG_LEVEL = 4  # minimum severity of onnxruntime's stderr log. Errors are raised as exceptions too
 
 _REMEDIES = (
     ("External data", WEIGHTS_REMEDY),
@@ -344,7 +346,7 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
     options = ort.SessionOptions()
     options.add_session_config_entry("session.load_model_format", "ONNX")  # as load_graph, for any file extension
     options.use_deterministic_compute = True
-    options.log_severity_level = SILENT
+    options.log_severity_level = FATAL_LOG_LEVEL
     options.intra_op_num_threads = threads
     handled = sys.exception()
     try:

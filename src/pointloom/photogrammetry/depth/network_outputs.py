@@ -25,11 +25,11 @@ from .presets import Preset
 
 Numbers = NDArray[np.float64]
 
-GRID = 64  # rows and columns of sampled points
-NEAREST = 0.5  # percentile of points that may be behind the camera: ragged mask border
-DECADES = (-4.0, 4.0)  # log10 of the nearest depth relative to the extent of the points
-STEPS = 200  # search steps, 10% each
-GOLDEN = 60  # steps that reduce the bracket to 1e-12
+GRID_SIDE = 64  # rows and columns of sampled points
+BEHIND_CAMERA_PERCENTILE = 0.5  # percentile of points that may be behind the camera: ragged mask border
+DEPTH_DECADES = (-4.0, 4.0)  # log10 of the nearest depth relative to the extent of the points
+DEPTH_STEPS = 200  # search steps, 10% each
+GOLDEN_SECTION_STEPS = 60  # steps that reduce the bracket to 1e-12
 OTHER_FOCAL = 1.25  # a focal length changed by this factor, with its own best shift, ...
 MIN_RISE = 1.1  # ... must fit worse by this factor (a frontal wall fits any) ...
 MIN_MISS = 2e-3  # ... and by this fraction of half the diagonal, about a pixel
@@ -46,14 +46,14 @@ class Pinhole:
 
 def recover_pinhole(points: Numbers, valid: NDArray[np.bool_], focal: tuple[float, float] | None) -> Pinhole | None:
     """The focal length and shift of a point map [h, w, 3], or the shift if `focal` is known. None if too sparse."""
-    rows, columns = (np.unique(np.linspace(0, side - 1, GRID).round().astype(int)) for side in valid.shape)
+    rows, columns = (np.unique(np.linspace(0, side - 1, GRID_SIDE).round().astype(int)) for side in valid.shape)
     grid = np.ix_(rows, columns)
     v, u = np.meshgrid(rows - (valid.shape[0] - 1) / 2, columns - (valid.shape[1] - 1) / 2, indexing="ij")
     seen = valid[grid] & np.isfinite(points[grid]).all(-1)
     if seen.sum() < 2:
         return None
     x, y, z = (points[grid][seen][:, k].astype(np.float64) for k in range(3))
-    near = float(np.percentile(z, NEAREST))
+    near = float(np.percentile(z, BEHIND_CAMERA_PERCENTILE))
     far_enough = z >= near
     sample = _Sample(x[far_enough], y[far_enough], z[far_enough] - near, u[seen][far_enough], v[seen][far_enough])
     if focal is not None:
@@ -88,11 +88,11 @@ class _Sample:
     def search(self, focal: tuple[float, float] | None) -> tuple[float, float]:
         """The best depth of the nearest point, and its cost."""
         extent = max(float(np.ptp(axis)) for axis in (self.x, self.y, self.z))
-        steps = np.log(max(extent, 1e-12)) + np.linspace(*DECADES, STEPS) * np.log(10)
+        steps = np.log(max(extent, 1e-12)) + np.linspace(*DEPTH_DECADES, DEPTH_STEPS) * np.log(10)
         best = int(np.argmin([self.cost(float(np.exp(step)), focal) for step in steps]))
-        low, high = float(steps[max(best - 1, 0)]), float(steps[min(best + 1, STEPS - 1)])
+        low, high = float(steps[max(best - 1, 0)]), float(steps[min(best + 1, DEPTH_STEPS - 1)])
         fraction = (5**0.5 - 1) / 2
-        for _ in range(GOLDEN):
+        for _ in range(GOLDEN_SECTION_STEPS):
             first, second = high - fraction * (high - low), low + fraction * (high - low)
             if self.cost(float(np.exp(first)), focal) <= self.cost(float(np.exp(second)), focal):
                 high = second
@@ -102,9 +102,9 @@ class _Sample:
         return nearest, self.cost(nearest, focal)
 
 
-FARTHEST = 1e4  # [m] Depth Pro's clamp
+DEPTH_PRO_MAX_DEPTH = 1e4  # [m] Depth Pro's clamp
 MIN_MASK = 0.5  # MoGe's mask threshold, as in its `infer`
-FOCALS = (0.1, 50.0)  # relative to the image width: 157 and 1 degrees
+FOCAL_LENGTH_RANGE = (0.1, 50.0)  # relative to the image width: 157 and 1 degrees
 MAX_ERROR = 0.1  # maximum error of MoGe's points, relative to half the diagonal. Pinhole images have 0.01
 
 
@@ -162,12 +162,16 @@ def _read_canonical(head: str | None, given: dict[str, Any], placement: Placemen
     with np.errstate(divide="ignore", invalid="ignore"):
         if head == RECIPROCAL:
             if own is None:
-                meters = bring_back(np.where(values < 0.999 * FARTHEST, values, np.float32(np.nan)), placement)
+                meters = bring_back(
+                    np.where(values < 0.999 * DEPTH_PRO_MAX_DEPTH, values, np.float32(np.nan)), placement
+                )
                 return Reading(meters, placement, is_metric=True)
             own_fraction = np.float32(own / placement.width)
-            values = np.where(values < 0.999 * FARTHEST, own_fraction / values, np.float32(0))
+            values = np.where(values < 0.999 * DEPTH_PRO_MAX_DEPTH, own_fraction / values, np.float32(0))
         canonical = bring_back(np.asarray(values, np.float32), placement)
-        depth = np.where(canonical * FARTHEST > 1, np.float32(1) / canonical, np.float32(np.nan)).astype(np.float32)
+        depth = np.where(canonical * DEPTH_PRO_MAX_DEPTH > 1, np.float32(1) / canonical, np.float32(np.nan)).astype(
+            np.float32
+        )
     middle = (placement.width - 1) / 2, (placement.height - 1) / 2
     return Reading(depth, placement, None if own is None else OwnCamera(own, own, *middle))
 
@@ -183,7 +187,7 @@ def _own_focal(given: dict[str, Any], placement: Placement) -> float | None:
         description = f"a field of view of {view:g} degrees"
     else:
         return None
-    if not FOCALS[0] < focal / placement.width < FOCALS[1]:
+    if not FOCAL_LENGTH_RANGE[0] < focal / placement.width < FOCAL_LENGTH_RANGE[1]:
         raise ReadingError(f"returned {description}, which no lens has")
     return focal
 
@@ -236,7 +240,7 @@ def _read_with_camera(given: dict[str, Any], placement: Placement) -> Reading:
         raise ReadingError(f"expected a finite camera of shape [1, 3, 3], got {list(matrix.shape)}")
     (fx, _, cx), (_, fy, cy), _ = matrix.reshape(3, 3)
     across, down = placement.scale
-    if not all(FOCALS[0] < focal / placement.used[1] < FOCALS[1] for focal in (fx, fy)):
+    if not all(FOCAL_LENGTH_RANGE[0] < focal / placement.used[1] < FOCAL_LENGTH_RANGE[1] for focal in (fx, fy)):
         raise ReadingError(f"returned focal lengths of {fx:g} and {fy:g} px, which no lens has")
     # UniDepth's pixel centers are at half integers
     middle = (cx - placement.left) / across - 0.5, (cy - placement.top) / down - 0.5

@@ -21,13 +21,13 @@ from ...io.optional_imports import ignored_errors
 SUFFIXES = (".png", ".jpg", ".jpeg")
 FIELD_OF_VIEW = 60.0  # [degrees] across the longer side: phone main cameras have 60 to 70
 
-_ORIENTATION, _EXIF_IFD = 0x0112, 0x8769
+_ORIENTATION_TAG, _EXIF_IFD = 0x0112, 0x8769
 _FOCAL_35MM, _FOCAL_MM, _PLANE_X, _PLANE_UNIT, _PIXELS_X = 0xA405, 0x920A, 0xA20E, 0xA210, 0xA002
 _DIAGONAL_35MM = math.hypot(36.0, 24.0)  # [mm] 35 mm film, for equivalent focal lengths
-_MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # unit of focal plane resolutions
+_MILLIMETERS_PER_UNIT = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # unit of focal plane resolutions
 
 # EXIF orientations as (mirror left to right, quarter turns).
-_ROTATIONS = {2: (True, 0), 3: (False, 2), 4: (True, 2), 5: (True, 1), 6: (False, 3), 7: (True, 3), 8: (False, 1)}
+_EXIF_ROTATIONS = {2: (True, 0), 3: (False, 2), 4: (True, 2), 5: (True, 1), 6: (False, 3), 7: (True, 3), 8: (False, 1)}
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -72,7 +72,7 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
     is_deep_gray = header.channels == 1 and header.bits == 16
     color = _three_colors(read_depth(path)) if is_deep_gray else read_color(path)
     tags = _exif_tags(path, header.kind)
-    mirror, rotations = _ROTATIONS.get(tags.get(_ORIENTATION, 1), (False, 0))
+    mirror, rotations = _EXIF_ROTATIONS.get(tags.get(_ORIENTATION_TAG, 1), (False, 0))
     height, width = color.shape[:2]
     upright = np.rot90(color[:, ::-1] if mirror else color, rotations)
     focal = _exif_focal(tags, width, height)
@@ -94,7 +94,7 @@ def _exif_focal(tags: dict[int, Any], width: int, height: int) -> float | None:
     if equivalent is not None:
         return equivalent / _DIAGONAL_35MM * math.hypot(width, height)
     focal, density = _positive(tags.get(_FOCAL_MM)), _positive(tags.get(_PLANE_X))
-    unit = _MILLIMETRES.get(tags.get(_PLANE_UNIT, 2))
+    unit = _MILLIMETERS_PER_UNIT.get(tags.get(_PLANE_UNIT, 2))
     if focal is None or density is None or unit is None or tags.get(_PIXELS_X) != width:
         return None
     return focal * density / unit

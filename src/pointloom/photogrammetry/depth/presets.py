@@ -14,7 +14,7 @@ from ...core.checks import check_name
 from .heads import BINS, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID
 
 IMAGENET_MEAN, IMAGENET_STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)
-ZERO, ONE, HALF = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (0.5, 0.5, 0.5)
+ZERO_RGB, ONE_RGB, HALF_RGB = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (0.5, 0.5, 0.5)
 
 MAX_INPUT = 2**23  # maximum input pixels: 30 times the usual size. Attention over more needs 100 GB
 
@@ -78,7 +78,7 @@ def _midas(name: str, side: int, *, inside: bool) -> Preset:
     """MiDaS v2.1; `inside` for the ONNX files of its release, which normalize internally and have a fixed size."""
     license = "MIT"
     if inside:
-        return Preset(name, license, "exact", (side, side), 32, fixed=((side, side),), mean=ZERO, std=ONE)
+        return Preset(name, license, "exact", (side, side), 32, fixed=((side, side),), mean=ZERO_RGB, std=ONE_RGB)
     return Preset(name, license, "upper", (side, side), 32)
 
 
@@ -87,14 +87,14 @@ _DA3_APACHE = "Apache-2.0 (Large, Giant and Nested: CC-BY-NC-4.0)"
 # Depth Anything 3: sizes of its `upper_bound_resize` at 504. Fixed inputs are padded by the mean as in its ONNX page.
 # Assumed: sides rounded to the nearest multiple, confidence and sky not needed, relative depth without shift, focal
 # length of the metric model as of the input.
-_DA3 = {
+_DEPTH_ANYTHING_3 = {
     "sizing": "upper", "size": (504, 504), "multiple": 14, "fixed_pads": True, "takes_views": True, "heads": (EXP,),
 }  # fmt: skip
 
 # Metric3D: 0..255, as its ONNX export normalizes inside. Portrait canvases are from third-party exports.
-_METRIC3D = {
-    "sizing": "pad", "fixed_pads": True, "levels": 255.0, "mean": ZERO, "std": ONE, "output": "metric", "focal": 1000.0,
-    "outputs": ("predicted_depth", "pred_depth", "depth"),
+_METRIC3D_OPTIONS = {
+    "sizing": "pad", "fixed_pads": True, "levels": 255.0, "mean": ZERO_RGB, "std": ONE_RGB, "output": "metric",
+    "focal": 1000.0, "outputs": ("predicted_depth", "pred_depth", "depth"),
 }  # fmt: skip
 
 # Depth Pro: 1536 x 1536, stretched; canonical inverse depth c with z = (f / w) / c, f and w along x of the image. Some
@@ -104,7 +104,7 @@ _DEPTH_PRO = {"focal": ("focallength_px",), "view": ("field_of_view", "fov_deg")
 # MoGe-2 normalizes inside. 3600 tokens of 14 x 14 pixels are the maximum of its `infer`.
 MOGE_TOKENS = 3600
 
-PRESETS = {
+NETWORK_PRESETS = {
     preset.name: preset
     for preset in (
         Preset(
@@ -114,23 +114,23 @@ PRESETS = {
         _midas("midas-v2.1-small", 256, inside=False),
         _midas("midas-v2.1-onnx", 384, inside=True),
         _midas("midas-v2.1-small-onnx", 256, inside=True),
-        Preset("dpt", "MIT", "minimal", (384, 384), 32, mean=HALF, std=HALF),
+        Preset("dpt", "MIT", "minimal", (384, 384), 32, mean=HALF_RGB, std=HALF_RGB),
         Preset(
             "depth-anything-v2-metric", "Apache-2.0 (Small; Base and Large: CC-BY-NC-4.0)", "lower", (518, 518), 14,
             output="metric", heads=(SIGMOID,),
         ),
         Preset(
-            "zoedepth", "MIT", "minimal", (384, 512), 32, mean=HALF, std=HALF, output="metric", heads=(BINS,),
+            "zoedepth", "MIT", "minimal", (384, 512), 32, mean=HALF_RGB, std=HALF_RGB, output="metric", heads=(BINS,),
             outputs=("predicted_depth", "metric_depth", "depth"), reflects=True,
         ),
         Preset(
-            "depth-pro", "apple-amlr (research only)", "exact", (1536, 1536), 1536, fixed=((1536, 1536),), mean=HALF,
-            std=HALF, output="metric", focal=1536.0, heads=(INVERSE, RECIPROCAL), reading="canonical",
-            outputs=("predicted_depth", "canonical_inverse_depth", "depth"), others=_DEPTH_PRO,
+            "depth-pro", "apple-amlr (research only)", "exact", (1536, 1536), 1536, fixed=((1536, 1536),),
+            mean=HALF_RGB, std=HALF_RGB, output="metric", focal=1536.0, heads=(INVERSE, RECIPROCAL),
+            reading="canonical", outputs=("predicted_depth", "canonical_inverse_depth", "depth"), others=_DEPTH_PRO,
         ),
         Preset(
-            "moge-2", "MIT", "area", (840, 840), 1, fixed_pads=True, mean=ZERO, std=ONE, output="metric", heads=(),
-            reading="points", outputs=("points",), others={"scale": ("metric_scale",), "mask": ("mask",)},
+            "moge-2", "MIT", "area", (840, 840), 1, fixed_pads=True, mean=ZERO_RGB, std=ONE_RGB, output="metric",
+            heads=(), reading="points", outputs=("points",), others={"scale": ("metric_scale",), "mask": ("mask",)},
             needed=("scale",), numbers={"num_tokens": MOGE_TOKENS},
         ),
         Preset(
@@ -140,14 +140,14 @@ PRESETS = {
         ),
         Preset(
             "metric3d-v2", "BSD-2-Clause", size=(616, 1064), multiple=14, fixed=((616, 1064), (1064, 616)),
-            heads=(CLAMPED,), **_METRIC3D,
+            heads=(CLAMPED,), **_METRIC3D_OPTIONS,
         ),
         Preset(
             "metric3d-convnext", "BSD-2-Clause", size=(544, 1216), multiple=32, fixed=((544, 1216), (1216, 544)),
-            heads=(BINS, CLAMPED), **_METRIC3D,
+            heads=(BINS, CLAMPED), **_METRIC3D_OPTIONS,
         ),
-        Preset("depth-anything-3", _DA3_APACHE, **_DA3, output="depth"),
-        Preset("depth-anything-3-metric", "Apache-2.0", **_DA3, output="metric", focal=300.0),
+        Preset("depth-anything-3", _DA3_APACHE, **_DEPTH_ANYTHING_3, output="depth"),
+        Preset("depth-anything-3-metric", "Apache-2.0", **_DEPTH_ANYTHING_3, output="metric", focal=300.0),
     )
 }  # fmt: skip
 
@@ -156,9 +156,9 @@ DEFAULT = "depth-anything-v2"
 
 def find_preset(name: str) -> Preset:
     """The preset of this name. TypeError or ValueError (with the known names) otherwise."""
-    if check_name("preset", name) not in PRESETS:
-        raise ValueError(f"preset: expected one of {', '.join(PRESETS)}, got {name!r}")
-    return PRESETS[name]
+    if check_name("preset", name) not in NETWORK_PRESETS:
+        raise ValueError(f"preset: expected one of {', '.join(NETWORK_PRESETS)}, got {name!r}")
+    return NETWORK_PRESETS[name]
 
 
 def input_size(preset: Preset, height: int, width: int) -> tuple[int, int]:

@@ -14,9 +14,9 @@ from PIL import Image
 from .alignment import AlignmentError, align_inverse_depth
 from .inputs import Map, resize
 
-OVERLAP = 0.25  # overlap as a fraction of a tile's side
+TILE_OVERLAP = 0.25  # overlap as a fraction of a tile's side
 MIN_SIDE = 32  # [px] minimum tile side
-CELLS = 24  # cells per side for the comparison with the complete map
+CELLS_PER_SIDE = 24  # cells per side for the comparison with the complete map
 MAX_TILES = 16  # along the longer side: 256 runs
 
 Inverse = Callable[[NDArray[np.uint8]], Map]
@@ -25,12 +25,12 @@ Inverse = Callable[[NDArray[np.uint8]], Map]
 def starts_of(length: int, side: int) -> list[int]:
     if side >= length:
         return [0]
-    count = -(-(length - side) // max(int(side * (1 - OVERLAP)), 1)) + 1
+    count = -(-(length - side) // max(int(side * (1 - TILE_OVERLAP)), 1)) + 1
     return [round(k * (length - side) / (count - 1)) for k in range(count)]
 
 
 def side_of(height: int, width: int, tiles: int) -> int:
-    side = -(-max(height, width) // (1 + (tiles - 1) * (1 - OVERLAP)))
+    side = -(-max(height, width) // (1 + (tiles - 1) * (1 - TILE_OVERLAP)))
     return max(int(side), MIN_SIDE)
 
 
@@ -57,7 +57,7 @@ def refine_by_tiles(
 
 def _aligned(tile: Map, full: Map, seed: int) -> Map | None:
     """The tile aligned to the complete map by cell means, which lack its detail. None if they do not agree."""
-    size = min(tile.shape[0], CELLS), min(tile.shape[1], CELLS)
+    size = min(tile.shape[0], CELLS_PER_SIDE), min(tile.shape[1], CELLS_PER_SIDE)
     small, coarse = (resize(each, size, Image.Resampling.BOX) for each in (tile, full))  # NaN if any pixel is
     seen = np.isfinite(small) & np.isfinite(coarse)
     d, y = small[seen].astype(np.float64), coarse[seen].astype(np.float64)
@@ -75,7 +75,7 @@ def _window(shape: tuple[int, ...]) -> Map:
     """Blending weights: 1 in the center, 3 t^2 - 2 t^3 over the overlap."""
     sides = []
     for length in shape:
-        t = np.minimum(np.arange(length) + 0.5, length - 0.5 - np.arange(length)) / max(length * OVERLAP, 1.0)
+        t = np.minimum(np.arange(length) + 0.5, length - 0.5 - np.arange(length)) / max(length * TILE_OVERLAP, 1.0)
         t = np.clip(t, 0.0, 1.0)
         sides.append(t * t * (3 - 2 * t))
     return np.outer(*sides).astype(np.float32)

@@ -28,7 +28,7 @@ from ...io.points.npz import read_member
 from .posed_images import PosedCamera, check_cameras, check_sources
 
 INDEX = "depth_maps.json"
-VERSION = 1
+FORMAT_VERSION = 1
 AGAIN = "Estimate the depth maps again"
 _TIME_STAMP = (1980, 1, 1, 0, 0, 0)  # fixed, for reproducible files
 _MEMBERS = ("depth", "normals", "confidence")
@@ -258,7 +258,7 @@ def _write_index(path: Path, cameras: Sequence[PosedCamera], sources: Sequence[S
         {**intrinsic_to_json(each.intrinsic), "T_camera_world": each.T_camera_world.T.ravel().tolist()}
         for each in cameras
     ]
-    content = {"version": VERSION, "cameras": listed, "sources": [list(each) for each in sources]}
+    content = {"version": FORMAT_VERSION, "cameras": listed, "sources": [list(each) for each in sources]}
     with atomic_write(path) as file:
         file.write(json.dumps(content, indent=1, allow_nan=False).encode() + b"\n")
 
@@ -268,8 +268,8 @@ def _read_index(path: Path) -> tuple[tuple[PosedCamera, ...], tuple[tuple[int, .
         raise FileError(path.parent, f"contains no finished depth maps: {INDEX} is missing", remedy=AGAIN)
     content = read_json_object(path)
     check_keys(path, content, required={"version", "cameras", "sources"})
-    if content["version"] != VERSION:
-        raise FileError(path, f"expected version {VERSION}, got {content['version']!r}", where="key version")
+    if content["version"] != FORMAT_VERSION:
+        raise FileError(path, f"expected version {FORMAT_VERSION}, got {content['version']!r}", where="key version")
     if not isinstance(content["cameras"], list):
         raise FileError(path, "expected a list", where="key cameras")
     cameras = tuple(_read_camera(path, each, f"cameras[{i}].") for i, each in enumerate(content["cameras"]))

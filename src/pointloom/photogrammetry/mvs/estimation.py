@@ -76,8 +76,8 @@ def emptied(
 MIN_IMAGE = 8  # [px] minimum side
 MAX_SOURCES = 8  # device code counts sources in vectors of eight
 MIN_POINTS = 3  # minimum points per image for a depth range
-LOW, HIGH = 0.02, 0.98  # quantiles of the point depths: some are wrong
-NEARER, FARTHER = 0.7, 1.5  # margin of the depth range
+LOW_DEPTH_QUANTILE, HIGH_DEPTH_QUANTILE = 0.02, 0.98  # quantiles of the point depths: some are wrong
+MIN_DEPTH_FACTOR, MAX_DEPTH_FACTOR = 0.7, 1.5  # margin of the depth range
 MIN_MOTION = 1.0  # [px] minimum image motion over the depth range in a useful source
 DEVICE_BYTES = 2**30
 NO_POINTS = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
@@ -258,10 +258,10 @@ def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, .
     z = seen @ T[2, :3] + T[2, 3]
     z = z[z > 0]
     if len(z) < MIN_POINTS:
-        span = depth_in_view(index, cameras, LOW, HIGH)
+        span = depth_in_view(index, cameras, LOW_DEPTH_QUANTILE, HIGH_DEPTH_QUANTILE)
     else:
-        span = tuple(float(each) for each in np.quantile(z, [LOW, HIGH]))
-    return None if span is None else (span[0] * NEARER, span[1] * FARTHER)
+        span = tuple(float(each) for each in np.quantile(z, [LOW_DEPTH_QUANTILE, HIGH_DEPTH_QUANTILE]))
+    return None if span is None else (span[0] * MIN_DEPTH_FACTOR, span[1] * MAX_DEPTH_FACTOR)
 
 
 def _informative_sources(

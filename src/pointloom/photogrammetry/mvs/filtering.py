@@ -18,7 +18,7 @@ from ...core.units import warn_of_units
 from ...kernels.lang import float32, vec3
 from ...kernels.lru_cache import LruCache
 from ...kernels.memory import download, upload
-from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support_depth
+from ...kernels.stereo.depth_checks import SUPPORT_PIXELS, DepthChecks, Pair, support_depth
 from .depth_maps import DepthMap, DepthMaps
 from .posed_images import PosedCamera
 
@@ -96,7 +96,7 @@ def filter_depth_maps(
     required_views = check_count("min_views", min_views)
     limits = check_positive("max_pixels", max_pixels), check_fraction("max_relative", max_relative)
     surest = check_fraction("min_confidence", min_confidence)
-    support = math.ceil(check_fraction("min_support", min_support) * NEIGHBORS)
+    support = math.ceil(check_fraction("min_support", min_support) * SUPPORT_PIXELS)
     where, report = resolve_device(device), check_progress(progress)
     if folder is not None and maps.folder is not None and maps.folder.resolve() == type(maps.folder)(folder).resolve():
         raise FileError(folder, "contains the maps to be filtered", remedy="Give another folder")

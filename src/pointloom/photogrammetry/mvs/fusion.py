@@ -36,8 +36,8 @@ MAX_ANGLE = 60.0  # matched normals are noisy; separates the sides of a thin she
 TSDF_VOXEL = 1.5  # typical pixels: a mesh about as fine as the maps, with most voxels observed
 TSDF_TRUNCATION = 5.0  # voxels: matched depth noise is at most a few pixels
 POISSON_VOXEL = 2.0  # typical pixels
-TRIM = 3.0  # maximum distance of the Poisson surface from the points, in cells
-SAMPLES = 1024  # sampled pixels per map for the overlap test
+TRIM_CELLS = 3.0  # maximum distance of the Poisson surface from the points, in cells
+PIXELS_PER_MAP = 1024  # sampled pixels per map for the overlap test
 PIXEL_BYTES = 23
 
 
@@ -219,7 +219,7 @@ def _overlaps(maps: DepthMaps) -> NDArray[np.bool_]:
 def _sampled(maps: DepthMaps, i: int) -> NDArray[np.float64]:
     depth, camera = maps[i].depth, maps.cameras[i]
     rows = np.flatnonzero(depth)
-    rows = rows[:: max(1, len(rows) // SAMPLES)]
+    rows = rows[:: max(1, len(rows) // PIXELS_PER_MAP)]
     lens, z = camera.intrinsic, depth.reshape(-1)[rows].astype(np.float64)
     v, u = np.divmod(rows, depth.shape[1])
     local = np.stack([(u - lens.cx) / lens.fx * z, (v - lens.cy) / lens.fy * z, z, np.ones_like(z)], axis=1)
@@ -240,7 +240,7 @@ def _typical_pixel(maps: DepthMaps) -> float:
     for i, camera in enumerate(maps.cameras):
         depth = maps[i].depth
         some = depth[depth > 0]
-        widths.append(some[:: max(1, len(some) // SAMPLES)] / camera.intrinsic.fx)
+        widths.append(some[:: max(1, len(some) // PIXELS_PER_MAP)] / camera.intrinsic.fx)
     together = np.concatenate([*widths, np.zeros(0, np.float32)])
     return float(np.median(together)) if len(together) else 0.0
 
@@ -274,4 +274,4 @@ def _fuse_poisson(maps: DepthMaps, cloud: PointCloud, voxel: float | None, repor
     away = PointCloud.from_device_arrays({"points": mesh.arrays["vertices"]}, mesh.origin).compute_point_cloud_distance(
         cloud
     )
-    return mesh.trim(-away, -TRIM * width)
+    return mesh.trim(-away, -TRIM_CELLS * width)

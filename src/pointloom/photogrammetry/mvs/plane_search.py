@@ -24,7 +24,7 @@ from ...kernels.stereo.inverse_planes import refine_planes_kernel
 from ...kernels.stereo.patch_costs import Reference, Sources, patch_on
 from ...kernels.stereo.patch_match import HalfIteration, spread_planes, start_planes
 from ...kernels.stereo.plane_results import finish_planes
-from ...kernels.stereo.region_planes import TOLERANCE, judge_pixels, plane_priors, take_priors
+from ...kernels.stereo.region_planes import INLIER_DISTANCE, judge_pixels, plane_priors, take_priors
 from ...kernels.stereo.textureless_regions import find_regions
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
@@ -118,10 +118,10 @@ def grid(first: int, step: int, is_taken: Callable[[int], bool]) -> NDArray[np.i
 
 # The largest patch omits its light corners. The densest (without center and knight moves) follows texture closely, but
 # fits noise of plain walls: only at the end.
-LARGE = grid(-5, 2, lambda sqdist: sqdist < 50)
-MIDDLE = grid(-3, 2, lambda sqdist: True)
-SMALL = grid(-2, 2, lambda sqdist: True)
-DENSE = grid(-2, 1, lambda sqdist: sqdist not in (0, 5))
+LARGE_PATCH = grid(-5, 2, lambda sqdist: sqdist < 50)
+MIDDLE_PATCH = grid(-3, 2, lambda sqdist: True)
+SMALL_PATCH = grid(-2, 2, lambda sqdist: True)
+DENSE_PATCH = grid(-2, 1, lambda sqdist: sqdist not in (0, 5))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -141,16 +141,16 @@ class Phase:
 # patches, which do not spread the foreground. A second pass with updated source depth helps more than a second
 # iteration. Priors need consistent depth: after the first such phase, and again after the second, since noisy patches
 # led pixels away.
-PLAN = (
-    Phase(0.25, iterations=4, spread=1.0, patch=LARGE),
-    Phase(0.5, iterations=2, spread=0.6, patch=LARGE),
-    Phase(1.0, iterations=1, spread=0.6, patch=MIDDLE),
-    Phase(1.0, iterations=1, spread=0.25, patch=SMALL, regions=4, geometric=0.1, prior=True),
-    Phase(1.0, iterations=1, spread=0.1, patch=DENSE, regions=4, geometric=0.1, prior=True),
+SEARCH_PHASES = (
+    Phase(0.25, iterations=4, spread=1.0, patch=LARGE_PATCH),
+    Phase(0.5, iterations=2, spread=0.6, patch=LARGE_PATCH),
+    Phase(1.0, iterations=1, spread=0.6, patch=MIDDLE_PATCH),
+    Phase(1.0, iterations=1, spread=0.25, patch=SMALL_PATCH, regions=4, geometric=0.1, prior=True),
+    Phase(1.0, iterations=1, spread=0.1, patch=DENSE_PATCH, regions=4, geometric=0.1, prior=True),
 )
-TRIALS = 4  # perturbed planes per iteration
-CHOSEN = 3  # sources per pixel
-GOOD = 0.8  # cost below which a source matches
+TRIALS_PER_ITERATION = 4  # perturbed planes per iteration
+SOURCES_PER_PIXEL = 3  # sources per pixel
+MAX_MATCH_COST = 0.8  # cost below which a source matches
 
 
 @dataclasses.dataclass(frozen=True)
@@ -168,7 +168,9 @@ class Setting:
 
 def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
     shortest_side = min(min(each.intrinsic.width, each.intrinsic.height) for each in cameras)
-    return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(shortest_side * phase.scale) >= MIN_SIDE)
+    return tuple(
+        phase for phase in SEARCH_PHASES if phase.scale == 1.0 or round(shortest_side * phase.scale) >= MIN_SIDE
+    )
 
 
 def find_depth(
@@ -258,7 +260,7 @@ class _PhaseRun:
         reference, sources = self.views(index)
         phase, device = self.phase, self.setting.device
         before, size = self.previous[index], reference.width * reference.height
-        chosen = min(CHOSEN, sources.count)
+        chosen = min(SOURCES_PER_PIXEL, sources.count)
         seed = (self.setting.seed + SEED_STEP * (self.number * len(self.cameras) + index)) & MAX_SEED
         if before is None:
             planes = empty(size, vec4, device)
@@ -274,15 +276,15 @@ class _PhaseRun:
         for number in range(phase.iterations):
             for color in (0, 1):
                 iteration = HalfIteration(
-                    seed=seed, number=number, color=color, regions=phase.regions, trials=TRIALS, chosen=chosen,
-                    spread=phase.spread * 0.5**number, geometric=phase.geometric, good=GOOD,
+                    seed=seed, number=number, color=color, regions=phase.regions, trials=TRIALS_PER_ITERATION,
+                    chosen=chosen, spread=phase.spread * 0.5**number, geometric=phase.geometric, good=MAX_MATCH_COST,
                 )  # fmt: skip
                 spread_planes(iteration, reference, sources, planes, costs)
         if phase.prior:
             judged = judge_pixels(reference, sources, planes)
             supports = find_regions(judged, reference.width)
             if supports is not None:
-                priors = plane_priors(supports, judged, planes, TOLERANCE / reference.pixels_per, seed)
+                priors = plane_priors(supports, judged, planes, INLIER_DISTANCE / reference.pixels_per, seed)
                 take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)
         return planes
 

@@ -18,7 +18,7 @@ from .posed_images import PosedCamera
 Matrix = NDArray[np.float64]
 MIN_SIDEWAYS = 0.5  # sine of the least angle between baseline and mean viewing direction
 MAX_GROWTH = 4.0  # limit of the rectified area relative to the larger image
-SAME = 1e-3  # [px] largest displacement of an image that is already rectified
+MAX_RECTIFIED_SHIFT = 1e-3  # [px] largest displacement of an image that is already rectified
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,8 +79,8 @@ def rectify(cameras: Sequence[PosedCamera]) -> RectifiedPair:
     boxes = [_box(cameras[i], matmul(np.diag([fx, fy, 1.0]), back.T)) for i, back in zip(order, backs, strict=True)]
     top, bottom = max(box[0][1] for box in boxes), min(box[1][1] for box in boxes)
     cy = -float(top)
-    height = int(np.floor(bottom + cy + SAME)) + 1
-    width = max(int(np.floor(box[1][0] - box[0][0] + SAME)) + 1 for box in boxes)
+    height = int(np.floor(bottom + cy + MAX_RECTIFIED_SHIFT)) + 1
+    width = max(int(np.floor(box[1][0] - box[0][0] + MAX_RECTIFIED_SHIFT)) + 1 for box in boxes)
     largest = max(camera.intrinsic.width * camera.intrinsic.height for camera in cameras)
     if height > 0 and width * height > MAX_GROWTH * largest:
         raise ValueError(
@@ -125,7 +125,7 @@ def _same(camera: PosedCamera, view: Rectified) -> Rectified:
     assert view.there is not None
     corners = _corners(camera)
     p = matmul(corners, view.there.T)
-    if np.abs(p[:, :2] / p[:, 2:] - corners[:, :2]).max() > SAME:
+    if np.abs(p[:, :2] / p[:, 2:] - corners[:, :2]).max() > MAX_RECTIFIED_SHIFT:
         return view
     K = camera.intrinsic
     return Rectified((K.fx, K.fy, K.cx, K.cy), None, np.eye(3))

@@ -12,7 +12,7 @@ from ...kernels.array_types import Integers, Scalars
 from ...kernels.lang import int32, uint8
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import download, empty, full, upload
-from ...kernels.stereo.census import LANES, NO_CODE, find_codes, rectify_brightness
+from ...kernels.stereo.census import LANE_COUNT, NO_CODE, find_codes, rectify_brightness
 from ...kernels.stereo.disparities import RectifiedView, find_depth, find_disparities
 from ...kernels.stereo.path_sums import sum_paths
 from .depth_maps import DepthMap
@@ -26,7 +26,7 @@ MAX_CELLS = 2**31 - 1  # pixels times disparities, numbered by int32
 
 @dataclasses.dataclass(frozen=True)
 class PairSearch:
-    """A rectified pair, its first disparity and their number, a multiple of LANES."""
+    """A rectified pair, its first disparity and their number, a multiple of LANE_COUNT."""
 
     pair: RectifiedPair
     first: int
@@ -37,7 +37,7 @@ def plan_search(cameras: Sequence[PosedCamera], ranges: Sequence[tuple[float, fl
     """Rectify two cameras and find the disparities of their depth ranges. Raises ValueError if they are too many."""
     pair = rectify(cameras)
     first, last = pair.disparities(cameras, ranges)
-    count = -(-(last - first + 1) // LANES) * LANES
+    count = -(-(last - first + 1) // LANE_COUNT) * LANE_COUNT
     if pair.width * pair.height * count > MAX_CELLS:
         raise ValueError(
             f"images: expected at most {MAX_CELLS} pixels times disparities, got {pair.width} x {pair.height} x "

@@ -15,14 +15,15 @@ from ...core.checks import check_count
 from ..frusta import sample_visibility
 from .posed_images import PosedCamera, SparsePoints, check_cameras, check_sparse
 
-COUNT = 8
+SOURCES_PER_IMAGE = 8
 MAX_SOURCES = 256  # limit for a reasonable run time
-ENOUGH = 3.0  # good views of a point: more add nothing
-NARROW, WIDE, FALLOFF = 3.0, 10.0, 10.0  # [degrees] full weight within, then decay by e per FALLOFF
+MAX_VIEWS_PER_POINT = 3.0  # good views of a point: more add nothing
+# [degrees] Angles of full weight. Beyond them the weight decreases by a factor e per ANGLE_DECAY.
+MIN_FULL_ANGLE, MAX_FULL_ANGLE, ANGLE_DECAY = 3.0, 10.0, 10.0
 WITHOUT_POINTS = 3.0  # baselines equal to one typical camera step
 
 
-def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tuple[int, ...], ...]:
+def choose_sources(cameras: Any, sparse: Any, *, count: int = SOURCES_PER_IMAGE) -> tuple[tuple[int, ...], ...]:
     """Select the source images of each image for multi-view stereo, the most useful first.
 
     Each next source adds most to the image's sparse points. A point counts until three good views see it. View weight
@@ -98,7 +99,7 @@ def _by_cover(
     rows, images = rows[others], images[others]
     at = sparse.points[mine[rows]]
     weights = _worth(at - centers[i], at - centers[images])
-    wanted, chosen = np.full(len(mine), ENOUGH), []
+    wanted, chosen = np.full(len(mine), MAX_VIEWS_PER_POINT), []
     for _ in range(max_count):
         gain = np.bincount(images, np.minimum(weights, wanted[rows]), minlength=len(centers))
         gain[chosen] = 0.0
@@ -118,7 +119,7 @@ def _worth(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64
 
 
 def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.clip(angle / NARROW, 0, 1) * np.exp(-np.maximum(angle - WIDE, 0) / FALLOFF)
+    return np.clip(angle / MIN_FULL_ANGLE, 0, 1) * np.exp(-np.maximum(angle - MAX_FULL_ANGLE, 0) / ANGLE_DECAY)
 
 
 def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], max_count: int) -> tuple[int, ...]:
@@ -127,7 +128,7 @@ def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], max_count: int) -> tupl
     samples, seen, angles = sample_visibility(i, [camera.intrinsic for camera in cameras], poses)
     weights = _worth_of(angles) * seen
     often = seen.sum(axis=1) / max(1, len(cameras) - 1)
-    wanted, chosen = np.full(len(samples), ENOUGH), []
+    wanted, chosen = np.full(len(samples), MAX_VIEWS_PER_POINT), []
     for _ in range(max_count):
         gain = often @ np.minimum(weights, wanted[:, None])
         gain[chosen] = 0.0

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from .colmap_cameras import FLAT, GIVEN_WORSE, LEVEL, MAX_SPREAD, MUCH_BETTER, is_open
+from .colmap_cameras import GIVEN_WORSE, MAX_EXIF_RISE, MAX_SPREAD, MIN_ERROR_RISE, MUCH_BETTER, is_open
 
 GIVEN_OFF = 1.02  # factor: calibrations of one lens differ by less
 EXIF_OFF = 0.05  # error of EXIF's focal length: rounded 35 mm equivalents
@@ -55,14 +55,15 @@ class CameraCheck:
 
     @property
     def uses_exif(self) -> bool:
-        return self.is_open and not math.isnan(self.exif) and self.freed_error < (1 + FLAT) * self.error
+        return self.is_open and not math.isnan(self.exif) and self.freed_error < (1 + MAX_EXIF_RISE) * self.error
 
     @property
     def is_given_wrong(self) -> bool:
         off = abs(math.log(self.found / self.given))
         if self.freed_error < GIVEN_WORSE * self.error:
             return off > math.log(GIVEN_OFF)
-        return self.spread <= MAX_SPREAD and off > 2 * MAX_SPREAD and self.error > (1 + FLAT) * self.freed_error
+        improves = self.error > (1 + MAX_EXIF_RISE) * self.freed_error
+        return self.spread <= MAX_SPREAD and off > 2 * MAX_SPREAD and improves
 
     def reasons(self) -> list[str]:
         best = self.error if math.isnan(self.given) else min(self.error, self.freed_error)
@@ -81,7 +82,7 @@ class CameraCheck:
             off = f"the {self.exif:.4g} px of EXIF fit worse"
             return [f"the images do not determine the focal length, and {off} than {self.found:.4g} px: {_REMEDY}"]
         rises = f"with a focal length 15% off {self.found:.4g} px, the error rises by {100 * max(self.rise, 0):.1f}%"
-        if not self.rise < LEVEL:
+        if not self.rise < MIN_ERROR_RISE:
             others = "subsets of the images, or a lens with more distortion, change the focal length"
             rises += f", and {others} by {100 * self.spread:.0f}%"
         off = "the ratio of lengths along and across the viewing direction may be off by as much"

@@ -25,21 +25,21 @@ SAME_LENS = 1.04  # focal lengths within this factor are one camera: single esti
 
 # Rise of the error: below the first value the focal length is undetermined, above the second determined; between them
 # parts of the images are left out.
-LEVEL, STEEP = 0.002, 0.05
+MIN_ERROR_RISE, DETERMINED_ERROR_RISE = 0.002, 0.05
 MAX_SPREAD = 0.025  # relative spread. Twice that (5%) is EXIF's error
 GIVEN_WORSE = 0.8  # relative error with the preferred focal length that contradicts a given one
-FLAT = 0.02  # maximum relative rise of the error with EXIF's focal length
+MAX_EXIF_RISE = 0.02  # maximum relative rise of the error with EXIF's focal length
 
-_SQUARE = 0.01  # relative difference of two focal lengths for square pixels
+_MAX_FOCAL_DIFFERENCE = 0.01  # relative difference of two focal lengths for square pixels
 _AS_GOOD = 1.1  # maximum relative error of merged cameras
 
 _MIN_POINTS = 30  # minimum points for the checks
 _MAX_POINTS = 1500  # adjusted points, unless there are many images
 _POINTS_A_IMAGE = 25
 _MIN_SEEN = 20  # minimum points for an own camera
-_RICHER = {"SIMPLE_PINHOLE": ("RADIAL", 2), "PINHOLE": ("OPENCV", 4), "SIMPLE_RADIAL": ("RADIAL", 1)}
-_BLOCKS, _CELLS = 6, 3  # jackknife groups: sequence blocks, image cells per side
-_STEPS = 60  # adjustment steps
+_MODELS_WITH_DISTORTION = {"SIMPLE_PINHOLE": ("RADIAL", 2), "PINHOLE": ("OPENCV", 4), "SIMPLE_RADIAL": ("RADIAL", 1)}
+_SEQUENCE_BLOCKS, _CELLS_PER_SIDE = 6, 3  # jackknife groups: sequence blocks, image cells per side
+_ADJUSTMENT_STEPS = 60  # adjustment steps
 _FEW_STEPS = 25  # adjustment steps for a rough error
 
 
@@ -56,7 +56,7 @@ def rms_error(model: Any) -> float:
     return math.sqrt(total / count) if count else math.nan
 
 
-def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps: int = _STEPS) -> float:
+def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps: int = _ADJUSTMENT_STEPS) -> float:
     """Bundle-adjust a model, optionally with focal length and distortion. Returns the error."""
     options = pycolmap.BundleAdjustmentOptions()
     options.refine_focal_length, options.refine_extra_params, options.print_summary = focal, lens, False
@@ -121,7 +121,7 @@ def resolve_cameras(
 
 
 def is_open(rise: float, spread: float) -> bool:
-    return rise < LEVEL or spread > MAX_SPREAD
+    return rise < MIN_ERROR_RISE or spread > MAX_SPREAD
 
 
 def _known_focal_lengths(pycolmap: Any, database: str) -> dict[int, float]:
@@ -246,7 +246,7 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
     record = {"given": given, "error": error, "found": estimated, "freed_error": freed}
     record |= {"own_error": own_focal_lengths(pycolmap, few)[1]}
     # with a small decrease, parts of the images have to agree
-    is_off = abs(math.log(estimated / given)) > 2 * MAX_SPREAD and error > (1 + FLAT) * freed
+    is_off = abs(math.log(estimated / given)) > 2 * MAX_SPREAD and error > (1 + MAX_EXIF_RISE) * freed
     return record | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
 
 
@@ -256,7 +256,7 @@ def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
         camera = model.camera(number)
         if camera.model_name == "PINHOLE":
             fx, fy, *center = camera.params
-            if abs(fx / fy - 1) < _SQUARE:
+            if abs(fx / fy - 1) < _MAX_FOCAL_DIFFERENCE:
                 camera.model = pycolmap.CameraModelId.SIMPLE_PINHOLE
                 camera.params = [(fx + fy) / 2, *center]
 
@@ -271,22 +271,28 @@ def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
         scale_focal_lengths(fixed, dict.fromkeys(cameras, factor))
         rises.append(adjusted(pycolmap, fixed, focal=False) / error - 1 if error > 0 else 0.0)
     record = {"found": focal_length(few.camera(cameras[0])), "error": error, "rise": min(rises)}
-    return record | ({"spread": spread_of_parts(pycolmap, few)} if LEVEL <= record["rise"] < STEEP else {})
+    return record | (
+        {"spread": spread_of_parts(pycolmap, few)} if MIN_ERROR_RISE <= record["rise"] < DETERMINED_ERROR_RISE else {}
+    )
 
 
 def spread_of_parts(pycolmap: Any, model: Any) -> float:
     """Relative standard error of the focal length: jackknives over image regions and sequences, and a richer lens."""
     numbers = sorted(model.reg_image_ids())
-    blocks = {number: k * _BLOCKS // len(numbers) for k, number in enumerate(numbers)}
-    by_image = [_focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_BLOCKS)]
-    by_cell = [_focal_without(pycolmap, model, lambda _n, *at, k=k: _cell(*at) == k) for k in range(_CELLS**2)]
+    blocks = {number: k * _SEQUENCE_BLOCKS // len(numbers) for k, number in enumerate(numbers)}
+    by_image = [
+        _focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_SEQUENCE_BLOCKS)
+    ]
+    by_cell = [_focal_without(pycolmap, model, lambda _n, *at, k=k: _cell(*at) == k) for k in range(_CELLS_PER_SIDE**2)]
     bent = abs(_focal_of_richer_lens(pycolmap, model) - _log_focal(model)) / 2
     return max(_jackknife(by_image), _jackknife(by_cell), bent)
 
 
 def _cell(xy: Any, size: tuple[int, int]) -> int:
-    column, row = (min(max(int(at * _CELLS / side), 0), _CELLS - 1) for at, side in zip(xy, size, strict=True))
-    return row * _CELLS + column
+    column, row = (
+        min(max(int(at * _CELLS_PER_SIDE / side), 0), _CELLS_PER_SIDE - 1) for at, side in zip(xy, size, strict=True)
+    )
+    return row * _CELLS_PER_SIDE + column
 
 
 def _jackknife(logs: list[float]) -> float:
@@ -303,8 +309,8 @@ def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
     richer = pycolmap.Reconstruction(model)
     for number in used_cameras(richer):
         camera = richer.camera(number)
-        if camera.model_name in _RICHER:
-            name, more = _RICHER[camera.model_name]
+        if camera.model_name in _MODELS_WITH_DISTORTION:
+            name, more = _MODELS_WITH_DISTORTION[camera.model_name]
             params = [*camera.params, *[0.0] * more]
             camera.model = getattr(pycolmap.CameraModelId, name)
             camera.params = params
@@ -336,4 +342,4 @@ def fix_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any
     after = adjusted(pycolmap, fixed, focal=False)
     fixed.update_point_3d_errors()
     record = {"exif": known[min(factors)], "error": error, "freed_error": after}
-    return fixed if after < (1 + FLAT) * error else model, record
+    return fixed if after < (1 + MAX_EXIF_RISE) * error else model, record

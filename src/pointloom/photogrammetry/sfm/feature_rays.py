@@ -14,8 +14,8 @@ from ...cameras.camera_models import CameraModel
 from ...core.errors import FileError
 from .colmap_jobs import names_by_number, open_database
 
-DESCRIPTOR = 128  # numbers per descriptor
-WIDEST = np.tan(np.radians(75.0))  # tan of 75 degrees: beyond it a fisheye pixel spans many pinhole pixels
+DESCRIPTOR_LENGTH = 128  # numbers per descriptor
+MAX_RAY_TANGENT = np.tan(np.radians(75.0))  # tan of 75 degrees: beyond it a fisheye pixel spans many pinhole pixels
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -43,7 +43,7 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
             pixels.append(table_of(connection, "keypoints", numbers[name], np.float32, database)[:, :2])
             descriptors.append(table_of(connection, "descriptors", numbers[name], np.uint8, database))
     for keypoints, kinds in zip(pixels, descriptors, strict=True):
-        if len(keypoints) != len(kinds) or (len(kinds) and kinds.shape[1] != DESCRIPTOR):
+        if len(keypoints) != len(kinds) or (len(kinds) and kinds.shape[1] != DESCRIPTOR_LENGTH):
             raise FileError(
                 database, "contains features other than SIFT", remedy="photogrammetry.find_features creates one"
             )
@@ -52,8 +52,8 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
     rays = [camera.unproject(each)[:, :2] for camera, each in zip(cameras, at, strict=True)]
     joined = np.concatenate(rays) if rays else np.zeros((0, 2))
     with np.errstate(invalid="ignore"):
-        joined[~(np.linalg.norm(joined, axis=1) < WIDEST)] = np.nan
-    kinds = [each.reshape(-1, DESCRIPTOR) for each in descriptors]
+        joined[~(np.linalg.norm(joined, axis=1) < MAX_RAY_TANGENT)] = np.nan
+    kinds = [each.reshape(-1, DESCRIPTOR_LENGTH) for each in descriptors]
     return FeatureRays(firsts, np.concatenate(at), joined, np.concatenate(kinds))
 
 

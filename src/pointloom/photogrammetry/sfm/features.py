@@ -22,7 +22,15 @@ from ...kernels.language.cpu_pool import usable_cores
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .exif_checks import focal_problem
 from .frames import check_option
-from .image_folder import UPRIGHT, check_path, is_gray_16, list_images, read_lens, read_orientation, scaled_size
+from .image_folder import (
+    UPRIGHT_ORIENTATION,
+    check_path,
+    is_gray_16,
+    list_images,
+    read_lens,
+    read_orientation,
+    scaled_size,
+)
 from .image_writing import some_of
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
@@ -38,7 +46,7 @@ MAX_FEATURES = 4096
 _LONGEST_SIDE = 2**16
 _MAX_FEATURES = 2**17
 _BYTES_A_PIXEL = 360  # per pixel of the scaled image: SIFT's first octave has twice its size
-_FEW = 50  # features below which an image is hardly ever registered
+_MIN_FEATURES = 50  # features below which an image is hardly ever registered
 
 
 @dataclasses.dataclass(frozen=True)
@@ -70,7 +78,7 @@ class FeatureReport(Assessed):
     @property
     def poor_names(self) -> tuple[str, ...]:
         """Names of images with few features."""
-        return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _FEW)
+        return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _MIN_FEATURES)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -79,7 +87,7 @@ class FeatureReport(Assessed):
             return ()
         names = escaped(some_of(list(poor)))
         return (
-            f"{len(poor)} of {len(self.names)} images have fewer than {_FEW} features ({names}), "
+            f"{len(poor)} of {len(self.names)} images have fewer than {_MIN_FEATURES} features ({names}), "
             "too few for a pose: take sharp images of a scene with texture, and check the masks",
         )
 
@@ -262,7 +270,7 @@ def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
     for path in paths:
         header = read_image_header(path)
         fault = "is 16-bit gray" if is_gray_16(header) else ""
-        if read_orientation(path) != UPRIGHT:
+        if read_orientation(path) != UPRIGHT_ORIENTATION:
             fault = "has an EXIF orientation that is not upright"
         if fault:
             raise FileError(path, fault, remedy="photogrammetry.choose_frames writes upright 8-bit images of a folder")

@@ -16,20 +16,20 @@ from PIL import Image
 ANALYSIS_SIZE = 640  # [px] longer side for analysis. Finer blur is irrelevant
 THUMBNAIL_SIZE = 80  # [px] longer side of thumbnails
 
-NEIGHBORS = 7  # frames on both sides for the median sharpness
-BLURRED = 0.6  # fraction of that median
-NEAR = 2  # frames on both sides searched for the sharpest
-FAST = 1.5  # times the requested movement: faster cameras are elsewhere in the next frame
-LAG = NEIGHBORS + NEAR  # look-ahead frames
+NEIGHBOR_FRAMES = 7  # frames on both sides for the median sharpness
+MIN_RELATIVE_SHARPNESS = 0.6  # fraction of that median
+SEARCHED_FRAMES = 2  # frames on both sides searched for the sharpest
+FAST_MOVEMENT_FACTOR = 1.5  # times the requested movement: faster cameras are elsewhere in the next frame
+LAG = NEIGHBOR_FRAMES + SEARCHED_FRAMES  # look-ahead frames
 
-STILL = 0.004  # of the longer side: tripod noise, a third of a thumbnail pixel
-_SAME = 0.25  # relative change of a block by noise
-_BLOCK = 8  # [px] of a thumbnail
+MIN_MOVEMENT = 0.004  # of the longer side: tripod noise, a third of a thumbnail pixel
+_MAX_BLOCK_CHANGE = 0.25  # relative change of a block by noise
+_BLOCK_PIXELS = 8  # [px] of a thumbnail
 
-_BLACK = 16  # brightness exceeded by 5% of the pixels unless the frame is black
-_BLANK = 2.0  # standard deviation of a uniform frame
-_BRIGHT = 95  # percentile
-_EPSILON = 1e-12
+_MAX_BLACK_BRIGHTNESS = 16  # brightness exceeded by 5% of the pixels unless the frame is black
+_MIN_BRIGHTNESS_DEVIATION = 2.0  # standard deviation of a uniform frame
+_BRIGHT_PERCENTILE = 95  # percentile
+_MIN_DIVISOR = 1e-12
 
 
 def sharpness(gray: NDArray[np.uint8]) -> float:
@@ -48,7 +48,9 @@ def thumbnail(gray: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def is_blank(small: NDArray[np.uint8]) -> bool:
-    return bool(np.percentile(small, _BRIGHT) < _BLACK or small.std() < _BLANK)
+    return bool(
+        np.percentile(small, _BRIGHT_PERCENTILE) < _MAX_BLACK_BRIGHTNESS or small.std() < _MIN_BRIGHTNESS_DEVIATION
+    )
 
 
 def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
@@ -59,7 +61,7 @@ def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
     window = np.outer(np.hanning(height + 2)[1:-1], np.hanning(width + 2)[1:-1])
     spectra = [np.fft.rfft2((small - small.mean(dtype=np.float64)) * window) for small in (first, second)]
     cross = spectra[0] * spectra[1].conj()
-    surface = np.fft.irfft2(cross / np.maximum(np.abs(cross), _EPSILON), s=(height, width))
+    surface = np.fft.irfft2(cross / np.maximum(np.abs(cross), _MIN_DIVISOR), s=(height, width))
     row, column = np.unravel_index(int(np.argmax(surface)), surface.shape)
     dy = _peak(surface[:, column], int(row))
     dx = _peak(surface[row], int(column))
@@ -68,22 +70,22 @@ def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
 
 def is_still(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> bool:
     """True if the camera did not move: forward motion, zoom and roll change most blocks, noise and objects few."""
-    if first.shape != second.shape or movement(first, second) >= STILL:
+    if first.shape != second.shape or movement(first, second) >= MIN_MOVEMENT:
         return False
-    height, width = (side // _BLOCK * _BLOCK for side in first.shape)
+    height, width = (side // _BLOCK_PIXELS * _BLOCK_PIXELS for side in first.shape)
     if not height or not width:
         return bool(np.array_equal(first, second))
     one, two = (
-        small[:height, :width].reshape(height // _BLOCK, _BLOCK, -1, _BLOCK).astype(np.float32)
+        small[:height, :width].reshape(height // _BLOCK_PIXELS, _BLOCK_PIXELS, -1, _BLOCK_PIXELS).astype(np.float32)
         for small in (first, second)
     )
     contrast = one.std(axis=(1, 3), dtype=np.float64)
-    seen = contrast >= _BLANK
+    seen = contrast >= _MIN_BRIGHTNESS_DEVIATION
     if not seen.any():
         return True
     # a flickering lamp changes the mean brightness of a block without motion
     difference = (two - one).std(axis=(1, 3), dtype=np.float64)
-    return bool(np.median(difference[seen] / contrast[seen]) < _SAME)
+    return bool(np.median(difference[seen] / contrast[seen]) < _MAX_BLOCK_CHANGE)
 
 
 def _peak(values: NDArray[np.float64], index: int) -> float:
@@ -91,7 +93,7 @@ def _peak(values: NDArray[np.float64], index: int) -> float:
     count = len(values)
     left, middle, right = values[index - 1], values[index], values[(index + 1) % count]
     bend = left - 2 * middle + right
-    offset = 0.5 * (left - right) / bend if bend < -_EPSILON else 0.0
+    offset = 0.5 * (left - right) / bend if bend < -_MIN_DIVISOR else 0.0
     shift = index + min(max(offset, -0.5), 0.5)
     return shift if shift <= count / 2 else shift - count
 
@@ -116,7 +118,7 @@ class FramePicker:
         self.blank: list[int] = []
         self.blurred = self.still = 0
         self._sharpness: list[float] = []  # of all frames. NaN if blank
-        self._small: collections.deque[NDArray[np.uint8]] = collections.deque(maxlen=LAG + NEAR + 1)
+        self._small: collections.deque[NDArray[np.uint8]] = collections.deque(maxlen=LAG + SEARCHED_FRAMES + 1)
         self._last: NDArray[np.uint8] | None = None
         self._judged = 0
         self._skipped = 0  # frames since the last selected one with a still camera
@@ -153,7 +155,7 @@ class FramePicker:
                 due = False
             if not due:
                 return
-        radius = NEAR if moved < FAST * self._min_movement else 0
+        radius = SEARCHED_FRAMES if moved < FAST_MOVEMENT_FACTOR * self._min_movement else 0
         near = range(max(index - radius, last + 1), min(index + radius + 1, len(self._sharpness)))
         sharp = [n for n in near if not math.isnan(self._sharpness[n]) and not self._is_blurred(n)]
         if sharp:
@@ -166,9 +168,9 @@ class FramePicker:
         return self._small[number - len(self._sharpness)]
 
     def _is_blurred(self, number: int) -> bool:
-        around = np.array(self._sharpness[max(number - NEIGHBORS, 0) : number + NEIGHBORS + 1])
+        around = np.array(self._sharpness[max(number - NEIGHBOR_FRAMES, 0) : number + NEIGHBOR_FRAMES + 1])
         around = around[~np.isnan(around)]
-        return bool(len(around) and self._sharpness[number] < BLURRED * np.median(around))
+        return bool(len(around) and self._sharpness[number] < MIN_RELATIVE_SHARPNESS * np.median(around))
 
 
 def spaced(numbers: list[int], count: int) -> list[int]:

@@ -23,7 +23,7 @@ from .limited_process import check_limits
 from .masks import MakeMask, check_masks, mask_folder, write_masks
 from .video_files import READERS, VideoFile, VideoFrames, open_video
 
-_DIGITS = 6
+_FRAME_DIGITS = 6
 
 
 def choose_video_frames(
@@ -70,7 +70,7 @@ def _write(
     names, sizes = [], Counter[tuple[int, int]]()
     with VideoFrames(video, max_size=wanted.max_size, numbers=numbers, **limits) as frames:
         for number, pixels in zip(numbers, frames, strict=False):
-            names.append(f"frame_{number:0{_DIGITS}d}.{wanted.kind}")
+            names.append(f"frame_{number:0{_FRAME_DIGITS}d}.{wanted.kind}")
             write_image(wanted.folder / names[-1], pixels)
             sizes[pixels.shape[1], pixels.shape[0]] += 1
             report("write", len(names), len(numbers))

@@ -19,7 +19,7 @@ from .feature_rays import FeatureRays, focal_of, pinhole_of
 
 MAX_PARTNERS = 20  # maximum partners per image, those with most in common
 MIN_FRACTION = 0.05  # minimum fraction of common view of a partner
-RATIO = 0.8  # ratio of nearest to second nearest distance (Lowe 2004)
+MAX_DISTANCE_RATIO = 0.8  # ratio of nearest to second nearest distance (Lowe 2004)
 MAX_SQDIST = 123_000  # descriptors of norm 512 are 0.7 rad apart, as in COLMAP
 PAIRS_AT_ONCE = 32
 
@@ -89,7 +89,7 @@ def _mutual(nearest: NDArray[np.int32], starts: NDArray[np.int64], count: int) -
     """The mutual matches of each pair, from searches forward and, `count` further on, backward."""
     with np.errstate(invalid="ignore"):
         clear = (nearest[:, 0] >= 0) & (nearest[:, 1] <= MAX_SQDIST)
-        clear &= nearest[:, 1] < RATIO**2 * nearest[:, 2].astype(np.float64)
+        clear &= nearest[:, 1] < MAX_DISTANCE_RATIO**2 * nearest[:, 2].astype(np.float64)
     chosen = np.where(clear, nearest[:, 0], -1)
     for k in range(count):
         there = chosen[starts[k] : starts[k + 1]]

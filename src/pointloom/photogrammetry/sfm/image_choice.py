@@ -21,8 +21,8 @@ from .exif_checks import orientation_warnings
 from .frame_choice import FrameChoice
 from .frame_picker import is_blank, spaced, thumbnail
 from .image_folder import (
-    ORIENTATION,
-    UPRIGHT,
+    ORIENTATION_TAG,
+    UPRIGHT_ORIENTATION,
     list_photographs,
     ordered_names,
     read_header,
@@ -35,10 +35,10 @@ from .image_folder import (
 )
 from .image_writing import Wanted, counted, some_of, write_bytes, write_image
 
-_GRAY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
-_BITS = 8
-_TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
-_COPIED_TAGS = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
+_GRAY_WEIGHTS = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
+_CHANNEL_BITS = 8
+_EXIF_TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
+_COPIED_TAGS = (0x010F, 0x0110, 0x0132, *_EXIF_TABLES)  # make, model, time
 BLANK = "black, or of one brightness"
 _LONGEST_EXIF = 65_000  # bytes. A JPEG segment stores up to 65533
 _SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
@@ -103,7 +103,7 @@ def _headers(paths: list[Path], numbers: list[int]) -> tuple[dict[int, ImageHead
 
 
 def _gray(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    return ((pixels @ _GRAY) >> 8).astype(np.uint8)
+    return ((pixels @ _GRAY_WEIGHTS) >> 8).astype(np.uint8)
 
 
 def _write(
@@ -111,8 +111,8 @@ def _write(
 ) -> tuple[str, tuple[int, int]]:
     before = (pixels.shape[1], pixels.shape[0])
     size = scaled_size(before, wanted.max_size)
-    is_plain = not is_photo(path) and header.bits == _BITS and header.channels in (1, 3)
-    if size == before and is_plain and read_orientation(path) == UPRIGHT:
+    is_plain = not is_photo(path) and header.bits == _CHANNEL_BITS and header.channels in (1, 3)
+    if size == before and is_plain and read_orientation(path) == UPRIGHT_ORIENTATION:
         name = stem + _SUFFIXES[header.kind]
         write_bytes(wanted.folder / name, path.read_bytes())
         return name, size
@@ -126,11 +126,11 @@ def _write(
 def _exif_upright(path: Path) -> bytes:
     """EXIF data (with the focal length) without the orientation."""
     exif, copied = read_exif(path), Image.Exif()
-    exif.pop(ORIENTATION, None)
+    exif.pop(ORIENTATION_TAG, None)
     for tag in (
         tag for tag in exif if tag in _COPIED_TAGS or not is_photo(path)
     ):  # other DNG tags describe the pixel layout
-        copied[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
+        copied[tag] = exif.get_ifd(tag) if tag in _EXIF_TABLES else exif[tag]
     with ignored_errors():  # invalid EXIF is ignored
         data = copied.tobytes() if len(copied) else b""
         return data if len(data) <= _LONGEST_EXIF else b""

@@ -35,9 +35,9 @@ PHOTO_SUFFIXES = (*SUFFIXES, *KINDS)  # accepted input formats
 # Formats that must be converted first; reported instead of ignored.
 OTHER_SUFFIXES = (".bmp", ".gif", ".jp2", ".avif", ".cr2", ".cr3", ".nef", ".arw", ".raf", ".orf", ".rw2")
 
-ORIENTATION = 0x0112  # EXIF tag
-UPRIGHT = 1
-_MAKE, _MODEL, _EXIF, _FOCAL, _FOCAL_35, _DIGITAL_ZOOM = 0x010F, 0x0110, 0x8769, 0x920A, 0xA405, 0xA404
+ORIENTATION_TAG = 0x0112  # EXIF tag
+UPRIGHT_ORIENTATION = 1
+_MAKE_TAG, _MODEL_TAG, _EXIF_IFD, _FOCAL_TAG, _FOCAL_35, _DIGITAL_ZOOM = 0x010F, 0x0110, 0x8769, 0x920A, 0xA405, 0xA404
 _LARGEST_12_BIT = 4095
 _LARGEST_8_BIT = 255
 
@@ -97,9 +97,9 @@ def read_lens(path: FilePath) -> tuple[str, ...]:
     """EXIF's make, model, focal length, 35 mm equivalent, digital zoom ("" if missing), which identify a camera."""
     exif = read_exif(path)
     with ignored_errors():  # invalid EXIF is ignored
-        inner = exif.get_ifd(_EXIF)
-        names = [str(exif.get(tag, "")).strip("\0 ") for tag in (_MAKE, _MODEL)]
-        return (*names, *(plain_number(inner.get(tag)) for tag in (_FOCAL, _FOCAL_35, _DIGITAL_ZOOM)))
+        inner = exif.get_ifd(_EXIF_IFD)
+        names = [str(exif.get(tag, "")).strip("\0 ") for tag in (_MAKE_TAG, _MODEL_TAG)]
+        return (*names, *(plain_number(inner.get(tag)) for tag in (_FOCAL_TAG, _FOCAL_35, _DIGITAL_ZOOM)))
     return ("",) * 5
 
 

@@ -23,7 +23,7 @@ from ...core.checks import check_list
 from ...core.errors import FileError, FilePath
 from ...io.optional_imports import ignored_errors
 from ...pcd.geodesy import WorldFrame
-from .image_folder import ORIENTATION, UPRIGHT, check_path, list_images
+from .image_folder import ORIENTATION_TAG, UPRIGHT_ORIENTATION, check_path, list_images
 from .image_writing import counted, some_of
 
 MAX_BYTES = 1 << 20  # searched part of XMP
@@ -32,7 +32,7 @@ _ENTRY = re.compile(
 )
 _PREFIX = re.compile(r"(drone-dji|drone-parrot|Camera):")
 _NUMBER = re.compile(r"[+-]?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?")
-_RTK = {50: "fixed", 34: "float", 16: "single", 0: "none"}  # DJI's RtkFlag
+_RTK_FLAGS = {50: "fixed", 34: "float", 16: "single", 0: "none"}  # DJI's RtkFlag
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def parse_xmp(data: bytes | str | None) -> Xmp:
         relative_altitude=dji.get("RelativeAltitude"),
         horizontal_sigma=_sigma(*(dji.get(name) for name in ("RtkStdLon", "RtkStdLat"))),
         vertical_sigma=_sigma(dji.get("RtkStdHgt")),
-        rtk=None if flag is None else _RTK.get(int(flag), "none"),
+        rtk=None if flag is None else _RTK_FLAGS.get(int(flag), "none"),
         attitude=_attitude(fields),
         heading=dji.get("FlightYawDegree"),
     )
@@ -92,13 +92,13 @@ def _attitude(values: dict[str, float]) -> tuple[float, float, float] | None:
     return None
 
 
-FARTHEST = 1e5  # [m] maximum distance from the median
-LOWEST, HIGHEST = -500.0, 20000.0  # [m] accepted altitudes
+MAX_MEDIAN_DISTANCE = 1e5  # [m] maximum distance from the median
+MIN_ALTITUDE, MAX_ALTITUDE = -500.0, 20000.0  # [m] accepted altitudes
 WORST_SIGMA = 1000.0  # [m] maximum standard deviation
 
-_GPS, _XMP_KEYS = 0x8825, ("xmp", "XML:com.adobe.xmp")
-_NS, _LATITUDE, _EW, _LONGITUDE, _BELOW, _ALTITUDE = range(1, 7)
-_STATUS, _DIRECTION_FROM, _DIRECTION, _ERROR = 9, 16, 17, 31
+_GPS_IFD, _XMP_KEYS = 0x8825, ("xmp", "XML:com.adobe.xmp")
+_LATITUDE_REF, _LATITUDE_TAG, _LONGITUDE_REF, _LONGITUDE_TAG, _ALTITUDE_REF, _ALTITUDE_TAG = range(1, 7)
+_STATUS_TAG, _DIRECTION_FROM, _DIRECTION_TAG, _ERROR_TAG = 9, 16, 17, 31
 _NO_FIX = "V"  # GPSStatus: measurement void
 
 
@@ -227,7 +227,7 @@ def read_image_positions(source: FilePath | Iterable[FilePath]) -> ImagePosition
             refused[path.name] = str(error)
             continue
         if position is not None:
-            if position.altitude is not None and not LOWEST <= position.altitude <= HIGHEST:
+            if position.altitude is not None and not MIN_ALTITUDE <= position.altitude <= MAX_ALTITUDE:
                 heights[path.name] = position.altitude
                 position = replace(position, altitude=None)
             positions.append(position)
@@ -244,22 +244,22 @@ def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
         exif = image.getexif()
         gps: dict[int, Any] = {}
         with ignored_errors():
-            gps = dict(exif.get_ifd(_GPS))
-        return gps, parse_xmp(xmp), exif.get(ORIENTATION, UPRIGHT) not in (UPRIGHT, 0, None)
+            gps = dict(exif.get_ifd(_GPS_IFD))
+        return gps, parse_xmp(xmp), exif.get(ORIENTATION_TAG, UPRIGHT_ORIENTATION) not in (UPRIGHT_ORIENTATION, 0, None)
     return {}, Xmp(), False
 
 
 def _position_of(name: str, gps: dict[int, Any], xmp: Xmp, *, is_rotated: bool) -> ImagePosition | None:
-    if _LATITUDE not in gps and _LONGITUDE not in gps:
+    if _LATITUDE_TAG not in gps and _LONGITUDE_TAG not in gps:
         return None
-    if _text(gps.get(_STATUS)) == _NO_FIX:
+    if _text(gps.get(_STATUS_TAG)) == _NO_FIX:
         raise ValueError("GPSStatus reports no fix")
-    latitude = _degrees(gps, _LATITUDE, _NS, "NS", "latitude", 90.0)
-    longitude = _degrees(gps, _LONGITUDE, _EW, "EW", "longitude", 180.0)
+    latitude = _degrees(gps, _LATITUDE_TAG, _LATITUDE_REF, "NS", "latitude", 90.0)
+    longitude = _degrees(gps, _LONGITUDE_TAG, _LONGITUDE_REF, "EW", "longitude", 180.0)
     if latitude == 0 and longitude == 0:
         raise ValueError("its position is 0, 0, as written without a fix")
-    direction = _number(gps.get(_DIRECTION)) if _text(gps.get(_DIRECTION_FROM, "T")) == "T" else None
-    error = xmp.horizontal_sigma or _number(gps.get(_ERROR))
+    direction = _number(gps.get(_DIRECTION_TAG)) if _text(gps.get(_DIRECTION_FROM, "T")) == "T" else None
+    error = xmp.horizontal_sigma or _number(gps.get(_ERROR_TAG))
     return ImagePosition(
         name=name,
         latitude=latitude,
@@ -296,11 +296,11 @@ def _degrees(gps: dict[int, Any], tag: int, sign_tag: int, signs: str, what: str
 
 
 def _altitude(gps: dict[int, Any], xmp: Xmp) -> float | None:
-    value = _number(gps.get(_ALTITUDE))
+    value = _number(gps.get(_ALTITUDE_TAG))
     if value is None:
         value = xmp.altitude
     else:
-        below = gps.get(_BELOW, b"\0")
+        below = gps.get(_ALTITUDE_REF, b"\0")
         code = below[0] if isinstance(below, bytes) and below else _number(below)
         value = -abs(value) if code in (1, ord("1")) else value
     return value
@@ -325,7 +325,7 @@ def _without_far(positions: list[ImagePosition], refused: dict[str, str]) -> lis
     meters = meters_about_median(positions)
     far = np.linalg.norm(meters, axis=1)
     for position, distance in zip(positions, far.tolist(), strict=True):
-        if distance > FARTHEST:
+        if distance > MAX_MEDIAN_DISTANCE:
             refused[position.name] = f"is {distance / 1000:,.0f} km from the median of the others"
     return [position for position in positions if position.name not in refused]
 

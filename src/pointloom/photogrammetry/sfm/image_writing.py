@@ -17,7 +17,7 @@ from ...core.errors import FileError
 
 KINDS = ("jpg", "png")
 
-_QUALITY = 95  # JPEG quality: losses at 4:4:4 are below camera noise
+_JPEG_QUALITY = 95  # JPEG quality: losses at 4:4:4 are below camera noise
 _SHOWN_NUMBERS = 6
 
 
@@ -57,7 +57,7 @@ def write_image(path: Path, pixels: NDArray[np.uint8], exif: bytes = b"") -> Non
     if path.suffix == ".png":
         Image.fromarray(pixels).save(buffer, "PNG", compress_level=1, **({"exif": exif} if exif else {}))
     else:
-        Image.fromarray(pixels).save(buffer, "JPEG", quality=_QUALITY, subsampling=0, exif=exif)
+        Image.fromarray(pixels).save(buffer, "JPEG", quality=_JPEG_QUALITY, subsampling=0, exif=exif)
     with atomic_write(path) as file:
         file.write(buffer.getbuffer())
 

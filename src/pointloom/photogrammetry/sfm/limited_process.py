@@ -27,7 +27,7 @@ _LAST_BYTES = 16384
 _LINE_LENGTH = 300
 _ADDRESS = re.compile(r"\s*(@ .*|\*\*\* .*|PC: .*)?$")  # a stack line, or an empty one
 _MEMORY_FRACTION = 0.9  # fraction of the free memory at start
-_KIBIBYTE = 1024
+_BYTES_PER_KIBIBYTE = 1024
 
 
 def check_limits(max_seconds: Any, max_memory: Any) -> dict[str, Any]:
@@ -160,7 +160,7 @@ def _memory_of(pid: int) -> int:
     with contextlib.suppress(OSError, ValueError, IndexError):
         for line in Path(f"/proc/{pid}/status").read_text(encoding="utf-8").splitlines():
             if line.startswith("VmHWM:"):
-                return int(line.split()[1]) * _KIBIBYTE
+                return int(line.split()[1]) * _BYTES_PER_KIBIBYTE
     return 0
 
 
@@ -170,5 +170,5 @@ def free_memory() -> float:
         with contextlib.suppress(OSError, ValueError, IndexError):
             for line in Path("/proc/meminfo").read_text(encoding="utf-8").splitlines():
                 if line.startswith("MemAvailable:"):
-                    return _MEMORY_FRACTION * int(line.split()[1]) * _KIBIBYTE
+                    return _MEMORY_FRACTION * int(line.split()[1]) * _BYTES_PER_KIBIBYTE
     return float("inf")

@@ -17,7 +17,7 @@ from ...core.masked_arrays import unmasked
 from ...io.images.image_files import decode_texture, read_color, read_image_header, write_png
 from ...io.images.photo_files import is_photo, read_alpha
 from .frame_choice import FrameChoice
-from .image_folder import UPRIGHT, list_photographs, read_orientation, read_stored, upright
+from .image_folder import UPRIGHT_ORIENTATION, list_photographs, read_orientation, read_stored, upright
 from .image_writing import counted, some_of
 
 ALPHA = "alpha"
@@ -27,7 +27,7 @@ MakeMask = Callable[[NDArray[np.uint8], str], Any]
 MASK_THRESHOLD = 128  # brightness threshold of masks
 _MIN_VISIBLE = 0.001  # minimum unmasked fraction of an image
 _ENDINGS = (".png", ".jpg", ".jpeg")
-_BACK = {6: 8, 8: 6}  # inverse EXIF orientations. The others are self-inverse
+_INVERSE_ORIENTATIONS = {6: 8, 8: 6}  # inverse EXIF orientations. The others are self-inverse
 
 
 def check_masks(masks: Any) -> FilePath | MakeMask | None:
@@ -152,7 +152,7 @@ def mask_as_stored(masks: FilePath | MakeMask, image: Path, size: tuple[int, int
         return None
     mask = read_color(path).max(axis=2) >= MASK_THRESHOLD
     if (mask.shape[1], mask.shape[0]) != size:  # drawn on the upright image
-        mask = upright(mask, _BACK.get(orientation := read_orientation(image), orientation))
+        mask = upright(mask, _INVERSE_ORIENTATIONS.get(orientation := read_orientation(image), orientation))
     return _fitted(path, mask, None, size)
 
 
@@ -189,7 +189,7 @@ def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
 
 def _fitted(path: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:
     """Rotate and scale a mask like its image. One that only fits the upright shape is taken as upright."""
-    orientation = UPRIGHT if origin is None else read_orientation(origin)
+    orientation = UPRIGHT_ORIENTATION if origin is None else read_orientation(origin)
     rotated = upright(mask, orientation)
     for each in (rotated, mask):
         height, width = each.shape

@@ -33,13 +33,13 @@ from .image_writing import some_of
 from .limited_process import check_limits
 
 Descriptors = NDArray[np.uint8]
-WORDS = 64
-NEIGHBORS = 10  # partners per image
-LENGTH = 128  # length of a SIFT descriptor
+VOCABULARY_SIZE = 64
+PARTNERS_PER_IMAGE = 10  # partners per image
+DESCRIPTOR_LENGTH = 128  # length of a SIFT descriptor
 MAX_ITERATIONS = 12  # k-means iterations: words then move by less than one integer step
-SAMPLE = 30_000  # descriptors for k-means over all images
+MAX_CLUSTERED_DESCRIPTORS = 30_000  # descriptors for k-means over all images
 AT_ONCE = 1 << 15  # descriptors per distance block
-FINE = 4095  # quantization steps of a description
+QUANTIZATION_STEPS = 4095  # quantization steps of a description
 
 
 def read_descriptors(database: Path) -> dict[int, Descriptors]:
@@ -48,10 +48,10 @@ def read_descriptors(database: Path) -> dict[int, Descriptors]:
     with open_database(database) as connection:
         for number, count, data in connection.execute(query):
             values = np.frombuffer(data or b"", np.uint8)
-            if len(values) != LENGTH * (count or 0):
+            if len(values) != DESCRIPTOR_LENGTH * (count or 0):
                 reason = f"is damaged: expected {count} descriptors of image {number}, got {len(values)} bytes"
                 raise FileError(database, reason, remedy="photogrammetry.find_features creates one")
-            descriptors[int(number)] = values.reshape(-1, LENGTH)
+            descriptors[int(number)] = values.reshape(-1, DESCRIPTOR_LENGTH)
     return descriptors
 
 
@@ -69,7 +69,7 @@ def nearest_words(descriptors: Descriptors, words: Descriptors) -> NDArray[np.in
 def learn_words(sets: Sequence[Descriptors], count: int, seed: int) -> Descriptors:
     """k-means centers (Lloyd 1982) of a sample of descriptors, rounded to uint8 [up to count, length]."""
     rng = np.random.default_rng(seed)
-    fraction = max(1, SAMPLE // max(len(sets), 1))
+    fraction = max(1, MAX_CLUSTERED_DESCRIPTORS // max(len(sets), 1))
     taken = [each[np.sort(rng.permutation(len(each))[:fraction])] for each in sets]
     sample = np.concatenate(taken)
     different = np.unique(sample, axis=0)
@@ -90,10 +90,12 @@ def describe(descriptors: Descriptors, words: Descriptors) -> NDArray[np.float64
     rooted = np.sign(off) * np.sqrt(np.abs(off).astype(np.float64))
     # integer sums per word are exact, so the rounding below is the same everywhere
     lengths = np.sqrt(np.abs(off).sum(axis=1).astype(np.float64))[:, None]
-    return np.rint(FINE * rooted / np.maximum(lengths, 1.0)).ravel()
+    return np.rint(QUANTIZATION_STEPS * rooted / np.maximum(lengths, 1.0)).ravel()
 
 
-def alike_images(sets: Sequence[Descriptors], neighbors: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
+def alike_images(
+    sets: Sequence[Descriptors], neighbors: int, *, seed: int, words: int = VOCABULARY_SIZE
+) -> list[list[int]]:
     """Up to `neighbors` most similar other images for each, by descriptors uint8 [n, length], the best first."""
     if not sets:
         return []
@@ -128,11 +130,11 @@ def _sums(values: Descriptors, groups: NDArray[np.int64], count: int) -> NDArray
 
 PAIRS = ("auto", "sequential", "exhaustive", "retrieval")
 MIXED = "sequential and retrieval"
-OVERLAP = 10
+SEQUENCE_OVERLAP = 10
 FEW_IMAGES = 40  # maximum for exhaustive matching (780 pairs): less work than 150 sequential images
 
-PAIR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR a + b
-_SIFT = 0  # COLMAP's id of the feature type
+PAIR_ID_FACTOR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR_ID_FACTOR a + b
+_SIFT_TYPE = 0  # COLMAP's id of the feature type
 _MAX_NEIGHBORS = 10_000
 _MAX_OVERLAP = 30  # powers of two
 
@@ -183,8 +185,8 @@ def match_features(
     matches: FilePath,
     *,
     pairs: str = "auto",
-    overlap: int = OVERLAP,
-    neighbors: int = NEIGHBORS,
+    overlap: int = SEQUENCE_OVERLAP,
+    neighbors: int = PARTNERS_PER_IMAGE,
     use_gpu: bool | None = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
@@ -272,7 +274,7 @@ def _kind_of(database: Path) -> str:
         if "type" not in columns:
             return "sift"
         types = {row[0] for row in connection.execute("SELECT DISTINCT type FROM descriptors")}
-    return "aliked" if types - {_SIFT, None} else "sift"
+    return "aliked" if types - {_SIFT_TYPE, None} else "sift"
 
 
 def _listed_pairs(database: Path, pairs: str, overlap: int, neighbors: int, seed: int) -> NDArray[np.int64]:
@@ -313,7 +315,7 @@ def _verified_pairs(database: Path) -> tuple[int, int, tuple[str, ...]]:
     with open_database(database) as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries WHERE rows > 0").fetchall()
         names = names_by_number(connection, database)
-        paired = {number for pair, _ in rows for number in divmod(pair, PAIR)}
+        paired = {number for pair, _ in rows for number in divmod(pair, PAIR_ID_FACTOR)}
         match_count = sum(count for _, count in rows)
     isolated = tuple(name for number, name in names.items() if number not in paired)
     return len(rows), match_count, isolated

@@ -29,8 +29,8 @@ _MAX_SHARED = 120  # points per pair
 _FEW_SHARED = 20
 _LOG_FACTORS = (-np.log(2.0), np.log(2.0))  # focal length factors of the rotation test
 _MAX_DISTORTION = 0.5
-_STEPS, _ROUNDS = 9, 5  # values of both per round, and rounds, each with a third of the previous range
-_NARROWING = 3.0
+_SEARCH_STEPS, _SEARCH_ROUNDS = 9, 5  # values of both per round, and rounds, each with a third of the previous range
+_RANGE_REDUCTION = 3.0
 
 
 def triangulation_angles(model: SfmModel) -> Array:
@@ -62,13 +62,13 @@ def parallax(model: SfmModel, *, fixed: bool = False) -> float:
         return float(focal * _turning_error(first, second, weights, 1.0, 0.0))
     center, half_range = [0.0, 0.0], (_LOG_FACTORS[1], _MAX_DISTORTION)
     best = float("inf")
-    for _ in range(_ROUNDS):
-        logs = np.clip(np.linspace(center[0] - half_range[0], center[0] + half_range[0], _STEPS), *_LOG_FACTORS)
-        bends = np.linspace(center[1] - half_range[1], center[1] + half_range[1], _STEPS)
+    for _ in range(_SEARCH_ROUNDS):
+        logs = np.clip(np.linspace(center[0] - half_range[0], center[0] + half_range[0], _SEARCH_STEPS), *_LOG_FACTORS)
+        bends = np.linspace(center[1] - half_range[1], center[1] + half_range[1], _SEARCH_STEPS)
         tried = [(_turning_error(first, second, weights, np.exp(a), b), a, b) for a in logs for b in bends]
         error, *center = min(tried)
         best = min(best, error)
-        half_range = (half_range[0] / _NARROWING, half_range[1] / _NARROWING)
+        half_range = (half_range[0] / _RANGE_REDUCTION, half_range[1] / _RANGE_REDUCTION)
     return float(focal * best)
 
 

@@ -20,24 +20,24 @@ from ...core.wording import few_of
 from ...io.models.sfm_model import SfmModel
 from ...io.points.scan_files import natural_key
 from .feature_rays import FeatureRays, focal_of
-from .guided_matches import MAX_SQDIST, RATIO, PairMatches, Pairs, essential_of
+from .guided_matches import MAX_DISTANCE_RATIO, MAX_SQDIST, PairMatches, Pairs, essential_of
 
 MAX_PAIRS = 40  # overlapping pairs, and as many neighbors by name
 MAX_FEATURES = 1000  # features per image
 MAX_MATCHES = 200  # matches per pair, for equal influence
 MIN_MATCHES = 12  # minimum per pair
 MIN_TOTAL = 60  # minimum in total
-NEAR = 0.004  # epipolar distance relative to the longer side, for rough poses
-FITTING = 0.4  # minimum fraction for correct poses: 0.6 in a room, a fountain, a temple
-PLAINLY = 2.0  # ratio of fitting matches with a corrected error
+MAX_EPIPOLAR_DISTANCE = 0.004  # epipolar distance relative to the longer side, for rough poses
+MIN_MATCH_FRACTION = 0.4  # minimum fraction for correct poses: 0.6 in a room, a fountain, a temple
+MIN_CORRECTION_RATIO = 2.0  # ratio of fitting matches with a corrected error
 
-AXES = {
+AXIS_CONVENTIONS = {
     "": (1, 1, 1),
     "the cameras' axes are x right, y up, z back (OpenGL, ARKit), not x right, y down, z forward": (1, -1, -1),
     "the images are rotated by 180 degrees": (-1, -1, 1),
     "the cameras' axes are x left, y down, z back": (-1, 1, -1),
 }
-QUARTERS = {
+QUARTER_ROTATIONS = {
     "the images are rotated by 90 degrees to the left": np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]]),
     "the images are rotated by 90 degrees to the right": np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]),
 }
@@ -82,7 +82,7 @@ class PoseCheck:
 
     @property
     def are_wrong(self) -> bool:
-        return self.match_count < MIN_TOTAL or not self.fraction >= FITTING
+        return self.match_count < MIN_TOTAL or not self.fraction >= MIN_MATCH_FRACTION
 
     @property
     def is_focal_wrong(self) -> bool:
@@ -95,7 +95,7 @@ class PoseCheck:
                 "matches): the poses belong to other images, or the images are too few, blurred or without texture"
             ]
         fits = f"{100 * self.fraction:.0f}% of the matches between images fit the poses"
-        if self.are_wrong or (self.cause and self.cause_fraction > PLAINLY * self.fraction):
+        if self.are_wrong or (self.cause and self.cause_fraction > MIN_CORRECTION_RATIO * self.fraction):
             if self.cause:
                 return [f"only {fits}, {100 * self.cause_fraction:.0f}% would fit if {self.cause}: correct the poses"]
             if self.is_focal_wrong:
@@ -132,7 +132,7 @@ def check_poses(features: FeatureRays, model: SfmModel, pairs: Pairs) -> PoseChe
     distance = float(np.median(inlier_distances)) if len(inlier_distances) else math.nan
     cause, cause_fraction = _likely_cause(matches, model, fraction)
     focal = matches.focal(poses) if not cause else math.nan
-    strays = () if fraction < FITTING else tuple(model.names[i] for i in matches.strays(fits, len(model)))
+    strays = () if fraction < MIN_MATCH_FRACTION else tuple(model.names[i] for i in matches.strays(fits, len(model)))
     return PoseCheck(len(matches.first), fraction, distance, cause, cause_fraction, focal, strays)
 
 
@@ -175,7 +175,7 @@ def _nearest_mutual(p: Any, q: Any, chosen: Any, mine: Any, theirs: Any) -> NDAr
     rows = np.arange(len(chosen))
     min_sqdist = sqdists[rows, best]
     sqdists[rows, best] = np.inf
-    clear = (min_sqdist < RATIO**2 * sqdists.min(axis=1)) & (min_sqdist <= MAX_SQDIST)
+    clear = (min_sqdist < MAX_DISTANCE_RATIO**2 * sqdists.min(axis=1)) & (min_sqdist <= MAX_SQDIST)
     rows, best = rows[clear], best[clear]
     back = ((p**2).sum(axis=1)[:, None] - 2 * (p @ q[best].T)).argmin(axis=0)
     mutual = back == chosen[rows]
@@ -207,7 +207,9 @@ class _Matches:
         focals = np.array([focal_of(camera) for camera in model.cameras])
         longer = max(max(camera.width, camera.height) for camera in model.cameras)
         first, second = (np.concatenate(each) for each in rays)
-        return cls(np.concatenate(pair), pair_matches.pairs[selected], first, second, focals, NEAR * longer)
+        return cls(
+            np.concatenate(pair), pair_matches.pairs[selected], first, second, focals, MAX_EPIPOLAR_DISTANCE * longer
+        )
 
     def off(self, poses: Array, factor: float = 1.0) -> tuple[Array, NDArray[np.bool_]]:
         """Epipolar distances [px], the larger of both, and the mask of matches before both cameras."""
@@ -242,7 +244,7 @@ class _Matches:
         for (a, b), fraction in zip(self.pairs.tolist(), fractions.tolist(), strict=True):
             for i in (a, b):
                 best[i], tried[i] = max(best[i], fraction), tried[i] + 1
-        return [i for i in range(count) if tried[i] >= 2 and best[i] < FITTING / 2]
+        return [i for i in range(count) if tried[i] >= 2 and best[i] < MIN_MATCH_FRACTION / 2]
 
     def focal(self, poses: Array) -> float:
         cost = lambda log: float(np.minimum(self.off(poses, math.exp(log))[0] / self.near, 1.0).mean())  # noqa: E731
@@ -272,7 +274,7 @@ def _before_both(poses: Array, x: Array, y: Array) -> NDArray[np.bool_]:
 
 
 def _likely_cause(matches: _Matches, model: SfmModel, fraction: float) -> tuple[str, float]:
-    best, best_fraction = "", max(PLAINLY * fraction, FITTING)
+    best, best_fraction = "", max(MIN_CORRECTION_RATIO * fraction, MIN_MATCH_FRACTION)
     for name, poses in itertools.chain(_other_conventions(model), _other_orders(model)):
         explained = matches.fraction(matches.fits(poses)[0])
         if explained > best_fraction:
@@ -291,7 +293,7 @@ def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:
         "each rotation is inverted, and the position is correct": (inverse, t),
         "each position is that of the world in the camera frame, and the rotation is correct": (R, back),
     }
-    axes = {name: np.diag(signs).astype(float) for name, signs in AXES.items()} | QUARTERS
+    axes = {name: np.diag(signs).astype(float) for name, signs in AXIS_CONVENTIONS.items()} | QUARTER_ROTATIONS
     for (form, (rotation, center)), (name, flip) in itertools.product(forms.items(), axes.items()):
         if form or name:
             yield " and ".join(filter(None, (form, name))), _posed(rotation @ flip, center)

@@ -13,7 +13,7 @@ from .colmap_jobs import MAX_SECONDS
 from .features import MAX_FEATURES, MAX_SIZE, find_features
 from .image_folder import check_path
 from .mapping import SfmResult, map_images
-from .matches import OVERLAP, match_features
+from .matches import SEQUENCE_OVERLAP, match_features
 
 
 def reconstruct_images(
@@ -26,7 +26,7 @@ def reconstruct_images(
     max_features: int = MAX_FEATURES,
     masks: FilePath | None = None,
     pairs: str = "auto",
-    overlap: int = OVERLAP,
+    overlap: int = SEQUENCE_OVERLAP,
     mapper: str = "auto",
     kind: str = "sift",
     use_gpu: bool | None = None,

@@ -23,29 +23,29 @@ from scipy.spatial import KDTree
 from ...core.errors import FileError
 from ...io.models.sfm_model import SfmModel
 from .colmap_jobs import names_by_number, open_database
-from .feature_rays import DESCRIPTOR, focal_of, table_of
-from .matches import PAIR
+from .feature_rays import DESCRIPTOR_LENGTH, focal_of, table_of
+from .matches import PAIR_ID_FACTOR
 
 Array = NDArray[np.float64]
 
 MAX_FEATURES = 2048  # features per image, those of the largest scale
 MAX_VOTES = 1000  # similar features per image that vote for a shift
 MIN_VOTES = 10  # for a shift
-NEAR = 0.1  # of a shift: votes and copies within this fraction agree
+MAX_SHIFT_DIFFERENCE = 0.1  # of a shift: votes and copies within this fraction agree
 MIN_SHIFT = 0.05  # relative to the longer side
 MIN_OF_BEST = 0.3  # fraction of the votes of the best shift
 MAX_SHIFTS = 8
 AT_ONCE = 512  # features per distance block
-SIMILAR = 150.0  # distance of descriptors of norm 512: nine tenths of correct matches are below it
+MAX_DESCRIPTOR_DISTANCE = 150.0  # distance of descriptors of norm 512: nine tenths of correct matches are below it
 AS_SIMILAR = 200.0  # distance of descriptors below which a copy explains any match
-RATIO = 0.8  # distance of a match to that of a copy (Lowe 2004)
+MAX_DISTANCE_RATIO = 0.8  # distance of a match to that of a copy (Lowe 2004)
 SAME_PIXEL = 1e-3  # [px] from a feature to the observation made from it
 MIN_SHARED = 15  # points that connect two images, as in COLMAP
 MIN_DECISIVE = 0.6  # fraction of the matches that the repetition must not explain
 MIN_CONNECTED = 0.95  # fraction of the images that such pairs must connect
 MIN_VIEWS = 3  # images of a track: two always fit a wrong pose along their epipolar lines
 MIN_TRACKS = 10  # in an image
-MISSED = 0.01  # error of a track that does not fit, relative to the longer side
+MAX_TRACK_ERROR = 0.01  # error of a track that does not fit, relative to the longer side
 MAX_CONTRADICTION = 0.4  # fraction of the tracks of an image: 0.27 in correct models, 0.5 to 1 in wrong ones
 
 
@@ -118,7 +118,7 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
                 descriptors = table_of(connection, "descriptors", numbers[name], np.uint8, database)
             except FileError:  # imported descriptors of another type
                 return None
-            if len(keypoints) != len(descriptors) or (len(keypoints) and descriptors.shape[1] != DESCRIPTOR):
+            if len(keypoints) != len(descriptors) or (len(keypoints) and descriptors.shape[1] != DESCRIPTOR_LENGTH):
                 return None
             images.append(_image(model, k, keypoints, descriptors))
         repeating = [k for k, each in enumerate(images) if not math.isnan(each.shift)]
@@ -127,7 +127,7 @@ def check_repetition(model: SfmModel, database: Path) -> RepetitionCheck | None:
         indices, pairs = {numbers[name]: k for k, name in enumerate(model.names)}, {}
         query = "SELECT pair_id FROM two_view_geometries WHERE rows >= ? ORDER BY pair_id"
         for (key,) in connection.execute(query, (MIN_SHARED,)).fetchall():
-            first, second = divmod(key, PAIR)
+            first, second = divmod(key, PAIR_ID_FACTOR)
             if first in indices and second in indices:
                 i, j = indices[first], indices[second]
                 found = table_of(connection, "two_view_geometries", key, np.uint32, database, column="pair_id")
@@ -179,7 +179,7 @@ def _decisive(first: _Image, second: _Image, matches: NDArray[np.int64]) -> tupl
     """Matches whose copy would be visible, and those that no copy explains, by the distances of both."""
     copies = np.fmin(first.copies[matches[:, 0]], second.copies[matches[:, 1]])
     distances = _distances(first.descriptors[matches[:, 0]], second.descriptors[matches[:, 1]])
-    return ~np.isnan(copies), copies >= np.maximum(AS_SIMILAR, distances / RATIO)
+    return ~np.isnan(copies), copies >= np.maximum(AS_SIMILAR, distances / MAX_DISTANCE_RATIO)
 
 
 def _contradiction(model: SfmModel, images: Sequence[_Image], firsts: Any, matches: NDArray[np.int64]) -> float:
@@ -196,7 +196,7 @@ def _contradiction(model: SfmModel, images: Sequence[_Image], firsts: Any, match
     pixels = np.concatenate([each.pixels for each in images])[rows]
     errors = np.zeros(labels.max() + 1)
     np.maximum.at(errors, labels, _track_errors(model, owners, labels, pixels))
-    bad = errors[labels] > MISSED
+    bad = errors[labels] > MAX_TRACK_ERROR
     fractions = [bad[owners == k].mean() for k in range(len(model)) if (owners == k).sum() >= MIN_TRACKS]
     return float(max(fractions, default=0.0))
 
@@ -237,7 +237,7 @@ def _copies_in(keypoints: Array, descriptors: NDArray[np.uint8], longer_side: in
         return distances, math.nan
     tree = KDTree(at)
     for shift in shifts:
-        near = tree.query_ball_point(at + shift, NEAR * float(np.linalg.norm(shift)))
+        near = tree.query_ball_point(at + shift, MAX_SHIFT_DIFFERENCE * float(np.linalg.norm(shift)))
         features = np.repeat(np.arange(len(at)), [len(each) for each in near])
         others = np.concatenate([np.zeros(0), *near]).astype(np.int64)
         np.fmin.at(distances, chosen[features], _distances(seen[features], seen[others]))
@@ -253,7 +253,7 @@ def _votes(at: Array, seen: NDArray[np.float32], min_shift: float) -> Array:
         off = lengths[rows, None] + lengths - 2 * seen[rows] @ seen.T  # integers below 2^24, hence exact
         off[((at[rows, None] - at) ** 2).sum(axis=2) < min_shift**2] = np.inf
         nearest = off.argmin(axis=1)
-        similar = off[np.arange(len(off)), nearest] < SIMILAR**2
+        similar = off[np.arange(len(off)), nearest] < MAX_DESCRIPTOR_DISTANCE**2
         votes.append((at[nearest] - at[rows])[similar])
     joined = np.concatenate(votes)
     return joined[np.unique(np.linspace(0, len(joined) - 1, MAX_VOTES).astype(int))] if len(joined) else joined
@@ -262,7 +262,9 @@ def _votes(at: Array, seen: NDArray[np.float32], min_shift: float) -> Array:
 def _common_shifts(votes: Array) -> Array:
     """Shifts with enough votes, in both directions, that with the most votes first."""
     votes = np.concatenate([votes, -votes])
-    agree = np.linalg.norm(votes[:, None] - votes, axis=2) < NEAR * np.linalg.norm(votes, axis=1)[:, None]
+    agree = (
+        np.linalg.norm(votes[:, None] - votes, axis=2) < MAX_SHIFT_DIFFERENCE * np.linalg.norm(votes, axis=1)[:, None]
+    )
     free, shifts, most = np.ones(len(votes), bool), [], 0
     while len(shifts) < MAX_SHIFTS and len(votes):
         counts = (agree & free).sum(axis=1) * free

@@ -26,12 +26,12 @@ from .guided_matches import PairMatches, match_guided, pairs_in_view
 from .image_folder import check_path, list_images
 from .limited_process import check_limits
 from .model_quality import FINDING_SIZE, ModelQuality, assess_model
-from .pose_check import NEAR, PoseCheck, check_poses
+from .pose_check import MAX_EPIPOLAR_DISTANCE, PoseCheck, check_poses
 from .posed_images import with_poses
 
 MIN_DISTANCE = 1.0  # [px] at extraction size: SIFT errors are a third of that
 MIN_VIEWS = 3  # minimum views if there are enough images: any two rays that meet give a point
-DISTANCES = 4.0  # times the median epipolar distance
+EPIPOLAR_DISTANCE_FACTOR = 4.0  # times the median epipolar distance
 MIN_ANGLE = 1.5  # [degrees] minimum triangulation angle
 MIN_MATCHES = 8  # minimum per pair
 
@@ -157,7 +157,9 @@ def admitted_distance(model: SfmModel, check: PoseCheck) -> float:
     """Maximum epipolar distance of a match [px], by the accuracy of the poses."""
     longer = max(max(camera.width, camera.height) for camera in model.cameras)
     minimum = MIN_DISTANCE * max(1.0, longer / FINDING_SIZE)
-    return float(min(max(minimum, DISTANCES * check.distance), max(minimum, 1.5 * NEAR * longer)))
+    return float(
+        min(max(minimum, EPIPOLAR_DISTANCE_FACTOR * check.distance), max(minimum, 1.5 * MAX_EPIPOLAR_DISTANCE * longer))
+    )
 
 
 def points_of(

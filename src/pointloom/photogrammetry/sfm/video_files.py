@@ -26,7 +26,7 @@ from ...core.errors import FileError
 from ...core.paths import path_of
 from .limited_process import LimitedProcess, python_command
 
-_HEAD = 4096  # [B] inspected header
+_HEADER_BYTES = 4096  # [B] inspected header
 _MOV = (b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip", b"pnot", b"styp", b"uuid")
 _STARTS = {
     b"\x1a\x45\xdf\xa3": "matroska",
@@ -44,14 +44,14 @@ _STARTS = {
     b"nut/multimedia container\x00": "nut",
     b".RMF\x00": "rm",
 }
-_PACKETS = (188, 192, 204)  # [B] MPEG transport stream packets: plain, with time stamps, with checksums
-_SYNC, _SYNC_COUNT = 0x47, 5  # first byte of packets, and required number of packets
+_PACKET_BYTES = (188, 192, 204)  # [B] MPEG transport stream packets: plain, with time stamps, with checksums
+_SYNC_BYTE, _SYNC_COUNT = 0x47, 5  # first byte of packets, and required number of packets
 
 
 def find_container(path: Path) -> str:
     try:
         with path.open("rb") as file:
-            return _container_of(file.read(_HEAD))
+            return _container_of(file.read(_HEADER_BYTES))
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 
@@ -69,10 +69,10 @@ def _container_of(head: bytes) -> str:
 
 def _stream_of(head: bytes) -> str:
     """Detect raw streams, which may start anywhere."""
-    for step in _PACKETS:
+    for step in _PACKET_BYTES:
         for begin in range(step):
             packets = head[begin::step][:_SYNC_COUNT]
-            if packets == bytes([_SYNC]) * _SYNC_COUNT:
+            if packets == bytes([_SYNC_BYTE]) * _SYNC_COUNT:
                 return "mpegts"
     for start in (b"\x00\x00\x00\x01", b"\x00\x00\x01"):
         if head.startswith(start) and len(head) > len(start):
@@ -88,7 +88,7 @@ READERS = ("auto", "ffmpeg", "opencv")
 
 _OPENCV = Path(__file__).with_name("opencv_worker.py")
 _PROBE_SECONDS = 120.0  # for headers, or complete files without an index on slow disks
-_MISSING = 3  # exit code of opencv_worker
+_OPENCV_MISSING = 3  # exit code of opencv_worker
 _INSTALL = "Install the program ffmpeg (with ffprobe), or pip install opencv-python-headless"
 _NO_CONTAINER = "its first bytes match no known video container"
 _CONVERT = "Convert it to MP4 or MKV. Playlists are not followed: give the video itself"
@@ -169,7 +169,7 @@ def _answer(path: Path, command: Sequence[str], *, stdin: str = "") -> tuple[str
         assert process.stdout is not None
         output = process.stdout.read().decode(errors="replace")
         status = process.wait()
-        if status == _MISSING and command[-1] == str(_OPENCV):
+        if status == _OPENCV_MISSING and command[-1] == str(_OPENCV):
             raise FileError(path, "no program for reading videos is installed", remedy=_INSTALL)
         if status < 0:
             raise FileError(path, f"reading the video {process.why_ended()}", remedy="The file may be damaged")

@@ -19,7 +19,7 @@ from ...registration.rigid import fit_pose
 from ...registration.stations.observations import ControlPoint
 from ...registration.trajectories.weighted_similarity import Rows, UndeterminedError, WeightedFit, fit_rows
 from ..sfm.image_positions import ImagePositions
-from .control_blunders import MIN_TO_IDENTIFY, ROUGH, agreeing, deviations, residual_ratio
+from .control_blunders import MIN_TO_IDENTIFY, OUTLIER_DEVIATIONS, agreeing, deviations, residual_ratio
 from .control_report import CHECK, CONTROL, UNUSED, ControlFit, ControlResidual, GpsGaps
 from .control_systems import to_geodetic
 from .georeference import NotSettledError, enu_of, positions_by_image
@@ -30,10 +30,10 @@ from .scale_bars import Bars, fit_bars
 Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 4  # iterations of reweighting
-LARGE = 1e4  # [m] coordinates beyond this lose an origin, since meshes are float32
-ROUND = 100.0  # [m] rounding of that origin
+MAX_FLOAT32_COORDINATE = 1e4  # [m] coordinates beyond this lose an origin, since meshes are float32
+ORIGIN_STEP = 100.0  # [m] rounding of that origin
 MIN_REPORTED_RATIO = 2.0  # ratio of actual to stated errors that is reported
-FAR = 300.0  # [m] between control and GPS: larger than GNSS errors, smaller than wrong zones
+MAX_GPS_SHIFT = 300.0  # [m] between control and GPS: larger than GNSS errors, smaller than wrong zones
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +87,11 @@ def _coordinates(control: GroundControl) -> _Coordinates:
     fitted = [name not in control.checks for name in names]
     if not control.crs:
         middle = np.median(positions[fitted], axis=0)
-        origin = np.round(middle / ROUND) * ROUND if np.abs(positions).max() > LARGE else np.zeros(3)
+        origin = (
+            np.round(middle / ORIGIN_STEP) * ORIGIN_STEP
+            if np.abs(positions).max() > MAX_FLOAT32_COORDINATE
+            else np.zeros(3)
+        )
         return _Coordinates(None, origin, dict(zip(names, positions - origin, strict=True)))
     positions = to_geodetic(positions, control.crs, control.path)
     first_longitude = positions[0, 1]
@@ -118,7 +122,7 @@ def _by_points(
         gps = _gaps(model, image_positions, coordinates.frame, fit.T)
     problems = [_why_wrong(rows, wrong), _why_off(rows, worse, len(used)), _why_checks_contradict(rows)]
     problems += [bars.problem(fit.T), bars.problem_of_checks(fit.T), _why_far(gps, control)]
-    notes = (_off(rows, worse),) if MIN_REPORTED_RATIO < worse <= ROUGH else ()
+    notes = (_off(rows, worse),) if MIN_REPORTED_RATIO < worse <= OUTLIER_DEVIATIONS else ()
     sigmas = np.sqrt(np.diag(fit.covariance))
     tilt, yaw = math.degrees(float(sigmas[1:3].max())), math.degrees(float(sigmas[3]))
     return ControlFit(
@@ -167,7 +171,7 @@ def _residual(
     sigma = np.sqrt(np.maximum(known[0] ** 2 + (-spread if use == CONTROL else spread), 0))
     warnings = [f"without the marks in {', '.join(marked.left_out)}"] if marked.left_out else []
     off = float(deviations(fit, position[None], target[None], known)[0])
-    contradicts = use == UNUSED or (is_check and off > ROUGH)
+    contradicts = use == UNUSED or (is_check and off > OUTLIER_DEVIATIONS)
     if use == UNUSED:
         warnings.append(f"contradicts the others, {off:.0f} standard deviations off")
     elif contradicts:
@@ -200,7 +204,7 @@ def _off(rows: tuple[ControlResidual, ...], worse: float) -> str:
 
 def _why_off(rows: tuple[ControlResidual, ...], worse: float, count: int) -> str:
     """Whether the used points contradict each other without a clear outlier."""
-    if not worse > ROUGH:
+    if not worse > OUTLIER_DEVIATIONS:
         return ""
     more = f"; with {MIN_TO_IDENTIFY} or more points the wrong one can be identified" if count < MIN_TO_IDENTIFY else ""
     return f"{_off(rows, worse)}: one is wrong, or the model is deformed; check coordinates and marks{more}"
@@ -216,7 +220,7 @@ def _gaps(model: SfmModel, image_positions: ImagePositions, frame: WorldFrame, T
 
 
 def _why_far(gps: GpsGaps | None, control: GroundControl) -> str:
-    if gps is None or not (far := float(np.linalg.norm(gps.shift[:2]))) > FAR:
+    if gps is None or not (far := float(np.linalg.norm(gps.shift[:2]))) > MAX_GPS_SHIFT:
         return ""
     return (
         f"the control points are {far / 1000:.4g} km from the GPS positions of the images: check the "

@@ -18,10 +18,10 @@ from .ground_control import MIN_POINTS, is_straight
 
 Array = NDArray[np.float64]
 
-TRIPLES = 300  # random triples if there are more
+MAX_TRIPLES = 300  # random triples if there are more
 MAX_ITERATIONS = 10
 CONSISTENT_RATIO = 1.25  # ratio of actual to stated errors of the inliers
-ROUGH = 5.0  # standard deviations of an outlier
+OUTLIER_DEVIATIONS = 5.0  # standard deviations of an outlier
 MIN_TO_IDENTIFY = 5  # minimum points to identify a wrong one
 
 
@@ -48,7 +48,7 @@ def agreeing(source: Array, target: Array, sigma: Array, *, seed: int = 0) -> ND
     spread = math.sqrt(best / max(3 * inlier_count - 7, 1))
     if spread > CONSISTENT_RATIO:  # the model is deformed, or the stated sigmas are too small
         spread *= 1 + MIN_TO_IDENTIFY / (count - MIN_POINTS)
-    inliers = deviations(fit, source, target, sigma) <= ROUGH * max(1.0, spread)
+    inliers = deviations(fit, source, target, sigma) <= OUTLIER_DEVIATIONS * max(1.0, spread)
     return inliers if inliers.sum() > MIN_POINTS and not is_straight(target[inliers]) else np.ones(count, bool)
 
 
@@ -66,10 +66,10 @@ def residual_ratio(fit: WeightedFit, source: Array, target: Array, sigma: Array)
 
 
 def _triples(count: int, seed: int) -> list[NDArray[np.int64]]:
-    if math.comb(count, 3) <= TRIPLES:
+    if math.comb(count, 3) <= MAX_TRIPLES:
         return [np.array(each) for each in itertools.combinations(range(count), 3)]
     rng = np.random.Generator(np.random.PCG64(seed))
-    return [np.sort(rng.choice(count, 3, replace=False)) for _ in range(TRIPLES)]
+    return [np.sort(rng.choice(count, 3, replace=False)) for _ in range(MAX_TRIPLES)]
 
 
 def _concentrated(

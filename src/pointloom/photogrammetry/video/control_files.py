@@ -21,7 +21,7 @@ from ..sfm.image_folder import check_path
 from .ground_control import ControlMark, GroundControl, ScaleBar
 
 CONTROL_SIGMA = 0.02  # [m] default
-SIGMAS = (1e-6, 1e3)  # [m] valid range
+SIGMA_RANGE = (1e-6, 1e3)  # [m] valid range
 MAX_BYTES = 1 << 24
 HALF_PIXEL = 0.5
 LOCAL = ("", "local", "none")
@@ -136,8 +136,10 @@ class _Parser:
 
     def add_sigma(self, line: int, name: str, plan: str, height: str) -> None:
         values = self.numbers(line, [plan or height, height or plan], "standard deviations [m]")
-        if not all(SIGMAS[0] <= value <= SIGMAS[1] for value in values):
-            raise self.fail(line, f"expected standard deviations of {SIGMAS[0]:g}..{SIGMAS[1]:g} m, got {values}")
+        if not all(SIGMA_RANGE[0] <= value <= SIGMA_RANGE[1] for value in values):
+            raise self.fail(
+                line, f"expected standard deviations of {SIGMA_RANGE[0]:g}..{SIGMA_RANGE[1]:g} m, got {values}"
+            )
         self.sigmas[name] = values[0], values[0], values[1]
 
     def add_use(self, line: int, name: str, use: str) -> None:

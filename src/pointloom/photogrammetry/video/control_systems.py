@@ -19,8 +19,8 @@ from ...pcd.geodesy import HIGHEST, NORTHERN, SOUTHERN, from_utm
 
 Array = NDArray[np.float64]
 
-ETRS89 = 25800  # EPSG base of the European UTM zones 28 to 38
-EASTINGS, NORTHINGS = (1e5, 9e5), (0.0, 1e7)  # [m] range of a UTM zone with margins
+ETRS89_UTM_BASE = 25800  # EPSG base of the European UTM zones 28 to 38
+UTM_EASTINGS, UTM_NORTHINGS = (1e5, 9e5), (0.0, 1e7)  # [m] range of a UTM zone with margins
 
 _ZONE = re.compile(r"\bUTM\s*(?:zone\s*)?(\d{1,2})\s*([NS])?\b", re.IGNORECASE)
 _PROJ_ZONE = re.compile(r"\+zone=(\d{1,2})\b")
@@ -51,7 +51,7 @@ def to_geodetic(positions: Array, crs: str, path: str) -> Array:
 
 
 def _checked(positions: Array, crs: str) -> Array:
-    for k, what, (low, high) in ((0, "x", EASTINGS), (1, "y", NORTHINGS)):
+    for k, what, (low, high) in ((0, "x", UTM_EASTINGS), (1, "y", UTM_NORTHINGS)):
         wrong = np.flatnonzero(~((positions[:, k] >= low) & (positions[:, k] <= high)))
         if len(wrong):
             raise ValueError(
@@ -66,8 +66,8 @@ def utm_code(crs: str) -> int | None:
     text = crs.strip()
     if match := re.fullmatch(r"EPSG:(\d{1,6})", text, re.IGNORECASE):
         code = int(match[1])
-        if ETRS89 + 28 <= code <= ETRS89 + 38:
-            return NORTHERN + code - ETRS89
+        if ETRS89_UTM_BASE + 28 <= code <= ETRS89_UTM_BASE + 38:
+            return NORTHERN + code - ETRS89_UTM_BASE
         return code if any(base < code <= base + 60 for base in (NORTHERN, SOUTHERN)) else None
     if "+proj=utm" in text and (match := _PROJ_ZONE.search(text)):
         if "+units=" in text and "+units=m" not in text.split():

@@ -25,16 +25,16 @@ from ..sfm.image_positions import ImagePosition, ImagePositions
 Array = NDArray[np.float64]
 
 MIN_POSITIONS = 3  # positions
-SIGMA, HEIGHT_FACTOR = 3.0, 2.0  # [m] default GNSS sigma, and the factor for heights
+DEFAULT_SIGMA, HEIGHT_FACTOR = 3.0, 2.0  # [m] default GNSS sigma, and the factor for heights
 MIN_SIGMA = 0.005  # [m] lower bound
 MIN_EXTENT = 3.0  # minimum extent of the positions, in sigmas
 WORST_SCALE, WORST_TILT, WORST_YAW = 0.05, 5.0, 10.0  # maximum relative scale sigma, tilt and yaw sigma [degrees]
-DOUBTED = 0.05  # maximum RMS residual relative to the extent
+MAX_RELATIVE_RMS = 0.05  # maximum RMS residual relative to the extent
 MAX_WRONG = 1 / 3  # maximum outlier fraction
 NO_HEIGHT = 1e4  # [m] standard deviation of unknown heights
-CUT = 3.5  # normalized residual of an outlier
+OUTLIER_RESIDUAL = 3.5  # normalized residual of an outlier
 MAX_ITERATIONS = 12
-ENOUGH = 8  # minimum positions to estimate their accuracy
+MIN_POSITIONS_FOR_ACCURACY = 8  # minimum positions to estimate their accuracy
 _MEDIAN_PLAN, _MEDIAN_HEIGHT = 1.1774, 0.6745  # medians of 2D and 1D normal errors, in sigmas
 
 
@@ -78,7 +78,7 @@ class PlacesFit:
 
     def problem(self) -> str | None:
         wrong = len(self.left_out)
-        if not (self.horizontal_rms > DOUBTED * self.extent or wrong > MAX_WRONG * len(self.names)):
+        if not (self.horizontal_rms > MAX_RELATIVE_RMS * self.extent or wrong > MAX_WRONG * len(self.names)):
             return None
         return (
             f"the GPS and the estimated positions of the images differ by {self.horizontal_rms:.3g} m in plan over "
@@ -176,7 +176,7 @@ def _targets(frame: WorldFrame, positions: list[ImagePosition]) -> tuple[Array, 
     target = enu_of(frame, positions)
     sigma = np.empty_like(target)
     for k, position in enumerate(positions):
-        plan = max(position.horizontal_sigma or SIGMA, MIN_SIGMA)
+        plan = max(position.horizontal_sigma or DEFAULT_SIGMA, MIN_SIGMA)
         sigma[k] = plan, plan, max(position.vertical_sigma or HEIGHT_FACTOR * plan, MIN_SIGMA)
         if position.altitude is None:
             sigma[k, 2] = np.inf
@@ -233,14 +233,14 @@ def _agreeing(gaps: Array, sigma: Array, before: NDArray[np.bool_]) -> tuple[NDA
     known = np.isfinite(height) & np.isfinite(sigma[:, 2])
     reference = before if before.sum() > MIN_POSITIONS else np.ones(count, bool)
     worse = np.ones(3)
-    limits = [CUT * slack * float(np.median(plan)) / _MEDIAN_PLAN, math.inf]
+    limits = [OUTLIER_RESIDUAL * slack * float(np.median(plan)) / _MEDIAN_PLAN, math.inf]
     if (known & reference).any():
-        limits[1] = CUT * slack * float(np.median(height[known & reference])) / _MEDIAN_HEIGHT
+        limits[1] = OUTLIER_RESIDUAL * slack * float(np.median(height[known & reference])) / _MEDIAN_HEIGHT
     limits = [max(limit, 0.1) for limit in limits]  # lower bound, in stated sigmas
     agree = (plan <= limits[0]) & (~known | (height <= limits[1]))
-    if agree.sum() >= ENOUGH:
+    if agree.sum() >= MIN_POSITIONS_FOR_ACCURACY:
         worse[:2] = _spread_of(plan[agree] / math.sqrt(2.0))
-        if (known & agree).sum() >= ENOUGH:
+        if (known & agree).sum() >= MIN_POSITIONS_FOR_ACCURACY:
             worse[2] = _spread_of(height[known & agree])
     return agree, worse
 

@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 BAR_SIGMA = 0.002  # [m] default
 MIN_POINTS = 3  # minimum points
-STRAIGHT = 0.02  # ratio of lateral extent below which points are collinear
+MIN_LATERAL_EXTENT = 0.02  # ratio of lateral extent below which points are collinear
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,7 +193,7 @@ def is_straight(points: Array) -> bool:
     if len(points) < MIN_POINTS:
         return True
     spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    return not (math.isfinite(float(spread[0])) and spread[1] > STRAIGHT * spread[0])
+    return not (math.isfinite(float(spread[0])) and spread[1] > MIN_LATERAL_EXTENT * spread[0])
 
 
 def _check_once(name: str, values: list[str]) -> None:

@@ -176,7 +176,7 @@ def _run(
     work: FilePath | None,
     device: Any,
 ) -> VideoResult:
-    stages = STAGES if settings.cameras is None else KNOWN_STAGES
+    stages = (STAGES if settings.cameras is None else KNOWN_STAGES).values()
     frames = run_to("frames", chain, given, stages)
     settings.units.check_names(motion.image_names(frames))
     check_control(settings.units.ground, frames, source)

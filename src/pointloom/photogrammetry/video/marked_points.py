@@ -21,10 +21,10 @@ Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 20
 MARK_SIGMA = 0.5  # [px] standard deviation of a mark
-STEP = 1e-6  # relative step of numeric derivatives
-WORST = 15.0  # [px] maximum error of a mark
-BETTER = 1.3  # improvement without an outlier mark, with four and more
-CLEARLY = 3.0  # improvement without one of three
+DERIVATIVE_STEP = 1e-6  # relative step of numeric derivatives
+MAX_MARK_ERROR = 15.0  # [px] maximum error of a mark
+OUTLIER_IMPROVEMENT = 1.3  # improvement without an outlier mark, with four and more
+OUTLIER_IMPROVEMENT_OF_THREE = 3.0  # improvement without one of three
 MIN_ANGLE = math.radians(0.5)  # minimum angle between two rays
 
 
@@ -73,7 +73,7 @@ def _located(model: SfmModel, name: str, seen: list[tuple[int, Array]]) -> Marke
             return _because(nowhere, "the rays of its marks do not intersect in front of the cameras")
         errors = np.linalg.norm(_gaps(model, seen, position), axis=1)
         errors_by_image = {model.names[k]: float(e) for (k, _), e in zip(seen, errors, strict=True)}
-        if not errors.max() > WORST:
+        if not errors.max() > MAX_MARK_ERROR:
             return MarkedPoint(name, position, covariance, errors_by_image, tuple(left))
         wrong = _odd_one(model, seen, math.sqrt(float((errors**2).mean()))) if len(seen) > 2 else None
         if wrong is None and len(seen) > 3:
@@ -96,8 +96,8 @@ def _odd_one(model: SfmModel, seen: list[tuple[int, Array]], rms: float) -> int 
             left[k] = np.inf if position is None else np.sqrt((_gaps(model, rest, position) ** 2).sum(axis=1).mean())
     first, second = np.argsort(left, kind="stable")[:2].tolist()
     if len(seen) == 3:  # any two nearly agree, so the third must be far worse
-        return first if CLEARLY * max(left[first], MARK_SIGMA) < left[second] else None
-    return first if BETTER * left[first] < rms else None
+        return first if OUTLIER_IMPROVEMENT_OF_THREE * max(left[first], MARK_SIGMA) < left[second] else None
+    return first if OUTLIER_IMPROVEMENT * left[first] < rms else None
 
 
 def _because(point: MarkedPoint, reason: str) -> MarkedPoint:
@@ -127,7 +127,7 @@ def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], position: Array) -
         gaps = _gaps(model, seen, position)
         if not np.isfinite(gaps).all():
             return None, normal
-        far = STEP * float(np.median(np.linalg.norm(model.centers[[k for k, _ in seen]] - position, axis=1)))
+        far = DERIVATIVE_STEP * float(np.median(np.linalg.norm(model.centers[[k for k, _ in seen]] - position, axis=1)))
         columns = [
             (_gaps(model, seen, position + far * axis) - _gaps(model, seen, position - far * axis)).reshape(-1)
             / (2 * far)

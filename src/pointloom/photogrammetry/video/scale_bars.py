@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from ...core.reports import failed
 from ...registration.rigid import scale_of
-from .control_blunders import ROUGH
+from .control_blunders import OUTLIER_DEVIATIONS
 from .control_report import CHECK, CONTROL, UNUSED, BarResidual
 from .ground_control import GroundControl, ScaleBar
 from .marked_points import MarkedPoint
 
 Array = NDArray[np.float64]
 
-DOUBTED = 0.01  # relative error that is never an outlier
+MAX_INLIER_ERROR = 0.01  # relative error that is never an outlier
 MIN_TO_IDENTIFY = 3  # minimum bars to identify a wrong one
 
 
@@ -106,7 +106,7 @@ class Bars:
     def _is_far(self, k: int, T: Array) -> bool:
         scale = scale_of(T)
         gap = abs(scale * self.length(k) - self.bars[k].meters)
-        return gap > max(ROUGH * self.sigma(k, T), DOUBTED * self.bars[k].meters)
+        return gap > max(OUTLIER_DEVIATIONS * self.sigma(k, T), MAX_INLIER_ERROR * self.bars[k].meters)
 
 
 def fit_bars(bars: Bars) -> tuple[Array, float, Bars]:

@@ -22,7 +22,7 @@ from .motion import digest_of_source
 from .units import VideoUnits
 
 MAX_FRAMES, MAX_SIZE = 150, 960
-MIN_IMAGES, SMALLEST = 2, 64  # minimum images, and minimum size
+MIN_IMAGES, MIN_IMAGE_SIZE = 2, 64  # minimum images, and minimum size
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +70,7 @@ class VideoSettings:
 
     def __post_init__(self):
         check_count("max_frames", self.max_frames, minimum=MIN_IMAGES)
-        check_count("max_size", self.max_size, minimum=SMALLEST)
+        check_count("max_size", self.max_size, minimum=MIN_IMAGE_SIZE)
         check_seed(self.seed)
         if not isinstance(self.units, VideoUnits):
             raise TypeError(f"units: expected VideoUnits, got {type(self.units).__name__}")

@@ -37,7 +37,7 @@ MAPS, MASKS = "maps", "masks"
 CLOUD, MESH = "cloud.ply", "mesh.ply"
 POSES_LOG, POSES_TUM = "poses.log", "poses.txt"
 
-FLOATER = 0.005  # smaller parts are removed, relative to the largest area
+MIN_RELATIVE_AREA = 0.005  # smaller parts are removed, relative to the largest area
 
 
 def straighten(
@@ -133,7 +133,7 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
     if not len(mesh):
         return mesh
     _, _, areas = mesh.cluster_connected_triangles()
-    return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
+    return mesh.remove_small_components(min_area=MIN_RELATIVE_AREA * float(areas.max()))
 
 
 def mean_fraction(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:

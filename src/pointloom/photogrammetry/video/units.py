@@ -30,7 +30,7 @@ from .georeference import NotSettledError, PlacesFit, attitudes_of, fit_image_po
 from .ground_control import GroundControl
 
 MIN_POSITIONS = 3  # minimum positions for a similarity
-DOUBTED = 0.05  # maximum RMS residual relative to the extent
+MAX_RELATIVE_RMS = 0.05  # maximum RMS residual relative to the extent
 MAX_WRONG = 1 / 3  # maximum outlier fraction: near 1/2 RANSAC fails
 
 ARBITRARY = "arbitrary"
@@ -343,7 +343,9 @@ def _aligned(path: FilePath, model: SfmModel) -> Fit:
 
 
 def _problem(agreement: KnownPlaces, path: FilePath) -> str | None:
-    if not (agreement.rms_m > DOUBTED * agreement.extent_m or len(agreement.left_out) > MAX_WRONG * agreement.count):
+    if not (
+        agreement.rms_m > MAX_RELATIVE_RMS * agreement.extent_m or len(agreement.left_out) > MAX_WRONG * agreement.count
+    ):
         return None
     return (
         f"the known and the estimated positions differ by {agreement.rms_m:.3g} m over "

@@ -48,8 +48,8 @@ from ..plan_check import (
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 VOXEL_SIZE = 0.02  # [m] as of `fuse`
-BLOCKS = 32  # default blocks along a cube: 256 voxels. At most 400 MB with color
-CHUNK = 32  # frames per task
+BLOCKS_PER_SIDE = 32  # default blocks along a cube: 256 voxels. At most 400 MB with color
+FRAMES_PER_TASK = 32  # frames per task
 CUBES = "cubes"  # folder of their surfaces
 _CUBE_NAME = re.compile(r"-?[0-9]{1,10}(_-?[0-9]{1,10}){2}")
 _LOWER_CUBES = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -84,7 +84,7 @@ class FusionJob(Job):
         if stage == 1:
             inputs: Checks = {"cube": list_of(_is_cube_index, 3), "frames": list_of(list_of(below(2**31), 2))}
             return inputs, dict.fromkeys(("vertices", "triangles", "blocks", "bytes"), is_count)
-        inputs = {"first": below(2**31), "count": lambda value: is_count(value) and value <= CHUNK}
+        inputs = {"first": below(2**31), "count": lambda value: is_count(value) and value <= FRAMES_PER_TASK}
         result: Checks = {
             "meeting": _is_frames_by_cube,
             "filled": list_of(_is_cube_name),
@@ -253,7 +253,7 @@ def plan_fusion(
     cut = 4 * edge if truncation is None else check_positive("truncation", truncation)
     if cut < edge:
         raise ValueError(f"truncation: expected at least one voxel ({edge} m), got {cut} m. 4 voxels are usual")
-    blocks = BLOCKS if size is None else int(check_positive("size", size) / (SIDE * edge) * (1 + 1e-9))
+    blocks = BLOCKS_PER_SIDE if size is None else int(check_positive("size", size) / (SIDE * edge) * (1 + 1e-9))
     if blocks < 1:
         raise ValueError(f"size: expected at least one block of {SIDE} voxels ({SIDE * edge:g} m), got {size} m")
     if weight_threshold is not None:
@@ -270,8 +270,8 @@ def plan_fusion(
     first = inv(inv(pose))[None, :3, 3]  # as in `integrate`
     plan |= {"weight_threshold": float(threshold), "origin": split_origin(first)[1].tolist()}
     plan |= {"color": dataset.frames[0].color is not None, "digest": _digest(dataset), "left_out": dataset.left_out}
-    starts = range(0, len(dataset), CHUNK)
-    tasks = [(k, min(CHUNK, len(dataset) - k)) for k in starts]
+    starts = range(0, len(dataset), FRAMES_PER_TASK)
+    tasks = [(k, min(FRAMES_PER_TASK, len(dataset) - k)) for k in starts]
     chunks = [Task(f"frames {k} to {k + n - 1}", {"first": k, "count": n}) for k, n in tasks]
     return make_job(FusionJob, folder, plan, chunks)
 

@@ -63,9 +63,9 @@ from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 SURFACES = "surfaces"  # folder of thinned scans
 _AGAIN = "Plan the scans again in another folder"
 MAX_CACHED = 2  # described scans cached per process: one pair. Consecutive pairs often share a scan
-NEAR = 12  # default neighbors by position
+POSITION_NEIGHBORS = 12  # default neighbors by position
 STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # reason for the pairs of a stage
-ALIKE = 8  # default neighbors by similarity
+SIMILARITY_NEIGHBORS = 8  # default neighbors by similarity
 
 
 class RegistrationJob(Job):
@@ -164,7 +164,9 @@ class RegistrationJob(Job):
             )
             for pose, task in zip(plan["places"], scans, strict=True)
         ]  # fmt: skip
-        return nearest_of(meeting_boxes(boxes), boxes, NEAR if plan["neighbors"] is None else plan["neighbors"])
+        return nearest_of(
+            meeting_boxes(boxes), boxes, POSITION_NEIGHBORS if plan["neighbors"] is None else plan["neighbors"]
+        )
 
     def _alike(self, scans: Sequence[Done], tried: Sequence[Done]) -> list[tuple[int, int]]:
         """Pairs of scans outside the largest group with the most similar scans in it."""
@@ -245,7 +247,7 @@ def plan_registration(
     neighbors: int | None = None,
     pairs: Sequence[tuple[int, int]] | None = None,
     known: Sequence[FragmentPair] = (),
-    max_similar: int = ALIKE,
+    max_similar: int = SIMILARITY_NEIGHBORS,
     free: Sequence[str] | None = None,
     seed: int = 0,
 ) -> JobStatus:

@@ -212,7 +212,7 @@ class Change(Compared):
         return dataclasses.replace(cores, cloud=cloud)
 
 
-OTHER = 1  # LAS class of former ground points
+UNCLASSIFIED_CLASS = 1  # LAS class of former ground points
 
 
 class ClassifyGround(Step):
@@ -236,7 +236,9 @@ class ClassifyGround(Step):
         cloud = part.cloud.copy()
         before = np.asarray(cloud["classification"]) if "classification" in cloud else np.zeros(len(cloud), np.uint8)
         stays = (before != 0) & (before != GROUND[0])
-        cloud["classification"] = np.where(ground, GROUND[0], np.where(stays, before, OTHER)).astype(np.uint8)
+        cloud["classification"] = np.where(ground, GROUND[0], np.where(stays, before, UNCLASSIFIED_CLASS)).astype(
+            np.uint8
+        )
         return dataclasses.replace(part, cloud=cloud)
 
 

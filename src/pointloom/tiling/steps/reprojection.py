@@ -18,7 +18,7 @@ from ...io.points.las import open_las
 from ..exact_sums import ExactSums
 from .step import Part, Step
 
-SAME = 1e-9  # of a unit's length
+MAX_UNIT_DIFFERENCE = 1e-9  # of a unit's length
 
 
 class Reproject(Step):
@@ -62,7 +62,7 @@ class Reproject(Step):
             output = pyproj.crs.CompoundCRS(f"{target.name} + {heights.name}", [target, heights])
         else:
             output = target
-        if not (source.is_compound and target.is_compound) and abs(units[0] / units[1] - 1) > SAME:
+        if not (source.is_compound and target.is_compound) and abs(units[0] / units[1] - 1) > MAX_UNIT_DIFFERENCE:
             names = [one.axis_info[0].unit_name for one in (source, target)]
             reason = f"x and y would be in {names[1]}, and heights stay in {names[0]}"
             raise ValueError(f"steps: reproject: {reason}. Use systems with heights, such as 'EPSG:2994+6360'")

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_indices
 from ...core.coordinates import choose_origin
 from ...core.errors import FileError
-from ...io.points.copc_nodes import MEMORY, CopcNodes
+from ...io.points.copc_nodes import CACHE_BYTES, CopcNodes
 from ...io.table import PointTable
 from ...pcd.cloud import PointCloud
 from ..render.view import View
@@ -48,7 +48,7 @@ class CopcTree(NodesInView):
 
     is_in_parts = True
 
-    def __init__(self, path: str | os.PathLike[str], *, memory: int = MEMORY, first: int = FIRST_POINTS):
+    def __init__(self, path: str | os.PathLike[str], *, memory: int = CACHE_BYTES, first: int = FIRST_POINTS):
         first = check_count("first", first)
         self.nodes = CopcNodes(path, memory=memory)
         self.damaged: dict[int, FileError] = {}
