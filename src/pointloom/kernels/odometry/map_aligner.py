@@ -14,13 +14,13 @@ from ..lang import DeviceLoop, float64, launch
 from ..memory import download, empty, write
 from . import map_course
 from .map_course import (
-    FOLD,
-    GIVEN,
+    FROM_GIVEN,
     ITERATIONS,
     MAX_LEGS,
     ORDER,
     PLANE_RUN,
     RESULT,
+    ROWS_PER_SUM,
     SQSUM,
     STATE,
     Course,
@@ -32,11 +32,11 @@ from .map_course import (
     step_pose_kernel,
     sum_planes_kernel,
 )
-from .map_icp import SUMS
+from .map_icp import SYSTEM_SIZE
 from .voxel_map import VoxelMap
 
 CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
-CUDA_RUN = 1  # a GPU needs the threads. A second stage sums FOLD rows each
+CUDA_RUN = 1  # a GPU needs the threads. A second stage sums ROWS_PER_SUM rows each
 MIN_PAIRS = 6  # fewer do not fix a pose against noise
 MIN_ROOM = 1024  # minimum room for scan points
 
@@ -57,7 +57,7 @@ class Leg:
     to_planes: bool = False
     few: bool = False
     is_regularized: bool = False
-    start: int = GIVEN
+    start: int = FROM_GIVEN
     is_needed: bool = False
 
 
@@ -106,9 +106,9 @@ class MapAligner:
         course = Course(room, voxel_map, float(self._plane_voxels * voxel_map.voxel_size), device)
         run = CUDA_RUN if device.is_cuda else CPU_RUN
         threads = -(-room // run)
-        rows = empty((threads, SUMS), float64, device)
-        folded = empty((-(-threads // FOLD), SUMS), float64, device) if device.is_cuda else rows
-        per_row = run * FOLD if device.is_cuda else run
+        rows = empty((threads, SYSTEM_SIZE), float64, device)
+        folded = empty((-(-threads // ROWS_PER_SUM), SYSTEM_SIZE), float64, device) if device.is_cuda else rows
+        per_row = run * ROWS_PER_SUM if device.is_cuda else run
 
         def iterate() -> None:
             launch(associate_points_kernel, threads, [run, course, rows])

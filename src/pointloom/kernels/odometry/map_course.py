@@ -20,15 +20,15 @@ from ..algebra.transform import widen
 from ..array_types import Device
 from ..lang import INFINITY, array, cross, float64, func, int32, kernel, mat44d, sqrt, struct, tid, vec3, vec3d
 from ..memory import empty, zeros
-from .map_icp import PAIRS, SQUARES, SUMS, add_pair, plane, plane_around, sums
+from .map_icp import PAIR_COUNT_AT, SQUARED_SUM_AT, SYSTEM_SIZE, add_pair, plane, plane_around, sums
 from .voxel_map import VoxelMap
 from .voxel_map_search import find_nearest_in_map
 
 PLANE_RUN = 32  # points per thread for plane information
-FOLD = 64  # rows per second-stage sum on CUDA
+ROWS_PER_SUM = 64  # rows per second-stage sum on CUDA
 MAX_LEGS = 64
-RUNNING, CONVERGED, EXHAUSTED, LOST = 0, 1, 2, 3  # states of a leg
-GIVEN, OF_FIRST, CHEAPEST = 0, 1, 2  # starts of a leg
+LEG_RUNNING, LEG_CONVERGED, LEG_EXHAUSTED, LEG_LOST = 0, 1, 2, 3  # states of a leg
+FROM_GIVEN, OF_FIRST, FROM_CHEAPEST = 0, 1, 2  # starts of a leg
 # columns of an order: pose (16), then these
 LIMIT, SCALE, TOLERANCE, REQUIRED_PAIRS, MAX_ITERATIONS, TO_PLANES, FIRST, COUNT, REGULARIZED, START, NEEDED = range(
     16, 27
@@ -94,12 +94,12 @@ def cost_of(leg: int, course: Course) -> float64:
 def start_of(leg: int, course: Course) -> mat44d:
     pose = pose_in(course.orders, leg)
     start = leg_number(leg, START, course)
-    if start != GIVEN:
+    if start != FROM_GIVEN:
         chosen = int(0)
-        if start == CHEAPEST:
+        if start == FROM_CHEAPEST:
             min_cost = float64(INFINITY)
             for k in range(1, leg):
-                if course.results[k, STATE] != float64(LOST):
+                if course.results[k, STATE] != float64(LEG_LOST):
                     cost = cost_of(k, course)
                     if cost < min_cost:
                         min_cost = cost
@@ -124,7 +124,7 @@ def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: 
 def begin_course_kernel(course: Course):
     """Initialize the first leg and all results. One thread per leg."""
     i = tid()
-    course.results[i, STATE] = float64(RUNNING)
+    course.results[i, STATE] = float64(LEG_RUNNING)
     course.results[i, ITERATIONS] = 0.0
     if i == 0:
         course.poses[0] = start_of(0, course)
@@ -164,7 +164,7 @@ def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64,
                         course.known[j] = nearest
                         course.planes[j] = at
                 total = add_pair(total, y, r, at, kernel_scale)
-        for column in range(SUMS):
+        for column in range(SYSTEM_SIZE):
             rows[i, column] = total[column]
 
 
@@ -173,11 +173,11 @@ def fold_rows_kernel(
     run: int, course: Course, rows: array(dtype=float64, ndim=2), folded: array(dtype=float64, ndim=2)
 ):
     i = tid()
-    block = i // SUMS
-    column = i % SUMS
+    block = i // SYSTEM_SIZE
+    column = i % SYSTEM_SIZE
     count = (leg_number(course.states[0], COUNT, course) + run - 1) // run
     total = float64(0.0)
-    for j in range(block * FOLD, block * FOLD + min(FOLD, count - block * FOLD)):
+    for j in range(block * ROWS_PER_SUM, block * ROWS_PER_SUM + min(ROWS_PER_SUM, count - block * ROWS_PER_SUM)):
         total += rows[j, column]
     folded[block, column] = total
 
@@ -199,12 +199,12 @@ def end_leg(leg: int, state: int, total: sums, course: Course):
     for i in range(4):
         for j in range(4):
             course.results[leg, 4 * i + j] = pose[i, j]
-        course.results[leg, SQSUM + i] = total[SQUARES + i]
+        course.results[leg, SQSUM + i] = total[SQUARED_SUM_AT + i]
     course.results[leg, STATE] = float64(state)
     course.results[leg, ITERATIONS] = float64(course.states[1])
     following = leg + 1
     count = leg_number(MAX_LEGS, LEGS, course)
-    if state == LOST and course.orders[leg, NEEDED] == 1.0:
+    if state == LEG_LOST and course.orders[leg, NEEDED] == 1.0:
         count = following
     if following == count:
         course.running[0] = 0
@@ -221,13 +221,13 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
     leg = course.states[0]
     total = sums(0.0)
     for j in range((leg_number(leg, COUNT, course) + per_row - 1) // per_row):
-        for column in range(SUMS):
+        for column in range(SYSTEM_SIZE):
             total[column] = total[column] + rows[j, column]
     iterations = course.states[1] + 1
     course.states[1] = iterations
-    state = int(RUNNING)
-    if total[PAIRS] < course.orders[leg, REQUIRED_PAIRS]:
-        state = int(LOST)
+    state = int(LEG_RUNNING)
+    if total[PAIR_COUNT_AT] < course.orders[leg, REQUIRED_PAIRS]:
+        state = int(LEG_LOST)
     else:
         h = triangle(0.0)
         trace = total[triangle_index(3, 3)] + total[triangle_index(4, 4)] + total[triangle_index(5, 5)]
@@ -245,13 +245,13 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
         if size - size == 0.0:
             course.poses[i] = moved_by(x, course.poses[i])
             if sqrt(size) < course.orders[leg, TOLERANCE]:
-                state = int(CONVERGED)
+                state = int(LEG_CONVERGED)
             else:
                 if iterations >= leg_number(leg, MAX_ITERATIONS, course):
-                    state = int(EXHAUSTED)
+                    state = int(LEG_EXHAUSTED)
         else:
-            state = int(LOST)
-    if state != RUNNING:
+            state = int(LEG_LOST)
+    if state != LEG_RUNNING:
         end_leg(leg, state, total, course)
 
 

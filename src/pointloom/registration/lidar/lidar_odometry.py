@@ -511,8 +511,8 @@ class MapUpdate:
             self.known.map.add(points, pose, max_range)
 
 
-SAMPLE = 4096  # points for the estimate of a sweep
-BINS = 32  # time bins of a scan
+SWEEP_SAMPLE = 4096  # points for the estimate of a sweep
+SWEEP_BINS = 32  # time bins of a scan
 MIN_SWEEP = np.radians(20)  # minimum sweep of a spinning sensor
 FULL_SWEEP = np.radians(345)
 
@@ -552,7 +552,7 @@ def part_of_interval(
         first, last = download(bound_times(points, times))  # sync
         check_resolution(times, first, last, are_single)
         return float(last - first) / interval if last > first else 1.0
-    step = points.size // SAMPLE | 1
+    step = points.size // SWEEP_SAMPLE | 1
     p, t = (download(contiguous(values[::step])) for values in (points, times))  # sync
     p = p.astype(np.float64) + origin
     is_valid = np.isfinite(p).all(axis=1) & np.isfinite(t) & p.any(axis=1)
@@ -565,12 +565,12 @@ def part_of_interval(
         warn_of_coarse_times(len(np.unique(t)), len(t))
     if not span > 0:
         return 1.0
-    bins = np.minimum(((t - t.min()) / span * BINS).astype(np.int64), BINS - 1)
-    x, y = (np.bincount(bins, column / np.where(length > 0, length, 1), BINS) for column in p.T[:2])
+    bins = np.minimum(((t - t.min()) / span * SWEEP_BINS).astype(np.int64), SWEEP_BINS - 1)
+    x, y = (np.bincount(bins, column / np.where(length > 0, length, 1), SWEEP_BINS) for column in p.T[:2])
     known = (x != 0) | (y != 0)
     angles = np.diff(elementwise(math.atan2, y[known], x[known]))
     angles = (angles + np.pi) % (2 * np.pi) - np.pi
-    sweep = abs(float(angles.sum())) * BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
+    sweep = abs(float(angles.sum())) * SWEEP_BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
     is_steady = known.all() and ((angles > 0).all() or (angles < 0).all())
     return sweep / (2 * np.pi) if is_steady and MIN_SWEEP < sweep < FULL_SWEEP else 1.0
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
-from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
+from ...kernels.odometry.map_course import FROM_CHEAPEST, LEG_CONVERGED, LEG_LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
@@ -29,11 +29,11 @@ from .path_errors import MatchError, match_error, prediction_error
 
 Matrix = NDArray[np.float64]
 
-SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
-MOVED = 5.0  # times min_motion from the start, below which the initial threshold is used
+THRESHOLD_SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
+MIN_MOTIONS_FROM_START = 5.0  # times min_motion from the start, below which the initial threshold is used
 MAX_ITERATIONS = 50  # three are usual. Oscillating pairs do not converge with more
-TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
-ROUGH = 1e-2  # likewise if other iterations follow
+FINE_TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
+ROUGH_TOLERANCE = 1e-2  # likewise if other iterations follow
 LOST_FRACTION = 0.1  # minimum fraction of points with a correspondence
 JUDGED_VOXELS = 2.0  # voxels: larger distances count as missing
 PLANE_VOXELS = 1.0  # voxels: radius of plane neighborhoods
@@ -106,18 +106,18 @@ def match_scan(
     """
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
-    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH, few=few is not None)
+    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH_TOLERANCE, few=few is not None)
     legs = [
-        _leg(guess, count, SIGMAS * sigma, sigma / 3, ROUGH, to_planes=False, is_needed=True),
+        _leg(guess, count, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE, to_planes=False, is_needed=True),
         near,
         replace(near, start=OF_FIRST),
         *(replace(near, pose=start) for start in further),
-        _leg(guess, count, limit, fine, TOLERANCE, start=CHEAPEST),
+        _leg(guess, count, limit, fine, FINE_TOLERANCE, start=FROM_CHEAPEST),
     ]
     aligner.load(points, few, voxel_map)
     results, information = aligner.run(legs)  # sync
     iterations = sum(reached.iterations for reached in results)
-    if results[0].state == LOST or results[-1].state == LOST:
+    if results[0].state == LEG_LOST or results[-1].state == LEG_LOST:
         far = _match_of(results[0], legs[0], count, np.zeros((6, 6)))
         return replace(far, iterations=iterations) if far.is_matched else far
     last = _match_of(results[-1], legs[-1], count, information)
@@ -132,7 +132,9 @@ def match_scan(
     if free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    constrained = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_regularized=True), count, free.weight())
+    constrained = _align(
+        aligner, _leg(start, count, limit, fine, FINE_TOLERANCE, is_regularized=True), count, free.weight()
+    )
     return replace(
         constrained if constrained.is_matched else replace(last, pose=start),
         iterations=iterations + constrained.iterations,
@@ -153,7 +155,7 @@ def _search_along(
     """The best pose along a poorly determined direction (of equal ones, the nearest to the guess), and its rivals."""
     size, count = voxel_map.voxel_size, points.size
     starts, worst = poses_along(dense, voxel_map, first.pose, guess, way, search_range)
-    leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH)
+    leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH_TOLERANCE)
     legs = [replace(leg, pose=T) for T in starts]
     tried = (
         [_match_of(*pair, count, first.information) for pair in zip(aligner.run(legs)[0], legs, strict=True)]
@@ -169,7 +171,7 @@ def _search_along(
     alike = [match for match, is_worse in zip(candidates, rises_clearly(rises[1:]), strict=True) if not is_worse]
     chosen = min(alike, key=lambda match: _distance(match.pose, guess))
     if chosen is not first:
-        chosen = _align(aligner, replace(leg, pose=chosen.pose, tolerance=TOLERANCE), count)
+        chosen = _align(aligner, replace(leg, pose=chosen.pose, tolerance=FINE_TOLERANCE), count)
     others = [
         match.pose
         for match, (total, _, visible, _) in zip(candidates, rises[1:], strict=True)
@@ -203,10 +205,10 @@ def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None 
 
 
 def _match_of(reached: Reached, leg: Leg, count: int, information: Matrix) -> ScanMatch:
-    T, is_matched = reached.pose, reached.state != LOST
+    T, is_matched = reached.pose, reached.state != LEG_LOST
     return ScanMatch(
         make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_matched else leg.pose, is_matched,
-        reached.state == CONVERGED, reached.iterations, reached.paired, reached.paired / count, reached.sqsum,
+        reached.state == LEG_CONVERGED, reached.iterations, reached.paired, reached.paired / count, reached.sqsum,
         reached.cost, reached.disagreement, information,
     )  # fmt: skip
 
@@ -253,7 +255,7 @@ class AdaptiveThreshold:
 
     def value(self, poses: Matrix) -> float:
         """The threshold for the next scan. The initial one until the sensor has moved."""
-        if not len(poses) or norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MOVED * self.min_motion:
+        if not len(poses) or norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MIN_MOTIONS_FROM_START * self.min_motion:
             return self.initial
         return math.sqrt(self.sqsum / self.count)
 
@@ -283,7 +285,7 @@ MAX_RIVALS = 4  # examined in detail
 RIVAL_RISE = 0.25
 RIVAL_SEEN = 0.75  # minimum ratio of points with a plane, compared with the best pose: floors may be out of range
 MIN_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
-SAFETY = 1e-6  # relative margin for rounding: undecided matrices are decided by their eigenvalues
+ROUNDING_MARGIN = 1e-6  # relative margin for rounding: undecided matrices are decided by their eigenvalues
 FIXED_WEIGHT = 1.0e6  # weight of a fixed motion, relative to all pairs
 
 
@@ -402,7 +404,7 @@ def _scaled(information: Matrix, size: float, lever: float | None = None) -> tup
 
 def _exceeds(A: Matrix, limit: float) -> bool:
     """True if all eigenvalues surely exceed a limit: a quick check before `eigh`."""
-    return is_positive_definite(A - (1 + SAFETY) * limit * np.eye(len(A)))
+    return is_positive_definite(A - (1 + ROUNDING_MARGIN) * limit * np.eye(len(A)))
 
 
 def weak_directions(information: Matrix, count: int) -> Matrix:
