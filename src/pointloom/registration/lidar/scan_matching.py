@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
-from ...kernels.odometry.map_course import FROM_CHEAPEST, LEG_CONVERGED, LEG_LOST, OF_FIRST
+from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, LEG_CONVERGED, LEG_LOST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
@@ -85,34 +84,43 @@ class ScanMatch:
         return error.plus_lasting(deviation**2 * matmul(rays, rays.T))
 
 
+@dataclass(frozen=True, eq=False)
+class DownsampledScan:
+    """A scan about the sensor, downsampled for the map, for registration, and for trying many starts."""
+
+    dense: wp.array
+    sparse: wp.array
+    few: Callable[[], wp.array]
+
+
 def match_scan(
     aligner: MapAligner,
-    points: wp.array,
+    scan: DownsampledScan,
     voxel_map: VoxelMap,
     guess: Matrix,
     sigma: float,
     further: Sequence[Matrix] = (),
-    few: wp.array | None = None,
-    dense: wp.array | None = None,
     search_range: float = 0.0,
 ) -> ScanMatch:
     """Align a scan with the map.
 
     Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
     sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses. The least cost wins.
-    `sigma` [m] is the standard deviation of the guess, `few` and `dense` are sparser and denser points of the scan, and
-    `search_range` [m] limits the search along poorly determined directions. Motions that only the pattern of the scan
-    determines are reported as open, and keep their estimate.
+    `sigma` [m] is the standard deviation of the guess. `search_range` [m] limits the search along poorly determined
+    directions. Motions that only the pattern of the scan determines are reported as open, and keep their estimate.
     """
+    points, dense, few = scan.sparse, scan.dense, scan.few() if further else None
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
-    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH_TOLERANCE, few=few is not None)
+    first = _leg(guess, count, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE)
+    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH_TOLERANCE)
+    near, last_leg = replace(near, few=few is not None), _leg(guess, count, limit, fine, FINE_TOLERANCE)
     legs = [
-        _leg(guess, count, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE, to_planes=False, is_needed=True),
+        replace(first, to_planes=False, is_needed=True),
         near,
-        replace(near, start=OF_FIRST),
+        replace(near, start=FROM_FIRST),
         *(replace(near, pose=start) for start in further),
-        _leg(guess, count, limit, fine, FINE_TOLERANCE, start=FROM_CHEAPEST),
+        replace(last_leg, start=FROM_CHEAPEST),
     ]
     aligner.load(points, few, voxel_map)
     results, information = aligner.run(legs)  # sync
@@ -121,7 +129,7 @@ def match_scan(
         far = _match_of(results[0], legs[0], count, np.zeros((6, 6)))
         return replace(far, iterations=iterations) if far.is_matched else far
     last = _match_of(results[-1], legs[-1], count, information)
-    dense, rivals = points if dense is None else dense, ()
+    rivals: tuple[Matrix, ...] = ()
     for way in weak_directions(last.information, count) if search_range > 0 else ():
         last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, search_range)
         iterations, rivals = iterations + last.iterations, rivals + others
@@ -132,9 +140,7 @@ def match_scan(
     if free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    constrained = _align(
-        aligner, _leg(start, count, limit, fine, FINE_TOLERANCE, is_regularized=True), count, free.weight()
-    )
+    constrained = _align(aligner, replace(last_leg, pose=start, is_regularized=True), count, free.weight())
     return replace(
         constrained if constrained.is_matched else replace(last, pose=start),
         iterations=iterations + constrained.iterations,
@@ -186,17 +192,8 @@ def _distance(A: Matrix, B: Matrix) -> float:
     return float(norm(A[:3, 3] - B[:3, 3]))
 
 
-def _leg(
-    pose: Matrix,
-    count: int,
-    max_distance: float,
-    scale: float,
-    tolerance: float,
-    *,
-    to_planes: bool = True,
-    **more: Any,
-) -> Leg:
-    return Leg(pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes, **more)
+def _leg(pose: Matrix, count: int, max_distance: float, scale: float, tolerance: float) -> Leg:
+    return Leg(pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes=True)
 
 
 def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None = None) -> ScanMatch:
@@ -207,9 +204,10 @@ def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None 
 def _match_of(reached: Reached, leg: Leg, count: int, information: Matrix) -> ScanMatch:
     T, is_matched = reached.pose, reached.state != LEG_LOST
     return ScanMatch(
-        make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_matched else leg.pose, is_matched,
-        reached.state == LEG_CONVERGED, reached.iterations, reached.paired, reached.paired / count, reached.sqsum,
-        reached.cost, reached.disagreement, information,
+        pose=make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_matched else leg.pose, is_matched=is_matched,
+        converged=reached.state == LEG_CONVERGED, iterations=reached.iterations, inliers=reached.paired,
+        fitness=reached.paired / count, sqsum=reached.sqsum, cost=reached.cost, disagreement=reached.disagreement,
+        information=information,
     )  # fmt: skip
 
 
